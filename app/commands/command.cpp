@@ -1,0 +1,8 @@
+#include "app/commands/command.h"
+
+namespace moltact {
+
+void addAllCommands(CLI::App&) {
+}
+
+}  // namespace moltact

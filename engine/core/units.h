@@ -1,0 +1,43 @@
+// Spaces and units: the molecule's space in angstroms, the device's space in millimetres and newtons.
+// The member's name is the unit, so a place in one space cannot be taken for a place in the other;
+// `Workspace` is the one conversion between them. Plain data, usable on every thread.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace moltact {
+
+using Vec3 = glm::dvec3;
+
+/// A place in the molecule's space (unit: angstrom).
+struct PointA {
+  Vec3 A{0.0};
+};
+
+/// A place in the device's space (unit: millimetre; +x right, +y up, +z toward the person).
+struct PointMm {
+  Vec3 mm{0.0};
+};
+
+/// A force in the device's space (unit: newton).
+struct ForceN {
+  Vec3 N{0.0};
+};
+
+/// How the device's space lies in the molecule's: a scale, a turn and a centre.
+/// Valid range: A_per_mm > 0; `turn` a rotation matrix (orthonormal, determinant 1).
+struct Workspace {
+  double A_per_mm = 0.25;   ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
+  Vec3 centre_A{0.0};       ///< the place in the molecule where the device's origin lies (unit: angstrom)
+  glm::dmat3 turn{1.0};     ///< the device's axes in the molecule's space, as columns (default: the same axes)
+
+  PointA toMolecule(PointMm place) const { return {centre_A + turn * (place.mm * A_per_mm)}; }
+  PointMm toDevice(PointA place) const { return {glm::transpose(turn) * (place.A - centre_A) / A_per_mm}; }
+
+  /// The spring's force (paper, section 3.3): stiffness (N/mm, in the device's space) times the way from HIP to SCP.
+  ForceN spring(PointA hip, PointA scp, double stiffness_N_per_mm) const {
+    return {glm::transpose(turn) * (scp.A - hip.A) * (stiffness_N_per_mm / A_per_mm)};
+  }
+};
+
+}  // namespace moltact

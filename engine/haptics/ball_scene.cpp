@@ -1,0 +1,98 @@
+#include "engine/haptics/ball_scene.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <limits>
+
+#include "engine/haptics/tracker.h"
+
+namespace moltact {
+
+BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
+  if (balls_.empty()) {
+    cells_.resize(2);
+    mask_ = 1;
+    return;
+  }
+  assert(balls_.size() < std::numeric_limits<std::uint32_t>::max());
+
+  // A ball more than twice as large as 99 of 100 others would make every look-up wide: those few are kept apart.
+  std::vector<double> radii(balls_.size());
+  std::transform(balls_.begin(), balls_.end(), radii.begin(), [](const Ball& b) { return b.radius_A; });
+  const auto at99 = radii.begin() + std::ptrdiff_t(0.99 * double(radii.size() - 1));
+  std::nth_element(radii.begin(), at99, radii.end());
+  const double large_from = 2.0 * *at99;
+
+  low_ = high_ = balls_[0].centre_A;
+  bool first = true;
+  std::size_t small_count = 0;
+  for (const Ball& b : balls_) {
+    assert(std::isfinite(b.radius_A) && b.radius_A >= 0);
+    assert(std::isfinite(b.centre_A.x) && std::isfinite(b.centre_A.y) && std::isfinite(b.centre_A.z));
+    low_ = glm::min(low_, b.centre_A);
+    high_ = glm::max(high_, b.centre_A);
+    largest_radius_ = std::max(largest_radius_, b.radius_A);
+    if (b.radius_A > large_from) continue;
+    ++small_count;
+    cell_radius_ = std::max(cell_radius_, b.radius_A);
+    grid_low_ = first ? b.centre_A : glm::min(grid_low_, b.centre_A);
+    grid_high_ = first ? b.centre_A : glm::max(grid_high_, b.centre_A);
+    first = false;
+  }
+  low_ -= Vec3(largest_radius_);
+  high_ += Vec3(largest_radius_);
+  cell_ = 2.0 * (cell_radius_ + kWaterProbe_A);
+
+  // Counting sort by hashed cell: count, sum up, place.
+  std::vector<std::uint32_t> slot_of(balls_.size());
+  cells_.assign(std::bit_ceil(std::max<std::size_t>(16, small_count / 4)), Cell{});
+  std::size_t used = 0;
+  const auto resetTable = [&] {
+    mask_ = cells_.size() - 1;
+    shift_ = 64 - std::countr_zero(cells_.size());
+    used = 0;
+  };
+  const auto keyOf = [&](const Ball& b) {
+    return key(cellOf(b.centre_A.x, grid_low_.x), cellOf(b.centre_A.y, grid_low_.y), cellOf(b.centre_A.z, grid_low_.z));
+  };
+  resetTable();
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    if (balls_[i].radius_A > large_from) continue;
+    if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted anew
+      cells_.assign(cells_.size() * 4, Cell{});
+      resetTable();
+      i = std::size_t(-1);
+      continue;
+    }
+    const std::uint64_t k = keyOf(balls_[i]);
+    std::size_t s = slot(k);
+    while (cells_[s].key != k && cells_[s].key != kEmpty) s = (s + 1) & mask_;
+    if (cells_[s].key == kEmpty) {
+      cells_[s].key = k;
+      ++used;
+    }
+    ++cells_[s].end;
+    slot_of[i] = static_cast<std::uint32_t>(s);
+  }
+  std::uint32_t sum = 0;
+  for (Cell& c : cells_) {
+    c.begin = sum;
+    sum += c.end;
+    c.end = c.begin;
+  }
+  sorted_.resize(small_count);
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const Sorted entry{balls_[i], static_cast<std::uint32_t>(i)};
+    if (balls_[i].radius_A > large_from)
+      large_.push_back(entry);
+    else
+      sorted_[cells_[slot_of[i]].end++] = entry;
+  }
+}
+
+std::size_t BallScene::bytes() const {
+  return sorted_.capacity() * sizeof(Sorted) + large_.capacity() * sizeof(Sorted) + cells_.capacity() * sizeof(Cell);
+}
+
+}  // namespace moltact

@@ -1,0 +1,114 @@
+// The balls of a scene and a uniform grid to find those near a place: all that is prepared before touching.
+// Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order.
+// The paper's "spatial partitioning methods" (section 5). The grid is hashed by cell, so memory follows the number
+// of balls and not the extent of the scene; a million balls take about 0.1 s (docs/conventions.md).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/haptics/ball.h"
+
+namespace moltact {
+
+class BallScene {
+ public:
+  /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check files).
+  explicit BallScene(std::vector<Ball> balls);
+
+  std::span<const Ball> balls() const { return balls_; }
+  const Ball& operator[](std::size_t i) const { return balls_[i]; }
+  std::size_t size() const { return balls_.size(); }
+
+  /// The box round all centres, widened by the largest radius. Both corners are zero when there are no balls.
+  Vec3 low_A() const { return low_; }
+  Vec3 high_A() const { return high_; }
+  double largestRadius_A() const { return largest_radius_; }
+
+  /// Bytes beyond the list of balls.
+  std::size_t bytes() const;
+
+  /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
+  /// farther ones: the visitor tests what it needs. No allocation; order is fixed for a scene.
+  template <class Visit>
+  void visitNear(const Vec3& place, double margin_A, Visit&& visit) const {
+    const double reach = margin_A + cell_radius_;
+    visitBox(place - Vec3(reach), place + Vec3(reach), visit);
+  }
+
+  /// The same for the balls that come within margin_A of any place in the box [low, high].
+  template <class Visit>
+  void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, Visit&& visit) const {
+    const double reach = margin_A + cell_radius_;
+    visitBox(low - Vec3(reach), high + Vec3(reach), visit);
+  }
+
+  /// The edge of a grid cell (unit: angstrom): a good length for walking along a path piece by piece.
+  double cell_A() const { return cell_; }
+
+ private:
+  struct Cell {
+    std::uint64_t key = kEmpty;
+    std::uint32_t begin = 0, end = 0;  // into sorted_
+  };
+  struct Sorted {
+    Ball ball;
+    std::uint32_t index;
+  };
+  static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
+  static constexpr double kHalfCells = 1 << 20;  // cells an axis holds on either side of the origin; farther ones fold into the last
+
+  std::int64_t cellOf(double x, double low) const {
+    const double c = std::floor((x - low) / cell_);
+    return static_cast<std::int64_t>(c < 0 ? 0 : (c > 2 * kHalfCells - 1 ? 2 * kHalfCells - 1 : c));
+  }
+  static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
+    return static_cast<std::uint64_t>(x) | static_cast<std::uint64_t>(y) << 21 | static_cast<std::uint64_t>(z) << 42;
+  }
+  std::size_t slot(std::uint64_t k) const {
+    k *= 0x9E3779B97F4A7C15ull;
+    return static_cast<std::size_t>(k >> shift_);
+  }
+  const Cell* find(std::uint64_t k) const {
+    for (std::size_t s = slot(k);; s = (s + 1) & mask_) {
+      if (cells_[s].key == k) return &cells_[s];
+      if (cells_[s].key == kEmpty) return nullptr;
+    }
+  }
+
+  template <class Visit>
+  void visitBox(Vec3 low, Vec3 high, Visit&& visit) const {
+    for (const Sorted& s : large_) visit(s.index, s.ball);
+    if (sorted_.empty()) return;
+    low = glm::max(low, grid_low_);
+    high = glm::min(high, grid_high_);
+    if (low.x > high.x || low.y > high.y || low.z > high.z) return;
+    const std::int64_t x0 = cellOf(low.x, grid_low_.x), x1 = cellOf(high.x, grid_low_.x);
+    const std::int64_t y0 = cellOf(low.y, grid_low_.y), y1 = cellOf(high.y, grid_low_.y);
+    const std::int64_t z0 = cellOf(low.z, grid_low_.z), z1 = cellOf(high.z, grid_low_.z);
+    const double looked_up = double(x1 - x0 + 1) * double(y1 - y0 + 1) * double(z1 - z0 + 1);
+    if (looked_up > double(sorted_.size())) {  // a box over most of a sparse scene: the list is shorter than the cells
+      for (const Sorted& s : sorted_) visit(s.index, s.ball);
+      return;
+    }
+    for (std::int64_t z = z0; z <= z1; ++z)
+      for (std::int64_t y = y0; y <= y1; ++y)
+        for (std::int64_t x = x0; x <= x1; ++x)
+          if (const Cell* c = find(key(x, y, z)))
+            for (std::uint32_t k = c->begin; k < c->end; ++k) visit(sorted_[k].index, sorted_[k].ball);
+  }
+
+  std::vector<Ball> balls_;
+  std::vector<Sorted> sorted_;  // by cell
+  std::vector<Sorted> large_;   // the few balls much larger than the rest, tested at every visit
+  std::vector<Cell> cells_;     // open addressing, at most half full
+  std::size_t mask_ = 0;
+  int shift_ = 63;
+  Vec3 low_{0.0}, high_{0.0}, grid_low_{0.0}, grid_high_{0.0};
+  double cell_ = 1.0, cell_radius_ = 0.0, largest_radius_ = 0.0;
+};
+
+}  // namespace moltact

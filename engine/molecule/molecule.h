@@ -1,0 +1,59 @@
+// A molecule as it was read: atoms with places and van der Waals radii, grouped in residues and chains.
+// Immutable after reading; shared between threads as `std::shared_ptr<const Molecule>`.
+// Units: angstrom. Atoms are counted from 0 in file order as kept.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.h"
+#include "engine/haptics/ball.h"
+
+namespace moltact {
+
+inline constexpr std::uint32_t kNoResidue = 0xFFFFFFFFu;
+
+/// One atom.
+struct Atom {
+  PointA position;                    ///< centre
+  double radius_A = 0.0;              ///< van der Waals radius (unit: angstrom)
+  std::uint32_t residue = kNoResidue; ///< index into Molecule::residues, or kNoResidue (an .xyzr file has none)
+  std::uint8_t atomic_number = 0;     ///< 1 = H, 6 = C, …; 0 = not known
+  std::array<char, 6> name{};         ///< the atom's name in its residue ("CA", "O5'"), zero-terminated
+};
+
+enum class ResidueKind : std::uint8_t { AminoAcid, Nucleotide, Water, Ligand, Ion, Other };
+
+/// One residue: a run of atoms that belong together.
+struct Residue {
+  std::string name;            ///< "ASP", "HEM", "DA"
+  int number = 0;              ///< as in the file
+  char insertion = ' ';        ///< insertion code, a space where there is none
+  std::uint32_t chain = 0;     ///< index into Molecule::chains
+  std::uint32_t first_atom = 0, atom_count = 0;
+  ResidueKind kind = ResidueKind::Other;
+};
+
+struct Chain {
+  std::string name;            ///< "A"
+  std::uint32_t first_residue = 0, residue_count = 0;
+};
+
+struct Molecule {
+  std::string id;                    ///< short name for the screen: "1UBQ", "benzene"
+  std::string title;                 ///< one line on what it is; may be empty
+  std::vector<Atom> atoms;
+  std::vector<Residue> residues;
+  std::vector<Chain> chains;
+  std::vector<std::string> warnings; ///< what the reader left out, replaced or guessed, one sentence each
+
+  /// The atoms as balls for a tracker, in the same order, radii not yet inflated.
+  std::vector<Ball> balls() const;
+
+  /// "O of Asp 52 (chain A)", as the screen and the log say it. `atom` must be in range.
+  std::string describe(std::size_t atom) const;
+};
+
+}  // namespace moltact

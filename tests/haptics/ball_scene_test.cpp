@@ -1,0 +1,60 @@
+// The grid against a plain loop over all balls.
+#include "engine/haptics/ball_scene.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <random>
+#include <set>
+
+using namespace moltact;
+
+namespace {
+
+std::set<std::uint32_t> nearByLoop(const BallScene& scene, Vec3 p, double margin) {
+  std::set<std::uint32_t> out;
+  for (std::uint32_t i = 0; i < scene.size(); ++i)
+    if (glm::distance(scene[i].centre_A, p) <= scene[i].radius_A + margin) out.insert(i);
+  return out;
+}
+
+void checkAgainstLoop(const BallScene& scene, Vec3 p, double margin) {
+  std::vector<std::uint32_t> seen;
+  scene.visitNear(p, margin, [&](std::uint32_t i, const Ball& b) {
+    CHECK(b.centre_A == scene[i].centre_A);
+    seen.push_back(i);
+  });
+  const std::set<std::uint32_t> once(seen.begin(), seen.end());
+  CHECK_MESSAGE(once.size() == seen.size(), "a ball was visited twice");
+  const auto expected = nearByLoop(scene, p, margin);
+  CHECK(std::includes(once.begin(), once.end(), expected.begin(), expected.end()));
+}
+
+}  // namespace
+
+TEST_CASE("the grid finds every ball that a loop over 2000 random balls finds, each once, at 200 places") {
+  const unsigned seed = 7;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::uniform_real_distribution<double> coordinate(-30, 30), radius(0.5, 2.0);
+  std::vector<Ball> balls(2000);
+  for (Ball& b : balls) b = {{coordinate(random), coordinate(random), coordinate(random)}, radius(random)};
+  balls.push_back({{0, 0, 0}, 25.0});  // one ball much larger than the rest
+  const BallScene scene(std::move(balls));
+  for (int k = 0; k < 200; ++k)
+    checkAgainstLoop(scene, Vec3(coordinate(random), coordinate(random), coordinate(random)) * 1.3, k % 5);
+}
+
+TEST_CASE("a scene of two balls a million angstroms apart takes less than 4 kB and finds each of them") {
+  const BallScene scene({{{0, 0, 0}, 1.5}, {{1e6, 1e6, -1e6}, 1.5}});
+  CHECK(scene.bytes() < 4096);
+  checkAgainstLoop(scene, {0.5, 0, 0}, 1.4);
+  checkAgainstLoop(scene, {1e6, 1e6, -1e6}, 1.4);
+  checkAgainstLoop(scene, {5e5, 5e5, 5e5}, 1.4);
+}
+
+TEST_CASE("an empty scene visits nothing") {
+  const BallScene scene(std::vector<Ball>{});
+  scene.visitNear({0, 0, 0}, 100.0, [](std::uint32_t, const Ball&) { FAIL("visited a ball of an empty scene"); });
+  CHECK(scene.size() == 0);
+}
