@@ -1,0 +1,35 @@
+#include "engine/device/mouse_device.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+
+MouseDevice::MouseDevice() { info_.name = "Mouse"; }
+
+void MouseDevice::lead(PointMm target) noexcept {
+  if (!std::isfinite(target.mm.x) || !std::isfinite(target.mm.y) || !std::isfinite(target.mm.z)) return;
+  sent_.target = target;
+  lead_.write(sent_);
+}
+
+void MouseDevice::place(PointMm target) noexcept {
+  ++sent_.placements;
+  lead(target);
+}
+
+DevicePose MouseDevice::read(double dt_s) noexcept {
+  const Lead& lead = lead_.read();
+  if (lead.placements != placed_) {
+    placed_ = lead.placements;
+    pose_.position = lead.target;
+    return pose_;
+  }
+  Vec3 way = (lead.target.mm - pose_.position.mm) * (1.0 - std::exp(-dt_s / kGlide_s));
+  const double length = glm::length(way), most = kFastest_mm_per_s * dt_s;
+  if (length > most) way *= most / length;
+  pose_.position.mm += way;
+  return pose_;
+}
+
+}  // namespace moltact

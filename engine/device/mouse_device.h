@@ -1,0 +1,38 @@
+// The device that is always there: a mouse or keyboard standing in for a stylus. The window leads it, the haptic thread
+// reads it; between two frames it glides, so that the HIP moves in small steps at 1 kHz.
+#pragma once
+
+#include "engine/device/device.h"
+#include "engine/servo/triple_buffer.h"
+
+namespace moltact {
+
+class MouseDevice final : public Device {
+ public:
+  MouseDevice();
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePose read(double dt_s) noexcept override;
+  void write(ForceN) noexcept override {}
+
+  /// The window's thread: where the hand is to go. It glides there, with a time constant of kGlide_s and at most
+  /// kFastest_mm_per_s. Non-finite places are ignored.
+  void lead(PointMm target) noexcept;
+  /// The window's thread: the hand is there at once (a new scene).
+  void place(PointMm target) noexcept;
+
+  static constexpr double kGlide_s = 0.025;
+  static constexpr double kFastest_mm_per_s = 400.0;
+
+ private:
+  struct Lead {
+    PointMm target;
+    std::uint32_t placements = 0;
+  };
+  DeviceInfo info_;
+  TripleBuffer<Lead> lead_;
+  Lead sent_;               // the window's
+  DevicePose pose_;         // the haptic thread's
+  std::uint32_t placed_ = 0;
+};
+
+}  // namespace moltact

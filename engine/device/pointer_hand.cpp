@@ -1,0 +1,68 @@
+#include "engine/device/pointer_hand.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+
+void PointerHand::reset() { *this = PointerHand(); }
+
+PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double probe_A) {
+  const bool sound = std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) &&
+                     (!in.pointer_px || (std::isfinite(in.pointer_px->x) && std::isfinite(in.pointer_px->y)));
+  if (!sound) return hip_;
+  const double dt = std::clamp(in.dt_s, 0.0, 0.1);
+  const ViewRays& rays = in.rays;
+  const double yielding = 1.0 / (1.0 + std::max(0.0, in.force_N) / kHalfGain_N);  // 1 in the open, less under force
+
+  if (!placed_) {
+    aim_ = in.pointer_px.value_or(glm::dvec2(0.5 * rays.width_px, 0.5 * rays.height_px));
+    last_pointer_ = aim_;
+    const Vec3 middle = 0.5 * (scene.low_A() + scene.high_A());
+    plane_depth_ = glm::dot(middle - rays.eye_A, rays.forward);
+    depth_ = -kHover_A;
+    placed_ = true;
+  }
+
+  // Sideways: in the open the aim follows the pointer; under a press it moves by the pointer's way times the gain.
+  if (in.pointer_px) {
+    if (pressing_ && in.press) aim_ += (*in.pointer_px - last_pointer_) * yielding;
+    else if (aim_follows_ || *in.pointer_px != last_pointer_) {
+      aim_ += (*in.pointer_px - aim_) * (1.0 - std::exp(-dt / 0.04));
+      aim_follows_ = true;
+    }
+    last_pointer_ = *in.pointer_px;
+  }
+  if (in.keys != glm::dvec2(0.0)) {
+    const double speed_px = 0.12 * rays.height_px * dt * (pressing_ ? yielding : 1.0);
+    aim_ += glm::dvec2(in.keys.x, -in.keys.y) * speed_px;
+    aim_follows_ = false;  // the keys lead until the pointer moves again
+  }
+  aim_ = glm::clamp(aim_, glm::dvec2(0.0), glm::dvec2(rays.width_px, rays.height_px));
+
+  // Inward: a press sinks with time, more slowly the harder the surface pushes back; notches sink it at once.
+  pressing_ = in.press;
+  if (in.press) {
+    depth_ += kPressSpeed_A_per_s * dt * (depth_ < 0.0 ? 2.0 : yielding) + in.push_notches * kNotch_A;
+    depth_ = std::clamp(depth_, -kHover_A, kDeepest_A);
+  } else {
+    depth_ = -kHover_A;
+  }
+
+  const Vec3 along = rays.direction(aim_);
+  const double far = glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
+                     glm::distance(scene.low_A(), scene.high_A()) + 2.0 * probe_A + 1.0;
+  const Hit hit = sweep(scene, probe_A, rays.eye_A, rays.eye_A + along * far);
+  const double forward = std::max(0.1, glm::dot(along, rays.forward));
+  double way = plane_depth_ / forward;
+  if (hit.ball >= 0) {
+    way = hit.t * far;
+    plane_depth_ = way * forward;
+  }
+  hip_ = {rays.eye_A + along * (way + (hit.ball >= 0 ? depth_ : -kHover_A))};
+  return hip_;
+}
+
+}  // namespace moltact

@@ -1,0 +1,52 @@
+// A hand made out of a mouse or a keyboard: the probe hovers over the surface under the pointer, a press pushes it in.
+// Pure logic on the window's thread, once a frame; MouseDevice carries the result smoothly to the haptic thread.
+// What stands in for the felt resistance: the HIP goes under while the probe stays on the surface, the push slows down
+// and the pointer's gain falls as the force rises. Units: angstrom, pixel, newton, second.
+#pragma once
+
+#include <optional>
+
+#include "engine/core/units.h"
+#include "engine/device/view_rays.h"
+#include "engine/haptics/ball_scene.h"
+
+namespace moltact {
+
+/// What the person's pointing device and keys say in one frame.
+struct PointerInput {
+  ViewRays rays;
+  std::optional<glm::dvec2> pointer_px;  ///< where the pointer is in the view; none: elsewhere, or the keyboard leads
+  glm::dvec2 keys{0.0};                  ///< from the arrow keys: x right, y up, each -1, 0 or 1
+  bool press = false;                    ///< left button or space bar held
+  double push_notches = 0.0;             ///< wheel notches or key presses: positive pushes deeper
+  double force_N = 0.0;                  ///< the force that the servo loop gave last
+  double dt_s = 1.0 / 60.0;
+};
+
+class PointerHand {
+ public:
+  static constexpr double kHover_A = 0.35;         ///< how far before the surface the probe waits
+  static constexpr double kPressSpeed_A_per_s = 1.2;
+  static constexpr double kNotch_A = 0.15;
+  static constexpr double kDeepest_A = 3.0;        ///< a press goes no further under the surface
+  static constexpr double kHalfGain_N = 1.0;       ///< at this force the pointer moves the probe half as far
+
+  /// Where the HIP is to be led. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.
+  PointA lead(const PointerInput& input, const BallScene& scene, double probe_A);
+
+  double depth_A() const { return depth_ > 0.0 ? depth_ : 0.0; }        ///< how far the press has gone under the surface; 0 when hovering
+  glm::dvec2 aim_px() const { return aim_; }       ///< the pixel the hand aims at; trails the pointer under force
+  /// Forgets where the hand was: at a new scene.
+  void reset();
+
+ private:
+  bool placed_ = false;
+  bool pressing_ = false;
+  bool aim_follows_ = true;  // false while the keys lead
+  glm::dvec2 aim_{0.0}, last_pointer_{0.0};
+  double depth_ = 0.0;
+  double plane_depth_ = 0.0;  // along the view, where the surface was last met
+  PointA hip_;
+};
+
+}  // namespace moltact

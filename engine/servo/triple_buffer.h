@@ -1,0 +1,40 @@
+// Hands whole values from one thread to another without locks: one writer, one reader, each always free to go on.
+// The reader sees the newest value that was written whole; values between are skipped.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <type_traits>
+
+namespace moltact {
+
+template <class T>
+class TripleBuffer {
+  static_assert(std::is_trivially_copyable_v<T>, "a value is handed over whole, byte for byte");
+
+ public:
+  explicit TripleBuffer(const T& first = T{}) { slots_.fill(first); }
+
+  /// Writer's thread only. No allocation, no waiting.
+  void write(const T& value) noexcept {
+    slots_[back_] = value;
+    back_ = middle_.exchange(static_cast<std::uint8_t>(back_ | kFresh), std::memory_order_acq_rel) & kIndex;
+  }
+
+  /// Reader's thread only: the newest value. The reference holds until the next read.
+  const T& read() noexcept {
+    if (middle_.load(std::memory_order_relaxed) & kFresh)
+      front_ = middle_.exchange(front_, std::memory_order_acq_rel) & kIndex;
+    return slots_[front_];
+  }
+
+ private:
+  static constexpr std::uint8_t kIndex = 3, kFresh = 4;
+  std::array<T, 3> slots_;
+  alignas(64) std::uint8_t back_ = 0;                 // writer's
+  alignas(64) std::atomic<std::uint8_t> middle_{1};
+  alignas(64) std::uint8_t front_ = 2;                // reader's
+};
+
+}  // namespace moltact
