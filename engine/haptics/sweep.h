@@ -6,6 +6,7 @@
 #include <span>
 
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/tracker.h"
 
 namespace moltact {
 
