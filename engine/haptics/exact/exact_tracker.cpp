@@ -175,7 +175,16 @@ std::int32_t ExactTracker::outermost(std::int32_t ball) noexcept {
 
 ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
   const Vec3& origin = caps_.origin();
-  const Hit hit = sweep(caps_.scene(), caps_.probe_A(), origin + scp_, origin + hip, {touching_.balls.data(), std::size_t(touching_.count)});
+  // A ball inside one that the SCP leaves, or equal to it, is left with it.
+  Touching leaving = touching_;
+  Hit hit;
+  std::int32_t ball = -1;
+  do {
+    hit = sweep(caps_.scene(), caps_.probe_A(), origin + scp_, origin + hip, {leaving.balls.data(), std::size_t(leaving.count)});
+    ball = outermost(hit.ball);
+    if (!touching_.has(ball) || leaving.count == kMostTouching) break;
+    leaving.add(hit.ball);
+  } while (true);
   if (hit.ball < 0) {
     touching_.count = 0;
     feature_ = Feature::Free;
@@ -183,7 +192,6 @@ ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
     free_gap_ = clearance(caps_.scene(), caps_.probe_A(), origin + hip);
     return Went::Rests;
   }
-  const std::int32_t ball = outermost(hit.ball);
   const Vec3 c = caps_.centre(ball), out = scp_ + (hip - scp_) * hit.t - c;
   const double r = caps_.radius(ball), far = glm::length(out);
   if (hit.t * glm::length(hip - scp_) <= kMoved * r) {
