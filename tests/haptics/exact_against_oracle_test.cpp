@@ -4,7 +4,7 @@
 
 #include "engine/haptics/exact/exact_tracker.h"
 #include "tests/haptics/oracle.h"
-#include "tests/haptics/scenes.h"
+#include "engine/bench/scenes.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;

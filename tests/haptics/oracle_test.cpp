@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "tests/haptics/scenes.h"
+#include "engine/bench/scenes.h"
 
 using namespace moltact;
 using oracle::atRest;

@@ -1,4 +1,4 @@
-#include "tests/haptics/scenes.h"
+#include "engine/bench/scenes.h"
 
 #include <algorithm>
 #include <cmath>

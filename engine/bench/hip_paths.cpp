@@ -1,4 +1,4 @@
-#include "tests/benchmarks/hip_paths.h"
+#include "engine/bench/hip_paths.h"
 
 #include <algorithm>
 #include <cmath>

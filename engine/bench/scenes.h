@@ -1,4 +1,4 @@
-// Scenes and HIP paths that every tracker's tests use. All are functions of their arguments and seed alone, with the
+// The scenes in which haptic methods are known to fail, and HIP paths over them, for tests and benches. All are functions of their arguments and seed alone, with the
 // same numbers on every machine. Units: angstrom.
 #pragma once
 
