@@ -112,6 +112,16 @@ TEST_CASE("a walk of 0.02 A a tick on one ball, a bond and a ball touching anoth
   }
 }
 
+TEST_CASE("ten times faster, 0.2 A a tick, more than 1 tick in 20 on a cluster of 50 atoms differs from the oracle") {
+  const std::uint64_t seed = 5;
+  CAPTURE(seed);
+  const auto scene = scenes::cluster(50, 3);
+  const Agreement slow = agreement(scene, scenes::walk(scene, 5000, seed, 0.02));
+  const Agreement fast = agreement(scene, scenes::walk(scene, 5000, seed, 0.2));
+  CHECK(slow.same > 0.97 * slow.ticks);
+  CHECK(fast.same < 0.95 * fast.ticks);
+}
+
 TEST_CASE("a walk of 0.02 A a tick in the pit of three carbons agrees with the oracle on 99 of 100 ticks") {
   const std::uint64_t seed = 4;
   CAPTURE(seed);
@@ -183,6 +193,42 @@ TEST_CASE("fault kept: a circle behind the atom's centre is missed by a step to 
   CHECK(c.feature == Feature::Sphere);
   CHECK(c.atoms == std::array{0, -1, -1});
   CHECK(oracle::deepest(balls, 0, c.scp.A) > 0.5);
+}
+
+TEST_CASE("fault kept: a circle behind the atom's centre goes on to hold the SCP where the HIP is over the free sphere") {
+  // Radii 13 and 20, centres 11 apart: circle of radius 12, 5 behind the first centre. (-4.5, 9) lies under the cap
+  // that the first ball shows, for 4.5 / 9 is more than 5 / 12, but inside the second ball's cone as well.
+  const std::vector<Ball> balls{{{0, 0, 0}, 13.0}, {{11, 0, 0}, 20.0}};
+  PaperTracker t = trackerOn(balls);
+  oracle::Oracle right(balls, 0);
+  const auto both = [&](Vec3 from, Vec3 to) {
+    for (int k = 0; k < 200; ++k) right.step(from + (to - from) * (k / 200.0));
+    right.step(to);
+    return slide(t, from, to);
+  };
+  both({-6, 13, 0}, {-4.5, 11, 0});
+  const Contact c = both({-4.5, 11, 0}, {-4.5, 9, 0});
+  CHECK(c.feature == Feature::Circle);
+  CHECK(glm::distance(c.scp.A, {-5, 12, 0}) < 1e-13);
+  const Vec3 over = Vec3(-4.5, 9, 0) * (13 / std::sqrt(101.25));
+  CHECK(glm::distance(right.step({-4.5, 9, 0}).scp_A, over) < 1e-12);
+  CHECK(glm::distance(c.scp.A, over) > 0.8);
+}
+
+TEST_CASE("fault kept: a HIP pushed through a pit is out of contact on the far side, where the surface would hold it") {
+  const auto balls = pitBalls();
+  PaperTracker t = trackerOn(balls);
+  oracle::Oracle right(balls, 0);
+  oracle::Oracle::Answer held;
+  Contact c;
+  for (double z = 5; z > -5; z -= 0.02) {
+    c = t.step({{0.3, 0.1, z}});
+    held = right.step({0.3, 0.1, z});
+  }
+  CHECK(held.decided);
+  CHECK(held.contact);
+  CHECK(glm::distance(held.scp_A, {0, 0, 4}) < 1e-12);
+  CHECK_FALSE(c.touching());
 }
 
 TEST_CASE("fault kept: after a jump, buried circle and point hold the SCP 0.9 A inside a fourth ball, tick after tick") {
@@ -318,6 +364,13 @@ TEST_CASE("an atom with 400 neighbours models the 128 that cut deepest and at mo
     heights.push_back(glm::length(balls[k].centre_A) / 2);  // equal radii: x = d / 2
   std::sort(heights.begin(), heights.end());
   CHECK(m.cones.back().circle.height == doctest::Approx(heights[paper::kMostCones - 1]));
+}
+
+TEST_CASE("where two of three spheres only touch, their one place is no point") {
+  const auto scene = scenes::touchingAcross();
+  const BallScene balls(scene.balls);
+  paper::AtomModels models(balls);
+  for (int atom = 0; atom < 3; ++atom) CHECK(models.model(balls, atom, scene.probe_A).points.empty());
 }
 
 TEST_CASE("the method is found by its name, and an empty scene is free everywhere") {

@@ -60,9 +60,12 @@ void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t 
   std::size_t point_count = 0;
   for (std::size_t j = 0; j < count; ++j)
     for (std::size_t i = 0; i < j && point_count + 2 <= points_each_; ++i) {
+      const Ball& second = scene[std::size_t(cones[i].neighbour)];
       const Ball& third = scene[std::size_t(cones[j].neighbour)];
       const auto both = intersectionPoints(cones[i].circle, third.centre_A, third.radius_A + probe_A);
       if (!both) continue;
+      // A point has three circles: two spheres that only touch have none, whatever rounding makes of their one place.
+      if (!intersectionCircle(second.centre_A, second.radius_A + probe_A, third.centre_A, third.radius_A + probe_A)) continue;
       points[point_count++] = {both->P0, cones[i].neighbour, cones[j].neighbour};
       points[point_count++] = {both->P1, cones[i].neighbour, cones[j].neighbour};
     }
