@@ -4,6 +4,7 @@
 #include <bit>
 #include <cassert>
 #include <limits>
+#include <tuple>
 
 #include "engine/haptics/tracker.h"
 
@@ -88,6 +89,28 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
       large_.push_back(entry);
     else
       sorted_[cells_[slot_of[i]].end++] = entry;
+  }
+
+  // Of equal balls (alternate locations written twice, say) the first stands for all: a cell keeps it alone.
+  const auto same = [](const Sorted& a, const Sorted& b) {
+    return a.ball.centre_A == b.ball.centre_A && a.ball.radius_A == b.ball.radius_A;
+  };
+  for (Cell& c : cells_) {
+    const auto begin = sorted_.begin() + c.begin;
+    auto end = sorted_.begin() + c.end;
+    if (c.end - c.begin > 64)  // so full a cell is put in order first: equal balls lie side by side, the first of them first
+      std::sort(begin, end, [](const Sorted& a, const Sorted& b) {
+        const auto key = [](const Sorted& s) {
+          return std::tuple(s.ball.centre_A.x, s.ball.centre_A.y, s.ball.centre_A.z, s.ball.radius_A, s.index);
+        };
+        return key(a) < key(b);
+      });
+    auto kept = begin;
+    for (auto next = begin; next != end; ++next) {
+      const auto look_from = kept - begin > 64 ? kept - 1 : begin;
+      if (std::none_of(look_from, kept, [&](const Sorted& k) { return same(k, *next); })) *kept++ = *next;
+    }
+    c.end = static_cast<std::uint32_t>(kept - sorted_.begin());
   }
 }
 

@@ -32,7 +32,8 @@ class BallScene {
   std::size_t bytes() const;
 
   /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
-  /// farther ones: the visitor tests what it needs. No allocation; order is fixed for a scene.
+  /// farther ones: the visitor tests what it needs. Of balls with the same centre and radius only the first in the file
+  /// is visited. No allocation; the order is fixed for a scene.
   template <class Visit>
   void visitNear(const Vec3& place, double margin_A, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;

@@ -53,6 +53,22 @@ TEST_CASE("a scene of two balls a million angstroms apart takes less than 4 kB a
   checkAgainstLoop(scene, {5e5, 5e5, 5e5}, 1.4);
 }
 
+TEST_CASE("of 3 equal balls among 200 in one cell only the first in the file is visited") {
+  for (const int others : {5, 200}) {
+    std::vector<Ball> balls;
+    for (int k = 0; k < others; ++k) balls.push_back({{0.001 * k, 0.5, 0.5}, 1.5});
+    balls[2] = balls[3] = balls[4] = {{0.25, 0.5, 0.5}, 1.7};
+    const BallScene scene(balls);
+    std::vector<std::uint32_t> seen;
+    scene.visitNear({0, 0, 0}, 1.4, [&](std::uint32_t i, const Ball&) { seen.push_back(i); });
+    std::sort(seen.begin(), seen.end());
+    CHECK(seen.size() == std::size_t(others - 2));
+    CHECK(std::binary_search(seen.begin(), seen.end(), 2u));
+    CHECK_FALSE(std::binary_search(seen.begin(), seen.end(), 3u));
+    CHECK_FALSE(std::binary_search(seen.begin(), seen.end(), 4u));
+  }
+}
+
 TEST_CASE("an empty scene visits nothing") {
   const BallScene scene(std::vector<Ball>{});
   scene.visitNear({0, 0, 0}, 100.0, [](std::uint32_t, const Ball&) { FAIL("visited a ball of an empty scene"); });

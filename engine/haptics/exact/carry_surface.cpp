@@ -1,0 +1,145 @@
+// The SCP on a surface that swells or shrinks: the probe's radius changes while touching. After each small change the
+// SCP goes to the nearest free place, which lies on a sphere, a circle or a point of the few balls that now hold it
+// inside. Part of ExactTracker; haptic thread.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "engine/haptics/exact/exact_tracker.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kPiece_A = 0.05;    // the radius changes by no more at once, so that the SCP stays on its side of a wall
+constexpr double kRounding_A = 1e-11;
+constexpr int kMostHolding = 8;
+
+struct Sphere {
+  Vec3 centre;
+  double radius;
+};
+
+// The place of the two spheres' circle nearest to p; false when they do not meet.
+bool nearestOnCircle(const Sphere& i, const Sphere& j, const Vec3& p, Vec3& out) {
+  const Vec3 between = j.centre - i.centre;
+  const double d = glm::length(between);
+  if (!(d > 0.0)) return false;
+  const double x = (d * d + (i.radius - j.radius) * (i.radius + j.radius)) / (2.0 * d);
+  const double r2 = (i.radius - x) * (i.radius + x);
+  if (!(r2 > 0.0)) return false;
+  const Vec3 axis = between / d, centre = i.centre + axis * x;
+  Vec3 way = p - centre;
+  way -= axis * glm::dot(way, axis);
+  const double far = glm::length(way);
+  if (!(far > 0.0)) return false;
+  out = centre + way * (std::sqrt(r2) / far);
+  return true;
+}
+
+// The two points common to three spheres; false when there are none.
+bool commonPoints(const Sphere& i, const Sphere& j, const Sphere& k, Vec3 out[2]) {
+  const Vec3 u = j.centre - i.centre, v = k.centre - i.centre, w = glm::cross(u, v);
+  const double w2 = glm::dot(w, w);
+  if (!(w2 > 1e-20)) return false;
+  const double a = 0.5 * (glm::dot(u, u) + (i.radius - j.radius) * (i.radius + j.radius));
+  const double b = 0.5 * (glm::dot(v, v) + (i.radius - k.radius) * (i.radius + k.radius));
+  const Vec3 foot = glm::cross(a * v - b * u, w) / w2;  // in the centres' plane: foot.u = a, foot.v = b
+  const double h2 = i.radius * i.radius - glm::dot(foot, foot);
+  if (h2 < 0.0) return false;
+  const Vec3 off = w * std::sqrt(h2 / w2);
+  out[0] = i.centre + foot + off;
+  out[1] = i.centre + foot - off;
+  return true;
+}
+
+}  // namespace
+
+void ExactTracker::setProbe(double probe_A) noexcept {
+  if (!std::isfinite(probe_A)) return;
+  const double wanted = std::clamp(probe_A, 0.0, kLargestProbe_A), had = caps_.probe_A();
+  if (wanted == had) return;
+  const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kPiece_A));
+  for (int k = 1; k <= pieces; ++k) {
+    caps_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
+    if (!armed_) continue;
+    if (!carry()) {  // the place closed over the SCP: there is no surface left to be held by
+      caps_.setProbe(wanted);
+      reset();
+      return;
+    }
+  }
+}
+
+// Brings the SCP to the nearest free place; false when there is none among the balls that close in on it.
+bool ExactTracker::carry() noexcept {
+  const double probe = caps_.probe_A();
+  const BallScene& scene = caps_.scene();
+  free_gap_ = 0.0;
+  patch_cos_ = 2.0;
+  circle_.i = -1;
+  holds_known_ = false;
+
+  Touching holding;
+  // Adds the balls that p is inside of; tells whether there are any.
+  const auto inside = [&](const Vec3& p) {
+    bool any = false;
+    scene.visitNear(caps_.origin() + p, probe, [&](std::uint32_t index, const Ball& b) {
+      const Vec3 m = p - (b.centre_A - caps_.origin());
+      const double r = b.radius_A + probe - kRounding_A;
+      if (r <= 0.0 || glm::dot(m, m) >= r * r) return;
+      any = true;
+      if (holding.count < kMostHolding) holding.add(static_cast<std::int32_t>(index));
+    });
+    return any;
+  };
+  const Vec3 was = scp_;
+  if (!inside(was)) {
+    if (feature_ != Feature::Free) feature_ = Feature::Point;  // the next flow finds what it rests on
+    touching_.count = 0;
+    return true;
+  }
+
+  for (int round = 0; round < 4; ++round) {
+    const Touching among = holding;
+    double best2 = INFINITY;
+    Touching on;
+    const auto offer = [&](const Vec3& p, std::initializer_list<std::int32_t> balls) {
+      const Vec3 way = p - was;
+      const double d2 = glm::dot(way, way);
+      if (!(d2 < best2) || inside(p)) return;
+      best2 = d2;
+      scp_ = p;
+      on.count = 0;
+      for (const std::int32_t ball : balls) on.add(ball);
+    };
+    const auto sphere = [&](std::int32_t ball) { return Sphere{caps_.centre(ball), caps_.radius(ball)}; };
+    for (int a = 0; a < among.count; ++a) {
+      const std::int32_t i = among.balls[std::size_t(a)];
+      const Sphere si = sphere(i);
+      const Vec3 out = was - si.centre;
+      if (const double far = glm::length(out); far > 0.0) offer(si.centre + out * (si.radius / far), {i});
+      for (int b = a + 1; b < among.count; ++b) {
+        const std::int32_t j = among.balls[std::size_t(b)];
+        const Sphere sj = sphere(j);
+        Vec3 p;
+        if (nearestOnCircle(si, sj, was, p)) offer(p, {i, j});
+        for (int c = b + 1; c < among.count; ++c) {
+          const std::int32_t k = among.balls[std::size_t(c)];
+          Vec3 two[2];
+          if (!commonPoints(si, sj, sphere(k), two)) continue;
+          offer(two[0], {i, j, k});
+          offer(two[1], {i, j, k});
+        }
+      }
+    }
+    if (on.count > 0) {
+      touching_ = on;
+      feature_ = Feature::Point;  // the next flow finds which of them hold it
+      return true;
+    }
+    if (holding.count == among.count) break;
+  }
+  return false;
+}
+
+}  // namespace moltact

@@ -1,0 +1,382 @@
+#include "engine/haptics/exact/exact_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/haptics/exact/blocked_motion.h"
+#include "engine/haptics/exact/entry_angle.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kAtCentre = 1e-12;  // of a radius: a HIP this near a centre or axis has no direction; the SCP stays
+constexpr double kMoved = 1e-12;     // of a radius: a shorter piece leaves the SCP where it was
+constexpr double kTangent = 1e-12;   // a way along a rim; it counts as leaving a cap under a hemisphere
+
+bool usable(const Vec3& v) {
+  return std::abs(v.x) <= kFarthest_A && std::abs(v.y) <= kFarthest_A && std::abs(v.z) <= kFarthest_A;  // false for NaN
+}
+
+}  // namespace
+
+bool ExactTracker::Touching::has(std::int32_t ball) const {
+  return std::find(balls.begin(), balls.begin() + count, ball) != balls.begin() + count;
+}
+
+void ExactTracker::Touching::add(std::int32_t ball) {
+  if (ball >= 0 && count < kMostTouching && !has(ball)) balls[std::size_t(count++)] = ball;
+}
+
+ExactTracker::ExactTracker(std::shared_ptr<const BallScene> scene, double probe_A) : caps_(std::move(scene)) {
+  caps_.setProbe(std::isfinite(probe_A) ? std::clamp(probe_A, 0.0, kLargestProbe_A) : kWaterProbe_A);
+}
+
+void ExactTracker::reset() noexcept {
+  armed_ = false;
+  feature_ = Feature::Free;
+  touching_.count = 0;
+  free_gap_ = 0.0;
+}
+
+Footprint ExactTracker::footprint() const noexcept {
+  return {caps_.listsHeld(), sizeof(*this) - sizeof(caps_) + caps_.bytes() + caps_.scene().bytes()};
+}
+
+Contact ExactTracker::contact(const Vec3& hip) const noexcept {
+  Contact out{.scp = {feature_ == Feature::Free ? hip : caps_.origin() + scp_}, .feature = feature_};
+  const int holding = std::min(static_cast<int>(feature_), touching_.count);  // free 0, sphere 1, circle 2, point 3
+  for (int k = 0; k < holding; ++k) {
+    int at = k;
+    for (; at > 0 && out.atoms[std::size_t(at - 1)] > touching_.balls[std::size_t(k)]; --at)
+      out.atoms[std::size_t(at)] = out.atoms[std::size_t(at - 1)];
+    out.atoms[std::size_t(at)] = touching_.balls[std::size_t(k)];
+  }
+  return out;
+}
+
+Contact ExactTracker::step(PointA hip) noexcept {
+  const Vec3& h = hip.A;
+  if (!usable(h)) {
+    Contact refused{.scp = hip, .fault = Fault::NotFinite};
+    if (!std::isfinite(h.x) || !std::isfinite(h.y) || !std::isfinite(h.z)) refused.scp.A = caps_.origin() + scp_;
+    return refused;
+  }
+  const Vec3 local = h - caps_.origin();
+  if (!armed_) {
+    free_gap_ = clearance(caps_.scene(), caps_.probe_A(), h);
+    if (free_gap_ < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
+    armed_ = true;
+    scp_ = free_from_ = local;
+    return contact(h);
+  }
+  if (!holdsQuickly(local)) flow(local);
+  return contact(h);
+}
+
+// The ordinary tick: the SCP stays on its feature and goes to the place on it nearest to the HIP, and what is known of
+// the surroundings says that nothing is in the way.
+bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
+  switch (feature_) {
+    case Feature::Free: {
+      const Vec3 way = hip - free_from_;
+      if (glm::dot(way, way) >= free_gap_ * free_gap_) return false;
+      scp_ = hip;
+      return true;
+    }
+    case Feature::Sphere: {
+      const std::int32_t ball = touching_.balls[0];
+      const Vec3 m = hip - caps_.centre(ball);
+      const double r = caps_.radius(ball), d2 = glm::dot(m, m);
+      if (touching_.count != 1 || d2 >= r * r || d2 < r * r * 1e-6) return false;
+      const double d = std::sqrt(d2);
+      if (glm::dot(m, patch_centre_) < patch_cos_ * d) return false;
+      scp_ = caps_.centre(ball) + m * (r / d);
+      return true;
+    }
+    case Feature::Circle: {
+      const Circle& c = circle_;
+      if (touching_.count != 2 || c.i < 0) return false;
+      const Vec3 m = hip - c.centre;
+      const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
+      const double out = std::sqrt(y1 * y1 + y2 * y2);
+      if (out < 1e-6 * c.radius) return false;
+      // Both balls must hold the SCP from the start of the way to its end: shares mu_i, mu_j >= 0 (docs/exact-tracker.md).
+      const double start = 1.0 - (y1 * std::cos(c.angle) + y2 * std::sin(c.angle)) / c.radius, end = 1.0 - out / c.radius;
+      const double slack_i = std::min(start * c.to_j, end * c.to_j) - along, slack_j = std::min(start * c.to_i, end * c.to_i) + along;
+      if (slack_i < 0.0 || slack_j < 0.0) return false;
+      double angle = std::atan2(y2, y1);
+      angle += kTurn * std::round((c.angle - angle) / kTurn);  // the short way round
+      if (angle <= c.low || angle >= c.high) return false;
+      circle_.angle = angle;
+      scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
+      return true;
+    }
+    case Feature::Point: {
+      if (!holds_known_ || touching_.count != 3) return false;
+      const Vec3 pull = hip - scp_;
+      return glm::dot(holds_[0], pull) <= 0.0 && glm::dot(holds_[1], pull) <= 0.0 && glm::dot(holds_[2], pull) <= 0.0;
+    }
+  }
+  return false;
+}
+
+void ExactTracker::flow(const Vec3& hip) noexcept {
+  forced_ball_ = forced_pair_ = -1;
+  forced_flight_ = false;
+  int stuck = 0;
+  for (int piece = 0; piece < kMostPieces; ++piece) {
+    std::array<Vec3, kMostTouching> normals;
+    for (int k = 0; k < touching_.count; ++k)
+      normals[std::size_t(k)] = (scp_ - caps_.centre(touching_.balls[std::size_t(k)])) / caps_.radius(touching_.balls[std::size_t(k)]);
+    Blocked blocked;
+    if (forced_ball_ < 0 && !forced_flight_) blocked = blockedMotion(hip - scp_, {normals.data(), std::size_t(touching_.count)});
+
+    Went went;
+    const auto by = [&](int k) { return touching_.balls[std::size_t(blocked.by[std::size_t(k)])]; };
+    if (forced_ball_ >= 0 && forced_pair_ >= 0) {
+      const std::int32_t i = std::exchange(forced_ball_, -1), j = std::exchange(forced_pair_, -1);
+      went = slideOnCircle(hip, i, j);
+    } else if (forced_ball_ >= 0) {
+      went = slideOnSphere(hip, std::exchange(forced_ball_, -1));
+    } else if (std::exchange(forced_flight_, false) || blocked.count == 0) {
+      went = fly(hip);
+    } else if (blocked.count == 1) {
+      went = slideOnSphere(hip, by(0));
+    } else if (blocked.count == 2) {
+      went = slideOnCircle(hip, by(0), by(1));
+    } else {
+      holdAtPoint({by(0), by(1), by(2)});
+      return;
+    }
+    if (went == Went::Rests) return;
+    // Where balls meet in one point, pieces of no length gather all of them; when that leads nowhere the point holds.
+    stuck = went == Went::Stuck ? stuck + 1 : 0;
+    if (stuck > 2 * kMostTouching) break;
+  }
+  ++cut_short_;
+  feature_ = touching_.count == 0 ? Feature::Free : static_cast<Feature>(std::min(touching_.count, 3));
+  holds_known_ = false;
+  patch_cos_ = 2.0;
+  circle_.i = -1;
+  free_gap_ = 0.0;
+}
+
+// A ball inside another, or equal to an earlier one, stands for the one that holds it.
+std::int32_t ExactTracker::outermost(std::int32_t ball) noexcept {
+  for (int k = 0; k < 64 && ball >= 0; ++k) {
+    const std::int32_t holder = caps_.coveredBy(ball);
+    if (holder < 0) break;
+    ball = holder;
+  }
+  return ball;
+}
+
+ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
+  const Vec3& origin = caps_.origin();
+  // A ball inside one that the SCP leaves, or equal to it, is left with it.
+  Touching leaving = touching_;
+  Hit hit;
+  std::int32_t ball = -1;
+  do {
+    hit = sweep(caps_.scene(), caps_.probe_A(), origin + scp_, origin + hip, {leaving.balls.data(), std::size_t(leaving.count)});
+    ball = outermost(hit.ball);
+    if (!touching_.has(ball) || leaving.count == kMostTouching) break;
+    leaving.add(hit.ball);
+  } while (true);
+  if (hit.ball < 0) {
+    touching_.count = 0;
+    feature_ = Feature::Free;
+    scp_ = free_from_ = hip;
+    free_gap_ = clearance(caps_.scene(), caps_.probe_A(), origin + hip);
+    return Went::Rests;
+  }
+  const Vec3 c = caps_.centre(ball), out = scp_ + (hip - scp_) * hit.t - c;
+  const double r = caps_.radius(ball), far = glm::length(out);
+  if (hit.t * glm::length(hip - scp_) <= kMoved * r) {
+    touching_.add(ball);
+    return Went::Stuck;
+  }
+  touching_.set(ball);
+  scp_ = far > 0.0 ? c + out * (r / far) : c;
+  return Went::GoesOn;
+}
+
+// Case 1: the way on a sphere toward the place nearest to the HIP is a great circle.
+ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept {
+  const Vec3 c = caps_.centre(ball), m = hip - c;
+  const double r = caps_.radius(ball), d = glm::length(m);
+  const Vec3 x = glm::normalize(scp_ - c);
+  const auto rest = [&](const Vec3& direction) {
+    touching_.set(ball);
+    feature_ = Feature::Sphere;
+    scp_ = c + direction * r;
+    // Under so small a turn the cosine has no digits left: the next tick looks again.
+    const double slack = caps_.slack(ball, direction);
+    patch_centre_ = direction;
+    patch_cos_ = slack > 1e-6 ? std::cos(std::min(slack, 1.5)) : 2.0;  // under a hemisphere: ways between its places stay in it
+    return Went::Rests;
+  };
+  if (d <= kAtCentre * r) return rest(x);
+  const Vec3 nearest = m / d;
+  Vec3 sideways = nearest - x * glm::dot(nearest, x);
+  const double sine = glm::length(sideways);
+  if (sine <= 1e-15) return rest(glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no way is shorter
+  sideways /= sine;
+  const double arrives = std::atan2(sine, glm::dot(nearest, x));
+
+  // A HIP that has come out of the ball is seen from where the ball no longer hides it: there the flight begins.
+  const double leaves = d > r ? std::max(0.0, arrives - std::acos(r / d)) : kNever;
+  double end = std::min(arrives, leaves);
+  std::int32_t meets = -1;
+  if (caps_.slack(ball, x) < end || touching_.count > 1)
+    caps_.eachCap(ball, [&](const Cap& cap) {
+      const double a = glm::dot(cap.axis, x);
+      if (cap.cos_rim - a > end) return;  // too far to be reached on this way
+      const bool on_rim = touching_.has(cap.ball);
+      double b = glm::dot(cap.axis, sideways);
+      if (on_rim && std::abs(b) < kTangent) b = cap.cos_rim < 0.0 ? kTangent : -kTangent;
+      const double t = entryAngle(a, b, cap.cos_rim, on_rim);
+      if (t < end) end = t, meets = cap.ball;
+    });
+
+  if (meets < 0 && end == arrives) return rest(nearest);
+  const bool moved = end > kMoved;
+  if (moved) {
+    touching_.set(ball);
+    scp_ = c + (x * std::cos(end) + sideways * std::sin(end)) * r;
+  }
+  if (meets < 0) {
+    forced_flight_ = true;
+    return Went::GoesOn;
+  }
+  meets = outermost(meets);
+  if (!moved && touching_.has(meets)) forced_ball_ = ball, forced_pair_ = meets;  // the rim itself is the way
+  touching_.add(meets);
+  return moved ? Went::GoesOn : Went::Stuck;
+}
+
+// The circle of balls i and j (paper, equations 2 to 4) and the arc of it, round the SCP, that no third ball covers.
+bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
+  Circle& c = circle_;
+  const Vec3 ci = caps_.centre(i), between = caps_.centre(j) - ci;
+  const double ri = caps_.radius(i), rj = caps_.radius(j);
+  c.i = -1;
+  c.between = glm::length(between);
+  if (!(c.between > 0.0)) return false;
+  c.axis = between / c.between;
+  c.to_i = (c.between * c.between + (ri - rj) * (ri + rj)) / (2.0 * c.between);
+  c.to_j = c.between - c.to_i;
+  const double radius2 = (ri - c.to_i) * (ri + c.to_i);
+  c.centre = ci + c.axis * c.to_i;
+  Vec3 out = scp_ - c.centre;
+  out -= c.axis * glm::dot(out, c.axis);
+  const double far = glm::length(out);
+  if (!(radius2 > 0.0) || !(far > 0.0)) return false;
+  c.radius = std::sqrt(radius2);
+  c.axis_1 = out / far;
+  c.axis_2 = glm::cross(c.axis, c.axis_1);
+  c.angle = 0.0;
+  c.high = kTurn;
+  c.low = -kTurn;
+  c.high_ball = c.low_ball = -1;
+  caps_.eachCap(i, [&](const Cap& cap) {
+    if (cap.ball == j) return;
+    const double a = glm::dot(cap.axis, c.axis_1), b = glm::dot(cap.axis, c.axis_2);
+    const double q = (ri * cap.cos_rim - c.to_i * glm::dot(cap.axis, c.axis)) / c.radius;
+    if (q + kTangent >= std::sqrt(a * a + b * b)) return;  // it covers none of the circle, or shares its rim
+    const bool on_rim = touching_.has(cap.ball);
+    const double forward = entryAngle(a, b, q, on_rim), backward = entryAngle(a, -b, q, on_rim);
+    if (forward < c.high) c.high = forward, c.high_ball = cap.ball;
+    if (-backward > c.low) c.low = -backward, c.low_ball = cap.ball;
+  });
+  c.i = i;
+  c.j = j;
+  return true;
+}
+
+void ExactTracker::moveAlongCircle(double turned, std::int32_t meets) noexcept {
+  Circle& c = circle_;
+  if (std::abs(turned) * c.radius > kMoved * c.between) {
+    c.angle += turned;
+    scp_ = c.centre + (c.axis_1 * std::cos(c.angle) + c.axis_2 * std::sin(c.angle)) * c.radius;
+    touching_.set(c.i);
+    touching_.add(c.j);
+  }
+  touching_.add(meets);
+}
+
+// Case 2: the way along the circle of two spheres, the short way round to the place nearest to the HIP.
+ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept {
+  const bool same = feature_ == Feature::Circle && touching_.count == 2 && ((circle_.i == i && circle_.j == j) || (circle_.i == j && circle_.j == i));
+  if (!same && !makeCircle(i, j)) {
+    forced_ball_ = i;  // the balls touch in a point only: there is no circle to follow
+    return Went::Stuck;
+  }
+  Circle& c = circle_;
+  const Vec3 m = hip - c.centre;
+  const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
+  const double out = std::sqrt(y1 * y1 + y2 * y2);
+  const auto rest = [&] {
+    touching_.set(c.i);
+    touching_.add(c.j);
+    feature_ = Feature::Circle;
+    return Went::Rests;
+  };
+  double turn = 0.0;
+  if (out > kAtCentre * c.radius) {
+    turn = std::atan2(y2, y1) - c.angle;
+    turn -= kTurn * std::round(turn / kTurn);
+  }
+  const double way = std::abs(turn), sign = turn < 0.0 ? -1.0 : 1.0;
+
+  // mu_i = (S to_j - along) / between and mu_j = (S to_i + along) / between, with S = 1 - out cos(turn left) / radius,
+  // are the balls' shares in holding the SCP; where one falls to nothing the SCP leaves that ball.
+  const auto released = [&](double to_other, double lean) {
+    const double now = 1.0 - out * std::cos(way) / c.radius;
+    if (now * to_other - lean < 0.0) return 0.0;
+    if (to_other <= 0.0) return kNever;  // S falls on the way: this share grows
+    const double cosine = (1.0 - lean / to_other) * c.radius / std::max(out, 1e-300);
+    if (cosine >= 1.0) return kNever;
+    return std::max(0.0, way - std::acos(std::max(-1.0, cosine)));
+  };
+  const double leaves_i = released(c.to_j, along), leaves_j = released(c.to_i, -along);
+  const double meets_at = std::max(0.0, sign > 0.0 ? c.high - c.angle : c.angle - c.low);
+  const std::int32_t meets = sign > 0.0 ? c.high_ball : c.low_ball;
+  const double leaves = std::min(leaves_i, leaves_j);
+
+  if (way < meets_at && way <= leaves) {
+    c.angle += turn;
+    if (out > kAtCentre * c.radius) scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
+    return rest();
+  }
+  const double end = std::min(leaves, meets_at);
+  const bool moved = end * c.radius > kMoved * c.between;
+  if (leaves < meets_at) {
+    const std::int32_t stays = leaves_i < leaves_j ? c.j : c.i;
+    moveAlongCircle(sign * end, -1);
+    forced_ball_ = stays;
+  } else {
+    moveAlongCircle(sign * end, outermost(meets));
+  }
+  feature_ = Feature::Point;  // no feature yet: the cached circle is that of another place
+  return moved ? Went::GoesOn : Went::Stuck;
+}
+
+// Case 3: three spheres hold the SCP in a point.
+void ExactTracker::holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept {
+  const auto normal = [&](int k) { return (scp_ - caps_.centre(balls[std::size_t(k)])) / caps_.radius(balls[std::size_t(k)]); };
+  const Vec3 a = normal(0), b = normal(1), c = normal(2);
+  const double volume = glm::dot(glm::cross(a, b), c);
+  holds_ = {glm::cross(b, c) / volume, glm::cross(c, a) / volume, glm::cross(a, b) / volume};
+  holds_known_ = touching_.count == 3;  // where more balls meet, another three may hold for the next pull
+  // The three that hold come first; the others that meet here stay known.
+  for (std::size_t k = 0; k < 3; ++k) {
+    const auto at = std::find(touching_.balls.begin(), touching_.balls.begin() + touching_.count, balls[k]);
+    std::swap(*at, touching_.balls[k]);
+  }
+  feature_ = Feature::Point;
+}
+
+}  // namespace moltact
