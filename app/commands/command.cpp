@@ -2,7 +2,8 @@
 
 namespace moltact {
 
-void addAllCommands(CLI::App&) {
+void addAllCommands(CLI::App& app) {
+  addRenderCommand(app);
 }
 
 }  // namespace moltact

@@ -15,4 +15,6 @@ struct CommandError {
 
 void addAllCommands(CLI::App& app);
 
+void addRenderCommand(CLI::App& app);
+
 }  // namespace moltact

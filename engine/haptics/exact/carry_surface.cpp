@@ -11,6 +11,7 @@ namespace moltact {
 namespace {
 
 constexpr double kPiece_A = 0.05;    // the radius changes by no more at once, so that the SCP stays on its side of a wall
+constexpr double kSqueezed_A = 0.5;  // out of a closing crease the SCP moves faster than the surface, but never through a wall
 constexpr double kRounding_A = 1e-11;
 constexpr int kMostHolding = 8;
 
@@ -101,7 +102,7 @@ bool ExactTracker::carry() noexcept {
 
   for (int round = 0; round < 4; ++round) {
     const Touching among = holding;
-    double best2 = INFINITY;
+    double best2 = kSqueezed_A * kSqueezed_A;
     Touching on;
     const auto offer = [&](const Vec3& p, std::initializer_list<std::int32_t> balls) {
       const Vec3 way = p - was;

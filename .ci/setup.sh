@@ -1,0 +1,33 @@
+# Functions of run.sh and test.sh: what is missing is installed, what has changed is built. Run from the project's root.
+
+# Installs the Debian packages of .ci/packages that are not there.
+install_missing() {
+  command -v dpkg-query >/dev/null || {
+    echo "This is not a Debian system: install what .ci/packages lists in your system's way, then run this again." >&2
+    return 0
+  }
+  missing=
+  for package in $(sed 's/#.*//' .ci/packages); do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
+  done
+  [ -z "$missing" ] && return 0
+  as_root=
+  if [ "$(id -u)" != 0 ]; then
+    command -v sudo >/dev/null || {
+      echo "These packages are missing:$missing" >&2
+      echo "Install them as root: apt-get install$missing" >&2
+      return 1
+    }
+    as_root=sudo
+  fi
+  echo "Installing:$missing"
+  $as_root apt-get update -qq
+  DEBIAN_FRONTEND=noninteractive $as_root ${as_root:+env DEBIAN_FRONTEND=noninteractive} \
+    apt-get install -y -qq --no-install-recommends $missing >/dev/null
+}
+
+# build_preset PRESET [TARGET]: configures once, then builds what has changed.
+build_preset() {
+  [ -e "build/$1/build.ninja" ] || cmake --preset "$1" >/dev/null
+  cmake --build --preset "$1" ${2:+--target "$2"}
+}

@@ -1,0 +1,14 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds Moltact and starts it; arguments go to the program.
+#   ./run.sh                    opens the window
+#   ./run.sh info 1ubq          a command without a window; ./run.sh --help lists them
+set -eu
+here=$PWD
+cd "$(dirname "$0")"
+root=$PWD
+. .ci/setup.sh
+install_missing >&2
+[ -x build/release/moltact ] || echo "Building Moltact; the first time this takes a few minutes." >&2
+build_log=$(build_preset release moltact 2>&1) || { printf "%s\n" "$build_log" >&2; exit 1; }
+cd "$here"
+exec "$root/build/release/moltact" "$@"
