@@ -68,7 +68,7 @@ class Application {
   TouchLog touch;
   LessonGuide lesson;
   Camera camera;
-  ShapeSet shown = defaultShapes();
+  ShapeSet shown = LessonGuide().shapes();
   ViewControls controls;
   Messages messages;
   Settings settings;

@@ -211,13 +211,30 @@ std::string elided(const std::string& text, float width) {
   return {};
 }
 
-bool beginPanel(const char* name, const Rectangle& where, ImGuiWindowFlags flags) {
-  if (where.empty()) return false;
+namespace {
+
+constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                    ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNavFocus;
+
+void beginFixed(const char* name, const Rectangle& where, ImGuiWindowFlags flags) {
   ImGui::SetNextWindowPos({where.low.x, where.low.y});
   ImGui::SetNextWindowSize({where.size().x, where.size().y});
-  ImGui::Begin(name, nullptr,
-               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoCollapse |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoNavFocus | flags);
+  ImGui::Begin(name, nullptr, kFixed | flags);
+}
+
+}  // namespace
+
+bool beginPanel(const char* name, const Rectangle& where, ImGuiWindowFlags flags) {
+  if (where.empty()) return false;
+  beginFixed(name, where, ImGuiWindowFlags_NoBringToFrontOnFocus | flags);
+  return true;
+}
+
+bool beginOverlay(const char* name, const Rectangle& where) {
+  if (where.empty()) return false;
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
+  beginFixed(name, where, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
   return true;
 }
 

@@ -42,6 +42,8 @@ std::string elided(const std::string& text, float width);
 
 /// Begins a panel that fills a rectangle; false (and nothing to end) where that is empty. End it with endPanel().
 bool beginPanel(const char* name, const Rectangle& where, ImGuiWindowFlags flags = 0);
+/// The same over the panels, without a ground and paddings.
+bool beginOverlay(const char* name, const Rectangle& where);
 void endPanel();
 
 /// Begins a page in the middle of the window over everything else, opened by `open`; false when it is closed. Its width

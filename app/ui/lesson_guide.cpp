@@ -71,6 +71,7 @@ void LessonGuide::feed(const ServoSample& s) {
 
 ShapeSet LessonGuide::shapes() const {
   ShapeSet shown = defaultShapes();
+  shown.set(Shape::Hip);  // where the hand is under the surface stands in for the force that a mouse cannot give
   if (!session_ || session_->scene().show.empty()) return shown;
   for (const std::string& name : session_->scene().show)
     for (const ShapeName& shape : shapeNames())

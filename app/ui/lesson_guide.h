@@ -42,7 +42,7 @@ class LessonGuide {
   void meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file);
   void feed(const ServoSample& sample);
 
-  /// The parts of the picture that the step asks for.
+  /// The parts of the picture that the step asks for; the usual ones without a lesson.
   ShapeSet shapes() const;
   /// Turns a fitted camera the way the step asks for.
   void face(Camera& camera, const Molecule& molecule) const;

@@ -7,6 +7,7 @@
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/library.h"
+#include "app/ui/shape_label.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -55,9 +56,9 @@ void viewMenu(Application& app) {
   if (item("menu/view/touch", "Touch panel", nullptr, app.panels.touch)) app.panels.touch = !app.panels.touch;
   if (beginMenu("menu/view/shapes", "Shapes")) {
     for (const ShapeName& shape : shapeNames()) {
-      const std::string label(shape.name);
       const bool on = app.shown.has(shape.shape);
-      if (item(("menu/view/shapes/" + label).c_str(), label.c_str(), nullptr, on)) app.shown.set(shape.shape, !on);
+      if (item(("menu/view/shapes/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), nullptr, on))
+        app.shown.set(shape.shape, !on);
     }
     ImGui::EndMenu();
   }
@@ -127,22 +128,23 @@ void drawMenuBar(Application& app) {
   }
   if (shown) {
     const Rectangle& r = app.layout.menu;
-    ImGui::GetWindowDrawList()->AddLine({r.low.x, r.high.y - 1}, {r.high.x, r.high.y - 1}, l.palette.line, std::max(1.0f, l.scale));
+    ImDrawList* draw = ImGui::GetWindowDrawList();
+    draw->PushClipRectFullScreen();
+    draw->AddLine({r.low.x, r.high.y - 1}, {r.high.x, r.high.y - 1}, l.palette.line, std::max(1.0f, l.scale));
+    draw->PopClipRect();
     endPanel();
   }
   ImGui::PopStyleVar(2);
   const float size = l.px(30), edge = 0.5f * (app.layout.menu.size().y - size);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(4), 0});
   const float right = app.layout.menu.high.x;
-  if (beginPanel("menu bar/switches", {{right - 2 * size - l.px(14), edge}, {right, edge + size}},
-                 ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar)) {
+  if (beginOverlay("menu bar/switches", {{right - 2 * size - l.px(14), edge}, {right, edge + size}})) {
     panelSwitch(app, "switch/lesson", Icon::LeftPanel, "Lesson panel", true);
     ImGui::SameLine();
     panelSwitch(app, "switch/touch", Icon::RightPanel, "Touch panel", false);
     endPanel();
   }
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar();
 }
 
 }  // namespace moltact

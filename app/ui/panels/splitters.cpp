@@ -13,10 +13,7 @@ void splitter(const char* name, const Rectangle& panel, bool on_its_right, doubl
   if (panel.empty()) return;
   const Look& l = look();
   const float half = l.px(4), x = on_its_right ? panel.high.x : panel.low.x;
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool shown = beginPanel(name, {{x - half, panel.low.y}, {x + half, panel.high.y}}, ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoScrollbar);
-  ImGui::PopStyleVar();
-  if (!shown) return;
+  if (!beginOverlay(name, {{x - half, panel.low.y}, {x + half, panel.high.y}})) return;
   ImGui::InvisibleButton(name, {2 * half, panel.size().y});
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
   if (active || hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);

@@ -57,7 +57,9 @@ void drawStatusBar(Application& app) {
   if (!shown) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const Rectangle& r = app.layout.status;
+  draw->PushClipRectFullScreen();
   draw->AddLine({r.low.x, r.low.y}, {r.high.x, r.low.y}, l.palette.line, std::max(1.0f, l.scale));
+  draw->PopClipRect();
 
   const ServoSample& now = app.touch.latest();
   std::vector<Segment> segments;

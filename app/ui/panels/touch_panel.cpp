@@ -5,6 +5,7 @@
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/plot.h"
+#include "app/ui/shape_label.h"
 #include "app/ui/theme.h"
 #include "engine/haptics/methods.h"
 
@@ -16,11 +17,9 @@ constexpr double kSoftest_N_per_mm = 0.05, kStiffest_N_per_mm = 2.0;
 
 void drawShapeSwitches(Application& app) {
   for (const ShapeName& shape : shapeNames()) {
+    if (!shape.haptic) continue;  // the others are in the View menu
     bool on = app.shown.has(shape.shape);
-    std::string label(shape.name);
-    label[0] = char(std::toupper(label[0]));
-    if (label.size() <= 3) label = std::string(shape.name == "hip" ? "Hand (HIP)" : shape.name == "scp" ? "Contact (SCP)" : label);
-    if (toggle(("show/" + std::string(shape.name)).c_str(), label.c_str(), on, std::string(shape.sentence).c_str()))
+    if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on, std::string(shape.sentence).c_str()))
       app.shown.set(shape.shape, on);
   }
 }
@@ -57,7 +56,7 @@ void drawTouchPanel(Application& app) {
   slider("probe", "Probe radius", app.touch_settings.probe_A, 0.0, kLargestOffered_A, 0.1, "%.1f Å",
          "The radius of the ball you touch with. 1.4 Å is a water molecule.");
   ImGui::Spacing();
-  sectionTitle("Show");
+  sectionTitle("What the hand feels");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
   drawShapeSwitches(app);
   ImGui::PopStyleVar();
