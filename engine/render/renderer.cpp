@@ -33,7 +33,7 @@ Lighting lightingOf(const ViewScene& scene, const MoleculeModel* model, const De
     const double front = std::max(depth - model->reach_A, range.near_A), back = depth + model->reach_A;
     lighting.fade_from_A = float(front + 0.25 * (back - front));
     lighting.fade_over_A = float(std::max(1e-3, 0.75 * (back - front)));
-    lighting.fade_most = float(0.60 * std::clamp((back - front) / 40.0, 0.15, 1.0));
+    lighting.fade_most = float(scene.theme.fade * std::clamp((back - front) / 40.0, 0.15, 1.0));
   }
   return lighting;
 }

@@ -27,7 +27,7 @@ void main() {
 
 // The distance of the ray from the centre is taken at the ray's nearest point and not as |centre|^2 - radius^2, which
 // would lose the radius to rounding when the ball is far. The rim lies behind the ball's middle, so that balls that
-// grow into each other have none between them; its normal is 0, which lights it as shade.
+// grow into each other have none between them; its normal is square to the ray, so it is shade.
 const char* const kCutText = R"(
 in vec3 v_ray;
 flat in vec4 v_sphere, v_colour, v_exposure;
@@ -39,19 +39,14 @@ void cut(out vec3 hit, out vec3 normal) {
   float inverse = 1.0 / dot(v_ray, v_ray);
   float nearest = dot(v_ray, v_sphere.xyz) * inverse;
   vec3 aside = v_ray * nearest - v_sphere.xyz;
-  float left = v_sphere.w * v_sphere.w - dot(aside, aside);
-  if (left < 0.0) {
-    float reach = v_sphere.w + u_rim * nearest;
-    if (u_rim == 0.0 || dot(aside, aside) > reach * reach) discard;
-    hit = v_ray * nearest;
-    normal = vec3(0.0);
-    gl_FragDepth = clamp(u_depth.x - u_depth.y / (nearest + 0.75 * v_sphere.w), 0.0, 1.0);
-    return;
-  }
-  float back = sqrt(left * inverse);
+  float away = dot(aside, aside), reach = v_sphere.w + u_rim * nearest;
+  if (away > reach * reach) discard;
+  float left = v_sphere.w * v_sphere.w - away;
+  float back = sqrt(max(left, 0.0) * inverse);
   hit = v_ray * (nearest - back);
   normal = (aside - v_ray * back) / v_sphere.w;
-  gl_FragDepth = clamp(u_depth.x - u_depth.y / (nearest - back), 0.0, 1.0);
+  float depth = left < 0.0 ? nearest + 0.75 * v_sphere.w : nearest - back;
+  gl_FragDepth = clamp(u_depth.x - u_depth.y / depth, 0.0, 1.0);
 }
 )";
 

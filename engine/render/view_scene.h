@@ -63,6 +63,7 @@ struct Theme {
   Colour hip, scp, force, probe;
   Colour target;    ///< task targets and highlighted atoms
   float wire_strength = 1.0f;  ///< wires need more weight on a light ground (default 1)
+  float fade = 0.6f;           ///< how much of the background the farthest atom takes on, 0 to 1 (default 0.6)
   bool operator==(const Theme&) const = default;
 };
 Theme lightTheme();
