@@ -61,7 +61,7 @@ Theme darkTheme() {
 Theme lightTheme() {
   return {.background_top = hex(0xFFFFFF), .background_bottom = hex(0xDDE4EC),
           .surface = hex(0x1E5F8C), .in_use = hex(0xC2410C),
-          .hip = hex(0xD6246E), .scp = hex(0x101820), .force = hex(0x0B8457), .probe = hex(0x4F8FC0),
+          .hip = hex(0xD6246E), .scp = hex(0x101820), .force = hex(0x0B8457), .probe = hex(0x2F78B4),
           .target = hex(0xE07A00), .wire_strength = 1.25f, .fade = 0.42f};
 }
 
