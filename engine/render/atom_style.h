@@ -10,8 +10,8 @@ namespace moltact {
 /// A colour as on the screen (sRGB), 0 to 1 each.
 using Colour = glm::vec3;
 
-/// The colour of an element in the CPK convention (H white, C grey, N blue, O red, S yellow, P orange, halogens green…),
-/// softened so that shading stays visible on it. `atomic_number` 0 or unlisted gives a pale violet.
+/// The element's colour (engine/molecule/elements.h), softened so that light and shade stay visible on it.
+/// `atomic_number` 0 or beyond the table gives the colour of the unknown element.
 Colour elementColour(std::uint8_t atomic_number);
 
 }  // namespace moltact

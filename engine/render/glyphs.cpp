@@ -25,8 +25,8 @@ class Maker {
   // the plane that the viewer sees best.
   void probe() {
     const bool water = std::abs(scene_.probe_A - kWaterProbe_A) < 0.35;
-    shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.62f);
-    addCircle(out_.strokes, {.colour = scene_.theme.probe, .alpha = 0.55f, .hidden = 0.25f, .width_px = 1.3f},
+    shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.75f);
+    addCircle(out_.strokes, {.colour = scene_.theme.probe, .alpha = 0.75f, .hidden = 0.25f, .width_px = 1.5f},
               scene_.camera, silhouetteCentre(scp_, scene_.probe_A), toEye(scp_), silhouetteRadius(scp_, scene_.probe_A));
     if (!water) return;
     Vec3 side = glm::cross(toEye(scp_), outward_);

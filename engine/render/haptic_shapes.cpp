@@ -39,8 +39,8 @@ class Drawer {
       const Ball b = inflated(a);
       const bool held = isInUse(a);
       const Stroke ring{.colour = held ? glm::mix(scene_.theme.surface, scene_.theme.in_use, 0.35f) : scene_.theme.surface,
-                        .alpha = (held ? 0.85f : 0.50f) * strength(a) * scene_.theme.wire_strength,
-                        .hidden = 0.10f, .width_px = held ? 1.35f : 1.0f};
+                        .alpha = (held ? 0.9f : 0.62f) * strength(a) * scene_.theme.wire_strength,
+                        .hidden = 0.10f, .width_px = held ? 1.5f : 1.2f};
       // Meridians and parallels about the camera's upright, so that every sphere reads the same from every side.
       const Vec3 pole = scene_.camera.up(), e1 = scene_.camera.right(), e2 = scene_.camera.back();
       constexpr int kMeridians = 6, kParallels = 5;
@@ -133,7 +133,7 @@ class Drawer {
     if (!fading_ || isInUse(a)) return 1.0f;
     const Ball b = inflated(a);
     const double gap = glm::length(b.centre_A - focus_) - b.radius_A;
-    return float(std::clamp(1.0 - gap / 3.2, 0.18, 1.0));
+    return float(std::clamp(1.0 - gap / 4.0, 0.25, 1.0));
   }
 
   // The inflated spheres that can cover a part of the named ones.

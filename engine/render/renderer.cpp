@@ -33,9 +33,14 @@ Lighting lightingOf(const ViewScene& scene, const MoleculeModel* model, const De
     const double front = std::max(depth - model->reach_A, range.near_A), back = depth + model->reach_A;
     lighting.fade_from_A = float(front + 0.25 * (back - front));
     lighting.fade_over_A = float(std::max(1e-3, 0.75 * (back - front)));
-    lighting.fade_most = float(0.60 * std::clamp((back - front) / 40.0, 0.15, 1.0));
+    lighting.fade_most = float(scene.theme.fade * std::clamp((back - front) / 40.0, 0.15, 1.0));
   }
   return lighting;
+}
+
+// The width of the dark rims at depth 1: 1.3 pixels of the finished picture.
+float rimOf(int samples, const Projection& inside) {
+  return 1.3f * float(samples) * 2.0f * inside.tan_y / float(inside.height_px);
 }
 
 // Put back at the end of a picture, whatever happens in between.
@@ -77,7 +82,6 @@ struct LayerKey {
   std::shared_ptr<const Molecule> molecule;
   Camera camera;
   int width = 0, height = 0, samples = 0;
-  float scale = 0;
   bool outlines = false, cull = false, atoms = false;
   Colour top{0.0f}, bottom{0.0f}, tint{0.0f};
   std::vector<std::uint32_t> tinted;
@@ -85,7 +89,7 @@ struct LayerKey {
 };
 
 bool sameOptions(const RenderOptions& a, const RenderOptions& b) {
-  return a.samples == b.samples && a.scale == b.scale && a.outlines == b.outlines && a.line_scale == b.line_scale &&
+  return a.samples == b.samples && a.outlines == b.outlines && a.line_scale == b.line_scale &&
          a.occlusion_cull == b.occlusion_cull;
 }
 
@@ -140,11 +144,9 @@ bool Renderer::Parts::drawLayer(const ViewScene& scene, const Projection& projec
   count.atoms_redrawn = !(have_layer && wanted == key);
   if (!count.atoms_redrawn) return true;
   have_layer = false;
-  const double size = wanted.samples > 1 ? double(wanted.samples) : double(wanted.scale);
-  const int width = std::max(1, int(std::lround(wanted.width * size)));
-  const int height = std::max(1, int(std::lround(wanted.height * size)));
-  if (!raw.resize(width, height) || !layer.resize(wanted.width, wanted.height)) return false;
-  const bool direct = width == wanted.width && !wanted.outlines;
+  const int width = wanted.width * wanted.samples, height = wanted.height * wanted.samples;
+  const bool direct = wanted.samples == 1;
+  if (!layer.resize(wanted.width, wanted.height) || (!direct && !raw.resize(width, height))) return false;
   (direct ? layer : raw).bind();
   glDepthMask(GL_TRUE);
   glClearDepth(1.0);
@@ -153,13 +155,14 @@ bool Renderer::Parts::drawLayer(const ViewScene& scene, const Projection& projec
   count.atoms_drawn = 0;
   if (model && wanted.atoms) {
     const Projection inside(scene.camera, width, height, projection.depth);
-    cull.run(model->scene, scene.camera, inside, wanted.cull);
-    count.atoms_drawn = cull.drawn().size();
-    balls.drawMolecule(*model, cull.drawn(), wanted.tinted, packColour(wanted.tint), inside, lighting);
+    const float rim = wanted.outlines ? rimOf(wanted.samples, inside) : 0.0f;
+    cull.run(model->scene, scene.camera, inside, rim, wanted.cull);
+    count.atoms_drawn = cull.atomsDrawn();
+    balls.drawMolecule(*model, cull.drawn(), wanted.tinted, packColour(wanted.tint), rim, inside, lighting);
   }
   if (!direct) {
     layer.bind();
-    resolve.layer(raw, wanted.samples, wanted.outlines && model && wanted.atoms, projection);
+    resolve.layer(raw, wanted.samples);
   }
   key = std::move(wanted);
   have_layer = true;
@@ -221,7 +224,6 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
     const Lighting lighting = lightingOf(scene, p.model.get(), projection.depth);
     LayerKey key{.molecule = scene.molecule, .camera = scene.camera, .width = width_px, .height = height_px,
                  .samples = std::clamp(options.samples, 1, 4),
-                 .scale = options.samples > 1 ? 1.0f : std::clamp(options.scale, 0.25f, 1.0f),
                  .outlines = options.outlines, .cull = options.occlusion_cull, .atoms = scene.shown.has(Shape::Atoms),
                  .top = scene.theme.background_top, .bottom = scene.theme.background_bottom,
                  .tint = scene.theme.target, .tinted = {}};

@@ -13,8 +13,7 @@ namespace moltact {
 
 struct RenderOptions {
   int samples = 1;          ///< samples along each pixel's edge for the atoms, 1 to 4: 2 smooths the edges at 4 times the cost (default 1)
-  float scale = 1.0f;       ///< share of the resolution for the atoms, 0.25 to 1, used when samples is 1: less while moving on slow graphics (default 1)
-  bool outlines = true;     ///< dark lines where depth jumps between atoms (default on)
+  bool outlines = true;     ///< dark rims round atoms that stand in front of others (default on)
   float line_scale = 1.0f;  ///< multiplies line widths, for displays with small pixels (default 1)
   bool occlusion_cull = true;  ///< leave out atoms that are hidden by others; the picture is the same (default on)
 };
@@ -33,7 +32,9 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws into the renderer's own texture. Sizes are 1 to 16384 pixels. Does nothing if nothing has changed since the
+  /// Draws into the renderer's own texture. Where graphics are slow, a smaller size with a smaller line_scale, stretched
+  /// by whoever shows the texture, keeps a turning picture fluent.
+  /// Sizes are 1 to 16384 pixels. Does nothing if nothing has changed since the
   /// last call. The framebuffer, the viewport and the drawing state of the caller are put back. Returns what went wrong
   /// (a size that the driver refuses, a lost context), or nothing.
   std::optional<Problem> draw(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options = {});

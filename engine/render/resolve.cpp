@@ -22,46 +22,23 @@ void main() {
 }
 )";
 
-// A jump is a second difference of 1 / depth: zero on any plane, however steep, large at the edge of a ball in front
-// of another.
+// The mean colour and the nearest depth.
 const char* const kLayerText = R"(
 in vec2 v_uv;
 uniform sampler2D u_colour, u_window;
 uniform int u_samples;
-uniform float u_outlines;
-uniform vec2 u_depth;
 out vec4 o_colour;
-float inverse(float w) { return (u_depth.x - w) / u_depth.y; }
 void main() {
-  ivec2 size = textureSize(u_window, 0);
-  ivec2 first = ivec2(v_uv * vec2(size) - 0.5 * float(u_samples) + 0.5);
+  ivec2 first = ivec2(gl_FragCoord.xy) * u_samples;
   float near = 1.0;
   vec3 sum = vec3(0.0);
-  if (u_samples == 1) {
-    sum = texture(u_colour, v_uv).rgb;
-    near = texture(u_window, v_uv).r;
-  } else {
-    for (int y = 0; y < u_samples; ++y)
-      for (int x = 0; x < u_samples; ++x) {
-        sum += texelFetch(u_colour, first + ivec2(x, y), 0).rgb;
-        near = min(near, texelFetch(u_window, first + ivec2(x, y), 0).r);
-      }
-    sum /= float(u_samples * u_samples);
-  }
-  if (u_outlines > 0.0) {
-    vec2 step = float(u_samples) / vec2(size);
-    float here = inverse(texture(u_window, v_uv).r);
-    float depth = 1.0 / max(here, 1e-9);
-    float w = inverse(texture(u_window, v_uv - vec2(step.x, 0.0)).r), e = inverse(texture(u_window, v_uv + vec2(step.x, 0.0)).r);
-    float s = inverse(texture(u_window, v_uv - vec2(0.0, step.y)).r), n = inverse(texture(u_window, v_uv + vec2(0.0, step.y)).r);
-    // Positive where a neighbour is nearer: the line is drawn on the ball behind, so the front one keeps its shape.
-    float jump = max(max(w, e), max(s, n)) - here;
-    float bend = max(w + e - 2.0 * here, s + n - 2.0 * here);
-    float behind = min(jump, bend) * depth * depth;
-    sum *= 1.0 - u_outlines * smoothstep(0.25, 2.2, behind);
-  }
+  for (int y = 0; y < u_samples; ++y)
+    for (int x = 0; x < u_samples; ++x) {
+      sum += texelFetch(u_colour, first + ivec2(x, y), 0).rgb;
+      near = min(near, texelFetch(u_window, first + ivec2(x, y), 0).r);
+    }
   gl_FragDepth = near;
-  o_colour = vec4(sum, 1.0);
+  o_colour = vec4(sum / float(u_samples * u_samples), 1.0);
 }
 )";
 
@@ -88,7 +65,7 @@ void Resolve::background(const Lighting& lighting) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Resolve::layer(const GlTarget& from, int samples, bool outlines, const Projection& projection) {
+void Resolve::layer(const GlTarget& from, int samples) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_ALWAYS);
   glDepthMask(GL_TRUE);
@@ -97,8 +74,6 @@ void Resolve::layer(const GlTarget& from, int samples, bool outlines, const Proj
   glUniform1i(layer_.uniform("u_colour"), 0);
   glUniform1i(layer_.uniform("u_window"), 1);
   glUniform1i(layer_.uniform("u_samples"), samples);
-  glUniform1f(layer_.uniform("u_outlines"), outlines ? 0.62f : 0.0f);
-  glUniform2f(layer_.uniform("u_depth"), projection.depthScale(), projection.depthOffset());
   glActiveTexture(GL_TEXTURE1);
   glBindTexture(GL_TEXTURE_2D, from.depth());
   glActiveTexture(GL_TEXTURE0);

@@ -1,4 +1,4 @@
-// Full-screen passes: the background, and the atoms' layer brought to the picture's size with outlines.
+// Full-screen passes: the background, and the atoms' layer brought to the picture's size.
 // Needs a current context.
 #pragma once
 
@@ -13,9 +13,9 @@ class Resolve {
 
   void background(const Lighting& lighting);
 
-  /// Writes colour and depth of `from` into the bound framebuffer of the projection's size: the mean of samples x samples
-  /// texels, darkened where the depth jumps (`outlines`), its depth that of the nearest texel.
-  void layer(const GlTarget& from, int samples, bool outlines, const Projection& projection);
+  /// Writes colour and depth of `from` into the bound framebuffer: the mean of samples x samples texels with the depth
+  /// of the nearest.
+  void layer(const GlTarget& from, int samples);
 
  private:
   GlProgram background_, layer_;

@@ -16,11 +16,14 @@ glm::vec2 tangents(float side, float depth, float radius) {
 }
 }  // namespace
 
-bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out) {
+bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out,
+                   float rim) {
   const float depth = -centre.z;
   if (!(depth - radius > float(projection.depth.near_A))) return false;
-  const glm::vec2 x = tangents(centre.x, depth, radius) / projection.tan_x;  // exact: Mara and McGuire 2013
-  const glm::vec2 y = tangents(centre.y, depth, radius) / projection.tan_y;
+  const float widened = radius + rim * depth;
+  if (!(depth > widened)) return false;
+  const glm::vec2 x = tangents(centre.x, depth, widened) / projection.tan_x;  // exact: Mara and McGuire 2013
+  const glm::vec2 y = tangents(centre.y, depth, widened) / projection.tan_y;
   if (x[0] >= 1 || x[1] <= -1 || y[0] >= 1 || y[1] <= -1) return false;
   out.centre = centre;
   out.radius = radius;
@@ -29,9 +32,11 @@ bool projectSphere(const Projection& projection, const glm::vec3& centre, float 
   return true;
 }
 
-void SphereCull::run(const BallScene& scene, const Camera& camera, const Projection& projection, bool occlusion) {
+void SphereCull::run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim,
+                     bool occlusion) {
   seen_.clear();
   drawn_.clear();
+  kept_.clear();
   order_.clear();
   tan_x_ = projection.tan_x;
   tan_y_ = projection.tan_y;
@@ -41,7 +46,7 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
     const Ball& b = scene[i];
     const Vec3 view = turn * (b.centre_A - camera.target.A) - Vec3(0, 0, camera.distance_A);
     DrawnSphere sphere;
-    if (!projectSphere(projection, glm::vec3(view), float(b.radius_A), sphere)) continue;
+    if (!projectSphere(projection, glm::vec3(view), float(b.radius_A), sphere, rim)) continue;
     sphere.index = i;
     order_.emplace_back(-sphere.centre.z - sphere.radius, std::uint32_t(seen_.size()));
     wide += sphere.high.x - sphere.low.x;
@@ -50,6 +55,7 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
   std::sort(order_.begin(), order_.end());
   if (!occlusion) {
     for (const auto& [depth, k] : order_) drawn_.push_back(seen_[k]);
+    atoms_drawn_ = drawn_.size();
     return;
   }
 
@@ -65,18 +71,65 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
   row_before_.resize(row_.size());
   for (const auto& [depth, k] : order_) {
     if (hidden(seen_[k])) continue;
-    drawn_.push_back(seen_[k]);
+    kept_.push_back(k);
     cover(seen_[k]);
+  }
+  // Once more with all that covers: of the balls that stay most is still hidden.
+  atoms_drawn_ = 0;
+  for (const std::uint32_t k : kept_) {
+    const std::size_t before = drawn_.size();
+    emitBoxes(seen_[k]);
+    atoms_drawn_ += drawn_.size() > before;
   }
 }
 
-bool SphereCull::hidden(const DrawnSphere& s) const {
+SphereCull::Span SphereCull::inSight(const DrawnSphere& s, int row) const {
   const float nearest = -s.centre.z - s.radius;
-  const int x0 = std::max(0, int((s.low.x + 1) / cell_x_)), x1 = std::min(cells_x_ - 1, int((s.high.x + 1) / cell_x_));
+  const float* cells = covered_.data() + std::size_t(row) * cells_x_;
+  int first = std::max(0, int((s.low.x + 1) / cell_x_)), last = std::min(cells_x_ - 1, int((s.high.x + 1) / cell_x_));
+  while (first <= last && cells[first] < nearest) ++first;
+  while (first <= last && cells[last] < nearest) --last;
+  return {first, last};
+}
+
+// Rows of cells are put together into boxes as long as little is drawn in vain.
+void SphereCull::emitBoxes(const DrawnSphere& s) {
+  const int y0 = std::max(0, int((s.low.y + 1) / cell_y_)), y1 = std::min(cells_y_ - 1, int((s.high.y + 1) / cell_y_));
+  int from = 0, to = -1, needed = 0;
+  Span box{0, -1};
+  const auto close = [&] {
+    if (to < from) return;
+    DrawnSphere piece = s;
+    piece.low = glm::max(s.low, glm::vec2(float(box.first) * cell_x_, float(from) * cell_y_) - 1.0f);
+    piece.high = glm::min(s.high, glm::vec2(float(box.last + 1) * cell_x_, float(to + 1) * cell_y_) - 1.0f);
+    drawn_.push_back(piece);
+  };
+  for (int y = y0; y <= y1; ++y) {
+    const Span span = inSight(s, y);
+    const int cells = span.last - span.first + 1;
+    if (cells > 0 && to >= from) {
+      const Span both{std::min(box.first, span.first), std::max(box.last, span.last)};
+      const int area = (both.last - both.first + 1) * (y - from + 1);
+      if (area - needed - cells <= 3 + area / 5) {
+        box = both;
+        to = y;
+        needed += cells;
+        continue;
+      }
+    }
+    close();
+    from = y;
+    to = cells > 0 ? y : y - 1;
+    box = span;
+    needed = std::max(cells, 0);
+  }
+  close();
+}
+
+bool SphereCull::hidden(const DrawnSphere& s) const {
   const int y0 = std::max(0, int((s.low.y + 1) / cell_y_)), y1 = std::min(cells_y_ - 1, int((s.high.y + 1) / cell_y_));
   for (int y = y0; y <= y1; ++y)
-    for (int x = x0; x <= x1; ++x)
-      if (!(covered_[std::size_t(y) * cells_x_ + x] < nearest)) return false;
+    if (const Span span = inSight(s, y); span.first <= span.last) return false;
   return true;
 }
 

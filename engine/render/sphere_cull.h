@@ -12,7 +12,7 @@
 
 namespace moltact {
 
-/// A ball in the camera's axes with the exact box of its perspective image.
+/// A ball in the camera's axes with a box of its image: of the whole of it, or of the part that may be in sight.
 struct DrawnSphere {
   glm::vec3 centre{0.0f};
   float radius = 0.0f;
@@ -20,23 +20,31 @@ struct DrawnSphere {
   std::uint32_t index = 0;          ///< into the scene
 };
 
-/// The image box of a ball; false when it touches the plane at near_A or lies outside the picture.
-bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out);
+/// The image box of a ball widened by a rim (its width at depth 1); false when it touches the plane at near_A or lies outside the picture.
+bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out, float rim = 0);
 
 class SphereCull {
  public:
-  /// Fills drawn() with the balls to draw, nearest first. A ball is left out only if every place of its image box is
-  /// covered by nearer balls, decided on a coarse grid of cells, so the picture is the same without it.
-  /// `occlusion` false keeps those too.
-  void run(const BallScene& scene, const Camera& camera, const Projection& projection, bool occlusion);
+  /// Fills drawn() with the balls to draw, cut into boxes; a ball may give none or several. What is left out is covered
+  /// by nearer balls, decided on a coarse grid of cells, so the picture is the same without it. `occlusion` false
+  /// keeps every ball whole.
+  void run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim, bool occlusion);
 
   const std::vector<DrawnSphere>& drawn() const { return drawn_; }
+  std::size_t atomsDrawn() const { return atoms_drawn_; }
 
  private:
+  struct Span {
+    int first, last;  // cells of a row
+  };
+  Span inSight(const DrawnSphere& sphere, int row) const;
   bool hidden(const DrawnSphere& sphere) const;
+  void emitBoxes(const DrawnSphere& sphere);
   void cover(const DrawnSphere& sphere);
 
   std::vector<DrawnSphere> seen_, drawn_;
+  std::vector<std::uint32_t> kept_;  // into seen_
+  std::size_t atoms_drawn_ = 0;
   std::vector<std::pair<float, std::uint32_t>> order_;
   std::vector<float> covered_;  // for each cell the depth behind which nothing is seen
   std::vector<float> row_, row_before_;

@@ -26,23 +26,27 @@ void main() {
 )";
 
 // The distance of the ray from the centre is taken at the ray's nearest point and not as |centre|^2 - radius^2, which
-// would lose the radius to rounding when the ball is far.
+// would lose the radius to rounding when the ball is far. The rim lies behind the ball's middle, so that balls that
+// grow into each other have none between them; its normal is square to the ray, so it is shade.
 const char* const kCutText = R"(
 in vec3 v_ray;
 flat in vec4 v_sphere, v_colour, v_exposure;
 in float v_y;
 uniform vec2 u_depth;
+uniform float u_rim;
 out vec4 o_colour;
 void cut(out vec3 hit, out vec3 normal) {
   float inverse = 1.0 / dot(v_ray, v_ray);
   float nearest = dot(v_ray, v_sphere.xyz) * inverse;
   vec3 aside = v_ray * nearest - v_sphere.xyz;
-  float left = v_sphere.w * v_sphere.w - dot(aside, aside);
-  if (left < 0.0) discard;
-  float back = sqrt(left * inverse);
+  float away = dot(aside, aside), reach = v_sphere.w + u_rim * nearest;
+  if (away > reach * reach) discard;
+  float left = v_sphere.w * v_sphere.w - away;
+  float back = sqrt(max(left, 0.0) * inverse);
   hit = v_ray * (nearest - back);
   normal = (aside - v_ray * back) / v_sphere.w;
-  gl_FragDepth = clamp(u_depth.x - u_depth.y / (nearest - back), 0.0, 1.0);
+  float depth = left < 0.0 ? nearest + 0.75 * v_sphere.w : nearest - back;
+  gl_FragDepth = clamp(u_depth.x - u_depth.y / depth, 0.0, 1.0);
 }
 )";
 
@@ -91,11 +95,12 @@ void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour, std::uint
         {corner.x, corner.y, s.centre.x, s.centre.y, s.centre.z, s.radius, colour, exposure});
 }
 
-void SphereImpostors::flush(Pass pass, const Projection& projection, const Lighting& lighting) {
+void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting) {
   if (vertices_.empty()) return;
   const GlProgram& program = pass == Pass::Shell ? shell_ : solid_;
   glUseProgram(program.id());
   setLighting(program, projection, lighting);
+  glUniform1f(program.uniform("u_rim"), rim);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(pass == Pass::Ghost ? GL_GREATER : GL_LESS);
   glDepthMask(pass == Pass::Solid);
@@ -109,12 +114,12 @@ void SphereImpostors::flush(Pass pass, const Projection& projection, const Light
 
 void SphereImpostors::drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
                                    std::span<const std::uint32_t> tinted, std::uint32_t tint,
-                                   const Projection& projection, const Lighting& lighting) {
+                                   float rim, const Projection& projection, const Lighting& lighting) {
   for (const DrawnSphere& s : spheres) {
     const bool is_tinted = std::binary_search(tinted.begin(), tinted.end(), s.index);
     push(s, is_tinted ? tint : model.colour[s.index], model.exposure[s.index]);
   }
-  flush(Pass::Solid, projection, lighting);
+  flush(Pass::Solid, rim, projection, lighting);
 }
 
 void SphereImpostors::drawLoose(std::span<const LooseSphere> spheres, Pass pass, const Projection& projection,
@@ -124,7 +129,7 @@ void SphereImpostors::drawLoose(std::span<const LooseSphere> spheres, Pass pass,
     DrawnSphere drawn;
     if (projectSphere(projection, s.centre, s.radius, drawn)) push(drawn, s.colour, kOpen);
   }
-  flush(pass, projection, lighting);
+  flush(pass, 0.0f, projection, lighting);
 }
 
 }  // namespace moltact

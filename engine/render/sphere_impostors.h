@@ -38,9 +38,10 @@ class SphereImpostors {
 
   static Expected<SphereImpostors> build();
 
+  /// `rim` is the width at depth 1 of a dark edge round each ball that stands well in front of what is behind it.
   void drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
-                    std::span<const std::uint32_t> tinted, std::uint32_t tint, const Projection& projection,
-                    const Lighting& lighting);
+                    std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim,
+                    const Projection& projection, const Lighting& lighting);
   void drawLoose(std::span<const LooseSphere> spheres, Pass pass, const Projection& projection,
                  const Lighting& lighting);
 
@@ -52,7 +53,7 @@ class SphereImpostors {
   };
   SphereImpostors() : stream_(std::make_unique<GlStream>()) {}
   void push(const DrawnSphere& sphere, std::uint32_t colour, std::uint32_t exposure);
-  void flush(Pass pass, const Projection& projection, const Lighting& lighting);
+  void flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting);
 
   GlProgram solid_, shell_;
   std::unique_ptr<GlStream> stream_;

@@ -55,14 +55,14 @@ Theme darkTheme() {
   return {.background_top = hex(0x232B38), .background_bottom = hex(0x0D1117),
           .surface = hex(0x7FC4E8), .in_use = hex(0xFFD166),
           .hip = hex(0xFF5D8F), .scp = hex(0xFFFFFF), .force = hex(0x3DDC97), .probe = hex(0xA9D6F5),
-          .target = hex(0xFFB000), .wire_strength = 1.0f};
+          .target = hex(0xFFB000), .wire_strength = 1.0f, .fade = 0.6f};
 }
 
 Theme lightTheme() {
   return {.background_top = hex(0xFFFFFF), .background_bottom = hex(0xDDE4EC),
           .surface = hex(0x1E5F8C), .in_use = hex(0xC2410C),
-          .hip = hex(0xD6246E), .scp = hex(0x101820), .force = hex(0x0B8457), .probe = hex(0x4F8FC0),
-          .target = hex(0xE07A00), .wire_strength = 1.25f};
+          .hip = hex(0xD6246E), .scp = hex(0x101820), .force = hex(0x0B8457), .probe = hex(0x2F78B4),
+          .target = hex(0xE07A00), .wire_strength = 1.25f, .fade = 0.42f};
 }
 
 bool sameView(const ViewScene& a, const ViewScene& b) {

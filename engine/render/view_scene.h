@@ -63,6 +63,7 @@ struct Theme {
   Colour hip, scp, force, probe;
   Colour target;    ///< task targets and highlighted atoms
   float wire_strength = 1.0f;  ///< wires need more weight on a light ground (default 1)
+  float fade = 0.6f;           ///< how much of the background the farthest atom takes on, 0 to 1 (default 0.6)
   bool operator==(const Theme&) const = default;
 };
 Theme lightTheme();
@@ -89,7 +90,7 @@ struct ViewScene {
   double arrow_A_per_N = 2.0;  ///< length of the force arrow (default 2 A for 1 N)
 
   std::vector<std::uint32_t> haptic_atoms;  ///< whose haptic shapes are drawn; empty: those nearest to the SCP
-  std::size_t haptic_atoms_at_most = 10;    ///< how many are taken when haptic_atoms is empty (default 10)
+  std::size_t haptic_atoms_at_most = 14;    ///< how many are taken when haptic_atoms is empty (default 14)
 
   std::vector<std::uint32_t> highlighted;  ///< atoms marked in the target's colour; out-of-range ones are ignored
   std::vector<TargetMarker> targets;
