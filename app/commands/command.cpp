@@ -2,7 +2,12 @@
 
 namespace moltact {
 
+void addInfo(CLI::App& app);
+void addFetch(CLI::App& app);
+
 void addAllCommands(CLI::App& app) {
+  addInfo(app);
+  addFetch(app);
   addRenderCommand(app);
 }
 
