@@ -107,7 +107,7 @@ void render(const RenderArguments& arguments) {
   auto renderer = Renderer::create();
   if (!renderer) throw CommandError{renderer.problem().text()};
   if (arguments.time > 0) printTimes(**renderer, scene, width, height, arguments);
-  if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples}))
+  if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples, .smooth_glyphs = true}))
     throw CommandError{problem->text()};
   if (const auto problem = writePng(arguments.out, (*renderer)->readPixels())) throw CommandError{problem->text()};
 }

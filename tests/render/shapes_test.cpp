@@ -163,7 +163,7 @@ TEST_CASE("the golden pictures are drawn as they were approved") {
   const std::filesystem::path folder = std::filesystem::path(MOLTACT_SOURCE_DIR) / "tests/render/golden";
   const auto check = [&](const std::string& name, const ViewScene& scene) {
     CAPTURE(name);
-    const Picture now = drawn(scene, 320, 240, {.samples = 2});
+    const Picture now = drawn(scene, 320, 240, {.samples = 2, .smooth_glyphs = true});
     const auto file = folder / (name + ".png");
     if (std::getenv("MOLTACT_UPDATE_GOLDEN")) {
       const auto problem = writePng(file, now);
