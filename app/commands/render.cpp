@@ -28,7 +28,7 @@ std::pair<int, int> sizeOf(const std::string& text) {
   char rest = 0;
   if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
       width > 8192 || height > 8192)
-    throw CommandError{"--size '" + text + "' is not a size; write WIDTHxHEIGHT, 16 to 8192 pixels each, as in 1280x800"};
+    throw CLI::ValidationError("--size", "'" + text + "' is not a size; write WIDTHxHEIGHT, 16 to 8192 pixels each, as in 1280x800");
   return {width, height};
 }
 
@@ -38,7 +38,7 @@ std::optional<PointA> hipOf(const std::string& text) {
   char rest = 0;
   if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &hip.A.x, &hip.A.y, &hip.A.z, &rest) != 3 ||
       !std::isfinite(hip.A.x + hip.A.y + hip.A.z) || glm::length(hip.A) > kFarthest_A)
-    throw CommandError{"--hip '" + text + "' is not a place; write x,y,z in angstroms, as in 12.5,3,-8"};
+    throw CLI::ValidationError("--hip", "'" + text + "' is not a place; write x,y,z in angstroms, as in 12.5,3,-8");
   return hip;
 }
 
@@ -87,7 +87,7 @@ void render(const RenderArguments& arguments) {
   ViewScene scene;
   scene.hip = hipOf(arguments.hip);
   const auto shown = parseShapes(arguments.show);
-  if (!shown) throw CommandError{"--show: " + shown.problem().text()};
+  if (!shown) throw CLI::ValidationError("--show", shown.problem().text());
   scene.shown = *shown;
   scene.molecule = moleculeArgument(arguments.molecule);
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
@@ -107,7 +107,7 @@ void render(const RenderArguments& arguments) {
   auto renderer = Renderer::create();
   if (!renderer) throw CommandError{renderer.problem().text()};
   if (arguments.time > 0) printTimes(**renderer, scene, width, height, arguments);
-  if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples}))
+  if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples, .smooth_glyphs = true}))
     throw CommandError{problem->text()};
   if (const auto problem = writePng(arguments.out, (*renderer)->readPixels())) throw CommandError{problem->text()};
 }

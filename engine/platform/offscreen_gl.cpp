@@ -60,12 +60,12 @@ bool OffscreenGl::makeCurrent() {
   return eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE;
 }
 
+// The display is one for the whole program, so it is not terminated: another context may live on it.
 OffscreenGl::~OffscreenGl() {
   if (!display_) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   if (surface_) eglDestroySurface(display_, surface_);
   if (context_) eglDestroyContext(display_, context_);
-  eglTerminate(display_);
 }
 
 }  // namespace moltact

@@ -59,25 +59,27 @@ void Camera::lookFrom(double azimuth_rad, double elevation_rad) {
 
 void Camera::fit(const Molecule& molecule, double aspect, double margin) {
   if (molecule.atoms.empty()) return;
-  // In the camera's axes, so that a long molecule seen from its side fills the picture. A ball of radius r at (x, z)
-  // stays below the plane through the eye at slope t as long as distance >= z + (|x| + r sqrt(1 + t^2)) / t.
+  // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the eye
+  // at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides' largest
+  // bounds meet at the best m, so the picture is filled from edge to edge in perspective too.
   const glm::dquat to_axes = glm::conjugate(orientation);
-  Vec3 low(1e300), high(-1e300);
+  const Vec3 origin = molecule.atoms[0].position.A;
+  const double slope[2] = {tanHalfY() * aspect * (1 - margin), tanHalfY() * (1 - margin)};
+  double ahead[2] = {-1e300, -1e300}, behind[2] = {-1e300, -1e300}, low = 1e300, high = -1e300;
   for (const Atom& a : molecule.atoms) {
-    const Vec3 p = to_axes * (a.position.A - molecule.atoms[0].position.A);
-    low = glm::min(low, p - Vec3(a.radius_A));
-    high = glm::max(high, p + Vec3(a.radius_A));
+    const Vec3 p = to_axes * (a.position.A - origin);
+    low = std::min(low, p.z - a.radius_A);
+    high = std::max(high, p.z + a.radius_A);
+    for (const int k : {0, 1}) {
+      const double widened = a.radius_A * std::sqrt(1 + slope[k] * slope[k]);
+      ahead[k] = std::max(ahead[k], p.z + (p[k] + widened) / slope[k]);
+      behind[k] = std::max(behind[k], p.z + (widened - p[k]) / slope[k]);
+    }
   }
-  const Vec3 middle = 0.5 * (low + high);
-  const double ty = tanHalfY() * (1 - margin), tx = tanHalfY() * aspect * (1 - margin);
-  double back = kNearest_A;
-  for (const Atom& a : molecule.atoms) {
-    const Vec3 p = to_axes * (a.position.A - molecule.atoms[0].position.A) - middle;
-    back = std::max({back, p.z + (std::abs(p.y) + a.radius_A * std::sqrt(1 + ty * ty)) / ty,
-                     p.z + (std::abs(p.x) + a.radius_A * std::sqrt(1 + tx * tx)) / tx});
-  }
-  target.A = molecule.atoms[0].position.A + orientation * middle;
-  distance_A = std::min(back, kFarthestBack_A);
+  const Vec3 middle(0.5 * slope[0] * (ahead[0] - behind[0]), 0.5 * slope[1] * (ahead[1] - behind[1]), 0.5 * (low + high));
+  const double back = 0.5 * std::max(ahead[0] + behind[0], ahead[1] + behind[1]) - middle.z;
+  target.A = origin + orientation * middle;
+  distance_A = std::clamp(back, kNearest_A, kFarthestBack_A);
 }
 
 void Camera::fit(PointA centre, double radius_A, double aspect, double margin) {

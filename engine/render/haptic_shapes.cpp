@@ -38,7 +38,7 @@ class Drawer {
       gatherNeighbours(a);
       const Ball b = inflated(a);
       const bool held = isInUse(a);
-      const Stroke ring{.colour = held ? glm::mix(scene_.theme.surface, scene_.theme.in_use, 0.35f) : scene_.theme.surface,
+      const Stroke ring{.colour = scene_.theme.surface,
                         .alpha = (held ? 0.9f : 0.62f) * strength(a) * scene_.theme.wire_strength,
                         .hidden = 0.10f, .width_px = held ? 1.5f : 1.2f};
       // Meridians and parallels about the camera's upright, so that every sphere reads the same from every side.

@@ -23,6 +23,7 @@ vec3 lit(vec3 colour, vec3 n, vec3 hit, float open, float y_ndc) {
   light *= 1.0 - 0.72 * rim * rim;
   vec3 ground = mix(u_bottom, u_top, 0.5 + 0.5 * y_ndc);
   float fade = u_fade.z * clamp((-hit.z - u_fade.x) * u_fade.y, 0.0, 1.0);
+  light *= 1.10;
   return sqrt(mix(light, ground * ground, fade));
 }
 )";

@@ -82,14 +82,14 @@ struct LayerKey {
   std::shared_ptr<const Molecule> molecule;
   Camera camera;
   int width = 0, height = 0, samples = 0;
-  bool outlines = false, cull = false, atoms = false;
+  bool outlines = false, cull = false, atoms = false, resolved = true;
   Colour top{0.0f}, bottom{0.0f}, tint{0.0f};
   std::vector<std::uint32_t> tinted;
   bool operator==(const LayerKey&) const = default;
 };
 
 bool sameOptions(const RenderOptions& a, const RenderOptions& b) {
-  return a.samples == b.samples && a.outlines == b.outlines && a.line_scale == b.line_scale &&
+  return a.samples == b.samples && a.outlines == b.outlines && a.line_scale == b.line_scale && a.smooth_glyphs == b.smooth_glyphs &&
          a.occlusion_cull == b.occlusion_cull;
 }
 
@@ -103,7 +103,8 @@ struct Renderer::Parts {
   Wireframe wires;
   SolidMesh mesh;
   Resolve resolve;
-  GlTarget raw, layer, picture;  // the atoms at their own size; the same at the picture's; with everything on top
+  GlTarget raw, layer, picture;  // the atoms with all samples; the same at the picture's size; with everything on top
+  GlTarget large;                // everything with all samples
   SphereCull cull;
   std::unique_ptr<MoleculeModel> model;
   Glyphs glyphs;
@@ -146,7 +147,7 @@ bool Renderer::Parts::drawLayer(const ViewScene& scene, const Projection& projec
   have_layer = false;
   const int width = wanted.width * wanted.samples, height = wanted.height * wanted.samples;
   const bool direct = wanted.samples == 1;
-  if (!layer.resize(wanted.width, wanted.height) || (!direct && !raw.resize(width, height))) return false;
+  if ((wanted.resolved && !layer.resize(wanted.width, wanted.height)) || (!direct && !raw.resize(width, height))) return false;
   (direct ? layer : raw).bind();
   glDepthMask(GL_TRUE);
   glClearDepth(1.0);
@@ -160,7 +161,7 @@ bool Renderer::Parts::drawLayer(const ViewScene& scene, const Projection& projec
     count.atoms_drawn = cull.atomsDrawn();
     balls.drawMolecule(*model, cull.drawn(), wanted.tinted, packColour(wanted.tint), rim, inside, lighting);
   }
-  if (!direct) {
+  if (wanted.resolved && !direct) {
     layer.bind();
     resolve.layer(raw, wanted.samples);
   }
@@ -185,8 +186,7 @@ void Renderer::Parts::drawGlyphs(const ViewScene& scene, const Projection& proje
   mesh.draw(projection, near, 0.35f);
   balls.drawLoose(glyphs.solid, SphereImpostors::Pass::Solid, projection, near);
   balls.drawLoose(dots, SphereImpostors::Pass::Solid, projection, near);
-  // A large picture is looked at whole: its lines grow with it.
-  wires.draw(glyphs.strokes, projection, line_scale * std::max(1.0f, float(projection.height_px) / 800.0f));
+  wires.draw(glyphs.strokes, projection, line_scale);
   balls.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, near);
   glDisable(GL_DEPTH_CLAMP);
 }
@@ -229,13 +229,25 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
                  .tint = scene.theme.target, .tinted = {}};
     if (scene.shown.has(Shape::Target)) key.tinted = scene.highlighted;
     std::sort(key.tinted.begin(), key.tinted.end());
+    const int samples = key.samples;
+    const bool all_smooth = options.smooth_glyphs && samples > 1;
+    key.resolved = !all_smooth;
     if (!p.drawLayer(scene, projection, lighting, std::move(key))) return tooLarge();
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, p.layer.framebuffer());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, p.picture.framebuffer());
-    glBlitFramebuffer(0, 0, width_px, height_px, 0, 0, width_px, height_px, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT,
-                      GL_NEAREST);
-    p.picture.bind();
-    p.drawGlyphs(scene, projection, lighting, options.line_scale);
+    const int width = all_smooth ? width_px * samples : width_px, height = all_smooth ? height_px * samples : height_px;
+    if (all_smooth && !p.large.resize(width, height)) return tooLarge();
+    const GlTarget& from = all_smooth ? p.raw : p.layer;
+    const GlTarget& to = all_smooth ? p.large : p.picture;
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer());
+    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    to.bind();
+    // A large picture is looked at whole: its lines grow with it.
+    const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f) * float(height) / float(height_px);
+    p.drawGlyphs(scene, Projection(scene.camera, width, height, projection.depth), lighting, line_scale);
+    if (all_smooth) {
+      p.picture.bind();
+      p.resolve.layer(p.large, samples);
+    }
   }
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
     p.have_layer = p.have_picture = false;
