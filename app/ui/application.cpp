@@ -12,6 +12,7 @@
 #include "app/ui/theme.h"
 #include "app/ui/view_picture.h"
 #include "engine/haptics/sweep.h"
+#include "engine/molecule/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -47,7 +48,8 @@ void Application::open(const std::filesystem::path& file) {
     enterScene();
     return;
   }
-  loader_.begin(file);
+  const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
+  loader_.begin(found ? *found : file);
   if (options.clock == ServoClock::Frames) finishLoading();
 }
 
