@@ -11,6 +11,7 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kLineWidth = 80;
+constexpr std::size_t kMostLineWarnings = 20;
 constexpr std::size_t kMaxAtoms = 40'000'000;  // what a five-column hybrid-36 serial can count
 
 bool startsWith(std::string_view line, std::string_view record) {
@@ -98,14 +99,12 @@ std::optional<Problem> keepAtom(Sieve& sieve, std::string_view line, const std::
                    kRemedy};
   double occupancy = 1.0;
   const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
-  if (!trimmed(field).empty() && !parseNumber(field, occupancy)) {
-    if (sieve.warnings.size() < 20)
+  if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, occupancy)) {
+    if (!blank && sieve.warnings.size() < kMostLineWarnings)
       sieve.warnings.push_back("Line " + std::to_string(number) + ": the occupancy " + inQuotes(field) +
                                " is not a number and was taken as 1.");
-    occupancy = 1.0;
+    std::memcpy(out + kOccupancy.first, "  1.00", kOccupancy.width);
   }
-  std::memcpy(out + kOccupancy.first, "  1.00", kOccupancy.width);
-  if (!trimmed(field).empty() && parseNumber(field, occupancy)) std::memcpy(out + kOccupancy.first, field.data(), field.size());
   std::memset(out + 60, ' ', 16);  // B factor and segment are not used
   // Columns 77-80 hold an element and a charge since 1996, a part of the line's number before.
   const bool has_element = (std::isalpha(static_cast<unsigned char>(out[77])) &&

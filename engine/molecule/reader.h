@@ -21,7 +21,7 @@ namespace moltact {
 struct ReadOptions {
   int model = 1;         ///< which model, counted from 1 in the order of the file (default: the first)
   bool waters = false;   ///< keep the water molecules (default: leave them out)
-  std::string assembly;  ///< name of a biological assembly to build ("1"); empty: the coordinates as they stand (default)
+  std::string assembly{};  ///< name of a biological assembly to build ("1"); empty: the coordinates as they stand (default)
 };
 
 /// A file larger than this, or one that unpacks to more, is refused (unit: byte).
