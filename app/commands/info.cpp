@@ -20,14 +20,16 @@ struct InfoArguments {
 
 std::string listed(const std::map<std::string, std::size_t>& counts) {
   std::string out;
-  for (const auto& [name, count] : counts) out += (out.empty() ? "" : ", ") + name + ' ' + std::to_string(count);
+  for (const auto& [name, count] : counts)
+    out += (out.empty() ? "" : ", ") + name + ' ' + std::to_string(count);
   return out.empty() ? "none" : out;
 }
 
 std::string named(const std::vector<std::string>& chains) {
   constexpr std::size_t kMost = 40;
   std::string out;
-  for (std::size_t i = 0; i < std::min(kMost, chains.size()); ++i) out += (i ? " " : "") + (chains[i].empty() ? "(no name)" : chains[i]);
+  for (std::size_t i = 0; i < std::min(kMost, chains.size()); ++i)
+    out += (i ? " " : "") + (chains[i].empty() ? "(no name)" : chains[i]);
   return chains.size() > kMost ? out + " ..." : out;
 }
 
@@ -35,7 +37,8 @@ void printText(const Molecule& molecule, const MoleculeSummary& s) {
   const Vec3 size = s.high_A - s.low_A;
   std::cout << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
   std::cout << "atoms     " << s.atoms << '\n';
-  std::cout << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "") << '\n';
+  std::cout << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "")
+            << '\n';
   std::cout << "chains    " << s.chains << (s.chains ? " (" + named(s.chain_names) + ")" : "") << '\n';
   std::cout << "elements  " << listed(s.elements) << '\n';
   std::cout << "ligands   " << listed(s.ligands) << '\n';
@@ -81,10 +84,16 @@ void run(const InfoArguments& arguments) {
 
 void addInfo(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command = app.add_subcommand("info", "Say what a molecule holds: atoms, residues, chains, elements, ligands, size");
-  command->add_option("molecule", arguments->molecule, "A file (.pdb .cif .xyzr, also .gz), or a molecule of the library (1ubq)")->required();
+  CLI::App* command = app.add_subcommand(
+      "info", "Say what a molecule holds: atoms, residues, chains, elements, ligands, size");
+  command
+      ->add_option("molecule", arguments->molecule,
+                   "A file (.pdb .cif .xyzr, also .gz), or a molecule of the library (1ubq)")
+      ->required();
   command->add_flag("--json", arguments->json, "Print JSON");
-  command->add_option("--model", arguments->reading.model, "Which model of the file, from 1")->capture_default_str()->check(CLI::PositiveNumber);
+  command->add_option("--model", arguments->reading.model, "Which model of the file, from 1")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber);
   command->add_flag("--waters", arguments->reading.waters, "Keep the water molecules");
   command->add_option("--assembly", arguments->reading.assembly, "Build this biological assembly (1)");
   command->callback([arguments] { run(*arguments); });

@@ -1,4 +1,5 @@
-// The library's files against counts taken from the PDB records by hand, and the generated ones against geometry.
+// The library's files against counts taken from the PDB records by hand, and the generated ones against
+// geometry.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -29,9 +30,10 @@ Vec3 place(const Molecule& m, const char* chain, int number, std::string_view na
   return {};
 }
 
-double between(const Molecule& m, const char* chain, int one, const char* name, int other, const char* other_name,
-               const char* other_chain = nullptr) {
-  return glm::distance(place(m, chain, one, name), place(m, other_chain ? other_chain : chain, other, other_name));
+double between(const Molecule& m, const char* chain, int one, const char* name, int other,
+               const char* other_name, const char* other_chain = nullptr) {
+  return glm::distance(place(m, chain, one, name),
+                       place(m, other_chain ? other_chain : chain, other, other_name));
 }
 
 double angle_deg(Vec3 a, Vec3 corner, Vec3 b) {
@@ -110,8 +112,8 @@ TEST_CASE("1hel has 1001 atoms in 129 residues; its Asp 52 is spoken of as such"
 TEST_CASE("the committed files are what the generator makes, byte for byte") {
   using namespace moltact::generator;
   const std::pair<const char*, std::string> made[] = {
-      {"argon.pdb", makeArgon(1)},   {"argon-pair.pdb", makeArgon(2)}, {"argon-triangle.pdb", makeArgon(3)},
-      {"water.pdb", makeWater()},    {"benzene.pdb", makeBenzene()},   {"alpha-helix.pdb", makeAlphaHelix()},
+      {"argon.pdb", makeArgon(1)}, {"argon-pair.pdb", makeArgon(2)}, {"argon-triangle.pdb", makeArgon(3)},
+      {"water.pdb", makeWater()},  {"benzene.pdb", makeBenzene()},   {"alpha-helix.pdb", makeAlphaHelix()},
       {"b-dna.pdb", makeBDna()}};
   for (const auto& [file, text] : made) CHECK_MESSAGE(contentOf(libraryFolder() / file) == text, file);
 }
@@ -132,7 +134,9 @@ TEST_CASE("benzene's six C-C bonds are 1.397 A, its C-H bonds 1.084 A") {
   }
 }
 
-TEST_CASE("the alpha-helix rises 1.50 A and turns 99.6 degrees a residue, right-handed, with N...O 2.88 A and L residues") {
+TEST_CASE(
+    "the alpha-helix rises 1.50 A and turns 99.6 degrees a residue, right-handed, with N...O 2.88 A and L "
+    "residues") {
   const Molecule m = library("alpha-helix.pdb");
   for (int i = 1; i < 20; ++i) {
     const Vec3 a = place(m, "A", i, "CA"), b = place(m, "A", i + 1, "CA");
@@ -145,19 +149,24 @@ TEST_CASE("the alpha-helix rises 1.50 A and turns 99.6 degrees a residue, right-
   }
   for (int i = 1; i <= 16; ++i) CHECK(std::abs(between(m, "A", i, "O", i + 4, "N") - 2.88) < 0.02);
   for (int i = 1; i <= 20; ++i) {
-    const Vec3 ca = place(m, "A", i, "CA"), n = place(m, "A", i, "N") - ca, c = place(m, "A", i, "C") - ca, cb = place(m, "A", i, "CB") - ca;
+    const Vec3 ca = place(m, "A", i, "CA"), n = place(m, "A", i, "N") - ca, c = place(m, "A", i, "C") - ca,
+               cb = place(m, "A", i, "CB") - ca;
     CHECK(glm::dot(glm::cross(n, c), cb) > 2.0);  // +2.63 in ubiquitin's residue 5
   }
   CHECK(closestFar(m) > 2.8);
 }
 
-TEST_CASE("the B-DNA has standard bonds within 0.04 A, 3.38 A and 36 degrees a step, Watson-Crick pairs and a 11.7 A minor groove") {
+TEST_CASE(
+    "the B-DNA has standard bonds within 0.04 A, 3.38 A and 36 degrees a step, Watson-Crick pairs and a 11.7 "
+    "A minor groove") {
   const Molecule m = library("b-dna.pdb");
   // Standard lengths: A. Gelbin et al. (1996) and G. Parkinson et al. (1996).
-  const struct { const char *a, *b; double length; } bonds[] = {
-      {"P", "OP1", 1.485}, {"P", "OP2", 1.485}, {"P", "O5'", 1.593}, {"O5'", "C5'", 1.420}, {"C5'", "C4'", 1.511},
-      {"C4'", "C3'", 1.528}, {"C3'", "C2'", 1.518}, {"C2'", "C1'", 1.521}, {"C1'", "O4'", 1.420}, {"O4'", "C4'", 1.446},
-      {"C3'", "O3'", 1.431}};
+  const struct {
+    const char *a, *b;
+    double length;
+  } bonds[] = {{"P", "OP1", 1.485},   {"P", "OP2", 1.485},   {"P", "O5'", 1.593},   {"O5'", "C5'", 1.420},
+               {"C5'", "C4'", 1.511}, {"C4'", "C3'", 1.528}, {"C3'", "C2'", 1.518}, {"C2'", "C1'", 1.521},
+               {"C1'", "O4'", 1.420}, {"O4'", "C4'", 1.446}, {"C3'", "O3'", 1.431}};
   for (const char* chain : {"A", "B"})
     for (int i = 2; i <= 12; ++i) {
       for (const auto& bond : bonds) {
@@ -183,7 +192,8 @@ TEST_CASE("the B-DNA has standard bonds within 0.04 A, 3.38 A and 36 degrees a s
   CHECK(closestFar(m) > 2.65);
 }
 
-TEST_CASE("a name is found by id in any case, as a fetched entry or as a path; a wrong one gets the nearest id") {
+TEST_CASE(
+    "a name is found by id in any case, as a fetched entry or as a path; a wrong one gets the nearest id") {
   const Scratch scratch;
   const MoleculeFolders folders{libraryFolder(), scratch.folder};
   REQUIRE(findMolecule("1UBQ", folders));
@@ -193,13 +203,17 @@ TEST_CASE("a name is found by id in any case, as a fetched entry or as a path; a
   CHECK(*findMolecule("9xyz", folders) == fetched);
   const auto path = scratch.write("mine.xyzr", "0 0 0 1\n");
   CHECK(*findMolecule(path.string(), folders) == path);
-  CHECK(findMolecule("benzen", folders).problem().text() ==
-        "benzen: there is no such file, and no molecule of this name in the library; did you mean 'benzene'?");
-  CHECK(findMolecule("5adh", folders).problem().remedy == "'moltact fetch 5adh' downloads an entry of the PDB");
-  CHECK(findMolecule("1ubq", {scratch.folder, {}}).problem().message == "the catalogue of molecules cannot be opened");
+  CHECK(
+      findMolecule("benzen", folders).problem().text() ==
+      "benzen: there is no such file, and no molecule of this name in the library; did you mean 'benzene'?");
+  CHECK(findMolecule("5adh", folders).problem().remedy ==
+        "'moltact fetch 5adh' downloads an entry of the PDB");
+  CHECK(findMolecule("1ubq", {scratch.folder, {}}).problem().message ==
+        "the catalogue of molecules cannot be opened");
 }
 
-TEST_CASE("a broken catalogue gives a problem: no JSON, a missing field, a file outside the folder, an id twice") {
+TEST_CASE(
+    "a broken catalogue gives a problem: no JSON, a missing field, a file outside the folder, an id twice") {
   const auto problem = [](const std::string& text) {
     const Scratch scratch;
     scratch.write("catalogue.json", text);
@@ -209,7 +223,8 @@ TEST_CASE("a broken catalogue gives a problem: no JSON, a missing field, a file 
   const std::string rest = R"(","title":"t","good_for":"g","source":"s","licence":"MIT","atoms":1})";
   CHECK(problem("{\"molecules\": [").find("the catalogue is not as it should be") == 0);
   CHECK(problem(R"({"molecules":[{"id":"a"}]})").find("key 'file' not found") != std::string::npos);
-  CHECK(problem(R"({"molecules":[{"id":"a","file":"../a.pdb)" + rest + "]}") == "the entry 'a' has the file '../a.pdb'");
+  CHECK(problem(R"({"molecules":[{"id":"a","file":"../a.pdb)" + rest + "]}") ==
+        "the entry 'a' has the file '../a.pdb'");
   const std::string entry = R"({"id":"a","file":"a.pdb)" + rest;
   CHECK(problem("{\"molecules\":[" + entry + ',' + entry + "]}") == "the id 'a' is there twice");
   CHECK(problem("{\"molecules\":[" + entry + "]}").empty());
