@@ -101,7 +101,8 @@ TEST_CASE("a PDB line with a broken column names line, column and field") {
         "x.pdb:1:47: z (columns 47-54) is not a number: '        '; " + kPdbRemedy);
   bad = good;
   bad.insert(20, " ");  // every column one too far to the right
-  CHECK(problemOf(bad, "x.pdb").find("x.pdb:1:23: ") != 0);
+  CHECK(problemOf(bad, "x.pdb") ==
+        "x.pdb:1:39: y (columns 39-46) is not a number: '0   2.00'; " + kPdbRemedy);
   CHECK(problemOf(good.substr(0, 40), "x.pdb") ==
         "x.pdb:1:41: the atom's line ends before its coordinates do; " + kPdbRemedy);
   bad = good;
