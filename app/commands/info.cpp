@@ -6,15 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
-#include "engine/molecule/catalogue.h"
+#include "app/commands/molecule_argument.h"
 #include "engine/molecule/summary.h"
 
 namespace moltact {
 namespace {
 
 struct InfoArguments {
-  std::string molecule;
-  ReadOptions reading;
+  MoleculeArgument molecule;
   bool json = false;
 };
 
@@ -71,10 +70,9 @@ void printJson(const Molecule& molecule, const MoleculeSummary& s) {
 }
 
 void run(const InfoArguments& arguments) {
-  const auto molecule = openMolecule(arguments.molecule, arguments.reading);
-  if (!molecule) throw CommandError{molecule.problem().text()};
-  const MoleculeSummary summary = summarise(*molecule);
-  arguments.json ? printJson(*molecule, summary) : printText(*molecule, summary);
+  const Molecule molecule = arguments.molecule.load();
+  const MoleculeSummary summary = summarise(molecule);
+  arguments.json ? printJson(molecule, summary) : printText(molecule, summary);
 }
 
 }  // namespace
@@ -82,11 +80,8 @@ void run(const InfoArguments& arguments) {
 void addInfo(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = app.add_subcommand("info", "Say what a molecule holds: atoms, residues, chains, elements, ligands, size");
-  command->add_option("molecule", arguments->molecule, "A file (.pdb .cif .xyzr, also .gz), or a molecule of the library (1ubq)")->required();
+  arguments->molecule.addTo(*command);
   command->add_flag("--json", arguments->json, "Print JSON");
-  command->add_option("--model", arguments->reading.model, "Which model of the file, from 1")->capture_default_str()->check(CLI::PositiveNumber);
-  command->add_flag("--waters", arguments->reading.waters, "Keep the water molecules");
-  command->add_option("--assembly", arguments->reading.assembly, "Build this biological assembly (1)");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -17,7 +17,8 @@ namespace {
 constexpr double kRadian = std::numbers::pi / 180;
 
 struct RenderArguments {
-  std::string molecule, out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark";
+  MoleculeArgument molecule;
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark";
   double probe_A = kWaterProbe_A, azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
   bool look_at_hip = false;
@@ -45,9 +46,7 @@ std::optional<PointA> hipOf(const std::string& text) {
 // The hand comes from outside along the line of sight, as a person at this picture would push.
 Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments, const Camera& camera,
              PointA hip) {
-  std::vector<Ball> balls;
-  for (const Atom& a : molecule->atoms) balls.push_back({a.position.A, a.radius_A});
-  const auto scene = std::make_shared<const BallScene>(std::move(balls));
+  const auto scene = std::make_shared<const BallScene>(molecule->balls());
   const auto tracker = findMethod(arguments.method)->make(scene, arguments.probe_A);
   const Vec3 from_hip = camera.back();
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * arguments.probe_A + 1;
@@ -89,7 +88,7 @@ void render(const RenderArguments& arguments) {
   const auto shown = parseShapes(arguments.show);
   if (!shown) throw CLI::ValidationError("--show", shown.problem().text());
   scene.shown = *shown;
-  scene.molecule = moleculeArgument(arguments.molecule);
+  scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
   scene.probe_A = arguments.probe_A;
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
@@ -114,11 +113,11 @@ void render(const RenderArguments& arguments) {
 
 }  // namespace
 
-void addRenderCommand(CLI::App& app) {
-  auto* command = app.add_subcommand("render", "Draws a molecule, and a probe pushed against it, into a PNG file");
+void addRender(CLI::App& app) {
+  auto* command = app.add_subcommand("render", "Draw a molecule, and a probe pushed against it, into a PNG file");
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& a = *arguments;
-  command->add_option("molecule", a.molecule, "A structure file, or a name from the library")->required();
+  a.molecule.addTo(*command);
   command->add_option("--out", a.out, "The PNG file to write")->required();
   command->add_option("--size", a.size, "Width x height in pixels")->capture_default_str();
   command->add_option("--probe", a.probe_A, "The probe's radius in angstroms")
@@ -136,7 +135,7 @@ void addRenderCommand(CLI::App& app) {
   command->add_option("--elevation", a.elevation_deg, "Look from so many degrees above")->capture_default_str();
   command->add_option("--zoom", a.zoom, "Times nearer than the whole molecule")
       ->check(CLI::Range(0.01, 1000.0))->capture_default_str();
-  command->add_flag("--look-at-hip", a.look_at_hip, "Puts the contact in the middle of the picture");
+  command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
   command->add_option("--samples", a.samples, "Samples along each pixel's edge")->check(CLI::Range(1, 4))->capture_default_str();
   command->add_option("--time", a.time, "Also draws so many pictures and prints the times as JSON")->check(CLI::Range(0, 10000));

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/paper/paper_tracker.h"
 
 namespace moltact {
 namespace {
@@ -14,6 +15,7 @@ std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double pro
 
 constexpr std::array kMethods{
     Method{"exact", "the sphere tracker without error: the god-object on the union of balls", &make<ExactTracker>},
+    Method{"paper", "Algorithm 1 of Stocks and Laycock (2008) as published, its faults included", &make<PaperTracker>},
 };
 
 }  // namespace

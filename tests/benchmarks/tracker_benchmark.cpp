@@ -5,7 +5,7 @@
 #include <map>
 
 #include "engine/haptics/methods.h"
-#include "tests/benchmarks/hip_paths.h"
+#include "engine/bench/hip_paths.h"
 
 namespace {
 

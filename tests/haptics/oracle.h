@@ -1,0 +1,71 @@
+// A brute-force god-object on a union of balls, against which the trackers are judged. Tests only; slow on
+// purpose. The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside
+// every ball's interior (ball i has radius R_i = radius + probe), until it rests or reaches the HIP h. How it
+// differs from a tracker: long double throughout, every ball looked at in a loop, no neighbour lists, no
+// closed form for where a path enters a ball (sign changes are bracketed and halved), the balls that hold the
+// point found by trying every set of up to three touching ones, and four companions whose HIPs are 1e-9 A
+// away that tell whether the answer hangs by a thread. Units: angstrom.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "engine/haptics/ball.h"
+
+namespace moltact::oracle {
+
+/// The companions' HIPs lie this far from the true one (unit: angstrom).
+inline constexpr double kCompanion_A = 1e-9;
+
+struct PointL {
+  long double x = 0, y = 0, z = 0;
+};
+
+class Oracle {
+ public:
+  Oracle(std::vector<Ball> balls, double probe_A);
+
+  struct Answer {
+    bool contact = false;
+    Vec3 scp_A{0.0};          ///< the HIP when there is no contact
+    double accuracy_A = 0.0;  ///< how far this answer itself may be off
+    /// False when a HIP 1e-9 A away ends in another place or flag: two outcomes are right, and a test judges
+    /// another answer by `deepest` and `atRest` alone, then calls `place` to go on from that answer.
+    bool decided = true;
+    bool started_inside = false;  ///< the HIP has not been outside yet; no contact until then
+  };
+
+  /// One tick for a finite HIP.
+  Answer step(Vec3 hip);
+
+  /// Goes on from another tracker's SCP (pushed out of the balls first where rounding left it inside).
+  void place(Vec3 scp);
+
+  /// As at the start.
+  void reset();
+
+ private:
+  struct Flow {
+    PointL s;
+    bool arrived = true;  // at the HIP: no contact
+    bool settled = true;  // false when the rounds ran out
+  };
+  Flow flow(PointL s, PointL hip) const;
+
+  std::vector<PointL> centres_;  // relative to origin_
+  std::vector<long double> radii_;
+  PointL origin_;
+  bool been_outside_ = false;
+  std::array<PointL, 5> s_;  // the true one first, then the companions
+};
+
+/// The greatest penetration of p into any ball, in long double; negative outside; -infinity without balls.
+double deepest(const std::vector<Ball>& balls, double probe_A, Vec3 p);
+
+/// Whether scp is a place of rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over
+/// the balls whose surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k outward unit
+/// normals).
+bool atRest(const std::vector<Ball>& balls, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A);
+
+}  // namespace moltact::oracle
