@@ -88,6 +88,18 @@ TEST_CASE("turning the view by 200 pixels leaves the probe free, outside the mol
   CHECK(d->text("status/contact") == "free");
 }
 
+TEST_CASE("a pointer that hovers across the whole protein touches nothing on its way") {
+  auto d = startWith();
+  double greatest_N = 0;
+  for (int k = 0; k <= 40; ++k) {
+    d->point("view", 0.2 + 0.015 * k, 0.3 + 0.01 * k);
+    greatest_N = std::max(greatest_N, d->app().touch.greatest_N());
+  }
+  d->frames(10);
+  CHECK(greatest_N < 0.05);
+  CHECK(d->text("status/contact") == "free");
+}
+
 TEST_CASE("switching the tracker while touching keeps the contact") {
   auto d = startWith();
   d->point("view");

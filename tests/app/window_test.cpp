@@ -40,6 +40,8 @@ TEST_CASE("a broken file leaves the scene and shows the reason until it is dismi
   Scratch scratch;
   auto d = startWith();
   const auto before = d->app().stage.molecule;
+  while (d->click("message/0/dismiss")) {
+  }
   d->app().open(scratch.file("broken.pdb", "ATOM      1  N   ALA A   1      xx.xxx  13.207   2.100  1.00  0.00           N\n"));
   d->frames(2);
   CHECK(d->app().stage.molecule == before);
