@@ -5,6 +5,7 @@
 #include "engine/haptics/exact/exact_tracker.h"
 #include "engine/haptics/grid/grid_tracker.h"
 #include "engine/haptics/mesh/mesh_tracker.h"
+#include "engine/haptics/paper/paper_tracker.h"
 #include "engine/haptics/penalty/penalty_tracker.h"
 
 namespace moltact {
@@ -27,6 +28,7 @@ std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const BallScene> scene, double
 
 constexpr std::array kMethods{
     Method{"exact", "the sphere tracker without error: the god-object on the union of balls", &make<ExactTracker>},
+    Method{"paper", "Algorithm 1 of Stocks and Laycock (2008) as published, its faults included", &make<PaperTracker>},
     Method{"mesh80", "a god-object on 80 triangles a ball", &makeMesh<80>},
     Method{"mesh320", "a god-object on 320 triangles a ball", &makeMesh<320>},
     Method{"mesh960", "a god-object on 960 triangles a ball, as many as in the paper", &makeMesh<960>},

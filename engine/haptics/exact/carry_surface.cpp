@@ -75,7 +75,7 @@ void ExactTracker::setProbe(double probe_A) noexcept {
 bool ExactTracker::carry() noexcept {
   const double probe = caps_.probe_A();
   const BallScene& scene = caps_.scene();
-  free_gap_ = 0.0;
+  free_gap2_ = 0.0;
   patch_cos_ = 2.0;
   circle_.i = -1;
   holds_known_ = false;

@@ -37,7 +37,7 @@ void ExactTracker::reset() noexcept {
   armed_ = false;
   feature_ = Feature::Free;
   touching_.count = 0;
-  free_gap_ = 0.0;
+  free_gap2_ = 0.0;
 }
 
 Footprint ExactTracker::footprint() const noexcept {
@@ -58,6 +58,14 @@ Contact ExactTracker::contact(const Vec3& hip) const noexcept {
 
 Contact ExactTracker::step(PointA hip) noexcept {
   const Vec3& h = hip.A;
+  // Most ticks of all: free, and nothing can be met yet. A HIP that is not a number fails the comparison.
+  if (feature_ == Feature::Free && armed_) {
+    const Vec3 local = h - caps_.origin(), way = local - free_from_;
+    if (glm::dot(way, way) < free_gap2_) {
+      scp_ = local;
+      return {.scp = hip};
+    }
+  }
   if (!usable(h)) {
     Contact refused{.scp = hip, .fault = Fault::NotFinite};
     if (!std::isfinite(h.x) || !std::isfinite(h.y) || !std::isfinite(h.z)) refused.scp.A = caps_.origin() + scp_;
@@ -65,8 +73,9 @@ Contact ExactTracker::step(PointA hip) noexcept {
   }
   const Vec3 local = h - caps_.origin();
   if (!armed_) {
-    free_gap_ = clearance(caps_.scene(), caps_.probe_A(), h);
-    if (free_gap_ < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
+    const double gap = clearance(caps_.scene(), caps_.probe_A(), h);
+    if (gap < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
+    free_gap2_ = gap * gap;
     armed_ = true;
     scp_ = free_from_ = local;
     return contact(h);
@@ -79,12 +88,7 @@ Contact ExactTracker::step(PointA hip) noexcept {
 // the surroundings says that nothing is in the way.
 bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
   switch (feature_) {
-    case Feature::Free: {
-      const Vec3 way = hip - free_from_;
-      if (glm::dot(way, way) >= free_gap_ * free_gap_) return false;
-      scp_ = hip;
-      return true;
-    }
+    case Feature::Free: return false;  // step() has looked
     case Feature::Sphere: {
       const std::int32_t ball = touching_.balls[0];
       const Vec3 m = hip - caps_.centre(ball);
@@ -160,7 +164,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   holds_known_ = false;
   patch_cos_ = 2.0;
   circle_.i = -1;
-  free_gap_ = 0.0;
+  free_gap2_ = 0.0;
 }
 
 // A ball inside another, or equal to an earlier one, stands for the one that holds it.
@@ -174,6 +178,16 @@ std::int32_t ExactTracker::outermost(std::int32_t ball) noexcept {
 }
 
 ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
+  // From free space a short way needs no search along it: a ball on it would be as near to its end as the way is long.
+  if (touching_.count == 0) {
+    const double gap = clearance(caps_.scene(), caps_.probe_A(), caps_.origin() + hip);
+    if (gap > 0.0 && gap * gap > glm::dot(hip - scp_, hip - scp_)) {
+      scp_ = free_from_ = hip;
+      free_gap2_ = gap * gap;
+      feature_ = Feature::Free;
+      return Went::Rests;
+    }
+  }
   const Vec3& origin = caps_.origin();
   // A ball inside one that the SCP leaves, or equal to it, is left with it.
   Touching leaving = touching_;
@@ -189,7 +203,8 @@ ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
     touching_.count = 0;
     feature_ = Feature::Free;
     scp_ = free_from_ = hip;
-    free_gap_ = clearance(caps_.scene(), caps_.probe_A(), origin + hip);
+    const double gap = std::max(0.0, clearance(caps_.scene(), caps_.probe_A(), origin + hip));
+    free_gap2_ = gap * gap;
     return Went::Rests;
   }
   const Vec3 c = caps_.centre(ball), out = scp_ + (hip - scp_) * hit.t - c;

@@ -76,8 +76,8 @@ class ExactTracker final : public Tracker {
   Touching touching_;
 
   // What lets an ordinary tick end at once, for the feature the SCP is on.
-  Vec3 free_from_{0.0};      // free: no ball is within free_gap_ of this place
-  double free_gap_ = 0.0;
+  Vec3 free_from_{0.0};      // free: no ball is nearer to this place than the root of free_gap2_
+  double free_gap2_ = 0.0;
   Vec3 patch_centre_{0.0};   // sphere: no cap is met within this cosine of that direction
   double patch_cos_ = 2.0;
   Circle circle_;            // circle

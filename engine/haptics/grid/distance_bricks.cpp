@@ -21,6 +21,7 @@ DistanceBricks::DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec
       cap_(cap_A),
       bricks_(std::make_unique<Brick[]>(kBricks)),
       last_(&bricks_[0]),
+      in_bricks_(std::make_unique<std::uint16_t[]>(scene_->size())),
       gathered_(std::make_unique<Near[]>(kMostGathered)),
       close_(std::make_unique<Near[]>(kMostGathered)),
       distance_(std::make_unique<double[]>(kSamples * kSamples * kSamples)) {}
@@ -29,7 +30,15 @@ void DistanceBricks::setCap(double cap_A) noexcept {
   const bool grows = cap_A > cap_;
   cap_ = cap_A;
   if (!grows) return;
-  for (std::uint32_t k = 0; k < kBricks; ++k) bricks_[k].key = Key{INT32_MAX, INT32_MAX, INT32_MAX}, bricks_[k].age = 0;
+  for (std::uint32_t k = 0; k < kBricks; ++k) forget(bricks_[k]);
+}
+
+void DistanceBricks::forget(Brick& brick) noexcept {
+  for (int k = 0; k < brick.labels; ++k)
+    if (--in_bricks_[std::size_t(brick.label[std::size_t(k)])] == 0) --remembered_;
+  brick.key = kNowhere;
+  brick.age = 0;
+  brick.labels = 0;
 }
 
 std::uint32_t DistanceBricks::set(const Key& key) {
@@ -52,9 +61,9 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
   Brick* brick = &bricks_[first];
   for (std::uint32_t k = first; k < first + kWays; ++k)
     if (bricks_[k].age < brick->age) brick = &bricks_[k];
+  forget(*brick);
   brick->key = key;
   brick->age = ++made_;
-  brick->labels = 0;
 
   const Vec3 corner = Vec3(key.x, key.y, key.z) * double(kCells) - Vec3(2.0);  // of the samples, in nodes
   const double half = 0.5 * (kSamples - 1) * spacing_ * std::sqrt(3.0);
@@ -97,7 +106,10 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
       }
     for (std::size_t k = 0; k < close && brick->labels < kLabels; ++k) {
       const auto begin = brick->label.begin(), end = begin + brick->labels;
-      if (std::find(begin, end, close_[k].index) == end) brick->label[std::size_t(brick->labels++)] = close_[k].index;
+      if (std::find(begin, end, close_[k].index) == end) {
+        brick->label[std::size_t(brick->labels++)] = close_[k].index;
+        if (in_bricks_[std::size_t(close_[k].index)]++ == 0) ++remembered_;
+      }
     }
   }
 
@@ -174,15 +186,9 @@ std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
   return nearest;
 }
 
-std::size_t DistanceBricks::ballsRemembered() const noexcept {
-  std::size_t sum = 0;
-  for (std::uint32_t k = 0; k < kBricks; ++k)
-    if (bricks_[k].age > 0) sum += std::size_t(bricks_[k].labels);
-  return sum;
-}
-
 std::size_t DistanceBricks::bytes() const noexcept {
-  return kBricks * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) + kSamples * kSamples * kSamples * sizeof(double);
+  return kBricks * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) + kSamples * kSamples * kSamples * sizeof(double) +
+         scene_->size() * sizeof(std::uint16_t);
 }
 
 std::size_t DistanceBricks::wholeMoleculeBytes() const noexcept {

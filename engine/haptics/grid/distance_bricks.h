@@ -44,7 +44,7 @@ class DistanceBricks {
   double spacing_A() const noexcept { return spacing_; }
 
   std::uint64_t bricksMade() const noexcept { return made_; }  ///< since the start
-  std::size_t ballsRemembered() const noexcept;                ///< different balls in all bricks held now, a ball in two bricks counted twice
+  std::size_t ballsRemembered() const noexcept { return remembered_; }  ///< different balls in all bricks held now
   std::size_t bytes() const noexcept;
   /// What a grid over the whole box of the scene takes at this spacing.
   std::size_t wholeMoleculeBytes() const noexcept;
@@ -57,8 +57,9 @@ class DistanceBricks {
     std::int32_t x, y, z;
     bool operator==(const Key&) const = default;
   };
+  static constexpr Key kNowhere{INT32_MAX, INT32_MAX, INT32_MAX};
   struct Brick {
-    Key key{INT32_MAX, INT32_MAX, INT32_MAX};
+    Key key = kNowhere;
     std::uint64_t age = 0;
     std::int32_t labels = 0;
     std::array<std::int32_t, kLabels> label;
@@ -66,6 +67,7 @@ class DistanceBricks {
   };
 
   static std::uint32_t set(const Key& key);
+  void forget(Brick& brick) noexcept;
   Brick* find(const Key& key) const noexcept;
   Brick* make(const Key& key) noexcept;
 
@@ -75,6 +77,8 @@ class DistanceBricks {
   std::unique_ptr<Brick[]> bricks_;
   mutable Brick* last_;
   std::uint64_t made_ = 0;
+  std::unique_ptr<std::uint16_t[]> in_bricks_;  // for each ball, in how many bricks it is remembered
+  std::size_t remembered_ = 0;
   // Work space for a brick in the making.
   static constexpr std::size_t kMostGathered = 4096;
   struct Near {

@@ -1,0 +1,15 @@
+// A HIP path as a file: the header `x,y,z`, then a row a tick. Units: angstrom.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "engine/core/problem.h"
+#include "engine/core/units.h"
+
+namespace moltact {
+
+/// The places in the file, in order. "nan" and "inf" are read as such: a tracker must bear them.
+Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file);
+
+}  // namespace moltact

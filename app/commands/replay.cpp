@@ -1,0 +1,159 @@
+// `moltact replay`: leads the HIP along a recorded path and writes what a hand would have felt, tick by tick.
+#include <algorithm>
+#include <charconv>
+#include <chrono>
+#include <fstream>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/hip_path_file.h"
+#include "app/commands/molecule_argument.h"
+#include "engine/haptics/methods.h"
+
+namespace moltact {
+namespace {
+
+struct Options {
+  MoleculeArgument molecule;
+  std::string path, out, method = "exact";
+  double probe_A = kWaterProbe_A, stiffness_N_per_A = 1.0;
+  bool time = false;
+};
+
+std::string_view nameOf(Feature feature) {
+  constexpr std::array<std::string_view, 4> names{"free", "sphere", "circle", "point"};
+  return names[static_cast<std::size_t>(feature)];
+}
+
+void append(std::string& row, double value) {
+  char digits[40];
+  const auto end = std::to_chars(digits, digits + sizeof digits, value, std::chars_format::general, 17).ptr;
+  row.append(digits, end);
+}
+
+void append(std::string& row, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) {
+    row += ',';
+    append(row, v[k]);
+  }
+}
+
+void writeTrace(const Options& options, const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
+  std::ofstream out(options.out, std::ios::binary);
+  if (!out) throw CommandError{Problem{options.out, 0, 0, "the trace cannot be written", "check the folder and that you may write there"}.text()};
+  out << "tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n";
+  std::string row;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const Contact& c = contacts[k];
+    row = std::to_string(k);
+    append(row, path[k].A);
+    row += c.touching() ? ",1" : ",0";
+    append(row, c.scp.A);
+    append(row, c.touching() ? options.stiffness_N_per_A * (c.scp.A - path[k].A) : Vec3(0.0));
+    row += ',';
+    row += nameOf(c.feature);
+    for (const std::int32_t atom : c.atoms) row += ',' + std::to_string(atom);
+    row += '\n';
+    out << row;
+  }
+  out.flush();
+  if (!out) throw CommandError{Problem{options.out, 0, 0, "the trace could not be written to its end", "free some space on the disk"}.text()};
+}
+
+nlohmann::ordered_json summary(std::vector<double> ns) {
+  nlohmann::ordered_json out;
+  if (ns.empty()) return out;  // null: there were none
+  std::sort(ns.begin(), ns.end());
+  double sum = 0;
+  for (const double one : ns) sum += one;
+  const auto at = [&](double share) { return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * double(ns.size())))]; };
+  out["mean"] = sum / double(ns.size());
+  out["p50"] = at(0.5);
+  out["p99"] = at(0.99);
+  out["p99.99"] = at(0.9999);
+  out["max"] = ns.back();
+  return out;
+}
+
+// Each tick's least time of three passes, so that what else the machine did meanwhile does not count; the clock's own
+// cost is taken off.
+nlohmann::ordered_json timePath(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
+  using Clock = std::chrono::steady_clock;
+  const auto between = [](Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double, std::nano>(b - a).count(); };
+  double clock_ns = 1e9;
+  for (int k = 0; k < 10'000; ++k) {
+    const auto a = Clock::now();
+    clock_ns = std::min(clock_ns, between(a, Clock::now()));
+  }
+  std::vector<double> least(path.size(), 1e300);
+  for (int pass = 0; pass < 3; ++pass) {
+    const auto tracker = method.make(scene, probe_A);
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      const auto a = Clock::now();
+      [[maybe_unused]] const volatile bool touching = tracker->step(path[k]).touching();
+      least[k] = std::min(least[k], std::max(0.0, between(a, Clock::now()) - clock_ns));
+    }
+  }
+  std::vector<double> free, contact;
+  for (std::size_t k = 0; k < path.size(); ++k) (contacts[k].touching() ? contact : free).push_back(least[k]);
+  nlohmann::ordered_json out;
+  out["ticks"] = path.size();
+  out["contact_ticks"] = contact.size();
+  out["unit"] = "ns";
+  out["free"] = summary(free);
+  out["contact"] = summary(contact);
+  return out;
+}
+
+void run(const Options& options) {
+  const Molecule molecule = options.molecule.load();
+  const auto path = readHipPath(options.path);
+  if (!path) throw CommandError{path.problem().text()};
+  const Method& method = *findMethod(options.method);
+  const auto scene = std::make_shared<const BallScene>(molecule.balls());
+
+  const auto tracker = method.make(scene, options.probe_A);
+  std::vector<Contact> contacts;
+  contacts.reserve(path->size());
+  std::size_t inside = 0, refused = 0;
+  for (const PointA& hip : *path) {
+    contacts.push_back(tracker->step(hip));
+    inside += contacts.back().fault == Fault::StartedInside;
+    refused += contacts.back().fault == Fault::NotFinite;
+  }
+  if (inside)
+    std::cerr << "moltact: the HIP starts inside the molecule: no force for the first " << inside << " ticks, until it has been outside\n";
+  if (refused) std::cerr << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
+  if (!options.out.empty()) writeTrace(options, *path, contacts);
+  if (options.time) std::cout << timePath(method, scene, options.probe_A, *path, contacts).dump(2) << '\n';
+}
+
+}  // namespace
+
+void addReplay(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("replay", "Lead the HIP along a recorded path and write what a hand would feel");
+  auto options = std::make_shared<Options>();
+  options->molecule.addTo(*command);
+  command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")->required();
+  command->add_option("--out", options->out, "where to write the trace (CSV); may be left out with --time");
+  std::vector<std::string> names;
+  std::string help = "haptic method:";
+  for (const Method& m : methods()) {
+    names.emplace_back(m.name);
+    help += "\n  " + std::string(m.name) + ": " + std::string(m.sentence);
+  }
+  command->add_option("--method", options->method, help)->check(CLI::IsMember(names))->capture_default_str();
+  command->add_option("--probe", options->probe_A, "the probe's radius, added to every atom's (angstrom)")
+      ->check(CLI::Range(0.0, kLargestProbe_A))->capture_default_str();
+  command->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom between HIP and SCP (N)")
+      ->check(CLI::Range(0.0, 1e6))->capture_default_str();
+  command->add_flag("--time", options->time, "print how long the ticks took, as JSON (ns): each tick's least of three passes");
+  command->callback([options] {
+    if (options->out.empty() && !options->time) throw CLI::RequiredError("--out (or --time)");
+    run(*options);
+  });
+}
+
+}  // namespace moltact

@@ -1,0 +1,131 @@
+// The haptic thread itself: hand-over of trackers and samples. Nothing here depends on how punctual the machine is.
+#include "engine/servo/servo_thread.h"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+using namespace moltact;
+
+namespace {
+
+// A device whose hand stays at one place and that counts what it is told.
+class StillDevice final : public Device {
+ public:
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePose read(double) noexcept override { return {.position = {{1, 2, 3}}}; }
+  void write(ForceN force) noexcept override {
+    last_x_N.store(force.N.x);
+    writes.fetch_add(1);
+  }
+  std::atomic<double> last_x_N{-1};
+  std::atomic<long> writes{0};
+
+ private:
+  DeviceInfo info_;
+};
+
+// A tracker that always pushes along x and tells which thread it is destroyed on.
+class PushingTracker final : public Tracker {
+ public:
+  explicit PushingTracker(std::atomic<int>& alive, std::thread::id& destroyed_on) : alive_(alive), destroyed_on_(destroyed_on) { ++alive_; }
+  ~PushingTracker() override {
+    --alive_;
+    destroyed_on_ = std::this_thread::get_id();
+  }
+  Contact step(PointA hip) noexcept override { return {.scp = {hip.A + Vec3(0.1, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  void reset() noexcept override {}
+  void setProbe(double) noexcept override {}
+  double probe_A() const noexcept override { return kWaterProbe_A; }
+  Footprint footprint() const noexcept override { return {}; }
+
+ private:
+  std::atomic<int>& alive_;
+  std::thread::id& destroyed_on_;
+};
+
+void waitForTicks(ServoThread& servo, std::uint64_t ticks) {
+  const std::uint64_t until = servo.latest().tick + ticks;
+  while (servo.latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+}  // namespace
+
+TEST_CASE("the loop runs, numbers its ticks without a gap and leaves the device without force at the end") {
+  StillDevice device;
+  std::atomic<int> alive{0};
+  std::thread::id destroyed_on;
+  {
+    ServoThread servo(device);
+    servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+    std::uint64_t next = 0;
+    long seen = 0;
+    while (seen < 300) {
+      servo.drain([&](const ServoSample& s) {
+        CHECK(s.tick == next);
+        next = s.tick + 1;
+        ++seen;
+      });
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+    CHECK(device.last_x_N.load() > 0.0);
+  }
+  CHECK(device.last_x_N.load() == 0.0);
+  CHECK(alive == 0);
+}
+
+TEST_CASE("50 trackers handed over one after the other are all destroyed, and by the thread that handed them over") {
+  StillDevice device;
+  std::atomic<int> alive{0};
+  std::thread::id destroyed_on;
+  ServoThread servo(device);
+  for (int k = 0; k < 50; ++k) {
+    servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+    if (k % 3 == 0) waitForTicks(servo, 2);
+  }
+  servo.setTracker(nullptr);
+  for (int k = 0; k < 1000 && alive > 0; ++k) {
+    waitForTicks(servo, 2);
+    servo.drain([](const ServoSample&) {});
+  }
+  CHECK(alive == 0);
+  CHECK(destroyed_on == std::this_thread::get_id());
+  CHECK_FALSE(servo.latest().has_tracker);
+}
+
+TEST_CASE("values handed over 100 000 times arrive whole and never go back") {
+  struct Pair {
+    long a = 0, b = 0;
+  };
+  TripleBuffer<Pair> buffer;
+  std::atomic<bool> done{false};
+  std::thread writer([&] {
+    for (long k = 1; k <= 100'000; ++k) buffer.write({k, -k});
+    done = true;
+  });
+  long last = 0, torn = 0, backward = 0;
+  while (!done || last < 100'000) {
+    const Pair& p = buffer.read();
+    torn += p.a != -p.b;
+    backward += p.a < last;
+    last = p.a;
+  }
+  writer.join();
+  CHECK(torn == 0);
+  CHECK(backward == 0);
+}
+
+TEST_CASE("a ring of 4 takes 4 samples, drops and counts the fifth, and gives them back in order") {
+  SampleRing<int, 4> ring;
+  for (int k = 0; k < 4; ++k) CHECK(ring.push(k));
+  CHECK_FALSE(ring.push(4));
+  CHECK(ring.dropped() == 1);
+  int value = -1;
+  for (int k = 0; k < 4; ++k) {
+    CHECK(ring.pop(value));
+    CHECK(value == k);
+  }
+  CHECK_FALSE(ring.pop(value));
+}
