@@ -57,7 +57,7 @@ Contact GridTracker::step(PointA hip) noexcept {
     }
   }
   Went went = Went::Short;
-  bool pressed = touching_;
+  bool pressed = false;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     if (touching_) {
       went = slide(h, pressed);

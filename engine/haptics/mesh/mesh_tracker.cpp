@@ -211,7 +211,8 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         scp_ = free_from_ = h;
         touch_count_ = 0;
         clear_gap_ = 0.0;
-        free_gap_ = options_.coherent ? clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h) : 0.0;
+        // Between a ball and its mesh the clearance is negative: nothing is known then.
+        free_gap_ = options_.coherent ? std::max(0.0, clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h)) : 0.0;
       } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
         std::array<Touch, 3> kept;
         for (int k = 0; k < blocked.count; ++k) kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
