@@ -1,5 +1,5 @@
-// What every method owes its caller, whatever its idea: faults told, states forgotten, the same answers again, and not
-// one allocation in a tick.
+// What every method owes its caller, whatever its idea: faults told, states forgotten, the same answers
+// again, and not one allocation in a tick.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <new>
 #include <string>
 
-#include "engine/haptics/methods.h"
 #include "engine/bench/scenes.h"
+#include "engine/haptics/methods.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -29,7 +29,8 @@ void* operator new(std::size_t size) {
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
-TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random balls") {
+TEST_CASE(
+    "no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random balls") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const scenes::Path path = scenes::jumps(scene, 3000, 8);
   for (const Method& method : methods()) {
@@ -69,7 +70,8 @@ TEST_CASE("every method refuses NaN, infinity and places beyond 1e9 A, and goes 
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    const auto disturbed = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4), calm = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+    const auto disturbed = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4),
+               calm = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
     walkTo(*disturbed, {0, 0, 5}, {0, 0, 2.3}, 0.1);
     walkTo(*calm, {0, 0, 5}, {0, 0, 2.3}, 0.1);
     for (const Vec3& bad : {Vec3(nan, 0, 0), Vec3(0, inf, 0), Vec3(0, 0, -inf), Vec3(0, 2e9, 0)}) {
@@ -92,7 +94,8 @@ TEST_CASE("every method repeats a path of 1000 ticks to the last bit") {
     bool same = true;
     for (const Vec3& hip : path) {
       const Contact one = a->step({hip}), two = b->step({hip});
-      same = same && one.scp.A == two.scp.A && one.atoms == two.atoms && one.feature == two.feature && one.normal == two.normal;
+      same = same && one.scp.A == two.scp.A && one.atoms == two.atoms && one.feature == two.feature &&
+             one.normal == two.normal;
     }
     CHECK(same);
   }

@@ -1,5 +1,5 @@
-// The god-object on a signed-distance grid: the field against the distance itself, the SCP against closed forms and the
-// oracle, and the failures that a spacing brings.
+// The god-object on a signed-distance grid: the field against the distance itself, the SCP against closed
+// forms and the oracle, and the failures that a spacing brings.
 #include "engine/haptics/grid/grid_tracker.h"
 
 #include <doctest/doctest.h>
@@ -80,7 +80,8 @@ TEST_CASE("from brick to brick and cell to cell value and gradient are continuou
   for (int k = 0; k < 300; ++k) {
     Vec3 p(random.uniform(-3, 5), random.uniform(-3, 5), random.uniform(-3, 3));
     const int axis = k % 3;
-    p[axis] = 0.4 * (std::round(p[axis] / 0.4) + 0.5);  // on a border of cells; one in four is a border of bricks
+    p[axis] =
+        0.4 * (std::round(p[axis] / 0.4) + 0.5);  // on a border of cells; one in four is a border of bricks
     Vec3 a = p, b = p;
     a[axis] -= 1e-12;
     b[axis] += 1e-12;
@@ -93,7 +94,8 @@ TEST_CASE("from brick to brick and cell to cell value and gradient are continuou
   }
 }
 
-TEST_CASE("a brick is made once, named balls are counted once, and without leave to make one nothing is read") {
+TEST_CASE(
+    "a brick is made once, named balls are counted once, and without leave to make one nothing is read") {
   DistanceBricks bricks(makeScene({{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), Vec3(0.0), 0.4, 4.0);
   DistanceBricks::Sample s{};
   int none = 0, one = 1;
@@ -110,7 +112,9 @@ TEST_CASE("a brick is made once, named balls are counted once, and without leave
   CHECK(bricks.ballsRemembered() == 0);
 }
 
-TEST_CASE("on one ball of 3 A the SCP is off by less than 0.0005, 0.002 and 0.01 A at spacings of 0.2, 0.4 and 0.8 A") {
+TEST_CASE(
+    "on one ball of 3 A the SCP is off by less than 0.0005, 0.002 and 0.01 A at spacings of 0.2, 0.4 and 0.8 "
+    "A") {
   const double limits[] = {0.0005, 0.002, 0.01};
   for (int k = 0; k < 3; ++k) {
     CAPTURE(kSpacings[k]);
@@ -131,7 +135,9 @@ TEST_CASE("on one ball of 3 A the SCP is off by less than 0.0005, 0.002 and 0.01
   }
 }
 
-TEST_CASE("walking over every scene no contact is lost at 0.2 A, and the SCP is off by less than 0.05 A in half of all ticks") {
+TEST_CASE(
+    "walking over every scene no contact is lost at 0.2 A, and the SCP is off by less than 0.05 A in half of "
+    "all ticks") {
   std::uint64_t seed = 500;
   for (const scenes::Scene& scene : scenes::all()) {
     CAPTURE(scene.name);
@@ -145,7 +151,9 @@ TEST_CASE("walking over every scene no contact is lost at 0.2 A, and the SCP is 
   }
 }
 
-TEST_CASE("known failure: in a crease of two balls the SCP floats above it by a share of the spacing, and the more the wider that is") {
+TEST_CASE(
+    "known failure: in a crease of two balls the SCP floats above it by a share of the spacing, and the more "
+    "the wider that is") {
   const double height = std::sqrt(8.0);
   double before = 0;
   for (const double spacing : kSpacings) {
@@ -162,7 +170,8 @@ TEST_CASE("known failure: in a crease of two balls the SCP floats above it by a 
   }
 }
 
-TEST_CASE("known failure: a ring whose hole is 0.05 A too large for the probe is closed at a spacing of 0.8 A") {
+TEST_CASE(
+    "known failure: a ring whose hole is 0.05 A too large for the probe is closed at a spacing of 0.8 A") {
   const scenes::Scene scene = scenes::ring(6, 0.05);
   GridTracker coarse(makeScene(scene.balls), scene.probe_A, 0.8);
   const Contact c = walkTo(coarse, {0.01, 0.02, 6}, {0.01, 0.02, -4}, 0.02);
@@ -170,7 +179,8 @@ TEST_CASE("known failure: a ring whose hole is 0.05 A too large for the probe is
   CHECK(c.scp.A.z > 0);
 }
 
-TEST_CASE("another probe feels another level of the same field: no brick is made for the places already known") {
+TEST_CASE(
+    "another probe feels another level of the same field: no brick is made for the places already known") {
   GridTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4, 0.4);
   walkTo(tracker, {0.1, 0.2, 6}, {0.1, 0.2, 2}, 0.02);
   const std::uint64_t made = tracker.bricksMade();
@@ -192,7 +202,8 @@ TEST_CASE("ticks held still after a slide into a pit leave the SCP at rest to 1e
     for (int k = 0; k < 5; ++k) tracker.step({{1.3, 0.7, 1.5}});
     const Vec3 rest = tracker.step({{1.3, 0.7, 1.5}}).scp.A;
     double moved = 0;
-    for (int k = 0; k < 100; ++k) moved = std::max(moved, glm::distance(tracker.step({{1.3, 0.7, 1.5}}).scp.A, rest));
+    for (int k = 0; k < 100; ++k)
+      moved = std::max(moved, glm::distance(tracker.step({{1.3, 0.7, 1.5}}).scp.A, rest));
     CHECK(moved <= 1e-9);
   }
 }

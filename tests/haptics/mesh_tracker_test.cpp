@@ -1,5 +1,5 @@
-// The god-object on triangles against the closed forms of its mesh, against the oracle as far as a mesh can go, and in
-// the failures that facets bring.
+// The god-object on triangles against the closed forms of its mesh, against the oracle as far as a mesh can
+// go, and in the failures that facets bring.
 #include "engine/haptics/mesh/mesh_tracker.h"
 
 #include <doctest/doctest.h>
@@ -23,7 +23,9 @@ MeshTracker make(const std::vector<Ball>& balls, int triangles, bool smooth = fa
   return MeshTracker(makeScene(balls), 1.4, {triangles, smooth, coherent});
 }
 
-double angle(const Vec3& a, const Vec3& b) { return std::acos(std::clamp(glm::dot(glm::normalize(a), glm::normalize(b)), -1.0, 1.0)); }
+double angle(const Vec3& a, const Vec3& b) {
+  return std::acos(std::clamp(glm::dot(glm::normalize(a), glm::normalize(b)), -1.0, 1.0));
+}
 
 }  // namespace
 
@@ -37,7 +39,8 @@ TEST_CASE("a mesh of 80 to 5120 triangles is closed, convex, and has all its cor
     bool paired = true;
     for (std::size_t f = 0; f < mesh->faces().size(); ++f) {
       const SphereMesh::Face& face = mesh->faces()[f];
-      const Vec3 &a = mesh->vertices()[std::size_t(face.corners[0])], &b = mesh->vertices()[std::size_t(face.corners[1])],
+      const Vec3 &a = mesh->vertices()[std::size_t(face.corners[0])],
+                 &b = mesh->vertices()[std::size_t(face.corners[1])],
                  &c = mesh->vertices()[std::size_t(face.corners[2])];
       volume += glm::dot(a, glm::cross(b, c)) / 6.0;
       for (const std::int32_t other : face.across) {
@@ -71,7 +74,9 @@ TEST_CASE("a ray finds its face by the tree as by trying all 5120") {
   }
 }
 
-TEST_CASE("on one ball of 3 A the SCP lies on the mesh: never above the sphere, at most a sagitta under it, along a face's normal") {
+TEST_CASE(
+    "on one ball of 3 A the SCP lies on the mesh: never above the sphere, at most a sagitta under it, along "
+    "a face's normal") {
   for (const int count : kCounts) {
     CAPTURE(count);
     const auto mesh = SphereMesh::ofTriangles(count);
@@ -117,7 +122,8 @@ TEST_CASE("sliding over one ball the error of the SCP falls by 3 to 5 with each 
   for (const int count : {80, 320, 1280, 5120}) {
     CAPTURE(count);
     MeshTracker tracker = make(scene.balls, count);
-    // The depth under the sphere alone: the SCP's place along the surface is off by depth times tilt, which falls by 2.
+    // The depth under the sphere alone: the SCP's place along the surface is off by depth times tilt, which
+    // falls by 2.
     double deep = 0;
     int n = 0;
     for (const Vec3& hip : path)
@@ -129,7 +135,9 @@ TEST_CASE("sliding over one ball the error of the SCP falls by 3 to 5 with each 
   }
 }
 
-TEST_CASE("over every scene 960 triangles keep the SCP outside all meshes, and off by less than 0.1 A and 10 degrees in 9 of 10 ticks") {
+TEST_CASE(
+    "over every scene 960 triangles keep the SCP outside all meshes, and off by less than 0.1 A and 10 "
+    "degrees in 9 of 10 ticks") {
   const double sagitta = SphereMesh::ofTriangles(960)->sagitta();
   std::uint64_t seed = 300;
   for (const scenes::Scene& scene : scenes::all()) {
@@ -150,14 +158,19 @@ TEST_CASE("over every scene 960 triangles keep the SCP outside all meshes, and o
   }
 }
 
-TEST_CASE("what is remembered from tick to tick changes no place: with and without it the SCP is the same to 1e-9 A") {
+TEST_CASE(
+    "what is remembered from tick to tick changes no place: with and without it the SCP is the same to 1e-9 "
+    "A") {
   std::uint64_t seed = 400;
-  for (const scenes::Scene& scene : {scenes::bond(), scenes::pit(), scenes::nested(), scenes::cluster(50, 3)}) {
+  for (const scenes::Scene& scene :
+       {scenes::bond(), scenes::pit(), scenes::nested(), scenes::cluster(50, 3)}) {
     CAPTURE(scene.name);
     CAPTURE(seed);
-    MeshTracker a(makeScene(scene.balls), scene.probe_A, {960, false, true}), b(makeScene(scene.balls), scene.probe_A, {960, false, false});
+    MeshTracker a(makeScene(scene.balls), scene.probe_A, {960, false, true}),
+        b(makeScene(scene.balls), scene.probe_A, {960, false, false});
     double apart = 0;
-    for (const Vec3& hip : scenes::walk(scene, 3000, seed++)) apart = std::max(apart, glm::distance(a.step({hip}).scp.A, b.step({hip}).scp.A));
+    for (const Vec3& hip : scenes::walk(scene, 3000, seed++))
+      apart = std::max(apart, glm::distance(a.step({hip}).scp.A, b.step({hip}).scp.A));
     CHECK(apart <= 1e-9);
   }
 }
@@ -170,7 +183,8 @@ TEST_CASE("where two meshes cross two faces hold the SCP, in the pit of three ba
   CHECK(c.atoms == std::array<std::int32_t, 3>{0, 1, -1});
   CHECK(glm::distance(c.scp.A, {0, 0.02 * std::sqrt(2.0), std::sqrt(8.0)}) <= 0.06);
   const double d = 2.0;
-  MeshTracker pit = make({{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}, {{d / 2, d * std::sqrt(3.0) / 2, 0}, 1.6}}, 5120);
+  MeshTracker pit =
+      make({{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}, {{d / 2, d * std::sqrt(3.0) / 2, 0}, 1.6}}, 5120);
   const Vec3 foot(d / 2, d * std::sqrt(3.0) / 6, 0);
   const Contact p = walkTo(pit, foot + Vec3(0.02, 0.01, 5), foot + Vec3(0.02, 0.01, 1.5), 0.02);
   CHECK(p.feature == Feature::Point);
@@ -178,7 +192,9 @@ TEST_CASE("where two meshes cross two faces hold the SCP, in the pit of three ba
   CHECK(glm::distance(p.scp.A, foot + Vec3(0, 0, std::sqrt(9.0 - d * d / 3.0))) <= 0.05);
 }
 
-TEST_CASE("when the probe swells by 1 A in one call the SCP is carried out with the mesh, and falls back when it shrinks") {
+TEST_CASE(
+    "when the probe swells by 1 A in one call the SCP is carried out with the mesh, and falls back when it "
+    "shrinks") {
   MeshTracker tracker = make({{{0, 0, 0}, 1.6}}, 1280);
   const double sagitta = SphereMesh::ofTriangles(1280)->sagitta();
   walkTo(tracker, {0.1, 0.2, 5}, {0.1, 0.2, 2}, 0.1);
@@ -192,7 +208,8 @@ TEST_CASE("when the probe swells by 1 A in one call the SCP is carried out with 
   }
 }
 
-TEST_CASE("changing the probe every tick over 50 random balls never puts the SCP deeper than the sagitta in any") {
+TEST_CASE(
+    "changing the probe every tick over 50 random balls never puts the SCP deeper than the sagitta in any") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   MeshTracker tracker(makeScene(scene.balls), 1.4, {960, false, true});
   const double sagitta = SphereMesh::ofTriangles(960)->sagitta();
@@ -202,13 +219,16 @@ TEST_CASE("changing the probe every tick over 50 random balls never puts the SCP
     tracker.setProbe(probe = 1.4 + 0.3 * std::sin(0.02 * k++));
     const Contact c = tracker.step({hip});
     touching += c.touching();
-    if (c.touching()) over = std::max(over, oracle::deepest(scene.balls, probe, c.scp.A) - (2.0 + probe) * sagitta);
+    if (c.touching())
+      over = std::max(over, oracle::deepest(scene.balls, probe, c.scp.A) - (2.0 + probe) * sagitta);
   }
   CHECK(touching > 1500);
   CHECK(over <= 1e-9);
 }
 
-TEST_CASE("known failure: over one ball the force of 80, 960 and 5120 flat triangles leaps by more than 15, 6 and 3 degrees in a step of 0.02 A") {
+TEST_CASE(
+    "known failure: over one ball the force of 80, 960 and 5120 flat triangles leaps by more than 15, 6 and "
+    "3 degrees in a step of 0.02 A") {
   const auto worst = [](int count, bool smooth) {
     MeshTracker tracker = make({{{0, 0, 0}, 1.6}}, count, smooth);
     tracker.step({{0, 0, 5}});
@@ -227,19 +247,25 @@ TEST_CASE("known failure: over one ball the force of 80, 960 and 5120 flat trian
   CHECK(worst(80, false) > 15);
   CHECK(worst(960, false) > 6);
   CHECK(worst(5120, false) > 3);
-  // The true surface turns by 0.48 degrees a step; force shading comes near it except where the SCP leaps over an edge.
+  // The true surface turns by 0.48 degrees a step; force shading comes near it except where the SCP leaps
+  // over an edge.
   CHECK(worst(960, true) < 0.5 * worst(960, false));
 }
 
-TEST_CASE("with force shading on one ball the force points along the sphere's own normal at the SCP, as long as the depth") {
+TEST_CASE(
+    "with force shading on one ball the force points along the sphere's own normal at the SCP, as long as "
+    "the depth") {
   MeshTracker tracker = make({{{1, 2, 3}, 1.6}}, 960, true);
   const Contact c = walkTo(tracker, {1.3, 2.2, 8}, {1.3, 2.2, 5}, 0.05);
   CHECK(glm::length(c.normal) == doctest::Approx(1.0));
   CHECK(angle(c.normal, c.scp.A - Vec3(1, 2, 3)) <= 1e-7);
-  CHECK(glm::distance(springEnd(c, {{1.3, 2.2, 5}}).A, {1.3, 2.2, 5}) == doctest::Approx(glm::distance(c.scp.A, {1.3, 2.2, 5})));
+  CHECK(glm::distance(springEnd(c, {{1.3, 2.2, 5}}).A, {1.3, 2.2, 5}) ==
+        doctest::Approx(glm::distance(c.scp.A, {1.3, 2.2, 5})));
 }
 
-TEST_CASE("known failure: a HIP pressed through the centre within a facet's width stays held on the far side, where a sphere lets it round") {
+TEST_CASE(
+    "known failure: a HIP pressed through the centre within a facet's width stays held on the far side, "
+    "where a sphere lets it round") {
   MeshTracker tracker = make({{{0, 0, 0}, 1.6}}, 80);
   const SphereMesh::Face& face = SphereMesh::ofTriangles(80)->faces()[0];
   const Vec3 aside = 0.1 * face.out[0];
@@ -248,12 +274,16 @@ TEST_CASE("known failure: a HIP pressed through the centre within a facet's widt
   CHECK(glm::dot(c.scp.A, face.normal) > 2.5);
 }
 
-TEST_CASE("known failure: 80 triangles a ball open a ring, askew to the mesh, whose hole is 0.01 A too small for the probe") {
+TEST_CASE(
+    "known failure: 80 triangles a ball open a ring, askew to the mesh, whose hole is 0.01 A too small for "
+    "the probe") {
   scenes::Scene scene = scenes::ring(12, -0.01);
-  const Vec3 axis = glm::normalize(Vec3(1, 2, 3)), x = glm::normalize(glm::cross(axis, Vec3(0, 0, 1))), y = glm::cross(axis, x);
+  const Vec3 axis = glm::normalize(Vec3(1, 2, 3)), x = glm::normalize(glm::cross(axis, Vec3(0, 0, 1))),
+             y = glm::cross(axis, x);
   for (Ball& b : scene.balls) b.centre_A = x * b.centre_A.x + y * b.centre_A.y;
   const Vec3 from = 6.0 * axis + 0.02 * x, to = -6.0 * axis + 0.02 * x;
-  MeshTracker coarse(makeScene(scene.balls), scene.probe_A, {80, false, true}), fine(makeScene(scene.balls), scene.probe_A, {5120, false, true});
+  MeshTracker coarse(makeScene(scene.balls), scene.probe_A, {80, false, true}),
+      fine(makeScene(scene.balls), scene.probe_A, {5120, false, true});
   CHECK_FALSE(walkTo(coarse, from, to, 0.02).touching());
   CHECK(walkTo(fine, from, to, 0.02).touching());
 }
