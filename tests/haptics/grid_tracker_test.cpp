@@ -207,3 +207,44 @@ TEST_CASE("ticks held still after a slide into a pit leave the SCP at rest to 1e
     CHECK(moved <= 1e-9);
   }
 }
+
+TEST_CASE(
+    "passing through every scene at 0.05 to 12 A a tick, the SCP is never deeper than 0.1 A at 0.2 and 0.4 "
+    "A, 0.2 A at 0.8 A") {
+  std::uint64_t seed = 600;
+  for (const scenes::Scene& scene : scenes::all()) {
+    CAPTURE(scene.name);
+    CAPTURE(seed);
+    const scenes::Path path = scenes::passes(scene, 500, seed++);
+    for (const double spacing : kSpacings) {
+      CAPTURE(spacing);
+      GridTracker tracker(makeScene(scene.balls), scene.probe_A, spacing);
+      double deepest = -1;
+      for (const Vec3& hip : path)
+        if (const Contact c = tracker.step({hip}); c.touching())
+          deepest = std::max(deepest, test::deepest_A(scene.balls, scene.probe_A, c.scp.A));
+      CHECK(deepest <= (spacing > 0.5 ? 0.2 : 0.1));
+    }
+  }
+}
+
+TEST_CASE(
+    "with a probe of 12 A over 3000 balls the field at 0.4 A still is the distance to 0.01 A off the "
+    "creases") {
+  scenes::Random random(3);
+  std::vector<Ball> balls;
+  for (int k = 0; k < 3000; ++k)
+    balls.push_back({{random.uniform(-18, 18), random.uniform(-18, 18), random.uniform(-18, 18)}, 1.6});
+  DistanceBricks bricks(makeScene(balls), Vec3(0.0), 0.4, 15.0);
+  int near = 0;
+  for (int k = 0; k < 300; ++k) {
+    const Vec3 p = 38.0 * random.direction();
+    DistanceBricks::Sample s{};
+    int fills = 1;
+    REQUIRE(bricks.sample(p, s, fills));
+    const double is = std::min(15.0, distanceTo(balls, p));
+    near += std::abs(s.value - is) <= 0.01;
+    CHECK(std::abs(s.value - is) <= 0.2);
+  }
+  CHECK(near > 250);
+}

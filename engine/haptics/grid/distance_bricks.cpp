@@ -73,13 +73,23 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
   const Vec3 middle = (corner + Vec3(0.5 * (kSamples - 1))) * spacing_;
   std::size_t gathered = 0;
   double nearest = cap_ + half;
-  scene_->visitNear(origin_ + middle, cap_ + half, [&](std::uint32_t i, const Ball& b) {
-    const Near n{b.centre_A - origin_, b.radius_A, std::int32_t(i)};
-    const double gap = glm::distance(n.centre, middle) - n.radius;
-    if (gap > nearest + 2.0 * half || gathered == kMostGathered) return;
-    nearest = std::min(nearest, gap);
-    gathered_[gathered++] = n;
-  });
+  const auto gather = [&] {
+    bool all = true;
+    gathered = 0;
+    scene_->visitNear(origin_ + middle, cap_ + half, [&](std::uint32_t i, const Ball& b) {
+      const Near n{b.centre_A - origin_, b.radius_A, std::int32_t(i)};
+      const double gap = glm::distance(n.centre, middle) - n.radius;
+      nearest = std::min(nearest, gap);
+      if (gap > nearest + 2.0 * half) return;
+      if (gathered < kMostGathered)
+        gathered_[gathered++] = n;
+      else
+        all = false;
+    });
+    return all;
+  };
+  // Under a very large probe the list overflows before the nearest ball is known; the second time it is.
+  if (!gather()) gather();
 
   // Eighths of the block: in each only the balls that can be nearest somewhere.
   constexpr int kPart = kSamples / 2;

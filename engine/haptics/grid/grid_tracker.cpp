@@ -59,6 +59,7 @@ Contact GridTracker::step(PointA hip) noexcept {
       return {.scp = hip};
     }
   }
+  const Vec3 rested = scp_;
   Went went = Went::Short;
   bool pressed = false;
   for (int turn = 0; turn < kMostTurns; ++turn) {
@@ -74,7 +75,10 @@ Contact GridTracker::step(PointA hip) noexcept {
     }
     if (went == Went::Arrived || went == Went::Rests || went == Went::Short) break;
   }
-  if (went != Went::Arrived && went != Went::Rests) ++cut_short_;
+  if (went != Went::Arrived && went != Went::Rests) {
+    ++cut_short_;
+    if (!pushOut()) scp_ = rested;  // a step on the way may have ended under a crease
+  }
   if (went == Went::Arrived) return {.scp = hip};
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
   out.atoms[0] = bricks_.nearestBall(scp_);
