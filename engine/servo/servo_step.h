@@ -43,13 +43,14 @@ struct ServoSample {
 
 class ServoStep {
  public:
-  /// One tick. `tracker` may be null: no molecule, no force. Pass a changed tracker freely; the force starts softly.
+  /// One tick. `tracker` may be null: no molecule, no force. Pass a changed tracker freely: it is not reset, and the force
+  /// starts softly.
   ServoSample tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose) noexcept;
 
  private:
   std::uint64_t tick_ = 0;
   const Tracker* last_tracker_ = nullptr;
-  std::uint32_t placements_ = 0;
+  std::uint32_t placements_ = 0, hand_placements_ = 0;
   double ramp_ = 0.0;  // 0 to 1, the soft start
   PointMm last_hand_;
 };

@@ -1,0 +1,147 @@
+#include "engine/molecule/elements.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::array<Element, kElementCount + 1> kElements{{
+    {"?", "unknown element", kDefaultRadius_A, RadiusSource::Default, {255, 20, 147}},
+    {"H", "hydrogen", 1.20, RadiusSource::Bondi, {255, 255, 255}},
+    {"He", "helium", 1.40, RadiusSource::Bondi, {217, 255, 255}},
+    {"Li", "lithium", 1.82, RadiusSource::Bondi, {204, 128, 255}},
+    {"Be", "beryllium", 1.98, RadiusSource::Alvarez, {194, 255, 0}},
+    {"B", "boron", 1.91, RadiusSource::Alvarez, {255, 181, 181}},
+    {"C", "carbon", 1.70, RadiusSource::Bondi, {144, 144, 144}},
+    {"N", "nitrogen", 1.55, RadiusSource::Bondi, {48, 80, 248}},
+    {"O", "oxygen", 1.52, RadiusSource::Bondi, {255, 13, 13}},
+    {"F", "fluorine", 1.47, RadiusSource::Bondi, {144, 224, 80}},
+    {"Ne", "neon", 1.54, RadiusSource::Bondi, {179, 227, 245}},
+    {"Na", "sodium", 2.27, RadiusSource::Bondi, {171, 92, 242}},
+    {"Mg", "magnesium", 1.73, RadiusSource::Bondi, {138, 255, 0}},
+    {"Al", "aluminium", 2.25, RadiusSource::Alvarez, {191, 166, 166}},
+    {"Si", "silicon", 2.10, RadiusSource::Bondi, {240, 200, 160}},
+    {"P", "phosphorus", 1.80, RadiusSource::Bondi, {255, 128, 0}},
+    {"S", "sulfur", 1.80, RadiusSource::Bondi, {255, 255, 48}},
+    {"Cl", "chlorine", 1.75, RadiusSource::Bondi, {31, 240, 31}},
+    {"Ar", "argon", 1.88, RadiusSource::Bondi, {128, 209, 227}},
+    {"K", "potassium", 2.75, RadiusSource::Bondi, {143, 64, 212}},
+    {"Ca", "calcium", 2.62, RadiusSource::Alvarez, {61, 255, 0}},
+    {"Sc", "scandium", 2.58, RadiusSource::Alvarez, {230, 230, 230}},
+    {"Ti", "titanium", 2.46, RadiusSource::Alvarez, {191, 194, 199}},
+    {"V", "vanadium", 2.42, RadiusSource::Alvarez, {166, 166, 171}},
+    {"Cr", "chromium", 2.45, RadiusSource::Alvarez, {138, 153, 199}},
+    {"Mn", "manganese", 2.45, RadiusSource::Alvarez, {156, 122, 199}},
+    {"Fe", "iron", 2.44, RadiusSource::Alvarez, {224, 102, 51}},
+    {"Co", "cobalt", 2.40, RadiusSource::Alvarez, {240, 144, 160}},
+    {"Ni", "nickel", 1.63, RadiusSource::Bondi, {80, 208, 80}},
+    {"Cu", "copper", 1.40, RadiusSource::Bondi, {200, 128, 51}},
+    {"Zn", "zinc", 1.39, RadiusSource::Bondi, {125, 128, 176}},
+    {"Ga", "gallium", 1.87, RadiusSource::Bondi, {194, 143, 143}},
+    {"Ge", "germanium", 2.29, RadiusSource::Alvarez, {102, 143, 143}},
+    {"As", "arsenic", 1.85, RadiusSource::Bondi, {189, 128, 227}},
+    {"Se", "selenium", 1.90, RadiusSource::Bondi, {255, 161, 0}},
+    {"Br", "bromine", 1.85, RadiusSource::Bondi, {166, 41, 41}},
+    {"Kr", "krypton", 2.02, RadiusSource::Bondi, {92, 184, 209}},
+    {"Rb", "rubidium", 3.21, RadiusSource::Alvarez, {112, 46, 176}},
+    {"Sr", "strontium", 2.84, RadiusSource::Alvarez, {0, 255, 0}},
+    {"Y", "yttrium", 2.75, RadiusSource::Alvarez, {148, 255, 255}},
+    {"Zr", "zirconium", 2.52, RadiusSource::Alvarez, {148, 224, 224}},
+    {"Nb", "niobium", 2.56, RadiusSource::Alvarez, {115, 194, 201}},
+    {"Mo", "molybdenum", 2.45, RadiusSource::Alvarez, {84, 181, 181}},
+    {"Tc", "technetium", 2.44, RadiusSource::Alvarez, {59, 158, 158}},
+    {"Ru", "ruthenium", 2.46, RadiusSource::Alvarez, {36, 143, 143}},
+    {"Rh", "rhodium", 2.44, RadiusSource::Alvarez, {10, 125, 140}},
+    {"Pd", "palladium", 1.63, RadiusSource::Bondi, {0, 105, 133}},
+    {"Ag", "silver", 1.72, RadiusSource::Bondi, {192, 192, 192}},
+    {"Cd", "cadmium", 1.58, RadiusSource::Bondi, {255, 217, 143}},
+    {"In", "indium", 1.93, RadiusSource::Bondi, {166, 117, 115}},
+    {"Sn", "tin", 2.17, RadiusSource::Bondi, {102, 128, 128}},
+    {"Sb", "antimony", 2.47, RadiusSource::Alvarez, {158, 99, 181}},
+    {"Te", "tellurium", 2.06, RadiusSource::Bondi, {212, 122, 0}},
+    {"I", "iodine", 1.98, RadiusSource::Bondi, {148, 0, 148}},
+    {"Xe", "xenon", 2.16, RadiusSource::Bondi, {66, 158, 176}},
+    {"Cs", "caesium", 3.48, RadiusSource::Alvarez, {87, 23, 143}},
+    {"Ba", "barium", 3.03, RadiusSource::Alvarez, {0, 201, 0}},
+    {"La", "lanthanum", 2.98, RadiusSource::Alvarez, {112, 212, 255}},
+    {"Ce", "cerium", 2.88, RadiusSource::Alvarez, {255, 255, 199}},
+    {"Pr", "praseodymium", 2.92, RadiusSource::Alvarez, {217, 255, 199}},
+    {"Nd", "neodymium", 2.95, RadiusSource::Alvarez, {199, 255, 199}},
+    {"Pm", "promethium", kDefaultRadius_A, RadiusSource::Default, {163, 255, 199}},
+    {"Sm", "samarium", 2.90, RadiusSource::Alvarez, {143, 255, 199}},
+    {"Eu", "europium", 2.87, RadiusSource::Alvarez, {97, 255, 199}},
+    {"Gd", "gadolinium", 2.83, RadiusSource::Alvarez, {69, 255, 199}},
+    {"Tb", "terbium", 2.79, RadiusSource::Alvarez, {48, 255, 199}},
+    {"Dy", "dysprosium", 2.87, RadiusSource::Alvarez, {31, 255, 199}},
+    {"Ho", "holmium", 2.81, RadiusSource::Alvarez, {0, 255, 156}},
+    {"Er", "erbium", 2.83, RadiusSource::Alvarez, {0, 230, 117}},
+    {"Tm", "thulium", 2.79, RadiusSource::Alvarez, {0, 212, 82}},
+    {"Yb", "ytterbium", 2.80, RadiusSource::Alvarez, {0, 191, 56}},
+    {"Lu", "lutetium", 2.74, RadiusSource::Alvarez, {0, 171, 36}},
+    {"Hf", "hafnium", 2.63, RadiusSource::Alvarez, {77, 194, 255}},
+    {"Ta", "tantalum", 2.53, RadiusSource::Alvarez, {77, 166, 255}},
+    {"W", "tungsten", 2.57, RadiusSource::Alvarez, {33, 148, 214}},
+    {"Re", "rhenium", 2.49, RadiusSource::Alvarez, {38, 125, 171}},
+    {"Os", "osmium", 2.48, RadiusSource::Alvarez, {38, 102, 150}},
+    {"Ir", "iridium", 2.41, RadiusSource::Alvarez, {23, 84, 135}},
+    {"Pt", "platinum", 1.75, RadiusSource::Bondi, {208, 208, 224}},
+    {"Au", "gold", 1.66, RadiusSource::Bondi, {255, 209, 35}},
+    {"Hg", "mercury", 1.55, RadiusSource::Bondi, {184, 184, 208}},
+    {"Tl", "thallium", 1.96, RadiusSource::Bondi, {166, 84, 77}},
+    {"Pb", "lead", 2.02, RadiusSource::Bondi, {87, 89, 97}},
+    {"Bi", "bismuth", 2.54, RadiusSource::Alvarez, {158, 79, 181}},
+    {"Po", "polonium", kDefaultRadius_A, RadiusSource::Default, {171, 92, 0}},
+    {"At", "astatine", kDefaultRadius_A, RadiusSource::Default, {117, 79, 69}},
+    {"Rn", "radon", kDefaultRadius_A, RadiusSource::Default, {66, 130, 150}},
+    {"Fr", "francium", kDefaultRadius_A, RadiusSource::Default, {66, 0, 102}},
+    {"Ra", "radium", kDefaultRadius_A, RadiusSource::Default, {0, 125, 0}},
+    {"Ac", "actinium", 2.80, RadiusSource::Alvarez, {112, 171, 250}},
+    {"Th", "thorium", 2.93, RadiusSource::Alvarez, {0, 186, 255}},
+    {"Pa", "protactinium", 2.88, RadiusSource::Alvarez, {0, 161, 255}},
+    {"U", "uranium", 1.86, RadiusSource::Bondi, {0, 143, 255}},
+    {"Np", "neptunium", 2.82, RadiusSource::Alvarez, {0, 128, 255}},
+    {"Pu", "plutonium", 2.81, RadiusSource::Alvarez, {0, 107, 255}},
+    {"Am", "americium", 2.83, RadiusSource::Alvarez, {84, 92, 242}},
+    {"Cm", "curium", 3.05, RadiusSource::Alvarez, {120, 92, 227}},
+    {"Bk", "berkelium", 3.40, RadiusSource::Alvarez, {138, 79, 227}},
+    {"Cf", "californium", 3.05, RadiusSource::Alvarez, {161, 54, 212}},
+    {"Es", "einsteinium", 2.70, RadiusSource::Alvarez, {179, 31, 212}},
+    {"Fm", "fermium", kDefaultRadius_A, RadiusSource::Default, {179, 31, 186}},
+    {"Md", "mendelevium", kDefaultRadius_A, RadiusSource::Default, {179, 13, 166}},
+    {"No", "nobelium", kDefaultRadius_A, RadiusSource::Default, {189, 13, 135}},
+    {"Lr", "lawrencium", kDefaultRadius_A, RadiusSource::Default, {199, 0, 102}},
+    {"Rf", "rutherfordium", kDefaultRadius_A, RadiusSource::Default, {204, 0, 89}},
+    {"Db", "dubnium", kDefaultRadius_A, RadiusSource::Default, {209, 0, 79}},
+    {"Sg", "seaborgium", kDefaultRadius_A, RadiusSource::Default, {217, 0, 69}},
+    {"Bh", "bohrium", kDefaultRadius_A, RadiusSource::Default, {224, 0, 56}},
+    {"Hs", "hassium", kDefaultRadius_A, RadiusSource::Default, {230, 0, 46}},
+    {"Mt", "meitnerium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Ds", "darmstadtium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Rg", "roentgenium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Cn", "copernicium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Nh", "nihonium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Fl", "flerovium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Mc", "moscovium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Lv", "livermorium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Ts", "tennessine", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+    {"Og", "oganesson", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+}};
+
+}  // namespace
+
+const Element& element(int atomic_number) {
+  const bool known = atomic_number > 0 && atomic_number <= kElementCount;
+  return kElements[known ? static_cast<std::size_t>(atomic_number) : 0];
+}
+
+std::string_view radiusSourceName(RadiusSource source) {
+  switch (source) {
+    case RadiusSource::Bondi:
+      return "Bondi 1964";
+    case RadiusSource::Alvarez:
+      return "Alvarez 2013";
+    case RadiusSource::Default:
+      break;
+  }
+  return "default";
+}
+
+}  // namespace moltact
