@@ -56,6 +56,30 @@ void scaleBar(const Application& app, const Rectangle& view) {
   recordRectangle("view/scale bar", {x0, y - tick - size.y}, {x1, y + tick}, text);
 }
 
+// The force in newtons, a little beyond the arrow's head.
+void forceLabel(const Application& app, const ServoSample& now, const Rectangle& view) {
+  const double force_N = app.touch.force_N();
+  const Vec3 lift = now.contact.scp.A - now.hip.A;
+  const double depth_A = glm::length(lift);
+  if (!(force_N >= 0.05) || !(depth_A > 0.0)) return;
+  const Look& l = look();
+  const glm::vec2 size = view.size();
+  const double pixel_A = app.camera.pixel_A(app.camera.distance_A, std::max(1, int(size.y)));
+  const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * float(force_N) + l.px(26));
+  const Vec3 at = app.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
+  char text[24];
+  std::snprintf(text, sizeof text, "%.1f N", force_N);
+  ImFont* font = l.font(Font::Small);
+  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text);
+  const float x = std::clamp(view.low.x + float(at.x) - 0.5f * extent.x, view.low.x + l.px(6), view.high.x - extent.x - l.px(6));
+  const float y = std::clamp(view.low.y + float(at.y) - 0.5f * extent.y, view.low.y + l.px(6), view.high.y - extent.y - l.px(6));
+  const ImVec2 pad{l.px(5), l.px(2)};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y}, faded(l.palette.panel, 0.85f), l.px(5));
+  draw->AddText(font, font->FontSize, {x, y}, l.palette.text, text);
+  recordRectangle("view/force", {x, y}, {x + extent.x, y + extent.y}, text);
+}
+
 }  // namespace
 
 void drawViewOverlays(Application& app, const Rectangle& view) {
@@ -73,6 +97,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
          {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel, p.text);
     return;
   }
+  if (now.contact.touching() && app.shown.has(Shape::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.px(320);
   if (roomy) scaleBar(app, view);

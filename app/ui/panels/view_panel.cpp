@@ -63,9 +63,6 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   return in;
 }
 
-// The arrow is as long on the screen for a protein as for one atom: what the hand gives does not depend on the zoom.
-constexpr float kArrow_px_per_N = 70.0f;
-
 ViewScene sceneOf(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.touch.latest();
