@@ -38,8 +38,12 @@ class Maker {
   }
 
   void hip() {
-    solid(scene_.hip->A, sized(0.22, 4.5), scene_.theme.hip, 0.75f);
+    const double r = sized(0.22, 4.5);
+    solid(scene_.hip->A, r, scene_.theme.hip, 0.75f);
     if (!touching_) return;
+    // Seen along the push the probe stands before the hand: a ring shows through it how far the hand has gone under.
+    addCircle(out_.strokes, {.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.9f, .width_px = 2.4f}, scene_.camera,
+              scene_.hip->A, toEye(scene_.hip->A), 1.5 * r, 48);
     out_.strokes.begin({.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.7f, .width_px = 2.0f});
     out_.strokes.point(view(scene_.hip->A));
     out_.strokes.point(view(scp_));
