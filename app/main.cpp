@@ -2,10 +2,13 @@
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "app/window_options.h"
 
 int main(int argc, char** argv) {
   CLI::App app{"Moltact: learn structural biology by touching molecules", "moltact"};
   app.set_version_flag("--version", MOLTACT_VERSION);
+  moltact::WindowArguments window;
+  moltact::addWindowArguments(app, window);
   moltact::addAllCommands(app);
   try {
     app.parse(argc, argv);
@@ -15,5 +18,6 @@ int main(int argc, char** argv) {
     std::cerr << "moltact: " << e.text << '\n';
     return 1;
   }
+  if (app.get_subcommands().empty()) return moltact::runWindowArguments(window);
   return 0;
 }

@@ -2,7 +2,16 @@
 
 namespace moltact {
 
-void addAllCommands(CLI::App&) {
+void addFetch(CLI::App& app);
+void addInfo(CLI::App& app);
+void addRender(CLI::App& app);
+void addReplay(CLI::App& app);
+
+void addAllCommands(CLI::App& app) {
+  addInfo(app);
+  addReplay(app);
+  addRender(app);
+  addFetch(app);
 }
 
 }  // namespace moltact

@@ -5,14 +5,12 @@
 
 namespace moltact {
 
-/// Adds the command's own subcommand to `app`; its callback runs it. A callback that fails throws CommandError.
-using AddCommand = void (*)(CLI::App& app);
-
-/// What ends a command with exit status 1: its text goes to stderr.
+/// What ends a command with exit status 1: its text goes to stderr. A command's callback throws it.
 struct CommandError {
   std::string text;
 };
 
+/// Adds every command as a subcommand of `app`; the callback of the one that is named runs it.
 void addAllCommands(CLI::App& app);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-// The argument MOLECULE that most commands take: a file, or the name of a molecule of the library, and how to read it.
+// The argument MOLECULE of the headless commands: a file or the name of a molecule of the library, and how to read it.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -13,9 +13,9 @@ struct MoleculeArgument {
   std::string name;
   ReadOptions reading;
 
-  /// Adds MOLECULE and --model, --waters, --assembly. The argument must outlive the parsing.
+  /// Adds MOLECULE, --model, --waters and --assembly. The argument must outlive the parsing.
   void addTo(CLI::App& command);
-  /// Reads it; warnings go to stderr. Throws CommandError.
+  /// Reads it. Throws CommandError with the problem's text.
   Molecule load() const;
 };
 

@@ -81,7 +81,7 @@ std::vector<Vec3> freePath(const std::shared_ptr<const BallScene>& scene, double
     heading = glm::normalize(heading + 0.05 * randomDirection(random));
     const double gap = clearance(*scene, probe_A, h);
     const Vec3 out = glm::normalize(h - centre);
-    const Vec3 next = h + kStep_A * glm::normalize(heading + out * (gap < 0.5 ? 2.0 : gap > 3.0 ? -0.3 : 0.0));
+    const Vec3 next = h + kStep_A * glm::normalize(heading + out * (gap < 0.5 ? 2.0 : gap > 3.0 ? -2.0 : 0.0));
     if (clearance(*scene, probe_A, next) > 0.05) h = next;
     else heading = randomDirection(random);
     path.push_back(h);

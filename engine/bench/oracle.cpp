@@ -10,7 +10,8 @@ namespace {
 
 using Real = long double;
 
-// Lengths in angstrom. A path may sink kSink into a ball before it counts as entering; a ball within kTouch is touched.
+// Lengths in angstrom. A path may sink kSink into a ball before it counts as entering; a ball within kTouch
+// is touched.
 constexpr Real kSink = 1e-14L;
 constexpr Real kTouch = 1e-12L;
 constexpr Real kRest = 1e-13L;
@@ -25,7 +26,8 @@ PointL unit(PointL a) { return a * (1 / length(a)); }
 PointL wide(Vec3 p) { return {p.x, p.y, p.z}; }
 Vec3 narrow(PointL p) { return {double(p.x), double(p.y), double(p.z)}; }
 
-// d = sum a_k n_k + rest with the rest at right angles to every n_k of the set; empty when the normals are dependent.
+// d = sum a_k n_k + rest with the rest at right angles to every n_k of the set; empty when the normals are
+// dependent.
 struct Split {
   std::array<Real, 3> a{};
   PointL rest;
@@ -64,8 +66,9 @@ std::optional<Split> split(PointL d, const std::array<PointL, 3>& n, int count, 
 
 // A straight or circular way: place(t) for t in [0, end], t a length.
 struct Way {
-  PointL centre, u, w;  // circular: centre + radius (u cos(t / radius) + w sin(t / radius)); straight: centre + t w
-  Real radius = 0;      // 0: straight
+  PointL centre, u,
+      w;  // circular: centre + radius (u cos(t / radius) + w sin(t / radius)); straight: centre + t w
+  Real radius = 0;  // 0: straight
   Real end = 0;
 
   PointL place(Real t) const {
@@ -127,7 +130,8 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
     for (int k = 0; k < balls; ++k)
       if (gap(k, s) <= kTouch) touched.push_back(k);
 
-    // The downhill direction is the projection of d on {v : v.n_k >= 0}: try every set of up to three holders.
+    // The downhill direction is the projection of d on {v : v.n_k >= 0}: try every set of up to three
+    // holders.
     std::vector<Candidate> candidates;
     const auto consider = [&](std::array<int, 3> set, int count) {
       std::array<PointL, 3> n;
@@ -150,11 +154,12 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
       }
     }
     if (candidates.empty()) return {s, false, false};
-    if (std::any_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return length(c.v) <= kRest; }))
+    if (std::any_of(candidates.begin(), candidates.end(),
+                    [](const Candidate& c) { return length(c.v) <= kRest; }))
       return {s, false, true};
 
-    // Where several sets are possible (a holder about to let go, two balls with one tangent plane), the right one is
-    // the one that can be followed: the others enter a ball or pull at once.
+    // Where several sets are possible (a holder about to let go, two balls with one tangent plane), the right
+    // one is the one that can be followed: the others enter a ball or pull at once.
     Real best = -1;
     PointL next = s;
     for (const Candidate& c : candidates) {
@@ -190,7 +195,8 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
         if (pushes(stop)) continue;
         stop = pushes(0) ? lastGood(0, stop, pushes) : 0;
       }
-      // The first ball entered. Over at most half a turn the distance to a centre has at most one extremum inside.
+      // The first ball entered. Over at most half a turn the distance to a centre has at most one extremum
+      // inside.
       for (int k = 0; k < balls && stop > 0; ++k) {
         if (std::find(held.ball.begin(), held.ball.end(), k) != held.ball.end()) continue;
         const Real start = gap(k, s);
@@ -220,9 +226,10 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
 }
 
 Oracle::Answer Oracle::step(Vec3 hip_A) {
-  // The companions lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either side.
-  static const std::array<PointL, 5> kOffsets{PointL{0, 0, 0}, PointL{1, 1, 1}, PointL{1, -1, -1}, PointL{-1, 1, -1},
-                                              PointL{-1, -1, 1}};
+  // The companions lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either
+  // side.
+  static const std::array<PointL, 5> kOffsets{PointL{0, 0, 0}, PointL{1, 1, 1}, PointL{1, -1, -1},
+                                              PointL{-1, 1, -1}, PointL{-1, -1, 1}};
   const auto hipOf = [&](std::size_t c) {
     return wide(hip_A) - origin_ + kOffsets[c] * (Real(kCompanion_A) / std::sqrt(Real(3)));
   };
@@ -236,7 +243,8 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
   answer.scp_A = hip_A;
   if (!been_outside_) {
     const bool inside = insideAny(hipOf(0));
-    for (std::size_t c = 1; c < s_.size(); ++c) answer.decided = answer.decided && insideAny(hipOf(c)) == inside;
+    for (std::size_t c = 1; c < s_.size(); ++c)
+      answer.decided = answer.decided && insideAny(hipOf(c)) == inside;
     been_outside_ = !inside;
     answer.started_inside = inside;
     s_.fill(hipOf(0));
@@ -252,7 +260,8 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
     spread = std::max(spread, length(e.s - ends[0].s));
     answer.decided = answer.decided && e.settled && e.arrived == ends[0].arrived;
   }
-  // The arithmetic is better than 1e-4 of the companions' offset, and errors grow as the companions' spread does.
+  // The arithmetic is better than 1e-4 of the companions' offset, and errors grow as the companions' spread
+  // does.
   answer.decided = answer.decided && spread < 1000 * Real(kCompanion_A);
   answer.accuracy_A = double(1e-4L * spread + 1e-13L);
   for (std::size_t c = 0; c < s_.size(); ++c) s_[c] = answer.decided ? ends[c].s : ends[0].s;

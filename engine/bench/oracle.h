@@ -1,11 +1,10 @@
-// A brute-force god-object on a union of balls, against which the trackers are judged in tests and benches; slow on purpose.
-// The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside every ball's
-// interior (ball i has radius R_i = radius + probe), until it rests or reaches the HIP h.
-// How it differs from a tracker: long double throughout, every ball looked at in a loop, no neighbour lists, no closed
-// form for where a path enters a ball (sign changes are bracketed and halved), the balls that hold the point found by
-// trying every set of up to three touching ones, and four companions whose HIPs are 1e-9 A away that tell whether the
-// answer hangs by a thread.
-// Units: angstrom.
+// A brute-force god-object on a union of balls, against which the trackers are judged in tests and benches;
+// slow on purpose. The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside
+// every ball's interior (ball i has radius R_i = radius + probe), until it rests or reaches the HIP h. How it
+// differs from a tracker: long double throughout, every ball looked at in a loop, no neighbour lists, no
+// closed form for where a path enters a ball (sign changes are bracketed and halved), the balls that hold the
+// point found by trying every set of up to three touching ones, and four companions whose HIPs are 1e-9 A
+// away that tell whether the answer hangs by a thread. Units: angstrom.
 #pragma once
 
 #include <array>
@@ -49,8 +48,8 @@ class Oracle {
  private:
   struct Flow {
     PointL s;
-    bool arrived = true;    // at the HIP: no contact
-    bool settled = true;    // false when the rounds ran out
+    bool arrived = true;  // at the HIP: no contact
+    bool settled = true;  // false when the rounds ran out
   };
   Flow flow(PointL s, PointL hip) const;
 
@@ -64,8 +63,9 @@ class Oracle {
 /// The greatest penetration of p into any ball, in long double; negative outside; -infinity without balls.
 double deepest(const std::vector<Ball>& balls, double probe_A, Vec3 p);
 
-/// Whether scp is a place of rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over the balls whose
-/// surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k outward unit normals).
+/// Whether scp is a place of rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over
+/// the balls whose surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k outward unit
+/// normals).
 bool atRest(const std::vector<Ball>& balls, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A);
 
 }  // namespace moltact::oracle

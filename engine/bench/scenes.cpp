@@ -91,7 +91,8 @@ Scene shell() {
     for (int turn = 0; turn < 3; ++turn)
       for (int signs = 0; signs < 8; ++signs) {
         if (kind.x == 0 && (signs & 1)) continue;
-        const Vec3 v{signs & 1 ? -kind.x : kind.x, signs & 2 ? -kind.y : kind.y, signs & 4 ? -kind.z : kind.z};
+        const Vec3 v{signs & 1 ? -kind.x : kind.x, signs & 2 ? -kind.y : kind.y,
+                     signs & 4 ? -kind.z : kind.z};
         s.balls.push_back({Vec3(v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3]) * scale, kC});
       }
   return s;
@@ -149,7 +150,8 @@ Scene hair(double overlap_A) {
 }
 
 Scene touchingAcross() {
-  return {"touching in one point under a third", {{{0, 0, 0}, 1.5}, {{6, 0, 0}, 1.5}, {{3, 2.5, 0}, 1.0}}, 1.5};
+  return {
+      "touching in one point under a third", {{{0, 0, 0}, 1.5}, {{6, 0, 0}, 1.5}, {{3, 2.5, 0}, 1.0}}, 1.5};
 }
 
 Scene nested() {
@@ -172,10 +174,26 @@ Scene shifted(Scene scene, Vec3 by, const std::string& how) {
 }
 
 std::vector<Scene> all(std::uint64_t seed) {
-  std::vector<Scene> out{oneBall(),     bond(),        pit(),        tetrahedron(),  cube(),           shell(),
-                         simpleCubic(3), faceCentred(2), ring(6, -0.05), ring(6, 0.05), ring(12, -0.01), ring(12, 0.2),
-                         touching(),    hair(),        touchingAcross(), nested(),   duplicates(),     cluster(5, seed),
-                         cluster(20, seed + 1), cluster(50, seed + 2)};
+  std::vector<Scene> out{oneBall(),
+                         bond(),
+                         pit(),
+                         tetrahedron(),
+                         cube(),
+                         shell(),
+                         simpleCubic(3),
+                         faceCentred(2),
+                         ring(6, -0.05),
+                         ring(6, 0.05),
+                         ring(12, -0.01),
+                         ring(12, 0.2),
+                         touching(),
+                         hair(),
+                         touchingAcross(),
+                         nested(),
+                         duplicates(),
+                         cluster(5, seed),
+                         cluster(20, seed + 1),
+                         cluster(50, seed + 2)};
   const Vec3 far(1e6, -1e6, 1e6);
   for (const Scene& s : {pit(), simpleCubic(3), cluster(20, seed + 3)})
     out.push_back(shifted(s, far, "a million angstroms away"));
@@ -229,7 +247,8 @@ Path passes(const Scene& scene, int ticks, std::uint64_t seed) {
     const Vec3 way = random.direction();
     const Vec3 aside = random.direction() * random.uniform(0, 0.6) * half;
     const double step = 0.05 * std::pow(240.0, random.uniform(0, 1));
-    for (double t = -half; t < half && int(path.size()) < ticks; t += step) path.push_back(box.middle() + aside + way * t);
+    for (double t = -half; t < half && int(path.size()) < ticks; t += step)
+      path.push_back(box.middle() + aside + way * t);
   }
   return path;
 }

@@ -1,5 +1,5 @@
-// The scenes in which haptic methods are known to fail, and HIP paths over them, for tests and benches. All are functions of their arguments and seed alone, with the
-// same numbers on every machine. Units: angstrom.
+// The scenes in which haptic methods are known to fail, and HIP paths over them, for tests and benches. All are functions of their arguments and seed alone,
+// with the same numbers on every machine. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -33,17 +33,21 @@ Scene pit();          ///< three carbons 2.5 apart: with the probe a pit on eith
 Scene tetrahedron();  ///< methane-like: C and four H at 1.09
 Scene cube();         ///< cubane-like: eight C at the corners of a cube of edge 1.57
 Scene shell();        ///< fullerene-like: 60 C on a truncated icosahedron of edge 1.43
-Scene cluster(int n, std::uint64_t seed);  ///< n random atoms of radii 1.1 to 2 in a cube, as dense as an organic crystal
+Scene cluster(
+    int n,
+    std::uint64_t seed);  ///< n random atoms of radii 1.1 to 2 in a cube, as dense as an organic crystal
 
-/// n x n x n balls of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of each cell,
-/// on the face-centred lattice six (octahedral hole) and four (tetrahedral hole).
+/// n x n x n balls of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of
+/// each cell, on the face-centred lattice six (octahedral hole) and four (tetrahedral hole).
 Scene simpleCubic(int n);
 Scene faceCentred(int n);
 
-/// n balls of radius 1.7 on a circle in the plane z = 0; the largest ball that passes its hole has the radius probe + slack_A.
+/// n balls of radius 1.7 on a circle in the plane z = 0; the largest ball that passes its hole has the radius
+/// probe + slack_A.
 Scene ring(int n, double slack_A);
 
-/// Two inflated balls whose surfaces touch in the one point (R, 0, 0) / overlap by `overlap_A` / with a third across the seam.
+/// Two inflated balls whose surfaces touch in the one point (R, 0, 0) / overlap by `overlap_A` / with a third
+/// across the seam.
 Scene touching();
 Scene hair(double overlap_A = 1e-9);
 Scene touchingAcross();
@@ -58,14 +62,15 @@ std::vector<Scene> all(std::uint64_t seed = 1);
 
 using Path = std::vector<Vec3>;
 
-/// A walk of fixed step along the surface: the depth below it wanders between 0 and depth_A, and now and then the HIP
-/// comes out by a little. Starts outside.
+/// A walk of fixed step along the surface: the depth below it wanders between 0 and depth_A, and now and then
+/// the HIP comes out by a little. Starts outside.
 Path walk(const Scene& scene, int ticks, std::uint64_t seed, double step_A = 0.02, double depth_A = 0.8);
 
 /// The same walk, with a jump to a random place (in or out) every 37th tick.
 Path jumps(const Scene& scene, int ticks, std::uint64_t seed, double step_A = 0.02);
 
-/// Straight passes through the scene from one side to the other, each with a step drawn from 0.05 to 12 a tick.
+/// Straight passes through the scene from one side to the other, each with a step drawn from 0.05 to 12 a
+/// tick.
 Path passes(const Scene& scene, int ticks, std::uint64_t seed);
 
 }  // namespace moltact::scenes

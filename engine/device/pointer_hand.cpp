@@ -7,12 +7,25 @@
 
 namespace moltact {
 
+namespace {
+
+bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+bool finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool finite(const ViewRays& r) {
+  return finite(r.eye_A) && finite(r.forward) && finite(r.right) && finite(r.up) && std::isfinite(r.tan_half_fov) &&
+         std::isfinite(r.width_px) && r.width_px > 0 && std::isfinite(r.height_px) && r.height_px > 0;
+}
+bool finite(const PointerInput& in) {
+  return std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) && finite(in.keys) &&
+         finite(in.rays) && (!in.pointer_px || finite(*in.pointer_px));
+}
+
+}  // namespace
+
 void PointerHand::reset() { *this = PointerHand(); }
 
 PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double probe_A) {
-  const bool sound = std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) &&
-                     (!in.pointer_px || (std::isfinite(in.pointer_px->x) && std::isfinite(in.pointer_px->y)));
-  if (!sound) return hip_;
+  if (!finite(in) || !std::isfinite(probe_A)) return hip_;
   const double dt = std::clamp(in.dt_s, 0.0, 0.1);
   const ViewRays& rays = in.rays;
   const double yielding = 1.0 / (1.0 + std::max(0.0, in.force_N) / kHalfGain_N);  // 1 in the open, less under force

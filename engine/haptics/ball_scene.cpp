@@ -12,8 +12,9 @@ namespace moltact {
 
 BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   if (balls_.empty()) {
-    cells_.resize(2);
-    mask_ = 1;
+    cells_.resize(16);
+    mask_ = 15;
+    shift_ = 62;
     return;
   }
   assert(balls_.size() < std::numeric_limits<std::uint32_t>::max());
@@ -51,7 +52,7 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   std::size_t used = 0;
   const auto resetTable = [&] {
     mask_ = cells_.size() - 1;
-    shift_ = 64 - std::countr_zero(cells_.size());
+    shift_ = 66 - std::countr_zero(cells_.size());
     used = 0;
   };
   const auto keyOf = [&](const Ball& b) {
@@ -76,11 +77,16 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
     ++cells_[s].end;
     slot_of[i] = static_cast<std::uint32_t>(s);
   }
+  std::vector<Cell*> in_order;
+  in_order.reserve(used);
+  for (Cell& c : cells_)
+    if (c.key != kEmpty) in_order.push_back(&c);
+  std::sort(in_order.begin(), in_order.end(), [](const Cell* a, const Cell* b) { return a->key < b->key; });
   std::uint32_t sum = 0;
-  for (Cell& c : cells_) {
-    c.begin = sum;
-    sum += c.end;
-    c.end = c.begin;
+  for (Cell* c : in_order) {
+    c->begin = sum;
+    sum += c->end;
+    c->end = c->begin;
   }
   sorted_.resize(small_count);
   for (std::size_t i = 0; i < balls_.size(); ++i) {
@@ -95,7 +101,8 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   const auto same = [](const Sorted& a, const Sorted& b) {
     return a.ball.centre_A == b.ball.centre_A && a.ball.radius_A == b.ball.radius_A;
   };
-  for (Cell& c : cells_) {
+  for (Cell* cell : in_order) {
+    Cell& c = *cell;
     const auto begin = sorted_.begin() + c.begin;
     auto end = sorted_.begin() + c.end;
     if (c.end - c.begin > 64)  // so full a cell is put in order first: equal balls lie side by side, the first of them first

@@ -69,9 +69,9 @@ class BallScene {
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     return static_cast<std::uint64_t>(x) | static_cast<std::uint64_t>(y) << 21 | static_cast<std::uint64_t>(z) << 42;
   }
+  // Four cells side by side along x share a line of the cache.
   std::size_t slot(std::uint64_t k) const {
-    k *= 0x9E3779B97F4A7C15ull;
-    return static_cast<std::size_t>(k >> shift_);
+    return static_cast<std::size_t>(((k >> 2) * 0x9E3779B97F4A7C15ull) >> shift_) << 2 | (k & 3);
   }
   const Cell* find(std::uint64_t k) const {
     for (std::size_t s = slot(k);; s = (s + 1) & mask_) {
@@ -103,11 +103,11 @@ class BallScene {
   }
 
   std::vector<Ball> balls_;
-  std::vector<Sorted> sorted_;  // by cell
+  std::vector<Sorted> sorted_;  // by cell, the cells along x, then y, then z: neighbours lie near in memory
   std::vector<Sorted> large_;   // the few balls much larger than the rest, tested at every visit
   std::vector<Cell> cells_;     // open addressing, at most half full
   std::size_t mask_ = 0;
-  int shift_ = 63;
+  int shift_ = 62;  // 64 less the bits of a quarter of the table
   Vec3 low_{0.0}, high_{0.0}, grid_low_{0.0}, grid_high_{0.0};
   double cell_ = 1.0, cell_radius_ = 0.0, largest_radius_ = 0.0;
 };

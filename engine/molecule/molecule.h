@@ -48,6 +48,9 @@ struct Molecule {
   std::vector<Residue> residues;
   std::vector<Chain> chains;
   std::vector<std::string> warnings; ///< what the reader left out, replaced or guessed, one sentence each
+  std::uint32_t waters_left_out = 0;     ///< water molecules in the file that are not among the atoms
+  std::uint32_t alternates_left_out = 0; ///< atoms at another alternate location than the one kept
+  std::uint32_t models_in_file = 1;      ///< of which this is one
 
   /// The atoms as balls for a tracker, in the same order, radii not yet inflated.
   std::vector<Ball> balls() const;

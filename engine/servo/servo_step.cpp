@@ -20,7 +20,8 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   out.has_tracker = tracker != nullptr;
 
   const bool changed = tracker != last_tracker_ || settings.placements != placements_;
-  if (tracker && changed) tracker->reset();
+  // A new tracker comes as its maker left it: one that was led to the hand keeps the contact over a change of method.
+  if (tracker && settings.placements != placements_) tracker->reset();
   last_tracker_ = tracker;
   placements_ = settings.placements;
   if (changed || !tracker || !settings.force_on) ramp_ = 0.0;

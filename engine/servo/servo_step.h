@@ -43,7 +43,8 @@ struct ServoSample {
 
 class ServoStep {
  public:
-  /// One tick. `tracker` may be null: no molecule, no force. Pass a changed tracker freely; the force starts softly.
+  /// One tick. `tracker` may be null: no molecule, no force. Pass a changed tracker freely: it is not reset, and the force
+  /// starts softly.
   ServoSample tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose) noexcept;
 
  private:

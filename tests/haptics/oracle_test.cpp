@@ -52,7 +52,9 @@ TEST_CASE("a HIP on the centre keeps the last SCP") {
   CHECK(glm::distance(o.step({0, 0, 0}).scp_A, before) < 1e-8);  // the companions may call it undecided
 }
 
-TEST_CASE("in the crease of two balls of radius 5, 6 apart, the SCP lies on the circle of radius 4 nearest the HIP") {
+TEST_CASE(
+    "in the crease of two balls of radius 5, 6 apart, the SCP lies on the circle of radius 4 nearest the "
+    "HIP") {
   Oracle o({{{-3, 0, 0}, 5.0}, {{3, 0, 0}, 5.0}}, 0);
   o.step({0.1, 0, 6});
   const auto in = o.step({0.1, 0, 2});
@@ -65,7 +67,9 @@ TEST_CASE("in the crease of two balls of radius 5, 6 apart, the SCP lies on the 
   CHECK(glm::distance(out.scp_A, Vec3(3, 0, 0) + Vec3(1, 0, 2) * (5 / std::sqrt(5.0))) < 1e-13);
 }
 
-TEST_CASE("in the pit of three balls of radius 5 whose centres lie 3 from the axis the SCP is the point 4 up the axis") {
+TEST_CASE(
+    "in the pit of three balls of radius 5 whose centres lie 3 from the axis the SCP is the point 4 up the "
+    "axis") {
   std::vector<Ball> balls;
   for (const double t : {0.0, 2.0943951023931953, 4.1887902047863905})
     balls.push_back({{3 * std::cos(t), 3 * std::sin(t), 0}, 5.0});
@@ -103,13 +107,15 @@ TEST_CASE("between two patches of one ball the SCP stops at the ball that parts 
   CHECK(atRest(balls, 0, held.scp_A, {0.1, 0, 4}, 1e-12));
 }
 
-TEST_CASE("on every scene the oracle's SCP is in no ball and at rest, and nearly all of its ticks are decided") {
+TEST_CASE(
+    "on every scene the oracle's SCP is in no ball and at rest, and nearly all of its ticks are decided") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);
   for (const auto& scene : scenes::all(seed)) {
     CAPTURE(scene.name);
     int contacts = 0, undecided = 0, ticks = 0;
-    for (const auto& path : {scenes::walk(scene, 300, seed), scenes::jumps(scene, 150, seed), scenes::passes(scene, 100, seed)}) {
+    for (const auto& path : {scenes::walk(scene, 300, seed), scenes::jumps(scene, 150, seed),
+                             scenes::passes(scene, 100, seed)}) {
       Oracle o(scene.balls, scene.probe_A);
       for (std::size_t k = 0; k < path.size(); ++k) {
         const auto a = o.step(path[k]);

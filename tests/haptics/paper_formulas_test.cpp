@@ -1,5 +1,5 @@
-// Equations 2 to 7 and the cone test of the paper, worked by hand on the triangles 13-14-15 (altitude 12, which parts
-// 14 into 5 and 9), 3-4-5 and 8-15-17.
+// Equations 2 to 7 and the cone test of the paper, worked by hand on the triangles 13-14-15 (altitude 12,
+// which parts 14 into 5 and 9), 3-4-5 and 8-15-17.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -15,7 +15,8 @@ namespace {
 void checkNear(const Vec3& a, const Vec3& b) { CHECK(glm::distance(a, b) < 1e-13 * (1 + glm::length(b))); }
 }  // namespace
 
-TEST_CASE("spheres of radii 15 and 13 with centres 14 apart meet in a circle of radius 12, 9 from the first") {
+TEST_CASE(
+    "spheres of radii 15 and 13 with centres 14 apart meet in a circle of radius 12, 9 from the first") {
   CHECK(circleHeight(15, 13, 14) == 9.0);
   CHECK(circleHeight(13, 15, 14) == 5.0);
   const auto circle = intersectionCircle({1, 2, 3}, 15, {1, 16, 3}, 13);
@@ -27,7 +28,8 @@ TEST_CASE("spheres of radii 15 and 13 with centres 14 apart meet in a circle of 
 }
 
 TEST_CASE("a circle behind the smaller sphere's centre has a negative height") {
-  // Radii 13 and 20, centres 11 apart: altitude 12 of the triangle, foot 5 behind the first centre (5, 12, 13; 16, 12, 20).
+  // Radii 13 and 20, centres 11 apart: altitude 12 of the triangle, foot 5 behind the first centre (5, 12,
+  // 13; 16, 12, 20).
   const auto circle = intersectionCircle({0, 0, 0}, 13, {11, 0, 0}, 20);
   REQUIRE(circle);
   CHECK(circle->height == -5.0);
@@ -56,11 +58,12 @@ TEST_CASE("the closest place on a circle lies toward the HIP, and from the axis 
   CHECK(std::isfinite(closestOnCircle(circle, {2, 0, 0}, {1, 0, 0}).y));
 }
 
-TEST_CASE("the cone of height 9 and radius 12 holds (6, 7.9) but not (6, 8.1), and (20, 11.9) but not (20, 12.1)") {
+TEST_CASE(
+    "the cone of height 9 and radius 12 holds (6, 7.9) but not (6, 8.1), and (20, 11.9) but not (20, 12.1)") {
   const Cone cone{*intersectionCircle({0, 0, 0}, 15, {14, 0, 0}, 13), {0, 0, 0}, 4, 7};
-  CHECK(insideCone(cone, {6, 7.9, 0}));       // 12 / 9 x 6 = 8
+  CHECK(insideCone(cone, {6, 7.9, 0}));  // 12 / 9 x 6 = 8
   CHECK_FALSE(insideCone(cone, {6, 8.1, 0}));
-  CHECK(insideCone(cone, {20, 0, 11.9}));     // the text has no test for the base
+  CHECK(insideCone(cone, {20, 0, 11.9}));  // the text has no test for the base
   CHECK_FALSE(insideCone(cone, {20, 0, 12.1}));
   CHECK_FALSE(insideCone(cone, {-1, 0, 0}));
 }
@@ -78,7 +81,8 @@ TEST_CASE("past its base, at 9, a cone hands over to the neighbour's, whose heig
   CHECK_FALSE(insideCone(other, {12, 4.9, 0}));
 }
 
-TEST_CASE("spheres of radius 17 at -8 and 8 and one of radius 13 at 14 across meet in (0, 9, 12) and (0, 9, -12)") {
+TEST_CASE(
+    "spheres of radius 17 at -8 and 8 and one of radius 13 at 14 across meet in (0, 9, 12) and (0, 9, -12)") {
   const auto circle = *intersectionCircle({-8, 0, 0}, 17, {8, 0, 0}, 17);  // radius 15
   const auto points = intersectionPoints(circle, {0, 14, 0}, 13);
   REQUIRE(points);
@@ -87,8 +91,8 @@ TEST_CASE("spheres of radius 17 at -8 and 8 and one of radius 13 at 14 across me
 }
 
 TEST_CASE("a third sphere whose centre lies 3 off the circle's plane cuts it in a smaller circle") {
-  // Circle of radius 4 at the origin; sphere of radius 5 at (3, 4, 0) cuts the plane in a circle of radius 4 round
-  // (0, 4, 0); K = 4, x = 2, y^2 = 16 - 4.
+  // Circle of radius 4 at the origin; sphere of radius 5 at (3, 4, 0) cuts the plane in a circle of radius 4
+  // round (0, 4, 0); K = 4, x = 2, y^2 = 16 - 4.
   const auto circle = *intersectionCircle({-3, 0, 0}, 5, {3, 0, 0}, 5);
   const auto points = intersectionPoints(circle, {3, 4, 0}, 5);
   REQUIRE(points);
@@ -96,7 +100,8 @@ TEST_CASE("a third sphere whose centre lies 3 off the circle's plane cuts it in 
   checkNear(points->P1, {0, 2, -std::sqrt(12.0)});
 }
 
-TEST_CASE("a third sphere beside the plane, round the whole circle, on it or only touching it gives no points") {
+TEST_CASE(
+    "a third sphere beside the plane, round the whole circle, on it or only touching it gives no points") {
   const auto circle = *intersectionCircle({-3, 0, 0}, 5, {3, 0, 0}, 5);
   CHECK_FALSE(intersectionPoints(circle, {6, 0, 0}, 5));
   CHECK_FALSE(intersectionPoints(circle, {0, 1, 0}, 9));
@@ -104,12 +109,15 @@ TEST_CASE("a third sphere beside the plane, round the whole circle, on it or onl
   CHECK_FALSE(intersectionPoints(circle, {0, 6, 0}, 2));
 }
 
-TEST_CASE("the plane of the circle at the point (0, 9, 12) has the normal (0, 0.8, -0.6), toward the third sphere") {
+TEST_CASE(
+    "the plane of the circle at the point (0, 9, 12) has the normal (0, 0.8, -0.6), toward the third "
+    "sphere") {
   const auto volume = pointVolume({0, 9, 12}, {5, 6, 7}, {Vec3(-8, 0, 0), Vec3(8, 0, 0), Vec3(0, 14, 0)});
   REQUIRE(volume);
   checkNear(volume->planes[0].normal, {0, 0.8, -0.6});  // T = (0, 9, 12), N = T x n = (0, 12, -9) / 15
   CHECK(volume->planes[0].circle == std::array{5, 6});
-  // Straight under the point between the centres is inside; past the first plane its circle is the one to go to.
+  // Straight under the point between the centres is inside; past the first plane its circle is the one to go
+  // to.
   CHECK_FALSE(volume->crossed({0, 6, 4}));
   const PointPlane* out = volume->crossed({0, 2, 8});
   REQUIRE(out);

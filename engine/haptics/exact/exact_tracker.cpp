@@ -178,6 +178,16 @@ std::int32_t ExactTracker::outermost(std::int32_t ball) noexcept {
 }
 
 ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
+  // From free space a short way needs no search along it: a ball on it would be as near to its end as the way is long.
+  if (touching_.count == 0) {
+    const double gap = clearance(caps_.scene(), caps_.probe_A(), caps_.origin() + hip);
+    if (gap > 0.0 && gap * gap > glm::dot(hip - scp_, hip - scp_)) {
+      scp_ = free_from_ = hip;
+      free_gap2_ = gap * gap;
+      feature_ = Feature::Free;
+      return Went::Rests;
+    }
+  }
   const Vec3& origin = caps_.origin();
   // A ball inside one that the SCP leaves, or equal to it, is left with it.
   Touching leaving = touching_;

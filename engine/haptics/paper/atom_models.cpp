@@ -9,7 +9,8 @@ namespace moltact::paper {
 AtomModels::AtomModels(const BallScene& scene) {
   const std::size_t others = std::min(scene.size() - std::min<std::size_t>(scene.size(), 1), kMostCones);
   cones_each_ = others;
-  points_each_ = std::min(others * (others - std::min<std::size_t>(others, 1)), kMostPoints);  // two points a pair
+  points_each_ =
+      std::min(others * (others - std::min<std::size_t>(others, 1)), kMostPoints);  // two points a pair
   slots_.resize(std::min(scene.size(), kModels));
   cones_.resize(slots_.size() * cones_each_);
   points_.resize(slots_.size() * points_each_);
@@ -26,11 +27,13 @@ AtomModel AtomModels::model(const BallScene& scene, std::int32_t atom, double pr
   }
   if (slots_[slot].atom != atom) prepare(scene, slot, atom, probe_A);
   slots_[slot].used = ++clock_;
-  return {atom, {cones_.data() + slot * cones_each_, slots_[slot].cones},
+  return {atom,
+          {cones_.data() + slot * cones_each_, slots_[slot].cones},
           {points_.data() + slot * points_each_, slots_[slot].points}};
 }
 
-void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t atom, double probe_A) noexcept {
+void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t atom,
+                         double probe_A) noexcept {
   const Ball& own = scene[std::size_t(atom)];
   const double R = own.radius_A + probe_A;
   Cone* const cones = cones_.data() + slot * cones_each_;
@@ -60,9 +63,15 @@ void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t 
   std::size_t point_count = 0;
   for (std::size_t j = 0; j < count; ++j)
     for (std::size_t i = 0; i < j && point_count + 2 <= points_each_; ++i) {
+      const Ball& second = scene[std::size_t(cones[i].neighbour)];
       const Ball& third = scene[std::size_t(cones[j].neighbour)];
       const auto both = intersectionPoints(cones[i].circle, third.centre_A, third.radius_A + probe_A);
       if (!both) continue;
+      // A point has three circles: two spheres that only touch have none, whatever rounding makes of their
+      // one place.
+      if (!intersectionCircle(second.centre_A, second.radius_A + probe_A, third.centre_A,
+                              third.radius_A + probe_A))
+        continue;
       points[point_count++] = {both->P0, cones[i].neighbour, cones[j].neighbour};
       points[point_count++] = {both->P1, cones[i].neighbour, cones[j].neighbour};
     }
@@ -78,7 +87,8 @@ std::size_t AtomModels::held() const noexcept {
 }
 
 std::size_t AtomModels::bytes() const noexcept {
-  return slots_.capacity() * sizeof(Slot) + cones_.capacity() * sizeof(Cone) + points_.capacity() * sizeof(ModelPoint);
+  return slots_.capacity() * sizeof(Slot) + cones_.capacity() * sizeof(Cone) +
+         points_.capacity() * sizeof(ModelPoint);
 }
 
 }  // namespace moltact::paper

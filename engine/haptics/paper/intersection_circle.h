@@ -8,23 +8,25 @@
 
 namespace moltact::paper {
 
-/// Equation 2: how far from the centre of the sphere of radius R, along the line to a sphere of radius r whose centre
-/// is d > 0 away, the plane of their common circle lies. Negative where that plane lies behind the first centre.
+/// Equation 2: how far from the centre of the sphere of radius R, along the line to a sphere of radius r
+/// whose centre is d > 0 away, the plane of their common circle lies. Negative where that plane lies behind
+/// the first centre.
 double circleHeight(double R, double r, double d);
 
 struct IntersectionCircle {
-  Vec3 centre{0.0};         ///< C1
-  Vec3 axis{1.0, 0.0, 0.0};  ///< unit vector from the first sphere's centre to the second's (the paper's S^, later n)
-  double radius = 0.0;      ///< a, above 0
-  double height = 0.0;      ///< x, from the first centre to the circle's plane along the axis
+  Vec3 centre{0.0};  ///< C1
+  Vec3 axis{1.0, 0.0,
+            0.0};  ///< unit vector from the first sphere's centre to the second's (the paper's S^, later n)
+  double radius = 0.0;  ///< a, above 0
+  double height = 0.0;  ///< x, from the first centre to the circle's plane along the axis
 };
 
-/// Equations 2 to 4 for spheres (S0, R) and (S1, r). Empty where there is no circle: spheres apart, one inside the
-/// other, touching in one point, or with one centre.
+/// Equations 2 to 4 for spheres (S0, R) and (S1, r). Empty where there is no circle: spheres apart, one
+/// inside the other, touching in one point, or with one centre.
 std::optional<IntersectionCircle> intersectionCircle(const Vec3& S0, double R, const Vec3& S1, double r);
 
-/// The place on the circle nearest to `hip`; on the circle's axis, where all are equally near, the one nearest to
-/// `last`, and where that fails too any one.
+/// The place on the circle nearest to `hip`; on the circle's axis, where all are equally near, the one
+/// nearest to `last`, and where that fails too any one.
 Vec3 closestOnCircle(const IntersectionCircle& circle, const Vec3& hip, const Vec3& last);
 
 }  // namespace moltact::paper

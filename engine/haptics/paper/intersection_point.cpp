@@ -4,12 +4,14 @@
 
 namespace moltact::paper {
 
-std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& circle, const Vec3& S2, double r) {
+std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& circle, const Vec3& S2,
+                                                     double r) {
   const Vec3& n = circle.axis;
   const Vec3& C1 = circle.centre;
   const double R = circle.radius;
 
-  // The circle that the plane of the first circle cuts from the third sphere: centre C2, squared radius r^2 - d^2.
+  // The circle that the plane of the first circle cuts from the third sphere: centre C2, squared radius r^2 -
+  // d^2.
   const double d = glm::dot(n, S2 - C1);
   if (!(std::abs(d) < r)) return std::nullopt;
   const Vec3 C2 = S2 - n * d;

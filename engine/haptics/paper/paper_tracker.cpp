@@ -79,7 +79,8 @@ bool PaperTracker::insideSphere(std::int32_t atom, const Vec3& hip) const {
 }
 
 std::optional<paper::Cone> PaperTracker::coneOf(std::int32_t atom, std::int32_t neighbour) const {
-  const auto circle = paper::intersectionCircle(centre(atom), radius(atom), centre(neighbour), radius(neighbour));
+  const auto circle =
+      paper::intersectionCircle(centre(atom), radius(atom), centre(neighbour), radius(neighbour));
   if (!circle) return std::nullopt;
   return paper::Cone{*circle, centre(atom), atom, neighbour};
 }
@@ -100,7 +101,8 @@ void PaperTracker::constrainToSphere(const Vec3& hip) {
   scp_ = c + out * (radius(atom_) / size);
 }
 
-// Case 1 to 2 (section 4.4): the cones of the current atom; of several that hold the HIP, the one with the nearest circle.
+// Case 1 to 2 (section 4.4): the cones of the current atom; of several that hold the HIP, the one with the
+// nearest circle.
 void PaperTracker::findCone(const Vec3& hip) {
   double nearest = 0.0;
   for (const paper::Cone& cone : models_.model(*scene_, atom_, probe_).cones) {
@@ -113,7 +115,8 @@ void PaperTracker::findCone(const Vec3& hip) {
   }
 }
 
-// Case 2 (section 4.4): over the base the cone and the atom become the neighbour's; outside the cone it is case 1 again.
+// Case 2 (section 4.4): over the base the cone and the atom become the neighbour's; outside the cone it is
+// case 1 again.
 void PaperTracker::followCone(const Vec3& hip) {
   if (paper::pastBase(cone_, hip)) {
     cone_ = paper::neighbourCone(cone_, centre(cone_.neighbour));
@@ -122,7 +125,8 @@ void PaperTracker::followCone(const Vec3& hip) {
   if (!paper::insideCone(cone_, hip)) state_ = Feature::Sphere;
 }
 
-// Case 1 or 2 to 3 (section 4.5): the planes of those points of the current atom that the SCP is within epsilon of.
+// Case 1 or 2 to 3 (section 4.5): the planes of those points of the current atom that the SCP is within
+// epsilon of.
 void PaperTracker::findPoint(const Vec3& hip) {
   double nearest2 = kEpsilon_A * kEpsilon_A;
   const Vec3 from = scp_;
@@ -130,7 +134,8 @@ void PaperTracker::findPoint(const Vec3& hip) {
     const Vec3 off = p.P - from;
     const double away2 = glm::dot(off, off);
     if (!(away2 < nearest2)) continue;
-    const auto volume = paper::pointVolume(p.P, {atom_, p.second, p.third}, {centre(atom_), centre(p.second), centre(p.third)});
+    const auto volume = paper::pointVolume(p.P, {atom_, p.second, p.third},
+                                           {centre(atom_), centre(p.second), centre(p.third)});
     if (!volume || volume->crossed(hip)) continue;
     nearest2 = away2;
     volume_ = *volume;
@@ -149,7 +154,8 @@ void PaperTracker::leavePoint(const Vec3& hip) {
   atom_ = keep ? second : first;
   state_ = cone ? Feature::Circle : Feature::Sphere;
   if (cone) cone_ = *cone;
-  // The plane's circle may not pass through the current atom at all: the sphere of the two that holds the HIP deeper.
+  // The plane's circle may not pass through the current atom at all: the sphere of the two that holds the HIP
+  // deeper.
   if (cone && paper::pastBase(cone_, hip)) {
     cone_ = paper::neighbourCone(cone_, centre(cone_.neighbour));
     atom_ = cone_.atom;
@@ -161,7 +167,8 @@ void PaperTracker::setProbe(double probe_A) noexcept {
   probe_ = std::clamp(probe_A, 0.0, kLargestProbe_A);
   models_.clear();
 
-  // While touching, the circle or point of the same atoms at the new radius; where there is none now, its sphere.
+  // While touching, the circle or point of the same atoms at the new radius; where there is none now, its
+  // sphere.
   if (state_ == Feature::Circle) {
     const auto cone = coneOf(cone_.atom, cone_.neighbour);
     if (cone)
@@ -170,12 +177,14 @@ void PaperTracker::setProbe(double probe_A) noexcept {
       state_ = Feature::Sphere;
   } else if (state_ == Feature::Point) {
     // The planes' circles are (i, j), (j, k), (k, i).
-    const std::array<std::int32_t, 3> ids{volume_.planes[0].circle[0], volume_.planes[1].circle[0], volume_.planes[2].circle[0]};
+    const std::array<std::int32_t, 3> ids{volume_.planes[0].circle[0], volume_.planes[1].circle[0],
+                                          volume_.planes[2].circle[0]};
     std::optional<paper::PointVolume> volume;
     if (const auto cone = coneOf(ids[0], ids[1]))
       if (const auto both = paper::intersectionPoints(cone->circle, centre(ids[2]), radius(ids[2]))) {
         const bool first = glm::distance(both->P0, scp_) <= glm::distance(both->P1, scp_);
-        volume = paper::pointVolume(first ? both->P0 : both->P1, ids, {centre(ids[0]), centre(ids[1]), centre(ids[2])});
+        volume = paper::pointVolume(first ? both->P0 : both->P1, ids,
+                                    {centre(ids[0]), centre(ids[1]), centre(ids[2])});
       }
     if (volume) {
       volume_ = *volume;
@@ -191,7 +200,8 @@ Contact PaperTracker::contact() const {
   out.scp = {scp_};
   out.feature = state_;
   if (state_ == Feature::Sphere) out.atoms = {atom_, -1, -1};
-  if (state_ == Feature::Circle) out.atoms = {std::min(cone_.atom, cone_.neighbour), std::max(cone_.atom, cone_.neighbour), -1};
+  if (state_ == Feature::Circle)
+    out.atoms = {std::min(cone_.atom, cone_.neighbour), std::max(cone_.atom, cone_.neighbour), -1};
   if (state_ == Feature::Point) {
     for (std::size_t k = 0; k < 3; ++k) out.atoms[k] = volume_.planes[k].circle[0];
     std::sort(out.atoms.begin(), out.atoms.end());

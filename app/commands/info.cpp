@@ -1,0 +1,88 @@
+// moltact info MOLECULE: what a molecule holds, as text or JSON.
+#include <algorithm>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/molecule_argument.h"
+#include "engine/molecule/summary.h"
+
+namespace moltact {
+namespace {
+
+struct InfoArguments {
+  MoleculeArgument molecule;
+  bool json = false;
+};
+
+std::string listed(const std::map<std::string, std::size_t>& counts) {
+  std::string out;
+  for (const auto& [name, count] : counts) out += (out.empty() ? "" : ", ") + name + ' ' + std::to_string(count);
+  return out.empty() ? "none" : out;
+}
+
+std::string named(const std::vector<std::string>& chains) {
+  constexpr std::size_t kMost = 40;
+  std::string out;
+  for (std::size_t i = 0; i < std::min(kMost, chains.size()); ++i) out += (i ? " " : "") + (chains[i].empty() ? "(no name)" : chains[i]);
+  return chains.size() > kMost ? out + " ..." : out;
+}
+
+void printText(const Molecule& molecule, const MoleculeSummary& s) {
+  const Vec3 size = s.high_A - s.low_A;
+  std::cout << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
+  std::cout << "atoms     " << s.atoms << '\n';
+  std::cout << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "") << '\n';
+  std::cout << "chains    " << s.chains << (s.chains ? " (" + named(s.chain_names) + ")" : "") << '\n';
+  std::cout << "elements  " << listed(s.elements) << '\n';
+  std::cout << "ligands   " << listed(s.ligands) << '\n';
+  char text[80];
+  std::snprintf(text, sizeof text, "size      %.1f x %.1f x %.1f A\n", size.x, size.y, size.z);
+  std::cout << text;
+  for (const std::string& warning : molecule.warnings) std::cout << "note      " << warning << '\n';
+}
+
+std::vector<double> list(Vec3 v) { return {v.x, v.y, v.z}; }
+
+void printJson(const Molecule& molecule, const MoleculeSummary& s) {
+  const nlohmann::ordered_json json = {
+      {"id", molecule.id},
+      {"title", molecule.title},
+      {"atoms", s.atoms},
+      {"residues", s.residues},
+      {"chains", s.chains},
+      {"chain_names", s.chain_names},
+      {"elements", s.elements},
+      {"ligands", s.ligands},
+      {"waters", s.waters},
+      {"waters_left_out", s.waters_left_out},
+      {"alternates_left_out", s.alternates_left_out},
+      {"models", s.models},
+      {"size_A", list(s.high_A - s.low_A)},
+      {"low_A", list(s.low_A)},
+      {"high_A", list(s.high_A)},
+      {"warnings", molecule.warnings},
+  };
+  // A file may hold bytes that are no UTF-8; they are replaced.
+  std::cout << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+void run(const InfoArguments& arguments) {
+  const Molecule molecule = arguments.molecule.load();
+  const MoleculeSummary summary = summarise(molecule);
+  arguments.json ? printJson(molecule, summary) : printText(molecule, summary);
+}
+
+}  // namespace
+
+void addInfo(CLI::App& app) {
+  auto arguments = std::make_shared<InfoArguments>();
+  CLI::App* command = app.add_subcommand("info", "Say what a molecule holds: atoms, residues, chains, elements, ligands, size");
+  arguments->molecule.addTo(*command);
+  command->add_flag("--json", arguments->json, "Print JSON");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace moltact

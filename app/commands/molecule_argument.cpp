@@ -1,0 +1,21 @@
+#include "app/commands/molecule_argument.h"
+
+#include "app/commands/command.h"
+#include "engine/molecule/catalogue.h"
+
+namespace moltact {
+
+void MoleculeArgument::addTo(CLI::App& command) {
+  command.add_option("molecule", name, "A file (.pdb .cif .xyzr, also .gz), or a molecule of the library (1ubq)")->required();
+  command.add_option("--model", reading.model, "Which model of the file, from 1")->capture_default_str()->check(CLI::PositiveNumber);
+  command.add_flag("--waters", reading.waters, "Keep the water molecules");
+  command.add_option("--assembly", reading.assembly, "Build this biological assembly (1)");
+}
+
+Molecule MoleculeArgument::load() const {
+  auto molecule = openMolecule(name, reading);
+  if (!molecule) throw CommandError{molecule.problem().text()};
+  return *std::move(molecule);
+}
+
+}  // namespace moltact

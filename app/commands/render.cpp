@@ -1,0 +1,145 @@
+// moltact render: a picture of a molecule, and of a probe pushed against it, without a display.
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "app/commands/command.h"
+#include "app/commands/molecule_argument.h"
+#include "engine/haptics/methods.h"
+#include "engine/platform/offscreen_gl.h"
+#include "engine/render/renderer.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kRadian = std::numbers::pi / 180;
+
+struct RenderArguments {
+  MoleculeArgument molecule;
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark";
+  double probe_A = kWaterProbe_A, azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
+  int samples = 3, time = 0;
+  bool look_at_hip = false;
+};
+
+std::pair<int, int> sizeOf(const std::string& text) {
+  int width = 0, height = 0;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
+      width > 8192 || height > 8192)
+    throw CLI::ValidationError("--size", "'" + text + "' is not a size; write WIDTHxHEIGHT, 16 to 8192 pixels each, as in 1280x800");
+  return {width, height};
+}
+
+std::optional<PointA> hipOf(const std::string& text) {
+  if (text.empty()) return std::nullopt;
+  PointA hip;
+  char rest = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &hip.A.x, &hip.A.y, &hip.A.z, &rest) != 3 ||
+      !std::isfinite(hip.A.x + hip.A.y + hip.A.z) || glm::length(hip.A) > kFarthest_A)
+    throw CLI::ValidationError("--hip", "'" + text + "' is not a place; write x,y,z in angstroms, as in 12.5,3,-8");
+  return hip;
+}
+
+// The hand comes from outside along the line of sight, as a person at this picture would push.
+Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments, const Camera& camera,
+             PointA hip) {
+  const auto scene = std::make_shared<const BallScene>(molecule->balls());
+  const auto tracker = findMethod(arguments.method)->make(scene, arguments.probe_A);
+  const Vec3 from_hip = camera.back();
+  const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * arguments.probe_A + 1;
+  const double step = std::max(0.02, reach / 200000);
+  const long ticks = std::lround(std::ceil(reach / step));
+  Contact contact;
+  for (long i = ticks; i >= 0; --i) contact = tracker->step({hip.A + from_hip * (step * double(i))});
+  return contact;
+}
+
+void printTimes(Renderer& renderer, const ViewScene& scene, int width, int height, const RenderArguments& arguments) {
+  const auto run = [&](bool turn) {
+    std::vector<double> ms;
+    ViewScene moving = scene;
+    for (int i = 0; i < arguments.time; ++i) {
+      if (turn) moving.camera.orbit(2 * kRadian, 0);
+      if (moving.hip && !turn) moving.hip->A.x += 1e-4;
+      const auto begin = std::chrono::steady_clock::now();
+      if (!turn && !moving.hip) moving.arrow_A_per_N += 1e-6;
+      if (const auto problem = renderer.draw(moving, width, height, {.samples = arguments.samples}))
+        throw CommandError{problem->text()};
+      renderer.finish();
+      ms.push_back(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count());
+    }
+    std::sort(ms.begin(), ms.end());
+    return ms;
+  };
+  const auto turning = run(true), touching = run(false);
+  std::printf("{\"atoms\": %zu, \"atoms_drawn\": %zu, \"turning_ms_p50\": %.2f, \"turning_ms_max\": %.2f, "
+              "\"touching_ms_p50\": %.2f, \"touching_ms_max\": %.2f}\n",
+              renderer.count().atoms, renderer.count().atoms_drawn, turning[turning.size() / 2], turning.back(),
+              touching[touching.size() / 2], touching.back());
+}
+
+void render(const RenderArguments& arguments) {
+  const auto [width, height] = sizeOf(arguments.size);
+  ViewScene scene;
+  scene.hip = hipOf(arguments.hip);
+  const auto shown = parseShapes(arguments.show);
+  if (!shown) throw CLI::ValidationError("--show", shown.problem().text());
+  scene.shown = *shown;
+  scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
+  scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
+  scene.probe_A = arguments.probe_A;
+  scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
+  scene.camera.fit(*scene.molecule, double(width) / height);
+  if (scene.hip) {
+    scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
+    if (scene.contact.touching())
+      scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.scp.A - scene.hip->A);
+    if (arguments.look_at_hip) scene.camera.target = scene.contact.scp;
+  }
+  scene.camera.zoom(arguments.zoom);
+
+  auto gl = OffscreenGl::create();
+  if (!gl) throw CommandError{gl.problem().text()};
+  auto renderer = Renderer::create();
+  if (!renderer) throw CommandError{renderer.problem().text()};
+  if (arguments.time > 0) printTimes(**renderer, scene, width, height, arguments);
+  if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples, .smooth_glyphs = true}))
+    throw CommandError{problem->text()};
+  if (const auto problem = writePng(arguments.out, (*renderer)->readPixels())) throw CommandError{problem->text()};
+}
+
+}  // namespace
+
+void addRender(CLI::App& app) {
+  auto* command = app.add_subcommand("render", "Draw a molecule, and a probe pushed against it, into a PNG file");
+  const auto arguments = std::make_shared<RenderArguments>();
+  RenderArguments& a = *arguments;
+  a.molecule.addTo(*command);
+  command->add_option("--out", a.out, "The PNG file to write")->required();
+  command->add_option("--size", a.size, "Width x height in pixels")->capture_default_str();
+  command->add_option("--probe", a.probe_A, "The probe's radius in angstroms")
+      ->check(CLI::Range(0.0, kLargestProbe_A))->capture_default_str();
+  command->add_option("--hip", a.hip, "Where the hand is: x,y,z in angstroms; it comes there along the line of sight");
+  std::string shapes = "What is drawn, parted by commas; the groups are haptic, all and none:";
+  for (const ShapeName& s : shapeNames()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
+  command->add_option("--show", a.show, shapes)->capture_default_str();
+  std::vector<std::string> names;
+  for (const Method& m : methods()) names.emplace_back(m.name);
+  command->add_option("--method", a.method, "The haptic method")->check(CLI::IsMember(names))->capture_default_str();
+  command->add_option("--stiffness", a.stiffness_N_per_A, "Of the spring, in N per angstrom, for the arrow")
+      ->check(CLI::Range(0.0, 1e6))->capture_default_str();
+  command->add_option("--azimuth", a.azimuth_deg, "Look from so many degrees to the right")->capture_default_str();
+  command->add_option("--elevation", a.elevation_deg, "Look from so many degrees above")->capture_default_str();
+  command->add_option("--zoom", a.zoom, "Times nearer than the whole molecule")
+      ->check(CLI::Range(0.01, 1000.0))->capture_default_str();
+  command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
+  command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
+  command->add_option("--samples", a.samples, "Samples along each pixel's edge")->check(CLI::Range(1, 4))->capture_default_str();
+  command->add_option("--time", a.time, "Also draws so many pictures and prints the times as JSON")->check(CLI::Range(0, 10000));
+  command->callback([arguments] { render(*arguments); });
+}
+
+}  // namespace moltact

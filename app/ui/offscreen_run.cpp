@@ -1,0 +1,45 @@
+#include "app/ui/offscreen_run.h"
+
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "app/ui/driver.h"
+
+namespace moltact {
+namespace {
+
+int fail(const Problem& problem) {
+  std::cerr << "moltact: " << problem.text() << '\n';
+  return 1;
+}
+
+}  // namespace
+
+int runOffscreen(const OffscreenOptions& options) {
+  Driver::Options wanted;
+  wanted.width = options.width;
+  wanted.height = options.height;
+  wanted.content_scale = options.content_scale;
+  Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(wanted));
+  if (!made) return fail(made.problem());
+  Driver& driver = **made;
+  if (options.file.empty()) driver.app().openFirst();
+  else driver.app().open(options.file);
+  constexpr int kSettle_frames = 20;  // the hand glides to its place, the picture becomes smooth
+  driver.frames(kSettle_frames);
+  driver.stats() = FrameStats();
+  if (!options.script.empty()) {
+    std::ifstream in(options.script);
+    std::stringstream text;
+    text << in.rdbuf();
+    if (!in) return fail({options.script.string(), 0, 0, "the script cannot be read", "check its name"});
+    if (const std::optional<Problem> problem = driver.run(text.str(), options.script.string())) return fail(*problem);
+  }
+  if (options.frame_stats) std::cout << driver.stats().json() << '\n';
+  if (!options.screenshot.empty())
+    if (const std::optional<Problem> problem = writePng(options.screenshot, driver.picture())) return fail(*problem);
+  return 0;
+}
+
+}  // namespace moltact

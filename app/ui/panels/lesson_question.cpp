@@ -1,0 +1,168 @@
+// A question in the lesson: choices or a field, and what is said to the answer.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+#include <vector>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include "app/ui/application.h"
+#include "app/ui/controls.h"
+#include "app/ui/panels/lesson_blocks.h"
+#include "app/ui/rich_text.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+namespace {
+
+// What is being ticked and written before it is handed in, of one step.
+struct Drafts {
+  const Lesson* lesson = nullptr;
+  std::size_t step = 0;
+  std::map<std::size_t, std::vector<std::size_t>> ticked;
+  std::map<std::size_t, std::string> written;
+};
+
+Drafts& drafts(const LessonSession& session) {
+  static Drafts all;
+  if (all.lesson != &session.lesson() || all.step != session.stepIndex()) all = {&session.lesson(), session.stepIndex(), {}, {}};
+  return all;
+}
+
+bool holds(const std::vector<std::size_t>& list, std::size_t value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+
+// One choice: a card with a mark. True when it was chosen.
+bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, bool told, bool right) {
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
+  const float text_w = width - 2 * pad - 2 * mark - l.px(10);
+  const std::string plain = plainText(choice.text);
+  const ImVec2 size = ImGui::CalcTextSize(plain.c_str(), nullptr, false, text_w);
+  const float height = std::max(size.y, 2 * mark) + 2 * pad;
+  ImGui::PushID(name.c_str());
+  const bool clicked = ImGui::InvisibleButton("choice", {width, height});
+  ImGui::PopID();
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImU32 ground = told ? (right ? p.good_soft : p.bad_soft) : ImGui::IsItemHovered() ? p.hovered : p.raised;
+  draw->AddRectFilled(low, high, ground, l.px(7));
+  const ImVec2 centre{low.x + pad + mark, low.y + pad + mark + l.px(1)};
+  const ImU32 colour = told ? (right ? p.good : p.bad) : ticked ? p.accent : p.faint;
+  if (round) {
+    draw->AddCircle(centre, mark - 1, colour, 28, l.px(1.6f));
+    if (ticked) draw->AddCircleFilled(centre, mark - l.px(4), colour, 28);
+  } else {
+    const ImVec2 a{centre.x - mark + 1, centre.y - mark + 1}, b{centre.x + mark - 1, centre.y + mark - 1};
+    if (ticked) {
+      draw->AddRectFilled(a, b, colour, l.px(3));
+      drawIcon(draw, Icon::Check, centre, 1.5f * mark, p.panel);
+    } else {
+      draw->AddRect(a, b, colour, l.px(3), 0, l.px(1.6f));
+    }
+  }
+  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad + 2 * mark + l.px(10), low.y + pad}, p.text, plain.c_str(), nullptr, text_w + 1);
+  recordItem(name, plain);
+  return clicked;
+}
+
+bool digitPressed(std::size_t choice) {
+  const ImGuiIO& io = ImGui::GetIO();
+  return choice < 9 && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt &&
+         !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
+         ImGui::IsKeyPressed(GLFW_KEY_1 + int(choice), false);
+}
+
+// The first question of the step that is not yet answered takes the number keys.
+bool takesKeys(const LessonSession& session, std::size_t index) {
+  for (std::size_t k = 0; k < index; ++k)
+    if (!session.question(k).answered_right && !session.step().questions[k].choices.empty()) return false;
+  return !session.question(index).answered_right;
+}
+
+void drawChoices(LessonSession& session, std::size_t index, const std::string& name) {
+  const Question& question = session.step().questions[index];
+  const QuestionStatus& status = session.question(index);
+  std::vector<std::size_t>& ticked = drafts(session).ticked[index];
+  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index);
+  if (ticked.empty() && status.attempts > 0 && status.answered_right) ticked = status.chosen;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(6)});
+  for (std::size_t k = 0; k < question.choices.size(); ++k) {
+    const bool told = status.attempts > 0 && holds(status.chosen, k);
+    const bool is_ticked = one ? told : holds(ticked, k);
+    const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked, told, question.choices[k].right) ||
+                        (keys && digitPressed(k));
+    if (!chosen || status.answered_right) continue;
+    if (one) session.choose(index, {k});
+    else if (holds(ticked, k)) std::erase(ticked, k);
+    else ticked.push_back(k);
+  }
+  ImGui::PopStyleVar();
+  if (!one && !status.answered_right && button((name + "/check").c_str(), "Check", ButtonLook::Primary, look().px(96), !ticked.empty())) {
+    std::sort(ticked.begin(), ticked.end());
+    session.choose(index, ticked);
+  }
+}
+
+void drawField(LessonSession& session, std::size_t index, const std::string& name) {
+  const AnswerSpec& answer = *session.step().questions[index].answer;
+  const QuestionStatus& status = session.question(index);
+  std::string& written = drafts(session).written[index];
+  if (written.empty() && status.attempts > 0) written = status.written;
+  const bool free = answer.kind == AnswerSpec::Kind::Free;
+  const float button_w = look().px(84), gap = ImGui::GetStyle().ItemSpacing.x;
+  bool handed_in = false;
+  if (free) {
+    ImGui::InputTextMultiline("##answer", &written, {-1, look().px(84)});
+    recordItem(name + "/field", written);
+    handed_in = button((name + "/check").c_str(), "Keep", ButtonLook::Plain, button_w);
+  } else {
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_w - gap);
+    const std::string hint = answer.unit.empty() ? "your answer" : "in " + answer.unit;
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look().px(10), std::floor(0.5f * (look().px(34) - ImGui::GetFontSize()))});
+    handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
+    ImGui::PopStyleVar();
+    recordItem(name + "/field", written);
+    ImGui::SameLine();
+    handed_in = button((name + "/check").c_str(), "Check", ButtonLook::Primary, button_w) || handed_in;
+  }
+  if (handed_in) session.write(index, written);
+}
+
+}  // namespace
+
+std::string drawLessonQuestion(Application& app, std::size_t index) {
+  LessonSession& session = *app.lesson.session();
+  if (index >= session.step().questions.size()) return {};
+  const Look& l = look();
+  const std::string name = "question/" + std::to_string(index);
+  std::string link;
+  const auto follow = [&](std::string clicked) {
+    if (!clicked.empty()) link = std::move(clicked);
+  };
+  const Question& question = session.step().questions[index];
+  ImGui::PushID(int(index));
+  ImGui::Dummy({0, l.px(2)});
+  RichText title = question.title;
+  for (TextRun& run : title) run.bold = true;
+  follow(drawRichText(name.c_str(), title, l.palette.text));
+  for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
+  if (question.choices.empty() && question.answer) drawField(session, index, name);
+  else drawChoices(session, index, name);
+  const QuestionStatus& status = session.question(index);
+  if (status.attempts > 0) {
+    const ImU32 colour = status.last_right ? l.palette.good : l.palette.bad;
+    std::vector<RichText> said = session.feedback(index);
+    if (said.empty()) said.push_back({TextRun{.text = status.last_right ? "Right." : "Not yet. Try again."}});
+    for (const RichText& p : said) follow(drawRichText((name + "/feedback").c_str(), p, colour));
+  }
+  ImGui::PopID();
+  return link;
+}
+
+}  // namespace moltact

@@ -1,0 +1,52 @@
+// Messages over the view's upper edge, each with a cross to dismiss it.
+#include <optional>
+
+#include "app/ui/application.h"
+#include "app/ui/controls.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+
+void drawMessageStack(Application& app) {
+  const Look& l = look();
+  const Rectangle& view = app.layout.view;
+  if (app.messages.all().empty()) return;
+  const Rectangle room = view.size().x > l.px(260) ? view : Rectangle{{0, app.layout.menu.high.y}, {app.layout.menu.high.x, app.layout.status.low.y}};
+  const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.px(560));
+  float y = room.low.y + margin;
+  std::optional<std::size_t> dismissed;
+  for (std::size_t k = 0; k < app.messages.all().size(); ++k) {
+    const Message& m = app.messages.all()[k];
+    const Palette& p = l.palette;
+    const ImU32 ground = m.kind == MessageKind::Error ? p.bad_soft : m.kind == MessageKind::Warning ? p.warn_soft : p.good_soft;
+    const ImU32 edge = m.kind == MessageKind::Error ? p.bad : m.kind == MessageKind::Warning ? p.warn : p.good;
+    const float pad = l.px(12), text_w = width - 2 * pad - l.px(40);
+    const float text_h = ImGui::CalcTextSize(m.text.c_str(), nullptr, false, text_w).y;
+    const float height = std::min(std::max(text_h, l.px(22)) + 2 * pad, room.high.y - y - margin);
+    if (height < l.px(30)) break;
+    const std::string name = "message/" + std::to_string(k);
+    ImGui::SetNextWindowPos({0.5f * (room.low.x + room.high.x - width), y});
+    ImGui::SetNextWindowSize({width, height});
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ground);
+    ImGui::PushStyleColor(ImGuiCol_Border, faded(edge, 0.6f));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, l.px(8));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
+    ImGui::Begin(name.c_str(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+    ImGui::PushTextWrapPos(pad + text_w);
+    ImGui::TextUnformatted(m.text.c_str());
+    recordItem(name, m.text);
+    ImGui::PopTextWrapPos();
+    ImGui::SetCursorPos({width - pad - l.px(24), pad - l.px(5)});
+    if (iconButton((name + "/dismiss").c_str(), Icon::Close, "Dismiss")) dismissed = k;
+    ImGui::End();
+    ImGui::PopStyleVar(3);
+    ImGui::PopStyleColor(2);
+    y += height + l.px(8);
+  }
+  if (dismissed) app.messages.dismiss(*dismissed);
+}
+
+}  // namespace moltact

@@ -1,0 +1,31 @@
+#include "app/ui/panels/panels.h"
+
+#include <array>
+
+// One line a panel: its function is draw<Name>(Application&), in its own file.
+#define MOLTACT_PANELS(X) \
+  X(MenuBar)              \
+  X(LessonPanel)          \
+  X(ViewPanel)            \
+  X(TouchPanel)           \
+  X(Splitters)            \
+  X(StatusBar)            \
+  X(MessageStack)         \
+  X(OpenPage)             \
+  X(ControlsPage)         \
+  X(AboutPage)
+
+namespace moltact {
+
+#define MOLTACT_DECLARE(Name) void draw##Name(Application& app);
+MOLTACT_PANELS(MOLTACT_DECLARE)
+#undef MOLTACT_DECLARE
+
+std::span<const Panel> allPanels() {
+#define MOLTACT_ROW(Name) Panel{#Name, &draw##Name},
+  static constexpr std::array kPanels{MOLTACT_PANELS(MOLTACT_ROW)};
+#undef MOLTACT_ROW
+  return kPanels;
+}
+
+}  // namespace moltact

@@ -1,0 +1,20 @@
+// The panels of the window. Each is one file here and one line in panels.cpp. A panel draws the application's state with
+// the controls of app/ui/controls.h and calls the application to change it.
+#pragma once
+
+#include <span>
+#include <string_view>
+
+namespace moltact {
+
+class Application;
+
+struct Panel {
+  std::string_view name;
+  void (*draw)(Application& app);  ///< draws nothing where it is closed or has no room
+};
+
+/// In the order in which they are drawn.
+std::span<const Panel> allPanels();
+
+}  // namespace moltact

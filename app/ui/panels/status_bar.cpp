@@ -1,0 +1,105 @@
+// Bottom: the device, how the 1 kHz loop keeps its time, the molecule, and how much of it is modelled. What has no room
+// is left out, the least needed first.
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "app/ui/application.h"
+#include "app/ui/contact_text.h"
+#include "app/ui/controls.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+namespace {
+
+struct Segment {
+  const char* name;
+  std::string text;
+  std::string tip;
+  int need;          ///< 0 is kept longest
+  ImU32 dot = 0;     ///< a coloured dot before the text; 0: none
+};
+
+// "4 558": a thin space between thousands.
+std::string grouped(std::size_t n) {
+  std::string digits = std::to_string(n);
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3) digits.insert(std::size_t(at), "\u00A0");
+  return digits;
+}
+
+Segment loopSegment(const Application& app) {
+  const Palette& p = look().palette;
+  if (app.servo.clock() == ServoClock::Frames) return {"status/loop", "1 kHz on the frames' clock", "", 3, p.good};
+  const LoopHealth& h = app.touch.health();
+  const RealtimeStatus status = app.servo.realtime();
+  char text[160];
+  const char* kind = status == RealtimeStatus::Realtime ? "real-time" : status == RealtimeStatus::Ordinary ? "ordinary priority" : "starting";
+  std::snprintf(text, sizeof text, "%.0f Hz, %s, late %.0f µs, tick %.1f µs", h.rate_Hz, kind, h.late_p99_us, h.work_mean_us);
+  char tip[400];
+  std::snprintf(tip, sizeof tip,
+                "The touch loop should run 1000 times a second. 99 of 100 ticks began at most %.0f µs late; the longest "
+                "took %.1f µs; %llu were left out.%s",
+                h.late_p99_us, h.work_max_us, static_cast<unsigned long long>(app.servo.missedTicks()),
+                status == RealtimeStatus::Ordinary ? " The system does not allow this program real-time priority, so ticks may come late while the picture is drawn." : "");
+  const bool well = h.rate_Hz > 950 && (status == RealtimeStatus::Realtime || h.late_p99_us < 2000);
+  return {"status/loop", text, tip, 3, well ? p.good : p.warn};
+}
+
+}  // namespace
+
+void drawStatusBar(Application& app) {
+  const Look& l = look();
+  WithFont small(Font::Small);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(14), 0});
+  const bool shown = beginPanel("status bar", app.layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PopStyleVar();
+  if (!shown) return;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const Rectangle& r = app.layout.status;
+  draw->PushClipRectFullScreen();
+  draw->AddLine({r.low.x, r.low.y}, {r.high.x, r.low.y}, l.palette.line, std::max(1.0f, l.scale));
+  draw->PopClipRect();
+
+  const ServoSample& now = app.touch.latest();
+  std::vector<Segment> segments;
+  segments.push_back({"status/contact", app.touch.touching() ? "touching" : now.contact.fault == Fault::StartedInside ? "inside" : "free",
+                      contactText(app.stage.molecule.get(), now.contact, app.touch.force_N()), 0,
+                      app.touch.touching() ? l.palette.accent : l.palette.faint});
+  segments.push_back({"status/device", app.servo.device().name,
+                      app.servo.device().gives_force ? "" : "No force-feedback device is connected; the mouse or keyboard stands in for it.", 2});
+  segments.push_back(loopSegment(app));
+  if (app.stage) {
+    const Molecule& m = *app.stage.molecule;
+    segments.push_back({"status/molecule", m.id.empty() ? app.stage_file.filename().string() : m.id, m.title, 1});
+    segments.push_back({"status/modelled", grouped(now.footprint.atoms_modelled) + " of " + grouped(m.atoms.size()) + " atoms modelled",
+                        "The tracker prepares only the atoms near your probe.", 4});
+  }
+  if (app.loading()) segments.push_back({"status/loading", "Opening …", "", 0, l.palette.warn});
+
+  const float gap = l.px(22), dot = l.px(14);
+  const auto width = [&](const Segment& s) { return ImGui::CalcTextSize(s.text.c_str()).x + (s.dot ? dot : 0.0f); };
+  for (int need = 4; need > 0; --need) {
+    float total = -gap;
+    for (const Segment& s : segments) total += width(s) + gap;
+    if (total <= r.size().x - 2 * l.px(14)) break;
+    std::erase_if(segments, [&](const Segment& s) { return s.need == need; });
+  }
+  float x = r.low.x + l.px(14);
+  const float y = std::round(0.5f * (r.low.y + r.high.y - ImGui::GetFontSize()));
+  for (const Segment& s : segments) {
+    if (s.dot) {
+      draw->AddCircleFilled({x + l.px(4), 0.5f * (r.low.y + r.high.y)}, l.px(4), s.dot, 20);
+      x += dot;
+    }
+    ImGui::SetCursorScreenPos({x, y});
+    WithText quiet(l.palette.quiet);
+    ImGui::TextUnformatted(s.text.c_str());
+    recordItem(s.name, s.text);
+    tip(s.tip.c_str());
+    x += ImGui::CalcTextSize(s.text.c_str()).x + gap;
+  }
+  endPanel();
+}
+
+}  // namespace moltact

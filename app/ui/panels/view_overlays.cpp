@@ -1,0 +1,91 @@
+#include "app/ui/panels/view_overlays.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "app/ui/application.h"
+#include "app/ui/contact_text.h"
+#include "app/ui/controls.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+namespace {
+
+// A line of text on a rounded ground, wrapped at `width`; returns its height.
+float pill(const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width, ImU32 ground, ImU32 colour, float alpha = 1.0f) {
+  const Look& l = look();
+  const ImVec2 pad{l.px(12), l.px(7)};
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad.x);
+  const ImVec2 whole{size.x + 2 * pad.x, size.y + 2 * pad.y};
+  const ImVec2 low{std::round(anchor.x - pivot.x * whole.x), std::round(anchor.y - pivot.y * whole.y)};
+  const ImVec2 high{low.x + whole.x, low.y + whole.y};
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled(low, high, faded(ground, 0.88f * alpha), l.px(8));
+  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y}, faded(colour, alpha), text.c_str(), nullptr, size.x + 1);
+  recordRectangle(name, {low.x, low.y}, {high.x, high.y}, text);
+  return whole.y;
+}
+
+// A length of 1, 2 or 5 times a power of ten that takes 50 to 125 pixels at 96 dpi, at the target's depth.
+void scaleBar(const Application& app, const Rectangle& view) {
+  const Look& l = look();
+  const double pixel_A = app.camera.pixel_A(app.camera.distance_A, int(view.size().y));
+  if (!(pixel_A > 0.0) || !std::isfinite(pixel_A)) return;
+  const double most_A = pixel_A * double(l.px(125));
+  double length_A = std::pow(10.0, std::floor(std::log10(most_A)));
+  for (const double step : {5.0, 2.0})
+    if (length_A * step <= most_A) {
+      length_A *= step;
+      break;
+    }
+  char text[32];
+  std::snprintf(text, sizeof text, "%g Å", length_A);
+  const float width = float(length_A / pixel_A), x1 = view.high.x - l.px(18), x0 = x1 - width, y = view.high.y - l.px(20);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const ImU32 colour = l.palette.quiet;
+  const float thick = std::max(1.0f, l.px(1.5f)), tick = l.px(4);
+  draw->AddLine({x0, y}, {x1, y}, colour, thick);
+  draw->AddLine({x0, y - tick}, {x0, y + tick}, colour, thick);
+  draw->AddLine({x1, y - tick}, {x1, y + tick}, colour, thick);
+  ImFont* small = l.font(Font::Small);
+  const ImVec2 size = small->CalcTextSizeA(small->FontSize, 1e9f, 0, text);
+  draw->AddText(small, small->FontSize, {0.5f * (x0 + x1 - size.x), y - tick - size.y}, colour, text);
+  recordRectangle("view/scale bar", {x0, y - tick - size.y}, {x1, y + tick}, text);
+}
+
+}  // namespace
+
+void drawViewOverlays(Application& app, const Rectangle& view) {
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const float margin = l.px(14), width = view.size().x - 2 * margin;
+  if (width < l.px(120)) return;
+  const ServoSample& now = app.touch.latest();
+
+  ImGui::SetCursorScreenPos({view.high.x - l.px(42), view.low.y + l.px(12)});
+  if (app.stage && iconButton("view/reset", Icon::Home, "Reset view (Home)")) app.resetView();
+
+  if (!app.stage) {
+    pill("view/empty", app.loading() ? "Opening …" : "Open a molecule or a lesson: File, Open, or drop a file here.",
+         {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel, p.text);
+    return;
+  }
+  scaleBar(app, view);
+  const float bottom = view.high.y - margin, bar = l.px(160);
+  if (now.contact.fault == Fault::StartedInside) {
+    pill("view/state", contactText(app.stage.molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom}, {0, 1},
+         width > l.px(500) ? width - bar : width, p.warn_soft, p.warn);
+  } else if (now.contact.touching()) {
+    pill("view/state", contactText(app.stage.molecule.get(), now.contact, app.touch.force_N()), {view.low.x + margin, bottom}, {0, 1},
+         width > l.px(500) ? width - bar : width - l.px(100), p.panel, p.text);
+  } else if (const float hint = float(app.hintStrength()); hint > 0.0f) {
+    pill("view/hint", app.controls.hasPressed() ? "Drag with the right button to turn the molecule, wheel to come closer"
+                                                : "Hold the left button, or Space, to push against the molecule",
+         {view.low.x + margin, bottom}, {0, 1}, width > l.px(500) ? width - bar : width - l.px(100), p.panel, p.quiet, hint);
+  }
+}
+
+}  // namespace moltact

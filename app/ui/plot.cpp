@@ -1,0 +1,83 @@
+#include "app/ui/plot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include <imgui.h>
+
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+namespace {
+
+// The next of 1, 2, 5, 10, 20, … that is not less.
+float roundUp(float value) {
+  const float ten = std::pow(10.0f, std::floor(std::log10(std::max(value, 1e-6f))));
+  for (const float step : {1.0f, 2.0f, 5.0f, 10.0f})
+    if (value <= step * ten * 1.0001f) return step * ten;
+  return value;
+}
+
+}  // namespace
+
+void plot(const char* name, const Trace& trace, double newest, const PlotLook& how) {
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const float width = ImGui::GetContentRegionAvail().x, small = l.font(Font::Small)->FontSize;
+  char value[32];
+  std::snprintf(value, sizeof value, how.format, newest);
+  const std::string reading = std::string(value) + " " + how.unit;
+
+  const float head = small + l.px(6), body = l.px(how.height);
+  ImGui::Dummy({width, head + body});
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  ImFont* font = l.font(Font::Small);
+  draw->AddText(font, small, low, p.quiet, how.title);
+  const float reading_w = font->CalcTextSizeA(small, 1e9f, 0.0f, reading.c_str()).x;
+  draw->AddText(font, small, {high.x - reading_w, low.y}, p.text, reading.c_str());
+
+  const ImVec2 a{low.x, low.y + head}, b = high;
+  draw->AddRectFilled(a, b, p.raised, l.px(6));
+  float top = how.least_top;
+  for (std::size_t k = 0; k < trace.size(); ++k) top = std::max(top, trace.ago(k));
+  top = roundUp(top * 1.02f);
+  const float inset = l.px(6), y0 = b.y - inset, y1 = a.y + inset;
+  const auto y = [&](float v) { return y0 - (y0 - y1) * std::clamp(v / top, 0.0f, 1.0f); };
+  for (const float part : {0.5f, 1.0f}) draw->AddLine({a.x, y(part * top)}, {b.x, y(part * top)}, p.line, 1.0f);
+  char mark[32];
+  std::snprintf(mark, sizeof mark, top < 1.0f ? "%.2g" : "%.0f", double(top));
+  draw->AddText(font, small * 0.86f, {a.x + l.px(6), y(top) + l.px(1)}, p.faint, mark);
+
+  // One point a pixel column: the largest of the values that fall on it.
+  if (trace.size() > 1) {
+    draw->PushClipRect(a, b, true);
+    const std::size_t columns = std::min<std::size_t>(std::max<std::size_t>(2, std::size_t(width)), trace.capacity());
+    ImVec2 before{};
+    const ImU32 fill = faded(p.accent, 0.18f);
+    for (std::size_t c = 0; c < columns; ++c) {
+      const std::size_t newest_age = (columns - 1 - c) * trace.capacity() / columns;
+      const std::size_t oldest_age = std::min((columns - c) * trace.capacity() / columns, trace.size());
+      if (newest_age >= oldest_age) continue;
+      float most = 0.0f;
+      for (std::size_t age = newest_age; age < oldest_age; ++age) most = std::max(most, trace.ago(age));
+      const ImVec2 here{a.x + (b.x - a.x) * float(c) / float(columns - 1), y(most)};
+      if (before.x > 0.0f) {
+        draw->AddQuadFilled(before, here, {here.x, y0}, {before.x, y0}, fill);
+        draw->AddLine(before, here, p.accent, l.px(1.6f));
+      }
+      before = here;
+    }
+    draw->PopClipRect();
+  }
+  char span[32];
+  std::snprintf(span, sizeof span, "last %.0f s", how.span_s);
+  const ImVec2 span_size = font->CalcTextSizeA(small * 0.86f, 1e9f, 0.0f, span);
+  draw->AddText(font, small * 0.86f, {b.x - span_size.x - l.px(6), y(top) + l.px(1)}, p.faint, span);
+  recordItem(name, reading);
+}
+
+}  // namespace moltact

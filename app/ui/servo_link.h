@@ -1,0 +1,49 @@
+// The window's end of the servo loop: settings and trackers go out, samples come back. Either the real thread at 1 kHz or
+// the same tick stepped on the frames' clock, so that a script repeats exactly. Window's thread.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/device/mouse_device.h"
+#include "engine/servo/servo_step.h"
+#include "engine/servo/servo_thread.h"
+
+namespace moltact {
+
+enum class ServoClock {
+  RealThread,  ///< the haptic thread, at the wall's clock
+  Frames,      ///< ticks are stepped in advance(), as many as the frame is long
+};
+
+class ServoLink {
+ public:
+  explicit ServoLink(ServoClock clock);
+
+  /// The stand-in device, which the hand leads.
+  MouseDevice& mouse() { return mouse_; }
+  const DeviceInfo& device() const { return mouse_.info(); }
+
+  void setSettings(const ServoSettings& settings);
+  void setTracker(std::unique_ptr<Tracker> tracker);
+
+  /// Once a frame: gives every tick since the last call, oldest first. The reference holds until the next call.
+  const std::vector<ServoSample>& advance(double dt_s);
+
+  RealtimeStatus realtime() const;
+  std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
+  ServoClock clock() const { return thread_ ? ServoClock::RealThread : ServoClock::Frames; }
+
+ private:
+  MouseDevice mouse_;  // outlives the thread, which reads it
+  std::vector<ServoSample> ticks_;
+  // Of the frames' clock:
+  ServoStep step_;
+  ServoSettings settings_;
+  std::unique_ptr<Tracker> tracker_;
+  double owed_s_ = 0.0;
+  std::unique_ptr<ServoThread> thread_;  // last, so that it ends first
+};
+
+}  // namespace moltact

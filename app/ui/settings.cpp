@@ -1,0 +1,78 @@
+#include "app/ui/settings.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include <nlohmann/json.hpp>
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+void readNumber(const nlohmann::json& from, const char* key, double& to, double least, double most) {
+  if (const auto it = from.find(key); it != from.end() && it->is_number()) {
+    const double value = it->get<double>();
+    if (std::isfinite(value)) to = std::clamp(value, least, most);
+  }
+}
+
+}  // namespace
+
+void Settings::remember(const fs::path& file) {
+  std::error_code ignored;
+  const fs::path absolute = fs::absolute(file, ignored);
+  const std::string name = (absolute.empty() ? file : absolute.lexically_normal()).string();
+  std::erase(recent, name);
+  recent.insert(recent.begin(), name);
+  if (recent.size() > kRecent) recent.resize(kRecent);
+}
+
+LoadedSettings loadSettings(const fs::path& file) {
+  LoadedSettings out;
+  std::error_code ignored;
+  if (!fs::exists(file, ignored)) return out;
+  std::ifstream in(file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  const nlohmann::json json = nlohmann::json::parse(text.str(), nullptr, false);
+  if (!in || !json.is_object()) {
+    out.trouble = "Your settings in " + file.string() + " could not be read; the defaults are used and will replace them.";
+    return out;
+  }
+  Settings& s = out.settings;
+  if (const auto theme = json.find("theme"); theme != json.end() && theme->is_string())
+    s.theme = *theme == "dark" ? ThemeChoice::Dark : ThemeChoice::Light;
+  readNumber(json, "scale", s.scale, 0.75, 3.0);
+  readNumber(json, "lesson_width", s.lesson_width, 240.0, 700.0);
+  readNumber(json, "touch_width", s.touch_width, 220.0, 600.0);
+  if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
+    for (const auto& name : *recent)
+      if (name.is_string() && s.recent.size() < Settings::kRecent) s.recent.push_back(name.get<std::string>());
+  return out;
+}
+
+std::string saveSettings(const Settings& s, const fs::path& file) {
+  const nlohmann::json json = {{"theme", s.theme == ThemeChoice::Dark ? "dark" : "light"},
+                               {"scale", s.scale},
+                               {"lesson_width", s.lesson_width},
+                               {"touch_width", s.touch_width},
+                               {"recent", s.recent}};
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  const fs::path draft = file.string() + ".new";
+  {
+    std::ofstream out(draft, std::ios::binary | std::ios::trunc);
+    // Paths may hold bytes that are no UTF-8; they are replaced and not thrown over.
+    out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    if (!out.flush()) return "Your settings could not be saved to " + file.string() + ".";
+  }
+  fs::rename(draft, file, error);
+  if (error) return "Your settings could not be saved to " + file.string() + ": " + error.message() + ".";
+  return {};
+}
+
+}  // namespace moltact

@@ -1,0 +1,66 @@
+#include "app/ui/shell.h"
+
+#include <algorithm>
+
+#include <epoxy/gl.h>
+
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+
+Shell::Shell() {
+  IMGUI_CHECKVERSION();
+  ImGui::CreateContext();
+  ImGui::GetIO().IniFilename = nullptr;  // the program keeps its own settings
+  ImGui::GetIO().LogFilename = nullptr;
+  ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
+  input_ = std::make_unique<InputQueue>();
+  ImGui_ImplOpenGL3_Init("#version 330 core");
+}
+
+Shell::~Shell() {
+  ImGui_ImplOpenGL3_Shutdown();
+  ImGui::DestroyContext();
+}
+
+void Shell::setLook(bool dark, float scale) {
+  scale = std::clamp(scale, 0.5f, 4.0f);
+  if (dark == dark_ && scale == scale_) return;
+  dark_ = dark;
+  scale_ = scale;
+  look_changed_ = true;
+}
+
+void Shell::frame(int width, int height, double dt_s, const std::function<void()>& panels) {
+  if (look_changed_) {
+    look_changed_ = false;
+    if (scale_ != loaded_scale_ && loaded_scale_ != 0.0f) ImGui_ImplOpenGL3_DestroyFontsTexture();
+    std::string trouble = applyLook(dark_, scale_);
+    if (!trouble.empty()) trouble_ = std::move(trouble);
+    ImGui_ImplOpenGL3_NewFrame();  // makes the device objects at the first frame, the font's picture with them
+    if (scale_ != loaded_scale_ && loaded_scale_ != 0.0f) ImGui_ImplOpenGL3_CreateFontsTexture();
+    loaded_scale_ = scale_;
+  }
+  ImGuiIO& io = ImGui::GetIO();
+  io.DisplaySize = {float(width), float(height)};
+  io.DeltaTime = float(std::clamp(dt_s, 1e-4, 0.5));
+  input_->feed(io);
+
+  ImGui_ImplOpenGL3_NewFrame();
+  ImGui::NewFrame();
+  widgets().clear();
+  panels();
+  ImGui::Render();
+
+  const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(look().palette.ground);
+  glViewport(0, 0, width, height);
+  glClearColor(ground.x, ground.y, ground.z, 1.0f);
+  glClear(GL_COLOR_BUFFER_BIT);
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
+
+}  // namespace moltact

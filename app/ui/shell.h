@@ -1,0 +1,36 @@
+// Dear ImGui in whatever picture is bound: what the real window and the off-screen run have in common.
+// Window's thread, with a current GL context, which must outlive the shell. Units: pixel of the framebuffer.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "app/ui/input_queue.h"
+
+namespace moltact {
+
+class Shell {
+ public:
+  Shell();
+  ~Shell();
+  Shell(const Shell&) = delete;
+  Shell& operator=(const Shell&) = delete;
+
+  InputQueue& input() { return *input_; }
+
+  /// Asks for a theme and scale from the next frame on.
+  void setLook(bool dark, float scale);
+  /// What could not be loaded, told once; empty when all is well.
+  const std::string& trouble() const { return trouble_; }
+
+  /// One frame: feeds the input, calls `panels`, and draws into the bound framebuffer.
+  void frame(int width, int height, double dt_s, const std::function<void()>& panels);
+
+ private:
+  std::unique_ptr<InputQueue> input_;
+  bool dark_ = false, look_changed_ = true;
+  float scale_ = 1.0f, loaded_scale_ = 0.0f;
+  std::string trouble_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,42 @@
+#include "app/ui/stage.h"
+
+#include <algorithm>
+
+namespace moltact {
+namespace {
+
+// The hand reaches so far from side to side; a molecule as large as that is felt at its whole width.
+constexpr double kReach_mm = 160.0;
+constexpr double kFinest_A_per_mm = 0.15, kCoarsest_A_per_mm = 0.4;
+
+// So far from the old surface the new tracker first meets the hand (unit: angstrom).
+constexpr double kOutside_A = 1e-3;
+
+}  // namespace
+
+Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) {
+  if (molecule.atoms.empty())
+    return Problem{file.string(), 0, 0, "there are no atoms to touch", "open a structure file with coordinates"};
+  Stage stage;
+  stage.balls = std::make_shared<const BallScene>(molecule.balls());
+  stage.molecule = std::make_shared<const Molecule>(std::move(molecule));
+  const Vec3 low = stage.balls->low_A(), high = stage.balls->high_A(), size = high - low;
+  stage.workspace.centre_A = 0.5 * (low + high);
+  stage.workspace.A_per_mm =
+      std::clamp(std::max({size.x, size.y, size.z}) / kReach_mm, kFinest_A_per_mm, kCoarsest_A_per_mm);
+  stage.reach_A = 0.5 * glm::length(size) + kLargestProbe_A;
+  return stage;
+}
+
+std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, double probe_A, const Contact& contact, PointA hip) {
+  if (!stage) return nullptr;
+  std::unique_ptr<Tracker> tracker = method.make(stage.balls, probe_A);
+  const Vec3 outward = contact.scp.A - hip.A;
+  if (const double depth = glm::length(outward); contact.touching() && depth > 0.0) {
+    tracker->step({contact.scp.A + outward * (kOutside_A / depth)});
+    tracker->step(hip);
+  }
+  return tracker;
+}
+
+}  // namespace moltact

@@ -1,0 +1,29 @@
+#include "app/ui/user_folders.h"
+
+#include <cstdlib>
+#include <system_error>
+
+namespace moltact {
+namespace {
+
+std::filesystem::path fromEnvironment(const char* name) {
+  const char* value = std::getenv(name);
+  return value && *value == '/' ? std::filesystem::path(value) : std::filesystem::path();
+}
+
+}  // namespace
+
+std::filesystem::path settingsFile() {
+  if (const auto config = fromEnvironment("XDG_CONFIG_HOME"); !config.empty()) return config / "moltact" / "settings.json";
+  if (const auto home = fromEnvironment("HOME"); !home.empty()) return home / ".config" / "moltact" / "settings.json";
+  return {};
+}
+
+std::filesystem::path pictureFolder() {
+  std::error_code error;
+  const auto home = fromEnvironment("HOME");
+  if (!home.empty() && std::filesystem::is_directory(home / "Pictures", error)) return home / "Pictures";
+  return home.empty() ? std::filesystem::current_path(error) : home;
+}
+
+}  // namespace moltact

@@ -1,0 +1,56 @@
+#include "app/ui/view_controls.h"
+
+#include <cmath>
+
+namespace moltact {
+namespace {
+constexpr double kOrbit_rad_per_px = 0.008;
+constexpr double kOrbitKeys_rad_per_s = 1.4;
+constexpr double kPanKeys_px_per_s = 320.0;
+constexpr double kZoomNotch = 1.12;
+constexpr double kZoomKeysPerS = 2.2;
+}  // namespace
+
+ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
+  return {.eye_A = camera.eye().A, .forward = -camera.back(), .right = camera.right(), .up = camera.up(),
+          .tan_half_fov = camera.tanHalfY(), .width_px = size_px.x, .height_px = size_px.y};
+}
+
+void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* balls, const ServoSettings& settings,
+                          double force_N, MouseDevice& mouse) {
+  const Camera before = camera;
+  const glm::dvec2 orbit = in.orbit_px * kOrbit_rad_per_px + glm::dvec2(in.orbit_keys.x, -in.orbit_keys.y) * (kOrbitKeys_rad_per_s * in.dt_s);
+  if (orbit != glm::dvec2(0.0)) camera.orbit(orbit.x, orbit.y);
+  const glm::dvec2 pan = in.pan_px + glm::dvec2(in.pan_keys.x, -in.pan_keys.y) * (kPanKeys_px_per_s * in.dt_s);
+  if (pan != glm::dvec2(0.0)) camera.pan(pan.x, pan.y, int(in.size_px.y));
+  const double zoom = std::pow(kZoomNotch, in.zoom_notches) * std::pow(kZoomKeysPerS, in.zoom_keys * in.dt_s);
+  if (zoom != 1.0) camera.zoom(zoom);
+  camera_moved_ = !(camera == before);
+  has_turned_ = has_turned_ || orbit != glm::dvec2(0.0);
+
+  if (in.release) let_go_ = true;
+  if (!in.press) let_go_ = false;
+  pressing_ = in.press && !let_go_ && balls;
+  has_pressed_ = has_pressed_ || pressing_;
+  if (!balls) return;
+
+  PointerInput pointer;
+  pointer.rays = viewRays(camera, in.size_px);
+  pointer.pointer_px = in.pointer_px;
+  pointer.keys = in.probe_keys;
+  pointer.press = pressing_;
+  pointer.push_notches = in.push_notches;
+  pointer.force_N = force_N;
+  pointer.dt_s = in.dt_s;
+  lead_ = hand_.lead(pointer, *balls, settings.probe_A);
+  mouse.lead(settings.workspace.toDevice(lead_));
+}
+
+void ViewControls::begin(const Camera& camera, const Workspace& workspace, double outside_A, MouseDevice& mouse) {
+  hand_.reset();
+  pressing_ = let_go_ = false;
+  lead_ = {camera.target.A + camera.back() * outside_A};
+  mouse.place(workspace.toDevice(lead_));
+}
+
+}  // namespace moltact

@@ -1,0 +1,28 @@
+#include "app/ui/widget_map.h"
+
+#include <imgui.h>
+#include <imgui_internal.h>
+
+namespace moltact {
+
+WidgetMap& widgets() {
+  static WidgetMap map;
+  return map;
+}
+
+void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text) {
+  WidgetRecord record{low, high, {}, {}, std::move(text)};
+  if (const ImGuiWindow* window = ImGui::GetCurrentWindowRead()) {
+    record.clip_low = {window->ClipRect.Min.x, window->ClipRect.Min.y};
+    record.clip_high = {window->ClipRect.Max.x, window->ClipRect.Max.y};
+    record.scrolls = window->ScrollMax.y > 0.0f || window->ScrollbarY;
+  }
+  widgets().set(name, std::move(record));
+}
+
+void recordItem(std::string_view name, std::string text) {
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  recordRectangle(name, {low.x, low.y}, {high.x, high.y}, std::move(text));
+}
+
+}  // namespace moltact

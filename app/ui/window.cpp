@@ -1,0 +1,178 @@
+#include "app/ui/window.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include <epoxy/gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+#include "app/ui/application.h"
+#include "app/ui/frame_stats.h"
+#include "app/ui/shell.h"
+#include "app/ui/user_folders.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kIdle_s = 0.2;     // between two frames while nothing moves: plots and figures go on
+constexpr int kSettle_frames = 3;   // drawn after the last event, until hovers and popups have come to rest
+
+// What the callbacks reach through the window's pointer.
+struct Link {
+  Shell& shell;
+  Application& app;
+  int settle = kSettle_frames;
+};
+
+Link& linkOf(GLFWwindow* w) {
+  Link& link = *static_cast<Link*>(glfwGetWindowUserPointer(w));
+  link.settle = kSettle_frames;
+  return link;
+}
+
+// From the window's units to pixels of the framebuffer, which differ on some systems.
+glm::dvec2 pixelsPerUnit(GLFWwindow* w) {
+  int units_x = 1, units_y = 1, px_x = 1, px_y = 1;
+  glfwGetWindowSize(w, &units_x, &units_y);
+  glfwGetFramebufferSize(w, &px_x, &px_y);
+  return {double(px_x) / std::max(1, units_x), double(px_y) / std::max(1, units_y)};
+}
+
+void connect(GLFWwindow* window) {
+  glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+    const glm::dvec2 px = pixelsPerUnit(w);
+    linkOf(w).shell.input().pointer(x * px.x, y * px.y);
+  });
+  glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+    if (!entered) linkOf(w).shell.input().pointerLeft();
+  });
+  glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
+    linkOf(w).shell.input().button(button, action == GLFW_PRESS);
+  });
+  glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { linkOf(w).shell.input().wheel(x, y); });
+  glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
+    if (key >= 0 && action != GLFW_REPEAT) linkOf(w).shell.input().key(key, action == GLFW_PRESS);
+  });
+  glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) { linkOf(w).shell.input().character(c); });
+  glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+    if (!focused) linkOf(w).shell.input().focusLost();
+  });
+  glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { linkOf(w); });
+  glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+    if (count > 0) linkOf(w).app.open(paths[0]);
+  });
+}
+
+class Cursors {
+ public:
+  Cursors() {
+    shapes_[ImGuiMouseCursor_Arrow] = glfwCreateStandardCursor(GLFW_ARROW_CURSOR);
+    shapes_[ImGuiMouseCursor_TextInput] = glfwCreateStandardCursor(GLFW_IBEAM_CURSOR);
+    shapes_[ImGuiMouseCursor_ResizeEW] = glfwCreateStandardCursor(GLFW_HRESIZE_CURSOR);
+    shapes_[ImGuiMouseCursor_ResizeNS] = glfwCreateStandardCursor(GLFW_VRESIZE_CURSOR);
+    shapes_[ImGuiMouseCursor_Hand] = glfwCreateStandardCursor(GLFW_HAND_CURSOR);
+  }
+  // Hidden, not captured: a captured pointer jumps under some servers.
+  void show(GLFWwindow* window) {
+    const int wanted = ImGui::GetMouseCursor();
+    if (wanted == shown_) return;
+    shown_ = wanted;
+    glfwSetInputMode(window, GLFW_CURSOR, wanted == ImGuiMouseCursor_None ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+    if (wanted != ImGuiMouseCursor_None) glfwSetCursor(window, shapes_[wanted] ? shapes_[wanted] : shapes_[ImGuiMouseCursor_Arrow]);
+  }
+
+ private:
+  GLFWcursor* shapes_[ImGuiMouseCursor_COUNT] = {};
+  int shown_ = ImGuiMouseCursor_Arrow;
+};
+
+GLFWwindow* openWindow() {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+  glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "Moltact");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "moltact");
+  GLFWwindow* window = glfwCreateWindow(1280, 800, "Moltact", nullptr, nullptr);
+  if (window) glfwSetWindowSizeLimits(window, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
+  return window;
+}
+
+int noDisplay(const char* why) {
+  std::cerr << "moltact: no window can be opened (" << why << ")\n"
+            << "Without a display these commands work: moltact info, moltact render, moltact replay (see moltact --help).\n";
+  return 1;
+}
+
+const char* lastGlfwError() {
+  const char* why = nullptr;
+  glfwGetError(&why);
+  return why ? why : "the display server gives no reason";
+}
+
+}  // namespace
+
+int runWindow(const WindowOptions& options) {
+  if (!glfwInit()) return noDisplay(lastGlfwError());
+  GLFWwindow* window = openWindow();
+  if (!window) {
+    const int status = noDisplay(lastGlfwError());
+    glfwTerminate();
+    return status;
+  }
+  glfwMakeContextCurrent(window);
+  glfwSwapInterval(1);
+  FrameStats stats;
+  {
+    Shell shell;
+    Application app({.settings_file = settingsFile(), .picture_folder = pictureFolder()});
+    Link link{shell, app};
+    Cursors cursors;
+    glfwSetWindowUserPointer(window, &link);
+    connect(window);
+    ImGuiIO& io = ImGui::GetIO();
+    io.ClipboardUserData = window;
+    io.SetClipboardTextFn = [](void* w, const char* text) { glfwSetClipboardString(static_cast<GLFWwindow*>(w), text); };
+    io.GetClipboardTextFn = [](void* w) { return glfwGetClipboardString(static_cast<GLFWwindow*>(w)); };
+
+    if (options.file.empty()) app.openFirst();
+    else app.open(options.file);
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point before = Clock::now();
+    while (!app.quit && !glfwWindowShouldClose(window)) {
+      const bool busy = app.live() || link.settle > 0 || !shell.input().empty();
+      if (busy) glfwPollEvents();
+      else glfwWaitEventsTimeout(kIdle_s);
+      if (link.settle > 0) --link.settle;
+
+      const Clock::time_point now = Clock::now();
+      const double dt_s = std::chrono::duration<double>(now - before).count();
+      before = now;
+      int width = 1, height = 1;
+      glfwGetFramebufferSize(window, &width, &height);
+      float content_x = 1, content_y = 1;
+      glfwGetWindowContentScale(window, &content_x, &content_y);
+      if (width > 0 && height > 0) {  // a window put away has no size
+        shell.setLook(app.settings.theme == ThemeChoice::Dark, float(double(content_x) * app.settings.scale));
+        shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {width, height}, double(content_x)); });
+        cursors.show(window);
+        glfwSwapBuffers(window);
+      }
+      if (busy) stats.add(std::chrono::duration<double, std::milli>(Clock::now() - now).count());
+    }
+    glfwSetWindowUserPointer(window, nullptr);
+    glfwHideWindow(window);
+  }
+  if (options.frame_stats) std::cout << stats.json() << '\n';
+  glfwDestroyWindow(window);
+  glfwTerminate();
+  return 0;
+}
+
+}  // namespace moltact

@@ -1,0 +1,18 @@
+// The real window, on GLFW. Window's thread is the one that calls runWindow.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace moltact {
+
+struct WindowOptions {
+  std::filesystem::path file;  ///< opened at the start; empty: the first lesson
+  bool frame_stats = false;    ///< tell the frame times at the end
+};
+
+/// Runs until the person leaves. Returns the program's exit status; where there is no display, 1 and a message on stderr
+/// that names what can be done without one.
+int runWindow(const WindowOptions& options);
+
+}  // namespace moltact

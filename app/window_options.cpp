@@ -1,0 +1,31 @@
+#include "app/window_options.h"
+
+#include <cstdio>
+#include <iostream>
+
+namespace moltact {
+
+void addWindowArguments(CLI::App& app, WindowArguments& into) {
+  app.add_option("file", into.file, "A molecule or a lesson to open in the window");
+  // For the makers of the program and its documentation: not in the help.
+  app.add_option("--screenshot", into.screenshot)->group("");
+  app.add_option("--script", into.script)->group("");
+  app.add_option("--size", into.size)->group("");
+  app.add_option("--content-scale", into.scale)->group("");
+  app.add_flag("--frame-stats", into.frame_stats)->group("");
+}
+
+int runWindowArguments(const WindowArguments& a) {
+  if (a.screenshot.empty() && a.script.empty()) return runWindow({.file = a.file, .frame_stats = a.frame_stats});
+  OffscreenOptions options{.file = a.file, .screenshot = a.screenshot, .script = a.script, .content_scale = a.scale,
+                           .frame_stats = a.frame_stats};
+  char end = 0;
+  if (!a.size.empty() && (std::sscanf(a.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
+                          options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192)) {
+    std::cerr << "moltact: --size " << a.size << " is no size; write it as 1280x800 (64 to 8192 each)\n";
+    return 2;
+  }
+  return runOffscreen(options);
+}
+
+}  // namespace moltact

@@ -1,0 +1,23 @@
+// The arguments of `moltact` without a command: what to open, and hidden ones for pictures and measurements.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include "app/ui/offscreen_run.h"
+#include "app/ui/window.h"
+
+namespace moltact {
+
+struct WindowArguments {
+  std::string file, screenshot, script, size;
+  double scale = 1.0;
+  bool frame_stats = false;
+};
+
+/// Adds the arguments; `into` must outlive the parsing.
+void addWindowArguments(CLI::App& app, WindowArguments& into);
+
+/// Opens the window, or draws off-screen where that was asked for. Returns the exit status.
+int runWindowArguments(const WindowArguments& arguments);
+
+}  // namespace moltact

@@ -1,0 +1,184 @@
+// Front matter and the fenced blocks scene, touch and answer.
+#include <algorithm>
+
+#include "engine/lesson/reading.h"
+#include "engine/lesson/suggestion.h"
+#include "engine/lesson/tasks/registry.h"
+
+namespace moltact::reading {
+namespace {
+
+KeyValues readBlock(Reading& reading, std::span<const KeyLine> lines, std::span<const KeySpec* const> keys,
+                    std::string_view name, Place place) {
+  std::vector<Problem> problems;
+  KeyValues values = readKeyValues(lines, keys, name, place, problems);
+  reading.add(std::move(problems));
+  return values;
+}
+
+std::vector<KeyLine> linesOf(Reading& reading, std::span<const BlockLine> lines) {
+  std::vector<Problem> problems;
+  std::vector<KeyLine> out = splitKeyLines(lines, problems);
+  reading.add(std::move(problems));
+  return out;
+}
+
+}  // namespace
+
+std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
+  const SourceText& source = reading.source;
+  const std::string remedy = "begin the file with '---', 'title: …' and the other keys, and '---'";
+  if (trimmed(source.line(1)) != "---") {
+    reading.error({1, 1}, "the lesson has no front matter", remedy);
+    return 0;
+  }
+  std::vector<BlockLine> lines;
+  std::size_t end = 2;
+  while (end <= source.lineCount() && trimmed(source.line(end)) != "---") {
+    lines.push_back({std::string(source.line(end)), {end, 1}});
+    ++end;
+  }
+  if (end > source.lineCount()) {
+    reading.error({1, 1}, "the front matter has no end", "close it with a line '---'");
+    return 0;
+  }
+  const auto keys = pointersTo(keysOf(KeyBlock::FrontMatter));
+  const KeyValues values = readBlock(reading, linesOf(reading, lines), keys, blockName(KeyBlock::FrontMatter), {1, 1});
+  lesson.title = values["title"].text;
+  lesson.level = values["level"].text;
+  lesson.author = values["author"].text;
+  lesson.licence = values["licence"].text;
+  lesson.minutes = static_cast<int>(values["minutes"].number);
+  lesson.goals = values["goals"].words;
+  lesson.molecules = values["molecules"].words;
+  // A goal is a sentence and may hold commas; only a "- " list parts goals.
+  if (!values["goals"].text.empty()) lesson.goals = {values["goals"].text};
+  return end < source.lineCount() ? source.lineStart(end + 1) : source.bytes().size();
+}
+
+SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpec* before, const Lesson& lesson) {
+  const std::vector<KeyLine> lines = linesOf(reading, block.lines);
+  const auto keys = pointersTo(keysOf(KeyBlock::Scene));
+  const KeyValues values = readBlock(reading, lines, keys, blockName(KeyBlock::Scene), block.place);
+  const bool anew = values.has("molecule") || !before;
+  // Only what the author wrote has a place; a fallback counts in a scene that starts anew.
+  const auto takes = [&](std::string_view key) { return values.has(key) && (anew || values[key].place.line); };
+
+  SceneSpec scene = anew ? SceneSpec{} : *before;
+  scene.place = block.place;
+  if (values.has("molecule")) {
+    scene.molecule = values["molecule"].text;
+    scene.molecule_place = values["molecule"].place;
+    const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
+    if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule) == known.end())
+      reading.error(scene.molecule_place, "'" + scene.molecule + "' is not among the lesson's molecules",
+                    suggest(scene.molecule, known, "add it to the front matter or take one of") );
+  } else if (!before && std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
+    reading.error(block.place, "the lesson's first scene needs the key 'molecule'", "add a line 'molecule: …'");
+  }
+  if (takes("probe")) scene.probe_A = values["probe"].number;
+  if (takes("stiffness")) scene.stiffness_N_per_mm = values["stiffness"].number;
+  if (takes("method")) scene.method = values["method"].words[0];
+  if (takes("force")) scene.force = values["force"].words[0] == "on";
+  if (takes("show")) scene.show = values["show"].words;
+  if (takes("highlight")) {
+    scene.highlight = values["highlight"].selection;
+    scene.highlight_place = values["highlight"].place;
+  }
+  if (takes("view")) {
+    const Value& view = values["view"];
+    scene.view = view.words.empty() ? std::string() : view.words[0];
+    scene.facing = view.selection;
+    scene.view_place = view.place;
+  }
+  return scene;
+}
+
+TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
+  const std::vector<KeyLine> lines = linesOf(reading, block.lines);
+  TaskSpec task;
+  task.place = block.place;
+  const TaskKind* kind = nullptr;
+  for (const KeyLine& line : lines) {
+    const TaskKind* found = findTaskKind(line.key);
+    if (!found) continue;
+    if (kind && kind != found) {
+      reading.error(line.key_place, "a touch block holds one task, but this one has '" + std::string(kind->name) + "' and '" +
+                    std::string(found->name) + "'", "write two touch blocks");
+      return {};
+    }
+    kind = found;
+  }
+
+  std::vector<const KeySpec*> keys;
+  const std::vector<KeySpec>& common = keysOf(KeyBlock::Touch);
+  if (kind) {
+    for (const KeySpec& k : kind->keys) keys.push_back(&k);
+    for (const KeySpec& k : common) keys.push_back(&k);
+    std::vector<Problem> problems;
+    task.values = readKeyValues(lines, keys, blockName(KeyBlock::Touch), block.place, problems);
+    for (Problem& p : problems) {
+      const bool unknown = p.message.find("has no key") != std::string::npos;
+      if (!unknown) continue;
+      for (const TaskKind& other : taskKinds())
+        for (const KeySpec& k : other.keys)
+          if (p.message.ends_with("'" + std::string(k.name) + "'") && k.name != other.name)
+            p.remedy = "that key belongs to '" + std::string(other.name) + "'";
+    }
+    const bool good = problems.empty();
+    if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place}, problems);
+    if (problems.empty()) task.kind = kind->name;
+    reading.add(std::move(problems));
+    return task;
+  }
+
+  // Without a kind, a misspelt one is the likeliest cause: each unknown key is told, with the kinds among the suggestions.
+  std::vector<std::string_view> names;
+  for (const TaskKind& k : taskKinds()) names.push_back(k.name);
+  const std::vector<std::string_view> kinds = names;
+  for (const KeySpec& k : common) names.push_back(k.name);
+  for (const TaskKind& k : taskKinds())
+    for (const KeySpec& key : k.keys)
+      if (std::find(names.begin(), names.end(), key.name) == names.end()) names.push_back(key.name);
+  bool told = false;
+  for (const KeyLine& line : lines)
+    if (std::find(names.begin(), names.end(), line.key) == names.end()) {
+      reading.error(line.key_place, "touch has no key '" + line.key + "'", suggest(line.key, told ? names : kinds, "tasks"));
+      told = true;
+    }
+  if (!told)
+    reading.error(block.place, "the touch block names no task", "add a line that starts with " + joinedWithOr(kinds) + " and a colon");
+  return {};
+}
+
+AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
+  const auto keys = pointersTo(keysOf(KeyBlock::Answer));
+  const KeyValues values = readBlock(reading, linesOf(reading, block.lines), keys, blockName(KeyBlock::Answer), block.place);
+  AnswerSpec answer;
+  answer.right = values["right"].text;
+  answer.wrong = values["wrong"].text;
+  const int given = values.has("number") + values.has("text") + values.has("free");
+  if (given != 1) {
+    reading.error(block.place, given == 0 ? "the answer block says nothing about what is right" : "the answer block asks for more than one thing",
+                  "give one of 'number: …', 'text: …' and 'free: yes'");
+  } else if (values.has("number")) {
+    answer.kind = AnswerSpec::Kind::Number;
+    const Value &number = values["number"], &tolerance = values["tolerance"];
+    answer.number = number.number;
+    answer.tolerance = tolerance.number;
+    if (!number.words.empty()) answer.unit = number.words[0];
+    if (values.has("tolerance") && number.words != tolerance.words)
+      reading.error(tolerance.place, "the tolerance and the number have different units",
+                    answer.unit.empty() ? "write the tolerance without a unit" : "write the tolerance in " + answer.unit);
+    else if (answer.tolerance < 0.0)
+      reading.error(tolerance.place, "the tolerance is below zero", "write it without the minus sign");
+  } else if (values.has("text")) {
+    answer.kind = AnswerSpec::Kind::Text;
+    answer.texts = values["text"].words;
+  }
+  if (values.has("tolerance") && !values.has("number"))
+    reading.error(values["tolerance"].place, "'tolerance' goes with 'number'", "take it out");
+  return answer;
+}
+
+}  // namespace moltact::reading

@@ -1,0 +1,111 @@
+#include "engine/lesson/key_lines.h"
+
+#include <algorithm>
+
+#include "engine/lesson/suggestion.h"
+
+namespace moltact {
+namespace {
+
+Place shifted(Place place, std::string_view line, std::string_view part) {
+  return {place.line, place.column + characterCount(line.substr(0, static_cast<std::size_t>(part.data() - line.data())))};
+}
+
+Problem problemAt(Place place, std::string message, std::string remedy) {
+  return {{}, place.line, place.column, std::move(message), std::move(remedy)};
+}
+
+const KeySpec* find(std::span<const KeySpec* const> keys, std::string_view name) {
+  for (const KeySpec* k : keys)
+    if (k->name == name) return k;
+  return nullptr;
+}
+
+Value listValue(const KeySpec&, const KeyLine& line) {
+  Value value;
+  value.text = line.value;
+  for (const ListItem& item : line.items) value.words.push_back(item.text);
+  return value;
+}
+
+}  // namespace
+
+std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector<Problem>& problems) {
+  std::vector<KeyLine> out;
+  for (const BlockLine& line : lines) {
+    const std::string_view text = line.text;
+    const std::string_view body = trimmed(text);
+    if (body.empty() || body.starts_with('#')) continue;
+    if (body == "-" || body.starts_with("- ")) {
+      const std::string_view item = trimmed(body.substr(1));
+      if (out.empty())
+        problems.push_back(problemAt(shifted(line.place, text, body), "a list without a key", "write 'key:' on the line above"));
+      else if (!item.empty())
+        out.back().items.push_back({std::string(item), shifted(line.place, text, item)});
+      continue;
+    }
+    const std::size_t colon = body.find(':');
+    const std::string_view key = trimmed(body.substr(0, colon));
+    if (colon == std::string_view::npos || key.empty()) {
+      problems.push_back(problemAt(shifted(line.place, text, body), "'" + std::string(body) + "' is not a key and its value",
+                                   "write it as 'key: value'"));
+      continue;
+    }
+    const std::string_view value = trimmed(body.substr(colon + 1));
+    out.push_back({std::string(key), std::string(value), shifted(line.place, text, key), shifted(line.place, text, value), {}});
+  }
+  return out;
+}
+
+KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec* const> keys, std::string_view block,
+                        Place block_place, std::vector<Problem>& problems) {
+  KeyValues out;
+  std::vector<std::string_view> seen, names;
+  for (const KeySpec* k : keys) names.push_back(k->name);
+  for (const KeyLine& line : lines) {
+    const KeySpec* key = find(keys, line.key);
+    if (!key) {
+      problems.push_back(problemAt(line.key_place, std::string(block) + " has no key '" + line.key + "'",
+                                   suggest(line.key, names, "keys")));
+      continue;
+    }
+    if (std::find(seen.begin(), seen.end(), key->name) != seen.end()) {
+      problems.push_back(problemAt(line.key_place, "'" + line.key + "' is given twice", "take one of the two out"));
+      continue;
+    }
+    seen.push_back(key->name);
+    if (!line.items.empty() && (key->type != ValueType::TextList || !line.value.empty())) {
+      problems.push_back(problemAt(line.items[0].place, "'" + line.key + "' takes no list here",
+                                   key->type == ValueType::TextList ? "write every item on a line of its own that starts with '- '"
+                                                                    : "write one value after the colon"));
+      continue;
+    }
+    Expected<Value> value = line.items.empty() ? parseValue(*key, line.value) : Expected<Value>(listValue(*key, line));
+    if (!value) {
+      Problem p = value.problem();
+      p.line = line.value_place.line;
+      p.column = line.value_place.column + (p.column ? p.column - 1 : 0);
+      problems.push_back(std::move(p));
+      continue;
+    }
+    value->place = line.items.empty() ? line.value_place : line.items[0].place;
+    out.set(key->name, *std::move(value));
+  }
+  for (const KeySpec* key : keys) {
+    if (std::find(seen.begin(), seen.end(), key->name) != seen.end()) continue;
+    if (key->required)
+      problems.push_back(problemAt(block_place, std::string(block) + " needs the key '" + std::string(key->name) + "'",
+                                   "add a line '" + std::string(key->name) + ": …'"));
+    else if (!key->fallback.empty())
+      if (auto value = parseValue(*key, key->fallback)) out.set(key->name, *std::move(value));
+  }
+  return out;
+}
+
+std::vector<const KeySpec*> pointersTo(std::span<const KeySpec> keys) {
+  std::vector<const KeySpec*> out;
+  for (const KeySpec& k : keys) out.push_back(&k);
+  return out;
+}
+
+}  // namespace moltact

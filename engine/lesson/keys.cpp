@@ -1,0 +1,97 @@
+#include "engine/lesson/keys.h"
+
+#include "engine/haptics/methods.h"
+#include "engine/haptics/tracker.h"
+
+namespace moltact {
+namespace {
+
+std::vector<std::string_view> methodNames() {
+  std::vector<std::string_view> names;
+  for (const Method& m : methods()) names.push_back(m.name);
+  return names;
+}
+
+std::vector<KeySpec> frontMatterKeys() {
+  return {
+      {.name = "title", .type = ValueType::Text, .meaning = "The lesson's name, as its card shows it.", .required = true},
+      {.name = "minutes", .type = ValueType::Count, .meaning = "How many minutes a student needs.", .required = true,
+       .least = 1, .most = 600},
+      {.name = "level", .type = ValueType::Word, .meaning = "Whom the lesson is for.", .fallback = "beginner",
+       .words = {"beginner", "intermediate", "advanced"}},
+      {.name = "goals", .type = ValueType::TextList, .meaning = "What a student can do or tell afterwards, one line each.",
+       .required = true},
+      {.name = "molecules", .type = ValueType::TextList,
+       .meaning = "The molecules that the scenes use, by their names in the library.", .required = true},
+      {.name = "author", .type = ValueType::Text, .meaning = "Who wrote the lesson.", .required = true},
+      {.name = "licence", .type = ValueType::Text, .meaning = "The terms under which others may use it, for example CC-BY-4.0.",
+       .required = true},
+  };
+}
+
+std::vector<KeySpec> sceneKeys() {
+  return {
+      {.name = "molecule", .type = ValueType::Text,
+       .meaning = "The molecule on the stage. A scene that names one starts anew; a scene that does not changes only what it says."},
+      {.name = "probe", .type = ValueType::Quantity, .meaning = "The probe's radius, by which every atom grows.",
+       .fallback = "1.4 Å", .dimension = Dimension::Length, .most = kLargestProbe_A},
+      {.name = "stiffness", .type = ValueType::Quantity, .meaning = "How hard the surface pushes back for the way pushed in.",
+       .fallback = "500 N/m", .dimension = Dimension::Stiffness, .least = 0.01, .most = 5.0},
+      {.name = "method", .type = ValueType::Word, .meaning = "The haptic method that finds the contact point.",
+       .fallback = "exact", .words = methodNames()},
+      {.name = "force", .type = ValueType::Word, .meaning = "Whether the hand feels the force.", .fallback = "on",
+       .words = {"on", "off"}},
+      {.name = "show", .type = ValueType::WordList, .meaning = "The parts of the picture that are drawn.",
+       .fallback = "atoms, probe, force, target",
+       .words = {"atoms", "spheres", "circles", "points", "cones", "hip", "scp", "force", "probe", "target"}},
+      {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
+      {.name = "view", .type = ValueType::View, .meaning = "From where the molecule is seen at first; 'facing' turns these atoms to the front.",
+       .fallback = "front", .words = {"front", "back", "left", "right", "top", "bottom"}},
+  };
+}
+
+std::vector<KeySpec> touchKeys() {
+  return {
+      {.name = "say", .type = ValueType::Text, .meaning = "What the student is asked to do, in one sentence.", .required = true},
+      {.name = "called", .type = ValueType::Text,
+       .meaning = "What the target is called in the middle of a sentence, for example 'the oxygen atom'; without it the "
+                  "program makes a name from the selection."},
+      {.name = "praise", .type = ValueType::Text, .meaning = "What is said when the task is done.", .fallback = "Done."},
+  };
+}
+
+std::vector<KeySpec> answerKeys() {
+  return {
+      {.name = "number", .type = ValueType::Number, .meaning = "The right number; with its unit if it is a physical quantity."},
+      {.name = "tolerance", .type = ValueType::Number, .meaning = "How far from the right number still counts as right, in the same unit."},
+      {.name = "text", .type = ValueType::TextList, .meaning = "Words that count as right, in capitals or small letters."},
+      {.name = "free", .type = ValueType::Word, .meaning = "A free answer that is kept for the teacher and not judged.", .words = {"yes"}},
+      {.name = "right", .type = ValueType::Text, .meaning = "What is said to a right answer.", .fallback = "Right."},
+      {.name = "wrong", .type = ValueType::Text, .meaning = "What is said to a wrong answer.", .fallback = "Not yet. Try again."},
+  };
+}
+
+}  // namespace
+
+std::string_view blockName(KeyBlock block) {
+  switch (block) {
+    case KeyBlock::FrontMatter: return "front matter";
+    case KeyBlock::Scene: return "scene";
+    case KeyBlock::Touch: return "touch";
+    case KeyBlock::Answer: break;
+  }
+  return "answer";
+}
+
+const std::vector<KeySpec>& keysOf(KeyBlock block) {
+  static const std::vector<KeySpec> tables[] = {frontMatterKeys(), sceneKeys(), touchKeys(), answerKeys()};
+  return tables[static_cast<int>(block)];
+}
+
+const Value& KeyValues::operator[](std::string_view key) const {
+  static const Value none;
+  const auto found = values_.find(key);
+  return found == values_.end() ? none : found->second;
+}
+
+}  // namespace moltact

@@ -1,0 +1,81 @@
+// Every key that a lesson may use: one table, from which the reader checks and the authors' reference is made.
+// The keys of a touch block are the common ones here and those of its task kind (tasks/registry.h).
+// Plain data; any thread but the haptic one.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/lesson/quantity.h"
+#include "engine/lesson/selection.h"
+#include "engine/lesson/source_text.h"
+
+namespace moltact {
+
+enum class KeyBlock : std::uint8_t { FrontMatter, Scene, Touch, Answer };
+
+/// "front matter", "scene", "touch", "answer": as messages name it.
+std::string_view blockName(KeyBlock block);
+
+enum class ValueType : std::uint8_t {
+  Text,       ///< a line of text
+  TextList,   ///< texts: "- " lines, or parted by commas
+  Count,      ///< a whole number
+  Number,     ///< any number, with or without a unit (the answer to a question)
+  Quantity,   ///< a number with its unit
+  Range,      ///< "0.2 N to 0.6 N"
+  Word,       ///< one of `words`
+  WordList,   ///< some of `words`, parted by commas
+  Selection,  ///< atoms (selection.h)
+  Target,     ///< one of `words`, or a selection
+  View,       ///< one of `words`, or "facing" and a selection
+};
+
+/// One key: the whole truth about it.
+struct KeySpec {
+  std::string_view name;
+  ValueType type = ValueType::Text;
+  std::string_view meaning;               ///< one sentence for authors
+  std::string_view fallback = {};         ///< the value taken where the key is missing, as an author would write it; may be empty
+  bool required = false;
+  Dimension dimension = Dimension::None;  ///< of Quantity and Range
+  double least = 0.0;                     ///< smallest value (in the code's unit), for Count, Quantity and Range
+  double most = std::numeric_limits<double>::max();
+  std::vector<std::string_view> words = {};
+};
+
+/// The keys of a block; for Touch those that every task kind has.
+const std::vector<KeySpec>& keysOf(KeyBlock block);
+
+/// A value as read. Which members are filled follows from the key's type.
+struct Value {
+  Place place;                     ///< where the value stands; line 0 for a fallback
+  std::string text;                ///< as written
+  double number = 0.0;             ///< Count, Number, Quantity (in the code's unit)
+  double low = 0.0, high = 0.0;    ///< Range (in the code's unit)
+  std::vector<std::string> words;  ///< Word (one), WordList, TextList, Target and View where a word was given
+  Selection selection;             ///< Selection, Target and View where atoms were given
+};
+
+/// Values by key. A key that was neither given nor has a fallback is not in it.
+class KeyValues {
+ public:
+  void set(std::string_view key, Value value) { values_.insert_or_assign(std::string(key), std::move(value)); }
+  bool has(std::string_view key) const { return values_.contains(key); }
+  /// The value of a key; an empty Value where there is none.
+  const Value& operator[](std::string_view key) const;
+  auto begin() const { return values_.begin(); }
+  auto end() const { return values_.end(); }
+
+ private:
+  std::map<std::string, Value, std::less<>> values_;
+};
+
+/// Reads one value. A problem has line 0 and the column within `text`.
+Expected<Value> parseValue(const KeySpec& key, std::string_view text);
+
+}  // namespace moltact

@@ -1,0 +1,153 @@
+// A lesson as it was read from its file: plain data. Immutable after reading; shared as std::shared_ptr<const Lesson>.
+// Every part knows its place in the file, for messages. The format is described in reader.h.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "engine/lesson/keys.h"
+#include "engine/lesson/selection.h"
+#include "engine/lesson/source_text.h"
+
+namespace moltact {
+
+/// A stretch of text in one style.
+struct TextRun {
+  std::string text;
+  bool bold = false, italic = false, code = false;
+  std::string link = {};  ///< where it leads: "#step-id", a file or a web address; empty where it is no link
+  Place place = {};
+};
+
+/// A line break that the author asked for is a "\n" in the text.
+using RichText = std::vector<TextRun>;
+
+struct Paragraph {
+  RichText text;
+};
+struct Subheading {
+  RichText text;
+};
+struct ListBlock {
+  struct Item {
+    RichText text;
+    int depth = 0;       ///< 0 for the outermost list
+    int number = 0;      ///< counted from the list's start; 0 for a bullet, -1 for a further paragraph of the item above
+  };
+  std::vector<Item> items;
+};
+/// Help that stays closed until the student opens it.
+struct Tip {
+  std::vector<RichText> paragraphs;
+};
+/// Shown to the teacher only.
+struct TeacherNote {
+  std::vector<RichText> paragraphs;
+};
+struct Quote {
+  std::vector<RichText> paragraphs;
+};
+struct Image {
+  std::string path, description;  ///< as written; relative to the lesson's folder
+  Place place;
+};
+struct CodeText {
+  std::string text;
+};
+/// Where the task or question with this index (in the step) stands among the text.
+struct TaskHere {
+  std::size_t index = 0;
+};
+struct QuestionHere {
+  std::size_t index = 0;
+};
+
+using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, CodeText, TaskHere, QuestionHere>;
+
+/// What is on the stage. Complete: what a scene block left out has been filled in.
+struct SceneSpec {
+  std::string molecule;                ///< name in the library
+  double probe_A = 1.4;                ///< unit: angstrom
+  double stiffness_N_per_mm = 0.5;     ///< unit: newton per millimetre, in the device's space
+  std::string method = "exact";        ///< as in findMethod
+  bool force = true;                   ///< false: the hand feels nothing
+  std::vector<std::string> show;       ///< names of the picture's parts
+  Selection highlight;                 ///< may select nothing
+  std::string view = "front";          ///< front, back, left, right, top or bottom; empty where `facing` is given
+  Selection facing;                    ///< atoms to be turned to the front
+  Place place, molecule_place, highlight_place, view_place;
+};
+
+/// Something to do by touch. What its values mean is known to its kind (tasks/registry.h).
+struct TaskSpec {
+  std::string kind;    ///< "reach"
+  KeyValues values;    ///< every key of the kind and the common ones, fallbacks filled in
+  Place place;
+};
+
+struct Choice {
+  RichText text, feedback;
+  std::string link;    ///< "#step-id" that the feedback's first link to a step leads to; may be empty
+  bool right = false;
+  Place place;
+};
+
+/// What an `answer` block asks for.
+struct AnswerSpec {
+  enum class Kind : std::uint8_t { Number, Text, Free };
+  Kind kind = Kind::Free;
+  double number = 0.0, tolerance = 0.0;  ///< in `unit`
+  std::string unit;                      ///< "Å"; empty for a plain number
+  std::vector<std::string> texts;        ///< what counts as right, as written
+  std::string right, wrong;              ///< feedback
+};
+
+struct Question {
+  std::string id;                    ///< slug of its heading, unique in the step
+  RichText title;                    ///< what is asked
+  std::vector<RichText> prompt;      ///< paragraphs between the heading and the choices
+  std::vector<Choice> choices;       ///< empty where `answer` is given
+  std::optional<AnswerSpec> answer;
+  Place place;
+
+  std::size_t rightChoices() const {
+    std::size_t n = 0;
+    for (const Choice& c : choices) n += c.right;
+    return n;
+  }
+};
+
+struct Step {
+  std::string id;        ///< slug of its heading, unique in the lesson
+  std::string title;
+  std::vector<Block> blocks;
+  std::vector<TaskSpec> tasks;
+  std::vector<Question> questions;
+  SceneSpec scene;            ///< what is on the stage in this step
+  bool states_scene = false;  ///< false: the scene of the step before it goes on
+  Place place;
+};
+
+struct Lesson {
+  std::string file;
+  std::string title, level, author, licence;
+  int minutes = 0;
+  std::vector<std::string> goals, molecules;
+  std::vector<Block> introduction;  ///< what stands before the first step
+  std::vector<Step> steps;          ///< at least one
+
+  /// The index of a step by its id, or no value.
+  std::optional<std::size_t> find(std::string_view id) const {
+    for (std::size_t i = 0; i < steps.size(); ++i)
+      if (steps[i].id == id) return i;
+    return {};
+  }
+};
+
+/// The text of all runs without its styles.
+std::string plainText(const RichText& text);
+
+}  // namespace moltact

@@ -1,0 +1,233 @@
+#include "engine/lesson/markdown.h"
+
+#include <md4c.h>
+
+#include <charconv>
+#include <functional>
+
+namespace moltact {
+namespace {
+
+using Kind = MarkdownBlock::Kind;
+
+/// Entities that authors of lessons write; every other stays as it was written.
+std::string entityText(std::string_view entity) {
+  constexpr std::pair<std::string_view, std::string_view> kKnown[] = {
+      {"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&nbsp;", "\xC2\xA0"},
+      {"&rarr;", "→"}, {"&Aring;", "Å"}, {"&alpha;", "α"}, {"&beta;", "β"}, {"&deg;", "°"}, {"&ndash;", "–"},
+  };
+  for (const auto& [name, text] : kKnown)
+    if (entity == name) return std::string(text);
+  if (entity.starts_with("&#") && entity.size() > 3) {
+    const bool hex = entity[2] == 'x' || entity[2] == 'X';
+    const std::string_view digits = entity.substr(hex ? 3 : 2, entity.size() - (hex ? 4 : 3));
+    unsigned code = 0;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, hex ? 16 : 10);
+    const bool whole = error == std::errc{} && end == digits.data() + digits.size();
+    if (whole && code > 0 && code < 0x110000 && (code < 0xD800 || code >= 0xE000)) {
+      std::string out;
+      const auto put = [&](unsigned byte) { out.push_back(static_cast<char>(byte)); };
+      if (code < 0x80) put(code);
+      else if (code < 0x800) put(0xC0 | code >> 6), put(0x80 | (code & 0x3F));
+      else if (code < 0x10000) put(0xE0 | code >> 12), put(0x80 | (code >> 6 & 0x3F)), put(0x80 | (code & 0x3F));
+      else put(0xF0 | code >> 18), put(0x80 | (code >> 12 & 0x3F)), put(0x80 | (code >> 6 & 0x3F)), put(0x80 | (code & 0x3F));
+      return out;
+    }
+  }
+  return std::string(entity);
+}
+
+std::string attributeText(const MD_ATTRIBUTE& attribute) {
+  std::string out;
+  for (int i = 0; attribute.size > 0 && attribute.substr_offsets[i] < attribute.size; ++i) {
+    const MD_OFFSET begin = attribute.substr_offsets[i];
+    const std::string_view part(attribute.text + begin, attribute.substr_offsets[i + 1] - begin);
+    out += attribute.substr_types[i] == MD_TEXT_ENTITY ? entityText(part) : std::string(part);
+  }
+  return out;
+}
+
+class Builder {
+ public:
+  Builder(const SourceText& source, std::size_t from) : source_(source), offset_(from) { stack_.emplace_back(); }
+
+  Expected<MarkdownBlock> build() {
+    MD_PARSER parser{};
+    parser.flags = MD_FLAG_TASKLISTS | MD_FLAG_PERMISSIVEURLAUTOLINKS | MD_FLAG_NOINDENTEDCODEBLOCKS;
+    parser.enter_block = [](MD_BLOCKTYPE type, void* detail, void* self) { return of(self).enter(type, detail); };
+    parser.leave_block = [](MD_BLOCKTYPE type, void*, void* self) { return of(self).leave(type); };
+    parser.enter_span = [](MD_SPANTYPE type, void* detail, void* self) { return of(self).span(type, detail, 1); };
+    parser.leave_span = [](MD_SPANTYPE type, void* detail, void* self) { return of(self).span(type, detail, -1); };
+    parser.text = [](MD_TEXTTYPE type, const char* text, MD_SIZE size, void* self) {
+      return of(self).text(type, {text, size});
+    };
+    const std::string_view body = source_.bytes().substr(offset_);
+    const int status = md_parse(body.data(), static_cast<MD_SIZE>(body.size()), &parser, this);
+    if (status == 0) return std::move(stack_.front());
+    const Place place = source_.at(offset_);
+    if (status == kTooDeep)
+      return Problem{source_.name(), place.line, place.column, "lists and quotes are nested too deeply", "use fewer levels"};
+    return Problem{source_.name(), place.line, place.column, "this text cannot be parsed as Markdown",
+                   "look for very long or broken lines here"};
+  }
+
+ private:
+  static constexpr int kTooDeep = 1;
+
+  static Builder& of(void* self) { return *static_cast<Builder*>(self); }
+
+  /// Follows md4c through the source: the parts of the text that it hands on are mostly views of it.
+  Place follow(const char* text) {
+    if (inSource(text)) offset_ = static_cast<std::size_t>(text - source_.bytes().data());
+    return source_.at(offset_);
+  }
+
+  bool inSource(const char* text) const {
+    const std::string_view all = source_.bytes();
+    const std::less<const char*> before;
+    return text && !before(text, all.data()) && before(text, all.data() + all.size());
+  }
+
+  void push(Kind kind) {
+    stack_.emplace_back();
+    stack_.back().kind = kind;
+  }
+
+  int enter(MD_BLOCKTYPE type, void* detail) {
+    if (stack_.size() > kDeepestMarkdown) return kTooDeep;
+    switch (type) {
+      case MD_BLOCK_QUOTE: push(Kind::Quote); break;
+      case MD_BLOCK_UL: push(Kind::List); break;
+      case MD_BLOCK_OL:
+        push(Kind::List);
+        stack_.back().ordered = true;
+        stack_.back().start = static_cast<int>(static_cast<MD_BLOCK_OL_DETAIL*>(detail)->start);
+        break;
+      case MD_BLOCK_LI: {
+        push(Kind::Item);
+        const auto& item = *static_cast<MD_BLOCK_LI_DETAIL*>(detail);
+        stack_.back().is_task = item.is_task != 0;
+        stack_.back().ticked = item.is_task && item.task_mark != ' ';
+        break;
+      }
+      case MD_BLOCK_HR: push(Kind::Rule); break;
+      case MD_BLOCK_H:
+        push(Kind::Heading);
+        stack_.back().level = static_cast<int>(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level);
+        break;
+      case MD_BLOCK_CODE: {
+        push(Kind::Code);
+        const auto& code = *static_cast<MD_BLOCK_CODE_DETAIL*>(detail);
+        stack_.back().info = attributeText(code.lang);
+        if (code.lang.size) stack_.back().place = follow(code.lang.text);
+        line_open_ = false;
+        break;
+      }
+      case MD_BLOCK_HTML: push(Kind::Html); break;
+      case MD_BLOCK_P: push(Kind::Paragraph); break;
+      default: break;
+    }
+    return 0;
+  }
+
+  int leave(MD_BLOCKTYPE type) {
+    if (type == MD_BLOCK_DOC || stack_.size() < 2) return 0;
+    MarkdownBlock done = std::move(stack_.back());
+    stack_.pop_back();
+    if (done.place.line == 0) done.place = done.children.empty() ? source_.at(offset_) : done.children.front().place;
+    stack_.back().children.push_back(std::move(done));
+    return 0;
+  }
+
+  int span(MD_SPANTYPE type, void* detail, int step) {
+    switch (type) {
+      case MD_SPAN_EM: italic_ += step; break;
+      case MD_SPAN_STRONG: bold_ += step; break;
+      case MD_SPAN_CODE: code_ += step; break;
+      case MD_SPAN_A:
+        links_ += step;
+        link_ = links_ > 0 ? attributeText(static_cast<MD_SPAN_A_DETAIL*>(detail)->href) : std::string();
+        break;
+      case MD_SPAN_IMG:
+        images_ += step;
+        if (step > 0 && images_ == 1)
+          stack_.back().images.push_back({attributeText(static_cast<MD_SPAN_IMG_DETAIL*>(detail)->src), {}, source_.at(offset_)});
+        break;
+      default: break;
+    }
+    return 0;
+  }
+
+  int text(MD_TEXTTYPE type, std::string_view piece) {
+    const Place place = follow(piece.data());
+    MarkdownBlock& block = stack_.back();
+    if (block.place.line == 0) block.place = place;
+    if (block.kind == Kind::Code) {
+      codeText(piece, place);
+    } else {
+      std::string words;
+      switch (type) {
+        case MD_TEXT_BR: words = "\n"; break;
+        case MD_TEXT_SOFTBR: words = " "; break;
+        case MD_TEXT_ENTITY: words = entityText(piece); break;
+        case MD_TEXT_NULLCHAR: words = "\xEF\xBF\xBD"; break;
+        case MD_TEXT_HTML:
+          if (block.kind != Kind::Html) return 0;
+          [[fallthrough]];
+        default: words = std::string(piece);
+      }
+      if (images_ > 0) {
+        if (!block.images.empty()) block.images.back().description += words;
+        return 0;
+      }
+      addRun(block.text, {std::move(words), bold_ > 0, italic_ > 0, code_ > 0, link_, place});
+    }
+    // The bytes just handed on are behind us.
+    if (inSource(piece.data())) offset_ += piece.size();
+    return 0;
+  }
+
+  static void addRun(RichText& text, TextRun run) {
+    if (!text.empty()) {
+      TextRun& last = text.back();
+      if (last.bold == run.bold && last.italic == run.italic && last.code == run.code && last.link == run.link) {
+        last.text += run.text;
+        return;
+      }
+    }
+    text.push_back(std::move(run));
+  }
+
+  void codeText(std::string_view piece, Place place) {
+    std::vector<BlockLine>& lines = stack_.back().lines;
+    while (!piece.empty()) {
+      const std::size_t end = piece.find('\n');
+      if (!line_open_) {
+        lines.push_back({{}, place});
+        line_placed_ = false;
+      }
+      // md4c hands on a line's indentation as spaces of its own; only what follows tells where the line stands.
+      if (!line_placed_ && inSource(piece.data())) {
+        const std::size_t indent = characterCount(lines.back().text);
+        lines.back().place = {place.line, place.column > indent ? place.column - indent : 1};
+        line_placed_ = true;
+      }
+      lines.back().text += piece.substr(0, end);
+      line_open_ = end == std::string_view::npos;
+      piece.remove_prefix(line_open_ ? piece.size() : end + 1);
+    }
+  }
+
+  const SourceText& source_;
+  std::size_t offset_;
+  std::vector<MarkdownBlock> stack_;
+  int bold_ = 0, italic_ = 0, code_ = 0, links_ = 0, images_ = 0;
+  std::string link_;
+  bool line_open_ = false, line_placed_ = false;
+};
+
+}  // namespace
+
+Expected<MarkdownBlock> parseMarkdown(const SourceText& source, std::size_t from) { return Builder(source, from).build(); }
+
+}  // namespace moltact

@@ -1,0 +1,230 @@
+// Paragraphs, lists, quotes, tips, notes and pictures; the choices of questions; links.
+#include <algorithm>
+#include <functional>
+#include <optional>
+
+#include "engine/lesson/reading.h"
+#include "engine/lesson/suggestion.h"
+
+namespace moltact::reading {
+namespace {
+
+using Kind = MarkdownBlock::Kind;
+
+void takeOffStart(RichText& text, std::size_t bytes) {
+  while (bytes > 0 && !text.empty()) {
+    const std::size_t now = std::min(bytes, text.front().text.size());
+    text.front().text.erase(0, now);
+    bytes -= now;
+    if (text.front().text.empty()) text.erase(text.begin());
+  }
+  if (!text.empty()) text.front().text.erase(0, std::min(text.front().text.find_first_not_of(" \n"), text.front().text.size()));
+}
+
+/// The paragraphs in a quote; lists in it become paragraphs, one an item.
+void collectParagraphs(const MarkdownBlock& block, std::vector<RichText>& out) {
+  if (!block.text.empty()) out.push_back(block.text);
+  for (const MarkdownBlock& child : block.children) collectParagraphs(child, out);
+}
+
+void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks) {
+  std::vector<RichText> paragraphs;
+  collectParagraphs(block, paragraphs);
+  const std::string start = paragraphs.empty() ? std::string() : plainText(paragraphs[0]);
+  const auto strip = [&](std::size_t bytes) {
+    takeOffStart(paragraphs[0], bytes);
+    if (plainText(paragraphs[0]).empty()) paragraphs.erase(paragraphs.begin());
+    if (paragraphs.empty()) reading.error(block.place, "this note is empty", "write its text on the next line, after '> '");
+  };
+  if (!start.starts_with("[!")) {
+    blocks.push_back(Quote{std::move(paragraphs)});
+    return;
+  }
+  const std::string word = start.substr(2, start.find(']') == std::string::npos ? 0 : start.find(']') - 2);
+  if (word == "TIP") {
+    strip(6);
+    blocks.push_back(Tip{std::move(paragraphs)});
+  } else if (word == "NOTE") {
+    strip(7);
+    const bool teacher = !paragraphs.empty() && plainText(paragraphs[0]).starts_with("Teacher:");
+    if (teacher) {
+      strip(8);
+      blocks.push_back(TeacherNote{std::move(paragraphs)});
+    } else {
+      blocks.push_back(Quote{std::move(paragraphs)});
+    }
+  } else {
+    reading.error(block.place, "'[!" + word + "]' is no kind of note", "write [!TIP] for a hint or [!NOTE] and 'Teacher:' for the teacher");
+  }
+}
+
+void readList(Reading& reading, const MarkdownBlock& list, int depth, ListBlock& out, std::vector<Block>& pictures) {
+  int number = list.start;
+  for (const MarkdownBlock& item : list.children) {
+    ListBlock::Item line;
+    line.depth = depth;
+    line.number = list.ordered ? number++ : 0;
+    line.text = item.text;
+    if (item.is_task)
+      reading.error(item.place, "a task list outside a question", "put '### Question: …' above it, or take out the '[ ]'");
+    for (const Image& image : item.images) pictures.push_back(image);
+    bool placed = !line.text.empty();
+    if (placed) out.items.push_back(line);
+    for (const MarkdownBlock& child : item.children) {
+      if (child.kind == Kind::List) {
+        readList(reading, child, depth + 1, out, pictures);
+      } else if (child.kind == Kind::Code) {
+        reading.error(child.place, "a fenced block inside a list", "move it out of the list, to the start of the line");
+      } else if (!child.text.empty()) {
+        ListBlock::Item more = line;
+        more.text = child.text;
+        if (placed) more.number = -1;
+        out.items.push_back(std::move(more));
+        placed = true;
+      }
+    }
+  }
+}
+
+struct Arrow {
+  std::size_t run = 0, at = 0, bytes = 0;
+};
+
+std::optional<Arrow> findArrow(const RichText& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i].code) continue;
+    for (const std::string_view sign : {std::string_view("→"), std::string_view("->")})
+      if (const std::size_t at = text[i].text.find(sign); at != std::string::npos) return Arrow{i, at, sign.size()};
+  }
+  return {};
+}
+
+void trimEnd(RichText& text) {
+  while (!text.empty()) {
+    std::string& last = text.back().text;
+    last.erase(last.find_last_not_of(" \n") + 1);
+    if (!last.empty()) return;
+    text.pop_back();
+  }
+}
+
+void forEachText(const std::vector<Block>& blocks, const std::function<void(const RichText&)>& visit) {
+  const auto all = [&](const std::vector<RichText>& texts) {
+    for (const RichText& t : texts) visit(t);
+  };
+  for (const Block& b : blocks) {
+    if (const auto* p = std::get_if<Paragraph>(&b)) visit(p->text);
+    if (const auto* h = std::get_if<Subheading>(&b)) visit(h->text);
+    if (const auto* t = std::get_if<Tip>(&b)) all(t->paragraphs);
+    if (const auto* n = std::get_if<TeacherNote>(&b)) all(n->paragraphs);
+    if (const auto* q = std::get_if<Quote>(&b)) all(q->paragraphs);
+    if (const auto* l = std::get_if<ListBlock>(&b))
+      for (const ListBlock::Item& i : l->items) visit(i.text);
+  }
+}
+
+}  // namespace
+
+void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks) {
+  switch (block.kind) {
+    case Kind::Paragraph:
+      if (!block.text.empty() && !trimmed(plainText(block.text)).empty()) blocks.push_back(Paragraph{block.text});
+      for (const Image& image : block.images) {
+        if (image.path.empty()) reading.error(block.place, "a picture without a file", "write ![what it shows](picture.png)");
+        if (image.description.empty())
+          reading.warning(block.place, "a picture without a description", "write what it shows between the square brackets");
+        blocks.push_back(image);
+      }
+      break;
+    case Kind::List: {
+      ListBlock list;
+      std::vector<Block> pictures;
+      readList(reading, block, 0, list, pictures);
+      if (!list.items.empty()) blocks.push_back(std::move(list));
+      blocks.insert(blocks.end(), pictures.begin(), pictures.end());
+      break;
+    }
+    case Kind::Quote: readQuote(reading, block, blocks); break;
+    case Kind::Code: {
+      CodeText code;
+      for (const BlockLine& line : block.lines) code.text += line.text + '\n';
+      blocks.push_back(std::move(code));
+      break;
+    }
+    case Kind::Html:
+      // Comments are for authors; other markup would silently vanish.
+      if (!plainText(block.text).starts_with("<!--"))
+        reading.warning(block.place, "HTML is not shown", "write it in Markdown");
+      break;
+    default: break;
+  }
+}
+
+std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
+  std::vector<Choice> out;
+  for (const MarkdownBlock& item : list.children) {
+    Choice choice;
+    choice.place = item.place;
+    choice.right = item.ticked;
+    choice.text = item.text;
+    for (const MarkdownBlock& child : item.children)
+      if (choice.text.empty()) choice.text = child.text;
+    if (!item.is_task) {
+      reading.error(item.place, "this choice does not say whether it is right", "start it with '- [x]' or '- [ ]'");
+      continue;
+    }
+    if (const auto arrow = findArrow(choice.text)) {
+      choice.feedback.assign(choice.text.begin() + static_cast<std::ptrdiff_t>(arrow->run), choice.text.end());
+      takeOffStart(choice.feedback, arrow->at + arrow->bytes);
+      choice.text.resize(arrow->run + 1);
+      choice.text.back().text.resize(arrow->at);
+      trimEnd(choice.text);
+      for (const TextRun& run : choice.feedback)
+        if (choice.link.empty() && run.link.starts_with('#')) choice.link = run.link;
+    }
+    if (plainText(choice.text).empty()) reading.error(item.place, "an empty choice", "write what can be chosen, then → and the feedback");
+    out.push_back(std::move(choice));
+  }
+  return out;
+}
+
+void checkQuestion(Reading& reading, const Question& question) {
+  if (question.answer) {
+    if (!question.choices.empty())
+      reading.error(question.place, "this question has both choices and an answer block", "keep one of the two");
+    return;
+  }
+  if (question.choices.empty())
+    reading.error(question.place, "this question has nothing to answer", "add a list of choices '- [x] …' or an answer block");
+  else if (question.choices.size() == 1)
+    reading.error(question.place, "this question has only one choice", "add another line '- [ ] …'");
+  else if (question.rightChoices() == 0)
+    reading.error(question.place, "this question has no right answer", "mark the right choice with '[x]'");
+}
+
+void checkLinks(Reading& reading, const Lesson& lesson) {
+  std::vector<std::string_view> ids;
+  for (const Step& s : lesson.steps) ids.push_back(s.id);
+  const auto check = [&](const RichText& text) {
+    for (const TextRun& run : text) {
+      if (!run.link.starts_with('#')) continue;
+      const std::string_view id = std::string_view(run.link).substr(1);
+      if (std::find(ids.begin(), ids.end(), id) == ids.end())
+        reading.error(run.place, "the link '" + run.link + "' leads to no step", suggest(id, ids, "steps"));
+    }
+  };
+  forEachText(lesson.introduction, check);
+  for (const Step& step : lesson.steps) {
+    forEachText(step.blocks, check);
+    for (const Question& q : step.questions) {
+      check(q.title);
+      for (const RichText& p : q.prompt) check(p);
+      for (const Choice& c : q.choices) {
+        check(c.text);
+        check(c.feedback);
+      }
+    }
+  }
+}
+
+}  // namespace moltact::reading

@@ -1,0 +1,158 @@
+#include "engine/lesson/quantity.h"
+
+#include <charconv>
+#include <cmath>
+#include <string>
+
+#include "engine/lesson/source_text.h"
+
+namespace moltact {
+namespace {
+
+struct Unit {
+  std::string_view symbol;
+  Dimension dimension;
+  double in_code_units;
+};
+
+// U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages give either.
+constexpr Unit kUnits[] = {
+    {"Å", Dimension::Length, 1.0},        {"\xE2\x84\xAB", Dimension::Length, 1.0}, {"A", Dimension::Length, 1.0},
+    {"nm", Dimension::Length, 10.0},      {"pm", Dimension::Length, 0.01},
+    {"N", Dimension::Force, 1.0},         {"mN", Dimension::Force, 0.001},
+    {"s", Dimension::Time, 1.0},          {"ms", Dimension::Time, 0.001},           {"min", Dimension::Time, 60.0},
+    {"N/mm", Dimension::Stiffness, 1.0},  {"N/m", Dimension::Stiffness, 0.001},
+};
+
+Problem problemAt(std::string_view text, std::size_t offset, std::string message, std::string remedy = {}) {
+  return {{}, 0, characterCount(text.substr(0, offset)) + 1, std::move(message), std::move(remedy)};
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+struct Number {
+  double value = 0.0;
+  std::size_t length = 0;  // bytes of the text that it takes
+};
+
+Expected<Number> leadingNumber(std::string_view whole, std::size_t from) {
+  const std::string_view text = whole.substr(from);
+  Number out;
+  const char* first = text.data() + (text.starts_with('+') ? 1 : 0);
+  const auto [end, error] = std::from_chars(first, text.data() + text.size(), out.value);
+  out.length = static_cast<std::size_t>(end - text.data());
+  if (error == std::errc::result_out_of_range)
+    return problemAt(whole, from, quoted(text.substr(0, out.length)) + " is too large or too small a number");
+  if (error != std::errc{} || !std::isfinite(out.value))
+    return problemAt(whole, from, text.empty() ? "a number is missing" : quoted(text) + " is not a number");
+  if (text.substr(out.length).starts_with(','))
+    return problemAt(whole, from + out.length, "a comma in a number", "write the decimal sign as a point: 0.3");
+  return out;
+}
+
+/// `from` to the end must be a unit, or nothing where the dimension was given elsewhere.
+Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::size_t unit_at, Dimension dimension) {
+  const std::string_view number = whole.substr(number_at, unit_at - number_at);
+  const std::string_view symbol = trimmed(whole.substr(unit_at));
+  const std::string wanted(unitsFor(dimension));
+  if (symbol.empty()) return problemAt(whole, number_at, quoted(trimmed(number)) + " needs a unit: " + wanted);
+  for (const Unit& u : kUnits) {
+    if (u.symbol != symbol) continue;
+    if (u.dimension == dimension) return u.in_code_units;
+    return problemAt(whole, number_at,
+                     quoted(trimmed(whole.substr(number_at))) + " is " + std::string(dimensionName(u.dimension)) +
+                         ", but " + std::string(dimensionName(dimension)) + " is needed: " + wanted);
+  }
+  const std::size_t at = static_cast<std::size_t>(symbol.data() - whole.data());
+  return problemAt(whole, at, quoted(symbol) + " is no unit of " + std::string(dimensionName(dimension)).substr(2),
+                   "write " + wanted);
+}
+
+}  // namespace
+
+std::string_view dimensionName(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::Length: return "a length";
+    case Dimension::Force: return "a force";
+    case Dimension::Time: return "a time";
+    case Dimension::Stiffness: return "a stiffness";
+    case Dimension::None: break;
+  }
+  return "a number";
+}
+
+std::string_view unitsFor(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::Length: return "Å or nm";
+    case Dimension::Force: return "N or mN";
+    case Dimension::Time: return "s or min";
+    case Dimension::Stiffness: return "N/m or N/mm";
+    case Dimension::None: break;
+  }
+  return "";
+}
+
+std::string_view codeUnit(Dimension dimension) {
+  switch (dimension) {
+    case Dimension::Length: return "Å";
+    case Dimension::Force: return "N";
+    case Dimension::Time: return "s";
+    case Dimension::Stiffness: return "N/mm";
+    case Dimension::None: break;
+  }
+  return "";
+}
+
+Expected<double> parseQuantity(std::string_view text, Dimension dimension) {
+  const std::size_t from = static_cast<std::size_t>(trimmed(text).data() - text.data());
+  const auto number = leadingNumber(text, from);
+  if (!number) return number.problem();
+  const auto factor = factorOf(text, from, from + number->length, dimension);
+  if (!factor) return factor.problem();
+  const double value = number->value * *factor;
+  if (!std::isfinite(value)) return problemAt(text, from, quoted(trimmed(text)) + " is too large");
+  return value;
+}
+
+Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension) {
+  const std::size_t to = text.find(" to ");
+  if (to == std::string_view::npos)
+    return problemAt(text, 0, quoted(trimmed(text)) + " is not a range", "write it as '0.2 N to 0.6 N'");
+  const auto high_problem_shift = characterCount(text.substr(0, to + 4));
+  auto high = parseQuantity(text.substr(to + 4), dimension);
+  if (!high) {
+    Problem p = high.problem();
+    p.column += high_problem_shift;
+    return p;
+  }
+  // "0.2 to 0.6 N": the unit at the end is meant for both.
+  const std::size_t from = static_cast<std::size_t>(trimmed(text).data() - text.data());
+  const auto low_number = leadingNumber(text.substr(0, to), from);
+  if (!low_number) return low_number.problem();
+  double low = 0.0;
+  if (trimmed(text.substr(from + low_number->length, to - from - low_number->length)).empty()) {
+    const std::string_view high_text = text.substr(to + 4);
+    const auto high_number = leadingNumber(high_text, high_text.find_first_not_of(" \t"));
+    const auto factor = factorOf(high_text, 0, high_text.find_first_not_of(" \t") + high_number->length, dimension);
+    low = low_number->value * *factor;
+  } else {
+    const auto parsed = parseQuantity(text.substr(0, to), dimension);
+    if (!parsed) return parsed.problem();
+    low = *parsed;
+  }
+  if (low > *high) return problemAt(text, from, "the range ends below its start", "write the smaller value first");
+  return QuantityRange{low, *high};
+}
+
+Expected<double> parseNumber(std::string_view text) {
+  const std::size_t from = static_cast<std::size_t>(trimmed(text).data() - text.data());
+  const auto number = leadingNumber(text, from);
+  if (!number) return number.problem();
+  const std::size_t after = from + number->length;
+  const std::string_view rest = trimmed(text.substr(after));
+  if (!rest.empty())
+    return problemAt(text, static_cast<std::size_t>(rest.data() - text.data()), quoted(rest) + " after the number");
+  return number->value;
+}
+
+}  // namespace moltact

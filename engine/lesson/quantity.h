@@ -1,0 +1,38 @@
+// Physical quantities as an author writes them: "4 Å", "0.4 nm", "0.3 N", "2 min", "500 N/m", "0.2 N to 0.6 N".
+// A number without its unit is an error that names the units that would do. Pure functions; any thread.
+// The code's units: length A, force N, time s, stiffness N/mm.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "engine/core/problem.h"
+
+namespace moltact {
+
+enum class Dimension : std::uint8_t { None, Length, Force, Time, Stiffness };
+
+/// "a length", "a force", …
+std::string_view dimensionName(Dimension dimension);
+
+/// The units an author may use, as they are shown: "Å or nm".
+std::string_view unitsFor(Dimension dimension);
+
+/// The unit in which the code counts: "Å", "N", "s", "N/mm".
+std::string_view codeUnit(Dimension dimension);
+
+/// A quantity in the code's unit. `text` must be one number and one unit of that dimension, nothing else; the number
+/// finite. A problem has line 0 and the column within `text`.
+Expected<double> parseQuantity(std::string_view text, Dimension dimension);
+
+struct QuantityRange {
+  double low = 0.0, high = 0.0;  ///< in the code's unit, low <= high
+};
+
+/// "0.2 N to 0.6 N" or "0.2 to 0.6 N". Problems as above.
+Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension);
+
+/// A plain number without a unit, for counts. Problems as above.
+Expected<double> parseNumber(std::string_view text);
+
+}  // namespace moltact

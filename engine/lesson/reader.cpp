@@ -1,0 +1,264 @@
+#include "engine/lesson/reader.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "engine/lesson/reading.h"
+#include "engine/lesson/suggestion.h"
+
+namespace moltact {
+namespace {
+
+using Kind = MarkdownBlock::Kind;
+using reading::Reading;
+
+constexpr std::string_view kQuestion = "Question:";
+
+/// Walks the document from top to bottom and puts each block where it belongs.
+class Walk {
+ public:
+  Walk(Reading& reading, Lesson& lesson) : reading_(reading), lesson_(lesson) {}
+
+  void run(const MarkdownBlock& root) {
+    for (const MarkdownBlock& block : root.children) take(block);
+    endQuestion();
+    if (lesson_.steps.empty()) {
+      reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, "the lesson has no steps",
+                     "start each step with a heading '## …'");
+    } else if (!scene_stated_) {
+      reading_.error(lesson_.steps[0].place, "the first step has no scene", "add a fenced block 'scene' with 'molecule: …'");
+    }
+  }
+
+ private:
+  Step* step() { return lesson_.steps.empty() ? nullptr : &lesson_.steps.back(); }
+  std::vector<Block>& blocks() { return step() ? step()->blocks : lesson_.introduction; }
+
+  void take(const MarkdownBlock& block) {
+    switch (block.kind) {
+      case Kind::Heading: heading(block); return;
+      case Kind::Code:
+        if (block.info == "scene") return scene(block);
+        if (block.info == "touch") return touch(block);
+        if (block.info == "answer") return answer(block);
+        if (!block.info.empty()) unknownFence(block);
+        break;
+      case Kind::List:
+        if (in_question_ && step()->questions.back().choices.empty() && !block.children.empty() &&
+            std::any_of(block.children.begin(), block.children.end(), [](const MarkdownBlock& i) { return i.is_task; })) {
+          step()->questions.back().choices = reading::readChoices(reading_, block);
+          return;
+        }
+        break;
+      case Kind::Paragraph:
+        if (in_question_ && step()->questions.back().choices.empty() && !step()->questions.back().answer && block.images.empty()) {
+          step()->questions.back().prompt.push_back(block.text);
+          return;
+        }
+        break;
+      default: break;
+    }
+    reading::readProse(reading_, block, blocks());
+  }
+
+  void heading(const MarkdownBlock& block) {
+    const std::string title(trimmed(plainText(block.text)));
+    if (title.starts_with(kQuestion) && block.level != 3)
+      reading_.error(block.place, "a question on the wrong level of heading", "write it as '### Question: …'");
+    if (block.level == 1) {
+      // Many editors want a first heading; the title in the front matter is the one that is shown.
+      if (step()) reading_.error(block.place, "a heading of the first level inside the lesson", "start each step with '## …'");
+      return;
+    }
+    endQuestion();
+    if (block.level == 2) return startStep(block, title);
+    if (title.starts_with(kQuestion)) return startQuestion(block, title);
+    blocks().push_back(Subheading{block.text});
+  }
+
+  void startStep(const MarkdownBlock& block, const std::string& title) {
+    Step next;
+    next.id = slug(title);
+    next.title = title;
+    next.place = block.place;
+    if (next.id.empty()) reading_.error(block.place, "a step without a name", "write its name after '## '");
+    if (const auto twin = lesson_.find(next.id); twin && !next.id.empty())
+      reading_.error(block.place, "two steps are called '" + title + "'",
+                     "rename one; the other is on line " + std::to_string(lesson_.steps[*twin].place.line));
+    if (step()) next.scene = step()->scene;
+    lesson_.steps.push_back(std::move(next));
+  }
+
+  void startQuestion(const MarkdownBlock& block, const std::string& title) {
+    if (!step()) {
+      reading_.error(block.place, "a question before the first step", "put it below a heading '## …'");
+      return;
+    }
+    Question question;
+    question.place = block.place;
+    question.title = block.text;
+    std::size_t left = kQuestion.size();
+    for (TextRun& run : question.title) {
+      const std::size_t now = std::min(left, run.text.size());
+      run.text.erase(0, now);
+      left -= now;
+    }
+    std::erase_if(question.title, [](const TextRun& r) { return r.text.empty(); });
+    if (!question.title.empty() && question.title.front().text.starts_with(' ')) question.title.front().text.erase(0, 1);
+    const std::string_view asked = trimmed(std::string_view(title).substr(kQuestion.size()));
+    if (asked.empty()) reading_.error(block.place, "a question without words", "write it after 'Question:'");
+    question.id = slug(asked);
+    for (const Question& other : step()->questions)
+      if (other.id == question.id && !asked.empty())
+        reading_.error(block.place, "this question is asked twice in one step", "rename one; the other is on line " + std::to_string(other.place.line));
+    step()->questions.push_back(std::move(question));
+    step()->blocks.push_back(QuestionHere{step()->questions.size() - 1});
+    in_question_ = true;
+  }
+
+  void endQuestion() {
+    if (in_question_) reading::checkQuestion(reading_, step()->questions.back());
+    in_question_ = false;
+  }
+
+  bool outsideStep(const MarkdownBlock& block) {
+    if (!step()) reading_.error(block.place, "a " + block.info + " block before the first step", "put it below a heading '## …'");
+    return !step();
+  }
+
+  void scene(const MarkdownBlock& block) {
+    if (outsideStep(block)) return;
+    if (step()->states_scene) {
+      reading_.error(block.place, "a second scene in one step", "start a new step, or put both into one block");
+      return;
+    }
+    const SceneSpec before = step()->scene;
+    step()->scene = reading::readScene(reading_, block, scene_stated_ ? &before : nullptr, lesson_);
+    step()->states_scene = scene_stated_ = true;
+  }
+
+  void touch(const MarkdownBlock& block) {
+    if (outsideStep(block)) return;
+    if (!scene_stated_) {
+      // A later step's scene does not help the student who is here now.
+      reading_.error(block.place, "a touch task without anything on the stage", "put a scene block above it");
+      scene_stated_ = true;
+    }
+    TaskSpec task = reading::readTouch(reading_, block);
+    if (task.kind.empty()) return;
+    step()->tasks.push_back(std::move(task));
+    step()->blocks.push_back(TaskHere{step()->tasks.size() - 1});
+  }
+
+  void answer(const MarkdownBlock& block) {
+    if (!in_question_) {
+      reading_.error(block.place, "an answer block without a question", "put '### Question: …' above it");
+      return;
+    }
+    if (step()->questions.back().answer) {
+      reading_.error(block.place, "a second answer block in one question", "take one of the two out");
+      return;
+    }
+    step()->questions.back().answer = reading::readAnswer(reading_, block);
+  }
+
+  void unknownFence(const MarkdownBlock& block) {
+    constexpr std::string_view kFences[] = {"scene", "touch", "answer"};
+    reading_.warning(block.place, "'" + block.info + "' is no block of a lesson and is shown as it stands",
+                     suggest(block.info, kFences, "blocks"));
+  }
+
+  Reading& reading_;
+  Lesson& lesson_;
+  bool in_question_ = false, scene_stated_ = false;
+};
+
+void sortByPlace(std::vector<Problem>& problems) {
+  std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
+}
+
+/// Problems with the bytes themselves, after which nothing else can be read.
+std::optional<Problem> badBytes(const SourceText& source) {
+  if (source.bytes().size() > kLargestLesson)
+    return Problem{source.name(), 0, 0, "a lesson of more than 1 MiB", "split it into several lessons"};
+  if (trimmed(source.bytes()).empty()) return Problem{source.name(), 1, 1, "the file is empty", "start from the text of another lesson"};
+  for (std::size_t n = 1; n <= source.lineCount(); ++n)
+    if (source.line(n).size() > kLongestLessonLine)
+      return Problem{source.name(), n, 1, "a line of more than " + std::to_string(kLongestLessonLine) + " bytes", "break it into several lines"};
+  if (const std::size_t bad = firstBadByte(source.bytes()); bad != std::string_view::npos) {
+    const Place place = source.at(bad);
+    return Problem{source.name(), place.line, place.column, "this is not UTF-8 text", "save the file in the encoding UTF-8"};
+  }
+  return {};
+}
+
+}  // namespace
+
+std::string plainText(const RichText& text) {
+  std::string out;
+  for (const TextRun& run : text) out += run.text;
+  return out;
+}
+
+std::string slug(std::string_view heading) {
+  std::string out;
+  for (const char c : trimmed(heading)) {
+    if (c >= 'A' && c <= 'Z') out += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || (c & 0x80)) out += c;
+    else if (c == ' ') out += '-';
+  }
+  return out;
+}
+
+LessonReading readLessonText(const std::string& name, std::string bytes) {
+  const SourceText source(name, std::move(bytes));
+  LessonReading out;
+  if (auto bad = badBytes(source)) {
+    out.errors.push_back(std::move(*bad));
+    return out;
+  }
+  Reading reading{source, {}, {}};
+  Lesson lesson;
+  lesson.file = name;
+  const std::size_t body = reading::readFrontMatter(reading, lesson);
+  const auto tree = parseMarkdown(source, body);
+  if (tree) {
+    Walk(reading, lesson).run(*tree);
+    reading::checkLinks(reading, lesson);
+  } else {
+    reading.errors.push_back(tree.problem());
+  }
+  sortByPlace(reading.errors);
+  sortByPlace(reading.warnings);
+  out.errors = std::move(reading.errors);
+  out.warnings = std::move(reading.warnings);
+  if (out.errors.empty()) out.lesson = std::move(lesson);
+  return out;
+}
+
+LessonReading readLesson(const std::filesystem::path& file) {
+  LessonReading out;
+  std::error_code error;
+  const auto fail = [&](std::string message, std::string remedy) {
+    out.errors.push_back({file.string(), 0, 0, std::move(message), std::move(remedy)});
+    return out;
+  };
+  const auto status = std::filesystem::status(file, error);
+  if (status.type() == std::filesystem::file_type::not_found) return fail("there is no such file", "check its name and folder");
+  if (!std::filesystem::is_regular_file(status)) return fail("this is not a file", "name a lesson, a file that ends in .md");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return fail(std::string("the file cannot be opened: ") + std::strerror(errno), "check that you may read it");
+  // One byte more than is allowed is enough to know that the file is too large.
+  std::string bytes(kLargestLesson + 1, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (in.bad()) return fail("the file cannot be read to its end", "copy it again");
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return readLessonText(file.string(), std::move(bytes));
+}
+
+}  // namespace moltact

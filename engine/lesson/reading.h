@@ -1,0 +1,56 @@
+// What the parts of the lesson reader share: the source, the problems so far, and each part's entry. Internal.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/lesson/markdown.h"
+#include "engine/lesson/reader.h"
+
+namespace moltact::reading {
+
+struct Reading {
+  const SourceText& source;
+  std::vector<Problem> errors, warnings;
+
+  void error(Place place, std::string message, std::string remedy = {}) {
+    errors.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
+  }
+  void warning(Place place, std::string message, std::string remedy = {}) {
+    warnings.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
+  }
+  /// Takes over problems that do not name the file yet.
+  void add(std::vector<Problem> problems) {
+    for (Problem& p : problems) {
+      p.file = source.name();
+      errors.push_back(std::move(p));
+    }
+  }
+};
+
+/// Reads the front matter into the lesson; the offset of the first byte after it.
+std::size_t readFrontMatter(Reading& reading, Lesson& lesson);
+
+/// Reads a scene block upon the scene of the step before (nullptr for the first).
+SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpec* before, const Lesson& lesson);
+
+/// Reads a touch block; no kind (an empty spec) after an error.
+TaskSpec readTouch(Reading& reading, const MarkdownBlock& block);
+
+/// Reads the answer block of a question.
+AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block);
+
+/// Reads the task list of a question.
+std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list);
+
+/// Problems with a finished question: nothing to answer, nothing right.
+void checkQuestion(Reading& reading, const Question& question);
+
+/// Reads what is plain text, a list, a quote or a picture; `blocks` gets what is shown.
+void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks);
+
+/// Problems with links to steps that do not exist.
+void checkLinks(Reading& reading, const Lesson& lesson);
+
+}  // namespace moltact::reading

@@ -1,0 +1,221 @@
+#include "engine/lesson/selection.h"
+
+#include <algorithm>
+#include <set>
+
+#include "engine/haptics/ball_scene.h"
+#include "engine/lesson/selection_node.h"
+#include "engine/molecule/elements.h"
+#include "engine/molecule/molecule.h"
+
+namespace moltact {
+namespace {
+
+using Node = SelectionNode;
+using Mask = std::vector<char>;
+
+const Residue* residueOf(const Molecule& m, const Atom& a) {
+  return a.residue < m.residues.size() ? &m.residues[a.residue] : nullptr;
+}
+
+bool contains(const std::vector<std::string>& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string_view atomName(const Atom& a) {
+  const auto end = std::find(a.name.begin(), a.name.end(), '\0');
+  return {a.name.data(), static_cast<std::size_t>(end - a.name.begin())};
+}
+
+bool inRanges(const std::vector<NumberRange>& ranges, long number, char insertion) {
+  for (const NumberRange& r : ranges)
+    if (number >= r.first && number <= r.last && (r.insertion == ' ' || r.insertion == insertion)) return true;
+  return false;
+}
+
+bool matches(const Node& node, const Molecule& m, std::size_t index) {
+  const Atom& a = m.atoms[index];
+  const Residue* r = residueOf(m, a);
+  const auto isKind = [&](ResidueKind kind) { return r && r->kind == kind; };
+  switch (node.kind) {
+    case SelectionKind::All: return true;
+    case SelectionKind::Chain: return r && r->chain < m.chains.size() && contains(node.names, m.chains[r->chain].name);
+    case SelectionKind::Residue: return r && inRanges(node.numbers, r->number, r->insertion);
+    case SelectionKind::Resname: return r && contains(node.names, r->name);
+    case SelectionKind::Name: return contains(node.names, atomName(a));
+    case SelectionKind::Element:
+      return std::find(node.elements.begin(), node.elements.end(), a.atomic_number) != node.elements.end();
+    case SelectionKind::AtomIndex: return inRanges(node.numbers, static_cast<long>(index), ' ');
+    case SelectionKind::Ligand: return isKind(ResidueKind::Ligand) && (node.names.empty() || contains(node.names, r->name));
+    case SelectionKind::Protein: return isKind(ResidueKind::AminoAcid);
+    case SelectionKind::Nucleic: return isKind(ResidueKind::Nucleotide);
+    case SelectionKind::Water: return isKind(ResidueKind::Water);
+    case SelectionKind::Ion: return isKind(ResidueKind::Ion);
+    default: return false;
+  }
+}
+
+Mask within(const Mask& near_what, double distance_A, const Molecule& m) {
+  std::vector<Ball> centres;
+  for (std::size_t i = 0; i < m.atoms.size(); ++i)
+    if (near_what[i]) centres.push_back({m.atoms[i].position.A, 0.0});
+  Mask out(m.atoms.size(), 0);
+  if (centres.empty()) return out;
+  const BallScene grid(std::move(centres));
+  const double squared = distance_A * distance_A;
+  for (std::size_t i = 0; i < m.atoms.size(); ++i) {
+    const Vec3 p = m.atoms[i].position.A;
+    grid.visitNear(p, distance_A, [&](std::uint32_t, const Ball& b) {
+      const Vec3 d = b.centre_A - p;
+      if (glm::dot(d, d) <= squared) out[i] = 1;
+    });
+  }
+  return out;
+}
+
+Mask evaluate(const Node& node, const Molecule& m) {
+  switch (node.kind) {
+    case SelectionKind::And:
+    case SelectionKind::Or: {
+      Mask left = evaluate(*node.left, m);
+      const Mask right = evaluate(*node.right, m);
+      for (std::size_t i = 0; i < left.size(); ++i)
+        left[i] = node.kind == SelectionKind::And ? (left[i] && right[i]) : (left[i] || right[i]);
+      return left;
+    }
+    case SelectionKind::Not: {
+      Mask inner = evaluate(*node.left, m);
+      for (char& c : inner) c = !c;
+      return inner;
+    }
+    case SelectionKind::Within: return within(evaluate(*node.left, m), node.distance_A, m);
+    default: break;
+  }
+  Mask out(m.atoms.size(), 0);
+  for (std::size_t i = 0; i < out.size(); ++i) out[i] = matches(node, m, i);
+  return out;
+}
+
+bool any(const Mask& mask) { return std::find(mask.begin(), mask.end(), 1) != mask.end(); }
+
+/// The first part, in reading order, that selects nothing; nullptr where each selects something.
+const Node* firstEmpty(const Node& node, const Molecule& m) {
+  for (const Node* child : {node.left.get(), node.right.get()})
+    if (child && node.kind != SelectionKind::Not)
+      if (const Node* empty = firstEmpty(*child, m)) return empty;
+  const bool joins = node.left != nullptr;
+  return !joins && !any(evaluate(node, m)) ? &node : nullptr;
+}
+
+std::string listed(const std::set<std::string>& names) {
+  constexpr std::size_t kMost = 12;
+  if (names.empty()) return "none";
+  std::string out;
+  std::size_t n = 0;
+  for (const std::string& name : names) {
+    if (n == kMost) return out + ", …";
+    out += (n++ ? ", " : "") + name;
+  }
+  return out;
+}
+
+std::string firstName(const Node& node) { return node.names.empty() ? std::string() : " '" + node.names.front() + "'"; }
+
+std::string rangeText(const NumberRange& r) {
+  std::string out = std::to_string(r.first);
+  if (r.last != r.first) out += "-" + std::to_string(r.last);
+  return r.insertion == ' ' ? out : out + r.insertion;
+}
+
+}  // namespace
+
+std::vector<std::uint32_t> Selection::select(const Molecule& molecule) const {
+  std::vector<std::uint32_t> out;
+  if (!root_) return out;
+  const Mask mask = evaluate(*root_, molecule);
+  for (std::size_t i = 0; i < mask.size(); ++i)
+    if (mask[i]) out.push_back(static_cast<std::uint32_t>(i));
+  return out;
+}
+
+std::string Selection::noun() const {
+  if (!root_) return "the surface";
+  const Node& n = *root_;
+  const bool one_name = n.names.size() == 1, one_number = n.numbers.size() == 1;
+  switch (n.kind) {
+    case SelectionKind::All: return "the surface";
+    case SelectionKind::Protein: return "the protein";
+    case SelectionKind::Nucleic: return "the nucleic acid";
+    case SelectionKind::Water: return "a water molecule";
+    case SelectionKind::Ion: return "an ion";
+    case SelectionKind::Ligand: return one_name ? "the ligand " + n.names[0] : "the ligand";
+    case SelectionKind::Chain:
+      if (one_name) return "chain " + n.names[0];
+      break;
+    case SelectionKind::Resname:
+      if (one_name) return "a residue " + n.names[0];
+      break;
+    case SelectionKind::Name:
+      if (one_name) return "an atom " + n.names[0];
+      break;
+    case SelectionKind::Residue:
+      if (one_number) return (n.numbers[0].first == n.numbers[0].last ? "residue " : "residues ") + rangeText(n.numbers[0]);
+      break;
+    case SelectionKind::AtomIndex:
+      if (one_number && n.numbers[0].first == n.numbers[0].last) return "atom " + rangeText(n.numbers[0]);
+      break;
+    case SelectionKind::Element:
+      if (n.elements.size() == 1) {
+        const std::string name(element(n.elements[0]).name);
+        const bool vowel = std::string_view("aeiou").find(name.front()) != std::string_view::npos;
+        return (vowel ? "an " : "a ") + name + " atom";
+      }
+      break;
+    default: break;
+  }
+  return "the place you look for";
+}
+
+std::string Selection::whyEmpty(const Molecule& molecule) const {
+  const std::string place = molecule.id.empty() ? "the molecule" : molecule.id;
+  const Node* empty = root_ ? firstEmpty(*root_, molecule) : nullptr;
+  std::set<std::string> there;
+  if (!empty) return "no atom of " + place + " is '" + text_ + "'";
+  const std::string not_in = " is not in " + place;
+  switch (empty->kind) {
+    case SelectionKind::Chain:
+      for (const Chain& c : molecule.chains) there.insert(c.name);
+      return "chain" + firstName(*empty) + not_in + " (chains: " + listed(there) + ")";
+    case SelectionKind::Ligand:
+      for (const Residue& r : molecule.residues)
+        if (r.kind == ResidueKind::Ligand) there.insert(r.name);
+      if (empty->names.empty()) return "a ligand" + not_in;
+      return "ligand" + firstName(*empty) + not_in + " (ligands: " + listed(there) + ")";
+    case SelectionKind::Resname:
+      for (const Residue& r : molecule.residues) there.insert(r.name);
+      return "residue name" + firstName(*empty) + not_in + " (names: " + listed(there) + ")";
+    case SelectionKind::Name:
+      for (const Atom& a : molecule.atoms) there.insert(std::string(atomName(a)));
+      return "atom name" + firstName(*empty) + not_in + " (names: " + listed(there) + ")";
+    case SelectionKind::Element:
+      for (const Atom& a : molecule.atoms) there.insert(std::string(element(a.atomic_number).symbol));
+      return "element '" + std::string(element(empty->elements[0]).symbol) + "'" + not_in + " (elements: " + listed(there) + ")";
+    case SelectionKind::AtomIndex:
+      return "atom " + rangeText(empty->numbers[0]) + not_in + " (" + std::to_string(molecule.atoms.size()) +
+             " atoms, counted from 0)";
+    case SelectionKind::Residue: {
+      std::string out = "residue " + rangeText(empty->numbers[0]) + not_in;
+      if (molecule.residues.empty()) return out + " (it has no residues)";
+      const auto [low, high] = std::minmax_element(molecule.residues.begin(), molecule.residues.end(),
+                                                   [](const Residue& a, const Residue& b) { return a.number < b.number; });
+      return out + " (residues: " + std::to_string(low->number) + " to " + std::to_string(high->number) + ")";
+    }
+    case SelectionKind::Protein: return "protein" + not_in;
+    case SelectionKind::Nucleic: return "nucleic acid" + not_in;
+    case SelectionKind::Water: return "water" + not_in;
+    case SelectionKind::Ion: return "an ion" + not_in;
+    default: return "no atom of " + place + " is '" + text_ + "'";
+  }
+}
+
+}  // namespace moltact

@@ -1,0 +1,282 @@
+#include <charconv>
+#include <optional>
+
+#include "engine/lesson/quantity.h"
+#include "engine/lesson/selection.h"
+#include "engine/lesson/selection_node.h"
+#include "engine/lesson/source_text.h"
+#include "engine/lesson/suggestion.h"
+#include "engine/molecule/elements.h"
+
+namespace moltact {
+namespace {
+
+using Node = SelectionNode;
+using NodePtr = std::shared_ptr<const Node>;
+using Takes = SelectionWord::Takes;
+
+constexpr std::string_view kJoiners[] = {"and", "or", "not", "within", "of"};
+
+struct Token {
+  std::string_view text;
+  std::size_t at = 0;   // byte in the text
+  bool quoted = false;
+  bool end() const { return !quoted && text.empty(); }
+  bool is(std::string_view word) const { return !quoted && text == word; }
+};
+
+const SelectionWord* findWord(const Token& token) {
+  if (token.quoted) return nullptr;
+  for (const SelectionWord& w : selectionWords())
+    if (w.word == token.text) return &w;
+  return nullptr;
+}
+
+bool isJoiner(const Token& token) {
+  for (std::string_view j : kJoiners)
+    if (token.is(j)) return true;
+  return token.is("(") || token.is(")");
+}
+
+std::uint8_t atomicNumber(std::string_view symbol) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  for (int number = 1; number <= kElementCount; ++number) {
+    const std::string_view known = element(number).symbol;
+    if (known.size() != symbol.size()) continue;
+    bool same = true;
+    for (std::size_t i = 0; i < known.size(); ++i) same = same && lower(known[i]) == lower(symbol[i]);
+    if (same) return static_cast<std::uint8_t>(number);
+  }
+  return 0;
+}
+
+class Parser {
+ public:
+  explicit Parser(std::string_view text) : text_(text) { advance(); }
+
+  Expected<Selection> parse() {
+    if (next_.end()) return problem(next_, "a selection is missing", "for example: resname HEM");
+    NodePtr root = readOr(0);
+    if (root && !next_.end()) {
+      if (next_.is(")"))
+        fail(next_, "a closing bracket without its opening one", "take it out");
+      else
+        fail(next_, "'" + std::string(next_.text) + "' does not belong here",
+             "join two selections with 'and' or 'or'");
+    }
+    if (problem_) return *problem_;
+    return Selection(std::string(trimmed(text_)), std::move(root));
+  }
+
+ private:
+  Problem problem(const Token& at, std::string message, std::string remedy) const {
+    return {{}, 0, characterCount(text_.substr(0, at.at)) + 1, std::move(message), std::move(remedy)};
+  }
+  NodePtr fail(const Token& at, std::string message, std::string remedy) {
+    if (!problem_) problem_ = problem(at, std::move(message), std::move(remedy));
+    return nullptr;
+  }
+
+  void advance() {
+    const auto isSpace = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == ','; };
+    while (at_ < text_.size() && isSpace(text_[at_])) ++at_;
+    next_ = {text_.substr(at_, 0), at_, false};
+    if (at_ == text_.size()) return;
+    if (text_[at_] == '(' || text_[at_] == ')') {
+      next_.text = text_.substr(at_++, 1);
+      return;
+    }
+    if (text_[at_] == '"') {
+      const std::size_t close = std::min(text_.find('"', at_ + 1), text_.size());
+      next_ = {text_.substr(at_ + 1, close - at_ - 1), at_, true};
+      if (close == text_.size()) fail(next_, "a quotation mark without its partner", "close the name with \"");
+      at_ = std::min(close + 1, text_.size());
+      return;
+    }
+    const std::size_t start = at_;
+    while (at_ < text_.size() && !isSpace(text_[at_]) && text_[at_] != '(' && text_[at_] != ')' && text_[at_] != '"') ++at_;
+    next_.text = text_.substr(start, at_ - start);
+  }
+
+  NodePtr join(SelectionKind kind, NodePtr left, NodePtr right) {
+    Node node;
+    node.kind = kind;
+    node.left = std::move(left);
+    node.right = std::move(right);
+    return std::make_shared<const Node>(std::move(node));
+  }
+
+  NodePtr readOr(int depth) {
+    NodePtr left = readAnd(depth);
+    while (left && next_.is("or")) {
+      if (++joined_ > kMostJoined) return fail(next_, "the selection is too long", "use ranges or several names: residue 10-20 25");
+      advance();
+      NodePtr right = readAnd(depth);
+      if (!right) return nullptr;
+      left = join(SelectionKind::Or, std::move(left), std::move(right));
+    }
+    return left;
+  }
+
+  NodePtr readAnd(int depth) {
+    NodePtr left = readNot(depth);
+    while (left && next_.is("and")) {
+      if (++joined_ > kMostJoined) return fail(next_, "the selection is too long", "join fewer parts with 'and'");
+      advance();
+      NodePtr right = readNot(depth);
+      if (!right) return nullptr;
+      left = join(SelectionKind::And, std::move(left), std::move(right));
+    }
+    return left;
+  }
+
+  NodePtr readNot(int depth) {
+    if (depth >= kDeepestSelection)
+      return fail(next_, "the selection is nested too deeply", "use fewer brackets");
+    if (next_.is("not")) {
+      advance();
+      NodePtr inner = readNot(depth + 1);
+      return inner ? join(SelectionKind::Not, std::move(inner), nullptr) : nullptr;
+    }
+    if (next_.is("within")) return readWithin(depth);
+    if (next_.is("(")) {
+      const Token open = next_;
+      advance();
+      NodePtr inner = readOr(depth + 1);
+      if (!inner) return nullptr;
+      if (!next_.is(")")) return fail(open, "an opening bracket without its closing one", "add ')'");
+      advance();
+      return inner;
+    }
+    return readWord();
+  }
+
+  NodePtr readWithin(int depth) {
+    advance();
+    const std::size_t start = next_.at;
+    while (!next_.end() && !next_.is("of") && !next_.is("(") && !next_.is(")")) advance();
+    if (!next_.is("of")) return fail(next_, "'within' needs a distance and 'of'", "write: within 5 Å of (resname HEM)");
+    const std::string_view written = text_.substr(start, next_.at - start);
+    const auto distance = parseQuantity(written, Dimension::Length);
+    if (!distance) {
+      Problem p = distance.problem();
+      p.column += characterCount(text_.substr(0, start));
+      if (!problem_) problem_ = std::move(p);
+      return nullptr;
+    }
+    if (*distance < 0.0) return fail({written, start, false}, "a distance below zero", "write: within 5 Å of (resname HEM)");
+    advance();
+    NodePtr inner = readNot(depth + 1);
+    if (!inner) return nullptr;
+    Node node;
+    node.kind = SelectionKind::Within;
+    node.distance_A = *distance;
+    node.left = std::move(inner);
+    return std::make_shared<const Node>(std::move(node));
+  }
+
+  NodePtr readWord() {
+    const Token token = next_;
+    const SelectionWord* word = findWord(token);
+    if (!word) {
+      if (token.end() || isJoiner(token))
+        return fail(token, token.end() ? "the selection ends too early" : "a selection is missing before '" + std::string(token.text) + "'",
+                    "for example: resname HEM");
+      std::vector<std::string_view> known;
+      for (const SelectionWord& w : selectionWords()) known.push_back(w.word);
+      known.insert(known.end(), std::begin(kJoiners), std::end(kJoiners) - 1);
+      return fail(token, "'" + std::string(token.text) + "' is no word of a selection", suggest(token.text, known, "words"));
+    }
+    advance();
+    Node node;
+    node.kind = word->kind;
+    if (word->takes == Takes::Nothing) return std::make_shared<const Node>(std::move(node));
+    std::size_t count = 0;
+    for (; !next_.end() && !isJoiner(next_) && !findWord(next_); ++count) {
+      if (!readItem(*word, node)) return nullptr;
+      advance();
+    }
+    if (count == 0 && word->takes != Takes::OptionalNames) {
+      constexpr std::string_view kExamples[] = {"", "name CA", "", "residue 52", "atom 0", "element O"};
+      return fail(next_, "'" + std::string(word->word) + "' needs something after it",
+                  "for example: " + (word->takes == Takes::Names ? std::string(word->word) + " A"
+                                                                 : std::string(kExamples[static_cast<int>(word->takes)])));
+    }
+    return std::make_shared<const Node>(std::move(node));
+  }
+
+  bool readItem(const SelectionWord& word, Node& node) {
+    switch (word.takes) {
+      case Takes::Names:
+      case Takes::OptionalNames: node.names.emplace_back(next_.text); return true;
+      case Takes::Elements: {
+        const std::uint8_t number = atomicNumber(next_.text);
+        if (number == 0) fail(next_, "'" + std::string(next_.text) + "' is no chemical element", "write its symbol: C, N, O, Fe");
+        node.elements.push_back(number);
+        return number != 0;
+      }
+      case Takes::Residues:
+      case Takes::Indices: return readRange(word, node);
+      case Takes::Nothing: break;
+    }
+    return false;
+  }
+
+  bool readRange(const SelectionWord& word, Node& node) {
+    const char* at = next_.text.data();
+    const char* end = at + next_.text.size();
+    NumberRange range;
+    bool good = false;
+    if (auto [p, e] = std::from_chars(at, end, range.first); e == std::errc{}) {
+      range.last = range.first;
+      good = p == end;
+      if (!good && *p == '-') {
+        const auto [q, e2] = std::from_chars(p + 1, end, range.last);
+        good = e2 == std::errc{} && q == end && range.last >= range.first;
+      } else if (!good && word.takes == Takes::Residues && p + 1 == end && *p >= 'A' && *p <= 'Z') {
+        range.insertion = *p;
+        good = true;
+      }
+    }
+    if (good && word.takes == Takes::Indices && range.first < 0) good = false;
+    if (!good)
+      fail(next_, "'" + std::string(next_.text) + "' is no " + std::string(word.word) + " number",
+           word.takes == Takes::Residues ? "write 52, 10-20 or 52A" : "atoms are counted from 0: write 3 or 0-5");
+    node.numbers.push_back(range);
+    return good;
+  }
+
+  // A chain of `or` makes a tree as deep as it is long, and evaluation follows it.
+  static constexpr int kMostJoined = 500;
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  int joined_ = 0;
+  Token next_;
+  std::optional<Problem> problem_;
+};
+
+}  // namespace
+
+const std::vector<SelectionWord>& selectionWords() {
+  using K = SelectionKind;
+  static const std::vector<SelectionWord> words{
+      {"all", K::All, Takes::Nothing, "every atom"},
+      {"chain", K::Chain, Takes::Names, "chains by name: chain A B"},
+      {"residue", K::Residue, Takes::Residues, "residues by number: residue 52, residue 10-20, residue 52A"},
+      {"resname", K::Resname, Takes::Names, "residues by name: resname ASP"},
+      {"name", K::Name, Takes::Names, "atoms by name: name CA"},
+      {"element", K::Element, Takes::Elements, "atoms by element symbol: element O"},
+      {"atom", K::AtomIndex, Takes::Indices, "atoms by index from 0: atom 3, atom 0-5"},
+      {"ligand", K::Ligand, Takes::OptionalNames, "bound small molecules: ligand, ligand HEM"},
+      {"protein", K::Protein, Takes::Nothing, "amino acid residues"},
+      {"nucleic", K::Nucleic, Takes::Nothing, "nucleotides"},
+      {"water", K::Water, Takes::Nothing, "water molecules, where they were kept"},
+      {"ion", K::Ion, Takes::Nothing, "single ions"},
+  };
+  return words;
+}
+
+Expected<Selection> parseSelection(std::string_view text) { return Parser(text).parse(); }
+
+}  // namespace moltact

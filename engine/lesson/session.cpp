@@ -1,0 +1,201 @@
+#include "engine/lesson/session.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "engine/lesson/quantity.h"
+#include "engine/lesson/tasks/registry.h"
+
+namespace moltact {
+namespace {
+
+std::string folded(std::string_view text) {
+  std::string out(trimmed(text));
+  for (char& c : out)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return out;
+}
+
+bool numberIsRight(const AnswerSpec& answer, const std::string& text) {
+  auto number = parseNumber(text);
+  if (!number)
+    for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness})
+      if (answer.unit == codeUnit(d)) number = parseQuantity(text, d);
+  // A tolerance of 0 still forgives the last bit of a decimal fraction.
+  const double slack = answer.tolerance + 1e-9 * std::max(1.0, std::abs(answer.number));
+  return number && std::abs(*number - answer.number) <= slack;
+}
+
+bool sameShape(const Step& a, const Step& b) {
+  if (a.id != b.id || a.tasks.size() != b.tasks.size() || a.questions.size() != b.questions.size()) return false;
+  for (std::size_t i = 0; i < a.tasks.size(); ++i)
+    if (a.tasks[i].kind != b.tasks[i].kind) return false;
+  for (std::size_t i = 0; i < a.questions.size(); ++i)
+    if (a.questions[i].id != b.questions[i].id || a.questions[i].choices.size() != b.questions[i].choices.size()) return false;
+  return true;
+}
+
+}  // namespace
+
+LessonSession::LessonSession(std::shared_ptr<const Lesson> lesson) : lesson_(std::move(lesson)) {
+  for (const Step& s : lesson_->steps)
+    states_.push_back({std::vector<char>(s.tasks.size(), 0), std::vector<QuestionStatus>(s.questions.size()), false});
+  enter(0);
+}
+
+void LessonSession::enter(std::size_t step) {
+  // Another molecule is on its way: the tasks wait until it is there.
+  if (step != step_ && lesson_->steps[step].scene.molecule != scene().molecule) molecule_ = nullptr;
+  step_ = step;
+  ++scene_number_;
+  state().seen = true;
+  makeTasks();
+}
+
+void LessonSession::makeTasks() {
+  tasks_.clear();
+  for (const TaskSpec& spec : step().tasks) tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
+}
+
+void LessonSession::next() {
+  if (hasNext()) enter(step_ + 1);
+}
+
+void LessonSession::back() {
+  if (hasBack()) enter(step_ - 1);
+}
+
+bool LessonSession::goTo(std::string_view link) {
+  if (link.starts_with('#')) link.remove_prefix(1);
+  const auto found = lesson_->find(link);
+  if (found && *found != step_) enter(*found);
+  return found.has_value();
+}
+
+void LessonSession::setMolecule(std::shared_ptr<const Molecule> molecule) {
+  if (molecule == molecule_) return;
+  molecule_ = std::move(molecule);
+  makeTasks();
+}
+
+std::size_t LessonSession::currentTask() const {
+  const std::vector<char>& done = state().tasks_done;
+  return static_cast<std::size_t>(std::find(done.begin(), done.end(), 0) - done.begin());
+}
+
+void LessonSession::feed(const TouchSample& sample) {
+  const std::size_t i = currentTask();
+  if (i >= tasks_.size() || !tasks_[i]) return;
+  tasks_[i]->feed(sample);
+  if (tasks_[i]->done()) state().tasks_done[i] = 1;
+}
+
+void LessonSession::feed(std::span<const TouchSample> samples) {
+  for (const TouchSample& s : samples) feed(s);
+}
+
+TaskStatus LessonSession::task(std::size_t index) const {
+  TaskStatus out;
+  out.done = state().tasks_done[index] != 0;
+  out.current = !out.done && index == currentTask();
+  if (out.done) {
+    out.progress = 1.0;
+    out.sentence = step().tasks[index].values["praise"].text;
+  } else if (out.current && tasks_[index]) {
+    out.progress = tasks_[index]->progress();
+    out.sentence = tasks_[index]->sentence();
+  }
+  return out;
+}
+
+void LessonSession::restartTask(std::size_t index) {
+  if (index >= tasks_.size()) return;
+  state().tasks_done[index] = 0;
+  if (tasks_[index]) tasks_[index]->reset();
+}
+
+void LessonSession::record(std::size_t question, bool right) {
+  QuestionStatus& status = state().questions[question];
+  ++status.attempts;
+  status.last_right = right;
+  status.answered_right = status.answered_right || right;
+}
+
+bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choices) {
+  const std::vector<Choice>& there = step().questions[question].choices;
+  std::sort(choices.begin(), choices.end());
+  choices.erase(std::unique(choices.begin(), choices.end()), choices.end());
+  bool right = choices.empty() || choices.back() < there.size();
+  for (std::size_t i = 0; i < there.size(); ++i)
+    right = right && there[i].right == std::binary_search(choices.begin(), choices.end(), i);
+  std::erase_if(choices, [&](std::size_t i) { return i >= there.size(); });
+  state().questions[question].chosen = std::move(choices);
+  record(question, right);
+  return right;
+}
+
+bool LessonSession::write(std::size_t question, std::string text) {
+  const auto& answer = step().questions[question].answer;
+  if (!answer || trimmed(text).empty()) return false;
+  bool right = true;
+  if (answer->kind == AnswerSpec::Kind::Number) right = numberIsRight(*answer, text);
+  if (answer->kind == AnswerSpec::Kind::Text)
+    right = std::any_of(answer->texts.begin(), answer->texts.end(), [&](const std::string& t) { return folded(t) == folded(text); });
+  state().questions[question].written = std::move(text);
+  record(question, right);
+  return right;
+}
+
+std::vector<RichText> LessonSession::feedback(std::size_t question) const {
+  std::vector<RichText> out;
+  const QuestionStatus& status = state().questions[question];
+  const Question& asked = step().questions[question];
+  if (status.attempts == 0) return out;
+  if (asked.answer) {
+    if (asked.answer->kind != AnswerSpec::Kind::Free || status.last_right)
+      out.push_back({TextRun{.text = status.last_right ? asked.answer->right : asked.answer->wrong}});
+    return out;
+  }
+  for (const std::size_t i : status.chosen)
+    if (!asked.choices[i].feedback.empty()) out.push_back(asked.choices[i].feedback);
+  if (!status.last_right && asked.rightChoices() > 1)
+    out.push_back({TextRun{.text = "Look again: more than one is right."}});
+  return out;
+}
+
+bool LessonSession::stepDone(std::size_t step) const {
+  const StepState& s = states_[step];
+  return std::all_of(s.tasks_done.begin(), s.tasks_done.end(), [](char d) { return d != 0; }) &&
+         std::all_of(s.questions.begin(), s.questions.end(), [](const QuestionStatus& q) { return q.answered_right; });
+}
+
+double LessonSession::progress() const {
+  std::size_t all = 0, done = 0, seen = 0;
+  for (const StepState& s : states_) {
+    all += s.tasks_done.size() + s.questions.size();
+    done += static_cast<std::size_t>(std::count(s.tasks_done.begin(), s.tasks_done.end(), 1));
+    for (const QuestionStatus& q : s.questions) done += q.answered_right;
+    seen += s.seen;
+  }
+  return all ? static_cast<double>(done) / static_cast<double>(all) : static_cast<double>(seen) / static_cast<double>(states_.size());
+}
+
+bool LessonSession::finished() const { return progress() >= 1.0; }
+
+void LessonSession::replaceLesson(std::shared_ptr<const Lesson> lesson) {
+  const std::shared_ptr<const Lesson> old = std::exchange(lesson_, std::move(lesson));
+  std::vector<StepState> old_states = std::move(states_);
+  states_.clear();
+  for (const Step& s : lesson_->steps) {
+    states_.push_back({std::vector<char>(s.tasks.size(), 0), std::vector<QuestionStatus>(s.questions.size()), false});
+    if (const auto before = old->find(s.id); before && sameShape(old->steps[*before], s)) states_.back() = std::move(old_states[*before]);
+  }
+  const Step& was = old->steps[step_];
+  const std::size_t now = lesson_->find(was.id).value_or(std::min(step_, lesson_->steps.size() - 1));
+  if (lesson_->steps[now].scene.molecule != was.scene.molecule) molecule_ = nullptr;
+  step_ = now;
+  enter(now);
+}
+
+}  // namespace moltact

@@ -1,0 +1,55 @@
+// avoid: move over the surface for a time without touching a region.
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+class Avoid : public Task {
+ public:
+  Avoid(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), region_(spec.values["avoid"].selection, molecule), name_(targetName(spec, "avoid")),
+        time_s_(spec.values["for"].number) {}
+
+  void reset() override {
+    Task::reset();
+    touched_s_ = 0.0;
+    on_region_ = erred_ = false;
+  }
+
+ private:
+  void take(const TouchSample& s, double dt_s) override {
+    on_region_ = region_.touchedBy(s.contact);
+    if (on_region_) {
+      erred_ = erred_ || touched_s_ > 0.0;
+      touched_s_ = 0.0;
+    } else if (s.contact.touching()) {
+      touched_s_ += dt_s;
+    }
+    setProgress(touched_s_ / time_s_);
+    if (touched_s_ >= time_s_) finish();
+  }
+
+  std::string guidance() const override {
+    if (on_region_) return "That is " + name_ + ". Move away from it; the time starts again.";
+    const std::string time = timeText(touched_s_) + " of " + timeText(time_s_) + ".";
+    if (touched_s_ > 0.0 || erred_) return "Keep feeling the surface without touching " + name_ + ": " + time;
+    return "Touch the surface anywhere except " + name_ + ".";
+  }
+
+  AtomSet region_;
+  std::string name_;
+  double time_s_ = 1.0, touched_s_ = 0.0;
+  bool on_region_ = false, erred_ = false;
+};
+
+}  // namespace
+
+TaskKind avoidKind() {
+  return {"avoid", "Feel the surface for a time without touching a region.",
+          {{.name = "avoid", .type = ValueType::Selection, .meaning = "The atoms that must not be touched.", .required = true},
+           {.name = "for", .type = ValueType::Quantity, .meaning = "How long the rest of the surface is to be touched; moving through free space does not count.",
+            .fallback = "10 s", .dimension = Dimension::Time, .least = 0.1, .most = 600.0}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Avoid>(s, m); }};
+}
+
+}  // namespace moltact

@@ -1,0 +1,86 @@
+// hold: stay in contact with atoms or with a kind of place for a time, within a range of force if the author asks for one.
+#include <limits>
+
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+// A force that trembles about the edge of its range still counts as within it: this much is forgiven (share of the edge).
+constexpr double kForceSlack = 0.05;
+
+class Hold : public Task {
+ public:
+  Hold(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), target_(spec.values["hold"].selection, molecule), name_(targetName(spec, "hold")) {
+    const Value& place = spec.values["hold"];
+    if (!place.words.empty()) feature_ = place.words[0];
+    time_s_ = spec.values["for"].number;
+    if (spec.values.has("force")) {
+      low_N_ = spec.values["force"].low;
+      high_N_ = spec.values["force"].high;
+    }
+  }
+
+  void reset() override {
+    Task::reset();
+    watch_.restart();
+    state_ = State::Away;
+    slipped_ = false;
+  }
+
+ private:
+  enum class State { Away, Elsewhere, TooLight, TooHard, Good };
+
+  void take(const TouchSample& s, double dt_s) override {
+    state_ = stateOf(s);
+    if (watch_.tick(state_ == State::Good, dt_s, kSlip_s)) slipped_ = true;
+    if (state_ == State::Good) slipped_ = false;
+    setProgress(watch_.elapsed_s() / time_s_);
+    if (watch_.elapsed_s() >= time_s_) finish();
+  }
+
+  State stateOf(const TouchSample& s) const {
+    if (!s.contact.touching()) return State::Away;
+    const bool here = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact) : isFeature(feature_, s.contact.feature);
+    if (!here) return State::Elsewhere;
+    const double force = glm::length(s.force.N);
+    if (force < low_N_ * (1.0 - kForceSlack)) return State::TooLight;
+    if (force > high_N_ * (1.0 + kForceSlack)) return State::TooHard;
+    return State::Good;
+  }
+
+  std::string guidance() const override {
+    switch (state_) {
+      case State::Good: return "Hold it: " + timeText(watch_.elapsed_s()) + " of " + timeText(time_s_) + ".";
+      case State::TooLight: return "Push a little further in: " + forceText(low_N_) + " is enough.";
+      case State::TooHard: return "Ease off a little: stay below " + forceText(high_N_) + ".";
+      case State::Elsewhere: return "You are on the surface. Slide on to find " + name_ + ".";
+      case State::Away: break;
+    }
+    if (slipped_) return "You slipped off. Touch " + name_ + " again and hold for " + timeText(time_s_) + ".";
+    return "Touch " + name_ + " and hold for " + timeText(time_s_) + ".";
+  }
+
+  AtomSet target_;
+  std::string name_, feature_;
+  double time_s_ = 1.0, low_N_ = 0.0, high_N_ = std::numeric_limits<double>::infinity();
+  Stopwatch watch_;
+  State state_ = State::Away;
+  bool slipped_ = false;
+};
+
+}  // namespace
+
+TaskKind holdKind() {
+  return {"hold", "Stay in contact for a time.",
+          {{.name = "hold", .type = ValueType::Target, .meaning = "Where to stay: atoms, a kind of place, or anywhere on the surface.",
+            .required = true, .words = {"sphere", "crease", "pit", "anywhere"}},
+           {.name = "for", .type = ValueType::Quantity, .meaning = "How long; slips under 0.3 s are forgiven.",
+            .fallback = "2 s", .dimension = Dimension::Time, .least = 0.1, .most = 600.0},
+           {.name = "force", .type = ValueType::Range, .meaning = "The force to keep within; 5 % beyond either end is forgiven.",
+            .dimension = Dimension::Force, .most = 20.0}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Hold>(s, m); }};
+}
+
+}  // namespace moltact

@@ -1,0 +1,15 @@
+// What each task file offers to the registry.
+#pragma once
+
+#include "engine/lesson/tasks/registry.h"
+
+namespace moltact {
+
+TaskKind reachKind();
+TaskKind holdKind();
+TaskKind pressKind();
+TaskKind feelKind();
+TaskKind crossKind();
+TaskKind avoidKind();
+
+}  // namespace moltact

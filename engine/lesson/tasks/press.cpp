@@ -1,0 +1,61 @@
+// press: push against atoms or anywhere until the surface pushes back with a force.
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+class Press : public Task {
+ public:
+  Press(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), target_(spec.values["press"].selection, molecule), name_(targetName(spec, "press")) {
+    const Value& place = spec.values["press"];
+    if (!place.words.empty()) feature_ = place.words[0];
+    until_N_ = spec.values["until"].number;
+  }
+
+  void reset() override {
+    Task::reset();
+    watch_.restart();
+    force_N_ = 0.0;
+    touching_ = here_ = false;
+  }
+
+ private:
+  void take(const TouchSample& s, double dt_s) override {
+    touching_ = s.contact.touching();
+    here_ = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact) : isFeature(feature_, s.contact.feature);
+    force_N_ = here_ ? glm::length(s.force.N) : 0.0;
+    // Counting the time at full force and not the peak alone keeps one noisy sample from finishing the task.
+    watch_.tick(force_N_ >= until_N_, dt_s, kSlip_s);
+    setProgress(force_N_ / until_N_);
+    if (watch_.elapsed_s() >= kTouch_s) finish();
+  }
+
+  std::string guidance() const override {
+    if (here_) {
+      if (force_N_ >= until_N_) return "That is " + forceText(force_N_) + ". Stay there a moment.";
+      return "You push with " + forceText(force_N_) + " of " + forceText(until_N_) + ". Push further in.";
+    }
+    if (touching_) return "You are on the surface. Slide on to find " + name_ + ".";
+    return "Touch " + name_ + ", then push in.";
+  }
+
+  AtomSet target_;
+  std::string name_, feature_;
+  double until_N_ = 1.0, force_N_ = 0.0;
+  Stopwatch watch_;
+  bool touching_ = false, here_ = false;
+};
+
+}  // namespace
+
+TaskKind pressKind() {
+  return {"press", "Push until the surface pushes back with a force.",
+          {{.name = "press", .type = ValueType::Target, .meaning = "Where to push: atoms, a kind of place, or anywhere on the surface.",
+            .required = true, .words = {"sphere", "crease", "pit", "anywhere"}},
+           {.name = "until", .type = ValueType::Quantity, .meaning = "The force to reach.", .required = true,
+            .dimension = Dimension::Force, .least = 0.01, .most = 20.0}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Press>(s, m); }};
+}
+
+}  // namespace moltact

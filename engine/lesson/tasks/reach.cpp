@@ -1,0 +1,65 @@
+// reach: touch one of the selected atoms, or a place near them.
+#include <cmath>
+
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+class Reach : public Task {
+ public:
+  Reach(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), target_(spec.values["reach"].selection, molecule), name_(targetName(spec, "reach")) {
+    if (!spec.values.has("near")) return;
+    near_A_ = spec.values["near"].number;
+    for (const std::uint32_t i : spec.values["reach"].selection.select(molecule)) centres_.push_back(molecule.atoms[i].position.A);
+  }
+
+  void reset() override {
+    Task::reset();
+    watch_.restart();
+    touching_ = false;
+  }
+
+ private:
+  void take(const TouchSample& s, double dt_s) override {
+    touching_ = s.contact.touching();
+    watch_.tick(reached(s.contact), dt_s, 0.0);
+    setProgress(watch_.elapsed_s() / kTouch_s);
+    if (watch_.elapsed_s() >= kTouch_s) finish();
+  }
+
+  bool reached(const Contact& contact) const {
+    if (target_.touchedBy(contact)) return true;
+    if (!contact.touching()) return false;
+    for (const Vec3& c : centres_)
+      if (glm::distance(c, contact.scp.A) <= near_A_) return true;
+    return false;
+  }
+
+  std::string guidance() const override {
+    if (watch_.elapsed_s() > 0.0) return "Stay there a moment.";
+    if (touching_) return "You are on the surface. Slide on to find " + name_ + ".";
+    return "Move the probe to " + name_ + " until it stops you.";
+  }
+
+  AtomSet target_;
+  std::string name_;
+  std::vector<Vec3> centres_;
+  double near_A_ = 0.0;
+  Stopwatch watch_;
+  bool touching_ = false;
+};
+
+}  // namespace
+
+TaskKind reachKind() {
+  return {"reach", "Touch one of the selected atoms.",
+          {{.name = "reach", .type = ValueType::Selection, .meaning = "The atoms of which one is to be touched.", .required = true},
+           {.name = "near", .type = ValueType::Quantity,
+            .meaning = "A touch counts within this distance of a selected atom's centre as well.",
+            .dimension = Dimension::Length, .most = 1000.0}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Reach>(s, m); }};
+}
+
+}  // namespace moltact

@@ -1,0 +1,30 @@
+// The kinds of touch task that there are. A kind is added with its own file and one line in registry.cpp.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/lesson/tasks/task.h"
+
+namespace moltact {
+
+struct TaskKind {
+  std::string_view name;        ///< also the key that carries its target: "reach: element O"
+  std::string_view meaning;     ///< one sentence for authors
+  std::vector<KeySpec> keys;    ///< its own keys, the one called `name` first
+  std::unique_ptr<Task> (*make)(const TaskSpec& spec, const Molecule& molecule);
+  /// Adds problems with keys that do not go together, as if from file ""; may be null.
+  void (*check)(const TaskSpec& spec, std::vector<Problem>& problems) = nullptr;
+};
+
+std::span<const TaskKind> taskKinds();
+
+/// The kind of that name, or nullptr.
+const TaskKind* findTaskKind(std::string_view name);
+
+/// The task, at its start. `spec` must come from the reader; the molecule is not kept.
+std::unique_ptr<Task> makeTask(const TaskSpec& spec, const Molecule& molecule);
+
+}  // namespace moltact

@@ -1,0 +1,17 @@
+// One tick of the servo loop as a lesson sees it. Plain data, written by the servo side, read on the screen's thread.
+#pragma once
+
+#include "engine/core/units.h"
+#include "engine/haptics/tracker.h"
+
+namespace moltact {
+
+struct TouchSample {
+  double time_s = 0.0;     ///< since the servo loop started; never goes back
+  PointA hip;              ///< where the hand is (unit: angstrom)
+  Contact contact;         ///< what the tracker gave for it
+  ForceN force;            ///< on the hand, in the device's space (unit: newton)
+  double probe_A = 1.4;    ///< the probe's radius at that tick (unit: angstrom)
+};
+
+}  // namespace moltact

@@ -1,0 +1,138 @@
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "engine/lesson/keys.h"
+#include "engine/lesson/suggestion.h"
+
+namespace moltact {
+namespace {
+
+Problem at(std::string_view text, std::string_view part, std::string message, std::string remedy = {}) {
+  const auto offset = static_cast<std::size_t>(part.data() - text.data());
+  return {{}, 0, characterCount(text.substr(0, offset)) + 1, std::move(message), std::move(remedy)};
+}
+
+std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
+
+std::string plain(double value, Dimension dimension) {
+  std::ostringstream out;
+  out << value;
+  if (dimension != Dimension::None) out << ' ' << codeUnit(dimension);
+  return out.str();
+}
+
+std::vector<std::string_view> commaParts(std::string_view text) {
+  std::vector<std::string_view> parts;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    parts.push_back(trimmed(text.substr(0, comma)));
+    if (comma == std::string_view::npos) return parts;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+Expected<Value> bounded(const KeySpec& key, std::string_view text, Value value, double low, double high) {
+  if (low < key.least) return at(text, text, quoted(text) + " is too small", "the smallest is " + plain(key.least, key.dimension));
+  if (high > key.most) return at(text, text, quoted(text) + " is too large", "the largest is " + plain(key.most, key.dimension));
+  return value;
+}
+
+Expected<Value> countValue(const KeySpec& key, std::string_view text, Value value) {
+  const auto number = parseNumber(text);
+  if (!number) return number.problem();
+  if (*number != std::floor(*number)) return at(text, text, quoted(text) + " is not a whole number");
+  value.number = *number;
+  return bounded(key, text, std::move(value), *number, *number);
+}
+
+Expected<Value> numberValue(std::string_view text, Value value) {
+  const auto bare = parseNumber(text);
+  if (bare) {
+    value.number = *bare;
+    return value;
+  }
+  for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness})
+    if (const auto with_unit = parseQuantity(text, d)) {
+      value.number = *with_unit;
+      value.words = {std::string(codeUnit(d))};
+      return value;
+    }
+  return bare.problem();
+}
+
+Expected<Value> wordsValue(const KeySpec& key, std::string_view text, Value value, bool list) {
+  const std::vector<std::string_view> parts = list ? commaParts(text) : std::vector<std::string_view>{text};
+  for (const std::string_view part : parts) {
+    if (part.empty()) return at(text, part, "a word is missing", "take out the comma");
+    if (std::find(key.words.begin(), key.words.end(), part) == key.words.end())
+      return at(text, part, quoted(key.name) + " cannot be " + quoted(part), suggest(part, key.words, "known"));
+    value.words.emplace_back(part);
+  }
+  return value;
+}
+
+Expected<Value> selectionValue(std::string_view text, std::string_view part, Value value) {
+  auto selection = parseSelection(part);
+  if (selection) {
+    value.selection = *selection;
+    return value;
+  }
+  Problem p = selection.problem();
+  p.column += at(text, part, {}).column - 1;
+  return p;
+}
+
+Expected<Value> targetValue(const KeySpec& key, std::string_view text, Value value) {
+  if (std::find(key.words.begin(), key.words.end(), text) != key.words.end()) {
+    value.words = {std::string(text)};
+    return value;
+  }
+  auto selected = selectionValue(text, text, value);
+  // A single misspelt word is more likely one of the key's own words than the start of a selection.
+  if (!selected && text.find(' ') == std::string_view::npos)
+    for (const std::string_view word : key.words)
+      if (editDistance(word, text) <= std::max<std::size_t>(1, word.size() / 3))
+        return at(text, text, quoted(key.name) + " cannot be " + quoted(text), "did you mean " + quoted(word) + "?");
+  return selected;
+}
+
+}  // namespace
+
+Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
+  Value value;
+  value.text = std::string(text);
+  if (text.empty()) return Problem{{}, 0, 1, quoted(key.name) + " has no value", "write it after the colon"};
+  switch (key.type) {
+    case ValueType::Text: return value;
+    case ValueType::TextList:
+      for (const std::string_view part : commaParts(text))
+        if (!part.empty()) value.words.emplace_back(part);
+      return value;
+    case ValueType::Count: return countValue(key, text, std::move(value));
+    case ValueType::Number: return numberValue(text, std::move(value));
+    case ValueType::Quantity: {
+      const auto number = parseQuantity(text, key.dimension);
+      if (!number) return number.problem();
+      value.number = *number;
+      return bounded(key, text, std::move(value), *number, *number);
+    }
+    case ValueType::Range: {
+      const auto range = parseRange(text, key.dimension);
+      if (!range) return range.problem();
+      value.low = range->low;
+      value.high = range->high;
+      return bounded(key, text, std::move(value), range->low, range->high);
+    }
+    case ValueType::Word: return wordsValue(key, text, std::move(value), false);
+    case ValueType::WordList: return wordsValue(key, text, std::move(value), true);
+    case ValueType::Selection: return selectionValue(text, text, std::move(value));
+    case ValueType::Target: return targetValue(key, text, std::move(value));
+    case ValueType::View:
+      if (text.starts_with("facing ")) return selectionValue(text, trimmed(text.substr(7)), std::move(value));
+      return wordsValue(key, text, std::move(value), false);
+  }
+  return value;
+}
+
+}  // namespace moltact

@@ -1,0 +1,34 @@
+#include "engine/molecule/molecule.h"
+
+#include <cctype>
+
+#include "engine/molecule/elements.h"
+
+namespace moltact {
+
+std::vector<Ball> Molecule::balls() const {
+  std::vector<Ball> out;
+  out.reserve(atoms.size());
+  for (const Atom& atom : atoms) out.push_back({atom.position.A, atom.radius_A});
+  return out;
+}
+
+std::string Molecule::describe(std::size_t index) const {
+  const Atom& atom = atoms[index];
+  if (atom.residue == kNoResidue) return "atom " + std::to_string(index);
+  const Residue& residue = residues[atom.residue];
+  std::string out = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
+  out += " of ";
+  std::string name = residue.name;
+  // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.
+  if (residue.kind == ResidueKind::AminoAcid)
+    for (std::size_t i = 1; i < name.size(); ++i) name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+  out += name.empty() ? "residue" : name;
+  out += ' ' + std::to_string(residue.number);
+  if (residue.insertion != ' ') out += residue.insertion;
+  const std::string& chain = chains[residue.chain].name;
+  if (!chain.empty()) out += " (chain " + chain + ')';
+  return out;
+}
+
+}  // namespace moltact

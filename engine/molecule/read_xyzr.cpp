@@ -1,0 +1,85 @@
+// Reads .xyzr, the convention of surface programs: a ball a line, x y z r in angstroms, blank lines and # comments allowed.
+// What follows the fourth number on a line (an atom's name, a flag) is passed over with one warning.
+#include <charconv>
+#include <cmath>
+
+#include "engine/molecule/parsed_structure.h"
+
+namespace moltact {
+namespace {
+
+constexpr const char* kFormatRemedy = "write four numbers a line, x y z r in angstroms, with blanks between them";
+
+bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+
+/// Reads one number at `at`; on success `at` stands behind it, at a blank or the end.
+bool takeNumber(const char*& at, const char* end, double& value) {
+  const char* begin = at + (end - at > 1 && *at == '+' && at[1] != '-' ? 1 : 0);
+  const auto [stop, error] = std::from_chars(begin, end, value);
+  if (error != std::errc{} || (stop != end && !isBlank(*stop) && *stop != '#')) return false;
+  at = stop;
+  return true;
+}
+
+}  // namespace
+
+Expected<Molecule> readXyzr(std::string_view text, const std::string& file, const ReadOptions& options) {
+  constexpr const char* kColumn[4] = {"x", "y", "z", "r"};
+  if (options.model != 1) return noSuchModel(file, options.model, 1);
+  if (!options.assembly.empty())
+    return Problem{file, 0, 0, "an .xyzr file describes no biological assembly",
+                   "read it without one, or take the PDB or mmCIF file"};
+  Molecule out;
+  out.atoms.reserve(text.size() / 40);
+  std::size_t line_number = 0, first_extra = 0;
+  for (const char *at = text.data(), *end = at + text.size(); at < end;) {
+    ++line_number;
+    const std::size_t left = static_cast<std::size_t>(end - at);
+    const char* newline = static_cast<const char*>(std::char_traits<char>::find(at, left, '\n'));
+    const char* stop = newline ? newline : end;
+    const char* const start = at;
+    double value[4];
+    int count = 0;
+    while (count < 5) {
+      while (at < stop && isBlank(*at)) ++at;
+      if (at == stop || *at == '#') break;
+      if (count == 4) {
+        if (!first_extra) first_extra = line_number;
+        break;
+      }
+      const std::size_t column = static_cast<std::size_t>(at - start) + 1;
+      const char* word_end = at;
+      while (word_end < stop && !isBlank(*word_end)) ++word_end;
+      const std::string_view word(at, static_cast<std::size_t>(word_end - at));
+      if (!takeNumber(at, stop, value[count]))
+        return Problem{file, line_number, column, "expected the number " + std::string(kColumn[count]) + ", found " + inQuotes(word),
+                       kFormatRemedy};
+      if (!std::isfinite(value[count]) || std::abs(value[count]) > kMaxCoordinate_A)
+        return Problem{file, line_number, column,
+                       std::string(kColumn[count]) + " is " + inQuotes(word) + ", which is not a finite number up to 1e9 A",
+                       "correct or remove the line"};
+      if (count == 3 && value[3] < 0)
+        return Problem{file, line_number, column, "the radius is negative: " + inQuotes(word), "give a radius of 0 A or more"};
+      ++count;
+    }
+    if (count > 0 && count < 4)
+      return Problem{file, line_number, static_cast<std::size_t>(at - start) + 1,
+                     "expected 4 numbers, found " + std::to_string(count), kFormatRemedy};
+    if (count == 4) {
+      if (out.atoms.size() + 1 >= kNoResidue)
+        return Problem{file, line_number, 0, "too many balls for one molecule", "split the file"};
+      Atom atom;
+      atom.position.A = {value[0], value[1], value[2]};
+      atom.radius_A = value[3];
+      out.atoms.push_back(atom);
+    }
+    at = newline ? newline + 1 : end;
+  }
+  if (out.atoms.empty()) return Problem{file, 0, 0, "the file holds no atoms", kFormatRemedy};
+  if (first_extra)
+    out.warnings.push_back("What follows the fourth number of a line was passed over (first on line " +
+                           std::to_string(first_extra) + ").");
+  return out;
+}
+
+}  // namespace moltact

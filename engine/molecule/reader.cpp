@@ -1,0 +1,123 @@
+#include "engine/molecule/reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <fstream>
+
+#include "engine/molecule/inflate.h"
+#include "engine/molecule/parsed_structure.h"
+
+namespace moltact {
+namespace {
+
+using ReadText = Expected<Molecule> (*)(std::string_view text, const std::string& file, const ReadOptions& options);
+
+struct Format {
+  const char* extension;
+  ReadText read;
+};
+
+// A format is added with one line here.
+constexpr Format kFormats[] = {
+    {".pdb", readPdb},
+    {".ent", readPdb},
+    {".cif", readMmcif},
+    {".mmcif", readMmcif},
+    {".xyzr", readXyzr},
+};
+
+std::string lower(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+/// The name without .gz.
+std::filesystem::path innerName(std::filesystem::path file) {
+  if (lower(file.extension().string()) == ".gz") file.replace_extension();
+  return file;
+}
+
+/// True where the first line that is neither blank nor a comment is four numbers.
+bool looksLikeXyzr(std::string_view text) {
+  while (!text.empty()) {
+    const std::size_t newline = text.find('\n');
+    std::string_view line = trimmed(text.substr(0, newline));
+    text.remove_prefix(newline == std::string_view::npos ? text.size() : newline + 1);
+    if (line.empty() || line[0] == '#') continue;
+    int numbers = 0;
+    while (!line.empty() && numbers < 4) {
+      const std::size_t blank = line.find_first_of(" \t");
+      double value;
+      if (!parseNumber(line.substr(0, blank), value)) return false;
+      ++numbers;
+      line = blank == std::string_view::npos ? std::string_view() : trimmed(line.substr(blank));
+    }
+    return numbers == 4;
+  }
+  return false;
+}
+
+/// The reader that the content asks for; null where it is none of ours.
+ReadText readerByContent(std::string_view text) {
+  constexpr std::size_t kLook = 1 << 16;
+  const std::string_view head = text.substr(0, kLook);
+  for (std::string_view rest = head; !rest.empty();) {
+    const std::size_t newline = rest.find('\n');
+    const std::string_view line = rest.substr(0, newline);
+    for (const char* record : {"ATOM  ", "HETATM", "HEADER    ", "MODEL ", "CRYST1", "REMARK "})
+      if (line.starts_with(record)) return readPdb;
+    if (line.starts_with("data_")) return readMmcif;
+    rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
+  }
+  return looksLikeXyzr(head) ? readXyzr : nullptr;
+}
+
+}  // namespace
+
+Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path, const ReadOptions& options) {
+  const std::string file = path.string();
+  if (bytes.size() > kMaxMoleculeBytes)
+    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB", "split it, or keep one model"};
+  if (isGzip(bytes)) {
+    auto inflated = inflateGzip(bytes, kMaxMoleculeBytes, file);
+    if (!inflated) return inflated.problem();
+    bytes = *std::move(inflated);
+  }
+  if (trimmed(bytes).empty())
+    return Problem{file, 0, 0, "the file is empty", "copy or download it again"};
+  const std::filesystem::path inner = innerName(path);
+  const std::string extension = lower(inner.extension().string());
+  ReadText read = nullptr;
+  for (const Format& format : kFormats)
+    if (extension == format.extension) read = format.read;
+  if (!read) read = readerByContent(bytes);
+  if (!read)
+    return Problem{file, 0, 0, "it is not a molecule in a format that is read here",
+                   "PDB (.pdb, .ent), mmCIF (.cif, .mmcif) and .xyzr are, each also with .gz"};
+  Expected<Molecule> molecule = read(bytes, file, options);
+  if (molecule && molecule->id.empty()) molecule->id = inner.stem().string();
+  return molecule;
+}
+
+Expected<Molecule> readMolecule(const std::filesystem::path& path, const ReadOptions& options) {
+  const std::string file = path.string();
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) return Problem{file, 0, 0, "there is no such file", "check the name and the folder"};
+  if (std::filesystem::is_directory(status)) return Problem{file, 0, 0, "it is a folder", "name a file in it"};
+  // A pipe or a device could give bytes without end.
+  if (!std::filesystem::is_regular_file(status)) return Problem{file, 0, 0, "it is not an ordinary file", "copy the data into one"};
+  const auto size = std::filesystem::file_size(path, error);
+  if (!error && size > kMaxMoleculeBytes)
+    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB", "split it, or keep one model"};
+  std::ifstream in(path, std::ios::binary);
+  if (!in) return Problem{file, 0, 0, "it cannot be opened for reading", "check the file's permissions"};
+  std::string bytes(error ? 0 : static_cast<std::size_t>(size), '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  if (in.bad() || (!error && bytes.size() != size))
+    return Problem{file, 0, 0, "reading it broke off after " + std::to_string(bytes.size()) + " bytes", "check the disk, then try again"};
+  return readMoleculeBytes(std::move(bytes), path, options);
+}
+
+}  // namespace moltact

@@ -1,0 +1,96 @@
+#include "engine/render/camera.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/molecule/molecule.h"
+
+namespace moltact {
+namespace {
+constexpr double kNearest_A = 0.5, kFarthestBack_A = 1e7;
+}
+
+Vec3 Camera::toView(PointA place) const {
+  return glm::conjugate(orientation) * (place.A - target.A) - Vec3(0, 0, distance_A);
+}
+
+PointA Camera::fromView(const Vec3& view) const {
+  return {target.A + orientation * (view + Vec3(0, 0, distance_A))};
+}
+
+double Camera::tanHalfY() const { return std::tan(0.5 * fov_y_rad); }
+
+Ray Camera::rayThrough(double x_px, double y_px, int width_px, int height_px) const {
+  const double x = 2.0 * x_px / width_px - 1.0, y = 1.0 - 2.0 * y_px / height_px;
+  const Vec3 view(x * tanHalfX(width_px, height_px), y * tanHalfY(), -1.0);
+  return {eye(), glm::normalize(orientation * view)};
+}
+
+Vec3 Camera::project(PointA place, int width_px, int height_px) const {
+  const Vec3 v = toView(place);
+  const double depth = -v.z;
+  return {(1.0 + v.x / depth / tanHalfX(width_px, height_px)) * 0.5 * width_px,
+          (1.0 - v.y / depth / tanHalfY()) * 0.5 * height_px, depth};
+}
+
+void Camera::orbit(double right_rad, double down_rad) {
+  const glm::dquat turn =
+      glm::angleAxis(-right_rad, Vec3(0, 1, 0)) * glm::angleAxis(-down_rad, Vec3(1, 0, 0));
+  orientation = glm::normalize(orientation * turn);
+}
+
+void Camera::roll(double angle_rad) {
+  orientation = glm::normalize(orientation * glm::angleAxis(-angle_rad, Vec3(0, 0, 1)));
+}
+
+void Camera::zoom(double factor) {
+  if (!(factor > 0) || !std::isfinite(factor)) return;
+  distance_A = std::clamp(distance_A / factor, kNearest_A, kFarthestBack_A);
+}
+
+void Camera::pan(double dx_px, double dy_px, int height_px) {
+  const double A = pixel_A(distance_A, height_px);
+  target.A += (up() * dy_px - right() * dx_px) * A;
+}
+
+void Camera::lookFrom(double azimuth_rad, double elevation_rad) {
+  orientation = glm::angleAxis(azimuth_rad, Vec3(0, 1, 0)) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
+}
+
+void Camera::fit(const Molecule& molecule, double aspect, double margin) {
+  if (molecule.atoms.empty()) return;
+  // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the eye
+  // at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides' largest
+  // bounds meet at the best m, so the picture is filled from edge to edge in perspective too.
+  const glm::dquat to_axes = glm::conjugate(orientation);
+  const Vec3 origin = molecule.atoms[0].position.A;
+  const double slope[2] = {tanHalfY() * aspect * (1 - margin), tanHalfY() * (1 - margin)};
+  double ahead[2] = {-1e300, -1e300}, behind[2] = {-1e300, -1e300}, low = 1e300, high = -1e300;
+  for (const Atom& a : molecule.atoms) {
+    const Vec3 p = to_axes * (a.position.A - origin);
+    low = std::min(low, p.z - a.radius_A);
+    high = std::max(high, p.z + a.radius_A);
+    for (const int k : {0, 1}) {
+      const double widened = a.radius_A * std::sqrt(1 + slope[k] * slope[k]);
+      ahead[k] = std::max(ahead[k], p.z + (p[k] + widened) / slope[k]);
+      behind[k] = std::max(behind[k], p.z + (widened - p[k]) / slope[k]);
+    }
+  }
+  const Vec3 middle(0.5 * slope[0] * (ahead[0] - behind[0]), 0.5 * slope[1] * (ahead[1] - behind[1]), 0.5 * (low + high));
+  const double back = 0.5 * std::max(ahead[0] + behind[0], ahead[1] + behind[1]) - middle.z;
+  target.A = origin + orientation * middle;
+  distance_A = std::clamp(back, kNearest_A, kFarthestBack_A);
+}
+
+void Camera::fit(PointA centre, double radius_A, double aspect, double margin) {
+  const double t = tanHalfY() * std::min(1.0, aspect) * (1 - margin);
+  target = centre;
+  distance_A = std::clamp(radius_A * std::sqrt(1 + t * t) / t, kNearest_A, kFarthestBack_A);
+}
+
+bool operator==(const Camera& a, const Camera& b) {
+  return a.target.A == b.target.A && a.orientation == b.orientation && a.distance_A == b.distance_A &&
+         a.fov_y_rad == b.fov_y_rad;
+}
+
+}  // namespace moltact

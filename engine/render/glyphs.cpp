@@ -1,0 +1,146 @@
+#include "engine/render/glyphs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/render/ball_intersections.h"
+#include "engine/render/haptic_shapes.h"
+
+namespace moltact {
+namespace {
+
+class Maker {
+ public:
+  Maker(const ViewScene& scene, Glyphs& out) : scene_(scene), out_(out) {
+    touching_ = scene.hip && scene.contact.touching();
+    if (!scene.hip) return;
+    scp_ = touching_ ? scene.contact.scp.A : scene.hip->A;
+    const Vec3 way = scp_ - scene.hip->A;
+    const double length = glm::length(way);
+    outward_ = touching_ && length > 1e-9 ? way / length : scene.camera.up();
+  }
+
+  // The oxygen sits in the middle of the sphere that is felt; the hydrogens point away from the surface, spread in
+  // the plane that the viewer sees best.
+  void probe() {
+    const bool water = std::abs(scene_.probe_A - kWaterProbe_A) < 0.35;
+    shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.75f);
+    addCircle(out_.strokes, {.colour = scene_.theme.probe, .alpha = 0.75f, .hidden = 0.25f, .width_px = 1.5f},
+              scene_.camera, silhouetteCentre(scp_, scene_.probe_A), toEye(scp_), silhouetteRadius(scp_, scene_.probe_A));
+    if (!water) return;
+    Vec3 side = glm::cross(toEye(scp_), outward_);
+    side = glm::length(side) > 1e-3 ? glm::normalize(side) : anyNormal(outward_);
+    const double half = 0.5 * kWaterAngle_deg * std::numbers::pi / 180;
+    solid(scp_, 0.62, elementColour(8), 0.35f);
+    for (const double sign : {-1.0, 1.0})
+      solid(scp_ + kWaterBond_A * (std::cos(half) * outward_ + sign * std::sin(half) * side), 0.44, elementColour(1), 0.35f);
+  }
+
+  void hip() {
+    solid(scene_.hip->A, sized(0.22, 4.5), scene_.theme.hip, 0.75f);
+    if (!touching_) return;
+    out_.strokes.begin({.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.7f, .width_px = 2.0f});
+    out_.strokes.point(view(scene_.hip->A));
+    out_.strokes.point(view(scp_));
+  }
+
+  void scp() {
+    if (!touching_) return;
+    const double r = sized(0.14, 3.2);
+    solid(scp_, r, scene_.theme.scp, 0.85f);
+    addCircle(out_.strokes, {.colour = scene_.theme.scp, .alpha = 0.9f, .hidden = 0.8f, .width_px = 1.6f},
+              scene_.camera, scp_, toEye(scp_), 2.1 * r, 48);
+  }
+
+  void force() {
+    if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
+    const double thick = sized(0.13, 2.4), head = 4.2 * thick;
+    const double length = std::max(scene_.force_N * scene_.arrow_A_per_N, 0.3 * head);
+    const Vec3 tip = scp_ + outward_ * (length + head);
+    const Vec3 neck = scp_ + outward_ * length;
+    const std::uint32_t colour = packColour(scene_.theme.force);
+    out_.cones.push_back({view(scp_), view(neck), float(thick), float(thick), colour});
+    out_.cones.push_back({view(neck), view(tip), float(2.3 * thick), 0.0f, colour});
+  }
+
+  void targets() {
+    for (const TargetMarker& t : scene_.targets) {
+      const Colour colour = t.reached ? scene_.theme.force : scene_.theme.target;
+      const double r = std::max(t.radius_A, 0.05);
+      shell(t.centre.A, r, colour, 0.75f);
+      const Vec3 eye = toEye(t.centre.A);
+      addCircle(out_.strokes, {.colour = colour, .alpha = 1.0f, .hidden = 0.55f, .width_px = 2.6f}, scene_.camera,
+                silhouetteCentre(t.centre.A, r), eye, silhouetteRadius(t.centre.A, r));
+      addCircle(out_.strokes, {.colour = colour, .alpha = 0.55f, .hidden = 0.3f, .width_px = 1.4f}, scene_.camera,
+                t.centre.A, eye, r + sized(0.35, 7.0));
+    }
+  }
+
+  void highlights(const BallScene& balls) {
+    for (const std::uint32_t a : scene_.highlighted) {
+      if (a >= balls.size()) continue;
+      const Ball& b = balls[a];
+      const double r = b.radius_A + 0.12;
+      addCircle(out_.strokes, {.colour = scene_.theme.target, .alpha = 0.95f, .hidden = 0.22f, .width_px = 2.4f},
+                scene_.camera, silhouetteCentre(b.centre_A, r), toEye(b.centre_A), silhouetteRadius(b.centre_A, r));
+    }
+  }
+
+  bool hasHip() const { return scene_.hip.has_value(); }
+
+ private:
+  glm::vec3 view(const Vec3& p) const { return glm::vec3(scene_.camera.toView({p})); }
+  Vec3 toEye(const Vec3& p) const { return glm::normalize(scene_.camera.eye().A - p); }
+  // At least so many pixels large, so that it is found in a big molecule too.
+  double sized(double A, double least_px) const {
+    // Counted in pixels of a picture 800 high, so that a small picture looks like a large one.
+    const double depth = std::max(0.1, -scene_.camera.toView({scp_}).z);
+    return std::max(A, least_px * scene_.camera.pixel_A(depth, 800));
+  }
+  Vec3 silhouetteCentre(const Vec3& p, double r) const {
+    const double d = glm::length(scene_.camera.eye().A - p);
+    return d > r ? p + toEye(p) * (r * r / d) : p;
+  }
+  double silhouetteRadius(const Vec3& p, double r) const {
+    const double d = glm::length(scene_.camera.eye().A - p);
+    return d > r ? r * std::sqrt(1 - r * r / (d * d)) : r;
+  }
+  void solid(const Vec3& p, double r, const Colour& colour, float ghost) {
+    out_.solid.push_back({view(p), float(r), packColour(colour)});
+    if (ghost > 0) out_.ghost.push_back({view(p), float(r), packColour(colour, ghost)});
+  }
+  void shell(const Vec3& p, double r, const Colour& colour, float alpha) {
+    out_.shell.push_back({view(p), float(r), packColour(colour, alpha)});
+  }
+
+  const ViewScene& scene_;
+  Glyphs& out_;
+  bool touching_ = false;
+  Vec3 scp_{0.0}, outward_{0, 1, 0};
+};
+
+}  // namespace
+
+void Glyphs::clear() {
+  solid.clear();
+  ghost.clear();
+  shell.clear();
+  cones.clear();
+  strokes.clear();
+}
+
+void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs) {
+  Maker make(scene, glyphs);
+  if (scene.shown.has(Shape::Target)) {
+    make.targets();
+    if (model) make.highlights(model->scene);
+  }
+  if (!make.hasHip()) return;
+  if (scene.shown.has(Shape::Probe)) make.probe();
+  if (scene.shown.has(Shape::Hip)) make.hip();
+  if (scene.shown.has(Shape::Scp)) make.scp();
+  if (scene.shown.has(Shape::Force)) make.force();
+}
+
+}  // namespace moltact

@@ -1,0 +1,34 @@
+// The probe and what happens to it: the water molecule at the SCP, HIP, SCP, the spring between them, the force arrow,
+// and a task's targets. Pure geometry; no graphics calls. Places come out in the camera's axes (unit: angstrom).
+#pragma once
+
+#include <vector>
+
+#include "engine/render/molecule_model.h"
+#include "engine/render/sphere_impostors.h"
+#include "engine/render/view_scene.h"
+#include "engine/render/wireframe.h"
+
+namespace moltact {
+
+struct GlyphCone {
+  glm::vec3 a{0.0f}, b{0.0f};
+  float radius_a = 0, radius_b = 0;
+  std::uint32_t colour = 0;
+};
+
+struct Glyphs {
+  std::vector<LooseSphere> solid, ghost, shell;  ///< a ghost shows where a solid of the same place is hidden
+  std::vector<GlyphCone> cones;
+  Strokes strokes;
+
+  void clear();
+};
+
+/// O-H distance (unit: angstrom) and H-O-H angle (unit: degree) of water in the gas phase (Benedict, Gailar & Plyler 1956).
+inline constexpr double kWaterBond_A = 0.9572, kWaterAngle_deg = 104.52;
+
+/// Adds everything but the haptic shapes. `model` may be null.
+void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs);
+
+}  // namespace moltact

@@ -1,0 +1,52 @@
+#include "engine/render/molecule_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/render/atom_style.h"
+#include "engine/render/exposure.h"
+
+namespace moltact {
+namespace {
+
+std::vector<Ball> ballsOf(const Molecule& molecule) {
+  std::vector<Ball> balls;
+  balls.reserve(molecule.atoms.size());
+  for (const Atom& a : molecule.atoms) balls.push_back({a.position.A, a.radius_A});
+  return balls;
+}
+
+std::uint32_t packSigned(float v) { return std::uint8_t(std::int8_t(std::lround(std::clamp(v, -1.0f, 1.0f) * 127))); }
+
+}  // namespace
+
+MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(ballsOf(*molecule)) {
+  colour.reserve(molecule->atoms.size());
+  for (const Atom& a : molecule->atoms) colour.push_back(packColour(elementColour(a.atomic_number)));
+  for (const Exposure& e : exposures(scene.balls()))
+    exposure.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |
+                       packSigned(e.level) << 24);
+  middle_A = 0.5 * (scene.low_A() + scene.high_A());
+  for (const Ball& b : scene.balls())
+    reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
+}
+
+std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,
+                                        std::size_t most) {
+  std::vector<std::pair<double, std::uint32_t>> found;
+  scene.visitNear(place.A, probe_A + gap_A, [&](std::uint32_t i, const Ball& b) {
+    const double gap = glm::length(b.centre_A - place.A) - b.radius_A - probe_A;
+    if (gap <= gap_A) found.emplace_back(gap, i);
+  });
+  std::sort(found.begin(), found.end());
+  std::vector<std::uint32_t> atoms;
+  for (std::size_t k = 0; k < std::min(most, found.size()); ++k) atoms.push_back(found[k].second);
+  return atoms;
+}
+
+std::uint32_t packColour(const glm::vec3& colour, float alpha) {
+  const auto byte = [](float v) { return std::uint32_t(std::lround(std::clamp(v, 0.0f, 1.0f) * 255)); };
+  return byte(colour.x) | byte(colour.y) << 8 | byte(colour.z) << 16 | byte(alpha) << 24;
+}
+
+}  // namespace moltact

@@ -1,0 +1,32 @@
+// What the renderer keeps of a molecule between pictures: balls, colours, exposure, and a grid to find neighbours.
+// Made once for a molecule, immutable. Units: angstrom.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/haptics/ball_scene.h"
+#include "engine/molecule/molecule.h"
+
+namespace moltact {
+
+struct MoleculeModel {
+  explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
+
+  std::shared_ptr<const Molecule> molecule;
+  BallScene scene;
+  std::vector<std::uint32_t> colour;    ///< bytes red, green, blue, 255 from the lowest
+  std::vector<std::uint32_t> exposure;  ///< signed bytes slope x, y, z, level from the lowest
+  Vec3 middle_A{0.0};
+  double reach_A = 0.0;  ///< all balls lie within this of the middle
+};
+
+/// Up to `most` atoms whose inflated spheres come nearest to a place, nearest first, none farther than `gap_A` from it.
+std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,
+                                        std::size_t most);
+
+/// A colour as bytes red, green, blue, alpha from the lowest.
+std::uint32_t packColour(const glm::vec3& colour, float alpha = 1.0f);
+
+}  // namespace moltact

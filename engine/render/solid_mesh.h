@@ -1,0 +1,35 @@
+// Solid glyphs made of triangles (the force arrow, bonds), lit like the balls. Needs a current context.
+// Places in the camera's axes (unit: angstrom).
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "engine/render/sphere_impostors.h"
+
+namespace moltact {
+
+class SolidMesh {
+ public:
+  static Expected<SolidMesh> build();
+
+  /// A round bar from a to b whose radius goes from `radius_a` to `radius_b` (0 makes a tip), closed at a.
+  void addCone(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b, std::uint32_t colour);
+
+  /// Draws what was added, and forgets it. A ghost pass draws hidden parts at the given opacity first.
+  void draw(const Projection& projection, const Lighting& lighting, float ghost);
+
+ private:
+  struct Vertex {
+    glm::vec3 place, normal;
+    std::uint32_t colour;
+  };
+  SolidMesh() : stream_(std::make_unique<GlStream>()) {}
+
+  GlProgram program_;
+  std::unique_ptr<GlStream> stream_;
+  std::vector<Vertex> vertices_;
+};
+
+}  // namespace moltact

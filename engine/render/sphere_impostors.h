@@ -1,0 +1,69 @@
+// Balls drawn exactly: one quad each, on which every pixel's ray is cut with the sphere, with its depth.
+// Needs a current context. Colours are sRGB. Units: angstrom.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/render/gl_objects.h"
+#include "engine/render/molecule_model.h"
+#include "engine/render/sphere_cull.h"
+
+namespace moltact {
+
+/// What lights everything in a picture. The light moves with the camera.
+struct Lighting {
+  glm::vec3 background_top{0.0f}, background_bottom{0.0f};  ///< what distance fades into
+  float fade_from_A = 1e9f, fade_over_A = 1.0f;             ///< depth where the fading begins, and over what length
+  float fade_most = 0.0f;                                   ///< share of background at the far end (0 to 1)
+  glm::mat3 turn{1.0f};                                     ///< from the molecule's axes to the camera's
+};
+
+/// A ball that belongs to no molecule: HIP, SCP, the atoms of the probe.
+struct LooseSphere {
+  glm::vec3 centre{0.0f};  ///< in the camera's axes
+  float radius = 0.0f;
+  std::uint32_t colour = 0xFFFFFFFFu;  ///< packColour; alpha is the opacity (of a shell: at its rim)
+};
+
+class SphereImpostors {
+ public:
+  /// How balls meet what is already drawn.
+  enum class Pass {
+    Solid,   ///< opaque, lit
+    Ghost,   ///< only where something nearer hides it, at the colour's opacity
+    Shell,   ///< a clear bubble: strongest at its rim
+  };
+
+  static Expected<SphereImpostors> build();
+
+  /// `rim` is the width at depth 1 of a dark edge round each ball that stands well in front of what is behind it.
+  void drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
+                    std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim,
+                    const Projection& projection, const Lighting& lighting);
+  void drawLoose(std::span<const LooseSphere> spheres, Pass pass, const Projection& projection,
+                 const Lighting& lighting);
+
+ private:
+  struct Vertex {
+    float x, y;
+    float centre_x, centre_y, centre_z, radius;
+    std::uint32_t colour, exposure;
+  };
+  SphereImpostors() : stream_(std::make_unique<GlStream>()) {}
+  void push(const DrawnSphere& sphere, std::uint32_t colour, std::uint32_t exposure);
+  void flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting);
+
+  GlProgram solid_, shell_;
+  std::unique_ptr<GlStream> stream_;
+  std::vector<Vertex> vertices_;
+};
+
+/// Sets the uniforms `Lighting` and `Projection` of a program that uses kLightingText; the program must be in use.
+void setLighting(const GlProgram& program, const Projection& projection, const Lighting& lighting);
+
+/// GLSL: vec3 lit(vec3 colour, vec3 normal, vec3 hit, float open, float y_ndc) and what it needs.
+extern const char* const kLightingText;
+
+}  // namespace moltact

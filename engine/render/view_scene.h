@@ -1,0 +1,102 @@
+// One picture as plain data: what is there, what of it is shown, and from where. No graphics calls; a value that one
+// thread fills and hands to the renderer. Units: angstrom, newton.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/problem.h"
+#include "engine/core/units.h"
+#include "engine/haptics/tracker.h"
+#include "engine/molecule/molecule.h"
+#include "engine/render/atom_style.h"
+#include "engine/render/camera.h"
+
+namespace moltact {
+
+/// The parts of a picture that are switched one by one. A part is added here, in the table of view_scene.cpp and where
+/// it is drawn.
+enum class Shape : std::uint8_t { Atoms, Spheres, Circles, Points, Cones, Hip, Scp, Force, Probe, Target };
+
+struct ShapeName {
+  Shape shape;
+  std::string_view name;      ///< as in `--show circles`
+  std::string_view sentence;  ///< what it is, for a tool tip and for `--help`
+  bool haptic;                ///< belongs to the group `haptic`
+};
+
+/// All parts in the order in which they are offered.
+std::span<const ShapeName> shapeNames();
+
+class ShapeSet {
+ public:
+  constexpr ShapeSet() = default;
+  constexpr ShapeSet(std::initializer_list<Shape> shapes) {
+    for (const Shape s : shapes) set(s);
+  }
+  constexpr bool has(Shape s) const { return bits_ >> unsigned(s) & 1u; }
+  constexpr void set(Shape s, bool on = true) {
+    bits_ = on ? bits_ | 1u << unsigned(s) : bits_ & ~(1u << unsigned(s));
+  }
+  friend constexpr bool operator==(const ShapeSet&, const ShapeSet&) = default;
+
+ private:
+  std::uint32_t bits_ = 0;
+};
+
+/// What a picture shows unless told otherwise: atoms, probe, force, target.
+ShapeSet defaultShapes();
+
+/// Reads names parted by commas ("atoms,circles"); the groups are `haptic`, `all` and `none`. An unknown name gives a
+/// problem that lists the known ones.
+Expected<ShapeSet> parseShapes(std::string_view names);
+
+/// The colours of everything that is not an atom.
+struct Theme {
+  Colour background_top, background_bottom;
+  Colour surface;   ///< wires of the haptic surface
+  Colour in_use;    ///< the feature the SCP lies on
+  Colour hip, scp, force, probe;
+  Colour target;    ///< task targets and highlighted atoms
+  float wire_strength = 1.0f;  ///< wires need more weight on a light ground (default 1)
+  float fade = 0.6f;           ///< how much of the background the farthest atom takes on, 0 to 1 (default 0.6)
+  bool operator==(const Theme&) const = default;
+};
+Theme lightTheme();
+Theme darkTheme();
+
+/// A place that a task asks the learner to reach.
+struct TargetMarker {
+  PointA centre;
+  double radius_A = 1.0;
+  bool reached = false;  ///< drawn in the colour of success
+};
+
+struct ViewScene {
+  std::shared_ptr<const Molecule> molecule;  ///< may be null: only the background and the glyphs are drawn
+  Camera camera;
+  ShapeSet shown = defaultShapes();
+  Theme theme = darkTheme();
+  bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
+
+  std::optional<PointA> hip;  ///< no probe is drawn without it
+  Contact contact;            ///< its SCP and atoms are used while touching
+  double force_N = 0.0;       ///< length of the force, along SCP - HIP
+  double probe_A = kWaterProbe_A;
+  double arrow_A_per_N = 2.0;  ///< length of the force arrow (default 2 A for 1 N)
+
+  std::vector<std::uint32_t> haptic_atoms;  ///< whose haptic shapes are drawn; empty: those nearest to the SCP
+  std::size_t haptic_atoms_at_most = 14;    ///< how many are taken when haptic_atoms is empty (default 14)
+
+  std::vector<std::uint32_t> highlighted;  ///< atoms marked in the target's colour; out-of-range ones are ignored
+  std::vector<TargetMarker> targets;
+};
+
+/// Whether two scenes give the same picture. Molecules are compared by address.
+bool sameView(const ViewScene& a, const ViewScene& b);
+
+}  // namespace moltact

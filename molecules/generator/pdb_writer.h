@@ -1,0 +1,29 @@
+// Writes the generated molecules as PDB text. Units: angstrom.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.h"
+
+namespace moltact::generator {
+
+struct MadeAtom {
+  std::string name, residue, element;
+  char chain = 'A';
+  int number = 1;
+  Vec3 position_A{0.0};
+  bool hetero = false;
+};
+
+/// The PDB text: TITLE, the remarks as REMARK 1 lines, the atoms, TER after each chain of a polymer, END.
+std::string writePdb(const std::string& title, const std::vector<std::string>& remarks, const std::vector<MadeAtom>& atoms);
+
+std::string makeBDna();
+std::string makeAlphaHelix();
+std::string makeWater();
+std::string makeBenzene();
+std::string makeArgon(int atoms);
+
+}  // namespace moltact::generator

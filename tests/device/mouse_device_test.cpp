@@ -1,0 +1,52 @@
+// The mouse as a device at 1 kHz: an exponential glide in closed form.
+#include "engine/device/mouse_device.h"
+
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+
+namespace moltact {
+namespace {
+constexpr double kTick_s = 0.001;
+}
+
+TEST_CASE("after one time constant of 25 ms the hand has gone 63.2 % of a way of 1 mm") {
+  MouseDevice mouse;
+  mouse.place({{0, 0, 0}});
+  mouse.read(kTick_s);
+  mouse.lead({{1, 0, 0}});
+  DevicePose pose;
+  for (int k = 0; k < 25; ++k) pose = mouse.read(kTick_s);
+  CHECK(pose.position.mm.x == doctest::Approx(1.0 - std::exp(-1.0)).epsilon(1e-9));
+}
+
+TEST_CASE("the hand goes no faster than 0.4 mm a tick") {
+  MouseDevice mouse;
+  mouse.place({{0, 0, 0}});
+  Vec3 before = mouse.read(kTick_s).position.mm;
+  mouse.lead({{1000, 1000, 0}});
+  for (int k = 0; k < 100; ++k) {
+    const Vec3 now = mouse.read(kTick_s).position.mm;
+    CHECK(glm::distance(now, before) == doctest::Approx(0.4).epsilon(1e-9));
+    before = now;
+  }
+}
+
+TEST_CASE("a placed hand is there at the next tick") {
+  MouseDevice mouse;
+  mouse.lead({{5, 5, 5}});
+  mouse.place({{70, -20, 3}});
+  CHECK(mouse.read(kTick_s).position.mm == Vec3(70, -20, 3));
+}
+
+TEST_CASE("a lead that is not finite is ignored") {
+  MouseDevice mouse;
+  mouse.place({{1, 2, 3}});
+  mouse.read(kTick_s);
+  mouse.lead({{std::numeric_limits<double>::quiet_NaN(), 0, 0}});
+  mouse.lead({{0, std::numeric_limits<double>::infinity(), 0}});
+  for (int k = 0; k < 10; ++k) CHECK(mouse.read(kTick_s).position.mm == Vec3(1, 2, 3));
+}
+
+}  // namespace moltact

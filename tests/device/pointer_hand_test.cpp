@@ -1,0 +1,158 @@
+// The hand made of a mouse, against one ball of radius 1.7 A seen from (0, 0, 40) A: places and speeds in closed form.
+#include "engine/device/pointer_hand.h"
+
+#include <cmath>
+#include <limits>
+
+#include <doctest/doctest.h>
+
+namespace moltact {
+namespace {
+
+constexpr double kRadius_A = 1.7;
+constexpr double kProbe_A = 1.4;
+constexpr double kReach_A = kRadius_A + kProbe_A;
+constexpr double kFrame_s = 1.0 / 60.0;
+
+BallScene oneBall() { return BallScene({{Vec3(0.0), kRadius_A}}); }
+
+PointerInput atMiddle() {
+  PointerInput in;
+  in.rays.eye_A = {0, 0, 40};
+  in.rays.width_px = 800;
+  in.rays.height_px = 600;
+  in.pointer_px = glm::dvec2(400, 300);
+  in.dt_s = kFrame_s;
+  return in;
+}
+
+// The height over the ball's inflated surface along the line of sight through the middle.
+double height_A(PointA hip) { return hip.A.z - kReach_A; }
+
+}  // namespace
+
+TEST_CASE("the probe hovers 0.35 A before the surface under the pointer") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointA hip;
+  for (int k = 0; k < 60; ++k) hip = hand.lead(atMiddle(), scene, kProbe_A);
+  CHECK(height_A(hip) == doctest::Approx(0.35).epsilon(1e-9));
+  CHECK(hand.depth_A() == 0.0);
+}
+
+TEST_CASE("under no force a press sinks at 1.2 A/s once it has met the surface") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  PointA hip = hand.lead(in, scene, kProbe_A);
+  in.press = true;
+  while (hand.depth_A() == 0.0) hip = hand.lead(in, scene, kProbe_A);
+  const double before = hand.depth_A();
+  for (int k = 0; k < 60; ++k) hip = hand.lead(in, scene, kProbe_A);
+  CHECK(hand.depth_A() - before == doctest::Approx(1.2).epsilon(1e-6));
+  CHECK(height_A(hip) == doctest::Approx(-hand.depth_A()).epsilon(1e-9));
+}
+
+TEST_CASE("at 1 N the press sinks half as fast") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  in.press = true;
+  while (hand.depth_A() == 0.0) hand.lead(in, scene, kProbe_A);
+  in.force_N = 1.0;
+  const double before = hand.depth_A();
+  for (int k = 0; k < 30; ++k) hand.lead(in, scene, kProbe_A);
+  CHECK(hand.depth_A() - before == doctest::Approx(0.5 * 1.2 * 30 * kFrame_s).epsilon(1e-6));
+}
+
+TEST_CASE("at 1 N the pointer moves the aim half as far as at 0 N") {
+  const BallScene scene = oneBall();
+  for (const auto& [force_N, expected_px] : {std::pair{0.0, 20.0}, {1.0, 10.0}, {3.0, 5.0}}) {
+    PointerHand hand;
+    PointerInput in = atMiddle();
+    hand.lead(in, scene, kProbe_A);
+    in.press = true;
+    hand.lead(in, scene, kProbe_A);
+    const glm::dvec2 before = hand.aim_px();
+    in.force_N = force_N;
+    in.pointer_px = *in.pointer_px + glm::dvec2(20, 0);
+    hand.lead(in, scene, kProbe_A);
+    CHECK(hand.aim_px().x - before.x == doctest::Approx(expected_px));
+    CHECK(hand.aim_px().y == doctest::Approx(before.y));
+  }
+}
+
+TEST_CASE("two notches push 0.3 A deeper at once, and the press goes no deeper than 3 A") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  in.press = true;
+  while (hand.depth_A() == 0.0) hand.lead(in, scene, kProbe_A);
+  const double before = hand.depth_A();
+  in.dt_s = 0.0;
+  in.push_notches = 2.0;
+  hand.lead(in, scene, kProbe_A);
+  CHECK(hand.depth_A() - before == doctest::Approx(0.3));
+  in.push_notches = 1000.0;
+  hand.lead(in, scene, kProbe_A);
+  CHECK(hand.depth_A() == doctest::Approx(PointerHand::kDeepest_A));
+}
+
+TEST_CASE("letting go brings the probe back to 0.35 A before the surface") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  in.press = true;
+  for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+  in.press = false;
+  CHECK(height_A(hand.lead(in, scene, kProbe_A)) == doctest::Approx(0.35));
+}
+
+TEST_CASE("input that is not finite leaves the hand where it was") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  const PointA before = hand.lead(atMiddle(), scene, kProbe_A);
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  for (int which = 0; which < 6; ++which) {
+    PointerInput in = atMiddle();
+    in.press = true;
+    if (which == 0) in.force_N = nan;
+    if (which == 1) in.dt_s = inf;
+    if (which == 2) in.push_notches = nan;
+    if (which == 3) in.pointer_px->x = inf;
+    if (which == 4) in.keys.y = nan;
+    if (which == 5) in.rays.eye_A.z = nan;
+    CAPTURE(which);
+    CHECK(hand.lead(in, scene, kProbe_A).A == before.A);
+  }
+  CHECK(hand.lead(atMiddle(), scene, kProbe_A).A == before.A);
+}
+
+TEST_CASE("the arrow keys move the aim by 12 % of the view's height a second, and the pointer takes over when it moves") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  in.pointer_px.reset();
+  hand.lead(in, scene, kProbe_A);
+  in.keys = {1, 0};
+  for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+  CHECK(hand.aim_px().x == doctest::Approx(400 + 0.12 * 600));
+  in.keys = {0, 0};
+  in.pointer_px = glm::dvec2(100, 100);
+  for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+  CHECK(hand.aim_px().x == doctest::Approx(100).epsilon(1e-3));
+}
+
+TEST_CASE("beside the molecule the probe stays at the depth where the surface was last met, outside every ball") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  hand.lead(in, scene, kProbe_A);
+  in.pointer_px = glm::dvec2(790, 300);
+  PointA hip;
+  for (int k = 0; k < 120; ++k) hip = hand.lead(in, scene, kProbe_A);
+  CHECK(glm::length(hip.A) > kReach_A);
+  CHECK(std::abs(hip.A.z) < kReach_A + 1.0);
+}
+
+}  // namespace moltact

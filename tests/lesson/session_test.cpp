@@ -1,0 +1,117 @@
+#include "engine/lesson/session.h"
+
+#include <doctest/doctest.h>
+
+#include "engine/lesson/reader.h"
+#include "tests/lesson/small_molecules.h"
+
+using namespace moltact;
+
+namespace {
+
+const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
+const std::string kBody =
+    "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom 1\nsay: S\n```\n"
+    "### Question: Q?\n- [x] yes → Good\n- [x] also → Fine\n- [ ] no → Bad\n"
+    "## B\n### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\nwrong: Measure again.\n```\n### Question: W?\n```answer\ntext: crease, groove\n```\n"
+    "## C\n```scene\nmolecule: water\n```\n";
+
+std::shared_ptr<const Lesson> lesson(const std::string& body) {
+  LessonReading read = readLessonText("l.md", kHead + body);
+  for (const Problem& p : read.errors) MESSAGE(p.text());
+  REQUIRE(read.lesson);
+  return std::make_shared<const Lesson>(*std::move(read.lesson));
+}
+
+void touch(LessonSession& session, std::int32_t atom, double from_s) {
+  for (int i = 0; i <= 150; ++i) {
+    TouchSample s;
+    s.time_s = from_s + i * 0.001;
+    s.contact.feature = Feature::Sphere;
+    s.contact.atoms[0] = atom;
+    session.feed(s);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("tasks wait for the molecule, then are done one at a time in their order") {
+  LessonSession session(lesson(kBody));
+  touch(session, 0, 0.0);
+  CHECK_FALSE(session.task(0).done);
+  session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  CHECK(session.task(0).current);
+  CHECK(session.task(1).sentence.empty());
+  touch(session, 1, 1.0);
+  CHECK_FALSE(session.task(1).done);
+  touch(session, 0, 2.0);
+  CHECK(session.task(0).done);
+  CHECK(session.task(0).sentence == "P.");
+  CHECK(session.task(1).current);
+  touch(session, 1, 3.0);
+  CHECK(session.task(1).done);
+  CHECK_FALSE(session.stepDone());
+  CHECK(session.progress() == doctest::Approx(2.0 / 5));
+  session.restartTask(0);
+  CHECK_FALSE(session.task(0).done);
+}
+
+TEST_CASE("a question with two right choices takes exactly these two, and a wrong attempt gives feedback") {
+  LessonSession session(lesson(kBody));
+  CHECK_FALSE(session.choose(0, {0}));
+  CHECK(plainText(session.feedback(0).at(0)) == "Good");
+  CHECK(plainText(session.feedback(0).at(1)) == "Look again: more than one is right.");
+  CHECK_FALSE(session.choose(0, {0, 1, 2}));
+  CHECK_FALSE(session.choose(0, {0, 1, 99}));
+  CHECK_FALSE(session.choose(0, {}));
+  CHECK(session.choose(0, {1, 0, 1}));
+  CHECK(session.question(0).answered_right);
+  CHECK(session.question(0).attempts == 5);
+  CHECK_FALSE(session.choose(0, {2}));
+  CHECK(session.question(0).answered_right);
+}
+
+TEST_CASE("1.4 Å with tolerance 0.1 Å takes 1.5, 0.14 nm and 1.3 Å, not 1.6 or a word; words are taken in capitals") {
+  LessonSession session(lesson(kBody));
+  session.next();
+  for (const char* right : {"1.5", "0.14 nm", "1.3 Å", " 1.4 "}) CHECK(session.write(0, right));
+  for (const char* wrong : {"1.6", "14 nm", "about 1.4", "1.4 N"}) CHECK_FALSE(session.write(0, wrong));
+  CHECK(plainText(session.feedback(0).at(0)) == "Measure again.");
+  CHECK(session.question(0).attempts == 8);
+  CHECK_FALSE(session.write(0, "  "));
+  CHECK(session.question(0).attempts == 8);
+  CHECK(session.write(1, " Groove "));
+  CHECK_FALSE(session.write(1, "ridge"));
+}
+
+TEST_CASE("next, back and links move between 3 steps and stop at the ends; the scene's molecule follows") {
+  LessonSession session(lesson(kBody));
+  session.back();
+  CHECK(session.stepIndex() == 0);
+  const std::size_t scene = session.sceneNumber();
+  session.next();
+  CHECK(session.scene().molecule == "mix");
+  session.next();
+  CHECK(session.scene().molecule == "water");
+  CHECK(session.sceneNumber() > scene);
+  session.next();
+  CHECK(session.stepIndex() == 2);
+  CHECK(session.goTo("#a"));
+  CHECK(session.stepIndex() == 0);
+  CHECK_FALSE(session.goTo("#nowhere"));
+  CHECK(session.stepIndex() == 0);
+}
+
+TEST_CASE("a lesson read again keeps the step by its id and what was done in steps of the same shape") {
+  LessonSession session(lesson(kBody));
+  session.choose(0, {0, 1});
+  session.next();
+  session.write(0, "1.4");
+  session.replaceLesson(lesson("## New\n```scene\nmolecule: mix\n```\n" + kBody));
+  CHECK(session.step().id == "b");
+  CHECK(session.stepIndex() == 2);
+  CHECK(session.question(0).answered_right);
+  session.replaceLesson(lesson("## Z\n```scene\nmolecule: mix\n```\n"));
+  CHECK(session.stepIndex() == 0);
+  CHECK(session.progress() == 1.0);
+}

@@ -1,0 +1,246 @@
+// Tasks fed with samples made by hand, at 1 kHz unless a test says otherwise.
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "engine/lesson/key_lines.h"
+#include "engine/lesson/tasks/registry.h"
+#include "tests/lesson/small_molecules.h"
+
+using namespace moltact;
+
+namespace {
+
+/// A task of the kind from its keys, as in a touch block.
+std::unique_ptr<Task> task(std::string kind, std::vector<std::pair<std::string, std::string>> keys) {
+  const TaskKind* found = findTaskKind(kind);
+  REQUIRE(found);
+  std::vector<KeyLine> lines{{"say", "Do it.", {}, {}, {}}};
+  for (auto& [k, v] : keys) lines.push_back({k, v, {}, {1, 1}, {}});
+  std::vector<const KeySpec*> specs = pointersTo(found->keys);
+  for (const KeySpec& k : keysOf(KeyBlock::Touch)) specs.push_back(&k);
+  std::vector<Problem> problems;
+  TaskSpec spec{kind, readKeyValues(lines, specs, "touch", {}, problems), {}};
+  REQUIRE_MESSAGE(problems.empty(), problems.front().text());
+  return makeTask(spec, mixedMolecule());
+}
+
+/// A hand that touches atoms for a while.
+struct Hand {
+  Task& task;
+  double time_s = 0.0, dt_s = 0.001;
+
+  void touch(std::vector<std::int32_t> atoms, double seconds, double force_N = 0.5, Vec3 scp = {0, 0, 0}) {
+    TouchSample s;
+    s.contact.scp = {scp};
+    s.force.N = {0, 0, force_N};
+    for (std::size_t i = 0; i < atoms.size(); ++i) s.contact.atoms[i] = atoms[i];
+    s.contact.feature = static_cast<Feature>(atoms.size());
+    for (int i = 0, n = static_cast<int>(seconds / dt_s + 0.5); i < n; ++i) {
+      s.time_s = time_s += dt_s;
+      task.feed(s);
+    }
+  }
+  void away(double seconds) { touch({}, seconds, 0.0); }
+};
+
+}  // namespace
+
+TEST_CASE("reach is done after 0.1 s on the oxygen, not after 0.05 s, and stays done") {
+  auto t = task("reach", {{"reach", "element O"}});
+  Hand hand{*t};
+  CHECK(t->sentence() == "Move the probe to an oxygen atom until it stops you.");
+  hand.touch({1}, 1.0);
+  CHECK(t->sentence() == "You are on the surface. Slide on to find an oxygen atom.");
+  CHECK_FALSE(t->done());
+  hand.touch({3}, 0.05);
+  CHECK_FALSE(t->done());
+  CHECK(t->progress() == doctest::Approx(0.5).epsilon(0.05));
+  hand.away(0.01);
+  CHECK(t->progress() == 0.0);
+  hand.touch({1, 3}, 0.102);
+  CHECK(t->done());
+  CHECK(t->progress() == 1.0);
+  CHECK(t->sentence() == "Done.");
+  hand.away(5.0);
+  CHECK(t->done());
+}
+
+TEST_CASE("reach near 4 Å counts a contact point 3.9 Å from the atom's centre and not one 4.1 Å away") {
+  auto t = task("reach", {{"reach", "atom 0"}, {"near", "4 Å"}});
+  Hand hand{*t};
+  hand.touch({2}, 0.2, 0.5, {0, 4.1, 0});
+  CHECK_FALSE(t->done());
+  hand.touch({2}, 0.2, 0.5, {0, 3.9, 0});
+  CHECK(t->done());
+}
+
+TEST_CASE("hold for 2 s forgives a slip of 0.25 s and starts again after one of 0.35 s") {
+  auto t = task("hold", {{"hold", "ligand"}, {"for", "2 s"}});
+  Hand hand{*t};
+  hand.touch({6}, 1.2);
+  CHECK(t->sentence() == "Hold it: 1.2 s of 2.0 s.");
+  hand.away(0.25);
+  hand.touch({7}, 0.4);
+  CHECK(t->sentence() == "Hold it: 1.6 s of 2.0 s.");
+  hand.away(0.35);
+  CHECK(t->progress() == 0.0);
+  CHECK(t->sentence() == "You slipped off. Touch the ligand again and hold for 2.0 s.");
+  hand.touch({7}, 1.9);
+  CHECK_FALSE(t->done());
+  hand.touch({7}, 0.2);
+  CHECK(t->done());
+}
+
+TEST_CASE("hold between 0.2 N and 0.6 N asks for more at 0.1 N and for less at 0.8 N, and takes 0.62 N") {
+  auto t = task("hold", {{"hold", "crease"}, {"for", "1 s"}, {"force", "0.2 N to 0.6 N"}});
+  Hand hand{*t};
+  hand.touch({0, 1}, 0.1, 0.1);
+  CHECK(t->sentence() == "Push a little further in: 0.20 N is enough.");
+  hand.touch({0, 1}, 0.1, 0.8);
+  CHECK(t->sentence() == "Ease off a little: stay below 0.60 N.");
+  hand.touch({0}, 2.0, 0.4);
+  CHECK(t->sentence() == "You are on the surface. Slide on to find a crease between two atoms.");
+  CHECK_FALSE(t->done());
+  hand.touch({0, 1}, 1.05, 0.62);
+  CHECK(t->done());
+}
+
+TEST_CASE("one noisy sample of 5 N does not finish a press until 0.8 N, 0.1 s of 0.9 N does") {
+  auto t = task("press", {{"press", "anywhere"}, {"until", "0.8 N"}});
+  Hand hand{*t};
+  hand.touch({0}, 0.1, 0.4);
+  CHECK(t->progress() == doctest::Approx(0.5));
+  CHECK(t->sentence() == "You push with 0.40 N of 0.80 N. Push further in.");
+  hand.touch({0}, 0.001, 5.0);
+  CHECK_FALSE(t->done());
+  hand.touch({0}, 1.0, 0.4);
+  CHECK_FALSE(t->done());
+  hand.touch({0}, 0.11, 0.9);
+  CHECK(t->done());
+}
+
+TEST_CASE("feel sphere, crease, pit takes the three in any order and names what is missing") {
+  auto t = task("feel", {{"feel", "sphere, crease, pit"}});
+  Hand hand{*t};
+  hand.touch({0, 1, 2}, 0.11);
+  CHECK(t->progress() == doctest::Approx(1.0 / 3));
+  hand.touch({0}, 0.11);
+  hand.away(0.5);
+  CHECK(t->sentence() == "Touch the surface, then slide until you feel a crease between two atoms.");
+  hand.touch({2, 3}, 0.11);
+  CHECK(t->done());
+}
+
+TEST_CASE("feel 3 atoms of the protein does not count the ligand or one atom twice") {
+  auto t = task("feel", {{"feel", "atoms"}, {"count", "3"}, {"of", "protein"}});
+  Hand hand{*t};
+  for (const std::int32_t a : {0, 6, 0, 7, 1}) hand.touch({a}, 0.12);
+  CHECK(t->sentence() == "2 of 3 atoms felt. Slide on to the next one.");
+  hand.touch({2}, 0.12);
+  CHECK(t->done());
+}
+
+TEST_CASE("feel atoms asks for no more atoms than there are: 100 of a ligand of 2 are 2") {
+  auto t = task("feel", {{"feel", "atoms"}, {"count", "100"}, {"of", "ligand"}});
+  Hand hand{*t};
+  hand.touch({6, 7}, 0.12);
+  CHECK(t->done());
+}
+
+TEST_CASE("cross counts sphere 0, crease, sphere 1, but not a hop through the air or a way over atom 2") {
+  auto t = task("cross", {{"cross", "atom 0"}, {"to", "atom 1"}});
+  Hand hand{*t};
+  hand.touch({1}, 0.2);
+  CHECK(t->sentence() == "Slide to atom 0 to begin.");
+  hand.touch({0}, 0.2);
+  CHECK(t->sentence() == "Now slide to atom 1 without letting go.");
+  hand.away(0.2);
+  CHECK(t->sentence() == "You left the surface. Start again on atom 0.");
+  hand.touch({1}, 0.2);
+  CHECK_FALSE(t->done());
+  hand.touch({0}, 0.2);
+  hand.touch({2}, 0.2);
+  hand.touch({1}, 0.2);
+  CHECK_FALSE(t->done());
+  hand.touch({0}, 0.2);
+  hand.touch({0, 1}, 0.2);
+  CHECK_FALSE(t->done());
+  hand.touch({1}, 0.01);
+  CHECK(t->done());
+}
+
+TEST_CASE("cross in either direction may begin on the second atom, and there and back is 2 times") {
+  auto t = task("cross", {{"cross", "atom 0"}, {"to", "atom 1"}, {"direction", "either"}, {"times", "2"}});
+  Hand hand{*t};
+  CHECK(t->sentence() == "Touch one atom to begin (0 of 2).");
+  hand.touch({1}, 0.2);
+  hand.touch({0, 1}, 0.1);
+  hand.touch({0}, 0.2);
+  CHECK_FALSE(t->done());
+  CHECK(t->sentence() == "Now slide to the other atom without letting go (1 of 2).");
+  hand.touch({1}, 0.2);
+  CHECK(t->done());
+}
+
+TEST_CASE("avoid counts 3 s on the rest of the surface, begins again at a touch, and does not count the air") {
+  auto t = task("avoid", {{"avoid", "ligand"}, {"for", "3 s"}});
+  Hand hand{*t};
+  hand.away(10.0);
+  CHECK(t->progress() == 0.0);
+  hand.touch({0}, 2.0);
+  hand.touch({0, 6}, 0.001);
+  CHECK(t->sentence() == "That is the ligand. Move away from it; the time starts again.");
+  hand.touch({0}, 2.0);
+  CHECK_FALSE(t->done());
+  hand.touch({1}, 1.01);
+  CHECK(t->done());
+}
+
+TEST_CASE("samples at 30 Hz finish a hold of 2 s after 2.0 to 2.1 s; a gap of 10 s between samples counts nothing") {
+  auto t = task("hold", {{"hold", "anywhere"}, {"for", "2 s"}});
+  Hand slow{*t, 0.0, 1.0 / 30};
+  slow.touch({0}, 1.9);
+  slow.time_s += 10.0;
+  slow.touch({0}, 0.03);
+  CHECK_FALSE(t->done());
+  slow.touch({0}, 0.3);
+  CHECK(t->done());
+}
+
+TEST_CASE("a start inside the molecule is explained") {
+  auto t = task("reach", {{"reach", "all"}});
+  TouchSample s;
+  s.time_s = 1.0;
+  s.contact.fault = Fault::StartedInside;
+  t->feed(s);
+  CHECK(t->sentence() == "The probe began inside the molecule. Draw it back until it is outside, then touch again.");
+}
+
+TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and rising to done once") {
+  const unsigned seed = 5;
+  CAPTURE(seed);
+  std::mt19937 random(seed);
+  const std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> all{
+      {"reach", {{"reach", "ion"}}}, {"hold", {{"hold", "pit"}}}, {"press", {{"press", "pit"}, {"until", "3 N"}}},
+      {"feel", {{"feel", "atoms"}, {"count", "9"}}}, {"cross", {{"cross", "atom 0"}, {"to", "atom 9"}}}, {"avoid", {{"avoid", "ion"}}}};
+  CHECK(all.size() == taskKinds().size());
+  for (const auto& [kind, keys] : all) {
+    auto t = task(kind, keys);
+    bool was_done = false;
+    double time = 0.0;
+    for (int i = 0; i < 100000; ++i) {
+      TouchSample s;
+      time += static_cast<double>(random() % 1000) * 1e-6 - (random() % 50 == 0 ? 0.01 : 0.0);
+      s.time_s = random() % 100 == 0 ? std::numeric_limits<double>::quiet_NaN() : time;
+      s.contact.feature = static_cast<Feature>(random() % 4);
+      for (auto& a : s.contact.atoms) a = static_cast<std::int32_t>(random() % 14) - 2;
+      s.force.N.x = random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
+      t->feed(s);
+      REQUIRE((t->progress() >= 0.0 && t->progress() <= 1.0));
+      REQUIRE((t->done() || !was_done));
+      REQUIRE_FALSE(t->sentence().empty());
+      was_done = t->done();
+    }
+  }
+}

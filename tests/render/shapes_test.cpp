@@ -1,0 +1,191 @@
+// The haptic shapes, glyphs and golden pictures. Where a shape must lie comes from closed forms and the projection.
+#include "tests/render/stage.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "engine/molecule/reader.h"
+#include "engine/render/ball_intersections.h"
+#include "engine/render/glyphs.h"
+#include "engine/render/haptic_shapes.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+// Two argon-like balls, the HIP 0.5 A under the circle in which the inflated ones meet.
+ViewScene crease() {
+  ViewScene scene;
+  scene.molecule = molecule({atom(Vec3(-1.6, 0, 0), 1.88, 18), atom(Vec3(1.6, 0, 0), 1.88, 16)});
+  const double a = std::sqrt(std::pow(1.88 + 1.4, 2) - 1.6 * 1.6);
+  scene.contact.scp.A = Vec3(0, a, 0);
+  scene.contact.feature = Feature::Circle;
+  scene.contact.atoms = {0, 1, -1};
+  scene.hip = PointA{Vec3(0, a - 0.5, 0)};
+  scene.force_N = 0.5;
+  scene.camera = frontCamera(24);
+  scene.camera.lookFrom(0.6, 0.35);
+  return scene;
+}
+
+int brightest(const Picture& with, const Picture& without, double x, double y, int reach) {
+  int most = 0;
+  for (int dy = -reach; dy <= reach; ++dy)
+    for (int dx = -reach; dx <= reach; ++dx)
+      for (int k = 0; k < 3; ++k)
+        most = std::max(most, std::abs(with.at(int(x) + dx, int(y) + dy)[k] - without.at(int(x) + dx, int(y) + dy)[k]));
+  return most;
+}
+
+}  // namespace
+
+TEST_CASE("the circle in use passes within 1 pixel of where its closed form is projected, all round") {
+  ViewScene scene = crease();
+  scene.shown = {};
+  const Picture without = drawn(scene, 500, 400);
+  scene.shown = {Shape::Circles};
+  const Picture with = drawn(scene, 500, 400);
+  const auto circle = circleOf({Vec3(-1.6, 0, 0), 3.28}, {Vec3(1.6, 0, 0), 3.28});
+  REQUIRE(circle);
+  for (int i = 0; i < 90; ++i) {
+    const double t = i * 3.14159265358979 / 45;
+    const Vec3 px = scene.camera.project({Vec3(0, circle->radius_A * std::cos(t), circle->radius_A * std::sin(t))}, 500, 400);
+    CHECK(brightest(with, without, px.x, px.y, 1) > 60);
+  }
+  // Nothing is drawn in the circle's middle.
+  const Vec3 middle = scene.camera.project({Vec3(0)}, 500, 400);
+  CHECK(brightest(with, without, middle.x, middle.y, 3) == 0);
+}
+
+TEST_CASE("the outline of an inflated sphere lies where its perspective image ends") {
+  ViewScene scene;
+  scene.molecule = molecule({atom(Vec3(0), 1.7, 6)});
+  scene.camera = frontCamera(20);
+  scene.haptic_atoms = {0};
+  scene.shown = {};
+  const Picture without = drawn(scene, 400, 400);
+  scene.shown = {Shape::Spheres};
+  const Picture with = drawn(scene, 400, 400);
+  const double r = std::tan(std::asin(3.1 / 20)) / scene.camera.tanHalfY() * 200;
+  for (int i = 0; i < 60; ++i) {
+    const double t = i * 3.14159265358979 / 30;
+    CHECK(brightest(with, without, 200 + r * std::cos(t), 200 + r * std::sin(t), 1) > 40);
+    CHECK(brightest(with, without, 200 + (r + 5) * std::cos(t), 200 + (r + 5) * std::sin(t), 1) == 0);
+  }
+}
+
+TEST_CASE("no line of an inflated sphere runs inside another one, and all lie on their spheres") {
+  ViewScene scene = crease();
+  scene.shown = {Shape::Spheres};
+  const MoleculeModel model(scene.molecule);
+  Strokes strokes;
+  std::vector<LooseSphere> dots;
+  addHapticShapes(scene, model, strokes, dots);
+  std::size_t points = 0;
+  for (const Strokes::Line& line : strokes.lines())
+    for (std::size_t i = line.begin; i < line.end; ++i, ++points) {
+      const Vec3 p = scene.camera.fromView(Vec3(strokes[i])).A;
+      const double left = glm::length(p - Vec3(-1.6, 0, 0)), right = glm::length(p - Vec3(1.6, 0, 0));
+      CHECK(std::min(left, right) == doctest::Approx(3.28).epsilon(1e-5));
+    }
+  CHECK(points > 1000);
+}
+
+TEST_CASE("each part that is switched on changes the picture, and only the ones of its own") {
+  const ViewScene base = crease();
+  ViewScene scene = base;
+  scene.shown = {Shape::Atoms};
+  scene.targets.push_back({{Vec3(0, 0, 4)}, 0.8, false});
+  const Picture bare = drawn(scene, 300, 240);
+  for (const ShapeName& s : shapeNames()) {
+    if (s.shape == Shape::Atoms || s.shape == Shape::Points) continue;  // two balls meet in no points
+    scene.shown = {Shape::Atoms, s.shape};
+    CAPTURE(s.name);
+    CHECK(compare(drawn(scene, 300, 240), bare, 12).pixels > 8);
+  }
+  scene.shown = {Shape::Atoms};
+  CHECK(compare(drawn(scene, 300, 240), bare, 0).pixels == 0);
+}
+
+TEST_CASE("a dark screen shows nothing of the scene") {
+  ViewScene scene = crease();
+  scene.blank = true;
+  const Picture dark = drawn(scene, 120, 90);
+  for (std::size_t i = 3; i < dark.rgb.size(); ++i) CHECK(dark.rgb[i] == dark.rgb[i % 3]);
+  CHECK(dark.rgb[0] < 16);
+}
+
+TEST_CASE("the probe is a water molecule: O at the SCP, two H at 0.9572 A with 104.52 degrees, away from the surface") {
+  ViewScene scene = crease();
+  scene.shown = {Shape::Probe};
+  Glyphs glyphs;
+  addGlyphs(scene, nullptr, glyphs);
+  REQUIRE(glyphs.solid.size() == 3);
+  const glm::vec3 o = glyphs.solid[0].centre, h1 = glyphs.solid[1].centre - o, h2 = glyphs.solid[2].centre - o;
+  CHECK(glm::length(Vec3(o) - scene.camera.toView(scene.contact.scp)) < 1e-5);
+  CHECK(glm::length(h1) == doctest::Approx(0.9572).epsilon(1e-5));
+  CHECK(glm::length(h2) == doctest::Approx(0.9572).epsilon(1e-5));
+  CHECK(std::acos(glm::dot(h1, h2) / 0.9572 / 0.9572) * 180 / 3.14159265358979 == doctest::Approx(104.52).epsilon(1e-4));
+  const glm::vec3 outward(scene.camera.toView({scene.contact.scp.A + Vec3(0, 1, 0)}) - scene.camera.toView(scene.contact.scp));
+  CHECK(glm::dot(h1 + h2, outward) > 1.0f);
+  REQUIRE(glyphs.shell.size() == 1);
+  CHECK(glyphs.shell[0].radius == doctest::Approx(1.4));
+}
+
+TEST_CASE("twice the force makes the arrow's shaft twice as long, outward from the SCP") {
+  ViewScene scene = crease();
+  scene.shown = {Shape::Force};
+  const auto shaft = [&](double force_N) {
+    scene.force_N = force_N;
+    Glyphs glyphs;
+    addGlyphs(scene, nullptr, glyphs);
+    REQUIRE(glyphs.cones.size() == 2);
+    return glyphs.cones[0].b - glyphs.cones[0].a;
+  };
+  CHECK(glm::length(shaft(2)) == doctest::Approx(2 * glm::length(shaft(1))).epsilon(1e-5));
+  CHECK(glm::length(shaft(1)) == doctest::Approx(2.0).epsilon(1e-5));
+}
+
+TEST_CASE("out-of-range atoms in a scene are passed over") {
+  ViewScene scene = crease();
+  scene.highlighted = {0, 77};
+  scene.haptic_atoms = {1, 99};
+  scene.contact.atoms = {0, 1, 5000};
+  for (const ShapeName& s : shapeNames()) scene.shown.set(s.shape);
+  CHECK(drawn(scene, 64, 64).rgb.size() == 64 * 64 * 3);
+}
+
+// A golden picture allows for another driver's rounding: the mean within 1.5 levels and at most 1.5 % of the pixels off
+// by more than 24. MOLTACT_UPDATE_GOLDEN=1 writes them anew; look at them before keeping them.
+TEST_CASE("the golden pictures are drawn as they were approved") {
+  const std::filesystem::path folder = std::filesystem::path(MOLTACT_SOURCE_DIR) / "tests/render/golden";
+  const auto check = [&](const std::string& name, const ViewScene& scene) {
+    CAPTURE(name);
+    const Picture now = drawn(scene, 320, 240, {.samples = 2, .smooth_glyphs = true});
+    const auto file = folder / (name + ".png");
+    if (std::getenv("MOLTACT_UPDATE_GOLDEN")) {
+      const auto problem = writePng(file, now);
+      if (problem) FAIL(problem->text());
+    }
+    const auto golden = readPng(file);
+    if (!golden) FAIL(golden.problem().text());
+    const Difference difference = compare(now, *golden, 24);
+    CHECK(difference.mean < 1.5);
+    CHECK(difference.pixels < 320 * 240 * 15 / 1000);
+  };
+  ViewScene scene = crease();
+  scene.shown = {Shape::Atoms, Shape::Force, Shape::Probe, Shape::Hip};
+  check("water-in-a-crease", scene);
+  scene.shown = *parseShapes("atoms,haptic,force");
+  scene.theme = lightTheme();
+  check("haptic-shapes", scene);
+  auto protein = readMolecule(std::filesystem::path(MOLTACT_SOURCE_DIR) / "molecules/1ubq.pdb");
+  if (!protein) FAIL(protein.problem().text());
+  ViewScene ubiquitin;
+  ubiquitin.molecule = std::make_shared<const Molecule>(*std::move(protein));
+  ubiquitin.camera.fit(*ubiquitin.molecule, 320.0 / 240);
+  ubiquitin.highlighted = {10, 11};
+  check("ubiquitin", ubiquitin);
+}

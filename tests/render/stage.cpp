@@ -1,0 +1,63 @@
+#include "tests/render/stage.h"
+
+#include <cstdlib>
+
+#include "engine/platform/offscreen_gl.h"
+
+namespace moltact::test {
+
+Renderer& renderer() {
+  static auto gl = OffscreenGl::create();
+  if (!gl) FAIL(gl.problem().text());
+  static auto made = Renderer::create();
+  if (!made) FAIL(made.problem().text());
+  return **made;
+}
+
+std::shared_ptr<const Molecule> molecule(std::vector<Atom> atoms) {
+  Molecule m;
+  m.atoms = std::move(atoms);
+  return std::make_shared<const Molecule>(std::move(m));
+}
+
+Atom atom(Vec3 place_A, double radius_A, int atomic_number) {
+  Atom a;
+  a.position.A = place_A;
+  a.radius_A = radius_A;
+  a.atomic_number = std::uint8_t(atomic_number);
+  return a;
+}
+
+Camera frontCamera(double distance_A) {
+  Camera camera;
+  camera.distance_A = distance_A;
+  return camera;
+}
+
+Picture drawn(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options) {
+  Renderer& r = renderer();
+  const auto problem = r.draw(scene, width_px, height_px, options);
+  if (problem) FAIL(problem->text());
+  return r.readPixels();
+}
+
+Difference compare(const Picture& a, const Picture& b, int level) {
+  REQUIRE(a.width_px == b.width_px);
+  REQUIRE(a.height_px == b.height_px);
+  Difference d;
+  double sum = 0;
+  for (std::size_t i = 0; i < a.rgb.size(); i += 3) {
+    int most = 0;
+    for (std::size_t k = i; k < i + 3; ++k) {
+      const int off = std::abs(int(a.rgb[k]) - int(b.rgb[k]));
+      most = std::max(most, off);
+      sum += off;
+    }
+    d.largest = std::max(d.largest, most);
+    d.pixels += most > level;
+  }
+  d.mean = sum / double(a.rgb.size());
+  return d;
+}
+
+}  // namespace moltact::test
