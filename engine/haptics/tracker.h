@@ -30,9 +30,16 @@ struct Contact {
   std::array<std::int32_t, 3> atoms{-1, -1, -1};  ///< the atoms that hold the SCP, in ascending order; -1 where none
   Feature feature = Feature::Free;
   Fault fault = Fault::None;
+  Vec3 normal{0.0};                         ///< unit: the force's direction where a method shades it; zero: along SCP - HIP
 
   bool touching() const { return feature != Feature::Free; }
 };
+
+/// Where the spring pulls the HIP to: the SCP, or as far from the HIP along `normal` where a method shades the force.
+inline PointA springEnd(const Contact& contact, PointA hip) {
+  if (contact.normal == Vec3(0.0)) return contact.scp;
+  return {hip.A + contact.normal * glm::distance(contact.scp.A, hip.A)};
+}
 
 /// What a method keeps for the places it has been: "model no more than a scene needs", in numbers.
 struct Footprint {

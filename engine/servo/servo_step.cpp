@@ -44,7 +44,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
 
   ramp_ = std::min(1.0, ramp_ + kTick_s / kSoftStart_s);
   const double stiffness = std::isfinite(settings.stiffness_N_per_mm) ? std::clamp(settings.stiffness_N_per_mm, 0.0, 5.0) : 0.0;
-  Vec3 force = settings.workspace.spring(out.hip, out.contact.scp, stiffness).N;
+  Vec3 force = settings.workspace.spring(out.hip, springEnd(out.contact, out.hip), stiffness).N;
   const double size = glm::length(force);
   const double most = std::isfinite(settings.max_force_N) ? std::max(0.0, settings.max_force_N) : 0.0;
   if (!finite(force) || !std::isfinite(size)) force = Vec3(0.0);

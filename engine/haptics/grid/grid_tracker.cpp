@@ -1,0 +1,202 @@
+#include "engine/haptics/grid/grid_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/haptics/hip_input.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kSurface_A = 1e-9;    // so near the level counts as on it
+constexpr double kSettled_A = 2e-5;    // a Newton step this short leaves an error of its square: the last one of a tick
+constexpr int kMostFlights = 512;      // steps along one straight way
+constexpr int kMostTurns = 8;          // changes between flight and sliding in a tick
+
+}  // namespace
+
+double GridTracker::capFor(double probe_A, double spacing_A) { return std::ceil(probe_A) + 2.0 + 3.0 * spacing_A; }
+
+GridTracker::GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A)
+    : scene_(std::move(scene)),
+      origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
+      bricks_(scene_, origin_, spacing_A, capFor(usableProbe_A(probe_A, kWaterProbe_A), spacing_A)),
+      probe_(usableProbe_A(probe_A, kWaterProbe_A)) {}
+
+void GridTracker::reset() noexcept {
+  armed_ = touching_ = false;
+  free_gap_ = 0.0;
+}
+
+Footprint GridTracker::footprint() const noexcept {
+  return {bricks_.ballsRemembered(), sizeof(*this) + bricks_.bytes() + scene_->bytes()};
+}
+
+Contact GridTracker::step(PointA hip) noexcept {
+  if (!usableHip(hip.A)) return refusedHip(hip, origin_ + scp_);
+  const Vec3 h = hip.A - origin_;
+  fills_left_ = kMostFills;
+  steps_left_ = kMostSteps;
+  if (!armed_) {
+    const double gap = clearance(*scene_, probe_, hip.A);
+    DistanceBricks::Sample here{};
+    scp_ = h;
+    if (gap < 0.0 || (gap < margin() && (!bricks_.sample(h, here, fills_left_) || here.value < probe_)))
+      return {.scp = hip, .fault = Fault::StartedInside};
+    armed_ = true;
+    free_from_ = h;
+    free_gap_ = gap - margin();
+    return {.scp = hip};
+  }
+  if (!touching_) {
+    const Vec3 way = h - free_from_;
+    if (free_gap_ > 0.0 && glm::dot(way, way) < free_gap_ * free_gap_) {
+      scp_ = h;
+      return {.scp = hip};
+    }
+  }
+  Went went = Went::Short;
+  bool pressed = touching_;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    if (touching_) {
+      went = slide(h, pressed);
+      pressed = false;
+      touching_ = went != Went::Leaves;
+    } else {
+      const Vec3 was = scp_;
+      went = fly(h);
+      touching_ = went == Went::Meets;
+      pressed = touching_ && glm::distance(was, scp_) < 1e-6;
+    }
+    if (went == Went::Arrived || went == Went::Rests || went == Went::Short) break;
+  }
+  if (went != Went::Arrived && went != Went::Rests) ++cut_short_;
+  if (went == Went::Arrived) return {.scp = hip};
+  Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
+  out.atoms[0] = bricks_.nearestBall(scp_);
+  return out;
+}
+
+// Straight toward the HIP: over the balls' own distances where they are far, over the field near the surface.
+GridTracker::Went GridTracker::fly(const Vec3& h) noexcept {
+  const double spacing = bricks_.spacing_A(), least = spacing / 16.0;
+  for (int k = 0; k < kMostFlights; ++k) {
+    const Vec3 to_go = h - scp_;
+    const double length = glm::length(to_go);
+    const double gap = clearance(*scene_, probe_, origin_ + scp_);
+    if (gap > 2.0 * margin()) {
+      const double free = gap - margin();
+      if (free > length) {
+        free_from_ = scp_;
+        free_gap_ = free;
+        scp_ = h;
+        return Went::Arrived;
+      }
+      scp_ += to_go * (free / length);
+      continue;
+    }
+    if (!(length > 0.0)) {
+      free_from_ = h;
+      free_gap_ = 0.0;
+      return Went::Arrived;
+    }
+    DistanceBricks::Sample here{};
+    if (!bricks_.sample(scp_, here, fills_left_)) return Went::Short;
+    const double step = std::min(std::max(here.value - probe_, least), length);
+    Vec3 a = scp_, b = step == length ? h : scp_ + to_go * (step / length);
+    DistanceBricks::Sample there{};
+    if (!bricks_.sample(b, there, fills_left_)) return Went::Short;
+    if (there.value >= probe_) {
+      scp_ = b;
+      continue;
+    }
+    if (here.value < probe_) return Went::Meets;  // on the surface but for rounding, and the way leads in
+    // The level lies between: halve, keeping the outer end.
+    for (int halving = 0; halving < 40 && glm::distance(a, b) > kSurface_A; ++halving) {
+      const Vec3 middle = 0.5 * (a + b);
+      if (!bricks_.sample(middle, there, fills_left_)) return Went::Short;
+      (there.value >= probe_ ? a : b) = middle;
+    }
+    scp_ = a;
+    return Went::Meets;
+  }
+  return Went::Short;
+}
+
+// On the level toward the place nearest to the HIP. `pressed`: a flight from here has just failed, so it slides although
+// the HIP is seen above the tangent plane.
+GridTracker::Went GridTracker::slide(const Vec3& h, bool pressed) noexcept {
+  const double spacing = bricks_.spacing_A();
+  double longest = 0.75 * spacing;
+  Vec3 last_along(0.0);
+  bool first = true;
+  while (steps_left_-- > 0) {
+    DistanceBricks::Sample s{};
+    if (!bricks_.sample(scp_, s, fills_left_)) return Went::Short;
+    const double off = s.value - probe_, steep = glm::length(s.gradient);
+    if (first && off > 1e-3 * spacing) return Went::Leaves;  // the surface has drawn back
+    first = false;
+    if (!(steep > 1e-3)) return Went::Short;
+    const Vec3 n = s.gradient / steep, pull = h - scp_;
+    const double in = glm::dot(pull, n);
+    if (in >= 0.0 && off > -kSurface_A && !pressed) return Went::Leaves;
+    const Vec3 along = pull - n * in;
+    const double length = glm::length(along);
+
+    // Newton's step in the tangent plane: (1 - share * H) p = along.
+    Vec3 p = along;
+    if (length > 0.0) {
+      const Vec3 t1 = along / length, t2 = glm::cross(n, t1);
+      const double share = std::max(0.0, -in) / steep;
+      const Vec3 h1 = s.hessian * t1, h2 = s.hessian * t2;
+      const double a = 1.0 - share * glm::dot(t1, h1), b = -share * glm::dot(t1, h2), c = 1.0 - share * glm::dot(t2, h2);
+      const double whole = a * c - b * b;
+      if (a > 0.05 && whole > 0.05 * a) p = (t1 * c - t2 * b) * (length / whole);
+    }
+    // Where the second derivatives leap between cells Newton's steps may swing about the place of rest: shorter ones end that.
+    if (glm::dot(along, last_along) < 0.0 && glm::dot(along, along) > 0.25 * glm::dot(last_along, last_along)) longest *= 0.5;
+    last_along = along;
+    double far = glm::length(p);
+    if (far > longest) p *= longest / far, far = longest;
+    const double bends = 0.5 * glm::dot(p, s.hessian * p);
+    const double back = std::clamp((off + bends) / steep, -0.5 * spacing, 0.5 * spacing);
+    scp_ += p - n * back;
+    if (far < kSettled_A && std::abs(off) < kSettled_A) return Went::Rests;
+  }
+  return Went::Short;
+}
+
+void GridTracker::setProbe(double probe_A) noexcept {
+  const double had = probe_, wanted = usableProbe_A(probe_A, had);
+  if (wanted == had) return;
+  free_gap_ = 0.0;
+  if (capFor(wanted, bricks_.spacing_A()) > capFor(had, bricks_.spacing_A())) bricks_.setCap(capFor(wanted, bricks_.spacing_A()));
+  // The surface moves by a part of the spacing at once, so that the SCP stays on its side of a wall.
+  const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
+  for (int k = 1; k <= pieces; ++k) {
+    probe_ = k == pieces ? wanted : had + (wanted - had) * k / pieces;
+    fills_left_ = kMostFills;
+    if (!armed_ || pushOut()) continue;
+    probe_ = wanted;  // the place closed over the SCP: there is no surface left to be held by
+    reset();
+    return;
+  }
+}
+
+// Brings the SCP up to the level where the level has risen over it.
+bool GridTracker::pushOut() noexcept {
+  if (clearance(*scene_, probe_, origin_ + scp_) > margin()) return true;
+  for (int k = 0; k < 32; ++k) {
+    DistanceBricks::Sample s{};
+    if (!bricks_.sample(scp_, s, fills_left_)) return false;
+    const double under = probe_ - s.value, steep2 = glm::dot(s.gradient, s.gradient);
+    if (under <= 0.0) return true;
+    if (!(steep2 > 1e-4)) return false;
+    const double rise = std::min((under + kSurface_A) / std::sqrt(steep2), 0.5 * bricks_.spacing_A());
+    scp_ += s.gradient * (rise / std::sqrt(steep2));
+  }
+  return false;
+}
+
+}  // namespace moltact

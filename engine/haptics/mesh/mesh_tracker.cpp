@@ -1,0 +1,289 @@
+#include "engine/haptics/mesh/mesh_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/haptics/exact/blocked_motion.h"
+#include "engine/haptics/hip_input.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kMoved_A = 1e-12;      // a shorter piece leaves the SCP where it was
+constexpr double kAlong = 1e-9;         // sine of the angle under which a way is along a face
+constexpr double kNearWay_A = 1.0;      // a longer piece looks the balls up along its way
+constexpr int kMostStuck = 32;          // round a corner of a mesh a way of no length passes its faces, eight at most
+constexpr double kSwelling_A = 0.05;    // the surface moves by no more at once, so that the SCP stays on its side of a wall
+constexpr int kMostPushes = 256;
+
+}  // namespace
+
+MeshTracker::MeshTracker(std::shared_ptr<const BallScene> scene, double probe_A, Options options)
+    : mesh_(SphereMesh::ofTriangles(options.triangles)), options_(options), nearby_(std::move(scene)) {
+  nearby_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
+}
+
+void MeshTracker::reset() noexcept {
+  armed_ = false;
+  touch_count_ = hold_count_ = 0;
+  forgetSurroundings();
+}
+
+Footprint MeshTracker::footprint() const noexcept {
+  return {std::size_t(touch_count_), sizeof(*this) + mesh_->bytes() + nearby_.scene().bytes()};
+}
+
+bool MeshTracker::touches(std::int32_t ball) const {
+  for (int k = 0; k < touch_count_; ++k)
+    if (touching_[std::size_t(k)].ball == ball) return true;
+  return false;
+}
+
+Contact MeshTracker::contact(const Vec3& hip) const noexcept {
+  if (hold_count_ == 0 && scp_ == hip - nearby_.origin()) return {.scp = {hip}};
+  Contact out{.scp = {nearby_.origin() + scp_}, .feature = Feature(std::max(hold_count_, 1))};
+  for (int k = 0; k < hold_count_; ++k) out.atoms[std::size_t(k)] = touching_[std::size_t(holding_[std::size_t(k)])].ball;
+  std::sort(out.atoms.begin(), out.atoms.begin() + hold_count_);
+  if (options_.smooth) out.normal = shadedNormal(hip - nearby_.origin());
+  return out;
+}
+
+Contact MeshTracker::step(PointA hip) noexcept {
+  if (!usableHip(hip.A)) return refusedHip(hip, nearby_.origin() + scp_);
+  const Vec3 h = hip.A - nearby_.origin();
+  if (!armed_) {
+    free_gap_ = clearance(nearby_.scene(), nearby_.probe_A(), hip.A);
+    scp_ = h;
+    if (free_gap_ < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
+    armed_ = true;
+    free_from_ = h;
+    return {.scp = hip};
+  }
+  if (!options_.coherent) forgetSurroundings();
+  if (!holdsQuickly(h)) flow(h);
+  return contact(hip.A);
+}
+
+// The ordinary tick: nothing is near the free HIP, or the SCP stays on its one face and no other mesh is in reach.
+bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
+  if (touch_count_ == 0) {
+    const Vec3 way = h - free_from_;
+    if (glm::dot(way, way) >= free_gap_ * free_gap_) return false;
+    scp_ = h;
+    return true;
+  }
+  if (touch_count_ != 1 || hold_count_ != 1 || clear_gap_ <= 0.0) return false;
+  const Touch& t = touching_[0];
+  const SphereMesh::Face& f = face(t);
+  const double height = heightOver(t, h);
+  if (height >= 0.0) return false;
+  const Vec3 s = h - f.normal * height, x = s - t.centre, from = s - clear_from_;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (glm::dot(f.out[k], x) > f.reach[k] * t.radius) return false;
+  if (glm::dot(from, from) >= clear_gap_ * clear_gap_) return false;
+  scp_ = s;
+  return true;
+}
+
+// The first mesh that the way from the SCP enters, before first.t.
+void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
+  const double length = glm::length(way);
+  const double to_go = length * first.t;
+  if (to_go + glm::distance(scp_, clear_from_) < clear_gap_) return;
+  const auto look = [&](const NearBall& b) {
+    const SphereMesh::Entry entry = mesh_->enter((scp_ - b.centre) / b.radius, way / b.radius, first.t);
+    if (entry.face >= 0) first = {entry.t, b, entry.face};
+  };
+  if (options_.coherent && to_go <= kNearWay_A) {
+    double gap = 1e300;
+    const double visited = nearby_.each(scp_, to_go, [&](const NearBall& b) {
+      const Vec3 m = scp_ - b.centre;
+      const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gap;
+      if (d2 >= far * far && d2 >= beyond * beyond) return;
+      if (b.radius <= 0.0 || touches(b.index)) return;
+      gap = std::min(gap, std::sqrt(d2) - b.radius);
+      if (d2 < far * far) look(b);
+    });
+    clear_from_ = scp_;
+    clear_gap_ = std::min(gap, visited);
+    return;
+  }
+  // A long way is looked at piece by piece, from where it enters the scene's box.
+  const BallScene& scene = nearby_.scene();
+  if (scene.size() == 0) return;
+  const double probe = nearby_.probe_A();
+  const Vec3 low = scene.low_A() - Vec3(probe) - nearby_.origin(), high = scene.high_A() + Vec3(probe) - nearby_.origin();
+  double a = 0.0, z = first.t;
+  for (int k = 0; k < 3; ++k) {
+    if (way[k] == 0.0) {
+      if (scp_[k] < low[k] || scp_[k] > high[k]) return;
+      continue;
+    }
+    const double u = (low[k] - scp_[k]) / way[k], v = (high[k] - scp_[k]) / way[k];
+    a = std::max(a, std::min(u, v));
+    z = std::min(z, std::max(u, v));
+  }
+  for (const double piece = scene.cell_A() / length; a <= z && a <= first.t; a += piece) {
+    const Vec3 p = scp_ + way * a, q = scp_ + way * std::min(a + piece, z);
+    const Vec3 box_low = glm::min(p, q), box_high = glm::max(p, q);
+    scene.visitNearBox(nearby_.origin() + box_low, nearby_.origin() + box_high, probe, [&](std::uint32_t i, const Ball&) {
+      const NearBall b = nearby_.ball(std::int32_t(i));
+      const Vec3 apart = glm::max(glm::max(box_low - b.centre, b.centre - box_high), Vec3(0.0));
+      if (b.radius <= 0.0 || std::max({apart.x, apart.y, apart.z}) > b.radius || touches(b.index)) return;
+      look(b);
+    });
+  }
+}
+
+// Faces that the SCP has moved off, or out of, are forgotten; meet() finds them again.
+void MeshTracker::dropLeft() noexcept {
+  int kept = 0;
+  for (int k = 0; k < touch_count_; ++k) {
+    const Touch& t = touching_[std::size_t(k)];
+    if (std::abs(heightOver(t, scp_)) <= SphereMesh::kSkin * t.radius) touching_[std::size_t(kept++)] = t;
+    else clear_gap_ = 0.0;
+  }
+  touch_count_ = kept;
+}
+
+void MeshTracker::flow(const Vec3& h) noexcept {
+  int stuck = 0;
+  hold_count_ = 0;
+  for (int piece = 0; piece < kMostPieces && stuck <= kMostStuck; ++piece) {
+    std::array<Vec3, kMostTouching> normals;
+    for (int k = 0; k < touch_count_; ++k) normals[std::size_t(k)] = face(touching_[std::size_t(k)]).normal;
+    const Vec3 pull = h - scp_;
+    const Blocked blocked = blockedMotion(pull, {normals.data(), std::size_t(touch_count_)});
+    holding_ = blocked.by;
+    hold_count_ = blocked.count;
+    Vec3 way(0.0);
+    if (blocked.count == 0) {
+      way = pull;
+    } else if (blocked.count == 1) {
+      const Touch& t = touching_[std::size_t(blocked.by[0])];
+      way = pull - normals[std::size_t(blocked.by[0])] * heightOver(t, h);  // ends in the face's plane whatever the rounding
+    } else if (blocked.count == 2) {
+      const Vec3 line = glm::cross(normals[std::size_t(blocked.by[0])], normals[std::size_t(blocked.by[1])]);
+      way = line * (glm::dot(pull, line) / glm::dot(line, line));
+    }
+    const double length = glm::length(way);
+    if (length <= kMoved_A && blocked.count > 0) return;
+
+    // What ends this piece: an edge of a face that the way runs along, or another mesh.
+    double end = 1.0;
+    int over = -1;
+    std::size_t edge = 0;
+    for (int k = 0; k < touch_count_; ++k) {
+      const Touch& t = touching_[std::size_t(k)];
+      const SphereMesh::Face& f = face(t);
+      if (std::abs(glm::dot(f.normal, way)) > kAlong * length) continue;
+      const Vec3 x = scp_ - t.centre;
+      for (std::size_t e = 0; e < 3; ++e) {
+        const double speed = glm::dot(f.out[e], way);
+        if (!(speed > kAlong * length)) continue;
+        const double at = std::max(0.0, (f.reach[e] * t.radius - glm::dot(f.out[e], x)) / speed);
+        if (at < end) end = at, over = k, edge = e;
+      }
+    }
+    Meeting first{end, {}, -1};
+    meet(way, first);
+
+    scp_ += way * first.t;
+    const bool moved = first.t * length > kMoved_A;
+    if (moved && blocked.count >= 2)  // along a seam rounding adds up: back to both planes
+      for (int k = 0; k < blocked.count; ++k) {
+        const Touch& t = touching_[std::size_t(blocked.by[std::size_t(k)])];
+        scp_ -= face(t).normal * heightOver(t, scp_);
+      }
+    stuck = moved ? 0 : stuck + 1;
+    if (first.face >= 0) {
+      if (moved) dropLeft();
+      if (touch_count_ == kMostTouching) break;
+      const Touch t{first.ball.index, first.face, first.ball.centre, first.ball.radius};
+      scp_ -= face(t).normal * heightOver(t, scp_);
+      touching_[std::size_t(touch_count_++)] = t;
+    } else if (over >= 0) {
+      touching_[std::size_t(over)].face = face(touching_[std::size_t(over)]).across[edge];
+      if (moved) dropLeft();
+    } else {
+      if (blocked.count == 0) {
+        scp_ = free_from_ = h;
+        touch_count_ = 0;
+        clear_gap_ = 0.0;
+        free_gap_ = options_.coherent ? clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h) : 0.0;
+      } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
+        std::array<Touch, 3> kept;
+        for (int k = 0; k < blocked.count; ++k) kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
+        std::copy_n(kept.begin(), blocked.count, touching_.begin());
+        touch_count_ = blocked.count;
+        holding_ = {0, 1, 2};
+        clear_gap_ = 0.0;
+      }
+      return;
+    }
+  }
+  ++cut_short_;
+  hold_count_ = std::min(hold_count_, touch_count_);
+  for (int k = 0; k < hold_count_; ++k) holding_[std::size_t(k)] = k;
+}
+
+// SCP - HIP = sum of mu_k n_k over the faces that hold it; with the corners' normals interpolated, the same sum of them.
+Vec3 MeshTracker::shadedNormal(const Vec3& h) const noexcept {
+  const Vec3 lift = scp_ - h;
+  std::array<Vec3, 3> n{}, radial{};
+  for (int k = 0; k < hold_count_; ++k) {
+    const Touch& t = touching_[std::size_t(holding_[std::size_t(k)])];
+    n[std::size_t(k)] = face(t).normal;
+    radial[std::size_t(k)] = (scp_ - t.centre) / glm::distance(scp_, t.centre);
+  }
+  Vec3 sum(0.0);
+  if (hold_count_ == 1) return radial[0];
+  if (hold_count_ == 2) {
+    const double c = glm::dot(n[0], n[1]), a = glm::dot(lift, n[0]), b = glm::dot(lift, n[1]);
+    sum = (a - b * c) * radial[0] + (b - a * c) * radial[1];
+  } else if (hold_count_ == 3) {
+    const Vec3 ij = glm::cross(n[0], n[1]), jk = glm::cross(n[1], n[2]), ki = glm::cross(n[2], n[0]);
+    const double side = glm::dot(ij, n[2]) < 0.0 ? -1.0 : 1.0;
+    sum = side * (glm::dot(lift, jk) * radial[0] + glm::dot(lift, ki) * radial[1] + glm::dot(lift, ij) * radial[2]);
+  }
+  const double far = glm::length(sum);
+  return far > 0.0 ? sum / far : Vec3(0.0);
+}
+
+void MeshTracker::setProbe(double probe_A) noexcept {
+  const double had = nearby_.probe_A(), wanted = usableProbe_A(probe_A, had);
+  if (wanted == had) return;
+  const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kSwelling_A));
+  for (int k = 1; k <= pieces; ++k) {
+    nearby_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
+    forgetSurroundings();
+    touch_count_ = hold_count_ = 0;
+    if (!armed_ || pushOut()) continue;
+    nearby_.setProbe(wanted);  // the place closed over the SCP: there is no surface left to be held by
+    reset();
+    return;
+  }
+}
+
+// Brings the SCP out of the meshes that have grown over it: out of each through the face it is under, in turn, which in a
+// crease or pit leads to a place on all of them. False when it leads nowhere.
+bool MeshTracker::pushOut() noexcept {
+  for (int round = 0; round < kMostPushes; ++round) {
+    bool inside = false;
+    nearby_.each(scp_, 0.0, [&](const NearBall& b) {
+      const Vec3 x = scp_ - b.centre;
+      if (glm::dot(x, x) >= b.radius * b.radius) return;
+      if (x == Vec3(0.0)) return;
+      const SphereMesh::Face& f = mesh_->faces()[std::size_t(mesh_->faceToward(x))];
+      const double height = glm::dot(f.normal, x) - f.height * b.radius;
+      if (height >= 0.0) return;
+      inside = true;
+      scp_ -= f.normal * (height * (1.0 + 1e-9) - 1e-12);
+    });
+    if (!inside) return true;
+  }
+  return false;
+}
+
+}  // namespace moltact

@@ -1,0 +1,65 @@
+#include "engine/haptics/penalty/penalty_tracker.h"
+
+#include "engine/haptics/hip_input.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+
+PenaltyTracker::PenaltyTracker(std::shared_ptr<const BallScene> scene, double probe_A) : nearby_(std::move(scene)) {
+  nearby_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
+}
+
+void PenaltyTracker::reset() noexcept {
+  armed_ = false;
+  free_gap_ = 0.0;
+}
+
+void PenaltyTracker::setProbe(double probe_A) noexcept {
+  nearby_.setProbe(usableProbe_A(probe_A, nearby_.probe_A()));
+  free_gap_ = 0.0;
+}
+
+Footprint PenaltyTracker::footprint() const noexcept { return {0, sizeof(*this) + nearby_.scene().bytes()}; }
+
+Contact PenaltyTracker::step(PointA hip) noexcept {
+  if (!usableHip(hip.A)) return refusedHip(hip, last_);
+  last_ = hip.A;
+  const Vec3 h = hip.A - nearby_.origin(), moved = h - free_from_;
+  if (glm::dot(moved, moved) < free_gap_ * free_gap_) return {.scp = hip};
+
+  struct Push {
+    double depth = 0.0;
+    std::int32_t ball = -1;
+  };
+  std::array<Push, 3> most;
+  Vec3 sum(0.0);
+  int count = 0;
+  nearby_.each(h, 0.0, [&](const NearBall& b) {
+    const Vec3 m = h - b.centre;
+    const double d2 = glm::dot(m, m);
+    if (d2 >= b.radius * b.radius) return;
+    const double d = std::sqrt(d2);
+    ++count;
+    if (d > 0.0) sum += m * ((b.radius - d) / d);
+    Push push{b.radius - d, b.index};
+    for (Push& p : most)
+      if (push.depth > p.depth) std::swap(push, p);
+  });
+  if (count == 0) {
+    armed_ = true;
+    free_from_ = h;
+    free_gap_ = clearance(nearby_.scene(), nearby_.probe_A(), hip.A);
+    return {.scp = hip};
+  }
+  if (!armed_) return {.scp = hip, .fault = Fault::StartedInside};
+  last_ = hip.A + sum;
+  Contact out{.scp = {last_}, .feature = Feature(std::min(count, 3))};
+  for (std::size_t k = 0; k < 3 && most[k].ball >= 0; ++k) {
+    std::size_t at = k;
+    for (; at > 0 && out.atoms[at - 1] > most[k].ball; --at) out.atoms[at] = out.atoms[at - 1];
+    out.atoms[at] = most[k].ball;
+  }
+  return out;
+}
+
+}  // namespace moltact
