@@ -18,18 +18,21 @@ struct FetchArguments {
 void run(const FetchArguments& arguments) {
   const auto entry = fetchEntry(arguments.id, userMoleculesFolder(), arguments.url, arguments.again);
   if (!entry) throw CommandError{entry.problem().text()};
-  std::cout << entry->file.string() << ": " << entry->atoms << " atoms" << (entry->was_there ? ", here already" : "")
-            << "\nOpen it by its name: moltact info " << pdbId(arguments.id) << '\n';
+  std::cout << entry->file.string() << ": " << entry->atoms << " atoms"
+            << (entry->was_there ? ", here already" : "") << "\nOpen it by its name: moltact info "
+            << pdbId(arguments.id) << '\n';
 }
 
 }  // namespace
 
 void addFetch(CLI::App& app) {
   auto arguments = std::make_shared<FetchArguments>();
-  CLI::App* command = app.add_subcommand("fetch", "Download an entry of the Protein Data Bank (needs the internet)");
+  CLI::App* command =
+      app.add_subcommand("fetch", "Download an entry of the Protein Data Bank (needs the internet)");
   command->add_option("id", arguments->id, "The entry's id, such as 5ADH or pdb_00005adh")->required();
   command->add_flag("--again", arguments->again, "Download even where the file is here already");
-  command->add_option("--url", arguments->url, "Take the file from this address instead: a mirror (https, http or file)");
+  command->add_option("--url", arguments->url,
+                      "Take the file from this address instead: a mirror (https, http or file)");
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -19,14 +19,16 @@ struct InfoArguments {
 
 std::string listed(const std::map<std::string, std::size_t>& counts) {
   std::string out;
-  for (const auto& [name, count] : counts) out += (out.empty() ? "" : ", ") + name + ' ' + std::to_string(count);
+  for (const auto& [name, count] : counts)
+    out += (out.empty() ? "" : ", ") + name + ' ' + std::to_string(count);
   return out.empty() ? "none" : out;
 }
 
 std::string named(const std::vector<std::string>& chains) {
   constexpr std::size_t kMost = 40;
   std::string out;
-  for (std::size_t i = 0; i < std::min(kMost, chains.size()); ++i) out += (i ? " " : "") + (chains[i].empty() ? "(no name)" : chains[i]);
+  for (std::size_t i = 0; i < std::min(kMost, chains.size()); ++i)
+    out += (i ? " " : "") + (chains[i].empty() ? "(no name)" : chains[i]);
   return chains.size() > kMost ? out + " ..." : out;
 }
 
@@ -34,7 +36,8 @@ void printText(const Molecule& molecule, const MoleculeSummary& s) {
   const Vec3 size = s.high_A - s.low_A;
   std::cout << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
   std::cout << "atoms     " << s.atoms << '\n';
-  std::cout << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "") << '\n';
+  std::cout << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "")
+            << '\n';
   std::cout << "chains    " << s.chains << (s.chains ? " (" + named(s.chain_names) + ")" : "") << '\n';
   std::cout << "elements  " << listed(s.elements) << '\n';
   std::cout << "ligands   " << listed(s.ligands) << '\n';

@@ -12,6 +12,7 @@
 #include "app/ui/theme.h"
 #include "app/ui/view_picture.h"
 #include "engine/haptics/sweep.h"
+#include "engine/molecule/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -19,6 +20,7 @@ namespace {
 constexpr double kLeftBehind_s = 0.4;   // contact without cause for so long is let go
 constexpr double kSaveAfter_s = 1.0;    // settings are written when they have rested for so long
 constexpr double kHintFade_s = 0.6;
+constexpr double kLeastView_A = 6.5;    // at least so much is seen to each side of the middle
 constexpr double kStill_A = 2e-3;       // a hand slower than this in a frame is at rest
 
 }  // namespace
@@ -47,7 +49,8 @@ void Application::open(const std::filesystem::path& file) {
     enterScene();
     return;
   }
-  loader_.begin(file);
+  const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
+  loader_.begin(found ? *found : file);
   if (options.clock == ServoClock::Frames) finishLoading();
 }
 
@@ -94,7 +97,7 @@ void Application::takeUp(Loaded loaded) {
     return;
   }
   messages.clearErrors();
-  for (const std::string& warning : loaded.stage->molecule->warnings) messages.warning(warning);
+  for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
   if (!from_step) settings.remember(loaded.file);
   show(*std::move(loaded.stage), loaded.file);
 }
@@ -113,6 +116,10 @@ void Application::resetView() {
   if (!stage) return;
   camera.orientation = glm::dquat(1, 0, 0, 0);
   camera.fit(*stage.molecule, view_aspect_);
+  // Round a few atoms there is room for the probe beside them.
+  Camera roomy = camera;
+  roomy.fit(camera.target, kLeastView_A, view_aspect_);
+  camera.distance_A = std::max(camera.distance_A, roomy.distance_A);
   lesson.face(camera, *stage.molecule);
   ++touch_settings.placements;
   controls.begin(camera, stage.workspace, std::min(stage.reach_A, camera.distance_A), servo.mouse());
@@ -130,11 +137,9 @@ void Application::watchLeftBehind() {
   const ServoSample& now = touch.latest();
   const bool free = stage && touch.touching() && clearance(*stage.balls, now.probe_A, now.hip.A) > 0.0;
   touch.countLeftBehind(free && !controls.pressing(), dt_s_);
-  // A turned view carries the hand round the molecule, not through it; so does a hover that has lost its contact point.
-  if (touch.leftBehind_s() > kLeftBehind_s || (controls.cameraMoved() && !controls.pressing())) {
-    ++touch_settings.placements;
-    touch.countLeftBehind(false, dt_s_);
-  }
+  if (touch.leftBehind_s() <= kLeftBehind_s) return;
+  ++touch_settings.placements;
+  touch.countLeftBehind(false, dt_s_);
 }
 
 void Application::shortcuts() {

@@ -44,7 +44,7 @@ class Application {
   explicit Application(ApplicationOptions options = {});
   ~Application();
 
-  /// Opens a molecule or a lesson, by its name's ending. What cannot be opened is told in a message and changes nothing.
+  /// Opens a molecule (a file, or a name of the library) or a lesson, by its name's ending. What cannot be opened is told in a message and changes nothing.
   void open(const std::filesystem::path& file);
   /// What the program opens when nothing is named: its first lesson, else the first molecule of its library.
   void openFirst();

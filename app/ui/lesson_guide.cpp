@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/ui/library.h"
 #include "engine/lesson/reader.h"
+#include "engine/molecule/catalogue.h"
 
 namespace moltact {
 
@@ -44,14 +44,13 @@ const SceneSpec* LessonGuide::takeNewScene() {
 Expected<std::filesystem::path> LessonGuide::moleculeFile() const {
   if (!session_) return Problem{{}, 0, 0, "no lesson is open", {}};
   const SceneSpec& scene = session_->scene();
-  for (const LibraryItem& item : library())
-    if (item.id == scene.molecule) return item.file;
   std::error_code error;
   const std::filesystem::path beside = file_.parent_path() / scene.molecule;
   if (std::filesystem::is_regular_file(beside, error)) return beside;
-  return Problem{file_.string(), scene.molecule_place.line, scene.molecule_place.column,
-                 "the molecule '" + scene.molecule + "' is not in the library and not beside the lesson",
-                 "name one of the library, or put its file into the lesson's folder"};
+  Expected<std::filesystem::path> known = findMolecule(scene.molecule, MoleculeFolders::ofThisComputer());
+  if (known) return known;
+  Problem problem = known.problem();
+  return Problem{file_.string(), scene.molecule_place.line, scene.molecule_place.column, problem.message, problem.remedy};
 }
 
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file) {

@@ -9,6 +9,7 @@ constexpr double kOrbitKeys_rad_per_s = 1.4;
 constexpr double kPanKeys_px_per_s = 320.0;
 constexpr double kZoomNotch = 1.12;
 constexpr double kZoomKeysPerS = 2.2;
+constexpr double kHoverStep_A = 0.25;  // a hand that hovers farther in a frame is put there
 }  // namespace
 
 ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
@@ -17,7 +18,7 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
 }
 
 void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* balls, const ServoSettings& settings,
-                          double force_N, MouseDevice& mouse) {
+                          bool touching, double force_N, MouseDevice& mouse) {
   const Camera before = camera;
   const glm::dvec2 orbit = in.orbit_px * kOrbit_rad_per_px + glm::dvec2(in.orbit_keys.x, -in.orbit_keys.y) * (kOrbitKeys_rad_per_s * in.dt_s);
   if (orbit != glm::dvec2(0.0)) camera.orbit(orbit.x, orbit.y);
@@ -42,8 +43,12 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   pointer.push_notches = in.push_notches;
   pointer.force_N = force_N;
   pointer.dt_s = in.dt_s;
+  const PointA before_lead = lead_;
   lead_ = hand_.lead(pointer, *balls, settings.probe_A);
-  mouse.lead(settings.workspace.toDevice(lead_));
+  // A hovering hand goes over the molecule, not through what lies between two places of the pointer.
+  const bool hovering = !pressing_ && !touching;
+  if (hovering && glm::distance(lead_.A, before_lead.A) > kHoverStep_A) mouse.place(settings.workspace.toDevice(lead_));
+  else mouse.lead(settings.workspace.toDevice(lead_));
 }
 
 void ViewControls::begin(const Camera& camera, const Workspace& workspace, double outside_A, MouseDevice& mouse) {

@@ -30,9 +30,10 @@ ViewRays viewRays(const Camera& camera, glm::dvec2 size_px);
 
 class ViewControls {
  public:
-  /// One frame: turns the camera and leads the hand. `balls` may be null: only the camera moves.
+  /// One frame: turns the camera and leads the hand. `balls` may be null: only the camera moves. `touching` and `force_N`
+  /// are the servo loop's last.
   void update(const ViewInput& input, Camera& camera, const BallScene* balls, const ServoSettings& settings,
-              double force_N, MouseDevice& mouse);
+              bool touching, double force_N, MouseDevice& mouse);
 
   /// The hand begins anew, outside: at a new scene.
   void begin(const Camera& camera, const Workspace& workspace, double outside_A, MouseDevice& mouse);

@@ -14,7 +14,7 @@ namespace {
 constexpr double kMoving_ms = 18.0;      // the atoms may take so long in a frame while the view turns
 constexpr double kSmooth_ms = 120.0;     // and so long, once, when it has come to rest
 constexpr int kRest_frames = 10;
-constexpr float kCoarsest = 0.5f;
+constexpr double kCoarsest = 0.5;
 
 }  // namespace
 
@@ -32,24 +32,24 @@ bool ViewPicture::ready() {
 void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool moving, float line_scale) {
   if (width_px < 1 || height_px < 1 || !ready()) return;
   rested_frames_ = moving ? 0 : rested_frames_ + 1;
-  RenderOptions options;
-  options.line_scale = line_scale;
   // Cost goes with the number of pixels, the square of the scale; eighths keep it from flickering.
-  if (moving && whole_ms_ > kMoving_ms)
-    options.scale = std::max(kCoarsest, float(std::floor(8.0 * std::sqrt(kMoving_ms / whole_ms_)) / 8.0));
+  double scale = 1.0;
+  if (moving && whole_ms_ > kMoving_ms) scale = std::max(kCoarsest, std::floor(8.0 * std::sqrt(kMoving_ms / whole_ms_)) / 8.0);
+  RenderOptions options;
+  options.line_scale = line_scale * float(scale);
   const bool smooth = 4.0 * whole_ms_ < kSmooth_ms;
   if (!moving && smooth && (rested_frames_ >= kRest_frames || last_.samples == 2)) options.samples = 2;
   unfinished_ = !moving && smooth && options.samples == 1 && whole_ms_ > 0;
 
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
-  if (const std::optional<Problem> problem = renderer_->draw(scene, width_px, height_px, options)) trouble_ = problem->text();
+  const auto pixels = [&](int whole) { return std::max(1, int(std::lround(whole * scale))); };
+  if (const std::optional<Problem> problem = renderer_->draw(scene, pixels(width_px), pixels(height_px), options)) trouble_ = problem->text();
   else trouble_.clear();
   if (renderer_->count().atoms_redrawn) {
     glFinish();  // what has only been asked for has not been paid yet
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
-    const double share = options.samples == 2 ? 4.0 : double(options.scale * options.scale);
-    const double whole = ms / share;
+    const double whole = ms / (options.samples == 2 ? 4.0 : scale * scale);
     whole_ms_ = whole_ms_ > 0 ? 0.7 * whole_ms_ + 0.3 * whole : whole;
   }
   last_ = options;

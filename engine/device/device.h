@@ -22,6 +22,7 @@ struct DeviceInfo {
 struct DevicePose {
   PointMm position;
   std::uint32_t buttons = 0;  ///< a bit a button, the first in bit 0
+  std::uint32_t placements = 0;  ///< raised by one when the hand was put elsewhere without a way between; a held device never does
 };
 
 class Device {

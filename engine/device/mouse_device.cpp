@@ -21,7 +21,7 @@ void MouseDevice::place(PointMm target) noexcept {
 DevicePose MouseDevice::read(double dt_s) noexcept {
   const Lead& lead = lead_.read();
   if (lead.placements != placed_) {
-    placed_ = lead.placements;
+    placed_ = pose_.placements = lead.placements;
     pose_.position = lead.target;
     return pose_;
   }

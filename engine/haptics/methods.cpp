@@ -18,7 +18,8 @@ std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double pro
 
 template <int triangles, bool smooth = false, bool coherent = true>
 std::unique_ptr<Tracker> makeMesh(std::shared_ptr<const BallScene> scene, double probe_A) {
-  return std::make_unique<MeshTracker>(std::move(scene), probe_A, MeshTracker::Options{triangles, smooth, coherent});
+  return std::make_unique<MeshTracker>(std::move(scene), probe_A,
+                                       MeshTracker::Options{triangles, smooth, coherent});
 }
 
 template <int tenths_A>
@@ -27,15 +28,19 @@ std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const BallScene> scene, double
 }
 
 constexpr std::array kMethods{
-    Method{"exact", "the sphere tracker without error: the god-object on the union of balls", &make<ExactTracker>},
-    Method{"paper", "Algorithm 1 of Stocks and Laycock (2008) as published, its faults included", &make<PaperTracker>},
+    Method{"exact", "the sphere tracker without error: the god-object on the union of balls",
+           &make<ExactTracker>},
+    Method{"paper", "Algorithm 1 of Stocks and Laycock (2008) as published, its faults included",
+           &make<PaperTracker>},
     Method{"mesh80", "a god-object on 80 triangles a ball", &makeMesh<80>},
     Method{"mesh320", "a god-object on 320 triangles a ball", &makeMesh<320>},
     Method{"mesh960", "a god-object on 960 triangles a ball, as many as in the paper", &makeMesh<960>},
     Method{"mesh1280", "a god-object on 1280 triangles a ball", &makeMesh<1280>},
     Method{"mesh5120", "a god-object on 5120 triangles a ball", &makeMesh<5120>},
-    Method{"mesh960-smooth", "the same on 960 triangles with interpolated normals: force shading", &makeMesh<960, true>},
-    Method{"mesh960-tree", "the same on 960 triangles, the trees asked anew in every tick", &makeMesh<960, false, false>},
+    Method{"mesh960-smooth", "the same on 960 triangles with interpolated normals: force shading",
+           &makeMesh<960, true>},
+    Method{"mesh960-tree", "the same on 960 triangles, the trees asked anew in every tick",
+           &makeMesh<960, false, false>},
     Method{"grid02", "a signed-distance grid, smoothly interpolated, 0.2 A apart", &makeGrid<2>},
     Method{"grid04", "a signed-distance grid, smoothly interpolated, 0.4 A apart", &makeGrid<4>},
     Method{"grid08", "a signed-distance grid, smoothly interpolated, 0.8 A apart", &makeGrid<8>},

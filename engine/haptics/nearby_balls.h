@@ -1,6 +1,6 @@
-// The balls near a place, inflated, kept while the place moves little: what a method that looks at every neighbour in
-// every tick need not look up anew. Haptic thread; no allocation after construction.
-// Units: angstrom. Places are relative to origin(): near a scene that lies far off no digits are lost.
+// The balls near a place, inflated, kept while the place moves little: what a method that looks at every
+// neighbour in every tick need not look up anew. Haptic thread; no allocation after construction. Units:
+// angstrom. Places are relative to origin(): near a scene that lies far off no digits are lost.
 #pragma once
 
 #include <array>
@@ -20,14 +20,16 @@ struct NearBall {
 
 class NearbyBalls {
  public:
-  static constexpr std::size_t kMost = 256;    ///< a longer list is not kept but visited in the scene each time
-  static constexpr double kMargin_A = 0.5;  ///< a list serves until the place has moved so far
+  static constexpr std::size_t kMost = 256;  ///< a longer list is not kept but visited in the scene each time
+  static constexpr double kMargin_A = 0.5;   ///< a list serves until the place has moved so far
 
   explicit NearbyBalls(std::shared_ptr<const BallScene> scene)
-      : scene_(std::move(scene)), origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)) {}
+      : scene_(std::move(scene)),
+        origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)) {}
 
   const BallScene& scene() const noexcept { return *scene_; }
-  /// The scene's middle in whole steps of 1024 A, so that differences to it are exact; zero for a scene near the origin.
+  /// The scene's middle in whole steps of 1024 A, so that differences to it are exact; zero for a scene near
+  /// the origin.
   const Vec3& origin() const noexcept { return origin_; }
   double probe_A() const noexcept { return probe_; }
   void setProbe(double probe_A) noexcept {
@@ -40,8 +42,9 @@ class NearbyBalls {
     return {b.centre_A - origin_, b.radius_A + probe_, i};
   }
 
-  /// Calls visit(NearBall) once for each ball that comes within `within_A` of the place, and for some farther ones; returns
-  /// how near to the place all balls have been visited (at least within_A). The order follows from the places asked for.
+  /// Calls visit(NearBall) once for each ball that comes within `within_A` of the place, and for some farther
+  /// ones; returns how near to the place all balls have been visited (at least within_A). The order follows
+  /// from the places asked for.
   template <class Visit>
   double each(const Vec3& place, double within_A, Visit&& visit) noexcept {
     if (!(glm::distance(place, around_) + within_A <= reach_)) gather(place, within_A);
@@ -49,7 +52,8 @@ class NearbyBalls {
       for (std::size_t k = 0; k < count_; ++k) visit(list_[k]);
       return reach_ - glm::distance(place, around_);
     }
-    scene_->visitNear(origin_ + place, probe_ + within_A, [&](std::uint32_t i, const Ball&) { visit(ball(std::int32_t(i))); });
+    scene_->visitNear(origin_ + place, probe_ + within_A,
+                      [&](std::uint32_t i, const Ball&) { visit(ball(std::int32_t(i))); });
     return within_A;
   }
 
@@ -64,8 +68,10 @@ class NearbyBalls {
       const Vec3 m = place - b.centre;
       const double far = b.radius + reach_;
       if (glm::dot(m, m) > far * far) return;
-      if (count_ == kMost) fits_ = false;
-      else list_[count_++] = b;
+      if (count_ == kMost)
+        fits_ = false;
+      else
+        list_[count_++] = b;
     });
   }
 

@@ -28,13 +28,13 @@ std::vector<KeyLine> linesOf(Reading& reading, std::span<const BlockLine> lines)
 std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   const SourceText& source = reading.source;
   const std::string remedy = "begin the file with '---', 'title: …' and the other keys, and '---'";
-  if (trimmed(source.line(1)) != "---") {
+  if (stripped(source.line(1)) != "---") {
     reading.error({1, 1}, "the lesson has no front matter", remedy);
     return 0;
   }
   std::vector<BlockLine> lines;
   std::size_t end = 2;
-  while (end <= source.lineCount() && trimmed(source.line(end)) != "---") {
+  while (end <= source.lineCount() && stripped(source.line(end)) != "---") {
     lines.push_back({std::string(source.line(end)), {end, 1}});
     ++end;
   }

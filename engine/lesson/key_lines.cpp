@@ -34,10 +34,10 @@ std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector
   std::vector<KeyLine> out;
   for (const BlockLine& line : lines) {
     const std::string_view text = line.text;
-    const std::string_view body = trimmed(text);
+    const std::string_view body = stripped(text);
     if (body.empty() || body.starts_with('#')) continue;
     if (body == "-" || body.starts_with("- ")) {
-      const std::string_view item = trimmed(body.substr(1));
+      const std::string_view item = stripped(body.substr(1));
       if (out.empty())
         problems.push_back(problemAt(shifted(line.place, text, body), "a list without a key", "write 'key:' on the line above"));
       else if (!item.empty())
@@ -45,13 +45,13 @@ std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector
       continue;
     }
     const std::size_t colon = body.find(':');
-    const std::string_view key = trimmed(body.substr(0, colon));
+    const std::string_view key = stripped(body.substr(0, colon));
     if (colon == std::string_view::npos || key.empty()) {
       problems.push_back(problemAt(shifted(line.place, text, body), "'" + std::string(body) + "' is not a key and its value",
                                    "write it as 'key: value'"));
       continue;
     }
-    const std::string_view value = trimmed(body.substr(colon + 1));
+    const std::string_view value = stripped(body.substr(colon + 1));
     out.push_back({std::string(key), std::string(value), shifted(line.place, text, key), shifted(line.place, text, value), {}});
   }
   return out;

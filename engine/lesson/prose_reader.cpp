@@ -128,7 +128,7 @@ void forEachText(const std::vector<Block>& blocks, const std::function<void(cons
 void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks) {
   switch (block.kind) {
     case Kind::Paragraph:
-      if (!block.text.empty() && !trimmed(plainText(block.text)).empty()) blocks.push_back(Paragraph{block.text});
+      if (!block.text.empty() && !stripped(plainText(block.text)).empty()) blocks.push_back(Paragraph{block.text});
       for (const Image& image : block.images) {
         if (image.path.empty()) reading.error(block.place, "a picture without a file", "write ![what it shows](picture.png)");
         if (image.description.empty())

@@ -53,14 +53,14 @@ Expected<Number> leadingNumber(std::string_view whole, std::size_t from) {
 /// `from` to the end must be a unit, or nothing where the dimension was given elsewhere.
 Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::size_t unit_at, Dimension dimension) {
   const std::string_view number = whole.substr(number_at, unit_at - number_at);
-  const std::string_view symbol = trimmed(whole.substr(unit_at));
+  const std::string_view symbol = stripped(whole.substr(unit_at));
   const std::string wanted(unitsFor(dimension));
-  if (symbol.empty()) return problemAt(whole, number_at, quoted(trimmed(number)) + " needs a unit: " + wanted);
+  if (symbol.empty()) return problemAt(whole, number_at, quoted(stripped(number)) + " needs a unit: " + wanted);
   for (const Unit& u : kUnits) {
     if (u.symbol != symbol) continue;
     if (u.dimension == dimension) return u.in_code_units;
     return problemAt(whole, number_at,
-                     quoted(trimmed(whole.substr(number_at))) + " is " + std::string(dimensionName(u.dimension)) +
+                     quoted(stripped(whole.substr(number_at))) + " is " + std::string(dimensionName(u.dimension)) +
                          ", but " + std::string(dimensionName(dimension)) + " is needed: " + wanted);
   }
   const std::size_t at = static_cast<std::size_t>(symbol.data() - whole.data());
@@ -104,20 +104,20 @@ std::string_view codeUnit(Dimension dimension) {
 }
 
 Expected<double> parseQuantity(std::string_view text, Dimension dimension) {
-  const std::size_t from = static_cast<std::size_t>(trimmed(text).data() - text.data());
+  const std::size_t from = static_cast<std::size_t>(stripped(text).data() - text.data());
   const auto number = leadingNumber(text, from);
   if (!number) return number.problem();
   const auto factor = factorOf(text, from, from + number->length, dimension);
   if (!factor) return factor.problem();
   const double value = number->value * *factor;
-  if (!std::isfinite(value)) return problemAt(text, from, quoted(trimmed(text)) + " is too large");
+  if (!std::isfinite(value)) return problemAt(text, from, quoted(stripped(text)) + " is too large");
   return value;
 }
 
 Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension) {
   const std::size_t to = text.find(" to ");
   if (to == std::string_view::npos)
-    return problemAt(text, 0, quoted(trimmed(text)) + " is not a range", "write it as '0.2 N to 0.6 N'");
+    return problemAt(text, 0, quoted(stripped(text)) + " is not a range", "write it as '0.2 N to 0.6 N'");
   const auto high_problem_shift = characterCount(text.substr(0, to + 4));
   auto high = parseQuantity(text.substr(to + 4), dimension);
   if (!high) {
@@ -126,11 +126,11 @@ Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension) {
     return p;
   }
   // "0.2 to 0.6 N": the unit at the end is meant for both.
-  const std::size_t from = static_cast<std::size_t>(trimmed(text).data() - text.data());
+  const std::size_t from = static_cast<std::size_t>(stripped(text).data() - text.data());
   const auto low_number = leadingNumber(text.substr(0, to), from);
   if (!low_number) return low_number.problem();
   double low = 0.0;
-  if (trimmed(text.substr(from + low_number->length, to - from - low_number->length)).empty()) {
+  if (stripped(text.substr(from + low_number->length, to - from - low_number->length)).empty()) {
     const std::string_view high_text = text.substr(to + 4);
     const auto high_number = leadingNumber(high_text, high_text.find_first_not_of(" \t"));
     const auto factor = factorOf(high_text, 0, high_text.find_first_not_of(" \t") + high_number->length, dimension);
@@ -145,11 +145,11 @@ Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension) {
 }
 
 Expected<double> parseNumber(std::string_view text) {
-  const std::size_t from = static_cast<std::size_t>(trimmed(text).data() - text.data());
+  const std::size_t from = static_cast<std::size_t>(stripped(text).data() - text.data());
   const auto number = leadingNumber(text, from);
   if (!number) return number.problem();
   const std::size_t after = from + number->length;
-  const std::string_view rest = trimmed(text.substr(after));
+  const std::string_view rest = stripped(text.substr(after));
   if (!rest.empty())
     return problemAt(text, static_cast<std::size_t>(rest.data() - text.data()), quoted(rest) + " after the number");
   return number->value;

@@ -65,7 +65,7 @@ class Walk {
   }
 
   void heading(const MarkdownBlock& block) {
-    const std::string title(trimmed(plainText(block.text)));
+    const std::string title(stripped(plainText(block.text)));
     if (title.starts_with(kQuestion) && block.level != 3)
       reading_.error(block.place, "a question on the wrong level of heading", "write it as '### Question: …'");
     if (block.level == 1) {
@@ -108,7 +108,7 @@ class Walk {
     }
     std::erase_if(question.title, [](const TextRun& r) { return r.text.empty(); });
     if (!question.title.empty() && question.title.front().text.starts_with(' ')) question.title.front().text.erase(0, 1);
-    const std::string_view asked = trimmed(std::string_view(title).substr(kQuestion.size()));
+    const std::string_view asked = stripped(std::string_view(title).substr(kQuestion.size()));
     if (asked.empty()) reading_.error(block.place, "a question without words", "write it after 'Question:'");
     question.id = slug(asked);
     for (const Question& other : step()->questions)
@@ -186,7 +186,7 @@ void sortByPlace(std::vector<Problem>& problems) {
 std::optional<Problem> badBytes(const SourceText& source) {
   if (source.bytes().size() > kLargestLesson)
     return Problem{source.name(), 0, 0, "a lesson of more than 1 MiB", "split it into several lessons"};
-  if (trimmed(source.bytes()).empty()) return Problem{source.name(), 1, 1, "the file is empty", "start from the text of another lesson"};
+  if (stripped(source.bytes()).empty()) return Problem{source.name(), 1, 1, "the file is empty", "start from the text of another lesson"};
   for (std::size_t n = 1; n <= source.lineCount(); ++n)
     if (source.line(n).size() > kLongestLessonLine)
       return Problem{source.name(), n, 1, "a line of more than " + std::to_string(kLongestLessonLine) + " bytes", "break it into several lines"};
@@ -207,7 +207,7 @@ std::string plainText(const RichText& text) {
 
 std::string slug(std::string_view heading) {
   std::string out;
-  for (const char c : trimmed(heading)) {
+  for (const char c : stripped(heading)) {
     if (c >= 'A' && c <= 'Z') out += static_cast<char>(c - 'A' + 'a');
     else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || (c & 0x80)) out += c;
     else if (c == ' ') out += '-';

@@ -65,7 +65,7 @@ class Parser {
              "join two selections with 'and' or 'or'");
     }
     if (problem_) return *problem_;
-    return Selection(std::string(trimmed(text_)), std::move(root));
+    return Selection(std::string(stripped(text_)), std::move(root));
   }
 
  private:

@@ -11,7 +11,7 @@ namespace moltact {
 namespace {
 
 std::string folded(std::string_view text) {
-  std::string out(trimmed(text));
+  std::string out(stripped(text));
   for (char& c : out)
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   return out;
@@ -137,7 +137,7 @@ bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choice
 
 bool LessonSession::write(std::size_t question, std::string text) {
   const auto& answer = step().questions[question].answer;
-  if (!answer || trimmed(text).empty()) return false;
+  if (!answer || stripped(text).empty()) return false;
   bool right = true;
   if (answer->kind == AnswerSpec::Kind::Number) right = numberIsRight(*answer, text);
   if (answer->kind == AnswerSpec::Kind::Text)

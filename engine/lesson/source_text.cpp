@@ -52,7 +52,7 @@ std::size_t firstBadByte(std::string_view text) {
   return std::string_view::npos;
 }
 
-std::string_view trimmed(std::string_view text) {
+std::string_view stripped(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t\r");
   if (first == std::string_view::npos) return text.substr(text.size());
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);

@@ -42,7 +42,7 @@ std::size_t characterCount(std::string_view text);
 /// The offset of the first byte that is not valid UTF-8 (or is a zero byte), or npos.
 std::size_t firstBadByte(std::string_view text);
 
-/// Without spaces, tabs and carriage returns at either end.
-std::string_view trimmed(std::string_view text);
+/// Without spaces, tabs and carriage returns at either end. The result is always a view into `text`, an empty one too.
+std::string_view stripped(std::string_view text);
 
 }  // namespace moltact

@@ -26,7 +26,7 @@ std::vector<std::string_view> commaParts(std::string_view text) {
   std::vector<std::string_view> parts;
   for (;;) {
     const std::size_t comma = text.find(',');
-    parts.push_back(trimmed(text.substr(0, comma)));
+    parts.push_back(stripped(text.substr(0, comma)));
     if (comma == std::string_view::npos) return parts;
     text.remove_prefix(comma + 1);
   }
@@ -129,7 +129,7 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::Selection: return selectionValue(text, text, std::move(value));
     case ValueType::Target: return targetValue(key, text, std::move(value));
     case ValueType::View:
-      if (text.starts_with("facing ")) return selectionValue(text, trimmed(text.substr(7)), std::move(value));
+      if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
       return wordsValue(key, text, std::move(value), false);
   }
   return value;

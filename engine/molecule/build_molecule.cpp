@@ -15,10 +15,13 @@ namespace {
 constexpr std::size_t kMaxAtoms = 50'000'000;
 
 bool samePlaceInChain(const ParsedAtom& a, const ParsedAtom& b) {
-  return a.number == b.number && a.insertion == b.insertion && a.chain == b.chain && a.label_chain == b.label_chain;
+  return a.number == b.number && a.insertion == b.insertion && a.chain == b.chain &&
+         a.label_chain == b.label_chain;
 }
 
-bool sameResidue(const ParsedAtom& a, const ParsedAtom& b) { return samePlaceInChain(a, b) && a.residue == b.residue; }
+bool sameResidue(const ParsedAtom& a, const ParsedAtom& b) {
+  return samePlaceInChain(a, b) && a.residue == b.residue;
+}
 
 /// Of alternative residues at one place, the name with the highest mean occupancy, the first on a tie.
 std::string likeliestResidue(const ParsedAtom* first, const ParsedAtom* last) {
@@ -34,13 +37,15 @@ std::string likeliestResidue(const ParsedAtom* first, const ParsedAtom* last) {
     it->occupancy += a->occupancy;
     ++it->count;
   }
-  return std::max_element(sums.begin(), sums.end(), [](const Sum& a, const Sum& b) {
-           return a.occupancy / a.count < b.occupancy / b.count;
-         })->name;
+  return std::max_element(
+             sums.begin(), sums.end(),
+             [](const Sum& a, const Sum& b) { return a.occupancy / a.count < b.occupancy / b.count; })
+      ->name;
 }
 
 /// Marks which atoms of [first, last), one residue, are kept: of those with one name the likeliest.
-void keepLikeliest(const ParsedAtom* first, const ParsedAtom* last, std::vector<char>& keep, std::size_t offset) {
+void keepLikeliest(const ParsedAtom* first, const ParsedAtom* last, std::vector<char>& keep,
+                   std::size_t offset) {
   std::unordered_map<std::string_view, std::size_t> best;
   for (const ParsedAtom* a = first; a != last; ++a) {
     const std::size_t i = offset + static_cast<std::size_t>(a - first);
@@ -110,7 +115,8 @@ std::size_t dropWaters(std::vector<ParsedAtom>& atoms) {
 }
 
 /// Replaces the atoms by those of the assembly. Copies of a chain are named, …
-std::optional<Problem> applyAssembly(ParsedStructure& parsed, const std::string& name, const std::string& file) {
+std::optional<Problem> applyAssembly(ParsedStructure& parsed, const std::string& name,
+                                     const std::string& file) {
   if (parsed.assemblies.empty())
     return Problem{file, 0, 0, "the file describes no biological assembly", "read it without one"};
   const auto found = std::find_if(parsed.assemblies.begin(), parsed.assemblies.end(),
@@ -118,7 +124,8 @@ std::optional<Problem> applyAssembly(ParsedStructure& parsed, const std::string&
   if (found == parsed.assemblies.end()) {
     std::string names;
     for (const ParsedAssembly& a : parsed.assemblies) names += (names.empty() ? "" : ", ") + a.name;
-    return Problem{file, 0, 0, "there is no biological assembly " + inQuotes(name), "the file describes: " + names};
+    return Problem{file, 0, 0, "there is no biological assembly " + inQuotes(name),
+                   "the file describes: " + names};
   }
   constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is carried onto itself
   const auto contains = [](const std::vector<std::string>& list, const std::string& s) {
@@ -131,19 +138,22 @@ std::optional<Problem> applyAssembly(ParsedStructure& parsed, const std::string&
     std::vector<char> in_part(parsed.atoms.size());
     std::size_t count = 0;
     for (std::size_t i = 0; i < parsed.atoms.size(); ++i) {
-      in_part[i] = contains(part.chains, parsed.atoms[i].chain) || contains(part.label_chains, parsed.atoms[i].label_chain);
+      in_part[i] = contains(part.chains, parsed.atoms[i].chain) ||
+                   contains(part.label_chains, parsed.atoms[i].label_chain);
       count += in_part[i];
     }
     if (count && part.operators.size() > (kMaxAtoms - out.size()) / count)
-      return Problem{file, 0, 0, "the assembly " + inQuotes(name) + " has more than 50 million atoms", "read it without one"};
+      return Problem{file, 0, 0, "the assembly " + inQuotes(name) + " has more than 50 million atoms",
+                     "read it without one"};
     for (const ParsedOperator& op : part.operators) {
       std::map<std::string, int> copy_of;  // the number of this copy, by label where there is one
       for (std::size_t i = 0; i < parsed.atoms.size(); ++i) {
         if (!in_part[i]) continue;
         ParsedAtom atom = parsed.atoms[i];
         atom.position_A = op.turn * atom.position_A + op.shift_A;
-        const bool here = std::any_of(places[i].begin(), places[i].end(),
-                                      [&](Vec3 p) { return glm::distance(p, atom.position_A) < kSamePlace_A; });
+        const bool here = std::any_of(places[i].begin(), places[i].end(), [&](Vec3 p) {
+          return glm::distance(p, atom.position_A) < kSamePlace_A;
+        });
         if (here) continue;
         places[i].push_back(atom.position_A);
         const std::string key = atom.label_chain.empty() ? atom.chain : atom.label_chain + '\n' + atom.chain;
@@ -158,7 +168,9 @@ std::optional<Problem> applyAssembly(ParsedStructure& parsed, const std::string&
       }
     }
   }
-  if (out.empty()) return Problem{file, 0, 0, "the assembly " + inQuotes(name) + " names no chain of the file", "read it without one"};
+  if (out.empty())
+    return Problem{file, 0, 0, "the assembly " + inQuotes(name) + " names no chain of the file",
+                   "read it without one"};
   parsed.atoms = std::move(out);
   return std::nullopt;
 }
@@ -193,7 +205,9 @@ void group(Molecule& out, const std::vector<ParsedAtom>& atoms) {
   }
 }
 
-std::string counted(std::size_t n, const char* one, const char* many) { return std::to_string(n) + ' ' + (n == 1 ? one : many); }
+std::string counted(std::size_t n, const char* one, const char* many) {
+  return std::to_string(n) + ' ' + (n == 1 ? one : many);
+}
 
 /// One sentence for each element without a published radius, and for each that is not known.
 void warnOfElements(Molecule& out, const std::vector<ParsedAtom>& atoms) {
@@ -211,15 +225,20 @@ void warnOfElements(Molecule& out, const std::vector<ParsedAtom>& atoms) {
     out.warnings.push_back("No van der Waals radius is known for the element " + inQuotes(symbol) + " (" +
                            counted(count, "atom", "atoms") + "); 1.70 A was taken.");
   }
-  if (rest) out.warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") + " of further unknown elements.");
+  if (rest)
+    out.warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") +
+                           " of further unknown elements.");
 }
 
 }  // namespace
 
-Expected<Molecule> buildMolecule(ParsedStructure parsed, const std::string& file, const ReadOptions& options) {
+Expected<Molecule> buildMolecule(ParsedStructure parsed, const std::string& file,
+                                 const ReadOptions& options) {
   if (parsed.atoms.empty())
-    return Problem{file, 0, 0, "the file holds no atoms" + (parsed.models > 1 ? " in model " + std::to_string(options.model) : ""),
-                   "take a coordinate file from the PDB (www.rcsb.org)"};
+    return Problem{
+        file, 0, 0,
+        "the file holds no atoms" + (parsed.models > 1 ? " in model " + std::to_string(options.model) : ""),
+        "take a coordinate file from the PDB (www.rcsb.org)"};
   Molecule out;
   out.id = parsed.id;
   out.title = parsed.title;
@@ -233,7 +252,8 @@ Expected<Molecule> buildMolecule(ParsedStructure parsed, const std::string& file
   for (const ParsedAtom& atom : parsed.atoms)
     for (int k = 0; k < 3; ++k)
       if (!(std::abs(atom.position_A[k]) <= kMaxCoordinate_A))
-        return Problem{file, atom.line, 0, "the atom " + inQuotes(atom.name) + " lies farther out than 1e9 A", "correct its coordinates"};
+        return Problem{file, atom.line, 0, "the atom " + inQuotes(atom.name) + " lies farther out than 1e9 A",
+                       "correct its coordinates"};
 
   if (parsed.models > 1)
     out.warnings.push_back("The file has " + std::to_string(parsed.models) + " models; this is model " +

@@ -47,7 +47,8 @@ Expected<std::vector<CatalogueEntry>> entriesFrom(const nlohmann::json& json, co
     e.atoms = item.at("atoms").get<std::size_t>();
     // A name with a folder in it could lead out of the library.
     if (e.file.empty() || fs::path(e.file).filename() != e.file)
-      return Problem{file, 0, 0, "the entry '" + e.id + "' has the file '" + e.file + "'", "give the bare name of a file in the folder"};
+      return Problem{file, 0, 0, "the entry '" + e.id + "' has the file '" + e.file + "'",
+                     "give the bare name of a file in the folder"};
     if (e.id != lower(e.id) || e.id.empty())
       return Problem{file, 0, 0, "the id '" + e.id + "' is not in lower case", "write ids in lower case"};
     if (std::any_of(out.begin(), out.end(), [&](const CatalogueEntry& o) { return o.id == e.id; }))
@@ -57,7 +58,8 @@ Expected<std::vector<CatalogueEntry>> entriesFrom(const nlohmann::json& json, co
   return out;
 }
 
-constexpr const char* kSuffixes[] = {".cif.gz", ".cif", ".pdb", ".pdb.gz", ".ent", ".ent.gz", ".mmcif", ".xyzr", ".xyzr.gz"};
+constexpr const char* kSuffixes[] = {".cif.gz", ".cif",   ".pdb",  ".pdb.gz", ".ent",
+                                     ".ent.gz", ".mmcif", ".xyzr", ".xyzr.gz"};
 
 /// A file of `folder` with this name and one of the endings that are read; empty where there is none.
 fs::path fetchedFile(const fs::path& folder, const std::string& name) {
@@ -76,13 +78,16 @@ Problem unknown(const std::string& name, const std::vector<CatalogueEntry>& entr
   std::string nearest;
   std::size_t distance = 4;  // farther than three letters is no likeness
   for (const CatalogueEntry& e : entries)
-    if (const std::size_t d = editDistance(wanted, e.id); d < distance && d < std::max(wanted.size(), e.id.size())) {
+    if (const std::size_t d = editDistance(wanted, e.id);
+        d < distance && d < std::max(wanted.size(), e.id.size())) {
       distance = d;
       nearest = e.id;
     }
   std::string remedy;
   if (!nearest.empty()) remedy = "did you mean '" + nearest + "'?";
-  if (!pdbId(name).empty()) remedy += (remedy.empty() ? "" : " ") + std::string("'moltact fetch " + name + "' downloads an entry of the PDB");
+  if (!pdbId(name).empty())
+    remedy += (remedy.empty() ? "" : " ") +
+              std::string("'moltact fetch " + name + "' downloads an entry of the PDB");
   if (remedy.empty()) {
     remedy = "name a file, or one of:";
     for (const CatalogueEntry& e : entries) remedy += ' ' + e.id;
@@ -95,21 +100,27 @@ Problem unknown(const std::string& name, const std::vector<CatalogueEntry>& entr
 Expected<std::vector<CatalogueEntry>> readCatalogue(const fs::path& folder) {
   const fs::path path = folder / "catalogue.json";
   std::ifstream in(path);
-  if (!in) return Problem{path.string(), 0, 0, "the catalogue of molecules cannot be opened", "install the program again, or set MOLTACT_HOME"};
+  if (!in)
+    return Problem{path.string(), 0, 0, "the catalogue of molecules cannot be opened",
+                   "install the program again, or set MOLTACT_HOME"};
   try {
     return entriesFrom(nlohmann::json::parse(in), path.string());
   } catch (const nlohmann::json::exception& e) {
-    return Problem{path.string(), 0, 0, std::string("the catalogue is not as it should be: ") + e.what(), "mend the file"};
+    return Problem{path.string(), 0, 0, std::string("the catalogue is not as it should be: ") + e.what(),
+                   "mend the file"};
   }
 }
 
 MoleculeFolders MoleculeFolders::ofThisComputer() { return {moleculesFolder(), userMoleculesFolder()}; }
 
 Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& folders) {
-  if (name.empty()) return Problem{"", 0, 0, "no molecule is named", "name a file or a molecule of the library, such as 1ubq"};
+  if (name.empty())
+    return Problem{"", 0, 0, "no molecule is named",
+                   "name a file or a molecule of the library, such as 1ubq"};
   std::error_code error;
   // A folder of the same name must not hide a molecule of the library.
-  const bool is_path = name.find('/') != std::string::npos || (fs::exists(name, error) && !fs::is_directory(name, error));
+  const bool is_path =
+      name.find('/') != std::string::npos || (fs::exists(name, error) && !fs::is_directory(name, error));
   if (is_path) return fs::path(name);
   auto entries = readCatalogue(folders.library);
   if (entries)
@@ -119,7 +130,8 @@ Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& 
   if (fs::exists(name, error)) return fs::path(name);
   // A name with an ending was meant as a file: the reader says that it is missing.
   const std::string ending = lower(fs::path(name).extension().string());
-  if (ending == ".gz" || std::any_of(std::begin(kSuffixes), std::end(kSuffixes), [&](const char* s) { return ending == s; }))
+  if (ending == ".gz" ||
+      std::any_of(std::begin(kSuffixes), std::end(kSuffixes), [&](const char* s) { return ending == s; }))
     return fs::path(name);
   if (!entries) return entries.problem();
   return unknown(name, *entries);

@@ -1,4 +1,5 @@
-// The library of molecules that come with the program, and how a name becomes a file. Not for the haptic thread.
+// The library of molecules that come with the program, and how a name becomes a file. Not for the haptic
+// thread.
 #pragma once
 
 #include <filesystem>
@@ -13,14 +14,14 @@ namespace moltact {
 
 /// One entry of molecules/catalogue.json.
 struct CatalogueEntry {
-  std::string id;        ///< what a person types: "1ubq"
-  std::string file;      ///< name in the molecules folder
-  std::string title;     ///< one line for a list
-  std::string good_for;  ///< what it shows well
-  std::string source;    ///< where the coordinates come from
-  std::string left_out;  ///< what the source has and the file has not; may be empty
-  std::string licence;   ///< SPDX identifier
-  std::size_t atoms = 0; ///< as read by default
+  std::string id;         ///< what a person types: "1ubq"
+  std::string file;       ///< name in the molecules folder
+  std::string title;      ///< one line for a list
+  std::string good_for;   ///< what it shows well
+  std::string source;     ///< where the coordinates come from
+  std::string left_out;   ///< what the source has and the file has not; may be empty
+  std::string licence;    ///< SPDX identifier
+  std::size_t atoms = 0;  ///< as read by default
 };
 
 /// The entries of `folder`/catalogue.json, in its order; a Problem names what is missing or wrong.
@@ -35,8 +36,8 @@ struct MoleculeFolders {
   static MoleculeFolders ofThisComputer();
 };
 
-/// The file that a person means: a path, an id of the catalogue, or the id of a fetched entry, in upper or lower case.
-/// An unknown name gives a Problem with the nearest id.
+/// The file that a person means: a path, an id of the catalogue, or the id of a fetched entry, in upper or
+/// lower case. An unknown name gives a Problem with the nearest id.
 Expected<std::filesystem::path> findMolecule(const std::string& name, const MoleculeFolders& folders);
 
 /// findMolecule and readMolecule with the folders of this computer: what a command or the window calls.

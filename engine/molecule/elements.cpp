@@ -122,7 +122,8 @@ constexpr std::array<Element, kElementCount + 1> kElements{{
     {"Mc", "moscovium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
     {"Lv", "livermorium", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
     {"Ts", "tennessine", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
-    {"Og", "oganesson", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},}};
+    {"Og", "oganesson", kDefaultRadius_A, RadiusSource::Default, {235, 0, 38}},
+}};
 
 }  // namespace
 
@@ -133,9 +134,12 @@ const Element& element(int atomic_number) {
 
 std::string_view radiusSourceName(RadiusSource source) {
   switch (source) {
-    case RadiusSource::Bondi: return "Bondi 1964";
-    case RadiusSource::Alvarez: return "Alvarez 2013";
-    case RadiusSource::Default: break;
+    case RadiusSource::Bondi:
+      return "Bondi 1964";
+    case RadiusSource::Alvarez:
+      return "Alvarez 2013";
+    case RadiusSource::Default:
+      break;
   }
   return "default";
 }

@@ -1,10 +1,11 @@
-// The table of chemical elements: symbol, name, van der Waals radius with its source, colour. Plain data, any thread.
-// Units: angstrom.
+// The table of chemical elements: symbol, name, van der Waals radius with its source, colour. Plain data, any
+// thread. Units: angstrom.
 //
-// Radii: Bondi (J. Phys. Chem. 68, 441, 1964; hydrogen 1.20) for the 38 elements that he gives; Alvarez (Dalton Trans. 42,
-// 8617, 2013) for the rest of those up to einsteinium; kDefaultRadius_A for promethium, polonium to radium, and all after
-// einsteinium, which have no published radius in either, and for an element that is not known.
-// Colours: the custom of Jmol and of the wooden CPK models (carbon grey, oxygen red, nitrogen blue, sulfur yellow).
+// Radii: Bondi (J. Phys. Chem. 68, 441, 1964; hydrogen 1.20) for the 38 elements that he gives; Alvarez
+// (Dalton Trans. 42, 8617, 2013) for the rest of those up to einsteinium; kDefaultRadius_A for promethium,
+// polonium to radium, and all after einsteinium, which have no published radius in either, and for an element
+// that is not known. Colours: the custom of Jmol and of the wooden CPK models (carbon grey, oxygen red,
+// nitrogen blue, sulfur yellow).
 #pragma once
 
 #include <array>
@@ -21,14 +22,15 @@ inline constexpr double kDefaultRadius_A = 1.70;
 inline constexpr int kElementCount = 118;
 
 struct Element {
-  std::string_view symbol;             ///< "Fe"; "?" for the unknown element
-  std::string_view name;               ///< "iron"
-  double radius_A;                     ///< van der Waals radius
+  std::string_view symbol;  ///< "Fe"; "?" for the unknown element
+  std::string_view name;    ///< "iron"
+  double radius_A;          ///< van der Waals radius
   RadiusSource source;
   std::array<std::uint8_t, 3> colour;  ///< sRGB, 8 bit
 };
 
-/// The element with this atomic number; 0 or a number beyond the table gives the unknown element (default radius, pink).
+/// The element with this atomic number; 0 or a number beyond the table gives the unknown element (default
+/// radius, pink).
 const Element& element(int atomic_number);
 
 /// "Bondi 1964", "Alvarez 2013" or "default".

@@ -21,30 +21,39 @@ struct Temporary {
   }
 };
 
-Problem downloadProblem(const DownloadResult& result, const std::string& id, const std::string& url, const fs::path& file) {
+Problem downloadProblem(const DownloadResult& result, const std::string& id, const std::string& url,
+                        const fs::path& file) {
   switch (result.failure) {
     case DownloadFailure::NotFound:
-      return {id, 0, 0, "the Protein Data Bank has no such entry (tried " + url + ")", "check the id at www.rcsb.org"};
+      return {id, 0, 0, "the Protein Data Bank has no such entry (tried " + url + ")",
+              "check the id at www.rcsb.org"};
     case DownloadFailure::CannotWrite:
-      return {file.string(), 0, 0, "it cannot be written: " + result.detail, "free some space, or set XDG_DATA_HOME to another folder"};
+      return {file.string(), 0, 0, "it cannot be written: " + result.detail,
+              "free some space, or set XDG_DATA_HOME to another folder"};
     case DownloadFailure::TooLarge:
       return {id, 0, 0, "the entry is larger than 1 GiB (" + url + ")", "take a smaller entry"};
     case DownloadFailure::Refused:
-      return {id, 0, 0, "the server refused " + url + ": " + result.detail, "try again later, or download the file by hand and put it at " + file.string()};
+      return {id, 0, 0, "the server refused " + url + ": " + result.detail,
+              "try again later, or download the file by hand and put it at " + file.string()};
     default:
-      return {id, 0, 0, "cannot reach " + url + ": " + result.detail,
-              "are you online? Otherwise download the file on another computer and put it at " + file.string()};
+      return {
+          id, 0, 0, "cannot reach " + url + ": " + result.detail,
+          "are you online? Otherwise download the file on another computer and put it at " + file.string()};
   }
 }
 
 }  // namespace
 
-std::string entryUrl(const std::string& pdb_id) { return "https://files.rcsb.org/download/" + pdb_id + ".cif.gz"; }
+std::string entryUrl(const std::string& pdb_id) {
+  return "https://files.rcsb.org/download/" + pdb_id + ".cif.gz";
+}
 
-Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folder, const std::string& mirror, bool again) {
+Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folder, const std::string& mirror,
+                                  bool again) {
   const std::string id = pdbId(text);
   if (id.empty())
-    return Problem{text, 0, 0, "it is not an id of the Protein Data Bank", "an id is a digit and three letters or digits (5ADH), or pdb_ and eight"};
+    return Problem{text, 0, 0, "it is not an id of the Protein Data Bank",
+                   "an id is a digit and three letters or digits (5ADH), or pdb_ and eight"};
   if (folder.empty())
     return Problem{"", 0, 0, "there is no home folder to keep the entry in", "set HOME or XDG_DATA_HOME"};
   const fs::path file = folder / (id + ".cif.gz");
@@ -52,7 +61,9 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   if (!again && fs::exists(file, error))
     if (auto there = readMolecule(file)) return FetchedEntry{file, there->atoms.size(), true};
   fs::create_directories(folder, error);
-  if (error) return Problem{folder.string(), 0, 0, "the folder cannot be created: " + error.message(), "set XDG_DATA_HOME to a folder that can be written"};
+  if (error)
+    return Problem{folder.string(), 0, 0, "the folder cannot be created: " + error.message(),
+                   "set XDG_DATA_HOME to a folder that can be written"};
   // The name ends as the final one does, because the reader goes by it.
   const Temporary temporary{folder / (".fetching-" + std::to_string(::getpid()) + '-' + id + ".cif.gz")};
   const std::string url = mirror.empty() ? entryUrl(id) : mirror;
@@ -60,9 +71,12 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   if (result.failure != DownloadFailure::None) return downloadProblem(result, id, url, file);
   auto molecule = readMolecule(temporary.path);
   if (!molecule)
-    return Problem{id, 0, 0, "what came from " + url + " cannot be read: " + molecule.problem().message, "try again later"};
+    return Problem{id, 0, 0, "what came from " + url + " cannot be read: " + molecule.problem().message,
+                   "try again later"};
   fs::rename(temporary.path, file, error);
-  if (error) return Problem{file.string(), 0, 0, "it cannot be put in place: " + error.message(), "check the folder's permissions"};
+  if (error)
+    return Problem{file.string(), 0, 0, "it cannot be put in place: " + error.message(),
+                   "check the folder's permissions"};
   return FetchedEntry{file, molecule->atoms.size(), false};
 }
 

@@ -14,7 +14,8 @@ Expected<std::string> inflateGzip(std::string_view bytes, std::size_t most, cons
   constexpr int kGzipOnly = 16 + MAX_WBITS;
   constexpr std::size_t kStep = std::size_t{1} << 18;
   z_stream stream{};
-  if (inflateInit2(&stream, kGzipOnly) != Z_OK) return Problem{file, 0, 0, "it cannot be unpacked: no memory", ""};
+  if (inflateInit2(&stream, kGzipOnly) != Z_OK)
+    return Problem{file, 0, 0, "it cannot be unpacked: no memory", ""};
   const std::unique_ptr<z_stream, int (*)(z_stream*)> closing(&stream, inflateEnd);
   stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
   stream.avail_in = static_cast<uInt>(bytes.size());  // a file is at most 1 GiB
@@ -27,7 +28,8 @@ Expected<std::string> inflateGzip(std::string_view bytes, std::size_t most, cons
     const int status = inflate(&stream, Z_NO_FLUSH);
     out.resize(out.size() - stream.avail_out);
     if (out.size() > most)
-      return Problem{file, 0, 0, "it unpacks to more than " + std::to_string(most >> 20) + " MiB", "split it, or keep one model"};
+      return Problem{file, 0, 0, "it unpacks to more than " + std::to_string(most >> 20) + " MiB",
+                     "split it, or keep one model"};
     if (status == Z_STREAM_END) {
       if (!isGzip({reinterpret_cast<const char*>(stream.next_in), stream.avail_in})) return out;
       inflateReset(&stream);

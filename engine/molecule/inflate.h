@@ -10,8 +10,8 @@ namespace moltact {
 /// True where the bytes begin as gzip does.
 bool isGzip(std::string_view bytes);
 
-/// The unpacked content, all members of the file one after another; a Problem where it is cut, damaged or unpacks to more
-/// than `most` bytes.
+/// The unpacked content, all members of the file one after another; a Problem where it is cut, damaged or
+/// unpacks to more than `most` bytes.
 Expected<std::string> inflateGzip(std::string_view bytes, std::size_t most, const std::string& file);
 
 }  // namespace moltact

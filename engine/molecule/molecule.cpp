@@ -17,12 +17,14 @@ std::string Molecule::describe(std::size_t index) const {
   const Atom& atom = atoms[index];
   if (atom.residue == kNoResidue) return "atom " + std::to_string(index);
   const Residue& residue = residues[atom.residue];
-  std::string out = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
+  std::string out =
+      atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   out += " of ";
   std::string name = residue.name;
   // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.
   if (residue.kind == ResidueKind::AminoAcid)
-    for (std::size_t i = 1; i < name.size(); ++i) name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
+    for (std::size_t i = 1; i < name.size(); ++i)
+      name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
   out += name.empty() ? "residue" : name;
   out += ' ' + std::to_string(residue.number);
   if (residue.insertion != ' ') out += residue.insertion;

@@ -1,5 +1,5 @@
-// What a format's reader hands on before the rules of reader.h are applied: the atoms of one model as the file has them.
-// Inside engine/molecule only. Units: angstrom.
+// What a format's reader hands on before the rules of reader.h are applied: the atoms of one model as the
+// file has them. Inside engine/molecule only. Units: angstrom.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +13,19 @@
 namespace moltact {
 
 struct ParsedAtom {
-  std::string name;          ///< "CA"
-  std::string residue;       ///< "ALA"
-  std::string chain;         ///< "A", as authors name it
-  std::string label_chain;   ///< mmCIF's label_asym_id; empty in other formats
-  std::string element;       ///< as the file writes it, used where atomic_number is 0
+  std::string name;         ///< "CA"
+  std::string residue;      ///< "ALA"
+  std::string chain;        ///< "A", as authors name it
+  std::string label_chain;  ///< mmCIF's label_asym_id; empty in other formats
+  std::string element;      ///< as the file writes it, used where atomic_number is 0
   Vec3 position_A{0.0};
   double occupancy = 1.0;
-  std::size_t line = 0;      ///< in the file, from 1; 0 where not known
-  int number = 0;            ///< residue number
+  std::size_t line = 0;  ///< in the file, from 1; 0 where not known
+  int number = 0;        ///< residue number
   int atomic_number = 0;
   char insertion = ' ';
-  char alternate = ' ';      ///< alternate location, a space where there is none
-  bool hetero = false;       ///< HETATM
+  char alternate = ' ';  ///< alternate location, a space where there is none
+  bool hetero = false;   ///< HETATM
 };
 
 /// A turn and a shift that copy a part of the molecule into its biological assembly.
@@ -49,7 +49,7 @@ struct ParsedStructure {
   std::vector<ParsedAtom> atoms;  ///< of the model asked for
   std::vector<ParsedAssembly> assemblies;
   std::vector<std::string> warnings;
-  int models = 1;                 ///< in the file
+  int models = 1;  ///< in the file
 };
 
 /// The readers behind the table of formats. `text` is the unpacked content; `file` names it in problems.

@@ -1,5 +1,5 @@
-// Reads mmCIF files: the syntax through gemmi, the _atom_site table row by row, so that a value that is no number is told
-// and not taken as 0, and that only the model asked for is built.
+// Reads mmCIF files: the syntax through gemmi, the _atom_site table row by row, so that a value that is no
+// number is told and not taken as 0, and that only the model asked for is built.
 #include <charconv>
 #include <gemmi/cif.hpp>
 #include <gemmi/elem.hpp>
@@ -13,14 +13,42 @@ namespace {
 namespace cif = gemmi::cif;
 
 enum Column {
-  kX, kY, kZ, kElement, kName, kAuthName, kComp, kAuthComp, kChain, kAuthChain, kSeq, kAuthSeq, kInsertion,
-  kAlternate, kOccupancy, kGroup, kModel
+  kX,
+  kY,
+  kZ,
+  kElement,
+  kName,
+  kAuthName,
+  kComp,
+  kAuthComp,
+  kChain,
+  kAuthChain,
+  kSeq,
+  kAuthSeq,
+  kInsertion,
+  kAlternate,
+  kOccupancy,
+  kGroup,
+  kModel
 };
 
-const std::vector<std::string> kTags = {
-    "Cartn_x", "Cartn_y", "Cartn_z", "?type_symbol", "?label_atom_id", "?auth_atom_id", "?label_comp_id",
-    "?auth_comp_id", "?label_asym_id", "?auth_asym_id", "?label_seq_id", "?auth_seq_id", "?pdbx_PDB_ins_code",
-    "?label_alt_id", "?occupancy", "?group_PDB", "?pdbx_PDB_model_num"};
+const std::vector<std::string> kTags = {"Cartn_x",
+                                        "Cartn_y",
+                                        "Cartn_z",
+                                        "?type_symbol",
+                                        "?label_atom_id",
+                                        "?auth_atom_id",
+                                        "?label_comp_id",
+                                        "?auth_comp_id",
+                                        "?label_asym_id",
+                                        "?auth_asym_id",
+                                        "?label_seq_id",
+                                        "?auth_seq_id",
+                                        "?pdbx_PDB_ins_code",
+                                        "?label_alt_id",
+                                        "?occupancy",
+                                        "?group_PDB",
+                                        "?pdbx_PDB_model_num"};
 
 constexpr const char* kRemedy = "correct the file, or take it again from its source";
 
@@ -43,17 +71,23 @@ bool parseInteger(std::string_view word, int& value) {
   return error == std::errc{} && end == word.data() + word.size();
 }
 
+Problem noTable(const std::string& file) {
+  return {file, 0, 0, "there is no _atom_site table with Cartn_x, Cartn_y and Cartn_z in it",
+          "take a coordinate file from the PDB (www.rcsb.org)"};
+}
+
 Problem rowProblem(const std::string& file, int row, const std::string& what) {
   return {file, 0, 0, "row " + std::to_string(row + 1) + " of the _atom_site table: " + what, kRemedy};
 }
 
 /// The row as an atom; false with `problem` filled where a number cannot be read.
-bool atomFrom(const cif::Table::Row& row, int index, const std::string& file, ParsedAtom& atom, Problem& problem,
-              std::vector<std::string>& warnings) {
+bool atomFrom(const cif::Table::Row& row, int index, const std::string& file, ParsedAtom& atom,
+              Problem& problem, std::vector<std::string>& warnings) {
   for (int k = 0; k < 3; ++k) {
     const std::string& word = row[static_cast<std::size_t>(kX + k)];
     if (!cifNumber(word, atom.position_A[k])) {
-      problem = rowProblem(file, index, std::string("Cartn_") + "xyz"[k] + " is not a number: " + inQuotes(word));
+      problem =
+          rowProblem(file, index, std::string("Cartn_") + "xyz"[k] + " is not a number: " + inQuotes(word));
       return false;
     }
   }
@@ -88,11 +122,10 @@ bool atomFrom(const cif::Table::Row& row, int index, const std::string& file, Pa
 }
 
 /// The atoms of one model; a problem where a row is broken.
-std::optional<Problem> readAtoms(cif::Block& block, const std::string& file, int wanted, ParsedStructure& out) {
+std::optional<Problem> readAtoms(cif::Block& block, const std::string& file, int wanted,
+                                 ParsedStructure& out) {
   cif::Table table = block.find("_atom_site.", kTags);
-  if (!table.ok() || table.length() == 0)
-    return Problem{file, 0, 0, "there is no _atom_site table with Cartn_x, Cartn_y and Cartn_z in it",
-                   "take a coordinate file from the PDB (www.rcsb.org)"};
+  if (!table.ok() || table.length() == 0) return noTable(file);
   std::vector<std::string> models;
   int current = 0, index = -1;
   for (const auto row : table) {
@@ -125,7 +158,8 @@ std::vector<std::string> operatorNames(std::string_view list) {
     list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
     const std::size_t dash = item.find('-');
     int first = 0, last = 0;
-    if (dash != std::string_view::npos && parseInteger(item.substr(0, dash), first) && parseInteger(item.substr(dash + 1), last)) {
+    if (dash != std::string_view::npos && parseInteger(item.substr(0, dash), first) &&
+        parseInteger(item.substr(dash + 1), last)) {
       for (long n = first; n <= last && out.size() < kMaxOperators; ++n) out.push_back(std::to_string(n));
     } else if (!item.empty()) {
       out.emplace_back(item);
@@ -136,7 +170,8 @@ std::vector<std::string> operatorNames(std::string_view list) {
 
 using Operators = std::vector<std::pair<std::string, ParsedOperator>>;
 
-/// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket acts first.
+/// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket
+/// acts first.
 std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Operators& known) {
   std::vector<ParsedOperator> out;
   bool first = true;
@@ -177,19 +212,25 @@ void readAssemblies(cif::Block& block, ParsedStructure& out) {
   Operators known;
   std::vector<std::string> tags = {"id"};
   for (int i = 1; i <= 3; ++i)
-    for (int j = 1; j <= 3; ++j) tags.push_back("matrix[" + std::to_string(i) + "][" + std::to_string(j) + "]");
+    for (int j = 1; j <= 3; ++j)
+      tags.push_back("matrix[" + std::to_string(i) + "][" + std::to_string(j) + "]");
   for (int i = 1; i <= 3; ++i) tags.push_back("vector[" + std::to_string(i) + "]");
   for (const auto row : block.find("_pdbx_struct_oper_list.", tags)) {
     ParsedOperator op;
     bool sound = true;
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)], op.turn[j][i]);
+      for (int j = 0; j < 3; ++j)
+        sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)], op.turn[j][i]);
       sound &= cifNumber(row[static_cast<std::size_t>(10 + i)], op.shift_A[i]);
     }
-    if (sound) known.emplace_back(cif::as_string(row[0]), op);
-    else out.warnings.push_back("The assembly operator " + inQuotes(row[0]) + " holds what is not a number and was left out.");
+    if (sound)
+      known.emplace_back(cif::as_string(row[0]), op);
+    else
+      out.warnings.push_back("The assembly operator " + inQuotes(row[0]) +
+                             " holds what is not a number and was left out.");
   }
-  for (const auto row : block.find("_pdbx_struct_assembly_gen.", {"assembly_id", "oper_expression", "asym_id_list"})) {
+  for (const auto row :
+       block.find("_pdbx_struct_assembly_gen.", {"assembly_id", "oper_expression", "asym_id_list"})) {
     const std::string name = cif::as_string(row[0]);
     ParsedAssembly::Part part;
     std::string list = cif::as_string(row[2]);
@@ -214,8 +255,7 @@ std::string oneLine(std::string text) {
 
 Expected<Molecule> readMmcif(std::string_view content, const std::string& file, const ReadOptions& options) {
   // Asked first, because it refuses a large file of something else without parsing it.
-  if (content.find("_atom_site.") == std::string_view::npos)
-    return Problem{file, 0, 0, "there is no _atom_site table in it", "take a coordinate file from the PDB (www.rcsb.org)"};
+  if (content.find("_atom_site.Cartn_x") == std::string_view::npos) return noTable(file);
   try {
     cif::Document document = cif::read_memory(content.data(), content.size(), "");
     ParsedStructure parsed;
@@ -223,16 +263,19 @@ Expected<Molecule> readMmcif(std::string_view content, const std::string& file, 
     for (cif::Block& block : document.blocks) {
       if (block.find_mmcif_category("_atom_site.").positions.empty()) continue;
       if ((problem = readAtoms(block, file, options.model, parsed))) return *problem;
-      if (options.model < 1 || options.model > parsed.models) return noSuchModel(file, options.model, parsed.models);
+      if (options.model < 1 || options.model > parsed.models)
+        return noSuchModel(file, options.model, parsed.models);
       readAssemblies(block, parsed);
       if (const std::string* id = block.find_value("_entry.id")) parsed.id = oneLine(cif::as_string(*id));
-      if (const std::string* title = block.find_value("_struct.title")) parsed.title = oneLine(cif::as_string(*title));
+      if (const std::string* title = block.find_value("_struct.title"))
+        parsed.title = oneLine(cif::as_string(*title));
       return buildMolecule(std::move(parsed), file, options);
     }
-    return Problem{file, 0, 0, "there is no _atom_site table in it", "take a coordinate file from the PDB (www.rcsb.org)"};
+    return noTable(file);
   } catch (const gemmi::cif::pegtl::parse_error& e) {
     const auto& where = e.positions().front();
-    return Problem{file, where.line, where.column, "it is not sound mmCIF: " + std::string(e.message()), kRemedy};
+    return Problem{file, where.line, where.column, "it is not sound mmCIF: " + std::string(e.message()),
+                   kRemedy};
   } catch (const std::exception& e) {
     return Problem{file, 0, 0, std::string("it is not sound mmCIF: ") + e.what(), kRemedy};
   }

@@ -1,5 +1,6 @@
-// Reads PDB files through gemmi, which parses numbers silently: every coordinate line is checked here first, and gemmi is
-// given only the records that matter, in clean columns. The serial number handed to gemmi is the line's place in our list.
+// Reads PDB files through gemmi, which parses numbers silently: every coordinate line is checked here first,
+// and gemmi is given only the records that matter, in clean columns. The serial number handed to gemmi is the
+// line's place in our list.
 #include <cctype>
 #include <cstring>
 #include <gemmi/pdb.hpp>
@@ -11,6 +12,7 @@ namespace moltact {
 namespace {
 
 constexpr std::size_t kLineWidth = 80;
+constexpr std::size_t kMostLineWarnings = 20;
 constexpr std::size_t kMaxAtoms = 40'000'000;  // what a five-column hybrid-36 serial can count
 
 bool startsWith(std::string_view line, std::string_view record) {
@@ -30,8 +32,8 @@ void writeSerial(char* at, std::size_t index) {
 
 /// The lines of a PDB file that gemmi is to see, and what was noticed on the way.
 struct Sieve {
-  std::string kept;                      // lines of 80 columns and a line feed
-  std::vector<std::size_t> atom_line;    // line in the file of the k-th kept atom
+  std::string kept;                    // lines of 80 columns and a line feed
+  std::vector<std::size_t> atom_line;  // line in the file of the k-th kept atom
   std::vector<std::string> warnings;
   int models = 0;
 };
@@ -65,8 +67,10 @@ bool isResidueNumber(std::string_view field) {
 }
 
 /// Checks one ATOM or HETATM line and adds it in clean columns; a problem where it cannot be read.
-std::optional<Problem> keepAtom(Sieve& sieve, std::string_view line, const std::string& file, std::size_t number) {
-  constexpr const char* kRemedy = "the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF";
+std::optional<Problem> keepAtom(Sieve& sieve, std::string_view line, const std::string& file,
+                                std::size_t number) {
+  constexpr const char* kRemedy =
+      "the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF";
   if (line.size() < 54)
     return Problem{file, number, line.size() + 1, "the atom's line ends before its coordinates do", kRemedy};
   if (sieve.atom_line.size() >= kMaxAtoms)
@@ -83,29 +87,30 @@ std::optional<Problem> keepAtom(Sieve& sieve, std::string_view line, const std::
     const std::string_view field = line.substr(f.first, f.width);
     if (!parseNumber(field, value) || std::abs(value) > kMaxCoordinate_A)
       return Problem{file, number, f.first + 1,
-                     std::string(f.name) + " (" + columns(f) + ") is not a number: " + inQuotes(field), kRemedy};
+                     std::string(f.name) + " (" + columns(f) + ") is not a number: " + inQuotes(field),
+                     kRemedy};
     // written anew, for a form such as 1e3 that gemmi's column may cut
     if (field.find_first_of("+eE") != std::string_view::npos) {
       char text[40];
       std::snprintf(text, sizeof text, "%8.3f", value);
       if (std::strlen(text) != f.width)
-        return Problem{file, number, f.first + 1, std::string(f.name) + " does not fit its columns: " + inQuotes(field), kRemedy};
+        return Problem{file, number, f.first + 1,
+                       std::string(f.name) + " does not fit its columns: " + inQuotes(field), kRemedy};
       std::memcpy(out + f.first, text, f.width);
     }
   }
   if (!isResidueNumber(clean.substr(22, 4)))
-    return Problem{file, number, 23, "the residue number (columns 23-26) is not a number: " + inQuotes(clean.substr(22, 4)),
+    return Problem{file, number, 23,
+                   "the residue number (columns 23-26) is not a number: " + inQuotes(clean.substr(22, 4)),
                    kRemedy};
   double occupancy = 1.0;
   const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
-  if (!trimmed(field).empty() && !parseNumber(field, occupancy)) {
-    if (sieve.warnings.size() < 20)
+  if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, occupancy)) {
+    if (!blank && sieve.warnings.size() < kMostLineWarnings)
       sieve.warnings.push_back("Line " + std::to_string(number) + ": the occupancy " + inQuotes(field) +
                                " is not a number and was taken as 1.");
-    occupancy = 1.0;
+    std::memcpy(out + kOccupancy.first, "  1.00", kOccupancy.width);
   }
-  std::memcpy(out + kOccupancy.first, "  1.00", kOccupancy.width);
-  if (!trimmed(field).empty() && parseNumber(field, occupancy)) std::memcpy(out + kOccupancy.first, field.data(), field.size());
   std::memset(out + 60, ' ', 16);  // B factor and segment are not used
   // Columns 77-80 hold an element and a charge since 1996, a part of the line's number before.
   const bool has_element = (std::isalpha(static_cast<unsigned char>(out[77])) &&
@@ -119,7 +124,8 @@ std::optional<Problem> keepAtom(Sieve& sieve, std::string_view line, const std::
   return std::nullopt;
 }
 
-/// Walks over the lines: keeps the atoms of the model asked for and the records that name, describe and copy them.
+/// Walks over the lines: keeps the atoms of the model asked for and the records that name, describe and copy
+/// them.
 std::optional<Problem> sift(Sieve& sieve, std::string_view text, const std::string& file, int wanted) {
   bool in_model = false;
   std::size_t number = 0;
@@ -145,7 +151,8 @@ std::optional<Problem> sift(Sieve& sieve, std::string_view text, const std::stri
       // Simulation programs write END between frames; another atom after it would begin another model.
       in_model = false;
     } else if (startsWith(line, "TER") ? sieve.models == wanted
-                                       : startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350")) {
+                                       : startsWith(line, "HEADER") || startsWith(line, "TITLE") ||
+                                             startsWith(line, "REMARK 350")) {
       std::string kept(line.substr(0, kLineWidth));
       for (char& c : kept)
         if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = ' ';
@@ -206,8 +213,10 @@ Expected<Molecule> readPdb(std::string_view text, const std::string& file, const
   Sieve sieve;
   if (auto problem = sift(sieve, text, file, options.model)) return *problem;
   if (sieve.models == 0)
-    return Problem{file, 0, 0, "there is no ATOM or HETATM line in it", "take a coordinate file from the PDB (www.rcsb.org)"};
-  if (options.model < 1 || options.model > sieve.models) return noSuchModel(file, options.model, sieve.models);
+    return Problem{file, 0, 0, "there is no ATOM or HETATM line in it",
+                   "take a coordinate file from the PDB (www.rcsb.org)"};
+  if (options.model < 1 || options.model > sieve.models)
+    return noSuchModel(file, options.model, sieve.models);
   try {
     const gemmi::Structure st = gemmi::read_pdb_from_memory(sieve.kept.data(), sieve.kept.size(), file);
     ParsedStructure parsed;
@@ -219,7 +228,8 @@ Expected<Molecule> readPdb(std::string_view text, const std::string& file, const
     for (const gemmi::Assembly& assembly : st.assemblies) parsed.assemblies.push_back(assemblyFrom(assembly));
     return buildMolecule(std::move(parsed), file, options);
   } catch (const std::exception& e) {
-    return Problem{file, 0, 0, std::string("it is not a sound PDB file: ") + e.what(), "take the file again from its source"};
+    return Problem{file, 0, 0, std::string("it is not a sound PDB file: ") + e.what(),
+                   "take the file again from its source"};
   }
 }
 

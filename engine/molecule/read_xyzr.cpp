@@ -1,5 +1,6 @@
-// Reads .xyzr, the convention of surface programs: a ball a line, x y z r in angstroms, blank lines and # comments allowed.
-// What follows the fourth number on a line (an atom's name, a flag) is passed over with one warning.
+// Reads .xyzr, the convention of surface programs: a ball a line, x y z r in angstroms, blank lines and #
+// comments allowed. What follows the fourth number on a line (an atom's name, a flag) is passed over with one
+// warning.
 #include <charconv>
 #include <cmath>
 
@@ -8,7 +9,8 @@
 namespace moltact {
 namespace {
 
-constexpr const char* kFormatRemedy = "write four numbers a line, x y z r in angstroms, with blanks between them";
+constexpr const char* kFormatRemedy =
+    "write four numbers a line, x y z r in angstroms, with blanks between them";
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
@@ -52,14 +54,17 @@ Expected<Molecule> readXyzr(std::string_view text, const std::string& file, cons
       while (word_end < stop && !isBlank(*word_end)) ++word_end;
       const std::string_view word(at, static_cast<std::size_t>(word_end - at));
       if (!takeNumber(at, stop, value[count]))
-        return Problem{file, line_number, column, "expected the number " + std::string(kColumn[count]) + ", found " + inQuotes(word),
+        return Problem{file, line_number, column,
+                       "expected the number " + std::string(kColumn[count]) + ", found " + inQuotes(word),
                        kFormatRemedy};
       if (!std::isfinite(value[count]) || std::abs(value[count]) > kMaxCoordinate_A)
         return Problem{file, line_number, column,
-                       std::string(kColumn[count]) + " is " + inQuotes(word) + ", which is not a finite number up to 1e9 A",
+                       std::string(kColumn[count]) + " is " + inQuotes(word) +
+                           ", which is not a finite number up to 1e9 A",
                        "correct or remove the line"};
       if (count == 3 && value[3] < 0)
-        return Problem{file, line_number, column, "the radius is negative: " + inQuotes(word), "give a radius of 0 A or more"};
+        return Problem{file, line_number, column, "the radius is negative: " + inQuotes(word),
+                       "give a radius of 0 A or more"};
       ++count;
     }
     if (count > 0 && count < 4)

@@ -10,7 +10,8 @@
 namespace moltact {
 namespace {
 
-using ReadText = Expected<Molecule> (*)(std::string_view text, const std::string& file, const ReadOptions& options);
+using ReadText = Expected<Molecule> (*)(std::string_view text, const std::string& file,
+                                        const ReadOptions& options);
 
 struct Format {
   const char* extension;
@@ -19,11 +20,7 @@ struct Format {
 
 // A format is added with one line here.
 constexpr Format kFormats[] = {
-    {".pdb", readPdb},
-    {".ent", readPdb},
-    {".cif", readMmcif},
-    {".mmcif", readMmcif},
-    {".xyzr", readXyzr},
+    {".pdb", readPdb}, {".ent", readPdb}, {".cif", readMmcif}, {".mmcif", readMmcif}, {".xyzr", readXyzr},
 };
 
 std::string lower(std::string text) {
@@ -74,17 +71,18 @@ ReadText readerByContent(std::string_view text) {
 
 }  // namespace
 
-Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path, const ReadOptions& options) {
+Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path,
+                                     const ReadOptions& options) {
   const std::string file = path.string();
   if (bytes.size() > kMaxMoleculeBytes)
-    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB", "split it, or keep one model"};
+    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB",
+                   "split it, or keep one model"};
   if (isGzip(bytes)) {
     auto inflated = inflateGzip(bytes, kMaxMoleculeBytes, file);
     if (!inflated) return inflated.problem();
     bytes = *std::move(inflated);
   }
-  if (trimmed(bytes).empty())
-    return Problem{file, 0, 0, "the file is empty", "copy or download it again"};
+  if (trimmed(bytes).empty()) return Problem{file, 0, 0, "the file is empty", "copy or download it again"};
   const std::filesystem::path inner = innerName(path);
   const std::string extension = lower(inner.extension().string());
   ReadText read = nullptr;
@@ -103,20 +101,25 @@ Expected<Molecule> readMolecule(const std::filesystem::path& path, const ReadOpt
   const std::string file = path.string();
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) return Problem{file, 0, 0, "there is no such file", "check the name and the folder"};
-  if (std::filesystem::is_directory(status)) return Problem{file, 0, 0, "it is a folder", "name a file in it"};
+  if (!std::filesystem::exists(status))
+    return Problem{file, 0, 0, "there is no such file", "check the name and the folder"};
+  if (std::filesystem::is_directory(status))
+    return Problem{file, 0, 0, "it is a folder", "name a file in it"};
   // A pipe or a device could give bytes without end.
-  if (!std::filesystem::is_regular_file(status)) return Problem{file, 0, 0, "it is not an ordinary file", "copy the data into one"};
+  if (!std::filesystem::is_regular_file(status))
+    return Problem{file, 0, 0, "it is not an ordinary file", "copy the data into one"};
   const auto size = std::filesystem::file_size(path, error);
   if (!error && size > kMaxMoleculeBytes)
-    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB", "split it, or keep one model"};
+    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB",
+                   "split it, or keep one model"};
   std::ifstream in(path, std::ios::binary);
   if (!in) return Problem{file, 0, 0, "it cannot be opened for reading", "check the file's permissions"};
   std::string bytes(error ? 0 : static_cast<std::size_t>(size), '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
   if (in.bad() || (!error && bytes.size() != size))
-    return Problem{file, 0, 0, "reading it broke off after " + std::to_string(bytes.size()) + " bytes", "check the disk, then try again"};
+    return Problem{file, 0, 0, "reading it broke off after " + std::to_string(bytes.size()) + " bytes",
+                   "check the disk, then try again"};
   return readMoleculeBytes(std::move(bytes), path, options);
 }
 

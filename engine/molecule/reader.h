@@ -1,11 +1,13 @@
 // Reads a molecule from a file: PDB, mmCIF, .xyzr, each also gzipped. Not for the haptic thread.
-// Units: angstrom. What cannot be read gives a Problem with file, line where known, and remedy; nothing throws or hangs.
+// Units: angstrom. What cannot be read gives a Problem with file, line where known, and remedy; nothing
+// throws or hangs.
 //
 // Rules, the same for every format:
 // * Atoms keep the order of the file; hydrogens are kept as present.
-// * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is kept, the
-//   first on a tie. Where the alternatives are different residues (a point mutation), the residue with the highest mean
-//   occupancy is kept whole.
+// * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is
+// kept, the
+//   first on a tie. Where the alternatives are different residues (a point mutation), the residue with the
+//   highest mean occupancy is kept whole.
 // * Water (HOH, WAT, H2O, DOD, TIP3, SOL) is left out unless asked for or unless the file holds nothing else.
 // * A radius comes from the table in elements.h; an unknown element gets the default and one warning.
 #pragma once
@@ -19,9 +21,10 @@
 namespace moltact {
 
 struct ReadOptions {
-  int model = 1;         ///< which model, counted from 1 in the order of the file (default: the first)
-  bool waters = false;   ///< keep the water molecules (default: leave them out)
-  std::string assembly;  ///< name of a biological assembly to build ("1"); empty: the coordinates as they stand (default)
+  int model = 1;           ///< which model, counted from 1 in the order of the file (default: the first)
+  bool waters = false;     ///< keep the water molecules (default: leave them out)
+  std::string assembly{};  ///< name of a biological assembly to build ("1"); empty: the coordinates as they
+                           ///< stand (default)
 };
 
 /// A file larger than this, or one that unpacks to more, is refused (unit: byte).
@@ -30,11 +33,12 @@ inline constexpr std::size_t kMaxMoleculeBytes = std::size_t{1} << 30;
 /// A coordinate or radius farther out than this is refused (unit: angstrom).
 inline constexpr double kMaxCoordinate_A = 1e9;
 
-/// The molecule in the file. The format follows from the name (.pdb .ent .cif .mmcif .xyzr, each also with .gz) and, where
-/// the name does not tell, from the content.
+/// The molecule in the file. The format follows from the name (.pdb .ent .cif .mmcif .xyzr, each also with
+/// .gz) and, where the name does not tell, from the content.
 Expected<Molecule> readMolecule(const std::filesystem::path& file, const ReadOptions& options = {});
 
 /// The same from bytes in memory, gzipped or not; `file` gives the name for the format and for problems.
-Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& file, const ReadOptions& options = {});
+Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& file,
+                                     const ReadOptions& options = {});
 
 }  // namespace moltact

@@ -25,7 +25,8 @@ MoleculeSummary summarise(const Molecule& molecule) {
   std::array<std::size_t, kElementCount + 1> count{};
   for (const Atom& atom : molecule.atoms) ++count[std::min<std::size_t>(atom.atomic_number, kElementCount)];
   for (int z = 0; z <= kElementCount; ++z)
-    if (count[static_cast<std::size_t>(z)]) out.elements[std::string(element(z).symbol)] = count[static_cast<std::size_t>(z)];
+    if (count[static_cast<std::size_t>(z)])
+      out.elements[std::string(element(z).symbol)] = count[static_cast<std::size_t>(z)];
   if (!molecule.atoms.empty()) out.low_A = out.high_A = molecule.atoms.front().position.A;
   for (const Atom& atom : molecule.atoms) {
     out.low_A = glm::min(out.low_A, atom.position.A);

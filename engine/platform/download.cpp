@@ -28,7 +28,8 @@ std::size_t receive(char* data, std::size_t one, std::size_t count, void* to) {
 DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
   if (sink.too_large) return DownloadFailure::TooLarge;
   if (code == CURLE_WRITE_ERROR) return DownloadFailure::CannotWrite;
-  if (status == 404 || status == 410 || code == CURLE_FILE_COULDNT_READ_FILE) return DownloadFailure::NotFound;
+  if (status == 404 || status == 410 || code == CURLE_FILE_COULDNT_READ_FILE)
+    return DownloadFailure::NotFound;
   if (code == CURLE_HTTP_RETURNED_ERROR || code == CURLE_URL_MALFORMAT || code == CURLE_UNSUPPORTED_PROTOCOL)
     return DownloadFailure::Refused;
   return DownloadFailure::Offline;
@@ -38,7 +39,8 @@ DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
 
 DownloadResult download(const std::string& url, const std::filesystem::path& file, std::size_t most_bytes) {
   static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
-  const std::unique_ptr<CURL, void (*)(CURL*)> curl(started == CURLE_OK ? curl_easy_init() : nullptr, curl_easy_cleanup);
+  const std::unique_ptr<CURL, void (*)(CURL*)> curl(started == CURLE_OK ? curl_easy_init() : nullptr,
+                                                    curl_easy_cleanup);
   if (!curl) return {DownloadFailure::Refused, "libcurl cannot be started"};
   Sink sink;
   sink.most = most_bytes;

@@ -1,12 +1,13 @@
-// Where things lie on this computer: the program's own data and the user's. The Linux edge. Not for the haptic thread.
+// Where things lie on this computer: the program's own data and the user's. The Linux edge. Not for the
+// haptic thread.
 #pragma once
 
 #include <filesystem>
 
 namespace moltact {
 
-/// The folder that holds `molecules`, `lessons` and `assets`: $MOLTACT_HOME where set; else the folder of the executable,
-/// its parent's share/moltact, or that of the source tree, the first that has
+/// The folder that holds `molecules`, `lessons` and `assets`: $MOLTACT_HOME where set; else the folder of the
+/// executable, its parent's share/moltact, or that of the source tree, the first that has
 /// molecules/catalogue.json.
 std::filesystem::path homeFolder();
 
@@ -14,8 +15,8 @@ std::filesystem::path moleculesFolder();  ///< homeFolder()/molecules
 std::filesystem::path lessonsFolder();    ///< homeFolder()/lessons
 std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 
-/// Where the program keeps what the user fetched or made: $XDG_DATA_HOME/moltact, else ~/.local/share/moltact. It may not
-/// exist yet. Empty where neither variable tells a home.
+/// Where the program keeps what the user fetched or made: $XDG_DATA_HOME/moltact, else
+/// ~/.local/share/moltact. It may not exist yet. Empty where neither variable tells a home.
 std::filesystem::path userDataFolder();
 
 /// userDataFolder()/molecules: the entries that `moltact fetch` downloaded.

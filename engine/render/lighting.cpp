@@ -8,12 +8,10 @@ namespace moltact {
 const char* const kLightingText = R"(
 uniform vec3 u_top, u_bottom;
 uniform vec3 u_fade;  // from, 1 / over, most
-vec3 lit(vec3 colour, vec3 n, vec3 hit, float open, float y_ndc) {
-  float facing = max(-dot(n, hit) * inversesqrt(dot(hit, hit)), 0.0);
+vec3 lit(vec3 base, vec3 n, float facing, float depth, float open, float y_ndc) {
   const vec3 key = vec3(-0.46, 0.62, 0.635);
   float direct = max(dot(n, key) * 0.87 + 0.13, 0.0);
   float sky = 0.62 + 0.38 * n.y;
-  vec3 base = colour * colour;
   vec3 light = base * (0.56 * sky * open * vec3(0.94, 0.98, 1.08) + 0.78 * direct * (0.35 + 0.65 * open) * vec3(1.05, 1.0, 0.94));
   const vec3 half_way = vec3(-0.255, 0.343, 0.904);  // for an eye straight ahead
   float shine = max(dot(n, half_way), 0.0);
@@ -22,7 +20,7 @@ vec3 lit(vec3 colour, vec3 n, vec3 hit, float open, float y_ndc) {
   float rim = 1.0 - min(facing * 2.2, 1.0);
   light *= 1.0 - 0.72 * rim * rim;
   vec3 ground = mix(u_bottom, u_top, 0.5 + 0.5 * y_ndc);
-  float fade = u_fade.z * clamp((-hit.z - u_fade.x) * u_fade.y, 0.0, 1.0);
+  float fade = u_fade.z * clamp((depth - u_fade.x) * u_fade.y, 0.0, 1.0);
   light *= 1.10;
   return sqrt(mix(light, ground * ground, fade));
 }

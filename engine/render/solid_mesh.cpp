@@ -32,7 +32,9 @@ in float v_y;
 uniform float u_alpha;
 out vec4 o_colour;
 void main() {
-  o_colour = vec4(lit(v_colour.rgb, normalize(v_normal), v_place, 1.0, clamp(v_y, -1.0, 1.0)), u_alpha);
+  vec3 n = normalize(v_normal);
+  float facing = max(-dot(n, normalize(v_place)), 0.0);
+  o_colour = vec4(lit(v_colour.rgb * v_colour.rgb, n, facing, -v_place.z, 1.0, clamp(v_y, -1.0, 1.0)), u_alpha);
 }
 )";
 

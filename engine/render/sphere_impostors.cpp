@@ -35,35 +35,37 @@ in float v_y;
 uniform vec2 u_depth;
 uniform float u_rim;
 out vec4 o_colour;
-void cut(out vec3 hit, out vec3 normal) {
-  float inverse = 1.0 / dot(v_ray, v_ray);
-  float nearest = dot(v_ray, v_sphere.xyz) * inverse;
+float cut(out vec3 normal, out float facing) {
+  float shorten = inversesqrt(dot(v_ray, v_ray));
+  float nearest = dot(v_ray, v_sphere.xyz) * (shorten * shorten);
   vec3 aside = v_ray * nearest - v_sphere.xyz;
   float away = dot(aside, aside), reach = v_sphere.w + u_rim * nearest;
   if (away > reach * reach) discard;
   float left = v_sphere.w * v_sphere.w - away;
-  float back = sqrt(max(left, 0.0) * inverse);
-  hit = v_ray * (nearest - back);
-  normal = (aside - v_ray * back) / v_sphere.w;
+  float half_chord = sqrt(max(left, 0.0)), back = half_chord * shorten, by_radius = 1.0 / v_sphere.w;
+  normal = (aside - v_ray * back) * by_radius;
+  facing = half_chord * by_radius;
   float depth = left < 0.0 ? nearest + 0.75 * v_sphere.w : nearest - back;
   gl_FragDepth = clamp(u_depth.x - u_depth.y / depth, 0.0, 1.0);
+  return depth;
 }
 )";
 
 const char* const kSolidText = R"(
 void main() {
-  vec3 hit, n;
-  cut(hit, n);
+  vec3 n;
+  float facing, depth = cut(n, facing);
   float open = clamp(v_exposure.w + dot(v_exposure.xyz, n), 0.0, 1.0);
-  o_colour = vec4(lit(v_colour.rgb, n, hit, open, v_y), v_colour.a);
+  o_colour = vec4(lit(v_colour.rgb * v_colour.rgb, n, facing, depth, open, v_y), v_colour.a);
 }
 )";
 
 const char* const kShellText = R"(
 void main() {
-  vec3 hit, n;
-  cut(hit, n);
-  float away = 1.0 - clamp(dot(n, -normalize(hit)), 0.0, 1.0);
+  vec3 n;
+  float facing;
+  cut(n, facing);
+  float away = 1.0 - facing;
   float glint = pow(max(dot(n, normalize(vec3(-0.46, 0.62, 1.4))), 0.0), 60.0);
   float rim = away * away;
   o_colour = vec4(v_colour.rgb + glint * 0.5, v_colour.a * clamp(0.10 + 0.9 * rim * away + 0.45 * glint, 0.0, 1.0));

@@ -63,7 +63,8 @@ class SphereImpostors {
 /// Sets the uniforms `Lighting` and `Projection` of a program that uses kLightingText; the program must be in use.
 void setLighting(const GlProgram& program, const Projection& projection, const Lighting& lighting);
 
-/// GLSL: vec3 lit(vec3 colour, vec3 normal, vec3 hit, float open, float y_ndc) and what it needs.
+/// GLSL: vec3 lit(vec3 base, vec3 normal, float facing, float depth, float open, float y_ndc) and what it needs; `base` is
+/// the squared colour, `facing` the cosine between the normal and the way to the eye.
 extern const char* const kLightingText;
 
 }  // namespace moltact

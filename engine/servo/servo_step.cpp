@@ -19,11 +19,13 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   out.hip = settings.workspace.toMolecule(pose.position);
   out.has_tracker = tracker != nullptr;
 
-  const bool changed = tracker != last_tracker_ || settings.placements != placements_;
+  const bool placed = settings.placements != placements_ || pose.placements != hand_placements_;
+  const bool changed = tracker != last_tracker_ || placed;
   // A new tracker comes as its maker left it: one that was led to the hand keeps the contact over a change of method.
-  if (tracker && settings.placements != placements_) tracker->reset();
+  if (tracker && placed) tracker->reset();
   last_tracker_ = tracker;
   placements_ = settings.placements;
+  hand_placements_ = pose.placements;
   if (changed || !tracker || !settings.force_on) ramp_ = 0.0;
   if (!tracker) return out;
 

@@ -50,7 +50,7 @@ class ServoStep {
  private:
   std::uint64_t tick_ = 0;
   const Tracker* last_tracker_ = nullptr;
-  std::uint32_t placements_ = 0;
+  std::uint32_t placements_ = 0, hand_placements_ = 0;
   double ramp_ = 0.0;  // 0 to 1, the soft start
   PointMm last_hand_;
 };

@@ -1,6 +1,7 @@
-// An ideal right-handed alpha-helix of 20 alanines. Torsions and the angle at the alpha carbon: the fibre structure of
-// poly-L-alanine, S. Arnott and S. D. Dover, J. Mol. Biol. 30, 209-212 (1967); other bond lengths and angles: R. A. Engh
-// and R. Huber, Acta Cryst. A47, 392-400 (1991). Heavy atoms only, as in the crystal structures of the library.
+// An ideal right-handed alpha-helix of 20 alanines. Torsions and the angle at the alpha carbon: the fibre
+// structure of poly-L-alanine, S. Arnott and S. D. Dover, J. Mol. Biol. 30, 209-212 (1967); other bond
+// lengths and angles: R. A. Engh and R. Huber, Acta Cryst. A47, 392-400 (1991). Heavy atoms only, as in the
+// crystal structures of the library.
 #include <cmath>
 #include <numbers>
 
@@ -23,10 +24,12 @@ Vec3 place(Vec3 a, Vec3 b, Vec3 c, double length_A, double angle, double torsion
   const Vec3 bc = glm::normalize(c - b);
   const Vec3 n = glm::normalize(glm::cross(b - a, bc));
   const Vec3 m = glm::cross(n, bc);
-  return c + length_A * (-std::cos(rad(angle)) * bc + std::sin(rad(angle)) * (std::cos(rad(torsion)) * m + std::sin(rad(torsion)) * n));
+  return c + length_A * (-std::cos(rad(angle)) * bc +
+                         std::sin(rad(angle)) * (std::cos(rad(torsion)) * m + std::sin(rad(torsion)) * n));
 }
 
-/// The torsion X-N-CA-CB relative to X-N-CA-C, from the three angles at CA (spherical cosines); L: it lies before C.
+/// The torsion X-N-CA-CB relative to X-N-CA-C, from the three angles at CA (spherical cosines); L: it lies
+/// before C.
 double cbTorsion(double phi) {
   const double cosine = (std::cos(rad(kCB_C_CA)) - std::cos(rad(kN_CA_C)) * std::cos(rad(kN_CA_CB))) /
                         (std::sin(rad(kN_CA_C)) * std::sin(rad(kN_CA_CB)));
@@ -39,14 +42,17 @@ std::string makeAlphaHelix() {
   // The chain N, CA, C, N, CA, C, … first; one residue more at each end gives the torsions there.
   std::vector<Vec3> chain = {{0, 0, 0}, {kN_CA, 0, 0}};
   chain.push_back(chain[1] + kCA_C * Vec3(-std::cos(rad(kN_CA_C)), std::sin(rad(kN_CA_C)), 0));
-  const double torsion[3] = {kPsi, kOmega, kPhi}, length[3] = {kC_N, kN_CA, kCA_C}, angle[3] = {kCA_C_N, kC_N_CA, kN_CA_C};
+  const double torsion[3] = {kPsi, kOmega, kPhi}, length[3] = {kC_N, kN_CA, kCA_C},
+               angle[3] = {kCA_C_N, kC_N_CA, kN_CA_C};
   while (chain.size() < 3 * (kResidues + 2)) {
     const std::size_t k = chain.size(), kind = k % 3;
-    chain.push_back(place(chain[k - 3], chain[k - 2], chain[k - 1], length[kind], angle[kind], torsion[kind]));
+    chain.push_back(
+        place(chain[k - 3], chain[k - 2], chain[k - 1], length[kind], angle[kind], torsion[kind]));
   }
   // The axis: the C-alphas turn about it, so the second differences of their places point to it.
   const auto ca = [&](int i) { return chain[static_cast<std::size_t>(3 * i + 1)]; };
-  const Vec3 in1 = glm::normalize(ca(5) - 2.0 * ca(6) + ca(7)), in2 = glm::normalize(ca(6) - 2.0 * ca(7) + ca(8));
+  const Vec3 in1 = glm::normalize(ca(5) - 2.0 * ca(6) + ca(7)),
+             in2 = glm::normalize(ca(6) - 2.0 * ca(7) + ca(8));
   const Vec3 z = glm::normalize(glm::cross(in1, in2));
   const double turn = std::acos(glm::dot(in1, in2));
   const Vec3 across = (ca(7) - ca(6)) - glm::dot(ca(7) - ca(6), z) * z;
@@ -55,12 +61,16 @@ std::string makeAlphaHelix() {
   Vec3 middle(0.0);
   for (int i = 1; i <= kResidues; ++i) middle += ca(i) / static_cast<double>(kResidues);
   const Vec3 origin = on_axis + z * glm::dot(middle - on_axis, z);
-  const auto seen = [&](Vec3 p) { return Vec3(glm::dot(p - origin, x), glm::dot(p - origin, y), glm::dot(p - origin, z)); };
+  const auto seen = [&](Vec3 p) {
+    return Vec3(glm::dot(p - origin, x), glm::dot(p - origin, y), glm::dot(p - origin, z));
+  };
 
   std::vector<MadeAtom> atoms;
   for (int i = 1; i <= kResidues; ++i) {
     const std::size_t k = static_cast<std::size_t>(3 * i);
-    const auto add = [&](const char* name, const char* element, Vec3 p) { atoms.push_back({name, "ALA", element, 'A', i, seen(p)}); };
+    const auto add = [&](const char* name, const char* element, Vec3 p) {
+      atoms.push_back({name, "ALA", element, 'A', i, seen(p)});
+    };
     add("N", "N", chain[k]);
     add("CA", "C", chain[k + 1]);
     add("C", "C", chain[k + 2]);

@@ -1,4 +1,5 @@
-// Writes the molecules that are built from published geometry into a folder: moltact_generate_molecules FOLDER
+// Writes the molecules that are built from published geometry into a folder: moltact_generate_molecules
+// FOLDER
 #include <cstdio>
 #include <fstream>
 #include <string>
@@ -12,8 +13,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::pair<const char*, std::string> made[] = {
-      {"argon.pdb", makeArgon(1)},         {"argon-pair.pdb", makeArgon(2)}, {"argon-triangle.pdb", makeArgon(3)},
-      {"water.pdb", makeWater()},          {"benzene.pdb", makeBenzene()},   {"alpha-helix.pdb", makeAlphaHelix()},
+      {"argon.pdb", makeArgon(1)}, {"argon-pair.pdb", makeArgon(2)}, {"argon-triangle.pdb", makeArgon(3)},
+      {"water.pdb", makeWater()},  {"benzene.pdb", makeBenzene()},   {"alpha-helix.pdb", makeAlphaHelix()},
       {"b-dna.pdb", makeBDna()},
   };
   for (const auto& [name, text] : made) {

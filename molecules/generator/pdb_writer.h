@@ -18,7 +18,8 @@ struct MadeAtom {
 };
 
 /// The PDB text: TITLE, the remarks as REMARK 1 lines, the atoms, TER after each chain of a polymer, END.
-std::string writePdb(const std::string& title, const std::vector<std::string>& remarks, const std::vector<MadeAtom>& atoms);
+std::string writePdb(const std::string& title, const std::vector<std::string>& remarks,
+                     const std::vector<MadeAtom>& atoms);
 
 std::string makeBDna();
 std::string makeAlphaHelix();

@@ -37,7 +37,10 @@ TEST_CASE("a placed hand is there at the next tick") {
   MouseDevice mouse;
   mouse.lead({{5, 5, 5}});
   mouse.place({{70, -20, 3}});
-  CHECK(mouse.read(kTick_s).position.mm == Vec3(70, -20, 3));
+  const DevicePose pose = mouse.read(kTick_s);
+  CHECK(pose.position.mm == Vec3(70, -20, 3));
+  CHECK(pose.placements == 1);
+  CHECK(mouse.read(kTick_s).placements == 1);
 }
 
 TEST_CASE("a lead that is not finite is ignored") {

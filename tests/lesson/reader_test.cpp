@@ -31,7 +31,7 @@ Lesson lesson(const std::string& body) {
 
 }  // namespace
 
-TEST_CASE("a misspelt key and a bare number are told at once, at 14:1 and 15:7 and 20:1") {
+TEST_CASE("a misspelt key and a bare number are told at once, at 14:1 and 19:7") {
   CHECK(errors(kHead + kStep + "```touch\nreech: all\n```\n```touch\nreach: all\nsay: S\nnear: 4\n```\n") ==
         Texts{"l.md:14:1: touch has no key 'reech'; did you mean 'reach'?", "l.md:19:7: '4' needs a unit: Å or nm"});
   CHECK(errors(kHead + kStep + "```touch\nfell: crease\nsay: S\n```\n") == Texts{"l.md:14:1: touch has no key 'fell'; did you mean 'feel'?"});

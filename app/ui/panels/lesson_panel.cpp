@@ -21,7 +21,7 @@ void drawHead(Application& app, const LessonSession& session) {
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);
-    ImGui::SameLine(ImGui::GetStyle().WindowPadding.x + width - place_w);
+    ImGui::SameLine(width - place_w);
     ImGui::TextUnformatted(place.c_str());
     recordItem("lesson/place", place);
   }
@@ -75,8 +75,11 @@ void drawLessonPanel(Application& app) {
   if (const std::string other = drawLessonBlocks(app, session->step().blocks, "lesson"); !other.empty()) link = other;
   ImGui::Dummy({0, l.px(10)});
   ImGui::EndChild();
-  ImGui::GetWindowDrawList()->AddLine({app.layout.lesson.low.x, ImGui::GetCursorScreenPos().y - l.px(3)},
-                                      {app.layout.lesson.high.x, ImGui::GetCursorScreenPos().y - l.px(3)}, l.palette.line);
+  const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->PushClipRectFullScreen();
+  draw->AddLine({app.layout.lesson.low.x, edge}, {app.layout.lesson.high.x, edge}, l.palette.line, std::max(1.0f, l.scale));
+  draw->PopClipRect();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + l.px(4));
   drawFoot(app, *session);
   if (!link.empty() && !app.lesson.follow(link)) app.messages.notice("This link leads out of the lesson: " + link);

@@ -117,7 +117,7 @@ void drawMenuBar(Application& app) {
   const bool shown = beginPanel("menu bar", app.layout.menu, ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (shown && ImGui::BeginMenuBar()) {
     // The bar's own paddings are not the menus'.
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(8), l.px(8)});
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(12), l.px(10)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(16), l.px(10)});
     fileMenu(app);
     viewMenu(app);

@@ -86,11 +86,18 @@ void chooseFile(Application& app, const fs::path& file) {
 }
 
 void drawShelf(Application& app) {
-  sectionTitle("Library");
-  for (const LibraryItem& entry : library())
-    if (row("open/library/" + entry.id, Icon::File, entry.label)) chooseFile(app, entry.file);
+  const auto offer = [&](const char* title, const char* prefix, const std::vector<LibraryItem>& entries) {
+    if (entries.empty()) return;
+    sectionTitle(title);
+    for (const LibraryItem& entry : entries) {
+      if (row(prefix + entry.id, Icon::File, entry.label)) chooseFile(app, entry.file);
+      tip(entry.label.c_str());
+    }
+    ImGui::Dummy({0, look().px(6)});
+  };
+  offer("Molecules", "open/library/", library());
+  offer("Lessons", "open/lesson/", lessons());
   if (app.settings.recent.empty()) return;
-  ImGui::Spacing();
   sectionTitle("Recent");
   std::string chosen;
   for (std::size_t k = 0; k < app.settings.recent.size(); ++k)
@@ -121,7 +128,7 @@ void drawFolder(Application& app, Browser& b) {
 }  // namespace
 
 void drawOpenPage(Application& app) {
-  if (!beginPage("open", "Open a molecule or a lesson", app.panels.open_page, 860, 600)) {
+  if (!beginPage("open", "Open a molecule or a lesson", app.panels.open_page, 900, 660)) {
     browser().begun = false;
     return;
   }
@@ -153,8 +160,9 @@ void drawOpenPage(Application& app) {
     WithText bad(look().palette.bad);
     ImGui::TextWrapped("%s", b.trouble.c_str());
   }
+  ImGui::Dummy({0, look().px(2)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
-  const float shelf = std::min(look().px(290), 0.42f * ImGui::GetContentRegionAvail().x);
+  const float shelf = std::min(look().px(350), 0.45f * ImGui::GetContentRegionAvail().x);
   ImGui::BeginChild("shelf", {shelf, 0});
   drawShelf(app);
   ImGui::EndChild();

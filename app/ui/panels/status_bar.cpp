@@ -30,7 +30,7 @@ std::string grouped(std::size_t n) {
 
 Segment loopSegment(const Application& app) {
   const Palette& p = look().palette;
-  if (app.servo.clock() == ServoClock::Frames) return {"status/loop", "1 kHz on the frames' clock", "", 3, p.good};
+  if (app.servo.clock() == ServoClock::Frames) return {"status/loop", "1000 Hz, virtual clock", "", 3, p.good};
   const LoopHealth& h = app.touch.health();
   const RealtimeStatus status = app.servo.realtime();
   char text[160];

@@ -73,18 +73,20 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
          {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel, p.text);
     return;
   }
-  scaleBar(app, view);
-  const float bottom = view.high.y - margin, bar = l.px(160);
+  // Words stand left of the scale bar; in a narrow view they need all of it.
+  const bool roomy = width > l.px(320);
+  if (roomy) scaleBar(app, view);
+  const float bottom = view.high.y - margin, words = roomy ? width - l.px(150) : width;
   if (now.contact.fault == Fault::StartedInside) {
     pill("view/state", contactText(app.stage.molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom}, {0, 1},
-         width > l.px(500) ? width - bar : width, p.warn_soft, p.warn);
+         words, p.warn_soft, p.warn);
   } else if (now.contact.touching()) {
     pill("view/state", contactText(app.stage.molecule.get(), now.contact, app.touch.force_N()), {view.low.x + margin, bottom}, {0, 1},
-         width > l.px(500) ? width - bar : width - l.px(100), p.panel, p.text);
+         words, p.panel, p.text);
   } else if (const float hint = float(app.hintStrength()); hint > 0.0f) {
     pill("view/hint", app.controls.hasPressed() ? "Drag with the right button to turn the molecule, wheel to come closer"
                                                 : "Hold the left button, or Space, to push against the molecule",
-         {view.low.x + margin, bottom}, {0, 1}, width > l.px(500) ? width - bar : width - l.px(100), p.panel, p.quiet, hint);
+         {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
 }
 

@@ -103,7 +103,8 @@ void drawViewPanel(Application& app) {
   ImGui::SetItemAllowOverlap();
   recordItem("view");
   const ViewInput in = readInput(app, low, size);
-  app.controls.update(in, app.camera, app.stage.balls.get(), app.touch_settings, app.touch.force_N(), app.servo.mouse());
+  app.controls.update(in, app.camera, app.stage.balls.get(), app.touch_settings, app.touch.touching(),
+                      app.touch.force_N(), app.servo.mouse());
   if (app.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
 
   ViewPicture& picture = *app.picture;

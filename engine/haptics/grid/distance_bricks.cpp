@@ -9,12 +9,15 @@ namespace {
 // Weights of the three nearest nodes at u in [-1/2, 1/2] from the middle one, and their derivatives.
 struct Weights {
   double w[3], d[3];
-  explicit Weights(double u) : w{0.5 * (0.5 - u) * (0.5 - u), 0.75 - u * u, 0.5 * (0.5 + u) * (0.5 + u)}, d{u - 0.5, -2.0 * u, u + 0.5} {}
+  explicit Weights(double u)
+      : w{0.5 * (0.5 - u) * (0.5 - u), 0.75 - u * u, 0.5 * (0.5 + u) * (0.5 + u)},
+        d{u - 0.5, -2.0 * u, u + 0.5} {}
 };
 
 }  // namespace
 
-DistanceBricks::DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec3& origin, double spacing_A, double cap_A)
+DistanceBricks::DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec3& origin, double spacing_A,
+                               double cap_A)
     : scene_(std::move(scene)),
       origin_(origin),
       spacing_(spacing_A),
@@ -70,13 +73,23 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
   const Vec3 middle = (corner + Vec3(0.5 * (kSamples - 1))) * spacing_;
   std::size_t gathered = 0;
   double nearest = cap_ + half;
-  scene_->visitNear(origin_ + middle, cap_ + half, [&](std::uint32_t i, const Ball& b) {
-    const Near n{b.centre_A - origin_, b.radius_A, std::int32_t(i)};
-    const double gap = glm::distance(n.centre, middle) - n.radius;
-    if (gap > nearest + 2.0 * half || gathered == kMostGathered) return;
-    nearest = std::min(nearest, gap);
-    gathered_[gathered++] = n;
-  });
+  const auto gather = [&] {
+    bool all = true;
+    gathered = 0;
+    scene_->visitNear(origin_ + middle, cap_ + half, [&](std::uint32_t i, const Ball& b) {
+      const Near n{b.centre_A - origin_, b.radius_A, std::int32_t(i)};
+      const double gap = glm::distance(n.centre, middle) - n.radius;
+      nearest = std::min(nearest, gap);
+      if (gap > nearest + 2.0 * half) return;
+      if (gathered < kMostGathered)
+        gathered_[gathered++] = n;
+      else
+        all = false;
+    });
+    return all;
+  };
+  // Under a very large probe the list overflows before the nearest ball is known; the second time it is.
+  if (!gather()) gather();
 
   // Eighths of the block: in each only the balls that can be nearest somewhere.
   constexpr int kPart = kSamples / 2;
@@ -89,14 +102,16 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
       least = std::min(least, glm::distance(gathered_[k].centre, part_middle) - gathered_[k].radius);
     std::size_t close = 0;
     for (std::size_t k = 0; k < gathered; ++k)
-      if (glm::distance(gathered_[k].centre, part_middle) - gathered_[k].radius <= least + 2.0 * part_half) close_[close++] = gathered_[k];
+      if (glm::distance(gathered_[k].centre, part_middle) - gathered_[k].radius <= least + 2.0 * part_half)
+        close_[close++] = gathered_[k];
     for (int z = z0; z < z0 + kPart; ++z)
       for (int y = y0; y < y0 + kPart; ++y) {
         double row[kPart];
         std::fill(row, row + kPart, cap_);
         for (std::size_t k = 0; k < close; ++k) {
           const Near& n = close_[k];
-          const double dy = (corner.y + y) * spacing_ - n.centre.y, dz = (corner.z + z) * spacing_ - n.centre.z;
+          const double dy = (corner.y + y) * spacing_ - n.centre.y,
+                       dz = (corner.z + z) * spacing_ - n.centre.z;
           for (int x = 0; x < kPart; ++x) {
             const double dx = (corner.x + x0 + x) * spacing_ - n.centre.x;
             row[x] = std::min(row[x], std::sqrt(dx * dx + dy * dy + dz * dz) - n.radius);
@@ -187,12 +202,13 @@ std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
 }
 
 std::size_t DistanceBricks::bytes() const noexcept {
-  return kBricks * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) + kSamples * kSamples * kSamples * sizeof(double) +
-         scene_->size() * sizeof(std::uint16_t);
+  return kBricks * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) +
+         kSamples * kSamples * kSamples * sizeof(double) + scene_->size() * sizeof(std::uint16_t);
 }
 
 std::size_t DistanceBricks::wholeMoleculeBytes() const noexcept {
-  const Vec3 bricks = glm::ceil((scene_->high_A() - scene_->low_A() + Vec3(2.0 * cap_)) / (kCells * spacing_));
+  const Vec3 bricks =
+      glm::ceil((scene_->high_A() - scene_->low_A() + Vec3(2.0 * cap_)) / (kCells * spacing_));
   return std::size_t(bricks.x * bricks.y * bricks.z) * sizeof(Brick);
 }
 

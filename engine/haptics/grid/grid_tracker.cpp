@@ -9,14 +9,17 @@
 namespace moltact {
 namespace {
 
-constexpr double kSurface_A = 1e-9;    // so near the level counts as on it
-constexpr double kSettled_A = 2e-5;    // a Newton step this short leaves an error of its square: the last one of a tick
-constexpr int kMostFlights = 512;      // steps along one straight way
-constexpr int kMostTurns = 8;          // changes between flight and sliding in a tick
+constexpr double kSurface_A = 1e-9;  // so near the level counts as on it
+constexpr double kSettled_A =
+    1e-4;  // a Newton step this short leaves an error of about its square: the last one of a tick
+constexpr int kMostFlights = 512;  // steps along one straight way
+constexpr int kMostTurns = 8;      // changes between flight and sliding in a tick
 
 }  // namespace
 
-double GridTracker::capFor(double probe_A, double spacing_A) { return std::ceil(probe_A) + 2.0 + 3.0 * spacing_A; }
+double GridTracker::capFor(double probe_A, double spacing_A) {
+  return std::ceil(probe_A) + 2.0 + 3.0 * spacing_A;
+}
 
 GridTracker::GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A)
     : scene_(std::move(scene)),
@@ -56,8 +59,9 @@ Contact GridTracker::step(PointA hip) noexcept {
       return {.scp = hip};
     }
   }
+  const Vec3 rested = scp_;
   Went went = Went::Short;
-  bool pressed = touching_;
+  bool pressed = false;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     if (touching_) {
       went = slide(h, pressed);
@@ -71,7 +75,10 @@ Contact GridTracker::step(PointA hip) noexcept {
     }
     if (went == Went::Arrived || went == Went::Rests || went == Went::Short) break;
   }
-  if (went != Went::Arrived && went != Went::Rests) ++cut_short_;
+  if (went != Went::Arrived && went != Went::Rests) {
+    ++cut_short_;
+    if (!pushOut()) scp_ = rested;  // a step on the way may have ended under a crease
+  }
   if (went == Went::Arrived) return {.scp = hip};
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
   out.atoms[0] = bricks_.nearestBall(scp_);
@@ -124,8 +131,8 @@ GridTracker::Went GridTracker::fly(const Vec3& h) noexcept {
   return Went::Short;
 }
 
-// On the level toward the place nearest to the HIP. `pressed`: a flight from here has just failed, so it slides although
-// the HIP is seen above the tangent plane.
+// On the level toward the place nearest to the HIP. `pressed`: a flight from here has just failed, so it
+// slides although the HIP is seen above the tangent plane.
 GridTracker::Went GridTracker::slide(const Vec3& h, bool pressed) noexcept {
   const double spacing = bricks_.spacing_A();
   double longest = 0.75 * spacing;
@@ -150,12 +157,18 @@ GridTracker::Went GridTracker::slide(const Vec3& h, bool pressed) noexcept {
       const Vec3 t1 = along / length, t2 = glm::cross(n, t1);
       const double share = std::max(0.0, -in) / steep;
       const Vec3 h1 = s.hessian * t1, h2 = s.hessian * t2;
-      const double a = 1.0 - share * glm::dot(t1, h1), b = -share * glm::dot(t1, h2), c = 1.0 - share * glm::dot(t2, h2);
+      const double a = 1.0 - share * glm::dot(t1, h1), b = -share * glm::dot(t1, h2),
+                   c = 1.0 - share * glm::dot(t2, h2);
       const double whole = a * c - b * b;
       if (a > 0.05 && whole > 0.05 * a) p = (t1 * c - t2 * b) * (length / whole);
     }
-    // Where the second derivatives leap between cells Newton's steps may swing about the place of rest: shorter ones end that.
-    if (glm::dot(along, last_along) < 0.0 && glm::dot(along, along) > 0.25 * glm::dot(last_along, last_along)) longest *= 0.5;
+    // Where the second derivatives leap between cells Newton's steps may swing about the place of rest:
+    // shorter ones end that.
+    const double turned = glm::dot(along, last_along);
+    if (turned < 0.0 && glm::dot(along, along) > 0.25 * glm::dot(last_along, last_along))
+      longest *= 0.5;
+    else if (turned > 0.0)
+      longest = std::min(1.5 * longest, 0.75 * spacing);
     last_along = along;
     double far = glm::length(p);
     if (far > longest) p *= longest / far, far = longest;
@@ -171,9 +184,12 @@ void GridTracker::setProbe(double probe_A) noexcept {
   const double had = probe_, wanted = usableProbe_A(probe_A, had);
   if (wanted == had) return;
   free_gap_ = 0.0;
-  if (capFor(wanted, bricks_.spacing_A()) > capFor(had, bricks_.spacing_A())) bricks_.setCap(capFor(wanted, bricks_.spacing_A()));
+  if (capFor(wanted, bricks_.spacing_A()) > capFor(had, bricks_.spacing_A()))
+    bricks_.setCap(capFor(wanted, bricks_.spacing_A()));
   // The surface moves by a part of the spacing at once, so that the SCP stays on its side of a wall.
-  const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
+  const int pieces = !armed_ || wanted < had
+                         ? 1
+                         : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
   for (int k = 1; k <= pieces; ++k) {
     probe_ = k == pieces ? wanted : had + (wanted - had) * k / pieces;
     fills_left_ = kMostFills;

@@ -10,11 +10,12 @@
 namespace moltact {
 namespace {
 
-constexpr double kMoved_A = 1e-12;      // a shorter piece leaves the SCP where it was
-constexpr double kAlong = 1e-9;         // sine of the angle under which a way is along a face
-constexpr double kNearWay_A = 1.0;      // a longer piece looks the balls up along its way
-constexpr int kMostStuck = 32;          // round a corner of a mesh a way of no length passes its faces, eight at most
-constexpr double kSwelling_A = 0.05;    // the surface moves by no more at once, so that the SCP stays on its side of a wall
+constexpr double kMoved_A = 1e-12;  // a shorter piece leaves the SCP where it was
+constexpr double kAlong = 1e-9;     // sine of the angle under which a way is along a face
+constexpr double kNearWay_A = 1.0;  // a longer piece looks the balls up along its way
+constexpr int kMostStuck = 32;  // round a corner of a mesh a way of no length passes its faces, eight at most
+constexpr double kSwelling_A =
+    0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
 constexpr int kMostPushes = 256;
 
 }  // namespace
@@ -43,7 +44,8 @@ bool MeshTracker::touches(std::int32_t ball) const {
 Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   if (hold_count_ == 0 && scp_ == hip - nearby_.origin()) return {.scp = {hip}};
   Contact out{.scp = {nearby_.origin() + scp_}, .feature = Feature(std::max(hold_count_, 1))};
-  for (int k = 0; k < hold_count_; ++k) out.atoms[std::size_t(k)] = touching_[std::size_t(holding_[std::size_t(k)])].ball;
+  for (int k = 0; k < hold_count_; ++k)
+    out.atoms[std::size_t(k)] = touching_[std::size_t(holding_[std::size_t(k)])].ball;
   std::sort(out.atoms.begin(), out.atoms.begin() + hold_count_);
   if (options_.smooth) out.normal = shadedNormal(hip - nearby_.origin());
   return out;
@@ -65,7 +67,8 @@ Contact MeshTracker::step(PointA hip) noexcept {
   return contact(hip.A);
 }
 
-// The ordinary tick: nothing is near the free HIP, or the SCP stays on its one face and no other mesh is in reach.
+// The ordinary tick: nothing is near the free HIP, or the SCP stays on its one face and no other mesh is in
+// reach.
 bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   if (touch_count_ == 0) {
     const Vec3 way = h - free_from_;
@@ -113,7 +116,8 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
   const BallScene& scene = nearby_.scene();
   if (scene.size() == 0) return;
   const double probe = nearby_.probe_A();
-  const Vec3 low = scene.low_A() - Vec3(probe) - nearby_.origin(), high = scene.high_A() + Vec3(probe) - nearby_.origin();
+  const Vec3 low = scene.low_A() - Vec3(probe) - nearby_.origin(),
+             high = scene.high_A() + Vec3(probe) - nearby_.origin();
   double a = 0.0, z = first.t;
   for (int k = 0; k < 3; ++k) {
     if (way[k] == 0.0) {
@@ -127,12 +131,13 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
   for (const double piece = scene.cell_A() / length; a <= z && a <= first.t; a += piece) {
     const Vec3 p = scp_ + way * a, q = scp_ + way * std::min(a + piece, z);
     const Vec3 box_low = glm::min(p, q), box_high = glm::max(p, q);
-    scene.visitNearBox(nearby_.origin() + box_low, nearby_.origin() + box_high, probe, [&](std::uint32_t i, const Ball&) {
-      const NearBall b = nearby_.ball(std::int32_t(i));
-      const Vec3 apart = glm::max(glm::max(box_low - b.centre, b.centre - box_high), Vec3(0.0));
-      if (b.radius <= 0.0 || std::max({apart.x, apart.y, apart.z}) > b.radius || touches(b.index)) return;
-      look(b);
-    });
+    scene.visitNearBox(
+        nearby_.origin() + box_low, nearby_.origin() + box_high, probe, [&](std::uint32_t i, const Ball&) {
+          const NearBall b = nearby_.ball(std::int32_t(i));
+          const Vec3 apart = glm::max(glm::max(box_low - b.centre, b.centre - box_high), Vec3(0.0));
+          if (b.radius <= 0.0 || std::max({apart.x, apart.y, apart.z}) > b.radius || touches(b.index)) return;
+          look(b);
+        });
   }
 }
 
@@ -141,8 +146,10 @@ void MeshTracker::dropLeft() noexcept {
   int kept = 0;
   for (int k = 0; k < touch_count_; ++k) {
     const Touch& t = touching_[std::size_t(k)];
-    if (std::abs(heightOver(t, scp_)) <= SphereMesh::kSkin * t.radius) touching_[std::size_t(kept++)] = t;
-    else clear_gap_ = 0.0;
+    if (std::abs(heightOver(t, scp_)) <= SphereMesh::kSkin * t.radius)
+      touching_[std::size_t(kept++)] = t;
+    else
+      clear_gap_ = 0.0;
   }
   touch_count_ = kept;
 }
@@ -162,7 +169,8 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       way = pull;
     } else if (blocked.count == 1) {
       const Touch& t = touching_[std::size_t(blocked.by[0])];
-      way = pull - normals[std::size_t(blocked.by[0])] * heightOver(t, h);  // ends in the face's plane whatever the rounding
+      way = pull - normals[std::size_t(blocked.by[0])] *
+                       heightOver(t, h);  // ends in the face's plane whatever the rounding
     } else if (blocked.count == 2) {
       const Vec3 line = glm::cross(normals[std::size_t(blocked.by[0])], normals[std::size_t(blocked.by[1])]);
       way = line * (glm::dot(pull, line) / glm::dot(line, line));
@@ -211,10 +219,15 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         scp_ = free_from_ = h;
         touch_count_ = 0;
         clear_gap_ = 0.0;
-        free_gap_ = options_.coherent ? clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h) : 0.0;
-      } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
+        // Between a ball and its mesh the clearance is negative: nothing is known then.
+        free_gap_ = options_.coherent
+                        ? std::max(0.0, clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h))
+                        : 0.0;
+      } else if (touch_count_ >
+                 blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
         std::array<Touch, 3> kept;
-        for (int k = 0; k < blocked.count; ++k) kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
+        for (int k = 0; k < blocked.count; ++k)
+          kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
         std::copy_n(kept.begin(), blocked.count, touching_.begin());
         touch_count_ = blocked.count;
         holding_ = {0, 1, 2};
@@ -228,7 +241,8 @@ void MeshTracker::flow(const Vec3& h) noexcept {
   for (int k = 0; k < hold_count_; ++k) holding_[std::size_t(k)] = k;
 }
 
-// SCP - HIP = sum of mu_k n_k over the faces that hold it; with the corners' normals interpolated, the same sum of them.
+// SCP - HIP = sum of mu_k n_k over the faces that hold it; with the corners' normals interpolated, the same
+// sum of them.
 Vec3 MeshTracker::shadedNormal(const Vec3& h) const noexcept {
   const Vec3 lift = scp_ - h;
   std::array<Vec3, 3> n{}, radial{};
@@ -245,7 +259,8 @@ Vec3 MeshTracker::shadedNormal(const Vec3& h) const noexcept {
   } else if (hold_count_ == 3) {
     const Vec3 ij = glm::cross(n[0], n[1]), jk = glm::cross(n[1], n[2]), ki = glm::cross(n[2], n[0]);
     const double side = glm::dot(ij, n[2]) < 0.0 ? -1.0 : 1.0;
-    sum = side * (glm::dot(lift, jk) * radial[0] + glm::dot(lift, ki) * radial[1] + glm::dot(lift, ij) * radial[2]);
+    sum = side *
+          (glm::dot(lift, jk) * radial[0] + glm::dot(lift, ki) * radial[1] + glm::dot(lift, ij) * radial[2]);
   }
   const double far = glm::length(sum);
   return far > 0.0 ? sum / far : Vec3(0.0);
@@ -266,8 +281,8 @@ void MeshTracker::setProbe(double probe_A) noexcept {
   }
 }
 
-// Brings the SCP out of the meshes that have grown over it: out of each through the face it is under, in turn, which in a
-// crease or pit leads to a place on all of them. False when it leads nowhere.
+// Brings the SCP out of the meshes that have grown over it: out of each through the face it is under, in
+// turn, which in a crease or pit leads to a place on all of them. False when it leads nowhere.
 bool MeshTracker::pushOut() noexcept {
   for (int round = 0; round < kMostPushes; ++round) {
     bool inside = false;

@@ -1,25 +1,30 @@
-// The god-object on triangles: every inflated ball is a mesh, the SCP stays outside all of them and goes down |x - h|^2
-// toward the HIP h, held by up to three faces at once (Zilles & Salisbury 1995); over an edge it goes on to the face that
-// the mesh names beyond it (neighbour tracking, Ho, Basdogan & Srinivasan 1999). Everything within a tick is followed to
-// its end, so that there is no lag: the error is that of the triangles alone.
+// The god-object on triangles: every inflated ball is a mesh, the SCP stays outside all of them and goes down
+// |x - h|^2 toward the HIP h, held by up to three faces at once (Zilles & Salisbury 1995); over an edge it
+// goes on to the face that the mesh names beyond it (neighbour tracking, Ho, Basdogan & Srinivasan 1999).
+// Everything within a tick is followed to its end, so that there is no lag: the error is that of the
+// triangles alone.
 //
 // The design is the fastest we know that is still triangles:
-// * one mesh for all balls (sphere_mesh.h), scaled and moved to a ball while it is looked at. A tracker with a mesh a
-//   ball needs bytesAMesh() for each ball of the molecule, and a tree over all; wholeMoleculeBytes() tells how much;
-// * where meshes may be met: the scene's grid of balls, each ball as the bounding sphere of its mesh, then the mesh's tree
+// * one mesh for all balls (sphere_mesh.h), scaled and moved to a ball while it is looked at. A tracker with
+// a mesh a
+//   ball, as in the paper, needs SphereMesh::bytes() for each ball of the molecule: wholeMoleculeBytes()
+//   tells how much;
+// * where meshes may be met: the scene's grid of balls, each ball as the bounding sphere of its mesh, then
+// the mesh's tree
 //   of boxes; the balls near the SCP and the distance to the next of them are remembered from tick to tick;
-// * a mesh that the SCP is on is not searched: it is convex, and the SCP's way does not lead under the face it is on.
-// `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box by box, as published
-// polygonal trackers do. The places found are the same.
+// * a mesh that the SCP is on is not searched: it is convex, and the SCP's way does not lead under the face
+// it is on. `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box
+// by box, as published polygonal trackers do. The places found are the same.
 //
-// Force shading: with `smooth`, Contact::normal is made of normals interpolated from the corners' (Ruspini, Kolarov &
-// Khatib 1997), each weighted by its face's share in holding the SCP. Corners on the sphere carry the sphere's own normals,
-// and the interpolation of such normals over a face is the direction from the centre: the best that shading can do.
+// Force shading: with `smooth`, Contact::normal is made of normals interpolated from the corners' (Ruspini,
+// Kolarov & Khatib 1997), each weighted by its face's share in holding the SCP. Corners on the sphere carry
+// the sphere's own normals, and the interpolation of such normals over a face is the direction from the
+// centre: the best that shading can do.
 //
-// Known failures, pinned by tests: over an edge the SCP leaps by about twice the depth times the tangent of half the angle
-// between the faces, and the flat force turns by that angle; the SCP lies up to a sagitta under the true surface; a gap
-// between balls narrower than two sagittas is open.
-// Feature and atoms: as many balls as hold the SCP. Haptic thread; no allocation after construction. Units: angstrom.
+// Known failures, pinned by tests: over an edge the SCP leaps by about twice the depth times the tangent of
+// half the angle between the faces, and the flat force turns by that angle; the SCP lies up to a sagitta
+// under the true surface; a gap between balls narrower than two sagittas is open. Feature and atoms: as many
+// balls as hold the SCP. Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <array>
@@ -34,9 +39,9 @@ namespace moltact {
 class MeshTracker final : public Tracker {
  public:
   struct Options {
-    int triangles = 960;    ///< a ball: 80, 320, 960, 1280 or 5120
-    bool smooth = false;    ///< force shading
-    bool coherent = true;   ///< remember the surroundings from tick to tick
+    int triangles = 960;   ///< a ball: 80, 320, 960, 1280 or 5120
+    bool smooth = false;   ///< force shading
+    bool coherent = true;  ///< remember the surroundings from tick to tick
   };
 
   MeshTracker(std::shared_ptr<const BallScene> scene, double probe_A, Options options);
@@ -48,10 +53,14 @@ class MeshTracker final : public Tracker {
   /// The shared mesh is counted in full for each tracker. Atoms modelled: those whose meshes the SCP is on.
   Footprint footprint() const noexcept override;
 
+  /// The triangles felt, for one ball of radius 1: what to draw, scaled and moved, round each ball.
+  const SphereMesh& mesh() const noexcept { return *mesh_; }
+
   /// What one mesh a ball takes for that many balls, without the tree over them.
   std::size_t wholeMoleculeBytes(std::size_t balls) const noexcept { return balls * mesh_->bytes(); }
 
-  /// Ticks whose flow was cut short because it took more pieces than kMostPieces or made no way; the SCP then lags, outside.
+  /// Ticks whose flow was cut short because it took more pieces than kMostPieces or made no way; the SCP then
+  /// lags, outside.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
   static constexpr int kMostPieces = 512;
@@ -70,7 +79,9 @@ class MeshTracker final : public Tracker {
   };
 
   const SphereMesh::Face& face(const Touch& t) const { return mesh_->faces()[std::size_t(t.face)]; }
-  double heightOver(const Touch& t, const Vec3& place) const { return glm::dot(face(t).normal, place - t.centre) - face(t).height * t.radius; }
+  double heightOver(const Touch& t, const Vec3& place) const {
+    return glm::dot(face(t).normal, place - t.centre) - face(t).height * t.radius;
+  }
   bool touches(std::int32_t ball) const;
   bool holdsQuickly(const Vec3& hip) noexcept;
   void flow(const Vec3& hip) noexcept;
@@ -84,15 +95,15 @@ class MeshTracker final : public Tracker {
   std::shared_ptr<const SphereMesh> mesh_;
   Options options_;
   NearbyBalls nearby_;
-  Vec3 scp_{0.0};          // this and every place inside the tracker is relative to nearby_.origin()
-  bool armed_ = false;     // has the HIP been outside since the start?
+  Vec3 scp_{0.0};       // this and every place inside the tracker is relative to nearby_.origin()
+  bool armed_ = false;  // has the HIP been outside since the start?
   std::array<Touch, kMostTouching> touching_;
   int touch_count_ = 0;
   std::array<int, 3> holding_{};  // places in touching_ of the faces that hold the SCP
   int hold_count_ = 0;
-  Vec3 free_from_{0.0};    // free: no ball is within free_gap_ of this place
+  Vec3 free_from_{0.0};  // free: no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
-  Vec3 clear_from_{0.0};   // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
+  Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;
 };

@@ -1,10 +1,11 @@
-// A unit sphere in triangles, with what a constraint tracker needs of it: planes, the neighbour across each edge, and a
-// tree of bounding boxes. One mesh serves every ball: a ball's triangles are the mesh's, scaled by its radius about its
-// centre, so none need be built or stored for a ball.
+// A unit sphere in triangles, with what a constraint tracker needs of it: planes, the neighbour across each
+// edge, and a tree of bounding boxes. One mesh serves every ball: a ball's triangles are the mesh's, scaled
+// by its radius about its centre, so none need be built or stored for a ball.
 //
-// All vertices lie on the sphere, as in the paper's meshes: the mesh is inscribed, its faces lie up to the sagitta
-// (sagitta()) under the true surface. It is convex, so that every edge falls away from both its faces.
-// Made before touching; immutable, so every thread may read it. Lengths are in units of the sphere's radius.
+// All vertices lie on the sphere, as in the paper's meshes: the mesh is inscribed, its faces lie up to the
+// sagitta (sagitta()) under the true surface. It is convex, so that every edge falls away from both its
+// faces. Made before touching; immutable, so every thread may read it. Lengths are in units of the sphere's
+// radius.
 #pragma once
 
 #include <array>
@@ -19,18 +20,18 @@ namespace moltact {
 
 class SphereMesh {
  public:
-  /// 80, 320, 1280 or 5120 triangles: an icosahedron subdivided one to four times. 960, as in the paper: 16 bands of
-  /// latitude by 32 of longitude, the poles' bands in triangles, the others in pairs of them; its 2 x 32 x 15 triangles
-  /// are nearest to equal in their edges. Any other count is a programmer's mistake (asserted).
-  /// The meshes made are kept: a second call for the same count costs nothing.
+  /// 80, 320, 1280 or 5120 triangles: an icosahedron subdivided one to four times. 960, as in the paper: 16
+  /// bands of latitude by 32 of longitude, the poles' bands in triangles, the others in pairs of them; its 2
+  /// x 32 x 15 triangles are nearest to equal in their edges. Any other count is a programmer's mistake
+  /// (asserted). The meshes made are kept: a second call for the same count costs nothing.
   static std::shared_ptr<const SphereMesh> ofTriangles(int count);
 
   struct Face {
-    Vec3 normal{0.0};                     ///< unit, outward
-    double height = 0.0;                  ///< the plane is dot(normal, x) = height
-    std::array<Vec3, 3> out{};            ///< unit, in the plane, outward over edge k (from corner k to k + 1)
-    std::array<double, 3> reach{};        ///< the triangle is dot(out[k], x) <= reach[k] in its plane
-    std::array<std::int32_t, 3> across{}; ///< the face beyond edge k
+    Vec3 normal{0.0};               ///< unit, outward
+    double height = 0.0;            ///< the plane is dot(normal, x) = height
+    std::array<Vec3, 3> out{};      ///< unit, in the plane, outward over edge k (from corner k to k + 1)
+    std::array<double, 3> reach{};  ///< the triangle is dot(out[k], x) <= reach[k] in its plane
+    std::array<std::int32_t, 3> across{};  ///< the face beyond edge k
     std::array<std::int32_t, 3> corners{};
   };
 
@@ -46,8 +47,8 @@ class SphereMesh {
     double t = 1.0;
     std::int32_t face = -1;
   };
-  /// Where the straight way from `from` to `from + way` first enters through the mesh, with t < `before`; face -1 if it
-  /// does not. A start on a face (within kSkin) enters at t = 0 when the way leads into it.
+  /// Where the straight way from `from` to `from + way` first enters through the mesh, with t < `before`;
+  /// face -1 if it does not. A start on a face (within kSkin) enters at t = 0 when the way leads into it.
   Entry enter(const Vec3& from, const Vec3& way, double before) const noexcept;
 
   /// The face that the ray from the centre in this direction (any length but zero) passes.
@@ -58,7 +59,8 @@ class SphereMesh {
  private:
   struct Node {
     Vec3 low, high;
-    std::int32_t first, count;  // a leaf's places in leaves_; inner nodes: count 0, the left child follows, `first` is the right one
+    std::int32_t first, count;  // a leaf's places in leaves_; inner nodes: count 0, the left child follows,
+                                // `first` is the right one
   };
   explicit SphereMesh(int count);
   void addFace(std::int32_t a, std::int32_t b, std::int32_t c);

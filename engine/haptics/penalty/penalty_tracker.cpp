@@ -5,7 +5,8 @@
 
 namespace moltact {
 
-PenaltyTracker::PenaltyTracker(std::shared_ptr<const BallScene> scene, double probe_A) : nearby_(std::move(scene)) {
+PenaltyTracker::PenaltyTracker(std::shared_ptr<const BallScene> scene, double probe_A)
+    : nearby_(std::move(scene)) {
   nearby_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
 

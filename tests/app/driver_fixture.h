@@ -1,0 +1,35 @@
+// The application on EGL without a display, driven as a person would: what the tests of this folder share.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <doctest/doctest.h>
+
+#include "app/ui/driver.h"
+
+namespace moltact {
+
+/// A driver with ubiquitin on the stage, or whatever else is asked for; fails the test where off-screen OpenGL is missing.
+inline std::unique_ptr<Driver> startWith(const std::string& what = "1ubq", Driver::Options options = {}) {
+  Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(options));
+  if (!made) FAIL(made.problem().text());
+  std::unique_ptr<Driver> driver = std::move(*made);
+  if (!what.empty()) driver->app().open(what);
+  driver->app().finishLoading();
+  driver->frames(20);
+  return driver;
+}
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The share of pixels that differ between two pictures of the same size.
+inline double difference(const Picture& a, const Picture& b) {
+  std::size_t differ = 0;
+  const std::size_t pixels = a.rgb.size() / 3;
+  for (std::size_t k = 0; k < pixels; ++k)
+    differ += a.rgb[3 * k] != b.rgb[3 * k] || a.rgb[3 * k + 1] != b.rgb[3 * k + 1] || a.rgb[3 * k + 2] != b.rgb[3 * k + 2];
+  return double(differ) / double(pixels);
+}
+
+}  // namespace moltact

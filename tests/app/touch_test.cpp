@@ -1,0 +1,155 @@
+// Touching through the window, on the frames' clock.
+#include "engine/haptics/methods.h"
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+
+TEST_CASE("pressing on the protein for 2 s gives a force above 0.5 N and the status bar says touching") {
+  auto d = startWith();
+  REQUIRE(d->point("view"));
+  CHECK(d->text("status/contact") == "free");
+  d->press();
+  d->frames(120);
+  CHECK(d->text("status/contact") == "touching");
+  CHECK(d->app().touch.force_N() > 0.5);
+  CHECK(contains(d->text("view/state"), "touching: "));
+  d->release();
+  d->frames(30);
+  CHECK(d->text("status/contact") == "free");
+  CHECK(d->app().touch.force_N() == 0.0);
+}
+
+TEST_CASE("the wheel while pressing pushes deeper and leaves the camera alone; without a press it zooms") {
+  auto d = startWith();
+  d->point("view");
+  d->press();
+  d->frames(30);
+  const double depth_A = d->app().controls.depth_A(), distance_A = d->app().camera.distance_A;
+  d->wheel(4);
+  CHECK(d->app().controls.depth_A() - depth_A > 4 * PointerHand::kNotch_A * 0.99);
+  CHECK(d->app().camera.distance_A == distance_A);
+  d->release();
+  d->wheel(1);
+  CHECK(d->app().camera.distance_A < distance_A);
+}
+
+TEST_CASE("keyboard alone: arrows and space reach a contact, plus pushes deeper, escape lets go") {
+  auto d = startWith();
+  d->hold("Right");
+  d->frames(12);
+  d->letGo("Right");
+  CHECK(d->text("status/contact") == "free");
+  d->hold("Space");
+  d->frames(60);
+  CHECK(d->text("status/contact") == "touching");
+  const double depth_A = d->app().controls.depth_A();
+  d->tap("plus");
+  CHECK(d->app().controls.depth_A() > depth_A + 0.9 * PointerHand::kNotch_A);
+  d->tap("Escape");
+  d->frames(30);
+  CHECK(d->text("status/contact") == "free");
+  d->letGo("Space");
+}
+
+TEST_CASE("a tap of three keys within one frame is seen three times") {
+  auto d = startWith();
+  d->hold("Space");
+  d->frames(30);
+  const double before_A = d->app().controls.depth_A();
+  d->tap("plus");
+  d->tap("plus");
+  d->tap("plus");
+  CHECK(d->app().controls.depth_A() > before_A + 2.9 * PointerHand::kNotch_A);
+}
+
+TEST_CASE("a right drag turns the view, ctrl and arrows too, shift and arrows move it, and Home brings it back") {
+  auto d = startWith();
+  const Camera home = d->app().camera;
+  d->drag("view", 120, 0, 1);
+  CHECK(std::abs(glm::dot(d->app().camera.orientation, home.orientation)) < 0.999);
+  d->tap("Home");
+  CHECK(d->app().camera == home);
+  d->hold("Ctrl+Up");
+  d->frames(20);
+  d->letGo("Ctrl+Up");
+  CHECK(std::abs(glm::dot(d->app().camera.orientation, home.orientation)) < 0.999);
+  d->tap("Home");
+  d->hold("Shift+Left");
+  d->frames(20);
+  d->letGo("Shift+Left");
+  CHECK(glm::distance(d->app().camera.target.A, home.target.A) > 1.0);
+  CHECK(std::abs(glm::dot(d->app().camera.orientation, home.orientation)) == doctest::Approx(1.0));
+}
+
+TEST_CASE("turning the view by 200 pixels leaves the probe free, outside the molecule") {
+  auto d = startWith();
+  d->drag("view", 200, 40, 1);
+  d->frames(10);
+  CHECK(d->text("status/contact") == "free");
+}
+
+TEST_CASE("a pointer that hovers across the whole protein touches nothing on its way") {
+  auto d = startWith();
+  double greatest_N = 0;
+  for (int k = 0; k <= 40; ++k) {
+    d->point("view", 0.2 + 0.015 * k, 0.3 + 0.01 * k);
+    greatest_N = std::max(greatest_N, d->app().touch.greatest_N());
+  }
+  d->frames(10);
+  CHECK(greatest_N < 0.05);
+  CHECK(d->text("status/contact") == "free");
+}
+
+TEST_CASE("switching the tracker while touching keeps the contact") {
+  auto d = startWith();
+  d->point("view");
+  d->press();
+  d->frames(90);
+  REQUIRE(d->app().touch.touching());
+  const Vec3 scp = d->app().touch.latest().contact.scp.A;
+  for (const Method& m : methods()) {
+    d->app().useMethod(m.name);
+    d->frames(2);
+    CAPTURE(m.name);
+    CHECK(d->app().touch.touching());
+    CHECK(glm::distance(d->app().touch.latest().contact.scp.A, scp) < 0.6);
+  }
+}
+
+TEST_CASE("a larger probe while touching carries the hand's proxy outward") {
+  auto d = startWith("argon");
+  d->point("view");
+  d->press();
+  d->frames(60);
+  REQUIRE(d->app().touch.touching());
+  const double before_A = glm::length(d->app().touch.latest().contact.scp.A);
+  d->app().touch_settings.probe_A = 2.4;
+  d->frames(30);
+  CHECK(glm::length(d->app().touch.latest().contact.scp.A) - before_A == doctest::Approx(1.0).epsilon(0.01));
+}
+
+TEST_CASE("a hand that is placed inside is told to come out once") {
+  auto d = startWith("argon");
+  d->app().servo.mouse().place(d->app().stage.workspace.toDevice({Vec3(0.0)}));
+  ++d->app().touch_settings.placements;
+  d->app().servo.setSettings(d->app().touch_settings);
+  // One tick before the hand is led out again by the pointer's place.
+  for (const ServoSample& s : d->app().servo.advance(0.001)) d->app().touch.add(s);
+  CHECK(d->app().touch.latest().contact.fault == Fault::StartedInside);
+  CHECK(d->app().touch.force_N() == 0.0);
+}
+
+TEST_CASE("with the real haptic thread a press of 2 s touches") {
+  Driver::Options options;
+  options.application.clock = ServoClock::RealThread;
+  auto d = startWith("1ubq", options);
+  d->point("view");
+  d->press();
+  // No timing is asserted: frames are drawn until the thread has felt something, however long it takes.
+  int frames = 0;
+  while (!d->app().touch.touching() && ++frames < 20000) d->frames(1);
+  CHECK(d->app().touch.touching());
+  d->release();
+}
+
+}  // namespace moltact

@@ -1,0 +1,32 @@
+#!/bin/sh
+# The real window under a virtual X server: starts, takes keys and the mouse, shows something, and ends with status 0.
+# Arguments: the program, a molecule.
+set -eu
+program=$1 molecule=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+export XDG_CONFIG_HOME="$work/config"
+cat > "$work/inside.sh" <<'INSIDE'
+set -eu
+"$1" "$2" & pid=$!
+window=
+for attempt in $(seq 100); do
+  window=$(xdotool search --onlyvisible --name '^Moltact$' 2>/dev/null | head -n 1 || true)
+  [ -n "$window" ] && break
+  kill -0 "$pid" || { echo "the program ended before its window was there"; exit 1; }
+  sleep 0.2
+done
+[ -n "$window" ] || { echo "no window came"; kill "$pid"; exit 1; }
+sleep 2
+xdotool mousemove --window "$window" 500 400 mousedown 1
+sleep 1
+xdotool mouseup 1 key --window "$window" F1
+sleep 1
+xdotool key --window "$window" Escape
+import -window "$window" "$3/window.png"
+colours=$(identify -format '%k' "$3/window.png")
+[ "$colours" -gt 50 ] || { echo "the window shows only $colours colours"; kill "$pid"; exit 1; }
+xdotool key --window "$window" ctrl+q
+wait "$pid"
+INSIDE
+xvfb-run -a -s '-screen 0 1280x800x24' sh "$work/inside.sh" "$program" "$molecule" "$work"

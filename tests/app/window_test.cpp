@@ -1,0 +1,209 @@
+// The window's panels, files and looks, off-screen.
+#include <filesystem>
+#include <fstream>
+
+#include <unistd.h>
+
+#include "app/ui/settings.h"
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own, gone at the end.
+struct Scratch {
+  fs::path folder = fs::temp_directory_path() / ("moltact-app-test-" + std::to_string(::getpid()));
+  Scratch() { fs::create_directories(folder); }
+  ~Scratch() { fs::remove_all(folder); }
+  fs::path file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  }
+};
+
+// The names of widgets that stick out of the window sideways, or out of one that cannot be scrolled.
+std::string cutOff(glm::vec2 window) {
+  std::string out;
+  for (const auto& [name, r] : widgets().all()) {
+    const bool sideways = r.low.x < -1 || r.high.x > window.x + 1;
+    const bool upright = !r.scrolls && (r.low.y < -1 || r.high.y > window.y + 1);
+    if (sideways || upright) out += name + ' ';
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("a broken file leaves the scene and shows the reason until it is dismissed") {
+  Scratch scratch;
+  auto d = startWith();
+  const auto before = d->app().stage.molecule;
+  while (d->click("message/0/dismiss")) {
+  }
+  d->app().open(scratch.file("broken.pdb", "ATOM      1  N   ALA A   1      xx.xxx  13.207   2.100  1.00  0.00           N\n"));
+  d->frames(2);
+  CHECK(d->app().stage.molecule == before);
+  CHECK(contains(d->text("message/0"), "broken.pdb"));
+  d->app().open(scratch.folder / "missing.pdb");
+  d->frames(2);
+  CHECK(d->app().stage.molecule == before);
+  CHECK(contains(d->text("message/1"), "missing.pdb"));
+  CHECK(d->click("message/0/dismiss"));
+  CHECK(d->click("message/0/dismiss"));
+  CHECK_FALSE(d->shows("message/0"));
+}
+
+TEST_CASE("a broken lesson is told with its line and leaves the one that is open") {
+  Scratch scratch;
+  auto d = startWith("");
+  d->app().openFirst();
+  d->frames(5);
+  const std::string title = d->text("lesson/title");
+  REQUIRE_FALSE(title.empty());
+  d->app().open(scratch.file("bad.md", "---\ntitle: Bad\n---\n\n## Step\n\n```touch\npress: all\nuntil: 0.5\n```\n"));
+  d->frames(2);
+  CHECK(d->text("lesson/title") == title);
+  CHECK(contains(d->text("message/0"), "bad.md:"));
+}
+
+TEST_CASE("the first lesson opens with its molecule, and Next and Back walk through its steps") {
+  auto d = startWith("");
+  d->app().openFirst();
+  d->frames(20);
+  CHECK(bool(d->app().stage));
+  CHECK(contains(d->text("lesson/place"), "Step 1 of"));
+  CHECK(d->click("lesson/next"));
+  CHECK(contains(d->text("lesson/place"), "Step 2 of"));
+  d->tap("Alt+Right");
+  CHECK(contains(d->text("lesson/place"), "Step 3 of"));
+  d->tap("Alt+Left");
+  CHECK(d->click("lesson/back"));
+  CHECK(contains(d->text("lesson/place"), "Step 1 of"));
+}
+
+TEST_CASE("pressing the atom of the first lesson completes its first task") {
+  auto d = startWith("");
+  d->app().openFirst();
+  d->frames(20);
+  REQUIRE(contains(d->text("task/0"), "current: "));
+  d->point("view");
+  d->press();
+  d->frames(120);
+  CHECK(contains(d->text("task/0"), "done: "));
+}
+
+TEST_CASE("the theme switches from the menu, and most of the window changes with it") {
+  auto d = startWith();
+  const Picture light = d->picture();
+  CHECK(d->click("menu/view"));
+  CHECK(d->click("menu/view/dark"));
+  d->frames(20);
+  CHECK(d->app().settings.theme == ThemeChoice::Dark);
+  CHECK(difference(light, d->picture()) > 0.5);
+}
+
+TEST_CASE("at 100, 150 and 200 % and in four sizes every widget lies inside the window") {
+  for (const double scale : {1.0, 1.5, 2.0})
+    for (const auto& [width, height] : {std::pair{1280, 800}, {1920, 1080}, {800, 600}, {640, 480}}) {
+      Driver::Options options;
+      options.content_scale = scale;
+      options.width = width;
+      options.height = height;
+      auto d = startWith("", options);
+      d->app().openFirst();
+      d->app().panels.touch_details = true;
+      d->frames(3);
+      CAPTURE(scale);
+      CAPTURE(width);
+      CHECK(cutOff({width, height}) == "");
+      d->tap("F1");
+      CHECK(d->shows("controls/close"));
+      CHECK(cutOff({width, height}) == "");
+    }
+}
+
+TEST_CASE("resizing down to 64 by 64 and up again keeps the program running") {
+  auto d = startWith();
+  for (const auto& [width, height] : {std::pair{640, 480}, {64, 64}, {3000, 200}, {200, 1500}, {1280, 800}}) d->resize(width, height);
+  CHECK(d->shows("view"));
+}
+
+TEST_CASE("Ctrl+O opens a page in which a typed path is opened") {
+  auto d = startWith();
+  d->tap("Ctrl+O");
+  d->frames(3);
+  REQUIRE(d->shows("open/path"));
+  d->type(std::string(MOLTACT_SOURCE_DIR) + "/molecules/benzene.pdb");
+  d->tap("Enter");
+  d->frames(10);
+  CHECK_FALSE(d->shows("open/path"));
+  CHECK(d->app().stage.molecule->atoms.size() == 12);
+}
+
+TEST_CASE("while a text field has the keyboard, arrows and space neither move nor push the probe") {
+  auto d = startWith();
+  d->tap("Ctrl+O");
+  d->frames(3);
+  const Vec3 before = d->app().touch.latest().hip.A;
+  d->hold("Right");
+  d->hold("Space");
+  d->frames(60);
+  CHECK_FALSE(d->app().controls.pressing());
+  CHECK(glm::distance(d->app().touch.latest().hip.A, before) < 1e-3);
+}
+
+TEST_CASE("a molecule of the library opens from the File menu") {
+  auto d = startWith("");
+  CHECK(d->click("menu/file"));
+  CHECK(d->click("menu/file/library"));
+  CHECK(d->click("menu/file/library/benzene"));
+  d->frames(10);
+  REQUIRE(bool(d->app().stage));
+  CHECK(d->app().stage.molecule->atoms.size() == 12);
+}
+
+TEST_CASE("the probe's slider sets the radius, and the shape switches change the picture") {
+  auto d = startWith();
+  d->drag("probe", 400, 0);
+  CHECK(d->app().touch_settings.probe_A == doctest::Approx(4.0));
+  CHECK(d->text("probe") == "4.0 Å");
+  const Picture before = d->picture();
+  const bool spheres = d->app().shown.has(Shape::Spheres);
+  CHECK(d->click("show/spheres"));
+  CHECK(d->app().shown.has(Shape::Spheres) != spheres);
+  d->frames(20);
+  CHECK(difference(before, d->picture()) > 0.002);
+}
+
+TEST_CASE("Ctrl+Q leaves") {
+  auto d = startWith();
+  d->tap("Ctrl+Q");
+  CHECK(d->app().quit);
+}
+
+TEST_CASE("settings come back as they were kept, and a broken file gives the defaults and says so") {
+  Scratch scratch;
+  const fs::path file = scratch.folder / "deep" / "settings.json";
+  Settings s;
+  s.theme = ThemeChoice::Dark;
+  s.scale = 1.5;
+  s.remember("/tmp/a.pdb");
+  REQUIRE(saveSettings(s, file).empty());
+  const LoadedSettings again = loadSettings(file);
+  CHECK(again.settings == s);
+  CHECK(again.trouble.empty());
+  CHECK(loadSettings(scratch.folder / "none.json").trouble.empty());
+  for (const char* broken : {"", "{", "[1,2]", "{\"scale\": 1e999}", "\xff\xfe"}) {
+    const LoadedSettings told = loadSettings(scratch.file("broken.json", broken));
+    CHECK(told.settings == Settings());
+    CAPTURE(broken);
+    CHECK_FALSE(told.trouble.empty());
+  }
+  const LoadedSettings odd = loadSettings(scratch.file("odd.json", R"({"scale": 900, "theme": 7, "recent": [1, "/x"]})"));
+  CHECK(odd.settings.scale == 3.0);
+  CHECK(odd.settings.recent.size() == 1);
+}
+
+}  // namespace moltact

@@ -1,0 +1,118 @@
+// What every method owes its caller, whatever its idea: faults told, states forgotten, the same answers
+// again, and not one allocation in a tick.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <new>
+#include <string>
+
+#include "engine/bench/scenes.h"
+#include "engine/haptics/methods.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+using test::makeScene;
+using test::walkTo;
+
+namespace {
+thread_local long allocations = 0;
+}  // namespace
+
+// Replaced for the whole program: plain malloc, and a count.
+void* operator new(std::size_t size) {
+  ++allocations;
+  if (void* p = std::malloc(size ? size : 1)) return p;
+  throw std::bad_alloc();
+}
+void operator delete(void* p) noexcept { std::free(p); }
+void operator delete(void* p, std::size_t) noexcept { std::free(p); }
+
+TEST_CASE(
+    "no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random balls") {
+  const scenes::Scene scene = scenes::cluster(50, 3);
+  const scenes::Path path = scenes::jumps(scene, 3000, 8);
+  for (const Method& method : methods()) {
+    CAPTURE(std::string(method.name));
+    const auto tracker = method.make(makeScene(scene.balls), scene.probe_A);
+    int touching = 0;
+    const long before = allocations;
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      touching += tracker->step({path[k]}).touching();
+      if (k % 100 == 99) tracker->setProbe(1.4 + 0.2 * std::sin(0.01 * double(k)));
+      if (k % 1000 == 999) tracker->reset();
+      tracker->footprint();
+    }
+    CHECK(allocations == before);
+    CHECK(touching > 1000);
+  }
+}
+
+TEST_CASE("every method gives no contact to a HIP that starts inside until it has been outside once") {
+  for (const Method& method : methods()) {
+    CAPTURE(std::string(method.name));
+    const auto tracker = method.make(makeScene({{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), 1.4);
+    for (int round = 0; round < 2; ++round) {
+      for (int k = 0; k < 4; ++k) {
+        const Contact c = tracker->step({{0.1 * k, 0, 0.5}});
+        CHECK(c.fault == Fault::StartedInside);
+        CHECK_FALSE(c.touching());
+      }
+      CHECK(tracker->step({{0, 0, 4.5}}).fault == Fault::None);
+      CHECK(walkTo(*tracker, {0, 0, 4.5}, {0, 0, 2.2}, 0.05).touching());
+      tracker->reset();
+    }
+  }
+}
+
+TEST_CASE("every method refuses NaN, infinity and places beyond 1e9 A, and goes on from where it was") {
+  const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+  for (const Method& method : methods()) {
+    CAPTURE(std::string(method.name));
+    const auto disturbed = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4),
+               calm = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+    walkTo(*disturbed, {0, 0, 5}, {0, 0, 2.3}, 0.1);
+    walkTo(*calm, {0, 0, 5}, {0, 0, 2.3}, 0.1);
+    for (const Vec3& bad : {Vec3(nan, 0, 0), Vec3(0, inf, 0), Vec3(0, 0, -inf), Vec3(0, 2e9, 0)}) {
+      const Contact c = disturbed->step({bad});
+      CHECK(c.fault == Fault::NotFinite);
+      CHECK_FALSE(c.touching());
+      CHECK(std::isfinite(c.scp.A.x + c.scp.A.y + c.scp.A.z));
+    }
+    CHECK(disturbed->step({{0, 0.1, 2.3}}).scp.A == calm->step({{0, 0.1, 2.3}}).scp.A);
+  }
+}
+
+TEST_CASE("every method repeats a path of 1000 ticks to the last bit") {
+  const scenes::Scene scene = scenes::cluster(20, 5);
+  const scenes::Path path = scenes::walk(scene, 1000, 5);
+  for (const Method& method : methods()) {
+    CAPTURE(std::string(method.name));
+    const auto shared = makeScene(scene.balls);
+    const auto a = method.make(shared, scene.probe_A), b = method.make(shared, scene.probe_A);
+    bool same = true;
+    for (const Vec3& hip : path) {
+      const Contact one = a->step({hip}), two = b->step({hip});
+      same = same && one.scp.A == two.scp.A && one.atoms == two.atoms && one.feature == two.feature &&
+             one.normal == two.normal;
+    }
+    CHECK(same);
+  }
+}
+
+TEST_CASE("every method bears a scene without balls, one ball, and a probe that is no number") {
+  for (const Method& method : methods()) {
+    CAPTURE(std::string(method.name));
+    const auto empty = method.make(makeScene({}), 1.4);
+    for (double z = 3; z > -3; z -= 0.5) CHECK_FALSE(empty->step({{0, 0, z}}).touching());
+    const auto one = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+    one->setProbe(std::nan(""));
+    CHECK(one->probe_A() == 1.4);
+    one->setProbe(-1);
+    CHECK(one->probe_A() == 0.0);
+    one->setProbe(1e9);
+    CHECK(one->probe_A() == kLargestProbe_A);
+    CHECK(one->footprint().bytes > 0);
+  }
+}

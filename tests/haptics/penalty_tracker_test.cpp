@@ -1,0 +1,101 @@
+// The penalty method against its closed form, and in the failures for which it is known.
+#include "engine/haptics/penalty/penalty_tracker.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "tests/haptics/judge.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+using test::makeScene;
+using test::walkTo;
+
+TEST_CASE("in one ball of 3 A the push is the depth along the radius, so that the SCP is exact to 1e-14 A") {
+  PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+  CHECK_FALSE(tracker.step({{0, 0, 5}}).touching());
+  const Contact c = tracker.step({{0, 1.2, 1.6}});
+  CHECK(c.feature == Feature::Sphere);
+  CHECK(c.atoms == std::array<std::int32_t, 3>{0, -1, -1});
+  CHECK(glm::distance(c.scp.A, {0, 1.8, 2.4}) <= 1e-14);
+}
+
+TEST_CASE(
+    "known failure: in a crease the force is the sum of both pushes, 1.65 times what the god-object gives "
+    "there") {
+  const std::vector<Ball> balls{{{-1, 0, 0}, 1.6}, {{1, 0, 0}, 1.6}};
+  PenaltyTracker tracker(makeScene(balls), 1.4);
+  tracker.step({{0, 0, 5}});
+  const Vec3 h(0, 0, 2);
+  const Contact c = tracker.step({h});
+  const double far = std::sqrt(5.0), depth = 3.0 - far;
+  CHECK(c.feature == Feature::Circle);
+  CHECK(c.atoms == std::array<std::int32_t, 3>{0, 1, -1});
+  CHECK(glm::distance(c.scp.A - h, {0, 0, 2 * depth * 2 / far}) <= 1e-14);
+  CHECK(glm::length(c.scp.A - h) / (std::sqrt(8.0) - 2.0) == doctest::Approx(1.65).epsilon(0.01));
+}
+
+TEST_CASE("of five balls that push, the three that push most are named, in ascending order") {
+  std::vector<Ball> balls;
+  for (int k = 0; k < 5; ++k) balls.push_back({{0, 0, -0.3 * k}, 1.6});
+  PenaltyTracker tracker(makeScene(balls), 1.4);
+  tracker.step({{0, 0, 5}});
+  const Contact c = tracker.step({{0, 0, 1.5}});
+  CHECK(c.feature == Feature::Point);
+  CHECK(c.atoms == std::array<std::int32_t, 3>{0, 1, 2});
+}
+
+TEST_CASE(
+    "known failure: past the centre of a ball the push leads out on the far side, and the HIP is through") {
+  PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+  CHECK(walkTo(tracker, {0, 0, 5}, {0, 0, 0.2}, 0.02).scp.A.z > 0);
+  const Contact past = walkTo(tracker, {0, 0, 0.2}, {0, 0, -0.2}, 0.02);
+  CHECK(past.scp.A.z == doctest::Approx(-3.0));
+  CHECK_FALSE(walkTo(tracker, {0, 0, -0.2}, {0, 0, -3.2}, 0.02).touching());
+}
+
+TEST_CASE(
+    "known failure: a row of balls that a probe of 1.4 A cannot pass is passed in steps of 7 A without a "
+    "tick of contact") {
+  std::vector<Ball> balls;
+  for (int k = 0; k < 8; ++k) balls.push_back({{0, 0, 2.5 * k}, 1.6});
+  PenaltyTracker tracker(makeScene(balls), 1.4);
+  for (double x = -24.5; x < 25; x += 7.0) CHECK_FALSE(tracker.step({{x, 0, 8}}).touching());
+}
+
+TEST_CASE(
+    "known failure: midway between two balls the pushes cancel, and a HIP 1 A deep in both feels nothing") {
+  PenaltyTracker tracker(makeScene({{{-2, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), 1.4);
+  tracker.step({{0, 0, 5}});
+  const Contact c = tracker.step({{0, 0, 0}});
+  CHECK(c.feature == Feature::Circle);
+  CHECK(glm::length(c.scp.A) <= 1e-15);
+}
+
+TEST_CASE("a HIP on a centre gets no push, no fault and no NaN") {
+  PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+  tracker.step({{0, 0, 5}});
+  const Contact c = tracker.step({{0, 0, 0}});
+  CHECK(c.fault == Fault::None);
+  CHECK(c.touching());
+  CHECK(c.scp.A == Vec3(0.0));
+}
+
+TEST_CASE("when the probe swells by 1 A the push grows by 1 A") {
+  PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+  walkTo(tracker, {0, 0, 5}, {0, 0, 2}, 0.1);
+  tracker.setProbe(2.4);
+  CHECK(tracker.step({{0, 0, 2}}).scp.A.z == doctest::Approx(4.0));
+}
+
+TEST_CASE(
+    "known failure: in walks over a cluster of 20 it is exact where one ball pushes and off by over 0.2 A in "
+    "1 of 20 ticks") {
+  const scenes::Scene scene = scenes::cluster(20, 2);
+  PenaltyTracker tracker(makeScene(scene.balls), scene.probe_A);
+  const test::Judged judged = test::judge(tracker, scene, scenes::walk(scene, 1500, 7));
+  CHECK(judged.both > 1000);
+  CHECK(judged.off(0.5) <= 1e-12);
+  CHECK(judged.off(0.95) > 0.2);
+}
