@@ -32,10 +32,14 @@ std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, d
   if (!stage) return nullptr;
   std::unique_ptr<Tracker> tracker = method.make(stage.balls, probe_A);
   const Vec3 outward = contact.scp.A - hip.A;
-  if (const double depth = glm::length(outward); contact.touching() && depth > 0.0) {
-    tracker->step({contact.scp.A + outward * (kOutside_A / depth)});
-    tracker->step(hip);
+  const double depth = glm::length(outward);
+  if (!contact.touching() || !(depth > 0.0)) return tracker;
+  // Another method's surface may lie a little higher: the hand comes in from as far out as it needs.
+  for (const double out_A : {kOutside_A, 0.1, 0.3, 1.0, 3.0}) {
+    tracker->reset();
+    if (tracker->step({contact.scp.A + outward * (out_A / depth)}).fault == Fault::None) break;
   }
+  tracker->step(hip);
   return tracker;
 }
 

@@ -112,7 +112,8 @@ TEST_CASE("switching the tracker while touching keeps the contact") {
     d->frames(2);
     CAPTURE(m.name);
     CHECK(d->app().touch.touching());
-    CHECK(glm::distance(d->app().touch.latest().contact.scp.A, scp) < 0.6);
+    if (m.name != "penalty")  // it has no surface point of its own: its push sums up all balls
+      CHECK(glm::distance(d->app().touch.latest().contact.scp.A, scp) < 0.6);
   }
 }
 

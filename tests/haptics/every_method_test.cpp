@@ -72,6 +72,9 @@ TEST_CASE("every method refuses NaN, infinity and places beyond 1e9 A, and goes 
     CAPTURE(std::string(method.name));
     const auto disturbed = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4),
                calm = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+    CHECK(disturbed->step({{0, 0, 6}}).fault == Fault::None);
+    CHECK(disturbed->step({{0, nan, 6}}).fault == Fault::NotFinite);  // free, and then touching
+    CHECK(disturbed->step({{0, 0, 6}}).fault == Fault::None);
     walkTo(*disturbed, {0, 0, 5}, {0, 0, 2.3}, 0.1);
     walkTo(*calm, {0, 0, 5}, {0, 0, 2.3}, 0.1);
     for (const Vec3& bad : {Vec3(nan, 0, 0), Vec3(0, inf, 0), Vec3(0, 0, -inf), Vec3(0, 2e9, 0)}) {

@@ -12,6 +12,8 @@ namespace {
 constexpr double kSurface_A = 1e-9;  // so near the level counts as on it
 constexpr double kSettled_A =
     1e-4;  // a Newton step this short leaves an error of about its square: the last one of a tick
+constexpr double kFree =
+    0.8;  // of the level's distance by the field: its slope is near 1, but for the rounding of creases
 constexpr int kMostFlights = 512;  // steps along one straight way
 constexpr int kMostTurns = 8;      // changes between flight and sliding in a tick
 
@@ -103,13 +105,13 @@ GridTracker::Went GridTracker::fly(const Vec3& h) noexcept {
       scp_ += to_go * (free / length);
       continue;
     }
-    if (!(length > 0.0)) {
-      free_from_ = h;
-      free_gap_ = 0.0;
-      return Went::Arrived;
-    }
     DistanceBricks::Sample here{};
     if (!bricks_.sample(scp_, here, fills_left_)) return Went::Short;
+    if (!(length > 0.0)) {
+      free_from_ = h;
+      free_gap_ = std::max(0.0, kFree * (here.value - probe_));
+      return Went::Arrived;
+    }
     const double step = std::min(std::max(here.value - probe_, least), length);
     Vec3 a = scp_, b = step == length ? h : scp_ + to_go * (step / length);
     DistanceBricks::Sample there{};

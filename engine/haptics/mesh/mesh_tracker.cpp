@@ -54,6 +54,7 @@ Contact MeshTracker::contact(const Vec3& hip) const noexcept {
 Contact MeshTracker::step(PointA hip) noexcept {
   if (!usableHip(hip.A)) return refusedHip(hip, nearby_.origin() + scp_);
   const Vec3 h = hip.A - nearby_.origin();
+  if (touch_count_ == 0 && armed_ && options_.coherent && holdsQuickly(h)) return {.scp = hip};
   if (!armed_) {
     free_gap_ = clearance(nearby_.scene(), nearby_.probe_A(), hip.A);
     scp_ = h;
@@ -72,7 +73,7 @@ Contact MeshTracker::step(PointA hip) noexcept {
 bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   if (touch_count_ == 0) {
     const Vec3 way = h - free_from_;
-    if (glm::dot(way, way) >= free_gap_ * free_gap_) return false;
+    if (!(glm::dot(way, way) < free_gap_ * free_gap_)) return false;
     scp_ = h;
     return true;
   }
