@@ -14,9 +14,9 @@ struct Errors {
   std::vector<double> scp, direction;
   std::size_t lost = 0;
 
-  void add(const Vec3& hip, bool touching, const Vec3& scp_here, const Vec3& right) {
-    scp.push_back(glm::distance(scp_here, right));
-    if (touching) direction.push_back(angle_deg(scp_here - hip, right - hip));
+  void add(const Vec3& hip, const Contact& c, const Vec3& right) {
+    scp.push_back(glm::distance(c.scp.A, right));
+    if (c.touching()) direction.push_back(angle_deg(springEnd(c, {hip}).A - hip, right - hip));
     else ++lost;
   }
   Accuracy result() && {
@@ -55,7 +55,7 @@ Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>
     for (const Vec3& h : stroke.approach) exact.step({h}), tracker->step({h});
     for (const Vec3& h : stroke.counted) {
       const Contact right = exact.step({h}), c = tracker->step({h});
-      if (right.touching()) errors.add(h, c.touching(), c.scp.A, right.scp.A);
+      if (right.touching()) errors.add(h, c, right.scp.A);
     }
   }
   return std::move(errors).result();
@@ -78,7 +78,7 @@ Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, doubl
       c = exact.step({stroke.counted[k]});
       const oracle::Oracle::Answer right = oracle.step(stroke.counted[k]);
       if (!right.decided) oracle.place(c.scp.A);
-      else if (right.contact) errors.add(stroke.counted[k], c.touching(), c.scp.A, right.scp_A);
+      else if (right.contact) errors.add(stroke.counted[k], c, right.scp_A);
     }
   }
   return std::move(errors).result();

@@ -80,11 +80,7 @@ class Svg {
 std::string power(int exponent) {
   if (exponent >= 0 && exponent <= 3) return std::to_string(static_cast<int>(std::pow(10, exponent)));
   if (exponent < 0 && exponent >= -3) return "0." + std::string(std::size_t(-exponent - 1), '0') + "1";
-  static const std::array<const char*, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
-  std::string out = "10", digits = std::to_string(std::abs(exponent));
-  if (exponent < 0) out += "⁻";
-  for (const char c : digits) out += kRaised[std::size_t(c - '0')];
-  return out;
+  return std::string("1e") + (exponent < 0 ? "−" : "") + std::to_string(std::abs(exponent));
 }
 
 void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, double x0, double x1, double y0, double y1) {
@@ -152,7 +148,9 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
     taken.push_back(best);
     const double nx = std::clamp(place.x, best.x0, best.x1), ny = std::clamp(place.y, best.y0, best.y1);
     if (std::hypot(nx - place.x, ny - place.y) > 14) svg.line(place.x, place.y, nx, ny, "stroke=\"#8a8a8a\" stroke-width=\"1\"");
-    svg.text((best.x0 + best.x1) / 2, best.y1 - 3, *place.label, "middle", "stroke=\"white\" stroke-width=\"3\" paint-order=\"stroke\"");
+    const double middle = (best.x0 + best.x1) / 2;
+    svg.text(middle, best.y1 - 3, *place.label, "middle", "stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"");
+    svg.text(middle, best.y1 - 3, *place.label, "middle");
   }
 }
 

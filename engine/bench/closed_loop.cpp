@@ -7,7 +7,7 @@ namespace moltact::bench {
 
 ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& contact, double max_N) {
   if (!contact.touching()) return {};
-  ForceN force = settings.workspace.spring(hip, contact.scp, settings.stiffness_N_per_mm);
+  ForceN force = settings.workspace.spring(hip, springEnd(contact, hip), settings.stiffness_N_per_mm);
   const double size = glm::length(force.N);
   if (!std::isfinite(size)) return {};
   if (size > max_N) force.N *= max_N / size;
@@ -39,7 +39,15 @@ LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   const Vec3 here = device_.position().mm;
   const PointMm scp = settings_.workspace.toDevice(last_.scp);
   const double stretch_m = last_.touching() ? 1e-3 * glm::distance(scp.mm, here) : 0.0;
-  observer_.add(device_.held().N, 1e-3 * (here - place_mm_), 0.5 * k * stretch_m * stretch_m);
+  const Vec3 moved_m = 1e-3 * (here - place_mm_);
+  observer_.add(device_.held().N, moved_m, 0.5 * k * stretch_m * stretch_m);
+
+  // The held force is that of a place as far off as the device has moved since it was read, and of the rounding.
+  recent_m_.push_back(glm::length(moved_m));
+  if (recent_m_.size() > static_cast<std::size_t>(settings_.device.delay_ticks) + 1) recent_m_.erase(recent_m_.begin());
+  double off_m = 0.87e-3 * settings_.device.resolution_mm;
+  for (const double m : recent_m_) off_m += m;
+  if (out.contact.touching() || glm::length(device_.held().N) > 0) sampling_ += k * off_m * glm::length(moved_m);
   place_mm_ = here;
   return out;
 }

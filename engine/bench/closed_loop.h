@@ -44,6 +44,10 @@ class ClosedLoop {
   /// Energy that came out of nothing at the device: the method's and what sampling, delay and rounding add (unit: J).
   double made_J() const { return observer_.made_J(); }
 
+  /// The most that sampling, delay and rounding could have made with any surface whose force changes by no more than the
+  /// stiffness times the way moved, as a plain wall's does (unit: J): sum of K |dx| (way since the reading + rounding).
+  double samplingBound_J() const { return sampling_; }
+
  private:
   LoopSettings settings_;
   DeviceModel device_;
@@ -51,6 +55,8 @@ class ClosedLoop {
   Contact last_;
   ForceN command_;
   Vec3 place_mm_;
+  std::vector<double> recent_m_;  // ways moved since the reading that the held force belongs to
+  double sampling_ = 0;
 };
 
 /// The spring's force cut to max_N; zero without contact.

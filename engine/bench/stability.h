@@ -16,8 +16,8 @@ namespace moltact::bench {
 struct StabilityLimits {
   double penetration_A = 1e-7;   ///< of the SCP into a sphere
   double step_over_N = 0.05;     ///< of the force's step from tick to tick over the true surface's
-  double jitter_mm = 0.12;       ///< of the held device from peak to peak: two steps of its sensor
-  double energy_J = 5e-5;        ///< made by the method: a spring pressed 1 A deep holds 2.4e-3
+  double jitter_mm = 0.055;      ///< of the held device from peak to peak: a step of its sensor
+  double energy_J = 5e-6;        ///< made by the method: a spring pressed 1 A deep holds 2.4e-3
 };
 
 struct StabilityResult {
@@ -36,6 +36,7 @@ struct StabilityResult {
   double jitter_mm = 0;           ///< of the held device
   double energy_J = 0;            ///< made by the method: trapezoidal work, so that sampling is not counted
   double loop_energy_J = 0;       ///< made at the device, by sampling, delay and rounding too
+  double sampling_J = 0;          ///< the most that sampling, delay and rounding alone could have made in that motion
   std::optional<double> stiffest_N_per_mm;  ///< the greatest stiffness that stays stable
 };
 

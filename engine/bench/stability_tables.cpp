@@ -54,11 +54,11 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results, const 
                 {{"scene", "scene"}, {"method", "method"}, {"failures", "failures"}, {"ticks", "ticks"}, {"contact_ticks", "in contact"},
                  {"tunnelled", "tunnelled"}, {"lost", "lost"}, {"stuck", "held on nothing"}, {"astray", "astray"}, {"penetration_A", "penetration (A)"},
                  {"step_N", "step (N)"}, {"step_over_N", "over the true (N)"}, {"jitter_mm", "jitter (mm)"}, {"energy_J", "energy made (J)"},
-                 {"loop_energy_J", "in the loop (J)"}, {"stiffest_N_per_mm", "stiffest (N/mm)"}}, {}, ""};
+                 {"loop_energy_J", "in the loop (J)"}, {"sampling_J", "sampling bound (J)"}, {"stiffest_N_per_mm", "stiffest (N/mm)"}}, {}, ""};
   for (const StabilityResult& r : results) {
     t.rows.push_back({r.scene, std::string(r.method->name), failures(r, limits), double(r.ticks), double(r.contact_ticks), double(r.tunnelled),
                       double(r.lost), double(r.stuck), double(r.astray), std::max(0.0, r.penetration_A), r.step_N, r.step_over_N, r.jitter_mm,
-                      r.energy_J, r.loop_energy_J, Cell{}});
+                      r.energy_J, r.loop_energy_J, r.sampling_J, Cell{}});
     if (r.stiffest_N_per_mm) t.rows.back().back() = *r.stiffest_N_per_mm;
   }
   return t;
@@ -66,7 +66,7 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results, const 
 
 ReportTable stiffnessTable(const std::vector<StabilityResult>& results, double wall_N_per_mm) {
   ReportTable t{"stiffness", "The greatest stiffness that stays stable (N/mm)", {{"method", "method"}}, {},
-                "Pressed with a light hand (100 N/m, 2 N s/m) and struck with 4 mN s; stable when the device comes to rest in contact."};
+                "Pressed with a light hand (100 N/m, 2 N s/m) and struck with 4 mN s; stable when the device comes to rest in contact. A dash: not asked."};
   std::vector<std::string> scenes;
   for (const StabilityResult& r : results)
     if (r.stiffest_N_per_mm && std::find(scenes.begin(), scenes.end(), r.scene) == scenes.end()) scenes.push_back(r.scene);
