@@ -96,8 +96,8 @@ std::vector<TableScene> structures() {
 
 StrokePlan plan(const BenchArguments& arguments) {
   StrokePlan p;
-  p.strokes = arguments.quick ? 8 : 60;
-  p.ticks = arguments.quick ? 1000 : 2000;
+  p.strokes = arguments.quick ? 16 : 80;
+  p.ticks = arguments.quick ? 2000 : 4000;
   p.seed = arguments.seed;
   return p;
 }
@@ -105,7 +105,7 @@ StrokePlan plan(const BenchArguments& arguments) {
 void addTables(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
   std::vector<TableScene> scenes = madeScenes(arguments.quick, arguments.seed);
   for (TableScene& one : structures()) scenes.push_back(std::move(one));
-  TableOptions options{methods, kWaterProbe_A, plan(arguments), arguments.quick ? 0.05 : 1.0};
+  TableOptions options{methods, kWaterProbe_A, plan(arguments), arguments.quick ? 0.1 : 1.0};
   const ProgressBar bar("tables");
   const auto times = measureTables(scenes, options, std::cref(bar));
   report.tables.push_back(besidePaperTable(times));

@@ -80,7 +80,11 @@ class Svg {
 std::string power(int exponent) {
   if (exponent >= 0 && exponent <= 3) return std::to_string(static_cast<int>(std::pow(10, exponent)));
   if (exponent < 0 && exponent >= -3) return "0." + std::string(std::size_t(-exponent - 1), '0') + "1";
-  return std::string("1e") + (exponent < 0 ? "−" : "") + std::to_string(std::abs(exponent));
+  static const std::array<const char*, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out = "10";
+  if (exponent < 0) out += "⁻";
+  for (const char c : std::to_string(std::abs(exponent))) out += kRaised[std::size_t(c - '0')];
+  return out;
 }
 
 void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, double x0, double x1, double y0, double y1) {
@@ -193,7 +197,7 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
         svg.line(at - 10, legend_y - 5, at + 14, legend_y - 5, std::string("stroke=\"#5a5a5a\" stroke-width=\"1.6\"") + (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
       if (s.marked) svg.mark(s.mark, at + 2, legend_y - 5);
       svg.text(at + 20, legend_y, s.name, "start");
-      at += 44 + textWidth(s.name);
+      at += (s.joined ? 62 : 46) + textWidth(s.name);
     }
   double height = legend_y + 18;
   if (!note.empty()) svg.text(kLeft, height += 10, note, "start", "font-size=\"12\" fill=\"#4a4a4a\"");

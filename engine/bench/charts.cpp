@@ -59,13 +59,18 @@ std::string sizeChart(const std::vector<SceneTimes>& times) {
     for (const SceneTimes& scene : times)
       for (const TickTimes& row : scene.contact) {
         if (row.method->name != name) continue;
-        const std::string modelled = name == "exact" ? readable(double(row.footprint.atoms_modelled)) + " modelled" : "";
-        bytes.points.push_back({double(scene.spheres), double(row.footprint.bytes), modelled});
+        bytes.points.push_back({double(scene.spheres), double(row.footprint.bytes), readable(double(row.footprint.atoms_modelled)) + " modelled"});
         ms.points.push_back({double(scene.spheres), 1e3 * (scene.scene_s + row.make_s + row.first_touch_s), ""});
       }
     const auto by_size = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
     std::sort(bytes.points.begin(), bytes.points.end(), by_size);
     std::sort(ms.points.begin(), ms.points.end(), by_size);
+    // Where points crowd, the first of them is labelled.
+    double labelled = 0;
+    for (ChartPoint& p : bytes.points) {
+      if (name != "exact" || p.x < 8 * labelled) p.label.clear();
+      else labelled = p.x;
+    }
     if (bytes.points.empty()) continue;
     memory.series.push_back(std::move(bytes));
     ready.series.push_back(std::move(ms));

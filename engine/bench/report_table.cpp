@@ -39,8 +39,9 @@ std::string readable(double value) {
     std::snprintf(digits, sizeof digits, "%.1e", value);
     return digits;
   }
+  if (value == std::floor(value) && size < 1e13) std::snprintf(digits, sizeof digits, "%.0f", value);
   const int whole = static_cast<int>(std::floor(std::log10(size) + 2e-3)) + 1;  // 99.97 reads 100
-  std::snprintf(digits, sizeof digits, "%.*f", std::clamp(3 - whole, 0, 6), value);
+  if (value != std::floor(value)) std::snprintf(digits, sizeof digits, "%.*f", std::clamp(3 - whole, 0, 6), value);
   std::string out = digits;
   const std::size_t dot = std::min(out.find('.'), out.size()), first = value < 0 ? 1 : 0;
   for (std::size_t at = dot; at > first + 3;) out.insert(at -= 3, " ");

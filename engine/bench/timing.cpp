@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace moltact::bench {
 namespace {
@@ -59,6 +60,19 @@ double clockCost_ns() {
   for (int k = 0; k < 20'000; ++k) {
     const auto begin = Clock::now();
     least = std::min(least, ns(begin, Clock::now()));
+  }
+  return least;
+}
+
+double clockStep_ns() {
+  double least = 1e9;
+  for (int k = 0; k < 20'000; ++k) {
+    const auto begin = Clock::now();
+    auto end = Clock::now();
+    while (end == begin) end = Clock::now();
+    const auto later = Clock::now();
+    for (const double step : {ns(begin, end), ns(end, later), std::abs(ns(begin, end) - ns(end, later))})
+      if (step > 0) least = std::min(least, step);
   }
   return least;
 }

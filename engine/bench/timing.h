@@ -20,6 +20,9 @@ namespace moltact::bench {
 /// Told how far along the work is (0 to 1) and at what.
 using Progress = std::function<void(double share, std::string_view what)>;
 
+/// The smallest step in which the clock's readings differ (unit: nanosecond); single ticks are no finer than this.
+double clockStep_ns();
+
 /// What two readings of the clock in a row cost at least (unit: nanosecond).
 double clockCost_ns();
 
