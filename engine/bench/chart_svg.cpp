@@ -145,7 +145,8 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
         const double mx = place.x + cx * (away + w / 2), my = place.y + cy * (away + h / 2);
         const Box b{mx - w / 2, my - h / 2, mx + w / 2, my + h / 2};
         double cost = 0.4 * (away - 10) + 0.02 * side;
-        for (const Box& t : taken) cost += 6 * b.overlap(t);
+        const Box roomy{b.x0 - 6, b.y0 - 1, b.x1 + 6, b.y1 + 1};
+        for (const Box& t : taken) cost += 6 * roomy.overlap(t);
         cost += 6 * (w * h - b.overlap(frame));
         if (cost < least) least = cost, best = b;
       }

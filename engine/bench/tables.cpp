@@ -83,9 +83,10 @@ std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, con
 ReportTable tickTable(const std::vector<SceneTimes>& times) {
   ReportTable t{"ticks", "Time of one tick", {{"scene", "scene"}, {"spheres", "spheres"}, {"motion", "motion"}, {"method", "method"},
       {"mean_ns", "mean (ns)"}, {"p50_ns", "p50 (ns)"}, {"p99_ns", "p99 (ns)"}, {"p99.99_ns", "p99.99 (ns)"}, {"max_ns", "max (ns)"},
-      {"times_exact", "mean / exact"}, {"touching_percent", "touching (%)"}, {"ticks", "single ticks"}}, {}, ""};
+      {"times_exact", "mean / exact"}, {"touching_percent", "touching (%)"}, {"ticks", "single ticks"}, {"dropped", "strokes dropped"}}, {}, ""};
   t.note = "Means are over whole strokes, the rest tick by tick. The clock's own cost, " + readable(clockCost_ns()) +
-           " ns, is taken off single ticks; its readings step by " + readable(clockStep_ns()) + " ns.";
+           " ns, is taken off single ticks; its readings step by " + readable(clockStep_ns()) +
+           " ns. Strokes in which the operating system took the processor away are dropped.";
   for (const SceneTimes& scene : times)
     for (const bool contact : {false, true}) {
       const auto& rows = contact ? scene.contact : scene.free;
@@ -94,7 +95,7 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
         t.rows.push_back({scene.scene, double(scene.spheres), std::string(contact ? "contact" : "free"), std::string(row.method->name),
                           row.mean_ns, row.single_ns.p50, row.single_ns.p99, row.single_ns.p9999, row.single_ns.max,
                           ratio(row.mean_ns, exact ? exact->mean_ns : 0), 100 * row.touching,
-                          double(row.single_ns.count)});
+                          double(row.single_ns.count), double(row.dropped)});
     }
   return t;
 }

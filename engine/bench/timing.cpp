@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "engine/platform/preemptions.h"
+
 namespace moltact::bench {
 namespace {
 
@@ -94,9 +96,19 @@ std::vector<TickTimes> timeMethods(std::span<const Method* const> methods, const
     for (Contender& c : contenders) {
       if (s >= 2 && c.used_ns > 1e9 * budget_s) continue;
       approach(c, strokes[s]);
-      if (s % 2 == 0) timeWhole(c, strokes[s].counted);
-      else timeSingle(c, strokes[s].counted, clock_ns);
-      c.ticks += strokes[s].counted.size();
+      const std::vector<Vec3>& path = strokes[s].counted;
+      const std::uint64_t preempted = preemptionsOfThisThread();
+      const double whole_ns = c.whole_ns;
+      const std::size_t singles = c.single.size();
+      if (s % 2 == 0) timeWhole(c, path);
+      else timeSingle(c, path, clock_ns);
+      c.ticks += path.size();
+      // The first stroke of either kind stays in any case: a figure from a disturbed stroke is better than none.
+      if (s >= 2 && preemptionsOfThisThread() != preempted) {
+        if (s % 2 == 0) c.whole_ns = whole_ns, c.whole_ticks -= path.size();
+        c.single.resize(singles);
+        ++c.times.dropped;
+      }
     }
   std::vector<TickTimes> out;
   for (Contender& c : contenders) {

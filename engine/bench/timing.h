@@ -2,7 +2,8 @@
 // Units: nanosecond, second.
 //
 // The methods take turns stroke by stroke (A B A B …), so that a change of the machine's speed meets all alike. Even
-// strokes are timed whole, for the mean; odd ones tick by tick, for the percentiles, less the clock's own cost.
+// strokes are timed whole, for the mean; odd ones tick by tick, for the percentiles, less the clock's own cost. A stroke
+// during which the operating system took the processor away says nothing of the method and is not counted.
 #pragma once
 
 #include <functional>
@@ -29,6 +30,7 @@ double clockCost_ns();
 struct TickTimes {
   const Method* method = nullptr;
   double mean_ns = 0;        ///< over whole strokes
+  std::size_t dropped = 0;   ///< strokes not counted because the processor was taken away
   Spread single_ns;          ///< tick by tick; its mean includes what is left of the clock's cost
   double touching = 0;       ///< share of counted ticks in contact (0 to 1)
   double make_s = 0;         ///< from the scene to a tracker that has answered its first tick, outside

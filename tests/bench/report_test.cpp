@@ -102,7 +102,7 @@ TEST_CASE("a table is written as CSV with quoted fields, as Markdown and as JSON
 
 TEST_CASE("the CSV of tick times keeps its header") {
   const std::string csv = toCsv(tickTable({}));
-  CHECK(csv == "scene,spheres,motion,method,mean_ns,p50_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,ticks\n");
+  CHECK(csv == "scene,spheres,motion,method,mean_ns,p50_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,ticks,dropped\n");
   CHECK(toCsv(readyTable({})) ==
         "scene,spheres,method,scene_ms,tracker_ms,first_touch_ms,ready_ms,bytes,bytes_times_exact,atoms_modelled,modelled_percent\n");
 }
