@@ -31,6 +31,7 @@ struct BenchArguments {
 // What was measured, in the order it is shown.
 struct Report {
   std::vector<ReportTable> tables;
+  std::vector<ReportTable> excerpts;  // parts of long tables, for the pages alone
   std::vector<std::pair<std::string, std::string>> pictures;  // file name, SVG
 };
 
@@ -111,6 +112,10 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
   report.tables.push_back(besidePaperTable(times));
   report.tables.push_back(tickTable(times));
   report.tables.push_back(readyTable(times));
+  for (const auto& [name, table] : {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {
+    report.excerpts.push_back(rowsWhere(table, "scene", "13 800 protein-like", std::string(name) + "_13800", table.title));
+    report.excerpts.push_back(rowsWhere(table, "method", "exact", std::string(name) + "_exact", table.title));
+  }
   report.pictures.push_back({"memory-and-ready-time.svg", sizeChart(times)});
 }
 
@@ -148,7 +153,8 @@ void updatePages(const fs::path& folder, const Report& report) {
     std::ifstream in(entry.path(), std::ios::binary);
     const std::string before{std::istreambuf_iterator<char>(in), {}};
     std::string after = before;
-    for (const ReportTable& t : report.tables) after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
+    for (const auto* tables : {&report.tables, &report.excerpts})
+      for (const ReportTable& t : *tables) after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
     if (after != before) write(entry.path(), after);
   }
   for (const auto& [name, svg] : report.pictures) write(folder / "pictures" / name, svg);

@@ -113,6 +113,16 @@ std::string toCsv(const ReportTable& table) {
   return out;
 }
 
+ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value, std::string name, std::string title) {
+  ReportTable out{std::move(name), std::move(title), table.columns, {}, table.note};
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    if (table.columns[c].name != column) continue;
+    for (const auto& row : table.rows)
+      if (const auto* text = std::get_if<std::string>(&row[c]); text && *text == value) out.rows.push_back(row);
+  }
+  return out;
+}
+
 std::string replacedBetweenMarkers(const std::string& text, const std::string& name, const std::string& content) {
   const std::size_t begin = text.find("<!-- " + name + ":begin");
   const std::size_t end = text.find("<!-- " + name + ":end -->");

@@ -100,6 +100,13 @@ TEST_CASE("a table is written as CSV with quoted fields, as Markdown and as JSON
   CHECK_FALSE(json["tables"]["sample"]["rows"][1].contains("time_ns"));
 }
 
+TEST_CASE("of two rows the one named c|d is picked out, and none from a column that is not there") {
+  const ReportTable picked = rowsWhere(sample(), "name", "c|d", "picked", "Picked");
+  CHECK(picked.rows.size() == 1);
+  CHECK(picked.name == "picked");
+  CHECK(rowsWhere(sample(), "nothing", "c|d", "picked", "Picked").rows.empty());
+}
+
 TEST_CASE("the CSV of tick times keeps its header") {
   const std::string csv = toCsv(tickTable({}));
   CHECK(csv == "scene,spheres,motion,method,mean_ns,p50_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,ticks,dropped\n");
