@@ -11,7 +11,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "engine/haptics/ball.h"
+#include "engine/core/ball.h"
 
 namespace moltact::oracle {
 

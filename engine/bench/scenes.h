@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/haptics/ball.h"
+#include "engine/core/ball.h"
 
 namespace moltact::scenes {
 

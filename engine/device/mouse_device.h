@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/device/device.h"
-#include "engine/servo/triple_buffer.h"
+#include "engine/core/triple_buffer.h"
 
 namespace moltact {
 

@@ -10,7 +10,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/haptics/ball.h"
+#include "engine/core/ball.h"
 
 namespace moltact {
 

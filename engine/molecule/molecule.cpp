@@ -17,6 +17,11 @@ std::string Molecule::describe(std::size_t index) const {
   const Atom& atom = atoms[index];
   if (atom.residue == kNoResidue) return "atom " + std::to_string(index);
   const Residue& residue = residues[atom.residue];
+  const bool polymer = residue.kind == ResidueKind::AminoAcid || residue.kind == ResidueKind::Nucleotide;
+  if (residue.atom_count == 1 && !polymer) {  // an ion or a noble gas: its element says more than two codes
+    std::string name(element(atom.atomic_number).name);
+    return (name.empty() ? residue.name : name) + ' ' + std::to_string(residue.number);
+  }
   std::string out =
       atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   out += " of ";

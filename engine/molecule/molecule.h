@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/core/units.h"
-#include "engine/haptics/ball.h"
+#include "engine/core/ball.h"
 
 namespace moltact {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "engine/haptics/ball.h"
+#include "engine/core/ball.h"
 
 namespace moltact {
 

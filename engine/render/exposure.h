@@ -7,7 +7,7 @@
 
 #include <glm/glm.hpp>
 
-#include "engine/haptics/ball.h"
+#include "engine/core/ball.h"
 
 namespace moltact {
 

@@ -9,9 +9,9 @@
 
 #include "engine/device/device.h"
 #include "engine/platform/realtime.h"
-#include "engine/servo/sample_ring.h"
+#include "engine/core/sample_ring.h"
 #include "engine/servo/servo_step.h"
-#include "engine/servo/triple_buffer.h"
+#include "engine/core/triple_buffer.h"
 
 namespace moltact {
 

@@ -63,6 +63,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   return in;
 }
 
+// The arrow is as long on the screen for a protein as for one atom: what the hand gives does not depend on the zoom.
+constexpr float kArrow_px_per_N = 70.0f;
+
 ViewScene sceneOf(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.touch.latest();
@@ -74,6 +77,7 @@ ViewScene sceneOf(const Application& app) {
     scene.hip = now.hip;
     scene.contact = now.contact;
     scene.force_N = app.touch.force_N();
+    scene.arrow_A_per_N = app.camera.pixel_A(app.camera.distance_A, std::max(1, int(app.layout.view.size().y))) * look().px(kArrow_px_per_N);
     scene.probe_A = now.probe_A;
   }
   app.lesson.decorate(scene);

@@ -1,0 +1,182 @@
+// The headless commands as a person calls them: what they print, where errors go, the exit status.
+#include <doctest/doctest.h>
+
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own for each test, removed at its end.
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("moltact-commands-" + std::to_string(::getpid()));
+  Folder() { fs::create_directories(path); }
+  ~Folder() { fs::remove_all(path); }
+  std::string operator/(const std::string& name) const { return (path / name).string(); }
+};
+
+void write(const std::string& file, const std::string& text) { std::ofstream(file, std::ios::binary) << text; }
+
+std::string contents(const std::string& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+struct Run {
+  int status = -1;
+  std::string out, err;
+};
+
+Run moltact(const Folder& folder, const std::string& arguments) {
+  const std::string out = folder / "stdout", err = folder / "stderr";
+  const int status = std::system(("'" MOLTACT_BINARY "' " + arguments + " >'" + out + "' 2>'" + err + "'").c_str());
+  return {WEXITSTATUS(status), contents(out), contents(err)};
+}
+
+std::vector<std::vector<std::string>> rows(const std::string& csv) {
+  std::vector<std::vector<std::string>> all;
+  std::istringstream lines(csv);
+  for (std::string line; std::getline(lines, line);) {
+    all.emplace_back();
+    std::istringstream fields(line);
+    for (std::string field; std::getline(fields, field, ',');) all.back().push_back(field);
+  }
+  return all;
+}
+
+// One carbon-like ball of 1.6 A at the origin; with the probe's 1.4 A the surface lies at 3 A.
+constexpr const char* kOneBall = "0 0 0 1.6\n";
+
+}  // namespace
+
+TEST_CASE("replay on one ball of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - HIP)") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  write(folder / "hip.csv", "x,y,z\n0,0,5\n0,0.3,2.5\n0.1,0.3,2.4\n0,0,7\n");
+  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" +
+                                      (folder / "trace.csv") + "' --stiffness 2");
+  CAPTURE(run.err);
+  REQUIRE(run.status == 0);
+  const std::string text = contents(folder / "trace.csv");
+  CHECK(text.starts_with("tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n"));
+  const auto trace = rows(text);
+  REQUIRE(trace.size() == 5);
+  CHECK(trace[1][4] == "0");
+  CHECK(trace[1][11] == "free");
+  CHECK(trace[1][12] == "-1");
+  CHECK(trace[2][0] == "1");
+  CHECK(trace[2][4] == "1");
+  CHECK(trace[2][11] == "sphere");
+  CHECK(trace[2][12] == "0");
+  const double y = std::stod(trace[2][6]), z = std::stod(trace[2][7]);
+  CHECK(y * y + z * z == doctest::Approx(9.0).epsilon(1e-14));
+  CHECK(std::stod(trace[2][10]) == doctest::Approx(2.0 * (z - 2.5)).epsilon(1e-12));
+  CHECK(std::stod(trace[3][1]) == 0.1);
+  CHECK(trace[4][4] == "0");
+}
+
+TEST_CASE("replay --time prints one JSON object with ticks, contact_ticks and mean, p50, p99, p99.99, max for free and contact") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  std::string path = "x,y,z\n";
+  for (int k = 0; k < 2000; ++k) path += "0,0," + std::to_string(5.0 - 0.0015 * k) + "\n";
+  write(folder / "hip.csv", path);
+  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --time");
+  REQUIRE(run.status == 0);
+  const auto json = nlohmann::json::parse(run.out);
+  CHECK(json["ticks"] == 2000);
+  CHECK(json["contact_ticks"] == 2000 - 1334);  // the surface is reached at tick 1333.3
+  for (const char* state : {"free", "contact"})
+    for (const char* figure : {"mean", "p50", "p99", "p99.99", "max"}) CHECK(json[state][figure].is_number());
+}
+
+TEST_CASE("replay says on stderr that the HIP starts inside and that a place was not a number; both give no force") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  write(folder / "hip.csv", "x,y,z\n0,0,1\n0,0,1.1\n0,0,4\n0,0,2.5\nnan,0,0\n0,0,2.4\n");
+  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" + (folder / "t.csv") + "'");
+  REQUIRE(run.status == 0);
+  CHECK(run.err.find("starts inside the molecule: no force for the first 2 ticks") != std::string::npos);
+  CHECK(run.err.find("1 places were not finite") != std::string::npos);
+  const auto trace = rows(contents(folder / "t.csv"));
+  for (const std::size_t quiet : {1u, 2u, 3u, 5u}) {
+    CHECK(trace[quiet][4] == "0");
+    CHECK(trace[quiet][10] == "0");
+  }
+  CHECK(trace[4][4] == "1");
+  CHECK(trace[6][4] == "1");
+}
+
+TEST_CASE("a broken path file ends with 1 and names file, line, column and what would mend it") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  const struct {
+    const char* text;
+    const char* place;
+    const char* says;
+  } cases[] = {
+      {"", "", "there is no row in this file"},
+      {"0,0,1\n", ":1:1:", "the first line is not the header x,y,z"},
+      {"x,y,z\n0,0,1\n0,zero,1\n", ":3:3:", "a number was expected here"},
+      {"x,y,z\n0,0\n", ":2:4:", "a comma was expected here"},
+      {"x,y,z\n0,0,1,2\n", ":2:6:", "there is more than x,y,z in this row"},
+      {"x,y,z\n0,0,1e999\n", ":2:5:", "too large or too small"},
+  };
+  for (const auto& one : cases) {
+    write(folder / "hip.csv", one.text);
+    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" + (folder / "t.csv") + "'");
+    CAPTURE(run.err);
+    CHECK(run.status == 1);
+    CHECK(run.out.empty());
+    CHECK(run.err.find((folder / "hip.csv") + one.place) != std::string::npos);
+    CHECK(run.err.find(one.says) != std::string::npos);
+    CHECK(run.err.find("; ") != std::string::npos);
+    CHECK_FALSE(fs::exists(folder / "t.csv"));
+  }
+}
+
+TEST_CASE("wrong usage ends with 2, a missing molecule or an unwritable trace with 1, --help with 0 for every command") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  write(folder / "hip.csv", "x,y,z\n0,0,5\n");
+  const std::string path = " --path '" + (folder / "hip.csv") + "'", one = "'" + (folder / "one.xyzr") + "'";
+  CHECK(moltact(folder, "replay").status == 2);
+  CHECK(moltact(folder, "replay " + one + path).status == 2);
+  CHECK(moltact(folder, "replay " + one + path + " --out x.csv --method magic").status == 2);
+  CHECK(moltact(folder, "replay " + one + path + " --out x.csv --probe 21").status == 2);
+  CHECK(moltact(folder, "no-such-command --flag").status == 2);
+  CHECK(moltact(folder, "replay /no/such/file.pdb" + path + " --out x.csv").status == 1);
+  CHECK(moltact(folder, "replay " + one + path + " --out /no/such/folder/x.csv").status == 1);
+  CHECK(moltact(folder, "info " + (folder.path.string())).status == 1);
+  for (const char* command : {"", "info", "replay", "render", "fetch"}) {
+    const Run help = moltact(folder, std::string(command) + " --help");
+    CHECK(help.status == 0);
+    CHECK(help.out.find("Usage") != std::string::npos);
+  }
+}
+
+TEST_CASE("the window's command without a display ends with 1 and names the commands that need none") {
+  const Folder folder;
+  const std::string out = folder / "o", err = folder / "e";
+  const int status = std::system(("env -u DISPLAY -u WAYLAND_DISPLAY '" MOLTACT_BINARY "' >'" + out + "' 2>'" + err + "'").c_str());
+  CHECK(WEXITSTATUS(status) == 1);
+  const std::string text = contents(err);
+  for (const char* command : {"info", "replay", "render"}) CHECK(text.find(command) != std::string::npos);
+}
+
+TEST_CASE("info counts 602 atoms of ubiquitin, as text and as JSON") {
+  const Folder folder;
+  CHECK(moltact(folder, "info 1ubq").out.find("602") != std::string::npos);
+  CHECK(nlohmann::json::parse(moltact(folder, "info 1ubq --json").out)["atoms"] == 602);
+}
