@@ -2,6 +2,7 @@
 
 namespace moltact {
 
+void addBench(CLI::App& app);
 void addFetch(CLI::App& app);
 void addInfo(CLI::App& app);
 void addRender(CLI::App& app);
@@ -12,6 +13,7 @@ void addAllCommands(CLI::App& app) {
   addReplay(app);
   addRender(app);
   addFetch(app);
+  addBench(app);
 }
 
 }  // namespace moltact

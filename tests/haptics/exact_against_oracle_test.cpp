@@ -3,7 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/haptics/exact/exact_tracker.h"
-#include "tests/haptics/oracle.h"
+#include "engine/bench/oracle.h"
 #include "engine/bench/scenes.h"
 #include "tests/haptics/walk.h"
 

@@ -10,7 +10,7 @@
 
 #include "engine/bench/scenes.h"
 #include "engine/haptics/tracker.h"
-#include "tests/haptics/oracle.h"
+#include "engine/bench/oracle.h"
 
 namespace moltact::test {
 

@@ -1,5 +1,5 @@
 // The oracle against closed forms: before it judges a tracker, it has to be right itself.
-#include "tests/haptics/oracle.h"
+#include "engine/bench/oracle.h"
 
 #include <doctest/doctest.h>
 

@@ -9,7 +9,7 @@
 #include <limits>
 
 #include "engine/haptics/methods.h"
-#include "tests/haptics/oracle.h"
+#include "engine/bench/oracle.h"
 #include "engine/bench/scenes.h"
 
 using namespace moltact;

@@ -1,4 +1,4 @@
-#include "tests/haptics/oracle.h"
+#include "engine/bench/oracle.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,211 @@
+#include "engine/bench/chart_svg.h"
+
+#include <array>
+#include <cstdio>
+
+#include "engine/bench/log_axis.h"
+
+namespace moltact::bench {
+namespace {
+
+constexpr double kPanelWidth = 560, kPanelHeight = 430, kLeft = 84, kRight = 20, kTop = 84, kBottom = 66, kFont = 14;
+constexpr double kMark = 6;
+
+std::string num(double v) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f", v);
+  return text;
+}
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) c == '&' ? out += "&amp;" : c == '<' ? out += "&lt;" : c == '>' ? out += "&gt;" : c == '"' ? out += "&quot;" : out += c;
+  return out;
+}
+
+double textWidth(const std::string& text) {
+  double n = 0;
+  for (const char c : text) n += (c & 0xC0) != 0x80;
+  return 0.56 * kFont * n;
+}
+
+struct Box {
+  double x0, y0, x1, y1;
+  double overlap(const Box& b) const {
+    return std::max(0.0, std::min(x1, b.x1) - std::max(x0, b.x0)) * std::max(0.0, std::min(y1, b.y1) - std::max(y0, b.y0));
+  }
+};
+
+class Svg {
+ public:
+  void text(double x, double y, const std::string& what, const char* anchor, const std::string& more = "") {
+    out_.append("<text x=\"").append(num(x)).append("\" y=\"").append(num(y)).append("\" text-anchor=\"").append(anchor).append("\"");
+    if (!more.empty()) out_.append(" ").append(more);
+    out_.append(">").append(escaped(what)).append("</text>\n");
+  }
+  void line(double x0, double y0, double x1, double y1, const std::string& style) {
+    out_.append("<line x1=\"").append(num(x0)).append("\" y1=\"").append(num(y0)).append("\" x2=\"").append(num(x1)).append("\" y2=\"").append(num(y1));
+    out_.append("\" ").append(style).append("/>\n");
+  }
+  void path(const std::string& d, const std::string& style) { out_.append("<path d=\"").append(d).append("\" ").append(style).append("/>\n"); }
+  void mark(Mark kind, double x, double y) {
+    const double r = kMark;
+    const std::string solid = "fill=\"#1a1a1a\" stroke=\"white\" stroke-width=\"1\"", hollow = "fill=\"white\" stroke=\"#1a1a1a\" stroke-width=\"2\"";
+    const auto polygon = [&](std::initializer_list<std::array<double, 2>> corners, const std::string& style) {
+      std::string d;
+      for (const auto& c : corners) d.append(d.empty() ? "M" : "L").append(num(x + c[0])).append(" ").append(num(y + c[1]));
+      path(d + "Z", "class=\"mark\" " + style);
+    };
+    const auto disc = [&](const std::string& style) {
+      out_.append("<circle class=\"mark\" cx=\"").append(num(x)).append("\" cy=\"").append(num(y)).append("\" r=\"").append(num(r)).append("\" ").append(style).append("/>\n");
+    };
+    switch (kind) {
+      case Mark::Disc: disc(solid); break;
+      case Mark::Circle: disc(hollow); break;
+      case Mark::Square: polygon({{-r, -r}, {r, -r}, {r, r}, {-r, r}}, hollow); break;
+      case Mark::Triangle: polygon({{0, -r - 1}, {r + 1, r}, {-r - 1, r}}, hollow); break;
+      case Mark::Diamond: polygon({{0, -r - 2}, {r + 2, 0}, {0, r + 2}, {-r - 2, 0}}, solid); break;
+      case Mark::Cross:
+        path("M" + num(x - r) + " " + num(y - r) + "L" + num(x + r) + " " + num(y + r) + "M" + num(x - r) + " " + num(y + r) + "L" + num(x + r) + " " + num(y - r),
+             "class=\"mark\" fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"2.5\"");
+        break;
+    }
+  }
+  std::string take() && { return std::move(out_); }
+
+ private:
+  std::string out_;
+};
+
+std::string power(int exponent) {
+  if (exponent >= 0 && exponent <= 3) return std::to_string(static_cast<int>(std::pow(10, exponent)));
+  if (exponent < 0 && exponent >= -3) return "0." + std::string(std::size_t(-exponent - 1), '0') + "1";
+  static const std::array<const char*, 10> kRaised{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string out = "10";
+  if (exponent < 0) out += "⁻";
+  for (const char c : std::to_string(std::abs(exponent))) out += kRaised[std::size_t(c - '0')];
+  return out;
+}
+
+void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, double x0, double x1, double y0, double y1) {
+  const std::string fine = "stroke=\"#ececec\" stroke-width=\"1\"", grid = "stroke=\"#cfcfcf\" stroke-width=\"1\"", frame = "stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
+  const auto minor = [&](const LogAxis& axis, auto&& draw) {
+    if (axis.high() - axis.low() > 9) return;
+    for (int e = int(axis.low()); e < int(axis.high()); ++e)
+      for (int m = 2; m < 10; ++m)
+        if (!axis.hidden(e + std::log10(m))) draw(axis.at(m * std::pow(10.0, e)));
+  };
+  minor(x, [&](double p) { svg.line(p, y0, p, y1, fine); });
+  if (!y.cut()) minor(y, [&](double p) { svg.line(x0, p, x1, p, fine); });
+  for (const int e : x.decades()) {
+    const double p = x.at(std::pow(10.0, e));
+    svg.line(p, y0, p, y1, grid);
+    svg.text(p, y1 + 20, power(e), "middle");
+  }
+  for (const int e : y.decades()) {
+    const double p = y.at(std::pow(10.0, e));
+    svg.line(x0, p, x1, p, grid);
+    svg.text(x0 - 8, p + 5, power(e), "end");
+  }
+  svg.line(x0, y1, x1, y1, frame);
+  svg.line(x0, y0, x0, y1, frame);
+  if (y.cut()) {
+    const double p = y.cutMiddle();
+    svg.path("M" + num(x0 - 7) + " " + num(p + 8) + "l14 -6M" + num(x0 - 7) + " " + num(p + 1) + "l14 -6", "stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"");
+    svg.line(x0 + 9, p, x1, p, "stroke=\"#8a8a8a\" stroke-width=\"1\" stroke-dasharray=\"1 5\"");
+  }
+  svg.text(x0, y0 - 14, panel.title, "start", "font-weight=\"bold\"");
+  svg.text((x0 + x1) / 2, y1 + 44, panel.x_axis, "middle");
+  const double mid = (y0 + y1) / 2;
+  svg.text(x0 - 58, mid, panel.y_axis, "middle", "transform=\"rotate(-90 " + num(x0 - 58) + " " + num(mid) + ")\"");
+}
+
+// Puts each label where it covers least: beside its mark first, then a little away with a thin line to it.
+void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, const Box& frame) {
+  struct Place {
+    double x, y;
+    const std::string* label;
+  };
+  std::vector<Place> places;
+  std::vector<Box> taken;
+  for (const ChartSeries& s : panel.series)
+    for (const ChartPoint& p : s.points) {
+      if (!(p.x > 0) || !(p.y > 0) || !s.marked) continue;
+      const double px = x.at(p.x), py = y.at(p.y);
+      taken.push_back({px - kMark - 2, py - kMark - 2, px + kMark + 2, py + kMark + 2});
+      if (!p.label.empty()) places.push_back({px, py, &p.label});
+    }
+  for (const Place& place : places) {
+    const double w = textWidth(*place.label), h = kFont;
+    Box best{};
+    double least = 1e300;
+    for (double away = 10; away <= 74; away += 16)
+      for (int side = 0; side < 12; ++side) {
+        const double turn = 2 * 3.141592653589793 * side / 12, cx = std::cos(turn), cy = -std::sin(turn);
+        const double mx = place.x + cx * (away + w / 2), my = place.y + cy * (away + h / 2);
+        const Box b{mx - w / 2, my - h / 2, mx + w / 2, my + h / 2};
+        double cost = 0.4 * (away - 10) + 0.02 * side;
+        const Box roomy{b.x0 - 6, b.y0 - 1, b.x1 + 6, b.y1 + 1};
+        for (const Box& t : taken) cost += 6 * roomy.overlap(t);
+        cost += 6 * (w * h - b.overlap(frame));
+        if (cost < least) least = cost, best = b;
+      }
+    taken.push_back(best);
+    const double nx = std::clamp(place.x, best.x0, best.x1), ny = std::clamp(place.y, best.y0, best.y1);
+    if (std::hypot(nx - place.x, ny - place.y) > 14) svg.line(place.x, place.y, nx, ny, "stroke=\"#8a8a8a\" stroke-width=\"1\"");
+    const double middle = (best.x0 + best.x1) / 2;
+    svg.text(middle, best.y1 - 3, *place.label, "middle", "stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"");
+    svg.text(middle, best.y1 - 3, *place.label, "middle");
+  }
+}
+
+void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
+  const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight, y0 = kTop, y1 = kTop + kPanelHeight - kBottom;
+  std::vector<double> xs, ys;
+  for (const ChartSeries& s : panel.series)
+    for (const ChartPoint& p : s.points)
+      if (p.x > 0 && p.y > 0) xs.push_back(p.x), ys.push_back(p.y);
+  const LogAxis x(xs, x0, x1, false), y(ys, y1, y0, true);
+  drawAxes(svg, panel, x, y, x0, x1, y0, y1);
+  for (const ChartSeries& s : panel.series) {
+    if (!s.joined) continue;
+    std::string d;
+    for (const ChartPoint& p : s.points)
+      if (p.x > 0 && p.y > 0) d.append(d.empty() ? "M" : "L").append(num(x.at(p.x))).append(" ").append(num(y.at(p.y)));
+    svg.path(d, std::string("fill=\"none\" stroke=\"#5a5a5a\" stroke-width=\"1.6\"") + (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
+  }
+  for (const ChartSeries& s : panel.series)
+    for (const ChartPoint& p : s.points)
+      if (s.marked && p.x > 0 && p.y > 0) svg.mark(s.mark, x.at(p.x), y.at(p.y));
+  drawLabels(svg, panel, x, y, {x0 + 2, y0, x1, y1 - 2});
+}
+
+}  // namespace
+
+std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note) {
+  Svg svg;
+  const double width = kPanelWidth * double(panels.size()), legend_y = kTop + kPanelHeight + 8;
+  svg.text(kLeft, 34, title, "start", "font-size=\"19\" font-weight=\"bold\"");
+  for (std::size_t k = 0; k < panels.size(); ++k) drawPanel(svg, panels[k], kPanelWidth * double(k));
+
+  std::vector<std::string> named;
+  double at = kLeft;
+  for (const ChartPanel& panel : panels)
+    for (const ChartSeries& s : panel.series) {
+      if (s.name.empty() || std::find(named.begin(), named.end(), s.name) != named.end()) continue;
+      named.push_back(s.name);
+      if (s.joined)
+        svg.line(at - 10, legend_y - 5, at + 14, legend_y - 5, std::string("stroke=\"#5a5a5a\" stroke-width=\"1.6\"") + (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
+      if (s.marked) svg.mark(s.mark, at + 2, legend_y - 5);
+      svg.text(at + 20, legend_y, s.name, "start");
+      at += (s.joined ? 62 : 46) + textWidth(s.name);
+    }
+  double height = legend_y + 18;
+  if (!note.empty()) svg.text(kLeft, height += 10, note, "start", "font-size=\"12\" fill=\"#4a4a4a\"");
+  height += 14;
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + num(width) + "\" height=\"" + num(height) + "\" viewBox=\"0 0 " + num(width) + " " +
+         num(height) + "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" fill=\"#1a1a1a\">\n<title>" +
+         escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + std::move(svg).take() + "</svg>\n";
+}
+
+}  // namespace moltact::bench

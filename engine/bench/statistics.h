@@ -1,0 +1,25 @@
+// What a list of measurements comes to: mean, percentiles, extremes. Not for the haptic thread.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace moltact::bench {
+
+/// In the unit of the values. Percentiles by nearest rank: p99 is the smallest value that at least 99 % do not exceed.
+struct Spread {
+  std::size_t count = 0;
+  double mean = 0, rms = 0, p50 = 0, p99 = 0, p9999 = 0, max = 0;
+};
+
+/// Of no values, all zeros. The values must not be NaN.
+Spread spreadOf(std::vector<double> values);
+
+/// The nearest-rank percentile of ascending values, `share` from 0 to 1; 0 of none.
+double percentile(const std::vector<double>& ascending, double share);
+
+/// Of points (cost, error), those for which no other is both cheaper and less wrong, as indices by ascending cost: the
+/// front of best trade-offs. Of equal points the first stands.
+std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std::vector<double>& error);
+
+}  // namespace moltact::bench

@@ -1,0 +1,29 @@
+// The motions that methods are timed and compared on: strokes of a HIP over the surface or past it. Units: angstrom.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/haptics/ball_scene.h"
+
+namespace moltact::bench {
+
+/// One stroke. The tracker is reset, then led along `approach` from outside (not counted), then along `counted`.
+struct Stroke {
+  std::vector<Vec3> approach, counted;
+};
+
+struct StrokePlan {
+  std::size_t strokes = 40;
+  std::size_t ticks = 2000;  ///< counted ticks of each stroke
+  double depth_A = 0.6;      ///< about so deep under the surface (contact only)
+  std::uint64_t seed = 1;
+};
+
+/// Strokes in contact: in from a random side, then sliding 0.02 A a tick, every counted tick in contact with the surface.
+std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan);
+
+/// Strokes in free space close to the surface (see freePath), 0.02 A a tick.
+std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan);
+
+}  // namespace moltact::bench

@@ -1,0 +1,34 @@
+// Speed against accuracy: for each method the time a tick and the error of SCP and force, and which methods no other
+// beats in both. The user's first wish of this bench.
+#pragma once
+
+#include <vector>
+
+#include "engine/bench/accuracy.h"
+#include "engine/bench/report_table.h"
+#include "engine/bench/timing.h"
+
+namespace moltact::bench {
+
+struct TradeOff {
+  const Method* method = nullptr;
+  double tick_ns = 0;       ///< mean in contact
+  Accuracy accuracy;        ///< against exact; exact's own against the oracle
+  Footprint footprint;
+  bool best_scp = false, best_direction = false;  ///< on the front of best trade-offs
+};
+
+struct TradeOffOptions {
+  std::vector<const Method*> methods;
+  std::size_t spheres = 13'751;
+  double probe_A = kWaterProbe_A;
+  StrokePlan plan;
+  double budget_s = 0.5;
+  std::uint64_t seed = 1;
+};
+
+std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Progress& progress);
+
+ReportTable tradeOffTable(const std::vector<TradeOff>& points, std::size_t spheres);
+
+}  // namespace moltact::bench
