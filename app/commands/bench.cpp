@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "engine/bench/charts.h"
 #include "engine/bench/feel.h"
 #include "engine/bench/report_table.h"
 #include "engine/bench/stability.h"
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off.h"
-#include "engine/bench/charts.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/terminal.h"
 
@@ -31,7 +31,7 @@ struct BenchArguments {
 // What was measured, in the order it is shown.
 struct Report {
   std::vector<ReportTable> tables;
-  std::vector<ReportTable> excerpts;  // parts of long tables, for the pages alone
+  std::vector<ReportTable> excerpts;                          // parts of long tables, for the pages alone
   std::vector<std::pair<std::string, std::string>> pictures;  // file name, SVG
 };
 
@@ -48,8 +48,9 @@ class ProgressBar {
     if (!shown_) return;
     constexpr int kWidth = 30;
     const int full = static_cast<int>(share * kWidth);
-    std::cerr << "\r\033[K" << part_ << " [" << std::string(std::size_t(full), '#') << std::string(std::size_t(kWidth - full), '.') << "] "
-              << static_cast<int>(100 * share) << " %  " << what << std::flush;
+    std::cerr << "\r\033[K" << part_ << " [" << std::string(std::size_t(full), '#')
+              << std::string(std::size_t(kWidth - full), '.') << "] " << static_cast<int>(100 * share)
+              << " %  " << what << std::flush;
   }
 
  private:
@@ -63,18 +64,23 @@ void write(const fs::path& file, const std::string& text) {
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.flush();
-  if (!out) throw CommandError{Problem{file.string(), 0, 0, "the file cannot be written", "check the folder, its permissions and the space left"}.text()};
+  if (!out)
+    throw CommandError{Problem{file.string(), 0, 0, "the file cannot be written",
+                               "check the folder, its permissions and the space left"}
+                           .text()};
 }
 
 std::vector<const Method*> chosen(const std::vector<std::string>& names) {
   std::vector<const Method*> out;
   for (const Method& m : methods())
-    if (names.empty() || m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end()) out.push_back(&m);
+    if (names.empty() || m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
+      out.push_back(&m);
   for (const std::string& name : names)
     if (!findMethod(name)) {
       std::string known;
       for (const Method& m : methods()) known.append(known.empty() ? "" : ", ").append(m.name);
-      throw CommandError{Problem{"--methods", 0, 0, "there is no method \"" + name + "\"", "choose from " + known}.text()};
+      throw CommandError{
+          Problem{"--methods", 0, 0, "there is no method \"" + name + "\"", "choose from " + known}.text()};
     }
   return out;
 }
@@ -87,7 +93,8 @@ std::vector<TableScene> structures() {
     if (!findMolecule(id, folders)) return;
     const auto molecule = openMolecule(id);
     if (!molecule) return;
-    out.push_back({molecule->id, molecule->atoms.size(), [balls = molecule->balls()] { return balls; }, paper});
+    out.push_back(
+        {molecule->id, molecule->atoms.size(), [balls = molecule->balls()] { return balls; }, paper});
   };
   add("1ubq", "");
   add("2hhb", "");
@@ -112,8 +119,10 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
   report.tables.push_back(besidePaperTable(times));
   report.tables.push_back(tickTable(times));
   report.tables.push_back(readyTable(times));
-  for (const auto& [name, table] : {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {
-    report.excerpts.push_back(rowsWhere(table, "scene", "13 800 protein-like", std::string(name) + "_13800", table.title));
+  for (const auto& [name, table] :
+       {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {
+    report.excerpts.push_back(
+        rowsWhere(table, "scene", "13 800 protein-like", std::string(name) + "_13800", table.title));
     report.excerpts.push_back(rowsWhere(table, "method", "exact", std::string(name) + "_exact", table.title));
   }
   report.pictures.push_back({"memory-and-ready-time.svg", sizeChart(times)});
@@ -131,7 +140,8 @@ void addChart(const BenchArguments& arguments, const std::vector<const Method*>&
   report.pictures.push_back({"speed-and-accuracy.svg", tradeOffChart(points, options.spheres)});
 }
 
-void addStability(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
+void addStability(const BenchArguments& arguments, const std::vector<const Method*>& methods,
+                  Report& report) {
   StabilityOptions options;
   options.methods = methods;
   options.seed = arguments.seed;
@@ -147,14 +157,17 @@ void addStability(const BenchArguments& arguments, const std::vector<const Metho
 void updatePages(const fs::path& folder, const Report& report) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    throw CommandError{Problem{folder.string(), 0, 0, "there is no such folder", "name the folder of the pages, such as docs"}.text()};
+    throw CommandError{Problem{folder.string(), 0, 0, "there is no such folder",
+                               "name the folder of the pages, such as docs"}
+                           .text()};
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".md") continue;
     std::ifstream in(entry.path(), std::ios::binary);
     const std::string before{std::istreambuf_iterator<char>(in), {}};
     std::string after = before;
     for (const auto* tables : {&report.tables, &report.excerpts})
-      for (const ReportTable& t : *tables) after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
+      for (const ReportTable& t : *tables)
+        after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
     if (after != before) write(entry.path(), after);
   }
   for (const auto& [name, svg] : report.pictures) write(folder / "pictures" / name, svg);
@@ -172,7 +185,8 @@ void run(const BenchArguments& arguments) {
 
   for (const ReportTable& t : report.tables)
     if (t.name != "stability_figures" || !all) std::cout << toConsole(t) << '\n';
-  const std::string command = "moltact bench " + arguments.part + (arguments.quick ? " --quick" : "") + " --seed " + std::to_string(arguments.seed);
+  const std::string command = "moltact bench " + arguments.part + (arguments.quick ? " --quick" : "") +
+                              " --seed " + std::to_string(arguments.seed);
   if (!arguments.json.empty()) write(arguments.json, toJson(report.tables, command));
   if (!arguments.csv.empty())
     for (const ReportTable& t : report.tables) write(fs::path(arguments.csv) / (t.name + ".csv"), toCsv(t));
@@ -180,23 +194,30 @@ void run(const BenchArguments& arguments) {
     for (const auto& [name, svg] : report.pictures) write(fs::path(arguments.svg) / name, svg);
   if (!arguments.markdown.empty()) {
     std::string page;
-    for (const ReportTable& t : report.tables) page += "## " + t.title + "\n\n" + toMarkdown(t) + "\nMade by `" + command + "`.\n\n";
+    for (const ReportTable& t : report.tables)
+      page += "## " + t.title + "\n\n" + toMarkdown(t) + "\nMade by `" + command + "`.\n\n";
     write(arguments.markdown, page);
   }
   if (!arguments.docs.empty()) updatePages(arguments.docs, report);
   std::cerr << command << ": "
-            << readable(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()) << " s\n";
+            << readable(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count())
+            << " s\n";
 }
 
 }  // namespace
 
 void addBench(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
-  CLI::App* command = app.add_subcommand("bench", "Measure speed, accuracy, feel and stability of every method");
+  CLI::App* command =
+      app.add_subcommand("bench", "Measure speed, accuracy, feel and stability of every method");
   command->add_option("part", arguments->part, "tables, chart, feel, stability or all")
-      ->capture_default_str()->check(CLI::IsMember({"tables", "chart", "feel", "stability", "all"}));
-  command->add_flag("--quick", arguments->quick, "A minute instead of a quarter of an hour; the figures are rougher");
-  command->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")->delimiter(',');
+      ->capture_default_str()
+      ->check(CLI::IsMember({"tables", "chart", "feel", "stability", "all"}));
+  command->add_flag("--quick", arguments->quick,
+                    "A minute instead of a quarter of an hour; the figures are rougher");
+  command
+      ->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")
+      ->delimiter(',');
   command->add_option("--seed", arguments->seed, "Of the scenes and motions")->capture_default_str();
   command->add_option("--json", arguments->json, "Write all tables to this file");
   command->add_option("--csv", arguments->csv, "Write each table to a file in this folder");

@@ -16,8 +16,10 @@ struct Errors {
 
   void add(const Vec3& hip, const Contact& c, const Vec3& right) {
     scp.push_back(glm::distance(c.scp.A, right));
-    if (c.touching()) direction.push_back(angle_deg(springEnd(c, {hip}).A - hip, right - hip));
-    else ++lost;
+    if (c.touching())
+      direction.push_back(angle_deg(springEnd(c, {hip}).A - hip, right - hip));
+    else
+      ++lost;
   }
   Accuracy result() && {
     Accuracy a;
@@ -29,12 +31,14 @@ struct Errors {
 };
 
 // The balls that any place within `reach` of the path could touch.
-std::vector<Ball> ballsNear(const BallScene& scene, double probe_A, const Vec3* path, std::size_t count, double reach) {
+std::vector<Ball> ballsNear(const BallScene& scene, double probe_A, const Vec3* path, std::size_t count,
+                            double reach) {
   Vec3 low(1e300), high(-1e300);
   for (std::size_t k = 0; k < count; ++k) low = glm::min(low, path[k]), high = glm::max(high, path[k]);
   std::vector<Ball> out;
   scene.visitNearBox(low, high, reach + probe_A, [&](auto, const Ball& b) {
-    if (glm::distance(b.centre_A, glm::clamp(b.centre_A, low, high)) <= b.radius_A + probe_A + reach) out.push_back(b);
+    if (glm::distance(b.centre_A, glm::clamp(b.centre_A, low, high)) <= b.radius_A + probe_A + reach)
+      out.push_back(b);
   });
   return out;
 }
@@ -45,7 +49,8 @@ double angle_deg(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
 }
 
-Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A, const std::vector<Stroke>& strokes) {
+Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
+                    const std::vector<Stroke>& strokes) {
   ExactTracker exact(scene, probe_A);
   const auto tracker = method.make(scene, probe_A);
   Errors errors;
@@ -61,8 +66,8 @@ Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>
   return std::move(errors).result();
 }
 
-Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, double probe_A, const std::vector<Stroke>& strokes,
-                            std::size_t piece) {
+Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, double probe_A,
+                            const std::vector<Stroke>& strokes, std::size_t piece) {
   ExactTracker exact(scene, probe_A);
   Errors errors;
   for (const Stroke& stroke : strokes) {
@@ -71,14 +76,17 @@ Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, doubl
     exact.reset();
     for (const Vec3& h : stroke.approach) exact.step({h});
     Contact c = exact.step({stroke.counted[0]});
-    // An SCP lags the HIP by no more than a few angstroms on these strokes; the oracle must see what lies between.
+    // An SCP lags the HIP by no more than a few angstroms on these strokes; the oracle must see what lies
+    // between.
     oracle::Oracle oracle(ballsNear(*scene, probe_A, stroke.counted.data(), count, 3.0), probe_A);
     oracle.place(c.scp.A);
     for (std::size_t k = 1; k < count; ++k) {
       c = exact.step({stroke.counted[k]});
       const oracle::Oracle::Answer right = oracle.step(stroke.counted[k]);
-      if (!right.decided) oracle.place(c.scp.A);
-      else if (right.contact) errors.add(stroke.counted[k], c, right.scp_A);
+      if (!right.decided)
+        oracle.place(c.scp.A);
+      else if (right.contact)
+        errors.add(stroke.counted[k], c, right.scp_A);
     }
   }
   return std::move(errors).result();

@@ -1,5 +1,5 @@
-// How far a method's SCP and force are from the right ones along strokes in contact. The right ones are exact's, and for
-// exact itself those of the brute-force oracle (oracle.h). Units: angstrom, degree.
+// How far a method's SCP and force are from the right ones along strokes in contact. The right ones are
+// exact's, and for exact itself those of the brute-force oracle (oracle.h). Units: angstrom, degree.
 #pragma once
 
 #include <functional>
@@ -22,11 +22,13 @@ struct Accuracy {
 double angle_deg(const Vec3& a, const Vec3& b);
 
 /// Against exact.
-Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A, const std::vector<Stroke>& strokes);
+Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
+                    const std::vector<Stroke>& strokes);
 
-/// Of exact against the oracle, on every piece of `piece` ticks out of each stroke: the oracle sees the balls near the
-/// piece only, and begins at exact's SCP. Ticks in which the oracle calls two outcomes right are left out.
-Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, double probe_A, const std::vector<Stroke>& strokes,
-                            std::size_t piece);
+/// Of exact against the oracle, on every piece of `piece` ticks out of each stroke: the oracle sees the balls
+/// near the piece only, and begins at exact's SCP. Ticks in which the oracle calls two outcomes right are
+/// left out.
+Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, double probe_A,
+                            const std::vector<Stroke>& strokes, std::size_t piece);
 
 }  // namespace moltact::bench

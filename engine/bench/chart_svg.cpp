@@ -8,7 +8,8 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kPanelWidth = 560, kPanelHeight = 430, kLeft = 84, kRight = 20, kTop = 84, kBottom = 66, kFont = 14;
+constexpr double kPanelWidth = 560, kPanelHeight = 430, kLeft = 84, kRight = 20, kTop = 84, kBottom = 66,
+                 kFont = 14;
 constexpr double kMark = 6;
 
 std::string num(double v) {
@@ -19,7 +20,12 @@ std::string num(double v) {
 
 std::string escaped(const std::string& text) {
   std::string out;
-  for (const char c : text) c == '&' ? out += "&amp;" : c == '<' ? out += "&lt;" : c == '>' ? out += "&gt;" : c == '"' ? out += "&quot;" : out += c;
+  for (const char c : text)
+    c == '&'   ? out += "&amp;"
+    : c == '<' ? out += "&lt;"
+    : c == '>' ? out += "&gt;"
+    : c == '"' ? out += "&quot;"
+               : out += c;
   return out;
 }
 
@@ -32,41 +38,78 @@ double textWidth(const std::string& text) {
 struct Box {
   double x0, y0, x1, y1;
   double overlap(const Box& b) const {
-    return std::max(0.0, std::min(x1, b.x1) - std::max(x0, b.x0)) * std::max(0.0, std::min(y1, b.y1) - std::max(y0, b.y0));
+    return std::max(0.0, std::min(x1, b.x1) - std::max(x0, b.x0)) *
+           std::max(0.0, std::min(y1, b.y1) - std::max(y0, b.y0));
   }
 };
 
 class Svg {
  public:
   void text(double x, double y, const std::string& what, const char* anchor, const std::string& more = "") {
-    out_.append("<text x=\"").append(num(x)).append("\" y=\"").append(num(y)).append("\" text-anchor=\"").append(anchor).append("\"");
+    out_.append("<text x=\"")
+        .append(num(x))
+        .append("\" y=\"")
+        .append(num(y))
+        .append("\" text-anchor=\"")
+        .append(anchor)
+        .append("\"");
     if (!more.empty()) out_.append(" ").append(more);
     out_.append(">").append(escaped(what)).append("</text>\n");
   }
   void line(double x0, double y0, double x1, double y1, const std::string& style) {
-    out_.append("<line x1=\"").append(num(x0)).append("\" y1=\"").append(num(y0)).append("\" x2=\"").append(num(x1)).append("\" y2=\"").append(num(y1));
+    out_.append("<line x1=\"")
+        .append(num(x0))
+        .append("\" y1=\"")
+        .append(num(y0))
+        .append("\" x2=\"")
+        .append(num(x1))
+        .append("\" y2=\"")
+        .append(num(y1));
     out_.append("\" ").append(style).append("/>\n");
   }
-  void path(const std::string& d, const std::string& style) { out_.append("<path d=\"").append(d).append("\" ").append(style).append("/>\n"); }
+  void path(const std::string& d, const std::string& style) {
+    out_.append("<path d=\"").append(d).append("\" ").append(style).append("/>\n");
+  }
   void mark(Mark kind, double x, double y) {
     const double r = kMark;
-    const std::string solid = "fill=\"#1a1a1a\" stroke=\"white\" stroke-width=\"1\"", hollow = "fill=\"white\" stroke=\"#1a1a1a\" stroke-width=\"2\"";
+    const std::string solid = "fill=\"#1a1a1a\" stroke=\"white\" stroke-width=\"1\"",
+                      hollow = "fill=\"white\" stroke=\"#1a1a1a\" stroke-width=\"2\"";
     const auto polygon = [&](std::initializer_list<std::array<double, 2>> corners, const std::string& style) {
       std::string d;
-      for (const auto& c : corners) d.append(d.empty() ? "M" : "L").append(num(x + c[0])).append(" ").append(num(y + c[1]));
+      for (const auto& c : corners)
+        d.append(d.empty() ? "M" : "L").append(num(x + c[0])).append(" ").append(num(y + c[1]));
       path(d + "Z", "class=\"mark\" " + style);
     };
     const auto disc = [&](const std::string& style) {
-      out_.append("<circle class=\"mark\" cx=\"").append(num(x)).append("\" cy=\"").append(num(y)).append("\" r=\"").append(num(r)).append("\" ").append(style).append("/>\n");
+      out_.append("<circle class=\"mark\" cx=\"")
+          .append(num(x))
+          .append("\" cy=\"")
+          .append(num(y))
+          .append("\" r=\"")
+          .append(num(r))
+          .append("\" ")
+          .append(style)
+          .append("/>\n");
     };
     switch (kind) {
-      case Mark::Disc: disc(solid); break;
-      case Mark::Circle: disc(hollow); break;
-      case Mark::Square: polygon({{-r, -r}, {r, -r}, {r, r}, {-r, r}}, hollow); break;
-      case Mark::Triangle: polygon({{0, -r - 1}, {r + 1, r}, {-r - 1, r}}, hollow); break;
-      case Mark::Diamond: polygon({{0, -r - 2}, {r + 2, 0}, {0, r + 2}, {-r - 2, 0}}, solid); break;
+      case Mark::Disc:
+        disc(solid);
+        break;
+      case Mark::Circle:
+        disc(hollow);
+        break;
+      case Mark::Square:
+        polygon({{-r, -r}, {r, -r}, {r, r}, {-r, r}}, hollow);
+        break;
+      case Mark::Triangle:
+        polygon({{0, -r - 1}, {r + 1, r}, {-r - 1, r}}, hollow);
+        break;
+      case Mark::Diamond:
+        polygon({{0, -r - 2}, {r + 2, 0}, {0, r + 2}, {-r - 2, 0}}, solid);
+        break;
       case Mark::Cross:
-        path("M" + num(x - r) + " " + num(y - r) + "L" + num(x + r) + " " + num(y + r) + "M" + num(x - r) + " " + num(y + r) + "L" + num(x + r) + " " + num(y - r),
+        path("M" + num(x - r) + " " + num(y - r) + "L" + num(x + r) + " " + num(y + r) + "M" + num(x - r) +
+                 " " + num(y + r) + "L" + num(x + r) + " " + num(y - r),
              "class=\"mark\" fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"2.5\"");
         break;
     }
@@ -87,8 +130,11 @@ std::string power(int exponent) {
   return out;
 }
 
-void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, double x0, double x1, double y0, double y1) {
-  const std::string fine = "stroke=\"#ececec\" stroke-width=\"1\"", grid = "stroke=\"#cfcfcf\" stroke-width=\"1\"", frame = "stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
+void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, double x0, double x1,
+              double y0, double y1) {
+  const std::string fine = "stroke=\"#ececec\" stroke-width=\"1\"",
+                    grid = "stroke=\"#cfcfcf\" stroke-width=\"1\"",
+                    frame = "stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
   const auto minor = [&](const LogAxis& axis, auto&& draw) {
     if (axis.high() - axis.low() > 9) return;
     for (int e = int(axis.low()); e < int(axis.high()); ++e)
@@ -111,13 +157,15 @@ void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis
   svg.line(x0, y0, x0, y1, frame);
   if (y.cut()) {
     const double p = y.cutMiddle();
-    svg.path("M" + num(x0 - 7) + " " + num(p + 8) + "l14 -6M" + num(x0 - 7) + " " + num(p + 1) + "l14 -6", "stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"");
+    svg.path("M" + num(x0 - 7) + " " + num(p + 8) + "l14 -6M" + num(x0 - 7) + " " + num(p + 1) + "l14 -6",
+             "stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"");
     svg.line(x0 + 9, p, x1, p, "stroke=\"#8a8a8a\" stroke-width=\"1\" stroke-dasharray=\"1 5\"");
   }
   svg.text(x0, y0 - 14, panel.title, "start", "font-weight=\"bold\"");
   svg.text((x0 + x1) / 2, y1 + 44, panel.x_axis, "middle");
   const double mid = (y0 + y1) / 2;
-  svg.text(x0 - 58, mid, panel.y_axis, "middle", "transform=\"rotate(-90 " + num(x0 - 58) + " " + num(mid) + ")\"");
+  svg.text(x0 - 58, mid, panel.y_axis, "middle",
+           "transform=\"rotate(-90 " + num(x0 - 58) + " " + num(mid) + ")\"");
 }
 
 // Puts each label where it covers least: beside its mark first, then a little away with a thin line to it.
@@ -152,15 +200,18 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
       }
     taken.push_back(best);
     const double nx = std::clamp(place.x, best.x0, best.x1), ny = std::clamp(place.y, best.y0, best.y1);
-    if (std::hypot(nx - place.x, ny - place.y) > 14) svg.line(place.x, place.y, nx, ny, "stroke=\"#8a8a8a\" stroke-width=\"1\"");
+    if (std::hypot(nx - place.x, ny - place.y) > 14)
+      svg.line(place.x, place.y, nx, ny, "stroke=\"#8a8a8a\" stroke-width=\"1\"");
     const double middle = (best.x0 + best.x1) / 2;
-    svg.text(middle, best.y1 - 3, *place.label, "middle", "stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"");
+    svg.text(middle, best.y1 - 3, *place.label, "middle",
+             "stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"");
     svg.text(middle, best.y1 - 3, *place.label, "middle");
   }
 }
 
 void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
-  const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight, y0 = kTop, y1 = kTop + kPanelHeight - kBottom;
+  const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight, y0 = kTop,
+               y1 = kTop + kPanelHeight - kBottom;
   std::vector<double> xs, ys;
   for (const ChartSeries& s : panel.series)
     for (const ChartPoint& p : s.points)
@@ -171,8 +222,10 @@ void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
     if (!s.joined) continue;
     std::string d;
     for (const ChartPoint& p : s.points)
-      if (p.x > 0 && p.y > 0) d.append(d.empty() ? "M" : "L").append(num(x.at(p.x))).append(" ").append(num(y.at(p.y)));
-    svg.path(d, std::string("fill=\"none\" stroke=\"#5a5a5a\" stroke-width=\"1.6\"") + (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
+      if (p.x > 0 && p.y > 0)
+        d.append(d.empty() ? "M" : "L").append(num(x.at(p.x))).append(" ").append(num(y.at(p.y)));
+    svg.path(d, std::string("fill=\"none\" stroke=\"#5a5a5a\" stroke-width=\"1.6\"") +
+                    (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
   }
   for (const ChartSeries& s : panel.series)
     for (const ChartPoint& p : s.points)
@@ -182,7 +235,8 @@ void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
 
 }  // namespace
 
-std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note) {
+std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels,
+                     const std::string& note) {
   Svg svg;
   const double width = kPanelWidth * double(panels.size()), legend_y = kTop + kPanelHeight + 8;
   svg.text(kLeft, 34, title, "start", "font-size=\"19\" font-weight=\"bold\"");
@@ -195,7 +249,9 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
       if (s.name.empty() || std::find(named.begin(), named.end(), s.name) != named.end()) continue;
       named.push_back(s.name);
       if (s.joined)
-        svg.line(at - 10, legend_y - 5, at + 14, legend_y - 5, std::string("stroke=\"#5a5a5a\" stroke-width=\"1.6\"") + (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
+        svg.line(at - 10, legend_y - 5, at + 14, legend_y - 5,
+                 std::string("stroke=\"#5a5a5a\" stroke-width=\"1.6\"") +
+                     (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
       if (s.marked) svg.mark(s.mark, at + 2, legend_y - 5);
       svg.text(at + 20, legend_y, s.name, "start");
       at += (s.joined ? 62 : 46) + textWidth(s.name);
@@ -203,9 +259,12 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
   double height = legend_y + 18;
   if (!note.empty()) svg.text(kLeft, height += 10, note, "start", "font-size=\"12\" fill=\"#4a4a4a\"");
   height += 14;
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + num(width) + "\" height=\"" + num(height) + "\" viewBox=\"0 0 " + num(width) + " " +
-         num(height) + "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" fill=\"#1a1a1a\">\n<title>" +
-         escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + std::move(svg).take() + "</svg>\n";
+  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + num(width) + "\" height=\"" + num(height) +
+         "\" viewBox=\"0 0 " + num(width) + " " + num(height) +
+         "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" "
+         "fill=\"#1a1a1a\">\n<title>" +
+         escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
+         std::move(svg).take() + "</svg>\n";
 }
 
 }  // namespace moltact::bench

@@ -1,6 +1,7 @@
-// Draws charts with two logarithmic axes as SVG: black and greys with a mark's shape for its kind, so that they read in
-// black and white and by the colour-blind; labels beside the points that keep clear of each other. The text is plain
-// sans-serif; nothing is loaded from elsewhere. A gap of more than three decades in y is cut short and marked.
+// Draws charts with two logarithmic axes as SVG: black and greys with a mark's shape for its kind, so that
+// they read in black and white and by the colour-blind; labels beside the points that keep clear of each
+// other. The text is plain sans-serif; nothing is loaded from elsewhere. A gap of more than three decades in
+// y is cut short and marked.
 #pragma once
 
 #include <string>
@@ -16,11 +17,11 @@ struct ChartPoint {
 };
 
 struct ChartSeries {
-  std::string name;     ///< for the legend; empty: not in it
+  std::string name;  ///< for the legend; empty: not in it
   Mark mark = Mark::Disc;
   bool joined = false;  ///< a line from point to point
   bool dashed = false;
-  bool marked = true;   ///< draw the marks
+  bool marked = true;  ///< draw the marks
   std::vector<ChartPoint> points;
 };
 
@@ -30,6 +31,7 @@ struct ChartPanel {
 };
 
 /// The panels side by side under a title, the legend of all below them, and a note.
-std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note);
+std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels,
+                     const std::string& note);
 
 }  // namespace moltact::bench

@@ -23,17 +23,21 @@ Family familyOf(std::string_view method) {
 }
 
 template <class Error, class Best>
-ChartPanel tradeOffPanel(const std::vector<TradeOff>& points, std::string title, std::string y_axis, Error error, Best best) {
+ChartPanel tradeOffPanel(const std::vector<TradeOff>& points, std::string title, std::string y_axis,
+                         Error error, Best best) {
   ChartPanel panel{std::move(title), "mean time of one tick in contact (ns)", std::move(y_axis), {}};
   ChartSeries front{"best trade-offs", Mark::Disc, true, true, false, {}};
   for (const TradeOff& p : points) {
     const Family family = familyOf(p.method->name);
-    auto series = std::find_if(panel.series.begin(), panel.series.end(), [&](const ChartSeries& s) { return s.name == family.name; });
-    if (series == panel.series.end()) series = panel.series.insert(series, ChartSeries{family.name, family.mark, false, false, true, {}});
+    auto series = std::find_if(panel.series.begin(), panel.series.end(),
+                               [&](const ChartSeries& s) { return s.name == family.name; });
+    if (series == panel.series.end())
+      series = panel.series.insert(series, ChartSeries{family.name, family.mark, false, false, true, {}});
     series->points.push_back({p.tick_ns, error(p), std::string(p.method->name)});
     if (best(p)) front.points.push_back({p.tick_ns, error(p), ""});
   }
-  std::sort(front.points.begin(), front.points.end(), [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; });
+  std::sort(front.points.begin(), front.points.end(),
+            [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; });
   panel.series.insert(panel.series.begin(), std::move(front));
   return panel;
 }
@@ -42,25 +46,33 @@ ChartPanel tradeOffPanel(const std::vector<TradeOff>& points, std::string title,
 
 std::string tradeOffChart(const std::vector<TradeOff>& points, std::size_t spheres) {
   return chartSvg("Speed against accuracy, sliding over " + readable(double(spheres)) + " spheres",
-                  {tradeOffPanel(points, "Where the surface is", "error of the SCP, rms (Å)", [](const TradeOff& p) { return p.accuracy.scp_A.rms; },
-                                 [](const TradeOff& p) { return p.best_scp; }),
-                   tradeOffPanel(points, "Which way it pushes", "error of the force's direction, rms (degrees)",
-                                 [](const TradeOff& p) { return p.accuracy.direction_deg.rms; }, [](const TradeOff& p) { return p.best_direction; })},
-                  "Left and down is better. Errors against exact; those of exact against the brute-force oracle. moltact bench chart");
+                  {tradeOffPanel(
+                       points, "Where the surface is", "error of the SCP, rms (Å)",
+                       [](const TradeOff& p) { return p.accuracy.scp_A.rms; },
+                       [](const TradeOff& p) { return p.best_scp; }),
+                   tradeOffPanel(
+                       points, "Which way it pushes", "error of the force's direction, rms (degrees)",
+                       [](const TradeOff& p) { return p.accuracy.direction_deg.rms; },
+                       [](const TradeOff& p) { return p.best_direction; })},
+                  "Left and down is better. Errors against exact; those of exact against the brute-force "
+                  "oracle. moltact bench chart");
 }
 
 std::string sizeChart(const std::vector<SceneTimes>& times) {
   // A line for each kind would be thirteen; these stand for their kinds.
   constexpr std::array<std::string_view, 5> kShown{"exact", "paper", "mesh960", "grid04", "penalty"};
-  ChartPanel memory{"Memory of the method after sliding", "atoms loaded", "bytes", {}}, ready{"Until the scene can be touched", "atoms loaded", "milliseconds", {}};
+  ChartPanel memory{"Memory of the method after sliding", "atoms loaded", "bytes", {}},
+      ready{"Until the scene can be touched", "atoms loaded", "milliseconds", {}};
   for (const std::string_view name : kShown) {
     const Family family = familyOf(name);
     ChartSeries bytes{std::string(name), family.mark, true, name != "exact", true, {}}, ms = bytes;
     for (const SceneTimes& scene : times)
       for (const TickTimes& row : scene.contact) {
         if (row.method->name != name) continue;
-        bytes.points.push_back({double(scene.spheres), double(row.footprint.bytes), readable(double(row.footprint.atoms_modelled)) + " modelled"});
-        ms.points.push_back({double(scene.spheres), 1e3 * (scene.scene_s + row.make_s + row.first_touch_s), ""});
+        bytes.points.push_back({double(scene.spheres), double(row.footprint.bytes),
+                                readable(double(row.footprint.atoms_modelled)) + " modelled"});
+        ms.points.push_back(
+            {double(scene.spheres), 1e3 * (scene.scene_s + row.make_s + row.first_touch_s), ""});
       }
     const auto by_size = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
     std::sort(bytes.points.begin(), bytes.points.end(), by_size);
@@ -68,15 +80,18 @@ std::string sizeChart(const std::vector<SceneTimes>& times) {
     // Where points crowd, the first of them is labelled.
     double labelled = 0;
     for (ChartPoint& p : bytes.points) {
-      if (name != "exact" || p.x < 8 * labelled) p.label.clear();
-      else labelled = p.x;
+      if (name != "exact" || p.x < 8 * labelled)
+        p.label.clear();
+      else
+        labelled = p.x;
     }
     if (bytes.points.empty()) continue;
     memory.series.push_back(std::move(bytes));
     ready.series.push_back(std::move(ms));
   }
   return chartSvg("No more than a scene needs: memory and ready time against its size", {memory, ready},
-                  "\"modelled\": atoms for which exact holds more than centre and radius, of those loaded. moltact bench tables");
+                  "\"modelled\": atoms for which exact holds more than centre and radius, of those loaded. "
+                  "moltact bench tables");
 }
 
 }  // namespace moltact::bench

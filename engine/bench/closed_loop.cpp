@@ -15,7 +15,8 @@ ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& cont
 }
 
 ClosedLoop::ClosedLoop(const LoopSettings& settings, PointA start)
-    : settings_(settings), device_(settings.device, settings.hand, settings.workspace.toDevice(start)),
+    : settings_(settings),
+      device_(settings.device, settings.hand, settings.workspace.toDevice(start)),
       place_mm_(device_.position().mm) {}
 
 LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
@@ -42,12 +43,15 @@ LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   const Vec3 moved_m = 1e-3 * (here - place_mm_);
   observer_.add(device_.held().N, moved_m, 0.5 * k * stretch_m * stretch_m);
 
-  // The held force is that of a place as far off as the device has moved since it was read, and of the rounding.
+  // The held force is that of a place as far off as the device has moved since it was read, and of the
+  // rounding.
   recent_m_.push_back(glm::length(moved_m));
-  if (recent_m_.size() > static_cast<std::size_t>(settings_.device.delay_ticks) + 1) recent_m_.erase(recent_m_.begin());
+  if (recent_m_.size() > static_cast<std::size_t>(settings_.device.delay_ticks) + 1)
+    recent_m_.erase(recent_m_.begin());
   double off_m = 0.87e-3 * settings_.device.resolution_mm;
   for (const double m : recent_m_) off_m += m;
-  if (out.contact.touching() || glm::length(device_.held().N) > 0) sampling_ += k * off_m * glm::length(moved_m);
+  if (out.contact.touching() || glm::length(device_.held().N) > 0)
+    sampling_ += k * off_m * glm::length(moved_m);
   place_mm_ = here;
   return out;
 }

@@ -1,5 +1,5 @@
-// Hand, device and tracker in a loop on a virtual clock: what a person would do to a method and it to the person.
-// Units: angstrom in the molecule, millimetre and newton at the hand, joule.
+// Hand, device and tracker in a loop on a virtual clock: what a person would do to a method and it to the
+// person. Units: angstrom in the molecule, millimetre and newton at the hand, joule.
 #pragma once
 
 #include "engine/bench/device_model.h"
@@ -18,15 +18,15 @@ struct LoopSettings {
 /// What the servo loop does with a tick; all but Normal are faults that a real machine shows.
 enum class TickKind : std::uint8_t {
   Normal,
-  Lost,     ///< the program misses the tick: the device holds the last command
-  Doubled,  ///< the program runs twice on one reading
+  Lost,        ///< the program misses the tick: the device holds the last command
+  Doubled,     ///< the program runs twice on one reading
   NotANumber,  ///< the reading is NaN
 };
 
 struct LoopTick {
-  PointA hip;       ///< as read, even where the program was given NaN
-  Contact contact;  ///< the last answer
-  ForceN force;     ///< as commanded, cut to the device's greatest
+  PointA hip;           ///< as read, even where the program was given NaN
+  Contact contact;      ///< the last answer
+  ForceN force;         ///< as commanded, cut to the device's greatest
   bool stepped = true;  ///< false on a lost tick
 };
 
@@ -35,17 +35,20 @@ class ClosedLoop {
   /// The device begins at rest at `start`.
   ClosedLoop(const LoopSettings& settings, PointA start);
 
-  /// One tick: reads the device, steps the tracker, commands the force, moves the device with the hand led to `target`.
+  /// One tick: reads the device, steps the tracker, commands the force, moves the device with the hand led to
+  /// `target`.
   LoopTick tick(Tracker& tracker, PointA target, TickKind kind = TickKind::Normal);
 
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }
 
-  /// Energy that came out of nothing at the device: the method's and what sampling, delay and rounding add (unit: J).
+  /// Energy that came out of nothing at the device: the method's and what sampling, delay and rounding add
+  /// (unit: J).
   double made_J() const { return observer_.made_J(); }
 
-  /// The most that sampling, delay and rounding could have made with any surface whose force changes by no more than the
-  /// stiffness times the way moved, as a plain wall's does (unit: J): sum of K |dx| (way since the reading + rounding).
+  /// The most that sampling, delay and rounding could have made with any surface whose force changes by no
+  /// more than the stiffness times the way moved, as a plain wall's does (unit: J): sum of K |dx| (way since
+  /// the reading + rounding).
   double samplingBound_J() const { return sampling_; }
 
  private:

@@ -28,8 +28,10 @@ Vec3 DeviceModel::acceleration(const Vec3& x, const Vec3& v, const Vec3& target,
 void DeviceModel::tick(ForceN command, PointMm target) {
   Vec3 force = command.N;
   const double size = glm::length(force);
-  if (!std::isfinite(size)) force = Vec3(0.0);
-  else if (size > device_.max_force_N) force *= device_.max_force_N / size;
+  if (!std::isfinite(size))
+    force = Vec3(0.0);
+  else if (size > device_.max_force_N)
+    force *= device_.max_force_N / size;
   held_ = force;
   if (!queue_.empty()) {
     std::swap(held_, queue_[next_]);

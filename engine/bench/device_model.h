@@ -1,10 +1,13 @@
-// A force-feedback stylus in a hand, simulated: what closes the loop round a method without hardware. Deterministic, on
-// a virtual clock; figures of the Phantom Omni class. Units: millimetre outside, SI inside; newton, second.
+// A force-feedback stylus in a hand, simulated: what closes the loop round a method without hardware.
+// Deterministic, on a virtual clock; figures of the Phantom Omni class. Units: millimetre outside, SI inside;
+// newton, second.
 //
-//   m x'' = F_held + F_hand - b x' - f_c tanh(|x'| / v_0) x'/|x'|,   F_hand = k_h (target - x) + b_h (target' - x')
+//   m x'' = F_held + F_hand - b x' - f_c tanh(|x'| / v_0) x'/|x'|,   F_hand = k_h (target - x) + b_h (target'
+//   - x')
 //
-// F_held is the command of `delay_ticks` ago, cut to max_force_N and held through a tick (zero-order hold); what the
-// program sees of x is rounded to `resolution_mm` on each axis. Fourth-order Runge-Kutta in `substeps` a tick.
+// F_held is the command of `delay_ticks` ago, cut to max_force_N and held through a tick (zero-order hold);
+// what the program sees of x is rounded to `resolution_mm` on each axis. Fourth-order Runge-Kutta in
+// `substeps` a tick.
 #pragma once
 
 #include <vector>
@@ -20,7 +23,7 @@ struct DeviceParameters {
   double friction_speed_m_per_s = 0.01;  ///< v_0: friction is full from about twice this speed
   double resolution_mm = 0.055;          ///< 0: not rounded
   double max_force_N = 3.3;
-  int delay_ticks = 1;                   ///< 0 to 100
+  int delay_ticks = 1;  ///< 0 to 100
   double tick_s = 0.001;
   int substeps = 10;
 };
@@ -42,7 +45,8 @@ class DeviceModel {
   PointMm position() const { return {1e3 * x_}; }
   Vec3 velocity_m_per_s() const { return v_; }
 
-  /// One tick: takes the program's command (non-finite gives none) and leads the hand evenly to `target` meanwhile.
+  /// One tick: takes the program's command (non-finite gives none) and leads the hand evenly to `target`
+  /// meanwhile.
   void tick(ForceN command, PointMm target);
 
   /// The force that was held during the last tick (unit: newton).

@@ -14,7 +14,8 @@ namespace {
 constexpr double kDepth_A = 0.6, kStep_A = 0.02;
 
 // A circle of places, once round, started after a straight way in from `outside`.
-FeelPath round(std::string name, scenes::Scene scene, Vec3 centre, Vec3 u, Vec3 w, double radius, Vec3 outside) {
+FeelPath round(std::string name, scenes::Scene scene, Vec3 centre, Vec3 u, Vec3 w, double radius,
+               Vec3 outside) {
   FeelPath path{std::move(name), std::move(scene), {}, {}};
   const int ticks = static_cast<int>(2 * std::numbers::pi * radius / kStep_A);
   const Vec3 first = centre + u * radius;
@@ -33,20 +34,24 @@ std::vector<FeelPath> feelPaths() {
   const scenes::Scene one = scenes::oneBall();
   const double R = one.balls[0].radius_A + one.probe_A;
   // A plane in no relation to any mesh's own axes.
-  const Vec3 u = glm::normalize(Vec3(0.8, 0.5, -0.33)), w = glm::normalize(glm::cross(u, Vec3(0.2, 0.9, 0.4)));
+  const Vec3 u = glm::normalize(Vec3(0.8, 0.5, -0.33)),
+             w = glm::normalize(glm::cross(u, Vec3(0.2, 0.9, 0.4)));
   out.push_back(round("one sphere", one, Vec3(0), u, w, R - kDepth_A, u * (R + 0.5)));
 
   const scenes::Scene bond = scenes::bond();
-  const double a = bond.balls[0].radius_A + bond.probe_A, b = bond.balls[1].radius_A + bond.probe_A, d = bond.balls[1].centre_A.x;
+  const double a = bond.balls[0].radius_A + bond.probe_A, b = bond.balls[1].radius_A + bond.probe_A,
+               d = bond.balls[1].centre_A.x;
   const double x = (d * d - b * b + a * a) / (2 * d), circle = std::sqrt(a * a - x * x);
-  out.push_back(round("crease", bond, Vec3(x, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), circle - kDepth_A, Vec3(x, circle + 0.5, 0)));
+  out.push_back(round("crease", bond, Vec3(x, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), circle - kDepth_A,
+                      Vec3(x, circle + 0.5, 0)));
 
   const scenes::Scene pit = scenes::pit();
   const double p = pit.balls[0].radius_A + pit.probe_A, side = pit.balls[1].centre_A.x;
   const Vec3 middle(side / 2, side * std::sqrt(3.0) / 6, 0);
   const double height = std::sqrt(p * p - side * side / 3);
   // Wide enough to climb out of the point onto circles and spheres and back.
-  out.push_back(round("pit", pit, middle + Vec3(0, 0, height - kDepth_A), Vec3(1, 0, 0), Vec3(0, 1, 0), 0.5, middle + Vec3(0.5, 0, height + 1.5)));
+  out.push_back(round("pit", pit, middle + Vec3(0, 0, height - kDepth_A), Vec3(1, 0, 0), Vec3(0, 1, 0), 0.5,
+                      middle + Vec3(0.5, 0, height + 1.5)));
   return out;
 }
 
@@ -70,20 +75,30 @@ std::vector<Feel> measureFeel(const std::vector<const Method*>& methods) {
         lost += !c.touching();
         last = pull;
       }
-      out.push_back({path.name, method, spreadOf(std::move(turn)), spreadOf(std::move(change)), double(lost) / double(path.counted.size())});
+      out.push_back({path.name, method, spreadOf(std::move(turn)), spreadOf(std::move(change)),
+                     double(lost) / double(path.counted.size())});
     }
   }
   return out;
 }
 
 ReportTable feelTable(const std::vector<Feel>& rows) {
-  ReportTable t{"feel", "What a fingertip would notice: change of the force from tick to tick",
-                {{"path", "path"}, {"method", "method"}, {"turn_p50_deg", "turn, median (deg)"}, {"turn_p99_deg", "turn, p99 (deg)"},
-                 {"turn_max_deg", "turn, max (deg)"}, {"change_p99_A", "change, p99 (A)"}, {"change_max_A", "change, max (A)"},
-                 {"lost_percent", "contact lost (%)"}}, {},
-                "Times the stiffness of the spring, the change is the step of the force. A true sphere turns the force evenly."};
+  ReportTable t{"feel",
+                "What a fingertip would notice: change of the force from tick to tick",
+                {{"path", "path"},
+                 {"method", "method"},
+                 {"turn_p50_deg", "turn, median (deg)"},
+                 {"turn_p99_deg", "turn, p99 (deg)"},
+                 {"turn_max_deg", "turn, max (deg)"},
+                 {"change_p99_A", "change, p99 (A)"},
+                 {"change_max_A", "change, max (A)"},
+                 {"lost_percent", "contact lost (%)"}},
+                {},
+                "Times the stiffness of the spring, the change is the step of the force. A true sphere turns "
+                "the force evenly."};
   for (const Feel& f : rows)
-    t.rows.push_back({f.path, std::string(f.method->name), f.turn_deg.p50, f.turn_deg.p99, f.turn_deg.max, f.change_A.p99, f.change_A.max, 100 * f.lost});
+    t.rows.push_back({f.path, std::string(f.method->name), f.turn_deg.p50, f.turn_deg.p99, f.turn_deg.max,
+                      f.change_A.p99, f.change_A.max, 100 * f.lost});
   return t;
 }
 

@@ -10,9 +10,11 @@ namespace moltact::bench {
 
 class LogAxis {
  public:
-  /// Covers the values above zero with a margin, drawn from `begin` to `end` (unit: pixel). Where two neighbours are
-  /// more than three decades apart and `may_cut`, what lies between is cut to one decade's length.
-  LogAxis(const std::vector<double>& values, double begin, double end, bool may_cut) : begin_(begin), end_(end) {
+  /// Covers the values above zero with a margin, drawn from `begin` to `end` (unit: pixel). Where two
+  /// neighbours are more than three decades apart and `may_cut`, what lies between is cut to one decade's
+  /// length.
+  LogAxis(const std::vector<double>& values, double begin, double end, bool may_cut)
+      : begin_(begin), end_(end) {
     std::vector<double> logs;
     for (const double v : values)
       if (v > 0 && std::isfinite(v)) logs.push_back(std::log10(v));
@@ -47,8 +49,10 @@ class LogAxis {
   double length() const { return high_ - low_ - (cut() ? cut_to_ - cut_from_ - 1 : 0); }
   double atLog(double log) const {
     double past = log - low_;
-    if (cut() && log >= cut_to_) past -= cut_to_ - cut_from_ - 1;
-    else if (cut() && log > cut_from_) past = cut_from_ - low_ + (log - cut_from_) / (cut_to_ - cut_from_);
+    if (cut() && log >= cut_to_)
+      past -= cut_to_ - cut_from_ - 1;
+    else if (cut() && log > cut_from_)
+      past = cut_from_ - low_ + (log - cut_from_) / (cut_to_ - cut_from_);
     return begin_ + (end_ - begin_) * past / length();
   }
 

@@ -1,10 +1,10 @@
 // A brute-force god-object on a union of balls, against which the trackers are judged in tests and benches;
-// slow on purpose. The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside
-// every ball's interior (ball i has radius R_i = radius + probe), until it rests or reaches the HIP h. How it
-// differs from a tracker: long double throughout, every ball looked at in a loop, no neighbour lists, no
-// closed form for where a path enters a ball (sign changes are bracketed and halved), the balls that hold the
-// point found by trying every set of up to three touching ones, and four companions whose HIPs are 1e-9 A
-// away that tell whether the answer hangs by a thread. Units: angstrom.
+// slow on purpose. The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying
+// outside every ball's interior (ball i has radius R_i = radius + probe), until it rests or reaches the HIP
+// h. How it differs from a tracker: long double throughout, every ball looked at in a loop, no neighbour
+// lists, no closed form for where a path enters a ball (sign changes are bracketed and halved), the balls
+// that hold the point found by trying every set of up to three touching ones, and four companions whose HIPs
+// are 1e-9 A away that tell whether the answer hangs by a thread. Units: angstrom.
 #pragma once
 
 #include <array>

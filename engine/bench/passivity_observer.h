@@ -1,9 +1,10 @@
-// A passivity observer after Hannaford & Ryu (2002): how much energy a virtual thing has given that it never got.
-// Units: joule, newton, metre. Plain arithmetic, usable on every thread.
+// A passivity observer after Hannaford & Ryu (2002): how much energy a virtual thing has given that it never
+// got. Units: joule, newton, metre. Plain arithmetic, usable on every thread.
 //
-// Absorbed energy is -sum(F . dx), F the force on the device. A spring gives back what it has stored, so the energy made
-// out of nothing is the greatest rise of (stored - absorbed) over its lowest value so far: a passive thing lets it only
-// fall. Without a known store (stored = 0 whenever nothing touches) the observer is the published one at each release.
+// Absorbed energy is -sum(F . dx), F the force on the device. A spring gives back what it has stored, so the
+// energy made out of nothing is the greatest rise of (stored - absorbed) over its lowest value so far: a
+// passive thing lets it only fall. Without a known store (stored = 0 whenever nothing touches) the observer
+// is the published one at each release.
 #pragma once
 
 #include <algorithm>

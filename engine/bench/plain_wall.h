@@ -1,5 +1,6 @@
-// The plainest thing that can be touched: the half-space z < 0, all of it matter. What the sampled device makes of energy
-// and shaking on this wall no method can be blamed for. Units: angstrom. Safe on the haptic thread.
+// The plainest thing that can be touched: the half-space z < 0, all of it matter. What the sampled device
+// makes of energy and shaking on this wall no method can be blamed for. Units: angstrom. Safe on the haptic
+// thread.
 #pragma once
 
 #include <algorithm>
@@ -14,8 +15,10 @@ class PlainWall final : public Tracker {
   Contact step(PointA hip) noexcept override {
     Contact c;
     c.scp = hip;
-    if (!std::isfinite(hip.A.x + hip.A.y + hip.A.z)) c.fault = Fault::NotFinite;
-    else if (hip.A.z < 0) c.scp.A.z = 0, c.feature = Feature::Sphere;
+    if (!std::isfinite(hip.A.x + hip.A.y + hip.A.z))
+      c.fault = Fault::NotFinite;
+    else if (hip.A.z < 0)
+      c.scp.A.z = 0, c.feature = Feature::Sphere;
     return c;
   }
   void reset() noexcept override {}

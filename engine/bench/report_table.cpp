@@ -15,11 +15,13 @@ std::string shown(const Cell& cell) {
 
 // Width in characters, not bytes.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 bool isNumbers(const ReportTable& table, std::size_t column) {
-  return std::any_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return std::holds_alternative<double>(row[column]); });
+  return std::any_of(table.rows.begin(), table.rows.end(),
+                     [&](const auto& row) { return std::holds_alternative<double>(row[column]); });
 }
 
 std::string padded(const std::string& text, std::size_t to, bool right) {
@@ -41,7 +43,8 @@ std::string readable(double value) {
   }
   if (value == std::floor(value) && size < 1e13) std::snprintf(digits, sizeof digits, "%.0f", value);
   const int whole = static_cast<int>(std::floor(std::log10(size) + 2e-3)) + 1;  // 99.97 reads 100
-  if (value != std::floor(value)) std::snprintf(digits, sizeof digits, "%.*f", std::clamp(3 - whole, 0, 6), value);
+  if (value != std::floor(value))
+    std::snprintf(digits, sizeof digits, "%.*f", std::clamp(3 - whole, 0, 6), value);
   std::string out = digits;
   const std::size_t dot = std::min(out.find('.'), out.size()), first = value < 0 ? 1 : 0;
   for (std::size_t at = dot; at > first + 3;) out.insert(at -= 3, " ");
@@ -58,7 +61,8 @@ std::string toConsole(const ReportTable& table) {
   std::string out = table.title + '\n';
   const auto line = [&](auto&& text) {
     std::string one;
-    for (std::size_t c = 0; c < table.columns.size(); ++c) one.append("  ").append(padded(text(c), widths[c], isNumbers(table, c)));
+    for (std::size_t c = 0; c < table.columns.size(); ++c)
+      one.append("  ").append(padded(text(c), widths[c], isNumbers(table, c)));
     while (one.ends_with(' ')) one.pop_back();
     out += one + '\n';
   };
@@ -79,7 +83,8 @@ std::string toMarkdown(const ReportTable& table) {
     out += '|';
     for (const Cell& cell : row) {
       std::string text = shown(cell);
-      for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
+      for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
+        text.insert(at, 1, '\\');
       out.append(1, ' ').append(text).append(" |");
     }
     out += '\n';
@@ -96,7 +101,8 @@ std::string toCsv(const ReportTable& table) {
     return quoted + '"';
   };
   std::string out;
-  for (std::size_t c = 0; c < table.columns.size(); ++c) out.append(c ? "," : "").append(field(table.columns[c].name));
+  for (std::size_t c = 0; c < table.columns.size(); ++c)
+    out.append(c ? "," : "").append(field(table.columns[c].name));
   out += '\n';
   for (const auto& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
@@ -113,17 +119,20 @@ std::string toCsv(const ReportTable& table) {
   return out;
 }
 
-ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value, std::string name, std::string title) {
+ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value,
+                      std::string name, std::string title) {
   ReportTable out{std::move(name), std::move(title), table.columns, {}, table.note};
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     if (table.columns[c].name != column) continue;
     for (const auto& row : table.rows)
-      if (const auto* text = std::get_if<std::string>(&row[c]); text && *text == value) out.rows.push_back(row);
+      if (const auto* text = std::get_if<std::string>(&row[c]); text && *text == value)
+        out.rows.push_back(row);
   }
   return out;
 }
 
-std::string replacedBetweenMarkers(const std::string& text, const std::string& name, const std::string& content) {
+std::string replacedBetweenMarkers(const std::string& text, const std::string& name,
+                                   const std::string& content) {
   const std::size_t begin = text.find("<!-- " + name + ":begin");
   const std::size_t end = text.find("<!-- " + name + ":end -->");
   if (begin == std::string::npos || end == std::string::npos || end < begin) return text;

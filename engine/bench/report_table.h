@@ -1,4 +1,5 @@
-// A table of results with its units, and the forms it is written in: console, CSV, Markdown, JSON. Not for the haptic thread.
+// A table of results with its units, and the forms it is written in: console, CSV, Markdown, JSON. Not for
+// the haptic thread.
 #pragma once
 
 #include <string>
@@ -20,7 +21,7 @@ struct ReportTable {
   std::string title;  ///< one sentence above the table
   std::vector<Column> columns;
   std::vector<std::vector<Cell>> rows;  ///< each as long as `columns`
-  std::string note;   ///< below the table; may be empty
+  std::string note;                     ///< below the table; may be empty
 };
 
 /// Three significant digits, thousands set apart, 1e-13 where small: for people, not for programs.
@@ -35,12 +36,14 @@ std::string toCsv(const ReportTable& table);
 /// {"command": …, "tables": {name: {"title", "note", "rows": [{column: value}]}}}; nothing is null.
 std::string toJson(const std::vector<ReportTable>& tables, const std::string& command);
 
-/// The rows whose text in the column of that name is `value`, under another name and title; no rows where there is no such
-/// column.
-ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value, std::string name, std::string title);
+/// The rows whose text in the column of that name is `value`, under another name and title; no rows where
+/// there is no such column.
+ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value,
+                      std::string name, std::string title);
 
-/// `text` with what stands between the lines "<!-- name:begin" … and "<!-- name:end -->" replaced by `content`;
-/// the text unchanged where the markers are not there.
-std::string replacedBetweenMarkers(const std::string& text, const std::string& name, const std::string& content);
+/// `text` with what stands between the lines "<!-- name:begin" … and "<!-- name:end -->" replaced by
+/// `content`; the text unchanged where the markers are not there.
+std::string replacedBetweenMarkers(const std::string& text, const std::string& name,
+                                   const std::string& content);
 
 }  // namespace moltact::bench

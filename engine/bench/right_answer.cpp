@@ -3,8 +3,10 @@
 namespace moltact::bench {
 
 RightAnswer::RightAnswer(const scenes::Scene& scene, bool by_oracle) : scene_(scene) {
-  if (by_oracle) oracle_.emplace(scene.balls, scene.probe_A);
-  else exact_.emplace(std::make_shared<const BallScene>(scene.balls), scene.probe_A);
+  if (by_oracle)
+    oracle_.emplace(scene.balls, scene.probe_A);
+  else
+    exact_.emplace(std::make_shared<const BallScene>(scene.balls), scene.probe_A);
 }
 
 RightAnswer::Answer RightAnswer::step(const Vec3& hip, const Contact& given) {
@@ -13,7 +15,8 @@ RightAnswer::Answer RightAnswer::step(const Vec3& hip, const Contact& given) {
     return {c.touching(), c.touching() ? c.scp.A : hip, true};
   }
   if (moved_) {
-    // How a growing surface carries the SCP is not the oracle's business; it goes on from where it was carried.
+    // How a growing surface carries the SCP is not the oracle's business; it goes on from where it was
+    // carried.
     moved_ = false;
     if (given.fault == Fault::None) oracle_->place(given.scp.A);
     return {given.touching(), given.scp.A, false};
@@ -35,8 +38,10 @@ void RightAnswer::setProbe(double probe_A) {
 
 void RightAnswer::swap(const scenes::Scene& scene) {
   scene_ = scene;
-  if (exact_) exact_.emplace(std::make_shared<const BallScene>(scene.balls), scene.probe_A);
-  else oracle_.emplace(scene.balls, scene.probe_A);
+  if (exact_)
+    exact_.emplace(std::make_shared<const BallScene>(scene.balls), scene.probe_A);
+  else
+    oracle_.emplace(scene.balls, scene.probe_A);
   moved_ = false;
 }
 

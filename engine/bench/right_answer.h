@@ -1,5 +1,5 @@
-// What the SCP ought to be, tick by tick, for judging a method: exact's answer, and for exact itself the brute-force
-// oracle's. Units: angstrom.
+// What the SCP ought to be, tick by tick, for judging a method: exact's answer, and for exact itself the
+// brute-force oracle's. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ class RightAnswer {
 
   struct Answer {
     bool touching = false;
-    Vec3 scp_A{0.0};  ///< the HIP when not touching
+    Vec3 scp_A{0.0};    ///< the HIP when not touching
     bool known = true;  ///< false where two outcomes are right, or where the surface itself has just moved
   };
 

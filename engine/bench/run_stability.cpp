@@ -22,13 +22,15 @@ Vec3 middleOf(const scenes::Scene& scene) {
   return 0.5 * (low + high);
 }
 
-// Peak to peak about the straight line through the places: against friction a hand settles slowly, and that is no shaking.
+// Peak to peak about the straight line through the places: against friction a hand settles slowly, and that
+// is no shaking.
 double shaking_mm(const std::vector<Vec3>& places) {
   if (places.size() < 3) return 0;
   const double n = double(places.size()), mid = (n - 1) / 2;
   Vec3 mean(0.0), slope(0.0);
   for (const Vec3& p : places) mean += p / n;
-  for (std::size_t k = 0; k < places.size(); ++k) slope += (places[k] - mean) * ((double(k) - mid) * 12 / (n * (n * n - 1)));
+  for (std::size_t k = 0; k < places.size(); ++k)
+    slope += (places[k] - mean) * ((double(k) - mid) * 12 / (n * (n * n - 1)));
   Vec3 low(1e300), high(-1e300);
   for (std::size_t k = 0; k < places.size(); ++k) {
     const Vec3 off = places[k] - mean - slope * (double(k) - mid);
@@ -53,7 +55,8 @@ class Judge {
       return;
     }
     const double inside = oracle::deepest(now.balls, now.probe_A, hip);
-    if (c.touching()) out_.penetration_A = std::max(out_.penetration_A, oracle::deepest(now.balls, now.probe_A, c.scp.A));
+    if (c.touching())
+      out_.penetration_A = std::max(out_.penetration_A, oracle::deepest(now.balls, now.probe_A, c.scp.A));
     if (right.known) {
       const double held_away = right.touching ? glm::distance(right.scp_A, hip) : 0.0;
       out_.contact_ticks += right.touching;
@@ -73,7 +76,8 @@ class Judge {
     const ForceN full = springForce(loop_, {hip}, c, std::numeric_limits<double>::infinity());
     const double k = 1e3 * loop_.stiffness_N_per_mm;
     if (out_.ticks > 1) {
-      const Vec3 moved_m = 1e-3 * (loop_.workspace.toDevice({hip}).mm - loop_.workspace.toDevice({last_hip_}).mm);
+      const Vec3 moved_m =
+          1e-3 * (loop_.workspace.toDevice({hip}).mm - loop_.workspace.toDevice({last_hip_}).mm);
       const double stored = glm::dot(full.N, full.N) / (2 * k);
       energy_.add(0.5 * (full.N + last_full_), moved_m, stored);
     }
@@ -95,7 +99,8 @@ class Judge {
       out_.step_over_N = std::max(out_.step_over_N, step(force_, k) - true_step);
     }
     out_.jitter_mm = shaking_mm(held_mm);
-    if (check_energy_) out_.energy_J = energy_.made_J(), out_.loop_energy_J = loop_energy_J, out_.sampling_J = sampling_J;
+    if (check_energy_)
+      out_.energy_J = energy_.made_J(), out_.loop_energy_J = loop_energy_J, out_.sampling_J = sampling_J;
     return out_;
   }
 
@@ -151,10 +156,12 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
     judge.tick(now, tick.hip.A, tick.contact, right.step(tick.hip.A, tick.contact));
     if (k + scene.held_ticks / 2 >= scene.script.size()) held_mm.push_back(device.device().position().mm);
   }
-  return judge.result(device.made_J(), device.samplingBound_J(), scene.hand && scene.held_ticks ? held_mm : std::vector<Vec3>{});
+  return judge.result(device.made_J(), device.samplingBound_J(),
+                      scene.hand && scene.held_ticks ? held_mm : std::vector<Vec3>{});
 }
 
-double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, const StabilityScene::Press& press, LoopSettings loop) {
+double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make,
+                      const StabilityScene::Press& press, LoopSettings loop) {
   loop.hand = {100, 2};
   loop.workspace.centre_A = press.from;
   const auto rests = [&](double stiffness) {
@@ -198,7 +205,8 @@ std::vector<StabilityResult> measureStability(const StabilityOptions& options, c
       StabilityResult one = runScene(scene, *method, options.loop);
       if (options.stiffness && scene.press) {
         const auto balls = std::make_shared<const BallScene>(scene.scene.balls);
-        one.stiffest_N_per_mm = stiffestStable([&] { return method->make(balls, scene.scene.probe_A); }, *scene.press, options.loop);
+        one.stiffest_N_per_mm = stiffestStable([&] { return method->make(balls, scene.scene.probe_A); },
+                                               *scene.press, options.loop);
       }
       out.push_back(std::move(one));
     }

@@ -24,7 +24,8 @@ class Script {
     return *this;
   }
   /// Along the circle centre + radius (u cos t + w sin t), from turn `from` to turn `to` (unit: whole turns).
-  Script& arc(const Vec3& centre, const Vec3& u, const Vec3& w, double radius, double from, double to, double step_A = 0.008) {
+  Script& arc(const Vec3& centre, const Vec3& u, const Vec3& w, double radius, double from, double to,
+              double step_A = 0.008) {
     const double angle = 6.283185307179586 * (to - from);
     const int n = std::max(1, static_cast<int>(std::ceil(std::abs(angle) * radius / step_A)));
     for (int k = 1; k <= n; ++k) {

@@ -39,11 +39,16 @@ std::vector<StabilityScene> creases() {
   const Vec3 middle(x, 0, 0);
 
   StabilityScene along{"crease, along", "Does the force stay even along the seam of two spheres?", bond};
-  along.script = Script(middle + kY * (r + 0.5)).to(middle + kY * (r - 0.7)).arc(middle, kY, kZ, r - 0.7, 0, 1).hold(kHeld).ticks;
+  along.script = Script(middle + kY * (r + 0.5))
+                     .to(middle + kY * (r - 0.7))
+                     .arc(middle, kY, kZ, r - 0.7, 0, 1)
+                     .hold(kHeld)
+                     .ticks;
   along.held_ticks = kHeld;
   along.press = {{middle + kY * (r + 0.3), middle + kY * (r - 1.0)}};
 
-  StabilityScene across{"crease, across", "Does the SCP pass from sphere to circle to sphere without a jump?", bond};
+  StabilityScene across{"crease, across", "Does the SCP pass from sphere to circle to sphere without a jump?",
+                        bond};
   Script over(middle + kY * (r + 0.6) - kX);
   for (int k = 0; k < 4; ++k) over.to(middle + kY * (r - 0.8) - kX).to(middle + kY * (r - 0.8) + kX);
   across.script = over.hold(kHeld).ticks;
@@ -55,11 +60,16 @@ StabilityScene pit() {
   const scenes::Scene scene = scenes::pit();
   const double side = scene.balls[1].centre_A.x, R = inflated(scene, 0);
   const Vec3 bottom(side / 2, side * std::sqrt(3.0) / 6, std::sqrt(R * R - side * side / 3));
-  StabilityScene out{"pit of three", "Does the SCP rest in the point and leave it over the right circle?", scene};
+  StabilityScene out{"pit of three", "Does the SCP rest in the point and leave it over the right circle?",
+                     scene};
   out.script = Script(bottom + kZ * 1.2)
-                   .to(bottom - kZ * 0.9).hold(200)
-                   .to(bottom - kZ * 0.9 + kX * 0.6).arc(bottom - kZ * 0.9, kX, kY, 0.6, 0, 2)
-                   .to(bottom - kZ * 0.9).hold(kHeld).ticks;
+                   .to(bottom - kZ * 0.9)
+                   .hold(200)
+                   .to(bottom - kZ * 0.9 + kX * 0.6)
+                   .arc(bottom - kZ * 0.9, kX, kY, 0.6, 0, 2)
+                   .to(bottom - kZ * 0.9)
+                   .hold(kHeld)
+                   .ticks;
   out.held_ticks = kHeld;
   out.press = {{bottom + kZ * 0.3, bottom - kZ}};
   return out;
@@ -70,8 +80,14 @@ StabilityScene seam(std::string name, scenes::Scene scene) {
   const double R = inflated(scene, 0);
   StabilityScene out{std::move(name), "Does a seam without width hold or trip the HIP?", std::move(scene)};
   out.script = Script(Vec3(R - 1.6, R + 0.4, 0.1))
-                   .to({R - 1.6, 1.9, 0.1}).to({R - 0.05, 0.9, 0.1}).to({R + 1.6, 1.9, 0.1}).to({R + 0.05, 0.4, -0.1})
-                   .to({R - 1.6, 1.9, 0}).to({R, 0.3, 0}).hold(kHeld).ticks;
+                   .to({R - 1.6, 1.9, 0.1})
+                   .to({R - 0.05, 0.9, 0.1})
+                   .to({R + 1.6, 1.9, 0.1})
+                   .to({R + 0.05, 0.4, -0.1})
+                   .to({R - 1.6, 1.9, 0})
+                   .to({R, 0.3, 0})
+                   .hold(kHeld)
+                   .ticks;
   out.held_ticks = kHeld;
   return out;
 }
@@ -80,7 +96,9 @@ StabilityScene hole(double slack_A) {
   const scenes::Scene scene = scenes::ring(6, slack_A);
   const bool open = slack_A > 0;
   StabilityScene out{open ? "ring, hole larger than the probe" : "ring, hole smaller than the probe",
-                     open ? "Does the probe get through a hole that is wide enough by 0.05 A?" : "Does a hole too narrow by 0.05 A hold the probe?", scene};
+                     open ? "Does the probe get through a hole that is wide enough by 0.05 A?"
+                          : "Does a hole too narrow by 0.05 A hold the probe?",
+                     scene};
   out.script = Script(Vec3(0.013, 0.007, 4)).to({0.013, 0.007, open ? -4 : -1.2}).hold(kHeld).ticks;
   out.held_ticks = kHeld;
   return out;
@@ -96,7 +114,8 @@ StabilityScene tunnel() {
       scene.balls.push_back(b);
     }
   }
-  StabilityScene out{"tunnel that just fits", "Does the probe pass a tunnel 0.05 A wider than itself, the hand trembling?", scene};
+  StabilityScene out{"tunnel that just fits",
+                     "Does the probe pass a tunnel 0.05 A wider than itself, the hand trembling?", scene};
   Script script(Vec3(0, 0, 4));
   for (int k = 1; k <= 2600; ++k) {
     const double t = 0.02 * k;
@@ -118,7 +137,8 @@ StabilityScene graze() {
 
 StabilityScene passes(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
-  StabilityScene out{"passes at 0.05 to 12 A a tick", "Is no sphere missed, however fast the HIP comes?", scene};
+  StabilityScene out{"passes at 0.05 to 12 A a tick", "Is no sphere missed, however fast the HIP comes?",
+                     scene};
   // Each pass begins anew outside: with a SCP left behind, two answers would be right.
   scenes::Random random(seed);
   Script script(Vec3(60, 0, 0));
@@ -138,7 +158,8 @@ StabilityScene passes(std::uint64_t seed) {
 
 StabilityScene startInside() {
   const scenes::Scene scene = scenes::bond();
-  StabilityScene out{"start inside", "Is there no force until the HIP has been outside once, and a sound one then?", scene};
+  StabilityScene out{"start inside",
+                     "Is there no force until the HIP has been outside once, and a sound one then?", scene};
   out.script = Script(Vec3(0.3, 0.2, 0)).hold(200).to({0.3, 4.2, 0}).to({0.3, 2.4, 0}).hold(kHeld).ticks;
   out.held_ticks = kHeld;
   return out;
@@ -147,10 +168,16 @@ StabilityScene startInside() {
 StabilityScene onCentre() {
   const scenes::Scene scene = scenes::bond();
   const auto [x, r] = creaseOf(scene);
-  StabilityScene out{"HIP on a centre and on an axis", "Is the force finite and steady where all directions are alike?", scene};
+  StabilityScene out{"HIP on a centre and on an axis",
+                     "Is the force finite and steady where all directions are alike?", scene};
   // Exactly onto the first centre, along the axis through both, and back the way it came.
   Script script(Vec3(0, 4, 0));
-  script.to({0, 0, 0}, 0.02).hold(20).to({scene.balls[1].centre_A.x, 0, 0}, 0.02).hold(20).to({x, 0, 0}, 0.02).to({x, 4, 0}, 0.02);
+  script.to({0, 0, 0}, 0.02)
+      .hold(20)
+      .to({scene.balls[1].centre_A.x, 0, 0}, 0.02)
+      .hold(20)
+      .to({x, 0, 0}, 0.02)
+      .to({x, 4, 0}, 0.02);
   out.script = std::move(script.ticks);
   out.hand = out.jump = false;
   return out;
@@ -158,13 +185,18 @@ StabilityScene onCentre() {
 
 StabilityScene deep(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
-  StabilityScene out{"deeper than a radius", "Does the SCP keep its place on the surface while the HIP crosses several spheres?", scene};
+  StabilityScene out{"deeper than a radius",
+                     "Does the SCP keep its place on the surface while the HIP crosses several spheres?",
+                     scene};
   Script script(Vec3(14, 0.3, 0.2));
   const double edge = std::cbrt(200.0) / 2;
   const Vec3 middle(edge);
   script.ticks.front().place_A = middle + Vec3(14, 0.3, 0.2);
-  script.to(middle + Vec3(1.0, 0.3, 0.2), 0.02).to(middle + Vec3(0.5, 1.6, -0.7), 0.02).to(middle + Vec3(-1.0, -0.8, 0.9), 0.02)
-      .to(middle + Vec3(1.0, 0.3, 0.2), 0.02).to(middle + Vec3(14, 0.3, 0.2), 0.02);
+  script.to(middle + Vec3(1.0, 0.3, 0.2), 0.02)
+      .to(middle + Vec3(0.5, 1.6, -0.7), 0.02)
+      .to(middle + Vec3(-1.0, -0.8, 0.9), 0.02)
+      .to(middle + Vec3(1.0, 0.3, 0.2), 0.02)
+      .to(middle + Vec3(14, 0.3, 0.2), 0.02);
   out.script = std::move(script.ticks);
   out.hand = false;
   return out;
@@ -172,13 +204,17 @@ StabilityScene deep(std::uint64_t seed) {
 
 StabilityScene disturbed(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
-  StabilityScene out{"NaN, lost and doubled ticks", "Does a disturbed clock or reading leave no mark?", scene};
+  StabilityScene out{"NaN, lost and doubled ticks", "Does a disturbed clock or reading leave no mark?",
+                     scene};
   Script script(scenes::walk(scene, 1, seed, 0.008).front());
   script.path(scenes::walk(scene, 4000, seed, 0.008));
   scenes::Random random(seed);
   for (StabilityTick& t : script.ticks) {
     const double dice = random.uniform(0, 1);
-    t.kind = dice < 0.01 ? TickKind::NotANumber : dice < 0.03 ? TickKind::Lost : dice < 0.05 ? TickKind::Doubled : TickKind::Normal;
+    t.kind = dice < 0.01   ? TickKind::NotANumber
+             : dice < 0.03 ? TickKind::Lost
+             : dice < 0.05 ? TickKind::Doubled
+                           : TickKind::Normal;
   }
   out.script = std::move(script.ticks);
   out.energy = false;
@@ -196,7 +232,8 @@ StabilityScene teleports(std::uint64_t seed) {
 
 StabilityScene probeChanges() {
   const scenes::Scene scene = scenes::bond();
-  StabilityScene out{"probe changed while touching", "Does the surface carry the finger along when the probe grows and shrinks?", scene};
+  StabilityScene out{"probe changed while touching",
+                     "Does the surface carry the finger along when the probe grows and shrinks?", scene};
   Script script(Vec3(0.5, 4, 0));
   script.to({0.5, 2.2, 0.1});
   for (int k = 0; k < 600; ++k) {
@@ -213,7 +250,9 @@ StabilityScene probeChanges() {
 }
 
 StabilityScene swapped() {
-  StabilityScene out{"molecule swapped while touching", "Is there no blow when the molecule under the finger is another one?", scenes::bond(), scenes::pit()};
+  StabilityScene out{"molecule swapped while touching",
+                     "Is there no blow when the molecule under the finger is another one?", scenes::bond(),
+                     scenes::pit()};
   Script script(Vec3(0.5, 4, 0));
   script.to({0.5, 2.2, 0.1}).hold(200);
   script.last().swap = true;
@@ -230,7 +269,9 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   out.push_back(pit());
   out.push_back(seam("touching in one point", scenes::touching()));
   out.push_back(seam("overlapping by a hair", scenes::hair()));
-  out.push_back(walked("lattice, eight through a point", "Do many spheres through one point leave one answer?", scenes::simpleCubic(3), seed + 1));
+  out.push_back(walked("lattice, eight through a point",
+                       "Do many spheres through one point leave one answer?", scenes::simpleCubic(3),
+                       seed + 1));
   out.push_back(walked("cubane-like", "The same on eight atoms of a cube.", scenes::cube(), seed + 2));
   out.push_back(walked("fullerene-like", "The same on sixty atoms of a shell.", scenes::shell(), seed + 3));
   out.push_back(hole(-0.05));
@@ -239,16 +280,20 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   out.push_back(graze());
   out.push_back(passes(seed + 4));
   out.push_back(startInside());
-  out.push_back(walked("nested spheres", "Do spheres inside others stay unfelt?", scenes::nested(), seed + 5));
-  out.push_back(walked("duplicate spheres", "Is an atom that is there twice felt once?", scenes::duplicates(), seed + 6));
+  out.push_back(
+      walked("nested spheres", "Do spheres inside others stay unfelt?", scenes::nested(), seed + 5));
+  out.push_back(walked("duplicate spheres", "Is an atom that is there twice felt once?", scenes::duplicates(),
+                       seed + 6));
   out.push_back(onCentre());
   out.push_back(deep(seed + 7));
   out.push_back(teleports(seed + 8));
   out.push_back(disturbed(seed + 9));
   out.push_back(probeChanges());
   out.push_back(swapped());
-  scenes::Scene far = scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
-  out.push_back(walked("a million A from the origin", "Do digits run out far from the origin?", std::move(far), seed + 10));
+  scenes::Scene far =
+      scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
+  out.push_back(walked("a million A from the origin", "Do digits run out far from the origin?",
+                       std::move(far), seed + 10));
   return out;
 }
 

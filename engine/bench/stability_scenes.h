@@ -1,5 +1,5 @@
-// The scenes in which haptic methods are known to fail, each with its motion and the checks that mean something in it.
-// Functions of the seed alone. Units: angstrom.
+// The scenes in which haptic methods are known to fail, each with its motion and the checks that mean
+// something in it. Functions of the seed alone. Units: angstrom.
 #pragma once
 
 #include <optional>
@@ -13,16 +13,16 @@ namespace moltact::bench {
 
 /// What one tick asks for.
 struct StabilityTick {
-  Vec3 place_A{0.0};                 ///< where the hand is led, or the HIP itself where the scene is led directly
+  Vec3 place_A{0.0};  ///< where the hand is led, or the HIP itself where the scene is led directly
   TickKind kind = TickKind::Normal;
-  double probe_A = -1;               ///< set this probe before the tick; negative: leave it
-  bool swap = false;                 ///< go on with the second molecule from here
-  bool reset = false;                ///< begin anew from here
+  double probe_A = -1;  ///< set this probe before the tick; negative: leave it
+  bool swap = false;    ///< go on with the second molecule from here
+  bool reset = false;   ///< begin anew from here
 };
 
 struct StabilityScene {
   std::string name;
-  std::string question;        ///< what is asked of a method here, one sentence
+  std::string question;  ///< what is asked of a method here, one sentence
   scenes::Scene scene;
   std::optional<scenes::Scene> second{};  ///< what `swap` brings
   bool hand = true;            ///< closed loop with device and hand; false: the HIP is led directly

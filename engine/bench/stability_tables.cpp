@@ -30,19 +30,27 @@ std::string failures(const StabilityResult& r, const StabilityLimits& limits) {
 }
 
 ReportTable stabilityMatrix(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
-  ReportTable t{"stability_matrix", "Where methods fail", {{"scene", "scene"}}, {},
-                "T tunnelling; L contact lost; H held where nothing is; P the SCP sinks into a sphere by more than " + readable(limits.penetration_A) +
-                    " A; J the force jumps by " + readable(limits.step_over_N) + " N more than the true surface's; R the held device shakes by over " +
-                    readable(limits.jitter_mm) + " mm; E energy over " + readable(limits.energy_J) + " J made; N an answer that is no number; . sound."};
+  ReportTable t{
+      "stability_matrix",
+      "Where methods fail",
+      {{"scene", "scene"}},
+      {},
+      "T tunnelling; L contact lost; H held where nothing is; P the SCP sinks into a sphere by more than " +
+          readable(limits.penetration_A) + " A; J the force jumps by " + readable(limits.step_over_N) +
+          " N more than the true surface's; R the held device shakes by over " + readable(limits.jitter_mm) +
+          " mm; E energy over " + readable(limits.energy_J) +
+          " J made; N an answer that is no number; . sound."};
   const auto methods = inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; });
   for (const Method* m : methods) t.columns.push_back({std::string(m->name), std::string(m->name)});
-  for (const std::string& scene : inOrder<std::string>(results, [](const StabilityResult& r) { return r.scene; })) {
+  for (const std::string& scene :
+       inOrder<std::string>(results, [](const StabilityResult& r) { return r.scene; })) {
     std::vector<Cell> row(methods.size() + 1);
     row[0] = scene;
     for (const StabilityResult& r : results) {
       if (r.scene != scene) continue;
       const std::string letters = failures(r, limits);
-      row[1 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] = letters.empty() ? "." : letters;
+      row[1 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] =
+          letters.empty() ? "." : letters;
     }
     t.rows.push_back(std::move(row));
   }
@@ -50,14 +58,31 @@ ReportTable stabilityMatrix(const std::vector<StabilityResult>& results, const S
 }
 
 ReportTable stabilityFigures(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
-  ReportTable t{"stability_figures", "Every figure of the stability scenes",
-                {{"scene", "scene"}, {"method", "method"}, {"failures", "failures"}, {"ticks", "ticks"}, {"contact_ticks", "in contact"},
-                 {"tunnelled", "tunnelled"}, {"lost", "lost"}, {"stuck", "held on nothing"}, {"astray", "astray"}, {"penetration_A", "penetration (A)"},
-                 {"step_N", "step (N)"}, {"step_over_N", "over the true (N)"}, {"jitter_mm", "jitter (mm)"}, {"energy_J", "energy made (J)"},
-                 {"loop_energy_J", "in the loop (J)"}, {"sampling_J", "sampling bound (J)"}, {"stiffest_N_per_mm", "stiffest (N/mm)"}}, {}, ""};
+  ReportTable t{"stability_figures",
+                "Every figure of the stability scenes",
+                {{"scene", "scene"},
+                 {"method", "method"},
+                 {"failures", "failures"},
+                 {"ticks", "ticks"},
+                 {"contact_ticks", "in contact"},
+                 {"tunnelled", "tunnelled"},
+                 {"lost", "lost"},
+                 {"stuck", "held on nothing"},
+                 {"astray", "astray"},
+                 {"penetration_A", "penetration (A)"},
+                 {"step_N", "step (N)"},
+                 {"step_over_N", "over the true (N)"},
+                 {"jitter_mm", "jitter (mm)"},
+                 {"energy_J", "energy made (J)"},
+                 {"loop_energy_J", "in the loop (J)"},
+                 {"sampling_J", "sampling bound (J)"},
+                 {"stiffest_N_per_mm", "stiffest (N/mm)"}},
+                {},
+                ""};
   for (const StabilityResult& r : results) {
-    t.rows.push_back({r.scene, std::string(r.method->name), failures(r, limits), double(r.ticks), double(r.contact_ticks), double(r.tunnelled),
-                      double(r.lost), double(r.stuck), double(r.astray), std::max(0.0, r.penetration_A), r.step_N, r.step_over_N, r.jitter_mm,
+    t.rows.push_back({r.scene, std::string(r.method->name), failures(r, limits), double(r.ticks),
+                      double(r.contact_ticks), double(r.tunnelled), double(r.lost), double(r.stuck),
+                      double(r.astray), std::max(0.0, r.penetration_A), r.step_N, r.step_over_N, r.jitter_mm,
                       r.energy_J, r.loop_energy_J, r.sampling_J, Cell{}});
     if (r.stiffest_N_per_mm) t.rows.back().back() = *r.stiffest_N_per_mm;
   }
@@ -65,11 +90,16 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results, const 
 }
 
 ReportTable stiffnessTable(const std::vector<StabilityResult>& results, double wall_N_per_mm) {
-  ReportTable t{"stiffness", "The greatest stiffness that stays stable (N/mm)", {{"method", "method"}}, {},
-                "Pressed with a light hand (100 N/m, 2 N s/m) and struck with 4 mN s; stable when the device comes to rest in contact. A dash: not asked."};
+  ReportTable t{"stiffness",
+                "The greatest stiffness that stays stable (N/mm)",
+                {{"method", "method"}},
+                {},
+                "Pressed with a light hand (100 N/m, 2 N s/m) and struck with 4 mN s; stable when the device "
+                "comes to rest in contact. A dash: not asked."};
   std::vector<std::string> scenes;
   for (const StabilityResult& r : results)
-    if (r.stiffest_N_per_mm && std::find(scenes.begin(), scenes.end(), r.scene) == scenes.end()) scenes.push_back(r.scene);
+    if (r.stiffest_N_per_mm && std::find(scenes.begin(), scenes.end(), r.scene) == scenes.end())
+      scenes.push_back(r.scene);
   for (const std::string& s : scenes) t.columns.push_back({s, s});
   t.rows.push_back({std::string("plain wall")});
   for (std::size_t k = 0; k < scenes.size(); ++k) t.rows[0].emplace_back(wall_N_per_mm);

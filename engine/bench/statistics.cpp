@@ -32,8 +32,9 @@ Spread spreadOf(std::vector<double> values) {
 std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std::vector<double>& error) {
   std::vector<std::size_t> order(cost.size());
   std::iota(order.begin(), order.end(), 0);
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::size_t a, std::size_t b) { return cost[a] != cost[b] ? cost[a] < cost[b] : error[a] < error[b]; });
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return cost[a] != cost[b] ? cost[a] < cost[b] : error[a] < error[b];
+  });
   std::vector<std::size_t> front;
   double best = std::numeric_limits<double>::infinity();
   for (const std::size_t k : order)

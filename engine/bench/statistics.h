@@ -6,7 +6,8 @@
 
 namespace moltact::bench {
 
-/// In the unit of the values. Percentiles by nearest rank: p99 is the smallest value that at least 99 % do not exceed.
+/// In the unit of the values. Percentiles by nearest rank: p99 is the smallest value that at least 99 % do
+/// not exceed.
 struct Spread {
   std::size_t count = 0;
   double mean = 0, rms = 0, p50 = 0, p99 = 0, p9999 = 0, max = 0;
@@ -18,8 +19,8 @@ Spread spreadOf(std::vector<double> values);
 /// The nearest-rank percentile of ascending values, `share` from 0 to 1; 0 of none.
 double percentile(const std::vector<double>& ascending, double share);
 
-/// Of points (cost, error), those for which no other is both cheaper and less wrong, as indices by ascending cost: the
-/// front of best trade-offs. Of equal points the first stands.
+/// Of points (cost, error), those for which no other is both cheaper and less wrong, as indices by ascending
+/// cost: the front of best trade-offs. Of equal points the first stands.
 std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std::vector<double>& error);
 
 }  // namespace moltact::bench

@@ -1,4 +1,5 @@
-// The motions that methods are timed and compared on: strokes of a HIP over the surface or past it. Units: angstrom.
+// The motions that methods are timed and compared on: strokes of a HIP over the surface or past it. Units:
+// angstrom.
 #pragma once
 
 #include <memory>
@@ -8,7 +9,8 @@
 
 namespace moltact::bench {
 
-/// One stroke. The tracker is reset, then led along `approach` from outside (not counted), then along `counted`.
+/// One stroke. The tracker is reset, then led along `approach` from outside (not counted), then along
+/// `counted`.
 struct Stroke {
   std::vector<Vec3> approach, counted;
 };
@@ -20,10 +22,13 @@ struct StrokePlan {
   std::uint64_t seed = 1;
 };
 
-/// Strokes in contact: in from a random side, then sliding 0.02 A a tick, every counted tick in contact with the surface.
-std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan);
+/// Strokes in contact: in from a random side, then sliding 0.02 A a tick, every counted tick in contact with
+/// the surface.
+std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                   const StrokePlan& plan);
 
 /// Strokes in free space close to the surface (see freePath), 0.02 A a tick.
-std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan);
+std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                const StrokePlan& plan);
 
 }  // namespace moltact::bench

@@ -39,7 +39,8 @@ std::optional<PaperFigures> paperFigures(const std::string& paper_name) {
 std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
   std::vector<TableScene> out;
   const auto random = [&](std::size_t n, const char* paper) {
-    out.push_back({std::to_string(n) + " random spheres", n, [=] { return scenes::cluster(static_cast<int>(n), seed).balls; }, paper});
+    out.push_back({std::to_string(n) + " random spheres", n,
+                   [=] { return scenes::cluster(static_cast<int>(n), seed).balls; }, paper});
   };
   const auto protein = [&](std::size_t n, const char* name, const char* paper) {
     out.push_back({name, n, [=] { return proteinLike(n, static_cast<unsigned>(seed)); }, paper});
@@ -58,7 +59,8 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
   return out;
 }
 
-std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options, const Progress& progress) {
+std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
+                                      const Progress& progress) {
   std::vector<SceneTimes> out;
   for (std::size_t k = 0; k < scenes.size(); ++k) {
     const auto at = [&](double part) {
@@ -81,19 +83,35 @@ std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, con
 }
 
 ReportTable tickTable(const std::vector<SceneTimes>& times) {
-  ReportTable t{"ticks", "Time of one tick", {{"scene", "scene"}, {"spheres", "spheres"}, {"motion", "motion"}, {"method", "method"},
-      {"mean_ns", "mean (ns)"}, {"p50_ns", "p50 (ns)"}, {"p99_ns", "p99 (ns)"}, {"p99.99_ns", "p99.99 (ns)"}, {"max_ns", "max (ns)"},
-      {"times_exact", "mean / exact"}, {"touching_percent", "touching (%)"}, {"ticks", "single ticks"}, {"dropped", "strokes dropped"}}, {}, ""};
-  t.note = "Means are over whole strokes, the rest tick by tick. The clock's own cost, " + readable(clockCost_ns()) +
-           " ns, is taken off single ticks; its readings step by " + readable(clockStep_ns()) +
+  ReportTable t{"ticks",
+                "Time of one tick",
+                {{"scene", "scene"},
+                 {"spheres", "spheres"},
+                 {"motion", "motion"},
+                 {"method", "method"},
+                 {"mean_ns", "mean (ns)"},
+                 {"p50_ns", "p50 (ns)"},
+                 {"p99_ns", "p99 (ns)"},
+                 {"p99.99_ns", "p99.99 (ns)"},
+                 {"max_ns", "max (ns)"},
+                 {"times_exact", "mean / exact"},
+                 {"touching_percent", "touching (%)"},
+                 {"ticks", "single ticks"},
+                 {"dropped", "strokes dropped"}},
+                {},
+                ""};
+  t.note = "Means are over whole strokes, the rest tick by tick. The clock's own cost, " +
+           readable(clockCost_ns()) + " ns, is taken off single ticks; its readings step by " +
+           readable(clockStep_ns()) +
            " ns. Strokes in which the operating system took the processor away are dropped.";
   for (const SceneTimes& scene : times)
     for (const bool contact : {false, true}) {
       const auto& rows = contact ? scene.contact : scene.free;
       const TickTimes* exact = rowOf(rows, "exact");
       for (const TickTimes& row : rows)
-        t.rows.push_back({scene.scene, double(scene.spheres), std::string(contact ? "contact" : "free"), std::string(row.method->name),
-                          row.mean_ns, row.single_ns.p50, row.single_ns.p99, row.single_ns.p9999, row.single_ns.max,
+        t.rows.push_back({scene.scene, double(scene.spheres), std::string(contact ? "contact" : "free"),
+                          std::string(row.method->name), row.mean_ns, row.single_ns.p50, row.single_ns.p99,
+                          row.single_ns.p9999, row.single_ns.max,
                           ratio(row.mean_ns, exact ? exact->mean_ns : 0), 100 * row.touching,
                           double(row.single_ns.count), double(row.dropped)});
     }
@@ -101,18 +119,30 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
 }
 
 ReportTable readyTable(const std::vector<SceneTimes>& times) {
-  ReportTable t{"ready", "Until the scene can be touched, and memory", {{"scene", "scene"}, {"spheres", "spheres"}, {"method", "method"},
-      {"scene_ms", "scene (ms)"}, {"tracker_ms", "tracker (ms)"}, {"first_touch_ms", "first touch (ms)"}, {"ready_ms", "touchable after (ms)"},
-      {"bytes", "memory (bytes)"}, {"bytes_times_exact", "memory / exact"}, {"atoms_modelled", "atoms modelled"},
-      {"modelled_percent", "modelled of loaded (%)"}}, {},
-      "Memory is what the method holds after the strokes in contact, beyond the list of atoms; atoms modelled are those for "
-      "which it holds more than centre and radius."};
+  ReportTable t{"ready",
+                "Until the scene can be touched, and memory",
+                {{"scene", "scene"},
+                 {"spheres", "spheres"},
+                 {"method", "method"},
+                 {"scene_ms", "scene (ms)"},
+                 {"tracker_ms", "tracker (ms)"},
+                 {"first_touch_ms", "first touch (ms)"},
+                 {"ready_ms", "touchable after (ms)"},
+                 {"bytes", "memory (bytes)"},
+                 {"bytes_times_exact", "memory / exact"},
+                 {"atoms_modelled", "atoms modelled"},
+                 {"modelled_percent", "modelled of loaded (%)"}},
+                {},
+                "Memory is what the method holds after the strokes in contact, beyond the list of atoms; "
+                "atoms modelled are those for "
+                "which it holds more than centre and radius."};
   for (const SceneTimes& scene : times) {
     const TickTimes* exact = rowOf(scene.contact, "exact");
     for (const TickTimes& row : scene.contact) {
       const double bytes = double(row.footprint.bytes), modelled = double(row.footprint.atoms_modelled);
-      t.rows.push_back({scene.scene, double(scene.spheres), std::string(row.method->name), 1e3 * scene.scene_s, 1e3 * row.make_s,
-                        1e3 * row.first_touch_s, 1e3 * (scene.scene_s + row.make_s + row.first_touch_s), bytes,
+      t.rows.push_back({scene.scene, double(scene.spheres), std::string(row.method->name),
+                        1e3 * scene.scene_s, 1e3 * row.make_s, 1e3 * row.first_touch_s,
+                        1e3 * (scene.scene_s + row.make_s + row.first_touch_s), bytes,
                         ratio(bytes, exact ? double(exact->footprint.bytes) : 0), modelled,
                         100 * modelled / double(scene.spheres)});
     }
@@ -121,17 +151,28 @@ ReportTable readyTable(const std::vector<SceneTimes>& times) {
 }
 
 ReportTable besidePaperTable(const std::vector<SceneTimes>& times) {
-  ReportTable t{"beside_paper", "Beside the paper's Tables 1 and 2 (ns a tick; the paper's on hardware of 2008)",
-                {{"paper_row", "paper's row"}, {"scene", "scene here"}, {"spheres", "spheres"}, {"motion", "motion"},
-                 {"paper_polygons_ns", "paper: polygons"}, {"paper_spheres_ns", "paper: spheres"}}, {},
-                "The column heads of the paper's tables say Hz; the figures are seconds a haptic frame, given here in nanoseconds."};
+  ReportTable t{"beside_paper",
+                "Beside the paper's Tables 1 and 2 (ns a tick; the paper's on hardware of 2008)",
+                {{"paper_row", "paper's row"},
+                 {"scene", "scene here"},
+                 {"spheres", "spheres"},
+                 {"motion", "motion"},
+                 {"paper_polygons_ns", "paper: polygons"},
+                 {"paper_spheres_ns", "paper: spheres"}},
+                {},
+                "The column heads of the paper's tables say Hz; the figures are seconds a haptic frame, "
+                "given here in nanoseconds."};
   const std::array<std::string_view, 3> shown{"exact", "paper", "mesh960"};
-  for (const std::string_view name : shown) t.columns.push_back({std::string(name) + "_ns", std::string(name) + " here"});
+  for (const std::string_view name : shown)
+    t.columns.push_back({std::string(name) + "_ns", std::string(name) + " here"});
   for (const SceneTimes& scene : times) {
     const auto figures = paperFigures(scene.paper_name);
     if (!figures) continue;
     for (const bool contact : {false, true}) {
-      std::vector<Cell> row{scene.paper_name, scene.scene, double(scene.spheres), std::string(contact ? "contact" : "free"),
+      std::vector<Cell> row{scene.paper_name,
+                            scene.scene,
+                            double(scene.spheres),
+                            std::string(contact ? "contact" : "free"),
                             ns(contact ? figures->contact_polygons_s : figures->free_polygons_s),
                             ns(contact ? figures->contact_spheres_s : figures->free_spheres_s)};
       for (const std::string_view name : shown) {

@@ -1,6 +1,6 @@
-// The paper's Tables 1 and 2 anew: tick times of every method in free space and in contact on scenes of the paper's
-// sizes and larger, the time until the scene can be touched, and memory. Beside them stand the paper's own figures; the
-// heads of its columns say Hz, but the figures are seconds a haptic frame.
+// The paper's Tables 1 and 2 anew: tick times of every method in free space and in contact on scenes of the
+// paper's sizes and larger, the time until the scene can be touched, and memory. Beside them stand the
+// paper's own figures; the heads of its columns say Hz, but the figures are seconds a haptic frame.
 #pragma once
 
 #include <optional>
@@ -18,14 +18,14 @@ struct PaperFigures {
 };
 
 struct TableScene {
-  std::string name;                  ///< "Test 1: 50 random spheres"
-  std::size_t spheres = 0;           ///< expected number, for the order and the progress bar
+  std::string name;         ///< "Test 1: 50 random spheres"
+  std::size_t spheres = 0;  ///< expected number, for the order and the progress bar
   std::function<std::vector<Ball>()> balls;
-  std::string paper_name;            ///< the row of the paper that it stands beside; may be empty
+  std::string paper_name;  ///< the row of the paper that it stands beside; may be empty
 };
 
-/// 50 and 150 random spheres; protein-like clusters of 2785, 3735, 13 751, 165 000 and 1 000 000; `quick`: without the
-/// two largest but with 100 000.
+/// 50 and 150 random spheres; protein-like clusters of 2785, 3735, 13 751, 165 000 and 1 000 000; `quick`:
+/// without the two largest but with 100 000.
 std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed);
 
 /// What the paper measured for "Test 1", "Test 2", "5ADH", "8TIM", "1KBW"; nothing for other names.
@@ -42,11 +42,12 @@ struct SceneTimes {
   std::string scene;
   std::string paper_name;
   std::size_t spheres = 0;
-  double scene_s = 0;              ///< preparing what all methods share
+  double scene_s = 0;                    ///< preparing what all methods share
   std::vector<TickTimes> free, contact;  ///< a row a method, in the order of the options
 };
 
-std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options, const Progress& progress);
+std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
+                                      const Progress& progress);
 
 /// A row a scene, motion and method: mean, p50, p99, p99.99, max, ratio of the mean to exact's, touching.
 ReportTable tickTable(const std::vector<SceneTimes>& times);

@@ -79,8 +79,9 @@ double clockStep_ns() {
   return least;
 }
 
-std::vector<TickTimes> timeMethods(std::span<const Method* const> methods, const std::shared_ptr<const BallScene>& scene,
-                                   double probe_A, const std::vector<Stroke>& strokes, double budget_s) {
+std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
+                                   const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                   const std::vector<Stroke>& strokes, double budget_s) {
   const double clock_ns = clockCost_ns();
   const Vec3 outside = scene->high_A() + Vec3(scene->largestRadius_A() + probe_A + 10.0);
   std::vector<Contender> contenders(methods.size());
@@ -100,10 +101,13 @@ std::vector<TickTimes> timeMethods(std::span<const Method* const> methods, const
       const std::uint64_t preempted = preemptionsOfThisThread();
       const double whole_ns = c.whole_ns;
       const std::size_t singles = c.single.size();
-      if (s % 2 == 0) timeWhole(c, path);
-      else timeSingle(c, path, clock_ns);
+      if (s % 2 == 0)
+        timeWhole(c, path);
+      else
+        timeSingle(c, path, clock_ns);
       c.ticks += path.size();
-      // The first stroke of either kind stays in any case: a figure from a disturbed stroke is better than none.
+      // The first stroke of either kind stays in any case: a figure from a disturbed stroke is better than
+      // none.
       if (s >= 2 && preemptionsOfThisThread() != preempted) {
         if (s % 2 == 0) c.whole_ns = whole_ns, c.whole_ticks -= path.size();
         c.single.resize(singles);

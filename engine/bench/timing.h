@@ -1,9 +1,10 @@
-// Tick times of methods by the CPU's monotonic clock. Runs on the calling thread; allocates only between ticks.
-// Units: nanosecond, second.
+// Tick times of methods by the CPU's monotonic clock. Runs on the calling thread; allocates only between
+// ticks. Units: nanosecond, second.
 //
-// The methods take turns stroke by stroke (A B A B …), so that a change of the machine's speed meets all alike. Even
-// strokes are timed whole, for the mean; odd ones tick by tick, for the percentiles, less the clock's own cost. A stroke
-// during which the operating system took the processor away says nothing of the method and is not counted.
+// The methods take turns stroke by stroke (A B A B …), so that a change of the machine's speed meets all
+// alike. Even strokes are timed whole, for the mean; odd ones tick by tick, for the percentiles, less the
+// clock's own cost. A stroke during which the operating system took the processor away says nothing of the
+// method and is not counted.
 #pragma once
 
 #include <functional>
@@ -21,7 +22,8 @@ namespace moltact::bench {
 /// Told how far along the work is (0 to 1) and at what.
 using Progress = std::function<void(double share, std::string_view what)>;
 
-/// The smallest step in which the clock's readings differ (unit: nanosecond); single ticks are no finer than this.
+/// The smallest step in which the clock's readings differ (unit: nanosecond); single ticks are no finer than
+/// this.
 double clockStep_ns();
 
 /// What two readings of the clock in a row cost at least (unit: nanosecond).
@@ -38,10 +40,11 @@ struct TickTimes {
   Footprint footprint;       ///< at the end
 };
 
-/// Times the methods on the strokes. A method that has used `budget_s` of counted time drops out of later rounds, but
-/// not before two strokes.
-std::vector<TickTimes> timeMethods(std::span<const Method* const> methods, const std::shared_ptr<const BallScene>& scene,
-                                   double probe_A, const std::vector<Stroke>& strokes, double budget_s);
+/// Times the methods on the strokes. A method that has used `budget_s` of counted time drops out of later
+/// rounds, but not before two strokes.
+std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
+                                   const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                   const std::vector<Stroke>& strokes, double budget_s);
 
 /// The time to prepare a scene from its balls, the least of up to three runs (unit: second).
 double scenePreparation_s(const std::vector<Ball>& balls);

@@ -9,7 +9,8 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
     if (progress) progress(share, what);
   };
   at(0, "preparing the strokes");
-  const auto scene = std::make_shared<const BallScene>(proteinLike(options.spheres, static_cast<unsigned>(options.seed)));
+  const auto scene =
+      std::make_shared<const BallScene>(proteinLike(options.spheres, static_cast<unsigned>(options.seed)));
   const auto strokes = contactStrokes(scene, options.probe_A, options.plan);
   at(0.1, "timing");
   std::vector<TradeOff> out;
@@ -17,8 +18,9 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
     out.push_back({t.method, t.mean_ns, {}, t.footprint, false, false});
   for (std::size_t k = 0; k < out.size(); ++k) {
     at(0.3 + 0.7 * double(k) / double(out.size()), out[k].method->name);
-    out[k].accuracy = out[k].method->name == "exact" ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
-                                                     : accuracyOf(*out[k].method, scene, options.probe_A, strokes);
+    out[k].accuracy = out[k].method->name == "exact"
+                          ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
+                          : accuracyOf(*out[k].method, scene, options.probe_A, strokes);
   }
   std::vector<double> cost, scp, direction;
   for (const TradeOff& one : out) {
@@ -33,17 +35,31 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
 }
 
 ReportTable tradeOffTable(const std::vector<TradeOff>& points, std::size_t spheres) {
-  ReportTable t{"trade_off", "Speed against accuracy, sliding over " + readable(double(spheres)) + " spheres",
-                {{"method", "method"}, {"tick_ns", "tick (ns)"}, {"scp_rms_A", "SCP error, rms (A)"}, {"scp_p50_A", "median (A)"},
-                 {"scp_p99_A", "p99 (A)"}, {"scp_max_A", "max (A)"}, {"direction_rms_deg", "direction error, rms (deg)"},
-                 {"direction_p50_deg", "median (deg)"}, {"direction_p99_deg", "p99 (deg)"}, {"lost_percent", "contact lost (%)"},
-                 {"bytes", "memory (bytes)"}, {"best", "best trade-off in"}}, {},
+  ReportTable t{"trade_off",
+                "Speed against accuracy, sliding over " + readable(double(spheres)) + " spheres",
+                {{"method", "method"},
+                 {"tick_ns", "tick (ns)"},
+                 {"scp_rms_A", "SCP error, rms (A)"},
+                 {"scp_p50_A", "median (A)"},
+                 {"scp_p99_A", "p99 (A)"},
+                 {"scp_max_A", "max (A)"},
+                 {"direction_rms_deg", "direction error, rms (deg)"},
+                 {"direction_p50_deg", "median (deg)"},
+                 {"direction_p99_deg", "p99 (deg)"},
+                 {"lost_percent", "contact lost (%)"},
+                 {"bytes", "memory (bytes)"},
+                 {"best", "best trade-off in"}},
+                {},
                 "Errors are against exact; those of exact are against the brute-force oracle."};
   for (const TradeOff& p : points) {
     const Accuracy& a = p.accuracy;
-    const std::string best = p.best_scp && p.best_direction ? "place, direction" : p.best_scp ? "place" : p.best_direction ? "direction" : "";
-    t.rows.push_back({std::string(p.method->name), p.tick_ns, a.scp_A.rms, a.scp_A.p50, a.scp_A.p99, a.scp_A.max, a.direction_deg.rms,
-                      a.direction_deg.p50, a.direction_deg.p99, 100 * a.lost, double(p.footprint.bytes), best});
+    const std::string best = p.best_scp && p.best_direction ? "place, direction"
+                             : p.best_scp                   ? "place"
+                             : p.best_direction             ? "direction"
+                                                            : "";
+    t.rows.push_back({std::string(p.method->name), p.tick_ns, a.scp_A.rms, a.scp_A.p50, a.scp_A.p99,
+                      a.scp_A.max, a.direction_deg.rms, a.direction_deg.p50, a.direction_deg.p99,
+                      100 * a.lost, double(p.footprint.bytes), best});
   }
   return t;
 }

@@ -1,5 +1,5 @@
-// Speed against accuracy: for each method the time a tick and the error of SCP and force, and which methods no other
-// beats in both. The user's first wish of this bench.
+// Speed against accuracy: for each method the time a tick and the error of SCP and force, and which methods
+// no other beats in both. The user's first wish of this bench.
 #pragma once
 
 #include <vector>
@@ -12,8 +12,8 @@ namespace moltact::bench {
 
 struct TradeOff {
   const Method* method = nullptr;
-  double tick_ns = 0;       ///< mean in contact
-  Accuracy accuracy;        ///< against exact; exact's own against the oracle
+  double tick_ns = 0;  ///< mean in contact
+  Accuracy accuracy;   ///< against exact; exact's own against the oracle
   Footprint footprint;
   bool best_scp = false, best_direction = false;  ///< on the front of best trade-offs
 };

@@ -1,4 +1,5 @@
-// How often the operating system has taken the processor away. Not for the haptic thread (a call of the system).
+// How often the operating system has taken the processor away. Not for the haptic thread (a call of the
+// system).
 #pragma once
 
 #include <cstdint>

@@ -1,4 +1,5 @@
-// The simulated device against closed forms: decay, deflection, oscillation, and the bounds of sampled stiffness.
+// The simulated device against closed forms: decay, deflection, oscillation, and the bounds of sampled
+// stiffness.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -24,7 +25,8 @@ DeviceParameters ideal(double damping, int delay = 0) {
   return d;
 }
 
-// The device is struck against a two-sided spring of the given stiffness, sampled; how its swing has grown after 2 s.
+// The device is struck against a two-sided spring of the given stiffness, sampled; how its swing has grown
+// after 2 s.
 double growth(double damping, int delay, double stiffness_N_per_m) {
   DeviceModel device(ideal(damping, delay), kNoHand, {});
   device.strike({1e-4, 0, 0});
@@ -47,7 +49,8 @@ TEST_CASE("in free flight 45 g at 0.1 m/s against 0.2 N s/m come to rest after m
   for (int k = 0; k < 100; ++k) device.tick({}, {});
   const double tau = 0.045 / 0.2;
   CHECK(device.velocity_m_per_s().x == doctest::Approx(0.1 * std::exp(-0.1 / tau)).epsilon(1e-9));
-  CHECK(device.position().mm.x == doctest::Approx(1e3 * 0.1 * tau * (1 - std::exp(-0.1 / tau))).epsilon(1e-9));
+  CHECK(device.position().mm.x ==
+        doctest::Approx(1e3 * 0.1 * tau * (1 - std::exp(-0.1 / tau))).epsilon(1e-9));
   for (int k = 0; k < 5000; ++k) device.tick({}, {});
   CHECK(device.position().mm.x == doctest::Approx(22.5).epsilon(1e-6));
 }
@@ -59,7 +62,9 @@ TEST_CASE("1.2 N against a hand of 300 N/m give 4 mm") {
   CHECK(glm::length(device.velocity_m_per_s()) < 1e-9);
 }
 
-TEST_CASE("an undamped hand's spring of 300 N/m swings for 10 s without gaining or losing a millionth of its energy") {
+TEST_CASE(
+    "an undamped hand's spring of 300 N/m swings for 10 s without gaining or losing a millionth of its "
+    "energy") {
   DeviceModel device(ideal(0), {300, 0}, {{5, 0, 0}});
   const auto energy = [&] {
     const double x = 1e-3 * device.position().mm.x, v = device.velocity_m_per_s().x;
@@ -98,7 +103,9 @@ TEST_CASE("Coulomb friction of 0.26 N brings 45 g at 0.2 m/s to a stop after abo
   CHECK(device.position().mm.x == doctest::Approx(3.46).epsilon(0.01));
 }
 
-TEST_CASE("a sampled spring is stable below b / (T/2 + t_d) and unstable above, with no delay and with one tick of it") {
+TEST_CASE(
+    "a sampled spring is stable below b / (T/2 + t_d) and unstable above, with no delay and with one tick of "
+    "it") {
   for (const int delay : {0, 1})
     for (const double b : {0.2, 0.5, 1.0}) {
       const double bound = b / (0.0005 + 0.001 * delay);
@@ -109,7 +116,9 @@ TEST_CASE("a sampled spring is stable below b / (T/2 + t_d) and unstable above, 
     }
 }
 
-TEST_CASE("the passivity observer sees no energy in a spring that gives back what it got and 0.2 J in a push without cause") {
+TEST_CASE(
+    "the passivity observer sees no energy in a spring that gives back what it got and 0.2 J in a push "
+    "without cause") {
   PassivityObserver spring;
   double x = 0;
   for (int k = 0; k < 1000; ++k) {

@@ -36,7 +36,8 @@ bool wellFormed(const std::string& xml) {
     if (end == std::string::npos) return false;
     const std::string tag = xml.substr(at + 1, end - at - 1);
     if (std::count(tag.begin(), tag.end(), '"') % 2 || tag.find('<') != std::string::npos) return false;
-    const std::string name = tag.substr(tag[0] == '/' ? 1 : 0, tag.find_first_of(" /", 1) - (tag[0] == '/' ? 1 : 0));
+    const std::string name =
+        tag.substr(tag[0] == '/' ? 1 : 0, tag.find_first_of(" /", 1) - (tag[0] == '/' ? 1 : 0));
     if (tag[0] == '/') {
       if (open.empty() || open.back() != tag.substr(1)) return false;
       open.pop_back();
@@ -49,7 +50,11 @@ bool wellFormed(const std::string& xml) {
 }
 
 ReportTable sample() {
-  return {"sample", "A sample", {{"name", "name"}, {"time_ns", "time (ns)"}}, {{std::string("a, \"b\""), 12345.678}, {std::string("c|d"), Cell{}}}, "A note."};
+  return {"sample",
+          "A sample",
+          {{"name", "name"}, {"time_ns", "time (ns)"}},
+          {{std::string("a, \"b\""), 12345.678}, {std::string("c|d"), Cell{}}},
+          "A note."};
 }
 
 }  // namespace
@@ -93,7 +98,8 @@ TEST_CASE("numbers read with three digits: 0.0123, 99.97 as 100, 12 346, 1.2e-13
 
 TEST_CASE("a table is written as CSV with quoted fields, as Markdown and as JSON without nulls") {
   CHECK(toCsv(sample()) == "name,time_ns\n\"a, \"\"b\"\"\",12345.678\nc|d,\n");
-  CHECK(toMarkdown(sample()) == "| name | time (ns) |\n| --- | ---: |\n| a, \"b\" | 12 346 |\n| c\\|d | - |\n\nA note.\n");
+  CHECK(toMarkdown(sample()) ==
+        "| name | time (ns) |\n| --- | ---: |\n| a, \"b\" | 12 346 |\n| c\\|d | - |\n\nA note.\n");
   const auto json = nlohmann::json::parse(toJson({sample()}, "a command"));
   CHECK(json["command"] == "a command");
   CHECK(json["tables"]["sample"]["rows"][0]["time_ns"] == 12345.678);
@@ -109,24 +115,35 @@ TEST_CASE("of two rows the one named c|d is picked out, and none from a column t
 
 TEST_CASE("the CSV of tick times keeps its header") {
   const std::string csv = toCsv(tickTable({}));
-  CHECK(csv == "scene,spheres,motion,method,mean_ns,p50_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,ticks,dropped\n");
+  CHECK(csv ==
+        "scene,spheres,motion,method,mean_ns,p50_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,"
+        "ticks,dropped\n");
   CHECK(toCsv(readyTable({})) ==
-        "scene,spheres,method,scene_ms,tracker_ms,first_touch_ms,ready_ms,bytes,bytes_times_exact,atoms_modelled,modelled_percent\n");
+        "scene,spheres,method,scene_ms,tracker_ms,first_touch_ms,ready_ms,bytes,bytes_times_exact,atoms_"
+        "modelled,modelled_percent\n");
 }
 
 TEST_CASE("what stands between markers is replaced, and nothing else") {
   const std::string page = "one\n<!-- sample:begin (made) -->\nold\n<!-- sample:end -->\ntwo\n";
-  CHECK(replacedBetweenMarkers(page, "sample", "new\n") == "one\n<!-- sample:begin (made) -->\nnew\n<!-- sample:end -->\ntwo\n");
+  CHECK(replacedBetweenMarkers(page, "sample", "new\n") ==
+        "one\n<!-- sample:begin (made) -->\nnew\n<!-- sample:end -->\ntwo\n");
   CHECK(replacedBetweenMarkers(page, "other", "new\n") == page);
 }
 
 TEST_CASE("a chart is well-formed and holds each of its 3 marks and labels, not those at or below zero") {
-  const std::string svg = chartSvg("A & B", {{"panel", "x < 1", "y", {{"one", Mark::Disc, false, false, true, {{1, 1, "first"}, {10, 5, "a<b"}}},
-                                                                     {"two", Mark::Square, true, true, true, {{100, 1e-9, "far"}, {5, 0, "zero"}, {-1, 2, "minus"}}}}}}, "note");
+  const std::string svg = chartSvg(
+      "A & B",
+      {{"panel",
+        "x < 1",
+        "y",
+        {{"one", Mark::Disc, false, false, true, {{1, 1, "first"}, {10, 5, "a<b"}}},
+         {"two", Mark::Square, true, true, true, {{100, 1e-9, "far"}, {5, 0, "zero"}, {-1, 2, "minus"}}}}}},
+      "note");
   CHECK(wellFormed(svg));
   // A mark in the legend for each of the two series.
   CHECK(count(svg, "class=\"mark\"") == 3 + 2);
-  for (const char* label : {">first<", ">a&lt;b<", ">far<", ">A &amp; B<", ">note<"}) CHECK(svg.find(label) != std::string::npos);
+  for (const char* label : {">first<", ">a&lt;b<", ">far<", ">A &amp; B<", ">note<"})
+    CHECK(svg.find(label) != std::string::npos);
   CHECK(svg.find("zero") == std::string::npos);
   CHECK(svg.find("minus") == std::string::npos);
 }

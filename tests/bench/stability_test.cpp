@@ -1,11 +1,12 @@
-// The stability claims: exact is sound in every scene, judged by the brute-force oracle; the other methods fail where
-// they are known to, and these failures are pinned as firmly.
+// The stability claims: exact is sound in every scene, judged by the brute-force oracle; the other methods
+// fail where they are known to, and these failures are pinned as firmly.
+#include "engine/bench/stability.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
 #include "engine/bench/plain_wall.h"
-#include "engine/bench/stability.h"
 #include "engine/bench/strokes.h"
 
 using namespace moltact;
@@ -20,13 +21,17 @@ StabilityScene sceneNamed(const std::string& name, std::uint64_t seed = 1) {
   return {};
 }
 
-StabilityResult result(const std::string& scene, const char* method) { return runScene(sceneNamed(scene), *findMethod(method), {}); }
+StabilityResult result(const std::string& scene, const char* method) {
+  return runScene(sceneNamed(scene), *findMethod(method), {});
+}
 
 bool has(const StabilityResult& r, char letter) { return failures(r).find(letter) != std::string::npos; }
 
 }  // namespace
 
-TEST_CASE("exact comes through every scene: no tunnelling, no loss, at most 1e-7 A deep, no force or energy of its own") {
+TEST_CASE(
+    "exact comes through every scene: no tunnelling, no loss, at most 1e-7 A deep, no force or energy of its "
+    "own") {
   for (const std::uint64_t seed : {1, 2, 3})
     for (const StabilityScene& scene : stabilityScenes(seed)) {
       const StabilityResult r = runScene(scene, *findMethod("exact"), {});
@@ -53,7 +58,8 @@ TEST_CASE("pressed straight onto one sphere, exact makes the energy of a plain w
   const LoopSettings loop;
   const auto pressed = [&](Tracker& tracker, double surface_z) {
     ClosedLoop device(loop, {{0, 0, surface_z + 0.3}});
-    for (int k = 0; k < 3000; ++k) device.tick(tracker, {{0, 0, surface_z + 0.3 - 1.3 * std::abs(std::sin(0.002 * k))}});
+    for (int k = 0; k < 3000; ++k)
+      device.tick(tracker, {{0, 0, surface_z + 0.3 - 1.3 * std::abs(std::sin(0.002 * k))}});
     return device.made_J();
   };
   PlainWall wall;
@@ -64,9 +70,11 @@ TEST_CASE("pressed straight onto one sphere, exact makes the energy of a plain w
   CHECK(pressed(*exact, 0) == doctest::Approx(on_wall).epsilon(0.01));
 }
 
-TEST_CASE("a loop replayed with one seed gives the same figures to the last bit, and another seed gives others") {
+TEST_CASE(
+    "a loop replayed with one seed gives the same figures to the last bit, and another seed gives others") {
   const auto figures = [](std::uint64_t seed) {
-    const StabilityResult r = runScene(sceneNamed("lattice, eight through a point", seed), *findMethod("mesh320"), {});
+    const StabilityResult r =
+        runScene(sceneNamed("lattice, eight through a point", seed), *findMethod("mesh320"), {});
     return std::array{r.penetration_A, r.step_N, r.energy_J, r.loop_energy_J, r.jitter_mm};
   };
   CHECK(figures(5) == figures(5));
@@ -81,14 +89,18 @@ TEST_CASE("exact holds the plain wall's stiffness in a crease and in a pit") {
   for (const char* name : {"crease, along", "pit of three"}) {
     const StabilityScene scene = sceneNamed(name);
     const auto balls = std::make_shared<const BallScene>(scene.scene.balls);
-    const auto exact = stiffestStable([&] { return findMethod("exact")->make(balls, scene.scene.probe_A); }, *scene.press, loop);
+    const auto exact = stiffestStable([&] { return findMethod("exact")->make(balls, scene.scene.probe_A); },
+                                      *scene.press, loop);
     CHECK(exact >= 0.9 * wall);
-    const auto penalty = stiffestStable([&] { return findMethod("penalty")->make(balls, scene.scene.probe_A); }, *scene.press, loop);
+    const auto penalty = stiffestStable(
+        [&] { return findMethod("penalty")->make(balls, scene.scene.probe_A); }, *scene.press, loop);
     CHECK(penalty < 0.6 * wall);  // two and three pushes add up
   }
 }
 
-TEST_CASE("the paper's algorithm loses the surface in fast passes and teleports, and jumps when pressed deeper than a radius") {
+TEST_CASE(
+    "the paper's algorithm loses the surface in fast passes and teleports, and jumps when pressed deeper "
+    "than a radius") {
   for (const char* scene : {"passes at 0.05 to 12 A a tick", "teleports"}) {
     const StabilityResult r = result(scene, "paper");
     CAPTURE(scene);
@@ -101,11 +113,16 @@ TEST_CASE("the paper's algorithm loses the surface in fast passes and teleports,
 }
 
 TEST_CASE("a slow hand on one crease or pit finds no fault in the paper's algorithm") {
-  for (const char* scene : {"crease, along", "crease, across", "pit of three"}) CHECK(failures(result(scene, "paper")) == "");
+  for (const char* scene : {"crease, along", "crease, across", "pit of three"})
+    CHECK(failures(result(scene, "paper")) == "");
 }
 
-TEST_CASE("flat triangles sink under the surface and jump from face to face: 0.19 A with 80, 0.026 with 960, 0.0032 with 5120") {
-  const StabilityResult coarse = result("crease, along", "mesh80"), paper_s = result("crease, along", "mesh960"), fine = result("crease, along", "mesh5120");
+TEST_CASE(
+    "flat triangles sink under the surface and jump from face to face: 0.19 A with 80, 0.026 with 960, "
+    "0.0032 with 5120") {
+  const StabilityResult coarse = result("crease, along", "mesh80"),
+                        paper_s = result("crease, along", "mesh960"),
+                        fine = result("crease, along", "mesh5120");
   CHECK(coarse.penetration_A == doctest::Approx(0.19).epsilon(0.1));
   CHECK(paper_s.penetration_A == doctest::Approx(0.026).epsilon(0.1));
   CHECK(fine.penetration_A == doctest::Approx(0.0032).epsilon(0.15));
@@ -115,7 +132,8 @@ TEST_CASE("flat triangles sink under the surface and jump from face to face: 0.1
 }
 
 TEST_CASE("force shading on 960 triangles takes the jumps away and makes energy instead") {
-  const StabilityResult flat = result("crease, across", "mesh960"), smooth = result("crease, across", "mesh960-smooth");
+  const StabilityResult flat = result("crease, across", "mesh960"),
+                        smooth = result("crease, across", "mesh960-smooth");
   CHECK(has(flat, 'J'));
   CHECK_FALSE(has(flat, 'E'));
   CHECK_FALSE(has(smooth, 'J'));
@@ -144,6 +162,7 @@ TEST_CASE("every counted tick of a stroke touches for exact, and strokes repeat 
     CHECK(a[k].counted == b[k].counted);
     exact->reset();
     for (const Vec3& h : a[k].approach) exact->step({h});
-    CHECK(std::all_of(a[k].counted.begin(), a[k].counted.end(), [&](const Vec3& h) { return exact->step({h}).touching(); }));
+    CHECK(std::all_of(a[k].counted.begin(), a[k].counted.end(),
+                      [&](const Vec3& h) { return exact->step({h}).touching(); }));
   }
 }
