@@ -37,6 +37,7 @@ void ExactTracker::reset() noexcept {
   armed_ = false;
   feature_ = Feature::Free;
   touching_.count = 0;
+  rememberHolders();
   free_gap2_ = 0.0;
 }
 
@@ -45,15 +46,19 @@ Footprint ExactTracker::footprint() const noexcept {
 }
 
 Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  Contact out{.scp = {feature_ == Feature::Free ? hip : caps_.origin() + scp_}, .feature = feature_};
+  return {.scp = {feature_ == Feature::Free ? hip : caps_.origin() + scp_}, .atoms = holders_, .feature = feature_};
+}
+
+// The balls that hold the SCP, in ascending order: they change only where the SCP flows.
+void ExactTracker::rememberHolders() noexcept {
+  holders_ = {-1, -1, -1};
   const int holding = std::min(static_cast<int>(feature_), touching_.count);  // free 0, sphere 1, circle 2, point 3
   for (int k = 0; k < holding; ++k) {
+    const std::int32_t ball = touching_.balls[std::size_t(k)];
     int at = k;
-    for (; at > 0 && out.atoms[std::size_t(at - 1)] > touching_.balls[std::size_t(k)]; --at)
-      out.atoms[std::size_t(at)] = out.atoms[std::size_t(at - 1)];
-    out.atoms[std::size_t(at)] = touching_.balls[std::size_t(k)];
+    for (; at > 0 && holders_[std::size_t(at - 1)] > ball; --at) holders_[std::size_t(at)] = holders_[std::size_t(at - 1)];
+    holders_[std::size_t(at)] = ball;
   }
-  return out;
 }
 
 Contact ExactTracker::step(PointA hip) noexcept {
@@ -80,7 +85,10 @@ Contact ExactTracker::step(PointA hip) noexcept {
     scp_ = free_from_ = local;
     return contact(h);
   }
-  if (!holdsQuickly(local)) flow(local);
+  if (!holdsQuickly(local)) {
+    flow(local);
+    rememberHolders();
+  }
   return contact(h);
 }
 
@@ -107,13 +115,19 @@ bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
       const double out = std::sqrt(y1 * y1 + y2 * y2);
       if (out < 1e-6 * c.radius) return false;
       // Both balls must hold the SCP from the start of the way to its end: shares mu_i, mu_j >= 0 (docs/exact-tracker.md).
-      const double start = 1.0 - (y1 * std::cos(c.angle) + y2 * std::sin(c.angle)) / c.radius, end = 1.0 - out / c.radius;
+      const double start = 1.0 - (y1 * c.along_1 + y2 * c.along_2) / c.radius, end = 1.0 - out / c.radius;
       const double slack_i = std::min(start * c.to_j, end * c.to_j) - along, slack_j = std::min(start * c.to_i, end * c.to_i) + along;
       if (slack_i < 0.0 || slack_j < 0.0) return false;
-      double angle = std::atan2(y2, y1);
-      angle += kTurn * std::round((c.angle - angle) / kTurn);  // the short way round
-      if (angle <= c.low || angle >= c.high) return false;
-      circle_.angle = angle;
+      if (c.narrow) {  // between two ends less than half a turn apart the short way stays between them
+        if (c.low_1 * y2 - c.low_2 * y1 <= 0.0 || y1 * c.high_2 - y2 * c.high_1 <= 0.0) return false;
+      } else {
+        double angle = std::atan2(y2, y1);
+        angle += kTurn * std::round((c.angle - angle) / kTurn);  // the short way round
+        if (angle <= c.low || angle >= c.high) return false;
+        circle_.angle = angle;
+      }
+      circle_.along_1 = y1 / out;
+      circle_.along_2 = y2 / out;
       scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
       return true;
     }
@@ -293,6 +307,8 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   c.axis_1 = out / far;
   c.axis_2 = glm::cross(c.axis, c.axis_1);
   c.angle = 0.0;
+  c.along_1 = 1.0;
+  c.along_2 = 0.0;
   c.high = kTurn;
   c.low = -kTurn;
   c.high_ball = c.low_ball = -1;
@@ -306,6 +322,13 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
     if (forward < c.high) c.high = forward, c.high_ball = cap.ball;
     if (-backward > c.low) c.low = -backward, c.low_ball = cap.ball;
   });
+  c.narrow = c.high - c.low < 3.0;
+  if (c.narrow) {
+    c.low_1 = std::cos(c.low);
+    c.low_2 = std::sin(c.low);
+    c.high_1 = std::cos(c.high);
+    c.high_2 = std::sin(c.high);
+  }
   c.i = i;
   c.j = j;
   return true;
@@ -315,7 +338,9 @@ void ExactTracker::moveAlongCircle(double turned, std::int32_t meets) noexcept {
   Circle& c = circle_;
   if (std::abs(turned) * c.radius > kMoved * c.between) {
     c.angle += turned;
-    scp_ = c.centre + (c.axis_1 * std::cos(c.angle) + c.axis_2 * std::sin(c.angle)) * c.radius;
+    c.along_1 = std::cos(c.angle);
+    c.along_2 = std::sin(c.angle);
+    scp_ = c.centre + (c.axis_1 * c.along_1 + c.axis_2 * c.along_2) * c.radius;
     touching_.set(c.i);
     touching_.add(c.j);
   }
@@ -330,6 +355,7 @@ ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, 
     return Went::Stuck;
   }
   Circle& c = circle_;
+  if (same && c.narrow) c.angle = std::atan2(c.along_2, c.along_1);
   const Vec3 m = hip - c.centre;
   const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
   const double out = std::sqrt(y1 * y1 + y2 * y2);
@@ -363,7 +389,11 @@ ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, 
 
   if (way < meets_at && way <= leaves) {
     c.angle += turn;
-    if (out > kAtCentre * c.radius) scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
+    if (out > kAtCentre * c.radius) {
+      c.along_1 = y1 / out;
+      c.along_2 = y2 / out;
+      scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
+    }
     return rest();
   }
   const double end = std::min(leaves, meets_at);

@@ -52,7 +52,10 @@ class ExactTracker final : public Tracker {
     double radius = 0, to_i = 0, to_j = 0, between = 0;  // of the circle; its plane's distance from either centre; theirs
     double low = 0, high = 0;                // the free arc
     std::int32_t low_ball = -1, high_ball = -1;  // what ends it
-    double angle = 0;                        // where the SCP is
+    double angle = 0;                        // where the SCP is; in a narrow arc `along_1` and `along_2` tell it alone
+    double along_1 = 1, along_2 = 0;         // its direction: cosine and sine of the angle
+    bool narrow = false;                     // the free arc is less than half a turn: its ends' directions say all
+    double low_1 = 0, low_2 = 0, high_1 = 0, high_2 = 0;
   };
 
   enum class Went : std::uint8_t { Rests, GoesOn, Stuck };
@@ -68,11 +71,13 @@ class ExactTracker final : public Tracker {
   bool carry() noexcept;            // carry_surface.cpp
   std::int32_t outermost(std::int32_t ball) noexcept;
   Contact contact(const Vec3& hip) const noexcept;
+  void rememberHolders() noexcept;
 
   CapCache caps_;
   Vec3 scp_{0.0};            // this and every place inside the tracker is relative to caps_.origin()
   bool armed_ = false;       // has the HIP been outside since the start?
   Feature feature_ = Feature::Free;
+  std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
   Touching touching_;
 
   // What lets an ordinary tick end at once, for the feature the SCP is on.
