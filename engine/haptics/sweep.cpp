@@ -37,7 +37,9 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
   const double length = (t1 - t0) * whole;
   double best = length;
   std::int32_t ball = -1;
-  const double piece = scene.cell_A();
+  // Piece by piece, so that only balls near the way are looked at; in a sparse scene, where that would be more pieces
+  // than balls, all at once.
+  const double piece = length > scene.cell_A() * (1.0 + 0.125 * double(scene.size())) ? length : scene.cell_A();
   for (double a = 0.0; a <= length; a += piece) {
     const Vec3 p = start + along * a, q = start + along * std::min(a + piece, length);
     scene.visitNearBox(glm::min(p, q), glm::max(p, q), probe_A, [&](std::uint32_t i, const Ball& b) {
@@ -53,7 +55,7 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
       best = enters;
       ball = static_cast<std::int32_t>(i);
     });
-    if (ball >= 0 && best <= a + piece) break;
+    if (piece == length || (ball >= 0 && best <= a + piece)) break;
   }
   if (ball < 0) return {};
   return {ball, std::min(1.0, t0 + best / whole)};

@@ -147,6 +147,16 @@ TEST_CASE("a way of a million angstroms in one tick meets the one ball that lies
   CHECK(deepest_A({{{0, 0, 0}, 1.6}}, 1.4, c.scp.A) <= 1e-12);
 }
 
+TEST_CASE("two balls a billion angstroms apart: the way from one to the other is found in one look at both") {
+  const std::vector<Ball> balls{{{-5e8, 0, 0}, 1.6}, {{5e8, 0, 0}, 1.6}};
+  ExactTracker tracker(makeScene(balls), 1.4);
+  tracker.step({{-5e8 + 10, 0, 0}});
+  const Contact c = tracker.step({{5e8, 0, 0}});
+  CHECK(c.feature == Feature::Sphere);
+  CHECK(c.atoms[0] == 1);
+  CHECK(c.scp.A.x == doctest::Approx(5e8 - 3).epsilon(1e-14));
+}
+
 TEST_CASE("a ring of 12 balls with a hole 0.1 A smaller than the probe holds it above, 0.1 A larger lets it through") {
   for (const double gap : {-0.1, 0.1}) {
     CAPTURE(gap);
