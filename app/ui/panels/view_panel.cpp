@@ -9,6 +9,7 @@
 #include "app/ui/application.h"
 #include "app/ui/contact_text.h"
 #include "app/ui/controls.h"
+#include "app/ui/method_chooser.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/theme.h"
 #include "app/ui/view_picture.h"
@@ -76,6 +77,7 @@ ViewScene sceneOf(const Application& app) {
     scene.force_N = app.touch.force_N();
     scene.probe_A = now.probe_A;
   }
+  scene.facets = feltFacets(app.method);
   app.lesson.decorate(scene);
   return scene;
 }
