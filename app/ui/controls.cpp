@@ -126,10 +126,17 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, low + ImVec2(width, high), p.raised, look().px(7));
-  // Each as wide as its label and an equal share of the rest; where the labels have no room, all are equal.
-  float words = 0.0f;
-  for (const std::string& label : labels) words += ImGui::CalcTextSize(label.c_str()).x;
-  const float count = float(std::max<std::size_t>(1, labels.size())), rest = width - words;
+  // Each as wide as its label and an equal share of the rest; where that is little, in small letters; where the labels have
+  // no room at all, all are equal.
+  const auto wordsWide = [&] {
+    float words = 0.0f;
+    for (const std::string& label : labels) words += ImGui::CalcTextSize(label.c_str()).x;
+    return words;
+  };
+  const float count = float(std::max<std::size_t>(1, labels.size()));
+  const bool small = width - wordsWide() < count * look().px(14);
+  if (small) ImGui::PushFont(look().font(Font::Small));
+  const float rest = width - wordsWide();
   const bool fits = rest >= count * 2 * inset;
   float next = low.x;
   bool changed = false;
@@ -153,6 +160,7 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
     drawText({0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)}, on ? p.accent_text : p.quiet, shown.c_str());
     recordItem(std::string(name) + "/" + labels[k], on ? "on" : "off");
   }
+  if (small) ImGui::PopFont();
   ImGui::PopID();
   return changed;
 }

@@ -59,7 +59,7 @@ Frame begin(const char* title, const std::string& reading, float height) {
   Frame f{{low.x + l.px(kLeftMargin), low.y + head}, {high.x, high.y - foot}, small};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(f.low, f.high, p.raised, l.px(6));
-  const char* marks[] = {"10 ns", "0.1", "1", "10", "100 µs"};
+  const char* marks[] = {"10 ns", "", "1 µs", "", "100 µs"};
   double at = TickHistogram::kLeast_us;
   for (int k = 0; k < 5; ++k, at *= 10.0) {
     const float x = std::round(f.x(at));

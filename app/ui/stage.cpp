@@ -9,8 +9,9 @@ namespace {
 constexpr double kReach_mm = 160.0;
 constexpr double kFinest_A_per_mm = 0.15, kCoarsest_A_per_mm = 0.4;
 
-// So far from the old surface the new tracker first meets the hand (unit: angstrom).
-constexpr double kOutside_A = 1e-3;
+// The new tracker first meets the hand a little outside the old surface, or as far as its own surface lies out there: a
+// mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
+constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
 }  // namespace
 
@@ -33,7 +34,8 @@ std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, d
   std::unique_ptr<Tracker> tracker = method.make(stage.balls, probe_A);
   const Vec3 outward = contact.scp.A - hip.A;
   if (const double depth = glm::length(outward); contact.touching() && depth > 0.0) {
-    tracker->step({contact.scp.A + outward * (kOutside_A / depth)});
+    for (double out_A = kOutside_A; out_A < kFarthestOutside_A; out_A *= 1.5)
+      if (tracker->step({contact.scp.A + outward * (out_A / depth)}).fault == Fault::None) break;
     tracker->step(hip);
   }
   return tracker;
