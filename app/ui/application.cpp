@@ -20,7 +20,7 @@ namespace {
 constexpr double kLeftBehind_s = 0.4;   // contact without cause for so long is let go
 constexpr double kSaveAfter_s = 1.0;    // settings are written when they have rested for so long
 constexpr double kHintFade_s = 0.6;
-constexpr double kLeastView_A = 6.5;    // at least so much is seen to each side of the middle
+constexpr double kProbeRoom = 2.0;      // so many radii of the probe are seen round the molecule
 constexpr double kStill_A = 2e-3;       // a hand slower than this in a frame is at rest
 
 }  // namespace
@@ -71,6 +71,12 @@ void Application::enterScene() {
   touch_settings.force_on = scene->force;
   if (findMethod(scene->method) && scene->method != method) useMethod(scene->method);
   shown = lesson.shapes();
+  const bool asks = lesson.wantsPanel("methods");
+  if (asks || panels.methods_by_step) {
+    const bool by_hand = panels.methods && !panels.methods_by_step;
+    showMethods(asks);
+    panels.methods_by_step = asks && !by_hand;
+  }
   const Expected<std::filesystem::path> file = lesson.moleculeFile();
   if (!file) {
     messages.error(file.problem().text());
@@ -108,6 +114,7 @@ void Application::show(Stage next, const std::filesystem::path& file) {
   lesson.meet(stage.molecule, file);
   touch_settings.workspace = stage.workspace;
   touch.clear();
+  watch.begin(stage, touch_settings.probe_A);
   resetView();
   servo.setTracker(makeTracker(stage, *findMethod(method), touch_settings.probe_A, Contact{}, PointA{}));
 }
@@ -115,11 +122,8 @@ void Application::show(Stage next, const std::filesystem::path& file) {
 void Application::resetView() {
   if (!stage) return;
   camera.orientation = glm::dquat(1, 0, 0, 0);
-  camera.fit(*stage.molecule, view_aspect_);
-  // Round a few atoms there is room for the probe beside them.
-  Camera roomy = camera;
-  roomy.fit(camera.target, kLeastView_A, view_aspect_);
-  camera.distance_A = std::max(camera.distance_A, roomy.distance_A);
+  // Round the molecule there is room for the probe, which hovers before it and beside it.
+  camera.fit(*stage.molecule, view_aspect_, 0.08, kProbeRoom * touch_settings.probe_A);
   lesson.face(camera, *stage.molecule);
   ++touch_settings.placements;
   controls.begin(camera, stage.workspace, std::min(stage.reach_A, camera.distance_A), servo.mouse());
@@ -131,6 +135,12 @@ void Application::useMethod(std::string_view name) {
   if (!m) return;
   method = m->name;
   servo.setTracker(makeTracker(stage, *m, touch_settings.probe_A, touch.latest().contact, touch.latest().hip));
+}
+
+void Application::showMethods(bool on) {
+  panels.methods = panels.methods_first = on;
+  panels.methods_by_step = false;
+  if (on) panels.touch = true;
 }
 
 void Application::watchLeftBehind() {
@@ -168,9 +178,11 @@ void Application::frame(double dt_s, glm::vec2 window_px, double content_scale) 
   const PointA hand_before = touch.latest().hip;
   for (const ServoSample& sample : servo.advance(dt_s)) {
     touch.add(sample);
-    lesson.feed(sample);
+    const Method& m = *findMethod(method);
+    lesson.feed(sample, m.name, watch.add(sample, m));
   }
   touch.measure(now_s_);
+  servo.timeTicks(methodsInFront());
   hand_moved_ = glm::distance(hand_before.A, touch.latest().hip.A) > kStill_A;
   watchLeftBehind();
   servo.setSettings(touch_settings);

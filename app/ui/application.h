@@ -13,6 +13,7 @@
 #include "app/ui/lesson_guide.h"
 #include "app/ui/loader.h"
 #include "app/ui/messages.h"
+#include "app/ui/method_watch.h"
 #include "app/ui/servo_link.h"
 #include "app/ui/settings.h"
 #include "app/ui/stage.h"
@@ -35,6 +36,9 @@ struct PanelState {
   bool lesson = true, touch = true;
   bool lesson_first = true;     ///< where only one side panel has room
   bool touch_details = false;   ///< the touch panel's second half
+  bool methods = false;         ///< in the touch panel's place, behind a tab
+  bool methods_first = false;   ///< which of the two is in front
+  bool methods_by_step = false; ///< the lesson's step opened it, so that another step closes it
   bool hints = false;           ///< the current step's hints
   bool open_page = false, controls_page = false, about_page = false;
 };
@@ -66,6 +70,7 @@ class Application {
   ServoSettings touch_settings;   ///< as the panels set them; handed to the servo loop each frame
   std::string method;             ///< name of the method in use
   TouchLog touch;
+  MethodWatch watch;
   LessonGuide lesson;
   Camera camera;
   ShapeSet shown = LessonGuide().shapes();
@@ -85,6 +90,9 @@ class Application {
 
   /// Another haptic method, keeping a contact that there is. Unknown names change nothing.
   void useMethod(std::string_view name);
+  /// Opens the panel that compares methods, or closes it.
+  void showMethods(bool on);
+  bool methodsInFront() const { return panels.methods && panels.methods_first; }
   /// The camera as it was when the scene was opened.
   void resetView();
 

@@ -126,11 +126,25 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, low + ImVec2(width, high), p.raised, look().px(7));
-  const float each = width / float(std::max<std::size_t>(1, labels.size()));
+  // Each as wide as its label and an equal share of the rest; where that is little, in small letters; where the labels have
+  // no room at all, all are equal.
+  const auto wordsWide = [&] {
+    float words = 0.0f;
+    for (const std::string& label : labels) words += ImGui::CalcTextSize(label.c_str()).x;
+    return words;
+  };
+  const float count = float(std::max<std::size_t>(1, labels.size()));
+  const bool small = width - wordsWide() < count * look().px(14);
+  if (small) ImGui::PushFont(look().font(Font::Small));
+  const float rest = width - wordsWide();
+  const bool fits = rest >= count * 2 * inset;
+  float next = low.x;
   bool changed = false;
   ImGui::PushID(name);
   for (std::size_t k = 0; k < labels.size(); ++k) {
-    ImGui::SetCursorScreenPos({low.x + each * float(k), low.y});
+    const float each = fits ? ImGui::CalcTextSize(labels[k].c_str()).x + rest / count : width / count;
+    ImGui::SetCursorScreenPos({next, low.y});
+    next += each;
     ImGui::PushID(int(k));
     if (ImGui::InvisibleButton("segment", {each, high}) && chosen != k) {
       chosen = k;
@@ -141,11 +155,12 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     if (on || ImGui::IsItemHovered())
       draw->AddRectFilled(a + ImVec2(inset, inset), b + ImVec2(-inset, -inset), on ? p.accent : p.hovered, look().px(5));
-    const std::string shown = elided(labels[k], each - 2 * inset);
+    const std::string shown = elided(labels[k], each - (fits ? 0.0f : 2 * inset));
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
     drawText({0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)}, on ? p.accent_text : p.quiet, shown.c_str());
     recordItem(std::string(name) + "/" + labels[k], on ? "on" : "off");
   }
+  if (small) ImGui::PopFont();
   ImGui::PopID();
   return changed;
 }

@@ -63,19 +63,27 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const std::file
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
 }
 
-void LessonGuide::feed(const ServoSample& s) {
+void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
   if (!on_stage_ || !s.has_tracker) return;
-  session_->feed(TouchSample{.time_s = s.time_s, .hip = s.hip, .contact = s.contact, .force = s.force, .probe_A = s.probe_A});
+  session_->feed(TouchSample{.time_s = s.time_s, .hip = s.hip, .contact = s.contact, .force = s.force, .probe_A = s.probe_A,
+                              .method = method, .exact = exact});
 }
 
 ShapeSet LessonGuide::shapes() const {
   ShapeSet shown = defaultShapes();
+  shown.set(Shape::Facets);  // seen only with a method that feels triangles
   shown.set(Shape::Hip);  // where the hand is under the surface stands in for the force that a mouse cannot give
   if (!session_ || session_->scene().show.empty()) return shown;
   for (const std::string& name : session_->scene().show)
     for (const ShapeName& shape : shapeNames())
       if (shape.name == name) shown.set(shape.shape);
   return shown;
+}
+
+bool LessonGuide::wantsPanel(std::string_view name) const {
+  if (!session_) return false;
+  const std::vector<std::string>& panels = session_->scene().panels;
+  return std::find(panels.begin(), panels.end(), name) != panels.end();
 }
 
 void LessonGuide::face(Camera& camera, const Molecule& molecule) const {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -40,10 +41,13 @@ class LessonGuide {
 
   /// A molecule has come on the stage. The tasks wait for the one that the step asks for.
   void meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file);
-  void feed(const ServoSample& sample);
+  /// A tick; `method` made its contact, `exact` is the exact tracker's for the same hand.
+  void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
 
   /// The parts of the picture that the step asks for; the usual ones without a lesson.
   ShapeSet shapes() const;
+  /// Whether the step asks for a panel.
+  bool wantsPanel(std::string_view name) const;
   /// Turns a fitted camera the way the step asks for.
   void face(Camera& camera, const Molecule& molecule) const;
   /// Marks what the step highlights.

@@ -29,7 +29,7 @@ void plot(const char* name, const Trace& trace, double newest, const PlotLook& h
   const float width = ImGui::GetContentRegionAvail().x, small = l.font(Font::Small)->FontSize;
   char value[32];
   std::snprintf(value, sizeof value, how.format, newest);
-  const std::string reading = std::string(value) + " " + how.unit;
+  const std::string reading = std::string(value) + (*how.unit ? " " : "") + how.unit;
 
   const float head = small + l.px(6), body = l.px(how.height);
   ImGui::Dummy({width, head + body});

@@ -1,6 +1,7 @@
 #include "app/ui/servo_link.h"
 
 #include <algorithm>
+#include <chrono>
 
 namespace moltact {
 
@@ -27,8 +28,11 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   }
   owed_s_ += std::clamp(dt_s, 0.0, 0.5);
   for (; owed_s_ >= kTick_s; owed_s_ -= kTick_s) {
-    const ServoSample sample = step_.tick(settings_, tracker_.get(), mouse_.read(kTick_s));
+    using Clock = std::chrono::steady_clock;
+    const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
+    ServoSample sample = step_.tick(settings_, tracker_.get(), mouse_.read(kTick_s));
     mouse_.write(sample.force);
+    if (timed_) sample.work_us = std::chrono::duration<float, std::micro>(Clock::now() - began).count();
     ticks_.push_back(sample);
   }
   return ticks_;

@@ -28,6 +28,9 @@ class ServoLink {
   void setSettings(const ServoSettings& settings);
   void setTracker(std::unique_ptr<Tracker> tracker);
 
+  /// On the frames' clock ticks take no time, unless they are timed for someone who looks at it.
+  void timeTicks(bool on) { timed_ = on; }
+
   /// Once a frame: gives every tick since the last call, oldest first. The reference holds until the next call.
   const std::vector<ServoSample>& advance(double dt_s);
 
@@ -43,6 +46,7 @@ class ServoLink {
   ServoSettings settings_;
   std::unique_ptr<Tracker> tracker_;
   double owed_s_ = 0.0;
+  bool timed_ = false;
   std::unique_ptr<ServoThread> thread_;  // last, so that it ends first
 };
 

@@ -9,8 +9,9 @@ namespace {
 constexpr double kReach_mm = 160.0;
 constexpr double kFinest_A_per_mm = 0.15, kCoarsest_A_per_mm = 0.4;
 
-// So far from the old surface the new tracker first meets the hand (unit: angstrom).
-constexpr double kOutside_A = 1e-3;
+// The new tracker first meets the hand a little outside the old surface, or as far as its own surface lies out there: a
+// mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
+constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
 }  // namespace
 
@@ -35,10 +36,8 @@ std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, d
   const double depth = glm::length(outward);
   if (!contact.touching() || !(depth > 0.0)) return tracker;
   // Another method's surface may lie a little higher: the hand comes in from as far out as it needs.
-  for (const double out_A : {kOutside_A, 0.1, 0.3, 1.0, 3.0}) {
-    tracker->reset();
+  for (double out_A = kOutside_A; out_A < kFarthestOutside_A; out_A *= 1.5)
     if (tracker->step({contact.scp.A + outward * (out_A / depth)}).fault == Fault::None) break;
-  }
   tracker->step(hip);
   return tracker;
 }

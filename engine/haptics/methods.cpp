@@ -29,22 +29,22 @@ std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const BallScene> scene, double
 
 constexpr std::array kMethods{
     Method{"exact", "the sphere tracker without error: the god-object on the union of balls",
-           &make<ExactTracker>},
+           &make<ExactTracker>, "Exact"},
     Method{"paper", "Algorithm 1 of Stocks and Laycock (2008) as published, its faults included",
-           &make<PaperTracker>},
-    Method{"mesh80", "a god-object on 80 triangles a ball", &makeMesh<80>},
-    Method{"mesh320", "a god-object on 320 triangles a ball", &makeMesh<320>},
-    Method{"mesh960", "a god-object on 960 triangles a ball, as many as in the paper", &makeMesh<960>},
-    Method{"mesh1280", "a god-object on 1280 triangles a ball", &makeMesh<1280>},
-    Method{"mesh5120", "a god-object on 5120 triangles a ball", &makeMesh<5120>},
+           &make<PaperTracker>, "Paper"},
+    Method{"mesh80", "a god-object on 80 triangles a ball", &makeMesh<80>, "Mesh", "80", "", 80},
+    Method{"mesh320", "a god-object on 320 triangles a ball", &makeMesh<320>, "Mesh", "320", "", 320},
+    Method{"mesh960", "a god-object on 960 triangles a ball, as many as in the paper", &makeMesh<960>, "Mesh", "960", "Flat", 960},
+    Method{"mesh1280", "a god-object on 1280 triangles a ball", &makeMesh<1280>, "Mesh", "1280", "", 1280},
+    Method{"mesh5120", "a god-object on 5120 triangles a ball", &makeMesh<5120>, "Mesh", "5120", "", 5120},
     Method{"mesh960-smooth", "the same on 960 triangles with interpolated normals: force shading",
-           &makeMesh<960, true>},
+           &makeMesh<960, true>, "Mesh", "960", "Smooth", 960},
     Method{"mesh960-tree", "the same on 960 triangles, the trees asked anew in every tick",
-           &makeMesh<960, false, false>},
-    Method{"grid02", "a signed-distance grid, smoothly interpolated, 0.2 A apart", &makeGrid<2>},
-    Method{"grid04", "a signed-distance grid, smoothly interpolated, 0.4 A apart", &makeGrid<4>},
-    Method{"grid08", "a signed-distance grid, smoothly interpolated, 0.8 A apart", &makeGrid<8>},
-    Method{"penalty", "the sum of each ball's push, without a proxy", &make<PenaltyTracker>},
+           &makeMesh<960, false, false>, "Mesh", "960", "No memory", 960},
+    Method{"grid02", "a signed-distance grid, smoothly interpolated, 0.2 A apart", &makeGrid<2>, "Grid", "0.2 Å"},
+    Method{"grid04", "a signed-distance grid, smoothly interpolated, 0.4 A apart", &makeGrid<4>, "Grid", "0.4 Å"},
+    Method{"grid08", "a signed-distance grid, smoothly interpolated, 0.8 A apart", &makeGrid<8>, "Grid", "0.8 Å"},
+    Method{"penalty", "the sum of each ball's push, without a proxy", &make<PenaltyTracker>, "Penalty"},
 };
 
 }  // namespace
@@ -55,6 +55,15 @@ const Method* findMethod(std::string_view name) {
   for (const Method& m : kMethods)
     if (m.name == name) return &m;
   return nullptr;
+}
+
+std::string methodTitle(std::string_view name) {
+  const Method* m = findMethod(name);
+  if (!m) return std::string(name);
+  std::string title(m->family);
+  if (!m->grade.empty()) title += " " + std::string(m->grade);
+  if (!m->variant.empty() && m->variant != "Flat") title += ", " + std::string(m->variant);
+  return title;
 }
 
 }  // namespace moltact

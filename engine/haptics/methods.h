@@ -3,6 +3,7 @@
 
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "engine/haptics/ball_scene.h"
@@ -14,6 +15,10 @@ struct Method {
   std::string_view name;      ///< as in `--method exact`
   std::string_view sentence;  ///< what it is, for the screen and `--help`
   std::unique_ptr<Tracker> (*make)(std::shared_ptr<const BallScene> scene, double probe_A);
+  std::string_view family = {};   ///< methods that differ only in how finely they work share it: "Mesh"
+  std::string_view grade = {};    ///< how finely: "960", "0.4 Å"; empty where a family is one method
+  std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
+  int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
 };
 
 /// All methods, the default first.
@@ -21,5 +26,8 @@ std::span<const Method> methods();
 
 /// The method of that name, or nullptr.
 const Method* findMethod(std::string_view name);
+
+/// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
+std::string methodTitle(std::string_view name);
 
 }  // namespace moltact

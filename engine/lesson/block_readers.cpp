@@ -81,6 +81,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("method")) scene.method = values["method"].words[0];
   if (takes("force")) scene.force = values["force"].words[0] == "on";
   if (takes("show")) scene.show = values["show"].words;
+  if (takes("panels")) scene.panels = values["panels"].words;
   if (takes("highlight")) {
     scene.highlight = values["highlight"].selection;
     scene.highlight_place = values["highlight"].place;

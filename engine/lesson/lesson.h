@@ -75,6 +75,7 @@ struct SceneSpec {
   std::string method = "exact";        ///< as in findMethod
   bool force = true;                   ///< false: the hand feels nothing
   std::vector<std::string> show;       ///< names of the picture's parts
+  std::vector<std::string> panels;     ///< names of panels to open
   Selection highlight;                 ///< may select nothing
   std::string view = "front";          ///< front, back, left, right, top or bottom; empty where `facing` is given
   Selection facing;                    ///< atoms to be turned to the front

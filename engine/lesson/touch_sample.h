@@ -1,6 +1,8 @@
 // One tick of the servo loop as a lesson sees it. Plain data, written by the servo side, read on the screen's thread.
 #pragma once
 
+#include <string_view>
+
 #include "engine/core/units.h"
 #include "engine/haptics/tracker.h"
 
@@ -12,6 +14,8 @@ struct TouchSample {
   Contact contact;         ///< what the tracker gave for it
   ForceN force;            ///< on the hand, in the device's space (unit: newton)
   double probe_A = 1.4;    ///< the probe's radius at that tick (unit: angstrom)
+  std::string_view method = {};  ///< name of the haptic method in use; from the table of methods, so it outlives the sample
+  Contact exact;           ///< what the exact tracker gives for the same hand, where the method in use is compared with it
 };
 
 }  // namespace moltact

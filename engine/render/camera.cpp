@@ -57,7 +57,7 @@ void Camera::lookFrom(double azimuth_rad, double elevation_rad) {
   orientation = glm::angleAxis(azimuth_rad, Vec3(0, 1, 0)) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
 }
 
-void Camera::fit(const Molecule& molecule, double aspect, double margin) {
+void Camera::fit(const Molecule& molecule, double aspect, double margin, double grown_A) {
   if (molecule.atoms.empty()) return;
   // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the eye
   // at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides' largest
@@ -68,10 +68,11 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin) {
   double ahead[2] = {-1e300, -1e300}, behind[2] = {-1e300, -1e300}, low = 1e300, high = -1e300;
   for (const Atom& a : molecule.atoms) {
     const Vec3 p = to_axes * (a.position.A - origin);
-    low = std::min(low, p.z - a.radius_A);
-    high = std::max(high, p.z + a.radius_A);
+    const double radius = a.radius_A + grown_A;
+    low = std::min(low, p.z - radius);
+    high = std::max(high, p.z + radius);
     for (const int k : {0, 1}) {
-      const double widened = a.radius_A * std::sqrt(1 + slope[k] * slope[k]);
+      const double widened = radius * std::sqrt(1 + slope[k] * slope[k]);
       ahead[k] = std::max(ahead[k], p.z + (p[k] + widened) / slope[k]);
       behind[k] = std::max(behind[k], p.z + (widened - p[k]) / slope[k]);
     }

@@ -64,8 +64,9 @@ struct Camera {
   /// Looks from an azimuth (about +y, 0 = from +z, positive = from +x) and an elevation (positive = from above).
   void lookFrom(double azimuth_rad, double elevation_rad);
   /// Moves the target to the middle of the atoms and back until all of them, whole, fit into a picture of this shape;
-  /// `margin` is the free share of the picture's half height (default 0.08). The orientation stays.
-  void fit(const Molecule& molecule, double aspect, double margin = 0.08);
+  /// `margin` is the free share of the picture's half height (default 0.08), and every atom counts as `grown_A` larger than
+  /// it is (default 0). The orientation stays.
+  void fit(const Molecule& molecule, double aspect, double margin = 0.08, double grown_A = 0.0);
   /// The same for one ball.
   void fit(PointA centre, double radius_A, double aspect, double margin = 0.08);
 };

@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/render/ball_intersections.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
+constexpr std::size_t kFacetedAtoms = 6;    // whose triangles are drawn at most
+constexpr double kFacetsAtMost = 700.0;     // triangles drawn of one atom, nearly: fine meshes show a patch round the contact
 
 struct Arc {
   Vec3 centre, u, v;  // u and v at right angles, both as long as the radius
@@ -63,6 +66,37 @@ class Drawer {
         outline.width_px += 0.5f;
         outline.alpha = std::min(1.0f, 1.35f * outline.alpha);
         freeArcs({b.centre_A + axis * (b.radius_A * b.radius_A / d), r * u, r * glm::cross(axis, u)}, outline);
+      }
+    }
+  }
+
+  void facets(const SphereMesh& mesh) {
+    // The atoms in contact, then the nearest: the fewer, the cheaper and the easier to read.
+    std::vector<std::uint32_t> near = in_use_;
+    for (const std::uint32_t a : nearestAtoms(model_.scene, {focus_}, scene_.probe_A, 2.0, kFacetedAtoms))
+      if (near.size() < kFacetedAtoms && !isInUse(a)) near.push_back(a);
+    const double share = std::min(1.0, kFacetsAtMost / double(mesh.faces().size()));
+    for (const std::uint32_t a : near) {
+      gatherNeighbours(a);
+      const Ball b = inflated(a);
+      // A cap of this share of a sphere reaches so far from its middle.
+      const double reach = share < 1.0 ? 2.0 * b.radius_A * std::sqrt(share) : 2.0 * b.radius_A + 1.0;
+      const double away = glm::length(focus_ - b.centre_A);
+      const Vec3 middle = away > 0.0 ? b.centre_A + (focus_ - b.centre_A) * (b.radius_A / away) : focus_;
+      for (std::size_t f = 0; f < mesh.faces().size(); ++f) {
+        const SphereMesh::Face& face = mesh.faces()[f];
+        for (std::size_t k = 0; k < 3; ++k) {
+          if (std::size_t(face.across[k]) < f) continue;  // drawn with the face beyond
+          const Vec3 p = b.centre_A + b.radius_A * mesh.vertices()[std::size_t(face.corners[k])];
+          const Vec3 q = b.centre_A + b.radius_A * mesh.vertices()[std::size_t(face.corners[(k + 1) % 3])];
+          const double far = glm::length(0.5 * (p + q) - middle);
+          if (far > reach) continue;
+          const float fading = share < 1.0 ? float(std::clamp(3.0 * (1.0 - far / reach), 0.0, 1.0)) : 1.0f;
+          const bool held = isInUse(a);
+          freeLine(p, q, {.colour = scene_.theme.surface,
+                          .alpha = (held ? 0.95f : 0.5f) * fading * scene_.theme.wire_strength,
+                          .hidden = 0.06f, .width_px = held ? 1.4f : 1.1f});
+        }
       }
     }
   }
@@ -182,6 +216,24 @@ class Drawer {
     }
   }
 
+  // The parts of a straight line outside the gathered spheres.
+  void freeLine(const Vec3& p, const Vec3& q, const Stroke& stroke) {
+    constexpr double kPiece_A = 0.15;
+    const int pieces = neighbours_.empty() ? 1 : std::clamp(int(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
+    bool open = false;
+    const auto emit = [&](double t) { strokes_.point(glm::vec3(scene_.camera.toView({p + (q - p) * t}))); };
+    for (int i = 0; i < pieces; ++i) {
+      const bool free = freedom(p + (q - p) * ((i + 0.5) / pieces)) > 0.0;
+      if (free && !open) {
+        strokes_.begin(stroke);
+        emit(double(i) / pieces);
+      }
+      if (open && !free) emit(double(i) / pieces);
+      open = free;
+    }
+    if (open) emit(1.0);
+  }
+
   template <class Visit>
   void eachPair(Visit&& visit) {
     for (std::size_t i = 0; i < atoms_.size(); ++i)
@@ -207,6 +259,7 @@ void addHapticShapes(const ViewScene& scene, const MoleculeModel& model, Strokes
   if (scene.shown.has(Shape::Circles)) drawer.circles();
   if (scene.shown.has(Shape::Points)) drawer.points();
   if (scene.shown.has(Shape::Cones)) drawer.cones();
+  if (scene.shown.has(Shape::Facets) && scene.facets) drawer.facets(*scene.facets);
 }
 
 void addCircle(Strokes& strokes, const Stroke& stroke, const Camera& camera, const Vec3& centre, const Vec3& axis,

@@ -13,6 +13,7 @@ constexpr std::array kShapes{
     ShapeName{Shape::Circles, "circles", "circles where two inflated spheres meet", true},
     ShapeName{Shape::Points, "points", "points where three inflated spheres meet", true},
     ShapeName{Shape::Cones, "cones", "the two cones that share the circle in use, with the atoms' centres as apexes", true},
+    ShapeName{Shape::Facets, "facets", "the triangles round the contact, while a method that feels triangles is in use", true},
     ShapeName{Shape::Hip, "hip", "the haptic interface point: where the hand is", true},
     ShapeName{Shape::Scp, "scp", "the surface contact point: the hand's proxy on the surface", true},
     ShapeName{Shape::Force, "force", "an arrow for the force on the hand", false},
@@ -80,7 +81,7 @@ bool sameView(const ViewScene& a, const ViewScene& b) {
          a.theme == b.theme && samePlace(a.hip, b.hip) && sameContact(a.contact, b.contact) &&
          a.force_N == b.force_N && a.probe_A == b.probe_A && a.arrow_A_per_N == b.arrow_A_per_N &&
          a.haptic_atoms == b.haptic_atoms && a.haptic_atoms_at_most == b.haptic_atoms_at_most &&
-         a.highlighted == b.highlighted &&
+         a.facets == b.facets && a.highlighted == b.highlighted &&
          std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), sameTarget);
 }
 

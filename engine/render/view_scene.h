@@ -18,9 +18,11 @@
 
 namespace moltact {
 
+class SphereMesh;
+
 /// The parts of a picture that are switched one by one. A part is added here, in the table of view_scene.cpp and where
 /// it is drawn.
-enum class Shape : std::uint8_t { Atoms, Spheres, Circles, Points, Cones, Hip, Scp, Force, Probe, Target };
+enum class Shape : std::uint8_t { Atoms, Spheres, Circles, Points, Cones, Hip, Scp, Force, Probe, Target, Facets };
 
 struct ShapeName {
   Shape shape;
@@ -91,6 +93,8 @@ struct ViewScene {
 
   std::vector<std::uint32_t> haptic_atoms;  ///< whose haptic shapes are drawn; empty: those nearest to the SCP
   std::size_t haptic_atoms_at_most = 14;    ///< how many are taken when haptic_atoms is empty (default 14)
+
+  std::shared_ptr<const SphereMesh> facets;  ///< what the method in use feels for a ball of radius 1; null: no triangles
 
   std::vector<std::uint32_t> highlighted;  ///< atoms marked in the target's colour; out-of-range ones are ignored
   std::vector<TargetMarker> targets;

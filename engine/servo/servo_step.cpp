@@ -22,6 +22,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   const bool placed = settings.placements != placements_ || pose.placements != hand_placements_;
   const bool changed = tracker != last_tracker_ || placed;
   // A new tracker comes as its maker left it: one that was led to the hand keeps the contact over a change of method.
+  out.placed = placed;
   if (tracker && placed) tracker->reset();
   last_tracker_ = tracker;
   placements_ = settings.placements;

@@ -39,6 +39,7 @@ struct ServoSample {
   float work_us = 0;       ///< how long the tick took (0 on a virtual clock)
   float late_us = 0;       ///< how long after its due time it began (0 on a virtual clock)
   bool has_tracker = false;
+  bool placed = false;     ///< the contact was forgotten before this tick, for the hand or the scene was placed anew
 };
 
 class ServoStep {

@@ -54,6 +54,7 @@ void viewMenu(Application& app) {
   Settings& s = app.settings;
   if (item("menu/view/lesson", "Lesson panel", nullptr, app.panels.lesson)) app.panels.lesson = !app.panels.lesson;
   if (item("menu/view/touch", "Touch panel", nullptr, app.panels.touch)) app.panels.touch = !app.panels.touch;
+  if (item("menu/view/methods", "Methods panel", nullptr, app.panels.methods)) app.showMethods(!app.panels.methods);
   if (beginMenu("menu/view/shapes", "Shapes")) {
     for (const ShapeName& shape : shapeNames()) {
       const bool on = app.shown.has(shape.shape);

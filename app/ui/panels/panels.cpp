@@ -8,6 +8,7 @@
   X(LessonPanel)          \
   X(ViewPanel)            \
   X(TouchPanel)           \
+  X(MethodsPanel)         \
   X(Splitters)            \
   X(StatusBar)            \
   X(MessageStack)         \

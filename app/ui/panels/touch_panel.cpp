@@ -1,13 +1,12 @@
 // Right: what is felt and how: force over time, the probe, what is shown; the method and the loop behind "More".
 #include <string>
-#include <vector>
 
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
+#include "app/ui/method_chooser.h"
 #include "app/ui/plot.h"
 #include "app/ui/shape_label.h"
 #include "app/ui/theme.h"
-#include "engine/haptics/methods.h"
 
 namespace moltact {
 namespace {
@@ -18,39 +17,19 @@ constexpr double kSoftest_N_per_mm = 0.05, kStiffest_N_per_mm = 2.0;
 void drawShapeSwitches(Application& app) {
   for (const ShapeName& shape : shapeNames()) {
     if (!shape.haptic) continue;  // the others are in the View menu
+    if (shape.shape == Shape::Facets && !feltFacets(app.method)) continue;
     bool on = app.shown.has(shape.shape);
     if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on, std::string(shape.sentence).c_str()))
       app.shown.set(shape.shape, on);
   }
 }
 
-void drawMethod(Application& app) {
-  std::vector<std::string> names;
-  std::size_t chosen = 0;
-  for (const Method& m : methods()) {
-    if (m.name == app.method) chosen = names.size();
-    names.emplace_back(m.name);
-  }
-  ImGui::TextUnformatted("Tracker");
-  if (segments("tracker", names, chosen)) app.useMethod(names[chosen]);
-  if (const Method* m = findMethod(app.method)) {
-    WithFont small(Font::Small);
-    WithText quiet(look().palette.quiet);
-    ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted(m->sentence.data(), m->sentence.data() + m->sentence.size());
-    ImGui::PopTextWrapPos();
-  }
-}
-
 }  // namespace
 
 void drawTouchPanel(Application& app) {
-  if (!beginPanel("touch", app.layout.touch)) return;
+  if (app.methodsInFront() || !beginPanel("touch", app.layout.touch)) return;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
-  {
-    WithFont title(Font::Title);
-    ImGui::TextUnformatted("Touch");
-  }
+  drawTouchHead(app);
   plot("plot/force", app.touch.force(), app.touch.force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f});
   ImGui::Spacing();
   slider("probe", "Probe radius", app.touch_settings.probe_A, 0.0, kLargestOffered_A, 0.1, "%.1f Å",
@@ -66,7 +45,9 @@ void drawTouchPanel(Application& app) {
     slider("stiffness", "Stiffness", app.touch_settings.stiffness_N_per_mm, kSoftest_N_per_mm, kStiffest_N_per_mm, 0.05, "%.2f N/mm",
            "The spring between your hand and the surface: how hard the molecule feels.");
     toggle("force", "Force on", app.touch_settings.force_on, "Off: contact is followed, but no force is given.");
-    drawMethod(app);
+    ImGui::TextUnformatted("Tracker");
+    drawMethodChooser(app);
+    if (!app.panels.methods && button("compare", "Compare the methods …", ButtonLook::Plain, -1.0f)) app.showMethods(true);
     plot("plot/tick", app.touch.work(), app.touch.health().work_mean_us, {.title = "Time for a tick", .unit = "µs", .least_top = 2.0f});
   }
   ImGui::PopStyleVar();

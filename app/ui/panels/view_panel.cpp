@@ -9,6 +9,7 @@
 #include "app/ui/application.h"
 #include "app/ui/contact_text.h"
 #include "app/ui/controls.h"
+#include "app/ui/method_chooser.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/theme.h"
 #include "app/ui/view_picture.h"
@@ -77,6 +78,7 @@ ViewScene sceneOf(const Application& app) {
     scene.arrow_A_per_N = app.camera.pixel_A(app.camera.distance_A, std::max(1, int(app.layout.view.size().y))) * look().px(kArrow_px_per_N);
     scene.probe_A = now.probe_A;
   }
+  scene.facets = feltFacets(app.method);
   app.lesson.decorate(scene);
   return scene;
 }

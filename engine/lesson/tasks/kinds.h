@@ -11,5 +11,7 @@ TaskKind pressKind();
 TaskKind feelKind();
 TaskKind crossKind();
 TaskKind avoidKind();
+TaskKind compareKind();
+TaskKind meetKind();
 
 }  // namespace moltact

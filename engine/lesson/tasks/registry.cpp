@@ -12,6 +12,8 @@ std::span<const TaskKind> taskKinds() {
       feelKind(),
       crossKind(),
       avoidKind(),
+      compareKind(),
+      meetKind(),
   };
   return kinds;
 }

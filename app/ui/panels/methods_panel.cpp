@@ -1,0 +1,31 @@
+// Right, in the touch panel's place when it is asked for: the haptic method under the hand is switched while touching, and
+// what it costs and how true it is are seen at once.
+#include "app/ui/application.h"
+#include "app/ui/controls.h"
+#include "app/ui/method_charts.h"
+#include "app/ui/method_chooser.h"
+#include "app/ui/plot.h"
+#include "app/ui/theme.h"
+
+namespace moltact {
+
+void drawMethodsPanel(Application& app) {
+  if (!app.methodsInFront() || !beginPanel("methods", app.layout.touch)) return;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
+  drawTouchHead(app);
+  drawMethodChooser(app);
+  if (feltFacets(app.method)) {
+    bool on = app.shown.has(Shape::Facets);
+    if (toggle("show/facets", "Draw the triangles", on, "The triangles that the method feels, round the probe.")) app.shown.set(Shape::Facets, on);
+  }
+  plot("plot/force", app.touch.force(), app.touch.force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f, .height = 50.0f});
+  plot("plot/turn", app.watch.turns(), app.watch.greatestTurn_deg(),
+       {.title = "Largest turn of the force in a tick", .least_top = 2.0f, .height = 50.0f, .format = "%.1f°"});
+  const MethodRecord* record = app.watch.find(app.method);
+  tickHistogram("plot/times", record, 56.0f);
+  speedAccuracyChart("plot/tradeoff", app.watch, app.method, 140.0f);
+  ImGui::PopStyleVar();
+  endPanel();
+}
+
+}  // namespace moltact

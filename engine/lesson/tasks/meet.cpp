@@ -1,0 +1,80 @@
+// meet: come upon a failure of the haptic method in use, judged against the exact tracker fed with the same hand.
+#include <cmath>
+#include <numbers>
+
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kLasting_s = 0.1;   // a failure shorter than this is a tick's slip and no failure to be felt
+constexpr double kOff_A = 0.1;       // the contact points differ by more than drawing shows as one
+constexpr double kJump_deg = 5.0;    // a fingertip notices the force turn by this at once
+constexpr double kSteady_deg = 1.0;  // while the true force turns by no more
+constexpr double kPull_A = 0.02;     // a shorter spring has no direction to speak of
+
+Vec3 pull(const Contact& c, PointA hip) { return springEnd(c, hip).A - hip.A; }
+
+double angle_deg(const Vec3& a, const Vec3& b) {
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
+}
+
+class Meet : public Task {
+ public:
+  explicit Meet(const TaskSpec& spec) : Task(spec), what_(spec.values["meet"].words[0]) {}
+
+  void reset() override {
+    Task::reset();
+    watch_.restart();
+    before_ = exact_before_ = Vec3(0.0);
+    touching_ = false;
+  }
+
+ private:
+  void take(const TouchSample& s, double dt_s) override {
+    touching_ = s.contact.touching();
+    const bool judged = s.exact.touching() && s.contact.fault == Fault::None;
+    const Vec3 now = touching_ ? pull(s.contact, s.hip) : Vec3(0.0), exact = judged ? pull(s.exact, s.hip) : Vec3(0.0);
+    if (what_ == "jump") {
+      const auto felt = [](const Vec3& v) { return glm::length(v) > kPull_A; };
+      const bool all = dt_s > 0.0 && felt(now) && felt(before_) && felt(exact) && felt(exact_before_);
+      if (all && angle_deg(now, before_) > kJump_deg && angle_deg(exact, exact_before_) < kSteady_deg) finish();
+      before_ = now;
+      exact_before_ = exact;
+      return;
+    }
+    bool here = false;
+    if (what_ == "lost") here = judged && !touching_ && glm::length(exact) > kOff_A;
+    else if (what_ == "wrong-side") here = judged && touching_ && glm::length(now) > kPull_A && glm::dot(now, exact) < 0.0;
+    else here = judged && touching_ && glm::distance(s.contact.scp.A, s.exact.scp.A) > kOff_A;
+    watch_.tick(here, dt_s, 0.0);
+    setProgress(watch_.elapsed_s() / kLasting_s);
+    if (watch_.elapsed_s() >= kLasting_s) finish();
+  }
+
+  std::string guidance() const override {
+    if (!touching_) return "Touch the surface and push in.";
+    if (what_ == "jump") return "Slide slowly until the force turns with a jerk.";
+    if (what_ == "lost") return "Push further in until the method loses the surface.";
+    if (what_ == "wrong-side") return "Push further in until the force throws you out of the far side.";
+    return "Slide until the contact point lies 0.1 Å or more from where it should.";
+  }
+
+  std::string what_;
+  Stopwatch watch_;
+  Vec3 before_{0.0}, exact_before_{0.0};
+  bool touching_ = false;
+};
+
+}  // namespace
+
+TaskKind meetKind() {
+  return {"meet", "Come upon a failure of the haptic method in use, judged against the exact tracker.",
+          {{.name = "meet", .type = ValueType::Word,
+            .meaning = "The failure: the force turns with a jerk, the surface is lost, the force points out of the far side, or the "
+                       "contact point lies off the surface.",
+            .required = true, .words = {"jump", "lost", "wrong-side", "off"}}},
+          [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Meet>(s); }};
+}
+
+}  // namespace moltact
