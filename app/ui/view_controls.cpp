@@ -1,5 +1,6 @@
 #include "app/ui/view_controls.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace moltact {
@@ -38,6 +39,11 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   PointerInput pointer;
   pointer.rays = viewRays(camera, in.size_px);
   pointer.pointer_px = in.pointer_px;
+  if (first_aim_ && !pointer.pointer_px) {
+    const Vec3 px = camera.project(*first_aim_, std::max(1, int(in.size_px.x)), std::max(1, int(in.size_px.y)));
+    pointer.pointer_px = glm::dvec2(px.x, px.y);
+  }
+  first_aim_.reset();
   pointer.keys = in.probe_keys;
   pointer.press = pressing_;
   pointer.push_notches = in.push_notches;
@@ -53,6 +59,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
 
 void ViewControls::begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse) {
   hand_.reset();
+  first_aim_ = before;
   pressing_ = let_go_ = false;
   lead_ = {before.A + camera.back() * outside_A};
   mouse.place(workspace.toDevice(lead_));

@@ -35,8 +35,8 @@ class ViewControls {
   void update(const ViewInput& input, Camera& camera, const BallScene* balls, const ServoSettings& settings,
               bool touching, double force_N, MouseDevice& mouse);
 
-  /// The hand begins anew, outside: at a new scene.
-  /// It waits `outside_A` in front of the place `before`, toward the viewer.
+  /// The hand begins anew, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward the
+  /// viewer, and aims at that place until the pointer or the keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
   bool pressing() const { return pressing_; }
@@ -51,6 +51,7 @@ class ViewControls {
  private:
   PointerHand hand_;
   PointA lead_;
+  std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
   bool pressing_ = false, let_go_ = false, camera_moved_ = false, has_pressed_ = false, has_turned_ = false;
 };
 
