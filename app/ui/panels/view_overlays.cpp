@@ -70,11 +70,12 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * float(force_N) + l.px(26));
   const Vec3 foot = app.camera.project(now.contact.scp, int(size.x), int(size.y));
   Vec3 at = app.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
-  if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px))) at = foot + Vec3(double(l.px(kBeside_px)), 0.0, 0.0);
   char text[24];
   std::snprintf(text, sizeof text, "%.1f N", force_N);
   ImFont* font = l.font(Font::Small);
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text);
+  if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
+    at = foot + Vec3(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0);
   const float x = std::clamp(view.low.x + float(at.x) - 0.5f * extent.x, view.low.x + l.px(6), view.high.x - extent.x - l.px(6));
   const float y = std::clamp(view.low.y + float(at.y) - 0.5f * extent.y, view.low.y + l.px(6), view.high.y - extent.y - l.px(6));
   const ImVec2 pad{l.px(5), l.px(2)};
