@@ -17,8 +17,8 @@ namespace moltact {
 /// Tick times of the last few seconds of contact, by decades. Older ones fade.
 class TickHistogram {
  public:
-  static constexpr double kLeast_us = 0.01, kMost_us = 1000.0;
-  static constexpr int kBinsADecade = 10, kBins = 5 * kBinsADecade;
+  static constexpr double kLeast_us = 0.05, kMost_us = 50.0;
+  static constexpr int kBinsADecade = 16, kBins = 3 * kBinsADecade;
 
   void add(double time_us);  ///< times beyond the ends count in the last bin; 0 (not timed) does not count
   double share(int bin) const { return total_ > 0 ? counts_[std::size_t(bin)] / total_ : 0.0; }
