@@ -19,6 +19,7 @@ CapCache::CapCache(std::shared_ptr<const BallScene> scene)
 void CapCache::setProbe(double probe_A) noexcept {
   probe_ = probe_A;
   for (std::uint32_t k = 0; k < kLists; ++k) lists_[k] = List{};
+  held_ = 0;
   last_ = &lists_[0];
   next_list_ = next_cap_ = 0;
 }
@@ -72,6 +73,8 @@ void CapCache::gather(std::int32_t ball, List& list) noexcept {
     if (lists_[k].begin < begin + count && begin < lists_[k].begin + lists_[k].count) lists_[k] = List{};
   if (too_long) count = 0;
   list = {ball, begin, count, too_long};
+  held_ = 0;
+  for (std::uint32_t k = 0; k < kLists; ++k) held_ += lists_[k].ball >= 0;
   next_cap_ = begin + count;
 }
 
@@ -98,12 +101,6 @@ double CapCache::slackOfList(std::uint32_t begin, std::uint32_t count, const Vec
     least[0] = gap < least[0] ? gap : least[0];
   }
   return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
-}
-
-std::uint32_t CapCache::listsHeld() const noexcept {
-  std::uint32_t held = 0;
-  for (std::uint32_t k = 0; k < kLists; ++k) held += lists_[k].ball >= 0;
-  return held;
 }
 
 std::size_t CapCache::bytes() const noexcept {

@@ -57,7 +57,7 @@ class CapCache {
       visit(Cap{{x_[k], y_[k], z_[k]}, cos_rim_[k], ball_[k]});
   }
 
-  std::uint32_t listsHeld() const noexcept;
+  std::uint32_t listsHeld() const noexcept { return held_; }
   std::size_t bytes() const noexcept;
 
  private:
@@ -96,6 +96,7 @@ class CapCache {
   std::shared_ptr<const BallScene> scene_;
   Vec3 origin_;
   double probe_ = 0.0;
+  std::uint32_t held_ = 0;  // lists of some ball: asked in every tick
   std::unique_ptr<List[]> lists_;
   List* last_;
   std::uint32_t next_list_ = 0, next_cap_ = 0;
