@@ -133,6 +133,24 @@ TEST_CASE("a coordinate as 1e9 in a PDB column is refused, and so is one beyond 
         "x.xyzr:1:1: x is '2e9', which is not a finite number up to 1e9 A; correct or remove the line");
 }
 
+TEST_CASE("of 30 000 mmCIF models the first, the last and one whose rows are parted by others are read") {
+  std::string cif =
+      "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+      "_atom_site.pdbx_PDB_model_num\n";
+  for (int model = 1; model <= 30'000; ++model)
+    cif += "C " + std::to_string(model) + " 0 0 " + std::to_string(model) + '\n';
+  cif += "C 0.5 0 0 7\n";
+  for (const auto& [model, atoms] : {std::pair{1, 1u}, {7, 2u}, {30'000, 1u}}) {
+    ReadOptions options;
+    options.model = model;
+    const auto read = readMoleculeBytes(cif, "x.cif", options);
+    REQUIRE(read);
+    CHECK(read->models_in_file == 30'000);
+    REQUIRE(read->atoms.size() == atoms);
+    CHECK(read->atoms[0].position.A.x == model);
+  }
+}
+
 TEST_CASE("broken mmCIF syntax names the line and column") {
   const std::string text = problemOf("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2 3\n", "x.cif");
   CHECK(text.find("x.cif:") == 0);
