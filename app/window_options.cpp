@@ -4,6 +4,9 @@
 #include <iostream>
 
 namespace moltact {
+namespace {
+constexpr double kLeastScale = 0.5, kMostScale = 8.0;  // of the monitor
+}
 
 void addWindowArguments(CLI::App& app, WindowArguments& into) {
   app.add_option("file", into.file, "A molecule or a lesson to open in the window");
@@ -19,6 +22,10 @@ int runWindowArguments(const WindowArguments& a) {
   if (a.screenshot.empty() && a.script.empty()) return runWindow({.file = a.file, .frame_stats = a.frame_stats});
   OffscreenOptions options{.file = a.file, .screenshot = a.screenshot, .script = a.script, .content_scale = a.scale,
                            .frame_stats = a.frame_stats};
+  if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {  // false for what is not a number, too
+    std::cerr << "moltact: --content-scale " << a.scale << " is out of range; give 0.5 to 8\n";
+    return 2;
+  }
   char end = 0;
   if (!a.size.empty() && (std::sscanf(a.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
                           options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192)) {

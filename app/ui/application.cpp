@@ -50,7 +50,12 @@ void Application::open(const std::filesystem::path& file) {
     return;
   }
   const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
-  loader_.begin(found ? *found : file);
+  if (!found) {
+    messages.error(found.problem().text());
+    return;
+  }
+  step_scene_ = false;
+  loader_.begin(*found);
   if (options.clock == ServoClock::Frames) finishLoading();
 }
 
@@ -77,14 +82,16 @@ void Application::enterScene() {
     showMethods(asks);
     panels.methods_by_step = asks && !by_hand;
   }
+  if (stage) lesson.meet(stage.molecule, stage_file);
   const Expected<std::filesystem::path> file = lesson.moleculeFile();
   if (!file) {
     messages.error(file.problem().text());
     return;
   }
   if (*file == stage_file && stage && !loader_.busy()) {
-    lesson.meet(stage.molecule, stage_file);
+    touch.clear();
     resetView();
+    servo.beginAgain(touch_settings);
     return;
   }
   step_scene_ = true;
@@ -103,8 +110,11 @@ void Application::takeUp(Loaded loaded) {
     return;
   }
   messages.clearErrors();
-  for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
-  if (!from_step) settings.remember(loaded.file);
+  // A lesson's author knows what the file leaves out.
+  if (!from_step) {
+    for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
+    settings.remember(loaded.file);
+  }
   show(*std::move(loaded.stage), loaded.file);
 }
 
@@ -116,17 +126,20 @@ void Application::show(Stage next, const std::filesystem::path& file) {
   touch.clear();
   watch.begin(stage, touch_settings.probe_A);
   resetView();
-  servo.setTracker(makeTracker(stage, *findMethod(method), touch_settings.probe_A, Contact{}, PointA{}));
+  servo.begin(touch_settings, makeTracker(stage, *findMethod(method), touch_settings.probe_A, Contact{}, PointA{}));
 }
 
 void Application::resetView() {
   if (!stage) return;
   camera.orientation = glm::dquat(1, 0, 0, 0);
   // Round the molecule there is room for the probe, which hovers before it and beside it.
-  camera.fit(*stage.molecule, view_aspect_, 0.08, kProbeRoom * touch_settings.probe_A);
+  const auto fit = [&] { camera.fit(*stage.molecule, view_aspect_, 0.08, kProbeRoom * touch_settings.probe_A); };
+  fit();
   lesson.face(camera, *stage.molecule);
+  // Another side of the molecule may be wider.
+  fit();
   ++touch_settings.placements;
-  controls.begin(camera, stage.workspace, std::min(stage.reach_A, camera.distance_A), servo.mouse());
+  controls.begin(camera, stage.middle, stage.workspace, std::min(stage.reach_A, camera.distance_A), servo.mouse());
   servo.setSettings(touch_settings);
 }
 

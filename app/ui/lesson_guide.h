@@ -36,6 +36,10 @@ class LessonGuide {
 
   /// The scene of the step when it has changed since the last call, else null.
   const SceneSpec* takeNewScene();
+  /// Makes takeNewScene() give the scene again, after another molecule was opened.
+  void askForScene() { scene_changed_ = true; }
+  /// Whether the step's molecule is the one that was met last.
+  bool onStage() const { return on_stage_; }
   /// The file of the step's molecule: in the library, or beside the lesson. A problem where it is in neither.
   Expected<std::filesystem::path> moleculeFile() const;
 

@@ -3,29 +3,49 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <exception>
+#include <new>
 #include <string>
+#include <system_error>
 
 #include "engine/molecule/reader.h"
 
 namespace moltact {
 namespace {
 
-Loaded read(std::filesystem::path file) {
-  Expected<Molecule> molecule = readMolecule(file);
-  if (!molecule) return {std::move(file), molecule.problem()};
-  Expected<Stage> stage = makeStage(*std::move(molecule), file);
-  return {std::move(file), std::move(stage)};
+// What the thread runs: nothing that goes wrong in it ends the program.
+Loaded guarded(const Loader::Read& read, const std::filesystem::path& file) {
+  try {
+    return read(file);
+  } catch (const std::bad_alloc&) {
+    return {file, Problem{file.string(), 0, 0, "there is not enough memory to open it", "close other programs, or open a smaller structure"}};
+  } catch (const std::exception& e) {
+    return {file, Problem{file.string(), 0, 0, std::string("it cannot be opened: ") + e.what(), "check the file"}};
+  }
 }
 
 bool ready(const std::future<Loaded>& f) { return f.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
 
 }  // namespace
 
+Loaded readStage(const std::filesystem::path& file) {
+  Expected<Molecule> molecule = readMolecule(file);
+  if (!molecule) return {file, molecule.problem()};
+  return {file, makeStage(*std::move(molecule), file)};
+}
+
+Loader::Loader(Read read) : read_(read ? std::move(read) : Read(readStage)) {}
+
 void Loader::begin(std::filesystem::path file) {
   if (wanted_.valid()) unwanted_.push_back(std::move(wanted_));
   std::erase_if(unwanted_, [](const std::future<Loaded>& f) { return ready(f); });
   file_ = file;
-  wanted_ = std::async(std::launch::async, read, std::move(file));
+  try {
+    wanted_ = std::async(std::launch::async, guarded, read_, file);
+  } catch (const std::system_error&) {  // no further thread can be had
+    wanted_ = std::async(std::launch::deferred, guarded, read_, file);
+    wanted_.wait();
+  }
 }
 
 std::optional<Loaded> Loader::take() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <optional>
 
@@ -17,6 +18,10 @@ struct Loaded {
 
 class Loader {
  public:
+  using Read = std::function<Loaded(const std::filesystem::path&)>;
+  /// Reads by readStage unless told otherwise. An exception that `read` throws becomes a problem.
+  explicit Loader(Read read = {});
+
   /// Begins to read; what was being read before is no longer wanted.
   void begin(std::filesystem::path file);
   bool busy() const { return wanted_.valid(); }
@@ -28,10 +33,14 @@ class Loader {
   std::optional<Loaded> wait();
 
  private:
+  Read read_;
   std::filesystem::path file_;
   std::future<Loaded> wanted_;
   std::vector<std::future<Loaded>> unwanted_;  // a future waits in its destructor, so they end on their own first
 };
+
+/// Reads a molecule file and puts it on a stage. Any thread.
+Loaded readStage(const std::filesystem::path& file);
 
 /// Whether a molecule reader may know the file, by its name.
 bool looksLikeMolecule(const std::filesystem::path& file);

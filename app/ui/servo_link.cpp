@@ -16,14 +16,32 @@ void ServoLink::setSettings(const ServoSettings& settings) {
 }
 
 void ServoLink::setTracker(std::unique_ptr<Tracker> tracker) {
-  if (thread_) thread_->setTracker(std::move(tracker));
+  if (thread_) thread_->setTracker(std::move(tracker), scene_);
   else tracker_ = std::move(tracker);
+}
+
+void ServoLink::begin(const ServoSettings& settings, std::unique_ptr<Tracker> tracker) {
+  ++scene_;
+  // In this order: the new tracker is never stepped with the old settings.
+  beginAgain(settings);
+  setTracker(std::move(tracker));
+}
+
+void ServoLink::beginAgain(const ServoSettings& settings) {
+  first_placement_ = settings.placements;
+  setSettings(settings);
+}
+
+bool ServoLink::ofThisScene(const ServoSample& sample) const {
+  return sample.scene == scene_ && std::int32_t(sample.placements - first_placement_) >= 0;
 }
 
 const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   ticks_.clear();
   if (thread_) {
-    thread_->drain([this](const ServoSample& sample) { ticks_.push_back(sample); });
+    thread_->drain([this](const ServoSample& sample) {
+      if (ofThisScene(sample)) ticks_.push_back(sample);
+    });
     return ticks_;
   }
   owed_s_ += std::clamp(dt_s, 0.0, 0.5);
@@ -31,9 +49,10 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
     ServoSample sample = step_.tick(settings_, tracker_.get(), mouse_.read(kTick_s));
+    sample.scene = scene_;
     mouse_.write(sample.force);
     if (timed_) sample.work_us = std::chrono::duration<float, std::micro>(Clock::now() - began).count();
-    ticks_.push_back(sample);
+    if (ofThisScene(sample)) ticks_.push_back(sample);
   }
   return ticks_;
 }

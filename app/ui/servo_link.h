@@ -26,7 +26,13 @@ class ServoLink {
   const DeviceInfo& device() const { return mouse_.info(); }
 
   void setSettings(const ServoSettings& settings);
+  /// Another tracker in the same scene.
   void setTracker(std::unique_ptr<Tracker> tracker);
+  /// A new scene: what was felt of the one before no longer comes out of advance().
+  void begin(const ServoSettings& settings, std::unique_ptr<Tracker> tracker);
+  /// The same molecule, placed anew by `settings`: what was felt under earlier placements no longer comes out.
+  void beginAgain(const ServoSettings& settings);
+  std::uint32_t scene() const { return scene_; }
 
   /// On the frames' clock ticks take no time, unless they are timed for someone who looks at it.
   void timeTicks(bool on) { timed_ = on; }
@@ -39,8 +45,11 @@ class ServoLink {
   ServoClock clock() const { return thread_ ? ServoClock::RealThread : ServoClock::Frames; }
 
  private:
+  bool ofThisScene(const ServoSample& sample) const;
+
   MouseDevice mouse_;  // outlives the thread, which reads it
   std::vector<ServoSample> ticks_;
+  std::uint32_t scene_ = 0, first_placement_ = 0;
   // Of the frames' clock:
   ServoStep step_;
   ServoSettings settings_;

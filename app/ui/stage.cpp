@@ -19,6 +19,7 @@ Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) 
   if (molecule.atoms.empty())
     return Problem{file.string(), 0, 0, "there are no atoms to touch", "open a structure file with coordinates"};
   Stage stage;
+  for (const Atom& a : molecule.atoms) stage.middle.A += a.position.A / double(molecule.atoms.size());
   stage.balls = std::make_shared<const BallScene>(molecule.balls());
   stage.molecule = std::make_shared<const Molecule>(std::move(molecule));
   const Vec3 low = stage.balls->low_A(), high = stage.balls->high_A(), size = high - low;

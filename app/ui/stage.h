@@ -17,6 +17,7 @@ struct Stage {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const BallScene> balls;
   Workspace workspace;
+  PointA middle;         ///< of the atoms' centres, before which the probe waits
   double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
 
   explicit operator bool() const { return balls != nullptr; }

@@ -46,6 +46,8 @@ double TouchLog::greatest_N() const {
 }
 
 void TouchLog::clear() {
+  latest_ = ServoSample();
+  latest_force_N_ = 0;
   force_ = Trace(kPoints);
   force_peak_ = 0;
   left_behind_s_ = 0;

@@ -57,7 +57,7 @@ class TouchLog {
   void countLeftBehind(bool hip_free, double dt_s) { left_behind_s_ = touching() && hip_free ? left_behind_s_ + dt_s : 0.0; }
   double leftBehind_s() const { return left_behind_s_; }
 
-  /// The plots begin anew: at a new scene.
+  /// Nothing has been felt yet: at a new scene.
   void clear();
 
  private:

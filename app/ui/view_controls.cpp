@@ -51,10 +51,10 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   else mouse.lead(settings.workspace.toDevice(lead_));
 }
 
-void ViewControls::begin(const Camera& camera, const Workspace& workspace, double outside_A, MouseDevice& mouse) {
+void ViewControls::begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse) {
   hand_.reset();
   pressing_ = let_go_ = false;
-  lead_ = {camera.target.A + camera.back() * outside_A};
+  lead_ = {before.A + camera.back() * outside_A};
   mouse.place(workspace.toDevice(lead_));
 }
 

@@ -36,7 +36,8 @@ class ViewControls {
               bool touching, double force_N, MouseDevice& mouse);
 
   /// The hand begins anew, outside: at a new scene.
-  void begin(const Camera& camera, const Workspace& workspace, double outside_A, MouseDevice& mouse);
+  /// It waits `outside_A` in front of the place `before`, toward the viewer.
+  void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
   bool pressing() const { return pressing_; }
   double depth_A() const { return hand_.depth_A(); }

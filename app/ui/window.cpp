@@ -5,6 +5,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include <epoxy/gl.h>
 
@@ -16,6 +17,8 @@
 #include "app/ui/frame_stats.h"
 #include "app/ui/shell.h"
 #include "app/ui/user_folders.h"
+#include "engine/platform/folders.h"
+#include "engine/render/picture.h"
 
 namespace moltact {
 namespace {
@@ -104,6 +107,18 @@ GLFWwindow* openWindow() {
   return window;
 }
 
+// The server's own picture stays where the file is missing or the server takes none.
+void setIcon(GLFWwindow* window) {
+  const Expected<Picture> icon = readPng(assetsFolder() / "icon.png");
+  if (!icon) return;
+  std::vector<unsigned char> rgba;
+  rgba.reserve(icon->rgb.size() / 3 * 4);
+  for (std::size_t k = 0; k + 2 < icon->rgb.size(); k += 3)
+    rgba.insert(rgba.end(), {icon->rgb[k], icon->rgb[k + 1], icon->rgb[k + 2], 255});
+  const GLFWimage image{icon->width_px, icon->height_px, rgba.data()};
+  glfwSetWindowIcon(window, 1, &image);
+}
+
 int noDisplay(const char* why) {
   std::cerr << "moltact: no window can be opened (" << why << ")\n"
             << "Without a display these commands work: moltact info, moltact render, moltact replay (see moltact --help).\n";
@@ -126,6 +141,7 @@ int runWindow(const WindowOptions& options) {
     glfwTerminate();
     return status;
   }
+  setIcon(window);
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
   FrameStats stats;

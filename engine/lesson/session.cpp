@@ -99,6 +99,7 @@ TaskStatus LessonSession::task(std::size_t index) const {
   TaskStatus out;
   out.done = state().tasks_done[index] != 0;
   out.current = !out.done && index == currentTask();
+  out.say = step().tasks[index].values["say"].text;
   if (out.done) {
     out.progress = 1.0;
     out.sentence = step().tasks[index].values["praise"].text;

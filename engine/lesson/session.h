@@ -18,6 +18,7 @@ struct TaskStatus {
   bool done = false;
   bool current = false;    ///< the one that the student is at now; at most one in a step
   double progress = 0.0;   ///< 0 to 1
+  std::string say;         ///< what the lesson asks for
   std::string sentence;    ///< what to do next, or the praise; empty for tasks whose turn has not come
 };
 

@@ -12,6 +12,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   out.buttons = pose.buttons;
   out.hip = settings.workspace.toMolecule(pose.position);
   out.has_tracker = tracker != nullptr;
+  out.placements = settings.placements;
 
   const bool placed = settings.placements != placements_ || pose.placements != hand_placements_;
   const bool changed = tracker != last_tracker_ || placed;

@@ -39,6 +39,8 @@ struct ServoSample {
   float work_us = 0;       ///< how long the tick took (0 on a virtual clock)
   float late_us = 0;       ///< how long after its due time it began (0 on a virtual clock)
   bool has_tracker = false;
+  std::uint32_t scene = 0;       ///< the number that the tracker was handed over with (0 from tick() itself)
+  std::uint32_t placements = 0;  ///< of the settings in force at this tick
   bool placed = false;     ///< the contact was forgotten before this tick, for the hand or the scene was placed anew
 };
 

@@ -1,38 +1,23 @@
 #include "engine/servo/servo_thread.h"
 
+#include <utility>
+
 namespace moltact {
-namespace {
 
-// Stands in the mailbox for "take the tracker away": a null there means that nothing has come.
-class NoTracker final : public Tracker {
- public:
-  Contact step(PointA hip) noexcept override { return {.scp = hip}; }
-  void reset() noexcept override {}
-  void setProbe(double) noexcept override {}
-  double probe_A() const noexcept override { return 0.0; }
-  Footprint footprint() const noexcept override { return {}; }
-};
-
-}  // namespace
-
-ServoThread::ServoThread(Device& device) : device_(device), none_owner_(std::make_unique<NoTracker>()) {
-  none_ = none_owner_.get();
-  thread_ = std::thread([this] { run(); });
-}
+ServoThread::ServoThread(Device& device) : device_(device), thread_([this] { run(); }) {}
 
 ServoThread::~ServoThread() {
   stop_.store(true, std::memory_order_release);
   thread_.join();
   collect();
-  if (Tracker* waiting = arriving_.exchange(nullptr); waiting != none_) delete waiting;
+  delete arriving_.exchange(nullptr);
   delete current_;
 }
 
-void ServoThread::setTracker(std::unique_ptr<Tracker> tracker) {
+void ServoThread::setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene) {
   collect();
-  Tracker* next = tracker ? tracker.release() : none_;
-  Tracker* overtaken = arriving_.exchange(next, std::memory_order_acq_rel);
-  if (overtaken != none_) delete overtaken;
+  auto next = std::make_unique<Handed>(std::move(tracker), scene);
+  delete arriving_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
 void ServoThread::collect() { delete leaving_.exchange(nullptr, std::memory_order_acq_rel); }
@@ -48,13 +33,14 @@ void ServoThread::run() noexcept {
 
     // A new tracker is taken only when the place for the old one is free, so that nothing is ever destroyed here.
     if (arriving_.load(std::memory_order_acquire) && !leaving_.load(std::memory_order_acquire)) {
-      Tracker* next = arriving_.exchange(nullptr, std::memory_order_acq_rel);
+      Handed* next = arriving_.exchange(nullptr, std::memory_order_acq_rel);
       if (current_) leaving_.store(current_, std::memory_order_release);
-      current_ = next == none_ ? nullptr : next;
+      current_ = next;
     }
 
     const DevicePose pose = device_.read(kTick_s);
-    ServoSample sample = step.tick(settings_.read(), current_, pose);
+    ServoSample sample = step.tick(settings_.read(), current_ ? current_->tracker.get() : nullptr, pose);
+    sample.scene = current_ ? current_->scene : 0;
     device_.write(sample.force);
     sample.work_us = float(monotonic_ns() - began_ns) * 1e-3f;
     sample.late_us = float(began_ns - due_ns) * 1e-3f;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <thread>
 
@@ -26,8 +27,10 @@ class ServoThread {
 
   void setSettings(const ServoSettings& settings) noexcept { settings_.write(settings); }
 
-  /// Hands over the tracker of a new scene (null: none). The old one comes back and is destroyed here, never on the loop.
-  void setTracker(std::unique_ptr<Tracker> tracker);
+  /// Hands over the tracker of a scene (null: none), whose number comes back in every sample that this tracker makes.
+  /// Settings set before are in force when it is first stepped. The old one comes back and is destroyed here, never on the
+  /// loop.
+  void setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene = 0);
 
   /// The newest tick.
   const ServoSample& latest() noexcept { return latest_.read(); }
@@ -56,11 +59,14 @@ class ServoThread {
   TripleBuffer<ServoSettings> settings_;
   TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
-  std::atomic<Tracker*> arriving_{nullptr};   // the next tracker; `none_` stands for "none wanted"
-  std::atomic<Tracker*> leaving_{nullptr};    // one that the loop has put down
-  Tracker* none_;                             // a mark, never stepped
-  std::unique_ptr<Tracker> none_owner_;
-  Tracker* current_ = nullptr;                // the loop's
+  // A tracker on its way, with its scene's number; no tracker in it: none is wanted.
+  struct Handed {
+    std::unique_ptr<Tracker> tracker;
+    std::uint32_t scene = 0;
+  };
+  std::atomic<Handed*> arriving_{nullptr};    // the next
+  std::atomic<Handed*> leaving_{nullptr};     // one that the loop has put down
+  Handed* current_ = nullptr;                 // the loop's
   std::atomic<RealtimeStatus> realtime_{RealtimeStatus::Starting};
   std::atomic<std::uint64_t> missed_{0};
   std::atomic<bool> stop_{false};

@@ -58,6 +58,20 @@ std::vector<std::vector<std::string>> rows(const std::string& csv) {
   return all;
 }
 
+}  // namespace
+
+TEST_CASE("a --content-scale that is no number or out of range ends with status 2 and the range") {
+  Folder folder;
+  for (const char* scale : {"nan", "inf", "0", "-1", "9"}) {
+    const Run run = moltact(folder, "--screenshot '" + (folder / "a.png") + "' --content-scale " + scale);
+    CAPTURE(scale);
+    CHECK(run.status == 2);
+    CHECK(run.err.find("0.5 to 8") != std::string::npos);
+  }
+}
+
+namespace {
+
 // One carbon-like ball of 1.6 A at the origin; with the probe's 1.4 A the surface lies at 3 A.
 constexpr const char* kOneBall = "0 0 0 1.6\n";
 

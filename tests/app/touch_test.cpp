@@ -140,6 +140,33 @@ TEST_CASE("a hand that is placed inside is told to come out once") {
   CHECK(d->app().touch.force_N() == 0.0);
 }
 
+TEST_CASE("a new molecule begins without what was felt of the old one, on the frames' clock and with the real thread") {
+  for (const ServoClock clock : {ServoClock::Frames, ServoClock::RealThread}) {
+    Driver::Options options;
+    options.application.clock = clock;
+    auto d = startWith("1ubq", options);
+    d->point("view");
+    d->press();
+    int frames = 0;
+    while (!d->app().touch.touching() && ++frames < 20000) d->frames(1);
+    REQUIRE(d->app().touch.touching());
+    d->release();
+    const std::uint32_t old = d->app().servo.scene();
+    d->app().open("argon");
+    d->app().finishLoading();
+    CHECK_FALSE(d->app().touch.touching());
+    CHECK(d->app().servo.scene() == old + 1);
+    for (int seen = 0; seen < 50;) {
+      for (const ServoSample& s : d->app().servo.advance(1e-3)) {
+        CHECK(s.scene == old + 1);
+        // Of argon's one atom; the protein's contact was with another.
+        CHECK(s.contact.atoms[0] <= 0);
+        ++seen;
+      }
+    }
+  }
+}
+
 TEST_CASE("with the real haptic thread a press of 2 s touches") {
   Driver::Options options;
   options.application.clock = ServoClock::RealThread;

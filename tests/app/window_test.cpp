@@ -1,9 +1,12 @@
 // The window's panels, files and looks, off-screen.
 #include <filesystem>
 #include <fstream>
+#include <new>
+#include <stdexcept>
 
 #include <unistd.h>
 
+#include "app/ui/loader.h"
 #include "app/ui/settings.h"
 #include "tests/app/driver_fixture.h"
 
@@ -55,6 +58,42 @@ TEST_CASE("a broken file leaves the scene and shows the reason until it is dismi
   CHECK_FALSE(d->shows("message/0"));
 }
 
+TEST_CASE("a name that is not in the library is answered with the name that was meant") {
+  auto d = startWith("");
+  d->app().open("1ubp");
+  d->frames(2);
+  CHECK(contains(d->text("message/0"), "1ubq"));
+  CHECK_FALSE(bool(d->app().stage));
+}
+
+TEST_CASE("what is left out of a file is told for 6 s when it is opened by hand, and not in a lesson's step") {
+  auto d = startWith("1ubq");
+  CHECK(contains(d->text("message/0"), "left out"));
+  d->frames(6 * 60 + 2);
+  CHECK_FALSE(d->shows("message/0"));
+  d->app().openFirst();
+  d->frames(5);
+  for (int k = 0; k < 4; ++k) d->click("lesson/next");
+  d->frames(3);
+  REQUIRE(contains(d->text("lesson/place"), "Step 5 of"));
+  CHECK_FALSE(d->shows("message/0"));
+}
+
+TEST_CASE("an exception while a file is read becomes a problem that names the file") {
+  Loader starved([](const fs::path&) -> Loaded { throw std::bad_alloc(); });
+  starved.begin("huge.pdb");
+  const std::optional<Loaded> none = starved.wait();
+  REQUIRE(none);
+  REQUIRE_FALSE(none->stage);
+  CHECK(contains(none->stage.problem().text(), "huge.pdb"));
+  CHECK(contains(none->stage.problem().text(), "memory"));
+  Loader failing([](const fs::path&) -> Loaded { throw std::runtime_error("disk on fire"); });
+  failing.begin("a.pdb");
+  const std::optional<Loaded> told = failing.wait();
+  REQUIRE(told);
+  CHECK(contains(told->stage.problem().text(), "disk on fire"));
+}
+
 TEST_CASE("a broken lesson is told with its line and leaves the one that is open") {
   Scratch scratch;
   auto d = startWith("");
@@ -87,11 +126,49 @@ TEST_CASE("pressing the atom of the first lesson completes its first task") {
   auto d = startWith("");
   d->app().openFirst();
   d->frames(20);
-  REQUIRE(contains(d->text("task/0"), "current: "));
+  CHECK(contains(d->text("task/0"), "current: Touch the argon atom.\n"));
+  CHECK(d->text("task/1") == "waiting: Push into it until it pushes back with 0.8 N.");
   d->point("view");
   d->press();
   d->frames(120);
   CHECK(contains(d->text("task/0"), "done: "));
+}
+
+TEST_CASE("in all 5 steps of the first lesson every atom lies in the view, with room for the probe beside it") {
+  auto d = startWith("");
+  d->app().openFirst();
+  d->frames(20);
+  for (int step = 1; step <= 5; ++step) {
+    CAPTURE(step);
+    const Camera& camera = d->app().camera;
+    const glm::vec2 size = d->app().layout.view.size();
+    const double probe_A = d->app().touch_settings.probe_A;
+    int outside = 0;
+    for (const Atom& a : d->app().stage.molecule->atoms) {
+      const Vec3 at = camera.project(a.position, int(size.x), int(size.y));
+      const double room = (a.radius_A + 2.0 * probe_A) / camera.pixel_A(at.z, int(size.y));
+      outside += at.x < room || at.y < room || at.x > double(size.x) - room || at.y > double(size.y) - room;
+    }
+    CHECK(outside == 0);
+    if (step < 5) REQUIRE(d->click("lesson/next"));
+    d->frames(3);
+  }
+}
+
+TEST_CASE("a step whose molecule is not open says so, and a button brings it back") {
+  auto d = startWith("");
+  d->app().openFirst();
+  d->frames(20);
+  CHECK_FALSE(d->shows("task/0/bring back"));
+  d->app().open("benzene");
+  d->frames(5);
+  REQUIRE(d->app().stage.molecule->atoms.size() == 12);
+  CHECK(contains(d->text("task/0"), "This step uses argon."));
+  CHECK(d->click("task/0/bring back"));
+  d->frames(5);
+  CHECK(d->app().stage.molecule->atoms.size() == 1);
+  CHECK_FALSE(d->shows("task/0/bring back"));
+  CHECK_FALSE(contains(d->text("task/0"), "This step uses"));
 }
 
 TEST_CASE("the theme switches from the menu, and most of the window changes with it") {

@@ -11,7 +11,7 @@ namespace {
 
 const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
 const std::string kBody =
-    "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom 1\nsay: S\n```\n"
+    "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom 1\nsay: Then this.\n```\n"
     "### Question: Q?\n- [x] yes → Good\n- [x] also → Fine\n- [ ] no → Bad\n"
     "## B\n### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\nwrong: Measure again.\n```\n### Question: W?\n```answer\ntext: crease, groove\n```\n"
     "## C\n```scene\nmolecule: water\n```\n";
@@ -41,7 +41,9 @@ TEST_CASE("tasks wait for the molecule, then are done one at a time in their ord
   CHECK_FALSE(session.task(0).done);
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
   CHECK(session.task(0).current);
+  CHECK(session.task(0).say == "S");
   CHECK(session.task(1).sentence.empty());
+  CHECK(session.task(1).say == "Then this.");
   touch(session, 1, 1.0);
   CHECK_FALSE(session.task(1).done);
   touch(session, 0, 2.0);

@@ -46,6 +46,20 @@ class PushingTracker final : public Tracker {
   std::thread::id& destroyed_on_;
 };
 
+// A tracker whose SCP tells which one it is.
+class MarkedTracker final : public Tracker {
+ public:
+  explicit MarkedTracker(std::uint32_t mark) : mark_(mark) {}
+  Contact step(PointA) noexcept override { return {.scp = {Vec3(double(mark_), 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  void reset() noexcept override {}
+  void setProbe(double) noexcept override {}
+  double probe_A() const noexcept override { return kWaterProbe_A; }
+  Footprint footprint() const noexcept override { return {}; }
+
+ private:
+  std::uint32_t mark_;
+};
+
 void waitForTicks(ServoThread& servo, std::uint64_t ticks) {
   const std::uint64_t until = servo.latest().tick + ticks;
   while (servo.latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -93,6 +107,29 @@ TEST_CASE("50 trackers handed over one after the other are all destroyed, and by
   CHECK(alive == 0);
   CHECK(destroyed_on == std::this_thread::get_id());
   CHECK_FALSE(servo.latest().has_tracker);
+}
+
+TEST_CASE("each of 40 trackers makes the samples that bear its number, and none under settings older than its own") {
+  StillDevice device;
+  ServoThread servo(device);
+  std::uint32_t scene = 0;
+  long judged = 0;
+  const auto judge = [&](const ServoSample& s) {
+    if (s.scene == 0) return;
+    CHECK(s.contact.scp.A.x == double(s.scene));
+    CHECK(s.placements >= s.scene);
+    ++judged;
+  };
+  for (int k = 0; k < 40; ++k) {
+    servo.setSettings({.placements = ++scene});
+    servo.setTracker(std::make_unique<MarkedTracker>(scene), scene);
+    while (servo.latest().scene != scene) {
+      servo.drain(judge);
+      std::this_thread::sleep_for(std::chrono::microseconds(300));
+    }
+  }
+  servo.drain(judge);
+  CHECK(judged >= 40);
 }
 
 TEST_CASE("values handed over 100 000 times arrive whole and never go back") {

@@ -1,4 +1,4 @@
-// A touch task in the lesson: a card with a mark, what to do next, and how far the student has come.
+// A touch task in the lesson: a card with a mark, what is asked, what to do next, and how far the student has come.
 #include <algorithm>
 #include <string>
 
@@ -17,13 +17,19 @@ void drawLessonTask(Application& app, std::size_t index) {
   if (index >= session.step().tasks.size()) return;
   const TaskStatus status = session.task(index);
   const std::string name = "task/" + std::to_string(index);
-  const std::string sentence = !status.sentence.empty() ? status.sentence : status.done ? "Done." : "This comes after the task before it.";
+  const bool away = status.current && !app.lesson.onStage();
+  const std::string& molecule = session.scene().molecule;
+  const std::string next = !away             ? status.sentence
+                           : app.loading()   ? "Opening " + molecule + " …"
+                                             : "This step uses " + molecule + ".";
 
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12), mark = l.px(11);
   const float text_x = pad + 2 * mark + l.px(10), text_w = std::max(l.px(60), width - text_x - pad);
-  const ImVec2 size = ImGui::CalcTextSize(sentence.c_str(), nullptr, false, text_w);
-  const bool bar = status.current && !status.done;
-  const float height = std::max(size.y, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
+  const float say_h = ImGui::CalcTextSize(status.say.c_str(), nullptr, false, text_w).y, gap = next.empty() ? 0.0f : l.px(4);
+  const float next_h = next.empty() ? 0.0f : ImGui::CalcTextSize(next.c_str(), nullptr, false, text_w).y;
+  const bool bar = status.current && !away;
+  const float say_y = std::max(0.0f, mark - 0.5f * ImGui::GetFontSize() - l.px(1));
+  const float height = std::max(say_y + say_h + gap + next_h, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
   const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + height};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, status.done ? p.good_soft : status.current ? p.accent_soft : p.raised, l.px(8));
@@ -40,8 +46,12 @@ void drawLessonTask(Application& app, std::size_t index) {
       draw->PathStroke(p.good, 0, l.px(3));
     }
   }
-  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + text_x, low.y + pad + std::max(0.0f, mark - 0.5f * ImGui::GetFontSize() - l.px(1))},
-                status.current || status.done ? p.text : p.quiet, sentence.c_str(), nullptr, text_w);
+  const ImVec2 at{low.x + text_x, low.y + pad + say_y};
+  const auto write = [&](const std::string& text, float y, ImU32 colour) {
+    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x, y}, colour, text.c_str(), nullptr, text_w);
+  };
+  write(status.say, at.y, status.current ? p.text : p.quiet);
+  write(next, at.y + say_h + gap, status.done ? p.text : p.quiet);
   if (bar) {
     ImGui::SetCursorScreenPos({low.x + text_x, high.y - pad - l.px(3)});
     ImGui::BeginGroup();
@@ -55,7 +65,9 @@ void drawLessonTask(Application& app, std::size_t index) {
   }
   ImGui::SetCursorScreenPos(low);
   ImGui::Dummy({width, height});
-  recordItem(name, (status.done ? "done: " : status.current ? "current: " : "waiting: ") + sentence);
+  recordItem(name, (status.done ? "done: " : status.current ? "current: " : "waiting: ") + status.say + (next.empty() ? "" : "\n" + next));
+  if (away && !app.loading() && button((name + "/bring back").c_str(), ("Bring " + molecule + " back").c_str(), ButtonLook::Primary, width))
+    app.lesson.askForScene();
 }
 
 }  // namespace moltact

@@ -14,6 +14,8 @@
 namespace moltact {
 namespace {
 
+constexpr float kBeside_px = 40;  // at 96 dpi: the label keeps so far from the marks at the contact
+
 // A line of text on a rounded ground, wrapped at `width`; returns its height.
 float pill(const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width, ImU32 ground, ImU32 colour, float alpha = 1.0f) {
   const Look& l = look();
@@ -56,7 +58,7 @@ void scaleBar(const Application& app, const Rectangle& view) {
   recordRectangle("view/scale bar", {x0, y - tick - size.y}, {x1, y + tick}, text);
 }
 
-// The force in newtons, a little beyond the arrow's head.
+// The force in newtons, a little beyond the arrow's head; beside the contact where the arrow points at the viewer.
 void forceLabel(const Application& app, const ServoSample& now, const Rectangle& view) {
   const double force_N = app.touch.force_N();
   const Vec3 lift = now.contact.scp.A - now.hip.A;
@@ -66,7 +68,9 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const glm::vec2 size = view.size();
   const double pixel_A = app.camera.pixel_A(app.camera.distance_A, std::max(1, int(size.y)));
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * float(force_N) + l.px(26));
-  const Vec3 at = app.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
+  const Vec3 foot = app.camera.project(now.contact.scp, int(size.x), int(size.y));
+  Vec3 at = app.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
+  if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px))) at = foot + Vec3(double(l.px(kBeside_px)), 0.0, 0.0);
   char text[24];
   std::snprintf(text, sizeof text, "%.1f N", force_N);
   ImFont* font = l.font(Font::Small);
