@@ -9,6 +9,10 @@ root=$PWD
 . .ci/setup.sh
 install_missing >&2
 [ -x build/release/moltact ] || echo "Building Moltact; the first time this takes a few minutes." >&2
-build_log=$(build_preset release moltact 2>&1) || { printf "%s\n" "$build_log" >&2; exit 1; }
+if [ ! -x build/release/moltact ] && [ -t 2 ]; then
+  build_preset release moltact >&2
+else
+  build_log=$(build_preset release moltact 2>&1) || { printf "%s\n" "$build_log" >&2; exit 1; }
+fi
 cd "$here"
 exec "$root/build/release/moltact" "$@"

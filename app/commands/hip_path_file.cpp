@@ -1,30 +1,37 @@
 #include "app/commands/hip_path_file.h"
 
+#include <algorithm>
 #include <charconv>
-#include <fstream>
-#include <iterator>
+#include <string>
 #include <string_view>
+
+#include "engine/core/text.h"
+#include "engine/platform/read_file.h"
 
 namespace moltact {
 namespace {
 
 constexpr std::string_view kHeader = "x,y,z";
 
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && (text.back() == '\r' || text.back() == ' ' || text.back() == '\t')) text.remove_suffix(1);
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
-  return text;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some spreadsheets begin a CSV file with it
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
+
+std::string withoutBlanks(std::string_view text) {
+  std::string out(text);
+  std::erase_if(out, isBlank);
+  return out;
 }
 
 }  // namespace
 
 Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
-  std::error_code error;
   const std::string name = file.string();
-  if (std::filesystem::is_directory(file, error)) return Problem{name, 0, 0, "this is a folder", "name a file with the header x,y,z"};
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return Problem{name, 0, 0, "the file cannot be opened", "check its name and that you may read it"};
-  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto bytes = readFile(file, kMaxBytes, "split it into shorter paths");
+  if (!bytes) return bytes.problem();
+  std::string_view text = *bytes;
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
 
   std::vector<PointA> path;
   std::size_t line_number = 0;
@@ -34,7 +41,7 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
     at = end + 1;
     ++line_number;
     if (line_number == 1) {
-      if (line != kHeader)
+      if (withoutBlanks(line) != kHeader)
         return Problem{name, 1, 1, "the first line is not the header x,y,z", "write x,y,z in the first line, then a row a tick"};
       continue;
     }
@@ -44,14 +51,16 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
     const char* const stop = line.data() + line.size();
     const auto column = [&](const char* where) { return static_cast<std::size_t>(where - raw.data()) + 1; };
     for (int k = 0; k < 3; ++k) {
-      while (next != stop && *next == ' ') ++next;
+      while (next != stop && isBlank(*next)) ++next;
+      // std::from_chars knows no plus sign.
+      if (stop - next > 1 && *next == '+' && next[1] != '-') ++next;
       const auto [after, fault] = std::from_chars(next, stop, place.A[k]);
       if (fault == std::errc::result_out_of_range)
         return Problem{name, line_number, column(next), "this number is too large or too small for a coordinate", "keep coordinates within 1e9 A"};
       if (fault != std::errc{})
         return Problem{name, line_number, column(next), "a number was expected here", "a row is three numbers with commas between: x,y,z in angstroms"};
       next = after;
-      while (next != stop && *next == ' ') ++next;
+      while (next != stop && isBlank(*next)) ++next;
       if (k < 2 && (next == stop || *next != ','))
         return Problem{name, line_number, column(next), "a comma was expected here", "a row is three numbers with commas between: x,y,z in angstroms"};
       if (k < 2) ++next;

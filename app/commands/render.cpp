@@ -7,6 +7,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
+#include "app/commands/number_range.h"
 #include "engine/haptics/methods.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/render/renderer.h"
@@ -38,7 +39,7 @@ std::optional<PointA> hipOf(const std::string& text) {
   PointA hip;
   char rest = 0;
   if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &hip.A.x, &hip.A.y, &hip.A.z, &rest) != 3 ||
-      !std::isfinite(hip.A.x + hip.A.y + hip.A.z) || glm::length(hip.A) > kFarthest_A)
+      !finite(hip.A) || glm::length(hip.A) > kFarthest_A)
     throw CLI::ValidationError("--hip", "'" + text + "' is not a place; write x,y,z in angstroms, as in 12.5,3,-8");
   return hip;
 }
@@ -121,7 +122,7 @@ void addRender(CLI::App& app) {
   command->add_option("--out", a.out, "The PNG file to write")->required();
   command->add_option("--size", a.size, "Width x height in pixels")->capture_default_str();
   command->add_option("--probe", a.probe_A, "The probe's radius in angstroms")
-      ->check(CLI::Range(0.0, kLargestProbe_A))->capture_default_str();
+      ->check(numberFrom(0.0, kLargestProbe_A))->capture_default_str();
   command->add_option("--hip", a.hip, "Where the hand is: x,y,z in angstroms; it comes there along the line of sight");
   std::string shapes = "What is drawn, parted by commas; the groups are haptic, all and none:";
   for (const ShapeName& s : shapeNames()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
@@ -130,11 +131,13 @@ void addRender(CLI::App& app) {
   for (const Method& m : methods()) names.emplace_back(m.name);
   command->add_option("--method", a.method, "The haptic method")->check(CLI::IsMember(names))->capture_default_str();
   command->add_option("--stiffness", a.stiffness_N_per_A, "Of the spring, in N per angstrom, for the arrow")
-      ->check(CLI::Range(0.0, 1e6))->capture_default_str();
-  command->add_option("--azimuth", a.azimuth_deg, "Look from so many degrees to the right")->capture_default_str();
-  command->add_option("--elevation", a.elevation_deg, "Look from so many degrees above")->capture_default_str();
+      ->check(numberFrom(0.0, 1e6))->capture_default_str();
+  command->add_option("--azimuth", a.azimuth_deg, "Look from so many degrees to the right")
+      ->check(numberFrom(-360.0, 360.0))->capture_default_str();
+  command->add_option("--elevation", a.elevation_deg, "Look from so many degrees above")
+      ->check(numberFrom(-360.0, 360.0))->capture_default_str();
   command->add_option("--zoom", a.zoom, "Times nearer than the whole molecule")
-      ->check(CLI::Range(0.01, 1000.0))->capture_default_str();
+      ->check(numberFrom(0.01, 1000.0))->capture_default_str();
   command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
   command->add_option("--samples", a.samples, "Samples along each pixel's edge")->check(CLI::Range(1, 4))->capture_default_str();

@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/commands/hip_path_file.h"
 #include "app/commands/molecule_argument.h"
+#include "app/commands/number_range.h"
 #include "engine/haptics/methods.h"
 
 namespace moltact {
@@ -102,6 +103,7 @@ nlohmann::ordered_json timePath(const Method& method, const std::shared_ptr<cons
   out["ticks"] = path.size();
   out["contact_ticks"] = contact.size();
   out["unit"] = "ns";
+  out["measured"] = "each tick's least of three passes, less the clock's own cost";
   out["free"] = summary(free);
   out["contact"] = summary(contact);
   return out;
@@ -146,9 +148,9 @@ void addReplay(CLI::App& app) {
   }
   command->add_option("--method", options->method, help)->check(CLI::IsMember(names))->capture_default_str();
   command->add_option("--probe", options->probe_A, "the probe's radius, added to every atom's (angstrom)")
-      ->check(CLI::Range(0.0, kLargestProbe_A))->capture_default_str();
+      ->check(numberFrom(0.0, kLargestProbe_A))->capture_default_str();
   command->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom between HIP and SCP (N)")
-      ->check(CLI::Range(0.0, 1e6))->capture_default_str();
+      ->check(numberFrom(0.0, 1e6))->capture_default_str();
   command->add_flag("--time", options->time, "print how long the ticks took, as JSON (ns): each tick's least of three passes");
   command->callback([options] {
     if (options->out.empty() && !options->time) throw CLI::RequiredError("--out (or --time)");

@@ -147,7 +147,9 @@ void Application::useMethod(std::string_view name) {
   const Method* m = findMethod(name);
   if (!m) return;
   method = m->name;
-  servo.setTracker(makeTracker(stage, *m, touch_settings.probe_A, touch.latest().contact, touch.latest().hip));
+  // Each method goes on from the true contact, so that none inherits what another got wrong.
+  const Contact& contact = watch.exact().touching() ? watch.exact() : touch.latest().contact;
+  servo.setTracker(makeTracker(stage, *m, touch_settings.probe_A, contact, touch.latest().hip));
 }
 
 void Application::showMethods(bool on) {

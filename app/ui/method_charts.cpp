@@ -14,7 +14,7 @@
 namespace moltact {
 namespace {
 
-constexpr double kLeastError_A = 1e-5, kMostError_A = 10.0;  // smaller errors stand on the lowest line, marked 0
+constexpr double kLeastError_A = 1e-4, kMostError_A = 10.0;  // smaller errors stand on the lowest line, marked 0
 constexpr float kLeftMargin = 38.0f;                         // for the numbers of the upright axis, in both pictures
 
 struct Frame {
@@ -59,12 +59,14 @@ Frame begin(const char* title, const std::string& reading, float height) {
   Frame f{{low.x + l.px(kLeftMargin), low.y + head}, {high.x, high.y - foot}, small};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(f.low, f.high, p.raised, l.px(6));
-  const char* marks[] = {"10 ns", "", "1 µs", "", "100 µs"};
-  double at = TickHistogram::kLeast_us;
-  for (int k = 0; k < 5; ++k, at *= 10.0) {
-    const float x = std::round(f.x(at));
-    if (k > 0) draw->AddLine({x, f.low.y}, {x, f.high.y}, p.line, 1.0f);
-    text({x, f.high.y + l.px(2)}, p.faint, marks[k], small * 0.86f, k == 0 ? 0.0f : 0.5f);
+  struct Mark {
+    double time_us;
+    const char* words;
+  };
+  for (const auto& [time_us, words] : {Mark{0.1, "0.1 µs"}, {1.0, "1 µs"}, {10.0, "10 µs"}}) {
+    const float x = std::round(f.x(time_us));
+    draw->AddLine({x, f.low.y}, {x, f.high.y}, p.line, 1.0f);
+    text({x, f.high.y + l.px(2)}, p.faint, words, small * 0.86f, 0.5f);
   }
   return f;
 }
@@ -107,9 +109,9 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
   const auto y = [&](double error_A) {
     return y0 - (y0 - y1) * float(std::clamp(std::log10(std::max(error_A, kLeastError_A) / kLeastError_A) / decades, 0.0, 1.0));
   };
-  const char* marks[] = {"0", nullptr, "0.001", nullptr, "0.1", nullptr, "10 Å"};
+  const char* marks[] = {"0", "0.001", nullptr, "0.1", nullptr, "10 Å"};
   double at = kLeastError_A;
-  for (int k = 0; k < 7; ++k, at *= 10.0) {
+  for (int k = 0; k < 6; ++k, at *= 10.0) {
     if (!marks[k]) continue;
     draw->AddLine({f.low.x, y(at)}, {f.high.x, y(at)}, p.line, 1.0f);
     text({f.low.x - l.px(6), y(at) - 0.43f * f.small}, p.faint, marks[k], f.small * 0.86f, 1.0f);
@@ -144,7 +146,8 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
     const ImVec2 tries[] = {{c.x + off, c.y - 0.5f * size.y}, {c.x - off - size.x, c.y - 0.5f * size.y},
                             {c.x - 0.5f * size.x, c.y - off - size.y}, {c.x - 0.5f * size.x, c.y + off},
                             {c.x + off, c.y - 1.3f * size.y}, {c.x + off, c.y + 0.3f * size.y},
-                            {c.x - off - size.x, c.y - 1.3f * size.y}, {c.x - off - size.x, c.y + 0.3f * size.y}};
+                            {c.x - off - size.x, c.y - 1.3f * size.y}, {c.x - off - size.x, c.y + 0.3f * size.y},
+                            {c.x + 2 * off, c.y - 1.8f * size.y}, {c.x + 2 * off, c.y + 0.8f * size.y}};
     for (const ImVec2& t : tries) {
       const Box box{t, {t.x + size.x, t.y + size.y}};
       const bool inside = box.low.x >= f.low.x + l.px(2) && box.high.x <= f.high.x - l.px(2) && box.low.y >= f.low.y && box.high.y <= f.high.y;

@@ -39,6 +39,7 @@ MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / T
 void MethodWatch::begin(const Stage& stage, double probe_A) {
   balls_ = stage.balls;
   exact_ = makeTracker(stage, methods().front(), probe_A, Contact{}, PointA{});
+  latest_exact_ = {};
   left_behind_ticks_ = 0;
   tried_.clear();
   turns_ = Trace(turns_.capacity());
@@ -91,6 +92,7 @@ Contact MethodWatch::add(const ServoSample& s, const Method& method) {
     exact = exact_->step(s.hip);
     left_behind_ticks_ = 0;
   }
+  latest_exact_ = exact;
   if (!exact.touching() || s.contact.fault != Fault::None) return exact;
   MethodRecord& r = record(method.name);
   r.times.add(double(s.work_us));

@@ -17,8 +17,8 @@ namespace moltact {
 /// Tick times of the last few seconds of contact, by decades. Older ones fade.
 class TickHistogram {
  public:
-  static constexpr double kLeast_us = 0.01, kMost_us = 1000.0;
-  static constexpr int kBinsADecade = 10, kBins = 5 * kBinsADecade;
+  static constexpr double kLeast_us = 0.05, kMost_us = 50.0;
+  static constexpr int kBinsADecade = 16, kBins = 3 * kBinsADecade;
 
   void add(double time_us);  ///< times beyond the ends count in the last bin; 0 (not timed) does not count
   double share(int bin) const { return total_ > 0 ? counts_[std::size_t(bin)] / total_ : 0.0; }
@@ -49,6 +49,9 @@ class MethodWatch {
   /// One tick that `method` made. Gives the exact tracker's contact for the same hand; free before begin().
   Contact add(const ServoSample& sample, const Method& method);
 
+  /// The exact tracker's contact at the last tick.
+  const Contact& exact() const { return latest_exact_; }
+
   /// In the order in which they were first touched with.
   const std::vector<MethodRecord>& tried() const { return tried_; }
   const MethodRecord* find(std::string_view method) const;
@@ -63,6 +66,7 @@ class MethodWatch {
 
   std::shared_ptr<const BallScene> balls_;
   std::unique_ptr<Tracker> exact_;
+  Contact latest_exact_;
   std::size_t left_behind_ticks_ = 0;
   std::vector<MethodRecord> tried_;
   Trace turns_;

@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/haptics/tracker.h"
 
@@ -15,7 +14,7 @@ class PlainWall final : public Tracker {
   Contact step(PointA hip) noexcept override {
     Contact c;
     c.scp = hip;
-    if (!std::isfinite(hip.A.x + hip.A.y + hip.A.z))
+    if (!finite(hip.A))
       c.fault = Fault::NotFinite;
     else if (hip.A.z < 0)
       c.scp.A.z = 0, c.feature = Feature::Sphere;

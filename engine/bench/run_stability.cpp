@@ -14,8 +14,6 @@ namespace {
 // Shaking at 200 Hz that stays under this speed moves the hand by less than 0.01 mm, which no finger feels.
 constexpr double kRest_m_per_s = 0.006;
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
 Vec3 middleOf(const scenes::Scene& scene) {
   Vec3 low(1e300), high(-1e300);
   for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);

@@ -3,11 +3,15 @@
 // `Workspace` is the one conversion between them. Plain data, usable on every thread.
 #pragma once
 
+#include <cmath>
 #include <glm/glm.hpp>
 
 namespace moltact {
 
 using Vec3 = glm::dvec3;
+
+/// True where none of the three numbers is infinite or NaN.
+inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// A place in the molecule's space (unit: angstrom).
 struct PointA {

@@ -1,14 +1,13 @@
 #include "engine/device/mouse_device.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace moltact {
 
 MouseDevice::MouseDevice() { info_.name = "Mouse"; }
 
 void MouseDevice::lead(PointMm target) noexcept {
-  if (!std::isfinite(target.mm.x) || !std::isfinite(target.mm.y) || !std::isfinite(target.mm.z)) return;
+  if (!finite(target.mm)) return;
   sent_.target = target;
   lead_.write(sent_);
 }

@@ -9,7 +9,8 @@ namespace moltact {
 
 namespace {
 
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+// The overloads here would hide it.
+using moltact::finite;
 bool finite(const glm::dvec2& v) { return std::isfinite(v.x) && std::isfinite(v.y); }
 bool finite(const ViewRays& r) {
   return finite(r.eye_A) && finite(r.forward) && finite(r.right) && finite(r.up) && std::isfinite(r.tan_half_fov) &&

@@ -1,7 +1,8 @@
 // The balls of a scene and a uniform grid to find those near a place: all that is prepared before touching.
 // Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order.
 // The paper's "spatial partitioning methods" (section 5). The grid is hashed by cell, so memory follows the number
-// of balls and not the extent of the scene; a million balls take about 0.1 s (docs/conventions.md).
+// of balls and not the extent of the scene; a million balls take
+// about 0.1 s (build/release/tracker_benchmark --benchmark_filter=ready).
 #pragma once
 
 #include <cmath>
@@ -38,6 +39,12 @@ class BallScene {
   void visitNear(const Vec3& place, double margin_A, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;
     visitBox(place - Vec3(reach), place + Vec3(reach), visit);
+  }
+
+  /// The same for the balls whose centres lie within `reach_A` of the place.
+  template <class Visit>
+  void visitCentresNear(const Vec3& place, double reach_A, Visit&& visit) const {
+    visitBox(place - Vec3(reach_A), place + Vec3(reach_A), visit);
   }
 
   /// The same for the balls that come within margin_A of any place in the box [low, high].

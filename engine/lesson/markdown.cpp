@@ -208,8 +208,10 @@ class Builder {
       }
       // md4c hands on a line's indentation as spaces of its own; only what follows tells where the line stands.
       if (!line_placed_ && inSource(piece.data())) {
-        const std::size_t indent = characterCount(lines.back().text);
-        lines.back().place = {place.line, place.column > indent ? place.column - indent : 1};
+        std::string& indentation = lines.back().text;
+        // A tab comes as up to four spaces, but is one character of the file.
+        if (place.column <= indentation.size()) indentation.assign(place.column - 1, '\t');
+        lines.back().place = {place.line, place.column - indentation.size()};
         line_placed_ = true;
       }
       lines.back().text += piece.substr(0, end);

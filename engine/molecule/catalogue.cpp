@@ -5,17 +5,13 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/text.h"
 #include "engine/molecule/pdb_id.h"
 #include "engine/platform/folders.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
 namespace {
-
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
 
 /// How many letters must be added, removed or changed to make `a` from `b` (Levenshtein).
 std::size_t editDistance(const std::string& a, const std::string& b) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/problem.h"
+#include "engine/core/text.h"
 #include "engine/molecule/reader.h"
 
 namespace moltact {
@@ -65,9 +66,6 @@ Problem noSuchModel(const std::string& file, int asked, int models);
 
 /// A number of a person's text: the whole of `text` (blanks around it allowed) as a finite double, or false.
 bool parseNumber(std::string_view text, double& value);
-
-/// `text` without blanks at either end.
-std::string_view trimmed(std::string_view text);
 
 /// `text` fit to be shown in a message: at most 24 characters, unprintable bytes as '?'.
 std::string inQuotes(std::string_view text);

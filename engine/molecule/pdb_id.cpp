@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/core/text.h"
+
 namespace moltact {
 namespace {
 
@@ -14,15 +16,15 @@ bool isDigit(char c) { return c >= '0' && c <= '9'; }
 std::string pdbId(const std::string& text) {
   if (!std::all_of(text.begin(), text.end(), [](char c) { return isLetterOrDigit(c) || c == '_'; }))
     return {};
-  std::string upper = text, lower = text;
+  std::string upper = text;
+  const std::string small = lower(text);
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
-  for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   if (text.size() == 4)
     return isDigit(text[0]) && text.find('_') == std::string::npos ? upper : std::string();
-  if (text.size() != 12 || lower.compare(0, 4, "pdb_") != 0 || lower.find('_', 4) != std::string::npos)
+  if (text.size() != 12 || small.compare(0, 4, "pdb_") != 0 || small.find('_', 4) != std::string::npos)
     return {};
-  if (lower.compare(4, 4, "0000") == 0) return isDigit(upper[8]) ? upper.substr(8) : std::string();
-  return lower;
+  if (small.compare(4, 4, "0000") == 0) return isDigit(upper[8]) ? upper.substr(8) : std::string();
+  return small;
 }
 
 }  // namespace moltact

@@ -3,7 +3,9 @@
 #include <charconv>
 #include <gemmi/cif.hpp>
 #include <gemmi/elem.hpp>
+#include <new>
 #include <optional>
+#include <unordered_map>
 
 #include "engine/molecule/parsed_structure.h"
 
@@ -121,21 +123,23 @@ bool atomFrom(const cif::Table::Row& row, int index, const std::string& file, Pa
   return true;
 }
 
+constexpr std::size_t kMostModels = 100'000;
+
 /// The atoms of one model; a problem where a row is broken.
 std::optional<Problem> readAtoms(cif::Block& block, const std::string& file, int wanted,
                                  ParsedStructure& out) {
   cif::Table table = block.find("_atom_site.", kTags);
   if (!table.ok() || table.length() == 0) return noTable(file);
-  std::vector<std::string> models;
+  std::unordered_map<std::string, int> place_of;  // models by name, in the order of the file, from 1
+  std::string last;
   int current = 0, index = -1;
   for (const auto row : table) {
     ++index;
-    const std::string model = row.has(kModel) ? text(row, kModel) : "1";
-    if (current == 0 || models[static_cast<std::size_t>(current - 1)] != model) {
-      const auto found = std::find(models.begin(), models.end(), model);
-      current = static_cast<int>(found - models.begin()) + 1;
-      if (found == models.end()) models.push_back(model);
-      if (models.size() > 100'000) return rowProblem(file, index, "more than 100 000 models");
+    std::string model = row.has(kModel) ? text(row, kModel) : "1";
+    if (current == 0 || last != model) {
+      current = place_of.emplace(model, static_cast<int>(place_of.size()) + 1).first->second;
+      if (place_of.size() > kMostModels) return rowProblem(file, index, "more than 100 000 models");
+      last = std::move(model);
     }
     if (current != wanted) continue;
     ParsedAtom atom;
@@ -143,7 +147,7 @@ std::optional<Problem> readAtoms(cif::Block& block, const std::string& file, int
     if (!atomFrom(row, index, file, atom, problem, out.warnings)) return problem;
     out.atoms.push_back(std::move(atom));
   }
-  out.models = static_cast<int>(models.size());
+  out.models = static_cast<int>(place_of.size());
   return std::nullopt;
 }
 
@@ -276,6 +280,8 @@ Expected<Molecule> readMmcif(std::string_view content, const std::string& file, 
     const auto& where = e.positions().front();
     return Problem{file, where.line, where.column, "it is not sound mmCIF: " + std::string(e.message()),
                    kRemedy};
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of the file
   } catch (const std::exception& e) {
     return Problem{file, 0, 0, std::string("it is not sound mmCIF: ") + e.what(), kRemedy};
   }

@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cstring>
 #include <gemmi/pdb.hpp>
+#include <new>
 #include <optional>
 
 #include "engine/molecule/parsed_structure.h"
@@ -36,6 +37,10 @@ struct Sieve {
   std::vector<std::size_t> atom_line;  // line in the file of the k-th kept atom
   std::vector<std::string> warnings;
   int models = 0;
+  std::size_t atoms_in_file = 0;     // of all models
+  std::size_t atoms_in_first = 0;    // of model 1
+  std::size_t atoms_by_master = 0;   // as the MASTER record counts them; 0 where it does not
+  bool ends_in_atom = false;
 };
 
 struct Field {
@@ -124,6 +129,30 @@ std::optional<Problem> keepAtom(Sieve& sieve, std::string_view line, const std::
   return std::nullopt;
 }
 
+/// The count of ATOM and HETATM records in a MASTER record (columns 51-55); 0 where there is none to be read.
+std::size_t masterCount(std::string_view line) {
+  std::size_t count = 0;
+  if (line.size() < 55) return count;
+  for (char c : trimmed(line.substr(50, 5))) {
+    if (!std::isdigit(static_cast<unsigned char>(c))) return 0;
+    count = 10 * count + static_cast<std::size_t>(c - '0');
+  }
+  return count;
+}
+
+/// A file cut between two lines reads as a smaller molecule: what gives it away is told.
+void warnOfCut(Sieve& sieve) {
+  constexpr std::size_t kMostByMaster = 99'999;  // its columns hold no more
+  if (sieve.ends_in_atom)
+    sieve.warnings.push_back("The file ends with an atom and has no END record after it: it may be cut short.");
+  // Of several models the PDB counts the first alone, other programs all.
+  if (sieve.atoms_by_master && sieve.atoms_in_file <= kMostByMaster &&
+      sieve.atoms_by_master != sieve.atoms_in_file && sieve.atoms_by_master != sieve.atoms_in_first)
+    sieve.warnings.push_back("The MASTER record counts " + std::to_string(sieve.atoms_by_master) +
+                             " atoms, but the file has " + std::to_string(sieve.atoms_in_file) +
+                             ": it may be cut short or edited.");
+}
+
 /// Walks over the lines: keeps the atoms of the model asked for and the records that name, describe and copy
 /// them.
 std::optional<Problem> sift(Sieve& sieve, std::string_view text, const std::string& file, int wanted) {
@@ -140,8 +169,18 @@ std::optional<Problem> sift(Sieve& sieve, std::string_view text, const std::stri
         in_model = true;
         ++sieve.models;
       }
+      ++sieve.atoms_in_file;
+      sieve.atoms_in_first += sieve.models == 1;
+      sieve.ends_in_atom = true;
       if (sieve.models == wanted)
         if (auto problem = keepAtom(sieve, line, file, number)) return problem;
+      continue;
+    }
+    // These belong to the atom before them.
+    const bool of_atom = startsWith(line, "ANISOU") || startsWith(line, "SIGATM") || startsWith(line, "SIGUIJ");
+    if (!of_atom && !trimmed(line).empty()) sieve.ends_in_atom = false;
+    if (startsWith(line, "MASTER")) {
+      sieve.atoms_by_master = masterCount(line);
     } else if (startsWith(line, "MODEL ")) {
       in_model = true;
       ++sieve.models;
@@ -217,6 +256,7 @@ Expected<Molecule> readPdb(std::string_view text, const std::string& file, const
                    "take a coordinate file from the PDB (www.rcsb.org)"};
   if (options.model < 1 || options.model > sieve.models)
     return noSuchModel(file, options.model, sieve.models);
+  warnOfCut(sieve);
   try {
     const gemmi::Structure st = gemmi::read_pdb_from_memory(sieve.kept.data(), sieve.kept.size(), file);
     ParsedStructure parsed;
@@ -227,6 +267,8 @@ Expected<Molecule> readPdb(std::string_view text, const std::string& file, const
     if (!sieve.atom_line.empty()) fill(parsed, st, sieve);
     for (const gemmi::Assembly& assembly : st.assemblies) parsed.assemblies.push_back(assemblyFrom(assembly));
     return buildMolecule(std::move(parsed), file, options);
+  } catch (const std::bad_alloc&) {
+    throw;  // no fault of the file
   } catch (const std::exception& e) {
     return Problem{file, 0, 0, std::string("it is not a sound PDB file: ") + e.what(),
                    "take the file again from its source"};

@@ -1,11 +1,11 @@
 #include "engine/molecule/reader.h"
 
-#include <algorithm>
-#include <cctype>
-#include <fstream>
+#include <filesystem>
+#include <new>
 
 #include "engine/molecule/inflate.h"
 #include "engine/molecule/parsed_structure.h"
+#include "engine/platform/read_file.h"
 
 namespace moltact {
 namespace {
@@ -23,10 +23,7 @@ constexpr Format kFormats[] = {
     {".pdb", readPdb}, {".ent", readPdb}, {".cif", readMmcif}, {".mmcif", readMmcif}, {".xyzr", readXyzr},
 };
 
-std::string lower(std::string text) {
-  for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return text;
-}
+constexpr const char* kTooLargeRemedy = "split it, or keep one model";
 
 /// The name without .gz.
 std::filesystem::path innerName(std::filesystem::path file) {
@@ -76,7 +73,7 @@ Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::p
   const std::string file = path.string();
   if (bytes.size() > kMaxMoleculeBytes)
     return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB",
-                   "split it, or keep one model"};
+                   kTooLargeRemedy};
   if (isGzip(bytes)) {
     auto inflated = inflateGzip(bytes, kMaxMoleculeBytes, file);
     if (!inflated) return inflated.problem();
@@ -98,29 +95,14 @@ Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::p
 }
 
 Expected<Molecule> readMolecule(const std::filesystem::path& path, const ReadOptions& options) {
-  const std::string file = path.string();
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    return Problem{file, 0, 0, "there is no such file", "check the name and the folder"};
-  if (std::filesystem::is_directory(status))
-    return Problem{file, 0, 0, "it is a folder", "name a file in it"};
-  // A pipe or a device could give bytes without end.
-  if (!std::filesystem::is_regular_file(status))
-    return Problem{file, 0, 0, "it is not an ordinary file", "copy the data into one"};
-  const auto size = std::filesystem::file_size(path, error);
-  if (!error && size > kMaxMoleculeBytes)
-    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB",
-                   "split it, or keep one model"};
-  std::ifstream in(path, std::ios::binary);
-  if (!in) return Problem{file, 0, 0, "it cannot be opened for reading", "check the file's permissions"};
-  std::string bytes(error ? 0 : static_cast<std::size_t>(size), '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  bytes.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  if (in.bad() || (!error && bytes.size() != size))
-    return Problem{file, 0, 0, "reading it broke off after " + std::to_string(bytes.size()) + " bytes",
-                   "check the disk, then try again"};
-  return readMoleculeBytes(std::move(bytes), path, options);
+  try {
+    auto bytes = readFile(path, kMaxMoleculeBytes, kTooLargeRemedy);
+    if (!bytes) return bytes.problem();
+    return readMoleculeBytes(*std::move(bytes), path, options);
+  } catch (const std::bad_alloc&) {
+    return Problem{path.string(), 0, 0, "there is not enough memory to read it",
+                   "close other programs, or take a smaller file"};
+  }
 }
 
 }  // namespace moltact

@@ -4,12 +4,6 @@
 #include <cmath>
 
 namespace moltact {
-namespace {
-
-bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
-
-}  // namespace
-
 ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose) noexcept {
   ServoSample out;
   out.tick = tick_++;

@@ -1,6 +1,7 @@
 // The headless commands as a person calls them: what they print, where errors go, the exit status.
 #include <doctest/doctest.h>
 
+#include <sys/stat.h>
 #include <sys/wait.h>
 
 #include <array>
@@ -38,9 +39,11 @@ struct Run {
   std::string out, err;
 };
 
-Run moltact(const Folder& folder, const std::string& arguments) {
+// `before` is shell text in front of the program, such as a limit.
+Run moltact(const Folder& folder, const std::string& arguments, const std::string& before = "") {
   const std::string out = folder / "stdout", err = folder / "stderr";
-  const int status = std::system(("'" MOLTACT_BINARY "' " + arguments + " >'" + out + "' 2>'" + err + "'").c_str());
+  const int status =
+      std::system((before + "'" MOLTACT_BINARY "' " + arguments + " >'" + out + "' 2>'" + err + "'").c_str());
   return {WEXITSTATUS(status), contents(out), contents(err)};
 }
 
@@ -111,6 +114,7 @@ TEST_CASE("replay --time prints one JSON object with ticks, contact_ticks and me
   const auto json = nlohmann::json::parse(run.out);
   CHECK(json["ticks"] == 2000);
   CHECK(json["contact_ticks"] == 2000 - 1334);  // the surface is reached at tick 1333.3
+  CHECK(json["measured"] == "each tick's least of three passes, less the clock's own cost");
   for (const char* state : {"free", "contact"})
     for (const char* figure : {"mean", "p50", "p99", "p99.99", "max"}) CHECK(json[state][figure].is_number());
 }
@@ -157,6 +161,110 @@ TEST_CASE("a broken path file ends with 1 and names file, line, column and what 
     CHECK(run.err.find(one.says) != std::string::npos);
     CHECK(run.err.find("; ") != std::string::npos);
     CHECK_FALSE(fs::exists(folder / "t.csv"));
+  }
+}
+
+TEST_CASE("a path file that is a device, a pipe, a folder or larger than 1 GiB is refused at once, with a remedy") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  REQUIRE(::mkfifo((folder / "pipe").c_str(), 0600) == 0);
+  write(folder / "large.csv", "x,y,z\n");
+  fs::resize_file(folder / "large.csv", (std::uintmax_t{1} << 30) + 1);
+  const struct {
+    std::string path;
+    const char* says;
+  } cases[] = {
+      {"/dev/zero", "it is not an ordinary file; copy the data into one"},
+      {folder / "pipe", "it is not an ordinary file; copy the data into one"},
+      {folder.path.string(), "it is a folder; name a file in it"},
+      {folder / "large.csv", "it is larger than 1024 MiB; split it into shorter paths"},
+      {folder / "none.csv", "there is no such file; check the name and the folder"},
+  };
+  for (const auto& one : cases) {
+    // A pipe that is read would block for ever.
+    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --time --path '" + one.path + "'", "timeout 60 ");
+    CHECK(run.status == 1);
+    CHECK(run.err == "moltact: " + one.path + ": " + one.says + "\n");
+  }
+}
+
+// The sanitizers reserve more address space than any limit here.
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+TEST_CASE("a molecule and a path of 1000 MiB under a limit of 900 MiB end with 1 and say that the memory is not enough") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  for (const char* name : {"large.pdb", "large.csv"}) {
+    write(folder / name, "");
+    fs::resize_file(folder / name, std::uintmax_t{1000} << 20);
+  }
+  const std::string limit = "ulimit -c 0; ulimit -v 921600; ";
+  const Run info = moltact(folder, "info '" + (folder / "large.pdb") + "'", limit);
+  CHECK(info.status == 1);
+  CHECK(info.err == "moltact: " + (folder / "large.pdb") +
+                        ": there is not enough memory to read it; close other programs, or take a smaller file\n");
+  const Run replay =
+      moltact(folder, "replay '" + (folder / "one.xyzr") + "' --time --path '" + (folder / "large.csv") + "'", limit);
+  CHECK(replay.status == 1);
+  CHECK(replay.err == "moltact: not enough memory for this; close other programs, or take a smaller file\n");
+}
+#endif
+
+TEST_CASE("a path file may begin with a byte order mark and have blanks around its fields and plus signs") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  const auto trace = [&](const std::string& text) {
+    write(folder / "hip.csv", text);
+    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" + (folder / "t.csv") + "'");
+    CAPTURE(run.err);
+    CHECK(run.status == 0);
+    return contents(folder / "t.csv");
+  };
+  const std::string plain = trace("x,y,z\n0,1,5\n0,-2.5,1\n");
+  CHECK(trace("\xEF\xBB\xBFx,y,z\n0,1,5\n0,-2.5,1\n") == plain);
+  CHECK(trace(" x, y,\tz \r\n0, 1 ,5\r\n\t0,\t-2.5, 1\r\n") == plain);
+  CHECK(trace("x,y,z\n+0,+1,+5.0\n0,-2.5,+1e0\n") == plain);
+  for (const char* row : {"+,1,2", "+-1,1,2", "++1,1,2", "+ 1,1,2"}) {
+    write(folder / "hip.csv", std::string("x,y,z\n") + row + "\n");
+    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --time");
+    CAPTURE(row);
+    CHECK(run.status == 1);
+    CHECK(run.err.find("a number was expected here") != std::string::npos);
+  }
+}
+
+TEST_CASE("options that are NaN, infinite or out of range end with 2 and name the range") {
+  const Folder folder;
+  write(folder / "one.xyzr", kOneBall);
+  write(folder / "hip.csv", "x,y,z\n0,0,5\n");
+  const std::string one = " '" + (folder / "one.xyzr") + "' ";
+  const std::string replay = "replay" + one + "--time --path '" + (folder / "hip.csv") + "' ";
+  const std::string render = "render" + one + "--out '" + (folder / "x.png") + "' ";
+  const struct {
+    std::string command;
+    const char* option;
+    const char* value;
+    const char* range;
+  } cases[] = {
+      {replay, "--probe", "nan", "0 to 20"},         {replay, "--probe", "-0.1", "0 to 20"},
+      {replay, "--probe", "wide", "0 to 20"},        {replay, "--stiffness", "nan", "0 to 1e+06"},
+      {replay, "--stiffness", "inf", "0 to 1e+06"},  {render, "--probe", "-nan", "0 to 20"},
+      {render, "--stiffness", "nan", "0 to 1e+06"},  {render, "--zoom", "nan", "0.01 to 1000"},
+      {render, "--zoom", "0", "0.01 to 1000"},       {render, "--azimuth", "nan", "-360 to 360"},
+      {render, "--azimuth", "1e300", "-360 to 360"}, {render, "--elevation", "nan", "-360 to 360"},
+  };
+  for (const auto& c : cases) {
+    const Run run = moltact(folder, c.command + c.option + "=" + c.value);
+    CAPTURE(c.option);
+    CAPTURE(c.value);
+    CHECK(run.status == 2);
+    CHECK(run.err.find(std::string("'") + c.value + "' is not a number from " + c.range) != std::string::npos);
+  }
+  CHECK_FALSE(fs::exists(folder / "x.png"));
+  CHECK(moltact(folder, replay + "--probe +1.5e0 --stiffness 1e6").status == 0);
+  for (const char* model : {"0", "-1", "100001", "nan"}) {
+    const Run run = moltact(folder, "info" + one + "--model=" + model);
+    CHECK(run.status == 2);
+    CHECK(run.err.size() < 200);
   }
 }
 

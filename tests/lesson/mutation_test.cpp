@@ -51,6 +51,7 @@ void checkReading(const std::string& text) {
       CHECK(p.file == "lesson.md");
       CHECK_FALSE(p.message.empty());
       REQUIRE((p.line >= 1 && p.line <= lines.size()));
+      CAPTURE(lines[p.line - 1]);
       REQUIRE((p.column >= 1 && p.column <= lines[p.line - 1].size() + 1));
     }
   if (read.lesson) CHECK_FALSE(read.lesson->steps.empty());

@@ -2,6 +2,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "engine/lesson/check.h"
 #include "engine/lesson/tasks/registry.h"
 #include "tests/lesson/small_molecules.h"
@@ -39,9 +41,14 @@ TEST_CASE("a misspelt key and a bare number are told at once, at 14:1 and 19:7")
         Texts{"l.md:13:4: touch needs the key 'say'; add a line 'say: …'", "l.md:15:1: touch has no key 'saay'; did you mean 'say'?"});
 }
 
+TEST_CASE("a fault behind a tab is told at its second character") {
+  const Texts told = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
+  CHECK(std::any_of(told.begin(), told.end(), [](const std::string& t) { return t.starts_with("l.md:14:2: 'nonsense'"); }));
+}
+
 TEST_CASE("faults of touch blocks are told: no task, two tasks, keys of other tasks, bad values, the place in Å counted in characters") {
   CHECK(errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
-        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross or avoid and a colon"});
+        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, avoid, compare or meet and a colon"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\nhold: all\nsay: S\n```\n") ==
         Texts{"l.md:15:1: a touch block holds one task, but this one has 'reach' and 'hold'; write two touch blocks"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\ncount: 3\nsay: S\n```\n") ==

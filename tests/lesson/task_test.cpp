@@ -223,7 +223,8 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
   std::mt19937 random(seed);
   const std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> all{
       {"reach", {{"reach", "ion"}}}, {"hold", {{"hold", "pit"}}}, {"press", {{"press", "pit"}, {"until", "3 N"}}},
-      {"feel", {{"feel", "atoms"}, {"count", "9"}}}, {"cross", {{"cross", "atom 0"}, {"to", "atom 9"}}}, {"avoid", {{"avoid", "ion"}}}};
+      {"feel", {{"feel", "atoms"}, {"count", "9"}}}, {"cross", {{"cross", "atom 0"}, {"to", "atom 9"}}}, {"avoid", {{"avoid", "ion"}}},
+      {"compare", {{"compare", "exact, paper"}}}, {"meet", {{"meet", "lost"}}}};
   CHECK(all.size() == taskKinds().size());
   for (const auto& [kind, keys] : all) {
     auto t = task(kind, keys);
@@ -235,6 +236,9 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       s.time_s = random() % 100 == 0 ? std::numeric_limits<double>::quiet_NaN() : time;
       s.contact.feature = static_cast<Feature>(random() % 4);
       for (auto& a : s.contact.atoms) a = static_cast<std::int32_t>(random() % 14) - 2;
+      s.exact.feature = static_cast<Feature>(random() % 4);
+      s.exact.scp.A.x = static_cast<double>(random() % 400) * 0.01;
+      s.method = random() % 2 ? "exact" : "paper";
       s.force.N.x = random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
       t->feed(s);
       REQUIRE((t->progress() >= 0.0 && t->progress() <= 1.0));

@@ -111,10 +111,53 @@ TEST_CASE("a PDB line with a broken column names line, column and field") {
         "x.pdb:1:23: the residue number (columns 23-26) is not a number: '1x 2'; " + kPdbRemedy);
   bad = good;
   bad.replace(54, 6, "  abc ");
-  const auto read = readMoleculeBytes(bad, "x.pdb");
+  const auto read = readMoleculeBytes(bad + "END\n", "x.pdb");
   REQUIRE(read);
   CHECK(read->warnings ==
         std::vector<std::string>{"Line 1: the occupancy '  abc ' is not a number and was taken as 1."});
+}
+
+TEST_CASE(
+    "a PDB file that ends with an atom, or has not the atoms its MASTER record counts, is read with a "
+    "warning") {
+  const std::string cut = "The file ends with an atom and has no END record after it: it may be cut short.";
+  const auto counts = [](int by_master, int atoms) {
+    return "The MASTER record counts " + std::to_string(by_master) + " atoms, but the file has " +
+           std::to_string(atoms) + ": it may be cut short or edited.";
+  };
+  const auto master = [](int atoms) {
+    char line[96];
+    std::snprintf(line, sizeof line, "MASTER    %5d%5d%5d%5d%5d%5d%5d%5d%5d%5d%5d%5d\n", 5, 0, 0, 0, 0, 0, 0,
+                  6, atoms, 1, 0, 1);
+    return std::string(line);
+  };
+  const auto notes = [](const std::string& text) {
+    const auto read = readMoleculeBytes(text, "x.pdb");
+    REQUIRE(read);
+    std::vector<std::string> out = read->warnings;
+    std::erase_if(out,
+                  [](const std::string& w) { return w.find("models; this is model") != std::string::npos; });
+    return out;
+  };
+  using Notes = std::vector<std::string>;
+  const std::string atom = atomLine(" N", ' ', "GLY", 'A', 1, ' ', 1, 2, 3, 1, "N");
+  const std::string other = atomLine(" CA", ' ', "GLY", 'A', 1, ' ', 2, 2, 3, 1, "C");
+  CHECK(notes(atom + other) == Notes{cut});
+  CHECK(notes(atom + other +
+              "ANISOU    2  CA  GLY A   1     1000   1000   1000      0      0      0       C\n\n") ==
+        Notes{cut});
+  CHECK(notes(atom + "END\n" + other) == Notes{cut});
+  for (const char* end : {"END\n", "TER\n", "ENDMDL\n", "CONECT    1    2\n", "END"})
+    CHECK(notes(atom + other + end).empty());
+  CHECK(notes(atom + other + master(2) + "END\n").empty());
+  CHECK(notes(atom + other + master(2)).empty());
+  CHECK(notes(atom + other + master(0)).empty());
+  CHECK(notes(atom + other + master(7) + "END\n") == Notes{counts(7, 2)});
+  const std::string models =
+      "MODEL        1\n" + atom + other + "ENDMDL\nMODEL        2\n" + atom + other + "ENDMDL\n";
+  CHECK(notes(models + master(2) + "END\n").empty());
+  CHECK(notes(models + master(4) + "END\n").empty());
+  CHECK(notes(models + master(3) + "END\n") == Notes{counts(3, 4)});
 }
 
 TEST_CASE("a coordinate as 1e9 in a PDB column is refused, and so is one beyond 1e9 A in mmCIF and .xyzr") {
@@ -131,6 +174,24 @@ TEST_CASE("a coordinate as 1e9 in a PDB column is refused, and so is one beyond 
   CHECK(problemOf(cif + "C 0 inf 0\n", "x.cif").find("Cartn_y is not a number: 'inf'") != std::string::npos);
   CHECK(problemOf("2e9 0 0 1\n", "x.xyzr") ==
         "x.xyzr:1:1: x is '2e9', which is not a finite number up to 1e9 A; correct or remove the line");
+}
+
+TEST_CASE("of 30 000 mmCIF models the first, the last and one whose rows are parted by others are read") {
+  std::string cif =
+      "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n"
+      "_atom_site.pdbx_PDB_model_num\n";
+  for (int model = 1; model <= 30'000; ++model)
+    cif += "C " + std::to_string(model) + " 0 0 " + std::to_string(model) + '\n';
+  cif += "C 0.5 0 0 7\n";
+  for (const auto& [model, atoms] : {std::pair{1, 1u}, {7, 2u}, {30'000, 1u}}) {
+    ReadOptions options;
+    options.model = model;
+    const auto read = readMoleculeBytes(cif, "x.cif", options);
+    REQUIRE(read);
+    CHECK(read->models_in_file == 30'000);
+    REQUIRE(read->atoms.size() == atoms);
+    CHECK(read->atoms[0].position.A.x == model);
+  }
 }
 
 TEST_CASE("broken mmCIF syntax names the line and column") {

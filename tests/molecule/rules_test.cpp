@@ -37,7 +37,7 @@ TEST_CASE("of alternate atoms the more occupied is kept, the first on a tie; ord
                            atomLine(" CA", 'B', "SER", 'A', 5, ' ', 2, 0, 0, 0.7, "C") +
                            atomLine(" CB", 'A', "SER", 'A', 5, ' ', 3, 0, 0, 0.5, "C") +
                            atomLine(" CB", 'B', "SER", 'A', 5, ' ', 4, 0, 0, 0.5, "C") +
-                           atomLine(" OG", 'C', "SER", 'A', 5, ' ', 5, 0, 0, 0.2, "O");
+                           atomLine(" OG", 'C', "SER", 'A', 5, ' ', 5, 0, 0, 0.2, "O") + "END\n";
   const Molecule m = read(text);
   CHECK(xs(m) == std::vector<double>{0, 2, 3, 5});
   CHECK(m.alternates_left_out == 2);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/molecule/reader.h"
 #include "engine/render/ball_intersections.h"
 #include "engine/render/glyphs.h"
@@ -93,11 +94,38 @@ TEST_CASE("no line of an inflated sphere runs inside another one, and all lie on
   CHECK(points > 1000);
 }
 
+TEST_CASE("facets are the mesh's edges, outside the other ball, and few however fine the mesh is") {
+  ViewScene scene = crease();
+  scene.shown = {Shape::Facets};
+  const MoleculeModel model(scene.molecule);
+  std::vector<LooseSphere> dots;
+  const auto linesOf = [&](std::shared_ptr<const SphereMesh> mesh) {
+    scene.facets = std::move(mesh);
+    Strokes strokes;
+    addHapticShapes(scene, model, strokes, dots);
+    return strokes;
+  };
+  CHECK(linesOf(nullptr).lines().empty());
+  const Strokes coarse = linesOf(SphereMesh::ofTriangles(80));
+  CHECK(coarse.lines().size() > 120);  // 2 x 120 edges less those inside
+  CHECK(coarse.lines().size() < 240);
+  const double least = 3.28 * (1.0 - SphereMesh::ofTriangles(80)->sagitta());
+  for (const Strokes::Line& line : coarse.lines())
+    for (std::size_t i = line.begin; i < line.end; ++i) {
+      const Vec3 p = scene.camera.fromView(Vec3(coarse[i])).A;
+      const double near = std::min(glm::length(p - Vec3(-1.6, 0, 0)), glm::length(p - Vec3(1.6, 0, 0)));
+      CHECK(near > least - 0.15);  // cut at the other ball to a piece's length
+      CHECK(near < 3.28 + 1e-5);
+    }
+  CHECK(linesOf(SphereMesh::ofTriangles(5120)).lines().size() < 6000);
+}
+
 TEST_CASE("each part that is switched on changes the picture, and only the ones of its own") {
   const ViewScene base = crease();
   ViewScene scene = base;
   scene.shown = {Shape::Atoms};
   scene.targets.push_back({{Vec3(0, 0, 4)}, 0.8, false});
+  scene.facets = SphereMesh::ofTriangles(80);
   const Picture bare = drawn(scene, 300, 240);
   for (const ShapeName& s : shapeNames()) {
     if (s.shape == Shape::Atoms || s.shape == Shape::Points) continue;  // two balls meet in no points

@@ -20,7 +20,7 @@ void drawMethodsPanel(Application& app) {
   }
   plot("plot/force", app.touch.force(), app.touch.force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f, .height = 50.0f});
   plot("plot/turn", app.watch.turns(), app.watch.greatestTurn_deg(),
-       {.title = "Largest turn of the force in a tick", .least_top = 2.0f, .height = 50.0f, .format = "%.1f°"});
+       {.title = "Largest turn in a tick", .least_top = 2.0f, .height = 50.0f, .format = "%.1f°"});
   const MethodRecord* record = app.watch.find(app.method);
   tickHistogram("plot/times", record, 56.0f);
   speedAccuracyChart("plot/tradeoff", app.watch, app.method, 140.0f);

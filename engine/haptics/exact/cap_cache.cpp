@@ -19,6 +19,7 @@ CapCache::CapCache(std::shared_ptr<const BallScene> scene)
 void CapCache::setProbe(double probe_A) noexcept {
   probe_ = probe_A;
   for (std::uint32_t k = 0; k < kLists; ++k) lists_[k] = List{};
+  held_ = 0;
   last_ = &lists_[0];
   next_list_ = next_cap_ = 0;
 }
@@ -35,13 +36,27 @@ const CapCache::List& CapCache::lookUp(std::int32_t ball) noexcept {
   return *last_;
 }
 
+std::int32_t CapCache::coveredBy(std::int32_t ball) const noexcept {
+  const Ball& inner = (*scene_)[std::size_t(ball)];
+  std::int32_t holder = -1;
+  scene_->visitCentresNear(inner.centre_A, scene_->largestRadius_A() - inner.radius_A, [&](std::uint32_t index, const Ball& outer) {
+    const auto j = static_cast<std::int32_t>(index);
+    const double spare = outer.radius_A - inner.radius_A;
+    if (j == ball || spare < 0.0) return;
+    const Vec3 way = outer.centre_A - inner.centre_A;
+    const double d2 = glm::dot(way, way);
+    if (d2 <= spare * spare && (d2 > 0.0 || spare > 0.0 || j < ball)) holder = j;
+  });
+  return holder;
+}
+
 void CapCache::gather(std::int32_t ball, List& list) noexcept {
   // The new list goes behind the newest one, at the ring's start when it might not fit before the end.
   if (next_cap_ + kLongest > kCaps) next_cap_ = 0;
   const std::uint32_t begin = next_cap_;
   std::uint32_t count = 0;
   bool too_long = false;
-  const std::int32_t covered_by = eachCapInGrid(ball, [&](const Cap& cap) {
+  eachCapInGrid(ball, [&](const Cap& cap) {
     if (count == kLongest) {
       too_long = true;
       return;
@@ -57,7 +72,9 @@ void CapCache::gather(std::int32_t ball, List& list) noexcept {
   for (std::uint32_t k = 0; k < kLists; ++k)
     if (lists_[k].begin < begin + count && begin < lists_[k].begin + lists_[k].count) lists_[k] = List{};
   if (too_long) count = 0;
-  list = {ball, covered_by, begin, count, too_long};
+  list = {ball, begin, count, too_long};
+  held_ = 0;
+  for (std::uint32_t k = 0; k < kLists; ++k) held_ += lists_[k].ball >= 0;
   next_cap_ = begin + count;
 }
 
@@ -84,12 +101,6 @@ double CapCache::slackOfList(std::uint32_t begin, std::uint32_t count, const Vec
     least[0] = gap < least[0] ? gap : least[0];
   }
   return std::min(std::min(least[0], least[1]), std::min(least[2], least[3]));
-}
-
-std::uint32_t CapCache::listsHeld() const noexcept {
-  std::uint32_t held = 0;
-  for (std::uint32_t k = 0; k < kLists; ++k) held += lists_[k].ball >= 0;
-  return held;
 }
 
 std::size_t CapCache::bytes() const noexcept {

@@ -38,7 +38,8 @@ class CapCache {
   const BallScene& scene() const noexcept { return *scene_; }
 
   /// The ball that holds all of `ball`'s sphere, or -1. Equal balls: the first in the file holds the others.
-  std::int32_t coveredBy(std::int32_t ball) noexcept { return find(ball).covered_by; }
+  /// Only a larger ball whose centre is near can: no list is gathered for the question.
+  std::int32_t coveredBy(std::int32_t ball) const noexcept;
 
   /// The least of cos_rim - dot(axis, x) over the caps: x may turn by at least so many radians in any direction
   /// before a cap is met, because a cosine changes by at most one a radian. 2 when there is no cap.
@@ -56,12 +57,12 @@ class CapCache {
       visit(Cap{{x_[k], y_[k], z_[k]}, cos_rim_[k], ball_[k]});
   }
 
-  std::uint32_t listsHeld() const noexcept;
+  std::uint32_t listsHeld() const noexcept { return held_; }
   std::size_t bytes() const noexcept;
 
  private:
   struct List {
-    std::int32_t ball = -1, covered_by = -1;
+    std::int32_t ball = -1;
     std::uint32_t begin = 0, count = 0;
     bool too_long = false;
   };
@@ -74,12 +75,10 @@ class CapCache {
   void gather(std::int32_t ball, List& list) noexcept;
   double slackOfList(std::uint32_t begin, std::uint32_t count, const Vec3& x) const noexcept;
 
-  // Visits the neighbours that cut the sphere; returns the ball that covers it, or -1.
   template <class Visit>
-  std::int32_t eachCapInGrid(std::int32_t ball, Visit&& visit) const noexcept {
+  void eachCapInGrid(std::int32_t ball, Visit&& visit) const noexcept {
     const Vec3 c = (*scene_)[std::size_t(ball)].centre_A;
     const double r = radius(ball);
-    std::int32_t covered_by = -1;
     scene_->visitNear(c, r + probe_, [&](std::uint32_t index, const Ball& other) {
       const auto j = static_cast<std::int32_t>(index);
       if (j == ball) return;
@@ -87,24 +86,17 @@ class CapCache {
       const double rj = other.radius_A + probe_, d2 = glm::dot(way, way);
       if (d2 >= (r + rj) * (r + rj)) return;
       const double d = std::sqrt(d2);
-      if (d + r <= rj) {  // this sphere lies in ball j
-        if (d + rj > r || j < ball) covered_by = j;  // equal balls: the first in the file holds the others
-        return;
-      }
+      if (!(d > 0.0)) return;
       const double cosine = (d2 + (r - rj) * (r + rj)) / (2.0 * d * r);
-      if (cosine >= 1.0) return;  // ball j lies in this one, or touches it in one point
-      if (cosine <= -1.0) {
-        covered_by = j;
-        return;
-      }
+      if (std::abs(cosine) >= 1.0) return;  // one of the two lies in the other, or touches it in one point
       visit(Cap{way / d, cosine, j});
     });
-    return covered_by;
   }
 
   std::shared_ptr<const BallScene> scene_;
   Vec3 origin_;
   double probe_ = 0.0;
+  std::uint32_t held_ = 0;  // lists of some ball: asked in every tick
   std::unique_ptr<List[]> lists_;
   List* last_;
   std::uint32_t next_list_ = 0, next_cap_ = 0;

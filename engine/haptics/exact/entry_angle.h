@@ -21,4 +21,22 @@ inline double entryAngle(double a, double b, double q, bool on_rim) {
   return t >= 0.0 ? t : t + kTurn;
 }
 
+/// The way to a cap in either direction, from one pair of inverse functions: `forward` as entryAngle(a, b, …) and
+/// `backward` as entryAngle(a, -b, …).
+struct Entries {
+  double forward = kNever, backward = kNever;
+};
+
+inline Entries entryAngles(double a, double b, double q, bool on_rim) {
+  const double c = std::sqrt(a * a + b * b);
+  if (q >= c || q < -c) return {};
+  const double middle = std::atan2(b, a), half = std::acos(q / c);
+  const bool rim = on_rim || a >= q;
+  const auto ahead = [&](double towards, double entry) {
+    if (rim && towards > 0.0) return 0.0;
+    return (rim ? entry > 0.0 : entry >= 0.0) ? entry : entry + kTurn;
+  };
+  return {ahead(b, middle - half), ahead(-b, -middle - half)};
+}
+
 }  // namespace moltact

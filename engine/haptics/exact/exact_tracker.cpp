@@ -318,7 +318,7 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
     const double q = (ri * cap.cos_rim - c.to_i * glm::dot(cap.axis, c.axis)) / c.radius;
     if (q + kTangent >= std::sqrt(a * a + b * b)) return;  // it covers none of the circle, or shares its rim
     const bool on_rim = touching_.has(cap.ball);
-    const double forward = entryAngle(a, b, q, on_rim), backward = entryAngle(a, -b, q, on_rim);
+    const auto [forward, backward] = entryAngles(a, b, q, on_rim);
     if (forward < c.high) c.high = forward, c.high_ball = cap.ball;
     if (-backward > c.low) c.low = -backward, c.low_ball = cap.ball;
   });

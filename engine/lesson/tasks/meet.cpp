@@ -8,7 +8,8 @@ namespace moltact {
 namespace {
 
 constexpr double kLasting_s = 0.1;   // a failure shorter than this is a tick's slip and no failure to be felt
-constexpr double kOff_A = 0.1;       // the contact points differ by more than drawing shows as one
+constexpr double kThrown_s = 0.005;  // out of the far side a hand is thrown quickly
+constexpr double kHeld_A = 0.1;      // the exact spring is at least so long where the method in use has lost the surface
 constexpr double kJump_deg = 5.0;    // a fingertip notices the force turn by this at once
 constexpr double kSteady_deg = 1.0;  // while the true force turns by no more
 constexpr double kPull_A = 0.02;     // a shorter spring has no direction to speak of
@@ -21,7 +22,7 @@ double angle_deg(const Vec3& a, const Vec3& b) {
 
 class Meet : public Task {
  public:
-  explicit Meet(const TaskSpec& spec) : Task(spec), what_(spec.values["meet"].words[0]) {}
+  explicit Meet(const TaskSpec& spec) : Task(spec), what_(spec.values["meet"].words[0]), off_A_(spec.values["by"].number) {}
 
   void reset() override {
     Task::reset();
@@ -44,12 +45,13 @@ class Meet : public Task {
       return;
     }
     bool here = false;
-    if (what_ == "lost") here = judged && !touching_ && glm::length(exact) > kOff_A;
+    if (what_ == "lost") here = judged && !touching_ && glm::length(exact) > kHeld_A;
     else if (what_ == "wrong-side") here = judged && touching_ && glm::length(now) > kPull_A && glm::dot(now, exact) < 0.0;
-    else here = judged && touching_ && glm::distance(s.contact.scp.A, s.exact.scp.A) > kOff_A;
+    else here = judged && touching_ && glm::distance(s.contact.scp.A, s.exact.scp.A) > off_A_;
     watch_.tick(here, dt_s, 0.0);
-    setProgress(watch_.elapsed_s() / kLasting_s);
-    if (watch_.elapsed_s() >= kLasting_s) finish();
+    const double enough_s = what_ == "wrong-side" ? kThrown_s : kLasting_s;
+    setProgress(watch_.elapsed_s() / enough_s);
+    if (watch_.elapsed_s() >= enough_s) finish();
   }
 
   std::string guidance() const override {
@@ -57,10 +59,11 @@ class Meet : public Task {
     if (what_ == "jump") return "Slide slowly until the force turns with a jerk.";
     if (what_ == "lost") return "Push further in until the method loses the surface.";
     if (what_ == "wrong-side") return "Push further in until the force throws you out of the far side.";
-    return "Slide until the contact point lies 0.1 Å or more from where it should.";
+    return "Slide until the contact point lies off the true one, and rest there.";
   }
 
   std::string what_;
+  double off_A_ = 0.1;
   Stopwatch watch_;
   Vec3 before_{0.0}, exact_before_{0.0};
   bool touching_ = false;
@@ -73,7 +76,9 @@ TaskKind meetKind() {
           {{.name = "meet", .type = ValueType::Word,
             .meaning = "The failure: the force turns with a jerk, the surface is lost, the force points out of the far side, or the "
                        "contact point lies off the surface.",
-            .required = true, .words = {"jump", "lost", "wrong-side", "off"}}},
+            .required = true, .words = {"jump", "lost", "wrong-side", "off"}},
+           {.name = "by", .type = ValueType::Quantity, .meaning = "For 'off': how far the contact point must lie from the true one.",
+            .fallback = "0.1 Å", .dimension = Dimension::Length, .least = 0.001, .most = 10.0}},
           [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Meet>(s); }};
 }
 

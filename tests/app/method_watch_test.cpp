@@ -1,0 +1,93 @@
+// What is measured of the methods, from ticks made by hand.
+#include <doctest/doctest.h>
+
+#include <cmath>
+
+#include "app/ui/method_watch.h"
+
+namespace moltact {
+namespace {
+
+Stage oneBall() {
+  Molecule molecule;
+  Atom atom;
+  atom.radius_A = 1.6;
+  molecule.atoms.push_back(atom);
+  auto made = makeStage(std::move(molecule), "ball.pdb");
+  REQUIRE(made);
+  return *std::move(made);
+}
+
+}  // namespace
+
+TEST_CASE("of 900 ticks of 0.2 us and 100 of 20 us the median is 0.2 us and the 99th percentile 20 us, to a bin") {
+  TickHistogram h;
+  CHECK(h.empty());
+  CHECK(h.quantile_us(0.5) == 0.0);
+  for (int k = 0; k < 900; ++k) h.add(0.2);
+  for (int k = 0; k < 100; ++k) h.add(20.0);
+  h.add(0.0);
+  const double bin = std::pow(10.0, 1.0 / TickHistogram::kBinsADecade);
+  CHECK(h.quantile_us(0.5) > 0.2 / bin);
+  CHECK(h.quantile_us(0.5) < 0.2 * bin);
+  CHECK(h.quantile_us(0.99) > 20.0 / bin);
+  CHECK(h.quantile_us(0.99) < 20.0 * bin);
+  double sum = 0.0;
+  for (int k = 0; k < TickHistogram::kBins; ++k) sum += h.share(k);
+  CHECK(sum == doctest::Approx(1.0));
+  for (int k = 0; k < 20000; ++k) h.add(1e9);  // old times fade, and what is beyond the axis is kept at its end
+  CHECK(h.quantile_us(0.5) > TickHistogram::kMost_us / bin);
+}
+
+TEST_CASE("the error against the exact SCP is the distance of the two, and 0 where the method is exact") {
+  const Stage stage = oneBall();
+  MethodWatch watch;
+  watch.begin(stage, 1.4);
+  ServoSample s;
+  s.probe_A = 1.4;
+  s.has_tracker = true;
+  const auto tick = [&](Vec3 hip, Vec3 scp, const char* method) {
+    s.hip = {hip};
+    s.contact.scp = {scp};
+    s.contact.atoms[0] = 0;
+    s.contact.feature = Feature::Sphere;
+    s.work_us = 0.5f;
+    return watch.add(s, *findMethod(method));
+  };
+  s.hip = s.contact.scp = {Vec3(0, 0, 4)};
+  watch.add(s, *findMethod("mesh80"));
+  CHECK(watch.tried().empty());  // nothing is said of a hand in the open
+  for (int k = 0; k < 200; ++k) CHECK(glm::distance(tick({0, 0, 2.5}, {0, 0.25, 3}, "mesh80").scp.A, {0, 0, 3}) < 1e-9);
+  for (int k = 0; k < 200; ++k) tick({0, 0, 2.5}, {0, 0, 3}, "exact");
+  REQUIRE(watch.find("mesh80"));
+  CHECK(watch.find("mesh80")->error_A == doctest::Approx(0.25));
+  CHECK(watch.find("mesh80")->ticks == 200);
+  CHECK(watch.find("exact")->error_A < 1e-9);
+  CHECK(watch.find("penalty") == nullptr);
+  // From (0, 0.25, 0.5) to (0, 0, 0.5): 26.6 degrees.
+  CHECK(watch.greatestTurn_deg() == doctest::Approx(26.565).epsilon(1e-4));
+  watch.begin(stage, 1.4);
+  CHECK(watch.tried().empty());
+}
+
+TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
+  const Stage stage = oneBall();
+  MethodWatch watch;
+  watch.begin(stage, 1.4);
+  const Method& m = *findMethod("paper");
+  ServoSample s;
+  s.probe_A = 1.4;
+  s.has_tracker = true;
+  const auto tick = [&](Vec3 hip) {
+    s.hip = s.contact.scp = {hip};
+    return watch.add(s, m);
+  };
+  tick({0, 0, 4});
+  CHECK(tick({0, 0, 0}).touching());
+  s.placed = true;
+  CHECK_FALSE(tick({0, 0, -4}).touching());
+  s.placed = false;
+  CHECK_FALSE(tick({0, 0, -4}).touching());
+}
+
+}  // namespace moltact

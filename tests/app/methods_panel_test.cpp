@@ -1,0 +1,136 @@
+// The panel that compares methods, used as a student would.
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+namespace {
+
+std::string lessonFile() { return std::string(MOLTACT_SOURCE_DIR) + "/lessons/how-touch-is-computed.md"; }
+
+}  // namespace
+
+TEST_CASE("the methods panel is closed until the View menu opens it, and a tab leads back to the touch panel") {
+  auto d = startWith("argon");
+  CHECK_FALSE(d->shows("method/Mesh"));
+  CHECK_FALSE(d->shows("tab/Methods"));
+  CHECK(d->click("menu/view"));
+  CHECK(d->click("menu/view/methods"));
+  d->frames(2);
+  CHECK(d->shows("plot/tradeoff"));
+  CHECK_FALSE(d->shows("probe"));
+  CHECK(d->click("tab/Touch"));
+  d->frames(2);
+  CHECK(d->shows("probe"));
+  CHECK_FALSE(d->shows("plot/tradeoff"));
+  CHECK(d->click("menu/view"));
+  CHECK(d->click("menu/view/methods"));
+  d->frames(2);
+  CHECK_FALSE(d->shows("tab/Methods"));
+}
+
+TEST_CASE("switching through families and grades while pressing keeps the contact and leaves a mark for each") {
+  auto d = startWith("argon-pair");
+  d->app().showMethods(true);
+  d->frames(2);
+  d->app().touch_settings.stiffness_N_per_mm = 2.0;  // keeps the hand less than 1 A under the surface
+  d->point("view", 0.45, 0.5);
+  d->hold("Space");
+  d->frames(40);
+  REQUIRE(d->app().touch.touching());
+  const struct {
+    const char *family, *grade, *method;
+  } walk[] = {{"Mesh", "80", "mesh80"}, {"Exact", nullptr, "exact"}, {"Mesh", "320", "mesh320"}, {"Grid", "0.8 Å", "grid08"},
+              {"Exact", nullptr, "exact"}, {"Paper", nullptr, "paper"}, {"Grid", "0.2 Å", "grid02"}, {"Mesh", "5120", "mesh5120"}};
+  for (const auto& [family, grade, method] : walk) {
+    CAPTURE(method);
+    CHECK(d->click(std::string("method/") + family));
+    if (grade) {
+      d->frames(1);
+      CHECK(d->click(std::string("grade/") + grade));
+    }
+    CHECK(d->app().method == method);
+    d->point("view", 0.45, 0.5);
+    d->frames(12);
+    CHECK(d->app().touch.touching());
+    CHECK(d->shows(std::string("plot/tradeoff/") + method));
+  }
+  REQUIRE(d->app().watch.find("exact"));
+  CHECK(d->app().watch.find("exact")->error_A < 1e-9);
+  CHECK(d->app().watch.find("mesh80")->error_A > 10.0 * d->app().watch.find("mesh5120")->error_A);
+  CHECK(contains(d->text("plot/times"), "half within"));
+}
+
+TEST_CASE("facets are drawn with a mesh and its switch on, and with no other method") {
+  auto d = startWith("argon");
+  d->app().showMethods(true);
+  d->app().useMethod("mesh80");
+  d->frames(20);
+  REQUIRE(d->text("show/facets") == "on");
+  const Picture with = d->picture();
+  CHECK(d->click("show/facets"));
+  d->point("plot/force");
+  d->frames(20);
+  CHECK(difference(with, d->picture()) > 0.005);
+  d->app().useMethod("exact");
+  d->frames(2);
+  CHECK_FALSE(d->shows("show/facets"));
+}
+
+TEST_CASE("a lesson's step opens the panel with its method, and another lesson closes it again") {
+  auto d = startWith("");
+  d->app().open(lessonFile());
+  d->frames(10);
+  CHECK(d->shows("plot/tradeoff"));
+  CHECK(d->text("method/Mesh") == "on");
+  CHECK(d->text("grade/80") == "on");
+  d->app().openFirst();
+  d->frames(10);
+  CHECK_FALSE(d->shows("tab/Methods"));
+  CHECK(d->app().method == "exact");
+}
+
+TEST_CASE("the lesson's failures of paper, penalty and grid are met with a mouse") {
+  const std::optional<Problem> problem = [&] {
+    auto d = startWith("");
+    d->app().open(lessonFile());
+    return d->run(R"(
+wait 20
+click lesson/next
+click lesson/next
+click lesson/next
+click lesson/next
+wait 20
+expect method/Paper on
+point view 0.5 0.54
+press
+wait 60
+wheel 20
+wait 90
+expect task/0 done
+release
+wait 2
+click lesson/next
+wait 20
+expect method/Penalty on
+point view 0.5 0.54
+press
+wait 30
+wheel 20
+wait 60
+expect task/0 done
+release
+wait 2
+click lesson/next
+wait 20
+expect method/Grid on
+point view 0.5 0.5
+press
+wait 30
+wheel 5
+wait 90
+expect task/0 done
+)", "failures");
+  }();
+  if (problem) FAIL(problem->text());
+}
+
+}  // namespace moltact

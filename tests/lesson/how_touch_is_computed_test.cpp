@@ -1,0 +1,117 @@
+// The shipped lesson on methods: it reads without a problem, and the failures that it promises happen.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <set>
+
+#include "engine/haptics/methods.h"
+#include "engine/lesson/check.h"
+#include "engine/lesson/reader.h"
+#include "engine/lesson/tasks/registry.h"
+#include "engine/molecule/reader.h"
+
+using namespace moltact;
+
+namespace {
+
+constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/lessons/how-touch-is-computed.md";
+
+Expected<std::shared_ptr<const Molecule>> shipped(const std::string& name) {
+  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb");
+  if (!molecule) return molecule.problem();
+  return std::make_shared<const Molecule>(*std::move(molecule));
+}
+
+/// Leads a hand along a polyline at 2 A/s and feeds the task with what the scene's method makes of it.
+bool doneAlong(const Step& step, std::size_t task, std::string_view method, const std::vector<Vec3>& way_A) {
+  const auto molecule = shipped(step.scene.molecule);
+  REQUIRE(molecule);
+  const auto balls = std::make_shared<const BallScene>((*molecule)->balls());
+  const auto tracker = findMethod(method)->make(balls, step.scene.probe_A);
+  const auto exact = findMethod("exact")->make(balls, step.scene.probe_A);
+  const auto t = makeTask(step.tasks[task], **molecule);
+  TouchSample s;
+  s.method = method;
+  for (std::size_t k = 0; k + 1 < way_A.size(); ++k) {
+    const int ticks = int(glm::distance(way_A[k], way_A[k + 1]) / 0.002) + 1;
+    for (int i = 0; i < ticks; ++i) {
+      s.time_s += 0.001;
+      s.hip.A = way_A[k] + (way_A[k + 1] - way_A[k]) * (double(i) / ticks);
+      s.contact = tracker->step(s.hip);
+      s.exact = exact->step(s.hip);
+      t->feed(s);
+    }
+  }
+  return t->done();
+}
+
+const Step& stepOf(const Lesson& lesson, std::string_view id) {
+  const auto at = lesson.find(id);
+  REQUIRE_MESSAGE(at, id);
+  return lesson.steps[*at];
+}
+
+}  // namespace
+
+TEST_CASE("how-touch-is-computed.md reads without errors or warnings into 8 steps, each with a task and the methods panel") {
+  const LessonReading read = readLesson(kLesson);
+  for (const Problem& p : read.errors) MESSAGE(p.text());
+  for (const Problem& p : read.warnings) MESSAGE(p.text());
+  REQUIRE(read.lesson);
+  CHECK(read.warnings.empty());
+  CHECK(read.lesson->steps.size() == 8);
+  std::set<std::string> used, failures;
+  for (const Step& s : read.lesson->steps) {
+    CHECK_FALSE(s.tasks.empty());
+    CHECK(s.scene.panels == std::vector<std::string>{"methods"});
+    used.insert(s.scene.molecule);
+    for (const TaskSpec& t : s.tasks)
+      if (t.kind == "meet") failures.insert(t.values["meet"].words.at(0));
+  }
+  CHECK(used.size() == read.lesson->molecules.size());
+  CHECK(failures == std::set<std::string>{"jump", "lost", "off", "wrong-side"});
+  for (const Problem& p : checkAgainstMolecules(*read.lesson, shipped)) FAIL_CHECK(p.text());
+}
+
+TEST_CASE("on the lesson's atom a slide 1 A deep meets a jerk with 80 triangles and none with the exact method") {
+  const LessonReading read = readLesson(kLesson);
+  REQUIRE(read.lesson);
+  const Step& step = read.lesson->steps[0];
+  const std::vector<Vec3> slide{{0.1, 0.2, 4}, {0.1, 0.2, 2.2}, {2.0, 0.4, 1.0}, {1.0, 1.8, 1.0}};
+  CHECK(step.scene.method == "mesh80");
+  CHECK(doneAlong(step, 0, "mesh80", slide));
+  CHECK_FALSE(doneAlong(step, 0, "exact", slide));
+}
+
+TEST_CASE("pushed 3 A through the pit with the lesson's probe, paper loses the surface and penalty throws the hand out; exact does neither") {
+  const LessonReading read = readLesson(kLesson);
+  REQUIRE(read.lesson);
+  const Step& lost = stepOf(*read.lesson, "the-papers-method-loses-the-surface");
+  const Step& thrown = stepOf(*read.lesson, "penalty-throws-you-out-of-the-far-side");
+  CHECK(lost.scene.method == "paper");
+  CHECK(thrown.scene.method == "penalty");
+  // The pit lies so high over the plane of the atoms; a mouse pushes 3 A under the surface and no further.
+  const double pit_A = std::sqrt(std::pow(1.88 + lost.scene.probe_A, 2) - std::pow(3.76, 2) / 3.0);
+  for (const Vec3& aside : {Vec3(0.02, 0.01, 0), Vec3(0.2, -0.1, 0), Vec3(-0.1, 0.25, 0)}) {
+    const std::vector<Vec3> through{aside + Vec3(0, 0, 4), aside + Vec3(0, 0, pit_A), aside + Vec3(0, 0, pit_A - 3.0),
+                                    aside + Vec3(0.01, 0, pit_A - 3.0), aside + Vec3(0.3, 0, pit_A - 3.0)};
+    CAPTURE(aside.x);
+    CHECK(doneAlong(lost, 0, "paper", through));
+    CHECK_FALSE(doneAlong(lost, 0, "exact", through));
+    CHECK(doneAlong(thrown, 0, "penalty", through));
+    CHECK_FALSE(doneAlong(thrown, 0, "exact", through));
+  }
+}
+
+TEST_CASE("in the lesson's crease the grid of 0.8 A is off by 0.03 A, the one of 0.2 A and the exact method are not") {
+  const LessonReading read = readLesson(kLesson);
+  REQUIRE(read.lesson);
+  const Step& step = stepOf(*read.lesson, "a-grid-rounds-the-crease");
+  CHECK(step.scene.method == "grid08");
+  // Radius of the circle where the grown spheres meet; the pair lies along x.
+  const double circle_A = std::sqrt(std::pow(1.88 + 1.4, 2) - 1.88 * 1.88);
+  const std::vector<Vec3> push{{0.03, 0.02, 5}, {0.03, 0.02, circle_A - 1.0}, {0.1, 0.3, circle_A - 1.0}};
+  CHECK(doneAlong(step, 0, "grid08", push));
+  CHECK_FALSE(doneAlong(step, 0, "grid02", push));
+  CHECK_FALSE(doneAlong(step, 0, "exact", push));
+}
