@@ -121,7 +121,7 @@ void setIcon(GLFWwindow* window) {
 
 int noDisplay(const char* why) {
   std::cerr << "moltact: no window can be opened (" << why << ")\n"
-            << "Without a display these commands work: moltact info, moltact render, moltact replay (see moltact --help).\n";
+            << "Without a display these commands work: moltact info, replay, render, fetch, bench (see moltact --help).\n";
   return 1;
 }
 

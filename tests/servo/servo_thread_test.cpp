@@ -121,7 +121,9 @@ TEST_CASE("each of 40 trackers makes the samples that bear its number, and none 
     ++judged;
   };
   for (int k = 0; k < 40; ++k) {
-    servo.setSettings({.placements = ++scene});
+    ServoSettings settings;
+    settings.placements = ++scene;
+    servo.setSettings(settings);
     servo.setTracker(std::make_unique<MarkedTracker>(scene), scene);
     while (servo.latest().scene != scene) {
       servo.drain(judge);
