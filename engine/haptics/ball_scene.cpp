@@ -101,6 +101,7 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   const auto same = [](const Sorted& a, const Sorted& b) {
     return a.ball.centre_A == b.ball.centre_A && a.ball.radius_A == b.ball.radius_A;
   };
+  auto kept = sorted_.begin();  // the cells move together over the gaps
   for (Cell* cell : in_order) {
     Cell& c = *cell;
     const auto begin = sorted_.begin() + c.begin;
@@ -112,13 +113,15 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
         };
         return key(a) < key(b);
       });
-    auto kept = begin;
+    const auto first_kept = kept;
     for (auto next = begin; next != end; ++next) {
-      const auto look_from = kept - begin > 64 ? kept - 1 : begin;
+      const auto look_from = kept - first_kept > 64 ? kept - 1 : first_kept;
       if (std::none_of(look_from, kept, [&](const Sorted& k) { return same(k, *next); })) *kept++ = *next;
     }
+    c.begin = static_cast<std::uint32_t>(first_kept - sorted_.begin());
     c.end = static_cast<std::uint32_t>(kept - sorted_.begin());
   }
+  sorted_.erase(kept, sorted_.end());
 }
 
 std::size_t BallScene::bytes() const {

@@ -69,6 +69,15 @@ TEST_CASE("of 3 equal balls among 200 in one cell only the first in the file is 
   }
 }
 
+TEST_CASE("a look over the whole of a small scene visits each of 3 different balls once, the doubled ones too") {
+  const Ball a{{0, 0, 0}, 1.5}, b{{2, 0, 0}, 1.5}, c{{9, 9, 9}, 1.5};
+  const BallScene scene({a, a, b, b, b, c, a});
+  std::vector<std::uint32_t> seen;
+  scene.visitNear({0, 0, 0}, 40.0, [&](std::uint32_t i, const Ball&) { seen.push_back(i); });
+  std::sort(seen.begin(), seen.end());
+  CHECK(seen == std::vector<std::uint32_t>{0, 2, 5});
+}
+
 TEST_CASE("an empty scene visits nothing") {
   const BallScene scene(std::vector<Ball>{});
   scene.visitNear({0, 0, 0}, 100.0, [](std::uint32_t, const Ball&) { FAIL("visited a ball of an empty scene"); });
