@@ -22,7 +22,7 @@ bool iconButton(const char* name, Icon icon, const char* tip, bool on = false);
 /// A switch with its label on the left of the line and the knob on the right. True when it was changed.
 bool toggle(const char* name, const char* label, bool& on, const char* tip = nullptr);
 /// A label and value above a track. `format` is printf's for the value with its unit. Ends and steps in the value's unit;
-/// the wheel and the arrow keys move by `step` while the pointer rests on it. True when it was changed.
+/// the wheel moves it by `step` while the pointer rests on it, unless the panel itself scrolls. True when it was changed.
 bool slider(const char* name, const char* label, double& value, double least, double most, double step, const char* format,
             const char* tip = nullptr);
 /// Choices side by side. True when another was chosen.

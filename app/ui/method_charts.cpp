@@ -101,7 +101,7 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
   const MethodRecord* live = watch.find(in_use);
   const bool judged = live && live->ticks >= MethodWatch::kJudged_ticks && !live->times.empty();
   const std::string reading = judged ? errorText(live->error_A) : "touch to measure";
-  const Frame f = begin("Error, against time for a tick", reading, height);
+  const Frame f = begin("Error against time", reading, height);
   recordItem(name, reading);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float inset = l.px(9), y0 = f.high.y - inset, y1 = f.low.y + inset;

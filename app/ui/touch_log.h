@@ -28,7 +28,7 @@ class Trace {
   std::size_t next_ = 0, count_ = 0;
 };
 
-/// How well the loop kept its time over the last second.
+/// How well the loop kept its time over the last half second.
 struct LoopHealth {
   double rate_Hz = 0;      ///< ticks begun in the last second
   double late_p99_us = 0;  ///< 99 of 100 ticks began no later than this after their time
