@@ -55,7 +55,6 @@ class ServoStep {
   const Tracker* last_tracker_ = nullptr;
   std::uint32_t placements_ = 0, hand_placements_ = 0;
   double ramp_ = 0.0;  // 0 to 1, the soft start
-  PointMm last_hand_;
 };
 
 }  // namespace moltact
