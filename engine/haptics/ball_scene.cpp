@@ -44,7 +44,7 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   }
   low_ -= Vec3(largest_radius_);
   high_ += Vec3(largest_radius_);
-  cell_ = 2.0 * (cell_radius_ + kWaterProbe_A);
+  cell_ = 1.4 * (cell_radius_ + kWaterProbe_A);
 
   // Counting sort by hashed cell: count, sum up, place.
   std::vector<std::uint32_t> slot_of(balls_.size());

@@ -57,6 +57,12 @@ const Method* findMethod(std::string_view name) {
   return nullptr;
 }
 
+std::vector<std::string_view> methodNames() {
+  std::vector<std::string_view> names;
+  for (const Method& m : methods()) names.push_back(m.name);
+  return names;
+}
+
 std::string methodTitle(std::string_view name) {
   const Method* m = findMethod(name);
   if (!m) return std::string(name);

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/tracker.h"
@@ -26,6 +27,9 @@ std::span<const Method> methods();
 
 /// The method of that name, or nullptr.
 const Method* findMethod(std::string_view name);
+
+/// The names of all methods, in the same order.
+std::vector<std::string_view> methodNames();
 
 /// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
 std::string methodTitle(std::string_view name);

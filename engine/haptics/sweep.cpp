@@ -35,30 +35,19 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
   // Lengths are counted from where the way enters the box: a start a million angstroms off costs no digits.
   const Vec3 start = t0 > 0.0 ? from + way * t0 : from;
   const double length = (t1 - t0) * whole;
-  double best = length;
-  std::int32_t ball = -1;
+  FirstMet first(start, along, length, leaving);
   // Piece by piece, so that only balls near the way are looked at; in a sparse scene, where that would be more pieces
   // than balls, all at once.
   const double piece = length > scene.cell_A() * (1.0 + 0.125 * double(scene.size())) ? length : scene.cell_A();
   for (double a = 0.0; a <= length; a += piece) {
     const Vec3 p = start + along * a, q = start + along * std::min(a + piece, length);
     scene.visitNearBox(glm::min(p, q), glm::max(p, q), probe_A, [&](std::uint32_t i, const Ball& b) {
-      const Vec3 m = start - b.centre_A;
-      const double nearest = -glm::dot(m, along);  // where the way comes nearest to the centre
-      if (nearest <= 0.0) return;                  // it leads away from this ball
-      const Vec3 off = m + along * nearest;
-      const double r = b.radius_A + probe_A, gap2 = r * r - glm::dot(off, off);
-      if (gap2 <= 0.0) return;
-      const double enters = std::max(0.0, nearest - std::sqrt(gap2));
-      if (enters > best || (enters == best && ball >= 0)) return;
-      if (std::find(leaving.begin(), leaving.end(), static_cast<std::int32_t>(i)) != leaving.end()) return;
-      best = enters;
-      ball = static_cast<std::int32_t>(i);
+      first.look(static_cast<std::int32_t>(i), b.centre_A, b.radius_A + probe_A);
     });
-    if (piece == length || (ball >= 0 && best <= a + piece)) break;
+    if (piece == length || (first.ball() >= 0 && first.at() <= a + piece)) break;
   }
-  if (ball < 0) return {};
-  return {ball, std::min(1.0, t0 + best / whole)};
+  if (first.ball() < 0) return {};
+  return {first.ball(), std::min(1.0, t0 + first.at() / whole)};
 }
 
 double clearance(const BallScene& scene, double probe_A, const Vec3& place) noexcept {
@@ -70,9 +59,7 @@ double clearance(const BallScene& scene, double probe_A, const Vec3& place) noex
   if (to_box > looked) return to_box;
   double best = looked;
   scene.visitNear(place, probe_A + looked, [&](std::uint32_t, const Ball& b) {
-    const Vec3 m = place - b.centre_A;
-    const double d2 = glm::dot(m, m), r = b.radius_A + probe_A, reach = best + r;
-    if (reach > 0.0 && d2 < reach * reach) best = std::sqrt(d2) - r;
+    lessenGap(best, place - b.centre_A, b.radius_A + probe_A);
   });
   return best;
 }

@@ -2,6 +2,8 @@
 // steps of any length. Also used to find the surface under a pointer. Units: angstrom. Safe on the haptic thread.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -14,6 +16,43 @@ struct Hit {
   std::int32_t ball = -1;   ///< -1: nothing is met
   double t = 1.0;           ///< where on the way from `from` (0) to `to` (1)
 };
+
+/// Finds the first of the balls that are looked at, one after the other, on a straight way.
+class FirstMet {
+ public:
+  /// `along` is unit; balls in `leaving` are passed over, as are those farther than `length`.
+  FirstMet(const Vec3& start, const Vec3& along, double length, std::span<const std::int32_t> leaving)
+      : start_(start), along_(along), best_(length), leaving_(leaving) {}
+
+  void look(std::int32_t index, const Vec3& centre, double radius) {
+    const Vec3 m = start_ - centre;
+    const double nearest = -glm::dot(m, along_);  // where the way comes nearest to the centre
+    if (nearest <= 0.0) return;                   // it leads away from this ball
+    const Vec3 off = m + along_ * nearest;
+    const double gap2 = radius * radius - glm::dot(off, off);
+    if (gap2 <= 0.0) return;
+    const double enters = std::max(0.0, nearest - std::sqrt(gap2));
+    if (enters > best_ || (enters == best_ && ball_ >= 0)) return;
+    if (std::find(leaving_.begin(), leaving_.end(), index) != leaving_.end()) return;
+    best_ = enters;
+    ball_ = index;
+  }
+
+  std::int32_t ball() const { return ball_; }  ///< -1: none
+  double at() const { return best_; }          ///< the way to it (unit: angstrom)
+
+ private:
+  Vec3 start_, along_;
+  double best_;
+  std::int32_t ball_ = -1;
+  std::span<const std::int32_t> leaving_;
+};
+
+/// Lessens `gap` to the gap between a ball and a place, given from its centre, where that is smaller.
+inline void lessenGap(double& gap, const Vec3& from_centre, double radius) {
+  const double d2 = glm::dot(from_centre, from_centre), reach = gap + radius;
+  if (reach > 0.0 && d2 < reach * reach) gap = std::sqrt(d2) - radius;
+}
 
 /// Moves a point from `from` to `to` among the scene's balls inflated by `probe_A`. A ball that the point is in or on
 /// already is met at t = 0 when the way leads into it and not at all when it leads out. Balls in `leaving` are passed over.

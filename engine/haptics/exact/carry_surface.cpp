@@ -15,13 +15,8 @@ constexpr double kSqueezed_A = 0.5;  // out of a closing crease the SCP moves fa
 constexpr double kRounding_A = 1e-11;
 constexpr int kMostHolding = 8;
 
-struct Sphere {
-  Vec3 centre;
-  double radius;
-};
-
 // The place of the two spheres' circle nearest to p; false when they do not meet.
-bool nearestOnCircle(const Sphere& i, const Sphere& j, const Vec3& p, Vec3& out) {
+bool nearestOnCircle(const NearBall& i, const NearBall& j, const Vec3& p, Vec3& out) {
   const Vec3 between = j.centre - i.centre;
   const double d = glm::length(between);
   if (!(d > 0.0)) return false;
@@ -38,7 +33,7 @@ bool nearestOnCircle(const Sphere& i, const Sphere& j, const Vec3& p, Vec3& out)
 }
 
 // The two points common to three spheres; false when there are none.
-bool commonPoints(const Sphere& i, const Sphere& j, const Sphere& k, Vec3 out[2]) {
+bool commonPoints(const NearBall& i, const NearBall& j, const NearBall& k, Vec3 out[2]) {
   const Vec3 u = j.centre - i.centre, v = k.centre - i.centre, w = glm::cross(u, v);
   const double w2 = glm::dot(w, w);
   if (!(w2 > 1e-20)) return false;
@@ -57,14 +52,14 @@ bool commonPoints(const Sphere& i, const Sphere& j, const Sphere& k, Vec3 out[2]
 
 void ExactTracker::setProbe(double probe_A) noexcept {
   if (!std::isfinite(probe_A)) return;
-  const double wanted = std::clamp(probe_A, 0.0, kLargestProbe_A), had = caps_.probe_A();
+  const double wanted = std::clamp(probe_A, 0.0, kLargestProbe_A), had = near_.probe_A();
   if (wanted == had) return;
   const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kPiece_A));
   for (int k = 1; k <= pieces; ++k) {
-    caps_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
+    near_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
     if (!armed_) continue;
     if (!carry()) {  // the place closed over the SCP: there is no surface left to be held by
-      caps_.setProbe(wanted);
+      near_.setProbe(wanted);
       reset();
       return;
     }
@@ -73,10 +68,10 @@ void ExactTracker::setProbe(double probe_A) noexcept {
 
 // Brings the SCP to the nearest free place; false when there is none among the balls that close in on it.
 bool ExactTracker::carry() noexcept {
-  const double probe = caps_.probe_A();
-  const BallScene& scene = caps_.scene();
+  const double probe = near_.probe_A();
+  const BallScene& scene = near_.scene();
   free_gap2_ = 0.0;
-  patch_cos_ = 2.0;
+  patch_.clear = patch_.cosine = 2.0;
   circle_.i = -1;
   holds_known_ = false;
 
@@ -84,8 +79,8 @@ bool ExactTracker::carry() noexcept {
   // Adds the balls that p is inside of; tells whether there are any.
   const auto inside = [&](const Vec3& p) {
     bool any = false;
-    scene.visitNear(caps_.origin() + p, probe, [&](std::uint32_t index, const Ball& b) {
-      const Vec3 m = p - (b.centre_A - caps_.origin());
+    scene.visitNear(near_.origin() + p, probe, [&](std::uint32_t index, const Ball& b) {
+      const Vec3 m = p - (b.centre_A - near_.origin());
       const double r = b.radius_A + probe - kRounding_A;
       if (r <= 0.0 || glm::dot(m, m) >= r * r) return;
       any = true;
@@ -113,15 +108,15 @@ bool ExactTracker::carry() noexcept {
       on.count = 0;
       for (const std::int32_t ball : balls) on.add(ball);
     };
-    const auto sphere = [&](std::int32_t ball) { return Sphere{caps_.centre(ball), caps_.radius(ball)}; };
+    const auto sphere = [&](std::int32_t ball) { return near_.ball(ball); };
     for (int a = 0; a < among.count; ++a) {
       const std::int32_t i = among.balls[std::size_t(a)];
-      const Sphere si = sphere(i);
+      const NearBall si = sphere(i);
       const Vec3 out = was - si.centre;
       if (const double far = glm::length(out); far > 0.0) offer(si.centre + out * (si.radius / far), {i});
       for (int b = a + 1; b < among.count; ++b) {
         const std::int32_t j = among.balls[std::size_t(b)];
-        const Sphere sj = sphere(j);
+        const NearBall sj = sphere(j);
         Vec3 p;
         if (nearestOnCircle(si, sj, was, p)) offer(p, {i, j});
         for (int c = b + 1; c < among.count; ++c) {

@@ -5,7 +5,9 @@
 #include <utility>
 
 #include "engine/haptics/exact/blocked_motion.h"
+#include "engine/haptics/exact/cap.h"
 #include "engine/haptics/exact/entry_angle.h"
+#include "engine/haptics/hip_input.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
@@ -15,8 +17,23 @@ constexpr double kAtCentre = 1e-12;  // of a radius: a HIP this near a centre or
 constexpr double kMoved = 1e-12;     // of a radius: a shorter piece leaves the SCP where it was
 constexpr double kTangent = 1e-12;   // a way along a rim; it counts as leaving a cap under a hemisphere
 
-bool usable(const Vec3& v) {
-  return std::abs(v.x) <= kFarthest_A && std::abs(v.y) <= kFarthest_A && std::abs(v.z) <= kFarthest_A;  // false for NaN
+// Every ball that comes within kLook_A of the SCP is looked at before a way goes on; a list of them serves until the SCP
+// has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
+constexpr double kLook_A = 0.5, kMargin_A = 1.0;
+
+// The ball that holds all of `ball`'s sphere, or -1. Equal balls: the first in the file holds the others.
+std::int32_t coveredBy(const BallScene& scene, std::int32_t ball) {
+  const Ball& inner = scene[std::size_t(ball)];
+  std::int32_t holder = -1;
+  scene.visitCentresNear(inner.centre_A, scene.largestRadius_A() - inner.radius_A, [&](std::uint32_t index, const Ball& outer) {
+    const auto j = static_cast<std::int32_t>(index);
+    const double spare = outer.radius_A - inner.radius_A;
+    if (j == ball || spare < 0.0) return;
+    const Vec3 way = outer.centre_A - inner.centre_A;
+    const double d2 = glm::dot(way, way);
+    if (d2 <= spare * spare && (d2 > 0.0 || spare > 0.0 || j < ball)) holder = j;
+  });
+  return holder;
 }
 
 }  // namespace
@@ -29,8 +46,8 @@ void ExactTracker::Touching::add(std::int32_t ball) {
   if (ball >= 0 && count < kMostTouching && !has(ball)) balls[std::size_t(count++)] = ball;
 }
 
-ExactTracker::ExactTracker(std::shared_ptr<const BallScene> scene, double probe_A) : caps_(std::move(scene)) {
-  caps_.setProbe(std::isfinite(probe_A) ? std::clamp(probe_A, 0.0, kLargestProbe_A) : kWaterProbe_A);
+ExactTracker::ExactTracker(std::shared_ptr<const BallScene> scene, double probe_A) : near_(std::move(scene), kMargin_A) {
+  near_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
 
 void ExactTracker::reset() noexcept {
@@ -42,11 +59,11 @@ void ExactTracker::reset() noexcept {
 }
 
 Footprint ExactTracker::footprint() const noexcept {
-  return {caps_.listsHeld(), sizeof(*this) - sizeof(caps_) + caps_.bytes() + caps_.scene().bytes()};
+  return {near_.held(), sizeof(*this) + near_.scene().bytes()};
 }
 
 Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  return {.scp = {feature_ == Feature::Free ? hip : caps_.origin() + scp_}, .atoms = holders_, .feature = feature_};
+  return {.scp = {feature_ == Feature::Free ? hip : near_.origin() + scp_}, .atoms = holders_, .feature = feature_};
 }
 
 // The balls that hold the SCP, in ascending order: they change only where the SCP flows.
@@ -65,20 +82,22 @@ Contact ExactTracker::step(PointA hip) noexcept {
   const Vec3& h = hip.A;
   // Most ticks of all: free, and nothing can be met yet. A HIP that is not a number fails the comparison.
   if (feature_ == Feature::Free && armed_) {
-    const Vec3 local = h - caps_.origin(), way = local - free_from_;
+    const Vec3 local = h - near_.origin(), way = local - free_from_;
     if (glm::dot(way, way) < free_gap2_) {
       scp_ = local;
       return {.scp = hip};
     }
   }
-  if (!usable(h)) {
-    Contact refused{.scp = hip, .fault = Fault::NotFinite};
-    if (!std::isfinite(h.x) || !std::isfinite(h.y) || !std::isfinite(h.z)) refused.scp.A = caps_.origin() + scp_;
-    return refused;
-  }
-  const Vec3 local = h - caps_.origin();
+  return lookRound(hip);
+}
+
+// A tick that is not plainly free; apart, so that those need not save its registers.
+Contact ExactTracker::lookRound(PointA hip) noexcept {
+  const Vec3& h = hip.A;
+  if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
+  const Vec3 local = h - near_.origin();
   if (!armed_) {
-    const double gap = clearance(caps_.scene(), caps_.probe_A(), h);
+    const double gap = gapRound(local);
     if (gap < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
     free_gap2_ = gap * gap;
     armed_ = true;
@@ -92,62 +111,13 @@ Contact ExactTracker::step(PointA hip) noexcept {
   return contact(h);
 }
 
-// The ordinary tick: the SCP stays on its feature and goes to the place on it nearest to the HIP, and what is known of
-// the surroundings says that nothing is in the way.
-bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
-  switch (feature_) {
-    case Feature::Free: return false;  // step() has looked
-    case Feature::Sphere: {
-      const std::int32_t ball = touching_.balls[0];
-      const Vec3 m = hip - caps_.centre(ball);
-      const double r = caps_.radius(ball), d2 = glm::dot(m, m);
-      if (touching_.count != 1 || d2 >= r * r || d2 < r * r * 1e-6) return false;
-      const double d = std::sqrt(d2);
-      if (glm::dot(m, patch_centre_) < patch_cos_ * d) return false;
-      scp_ = caps_.centre(ball) + m * (r / d);
-      return true;
-    }
-    case Feature::Circle: {
-      const Circle& c = circle_;
-      if (touching_.count != 2 || c.i < 0) return false;
-      const Vec3 m = hip - c.centre;
-      const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
-      const double out = std::sqrt(y1 * y1 + y2 * y2);
-      if (out < 1e-6 * c.radius) return false;
-      // Both balls must hold the SCP from the start of the way to its end: shares mu_i, mu_j >= 0 (docs/exact-tracker.md).
-      const double start = 1.0 - (y1 * c.along_1 + y2 * c.along_2) / c.radius, end = 1.0 - out / c.radius;
-      const double slack_i = std::min(start * c.to_j, end * c.to_j) - along, slack_j = std::min(start * c.to_i, end * c.to_i) + along;
-      if (slack_i < 0.0 || slack_j < 0.0) return false;
-      if (c.narrow) {  // between two ends less than half a turn apart the short way stays between them
-        if (c.low_1 * y2 - c.low_2 * y1 <= 0.0 || y1 * c.high_2 - y2 * c.high_1 <= 0.0) return false;
-      } else {
-        double angle = std::atan2(y2, y1);
-        angle += kTurn * std::round((c.angle - angle) / kTurn);  // the short way round
-        if (angle <= c.low || angle >= c.high) return false;
-        circle_.angle = angle;
-      }
-      circle_.along_1 = y1 / out;
-      circle_.along_2 = y2 / out;
-      scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
-      return true;
-    }
-    case Feature::Point: {
-      if (!holds_known_ || touching_.count != 3) return false;
-      const Vec3 pull = hip - scp_;
-      return glm::dot(holds_[0], pull) <= 0.0 && glm::dot(holds_[1], pull) <= 0.0 && glm::dot(holds_[2], pull) <= 0.0;
-    }
-  }
-  return false;
-}
-
 void ExactTracker::flow(const Vec3& hip) noexcept {
   forced_ball_ = forced_pair_ = -1;
   forced_flight_ = false;
   int stuck = 0;
   for (int piece = 0; piece < kMostPieces; ++piece) {
     std::array<Vec3, kMostTouching> normals;
-    for (int k = 0; k < touching_.count; ++k)
-      normals[std::size_t(k)] = (scp_ - caps_.centre(touching_.balls[std::size_t(k)])) / caps_.radius(touching_.balls[std::size_t(k)]);
+    for (int k = 0; k < touching_.count; ++k) normals[std::size_t(k)] = normalOf(touching_.balls[std::size_t(k)]);
     Blocked blocked;
     if (forced_ball_ < 0 && !forced_flight_) blocked = blockedMotion(hip - scp_, {normals.data(), std::size_t(touching_.count)});
 
@@ -176,25 +146,42 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   ++cut_short_;
   feature_ = touching_.count == 0 ? Feature::Free : static_cast<Feature>(std::min(touching_.count, 3));
   holds_known_ = false;
-  patch_cos_ = 2.0;
+  patch_.clear = patch_.cosine = 2.0;
   circle_.i = -1;
   free_gap2_ = 0.0;
 }
 
 // A ball inside another, or equal to an earlier one, stands for the one that holds it.
-std::int32_t ExactTracker::outermost(std::int32_t ball) noexcept {
+std::int32_t ExactTracker::outermost(std::int32_t ball) const noexcept {
   for (int k = 0; k < 64 && ball >= 0; ++k) {
-    const std::int32_t holder = caps_.coveredBy(ball);
+    const std::int32_t holder = coveredBy(near_.scene(), ball);
     if (holder < 0) break;
     ball = holder;
   }
   return ball;
 }
 
+// A lower bound of the way from a place to the nearest ball; negative or zero inside or on one.
+double ExactTracker::gapRound(const Vec3& place) noexcept {
+  double least = kFarthest_A;
+  const double known = near_.each(place, kLook_A, [&](const NearBall& b) { lessenGap(least, place - b.centre, b.radius); });
+  return least < known ? least : std::max(known, clearance(near_.scene(), near_.probe_A(), near_.origin() + place));
+}
+
+// The first ball on a straight way. A short one meets only what is known to be near.
+Hit ExactTracker::firstMet(const Vec3& to, std::span<const std::int32_t> leaving) noexcept {
+  const double length = glm::distance(scp_, to);
+  if (!(length <= kLook_A)) return sweep(near_.scene(), near_.probe_A(), near_.origin() + scp_, near_.origin() + to, leaving);
+  if (!(length > 0.0)) return {};
+  FirstMet first(scp_, (to - scp_) / length, length, leaving);
+  near_.each(scp_, length, [&](const NearBall& b) { first.look(b.index, b.centre, b.radius); });
+  return first.ball() < 0 ? Hit{} : Hit{first.ball(), std::min(1.0, first.at() / length)};
+}
+
 ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
   // From free space a short way needs no search along it: a ball on it would be as near to its end as the way is long.
   if (touching_.count == 0) {
-    const double gap = clearance(caps_.scene(), caps_.probe_A(), caps_.origin() + hip);
+    const double gap = gapRound(hip);
     if (gap > 0.0 && gap * gap > glm::dot(hip - scp_, hip - scp_)) {
       scp_ = free_from_ = hip;
       free_gap2_ = gap * gap;
@@ -202,13 +189,12 @@ ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
       return Went::Rests;
     }
   }
-  const Vec3& origin = caps_.origin();
   // A ball inside one that the SCP leaves, or equal to it, is left with it.
   Touching leaving = touching_;
   Hit hit;
   std::int32_t ball = -1;
   do {
-    hit = sweep(caps_.scene(), caps_.probe_A(), origin + scp_, origin + hip, {leaving.balls.data(), std::size_t(leaving.count)});
+    hit = firstMet(hip, {leaving.balls.data(), std::size_t(leaving.count)});
     ball = outermost(hit.ball);
     if (!touching_.has(ball) || leaving.count == kMostTouching) break;
     leaving.add(hit.ball);
@@ -217,12 +203,13 @@ ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
     touching_.count = 0;
     feature_ = Feature::Free;
     scp_ = free_from_ = hip;
-    const double gap = std::max(0.0, clearance(caps_.scene(), caps_.probe_A(), origin + hip));
+    const double gap = std::max(0.0, gapRound(hip));
     free_gap2_ = gap * gap;
     return Went::Rests;
   }
-  const Vec3 c = caps_.centre(ball), out = scp_ + (hip - scp_) * hit.t - c;
-  const double r = caps_.radius(ball), far = glm::length(out);
+  const NearBall met = near_.ball(ball);
+  const Vec3 c = met.centre, out = scp_ + (hip - scp_) * hit.t - c;
+  const double r = met.radius, far = glm::length(out);
   if (hit.t * glm::length(hip - scp_) <= kMoved * r) {
     touching_.add(ball);
     return Went::Stuck;
@@ -234,17 +221,33 @@ ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
 
 // Case 1: the way on a sphere toward the place nearest to the HIP is a great circle.
 ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept {
-  const Vec3 c = caps_.centre(ball), m = hip - c;
-  const double r = caps_.radius(ball), d = glm::length(m);
+  const NearBall on = near_.ball(ball);
+  const Vec3 c = on.centre, m = hip - c;
+  const double r = on.radius, d = glm::length(m);
   const Vec3 x = glm::normalize(scp_ - c);
   const auto rest = [&](const Vec3& direction) {
     touching_.set(ball);
     feature_ = Feature::Sphere;
     scp_ = c + direction * r;
+    // How far one may turn until a cap is met, the nearest cap apart: a cosine changes by at most one a radian.
+    patch_ = {.centre = direction};
+    double nearest_slack = 1.5, slack = 1.5;  // under a hemisphere: ways between its places stay in it
+    const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
+      if (farFrom(on, other, scp_, slack)) return;
+      const Cap cap(on, other);
+      const double gap = (cap.level - glm::dot(cap.way, direction)) / cap.distance;
+      if (!cap.cuts || gap >= slack) return;
+      slack = std::max(gap, nearest_slack);
+      if (gap >= nearest_slack) return;
+      nearest_slack = gap;
+      patch_.axis = cap.way / cap.distance;
+      patch_.rim = cap.level / cap.distance;
+    });
+    slack = std::min(slack, known / r);
     // Under so small a turn the cosine has no digits left: the next tick looks again.
-    const double slack = caps_.slack(ball, direction);
-    patch_centre_ = direction;
-    patch_cos_ = slack > 1e-6 ? std::cos(std::min(slack, 1.5)) : 2.0;  // under a hemisphere: ways between its places stay in it
+    const auto cosine = [](double angle) { return angle > 1e-6 ? std::cos(angle) : 2.0; };
+    patch_.cosine = cosine(slack);
+    patch_.clear = cosine(std::min(slack, nearest_slack));
     return Went::Rests;
   };
   if (d <= kAtCentre * r) return rest(x);
@@ -259,22 +262,31 @@ ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t bal
   const double leaves = d > r ? std::max(0.0, arrives - std::acos(r / d)) : kNever;
   double end = std::min(arrives, leaves);
   std::int32_t meets = -1;
-  if (caps_.slack(ball, x) < end || touching_.count > 1)
-    caps_.eachCap(ball, [&](const Cap& cap) {
-      const double a = glm::dot(cap.axis, x);
-      if (cap.cos_rim - a > end) return;  // too far to be reached on this way
-      const bool on_rim = touching_.has(cap.ball);
-      double b = glm::dot(cap.axis, sideways);
-      if (on_rim && std::abs(b) < kTangent) b = cap.cos_rim < 0.0 ? kTangent : -kTangent;
-      const double t = entryAngle(a, b, cap.cos_rim, on_rim);
-      if (t < end) end = t, meets = cap.ball;
-    });
+  const double known = near_.each(scp_, std::min(kLook_A, end * r), [&](const NearBall& other) {
+    if (farFrom(on, other, scp_, end)) return;
+    const Cap cap(on, other);
+    if (!cap.cuts) return;
+    const double a = glm::dot(cap.way, x);
+    const bool on_rim = touching_.has(other.index);
+    double b = glm::dot(cap.way, sideways);
+    const double tangent = kTangent * cap.distance;
+    if (on_rim && std::abs(b) < tangent) b = cap.level < 0.0 ? tangent : -tangent;
+    const double t = entryAngle(a, b, cap.level, on_rim);
+    if (t < end) end = t, meets = other.index;
+  });
+  // Beyond what has been looked at the way is taken up anew.
+  const bool cut = end * r > known;
+  if (cut) end = known / r, meets = -1;
 
   if (meets < 0 && end == arrives) return rest(nearest);
   const bool moved = end > kMoved;
   if (moved) {
     touching_.set(ball);
     scp_ = c + (x * std::cos(end) + sideways * std::sin(end)) * r;
+  }
+  if (cut) {
+    forced_ball_ = ball;
+    return Went::GoesOn;
   }
   if (meets < 0) {
     forced_flight_ = true;
@@ -289,8 +301,9 @@ ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t bal
 // The circle of balls i and j (paper, equations 2 to 4) and the arc of it, round the SCP, that no third ball covers.
 bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   Circle& c = circle_;
-  const Vec3 ci = caps_.centre(i), between = caps_.centre(j) - ci;
-  const double ri = caps_.radius(i), rj = caps_.radius(j);
+  const NearBall ball_i = near_.ball(i), ball_j = near_.ball(j);
+  const Vec3 ci = ball_i.centre, between = ball_j.centre - ci;
+  const double ri = ball_i.radius, rj = ball_j.radius;
   c.i = -1;
   c.between = glm::length(between);
   if (!(c.between > 0.0)) return false;
@@ -312,16 +325,22 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   c.high = kTurn;
   c.low = -kTurn;
   c.high_ball = c.low_ball = -1;
-  caps_.eachCap(i, [&](const Cap& cap) {
-    if (cap.ball == j) return;
-    const double a = glm::dot(cap.axis, c.axis_1), b = glm::dot(cap.axis, c.axis_2);
-    const double q = (ri * cap.cos_rim - c.to_i * glm::dot(cap.axis, c.axis)) / c.radius;
-    if (q + kTangent >= std::sqrt(a * a + b * b)) return;  // it covers none of the circle, or shares its rim
-    const bool on_rim = touching_.has(cap.ball);
-    const auto [forward, backward] = entryAngles(a, b, q, on_rim);
-    if (forward < c.high) c.high = forward, c.high_ball = cap.ball;
-    if (-backward > c.low) c.low = -backward, c.low_ball = cap.ball;
+  const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
+    if (other.index == i || other.index == j) return;
+    const Vec3 way = other.centre - c.centre;
+    const double a = glm::dot(way, c.axis_1), b = glm::dot(way, c.axis_2);
+    // It covers the angles whose a cos + b sin is greater than q.
+    const double q = (glm::dot(way, way) + (c.radius - other.radius) * (c.radius + other.radius)) / (2.0 * c.radius);
+    const double past = q + kTangent * other.radius;
+    if (past >= 0.0 && past * past >= a * a + b * b) return;  // none of the circle, or it shares its rim
+    const auto [forward, backward] = entryAngles(a, b, q, touching_.has(other.index));
+    if (forward < c.high) c.high = forward, c.high_ball = other.index;
+    if (-backward > c.low) c.low = -backward, c.low_ball = other.index;
   });
+  // Beyond what has been looked at the circle is made anew.
+  const double seen = known / c.radius;
+  if (seen < c.high) c.high = seen, c.high_ball = -1;
+  if (-seen > c.low) c.low = -seen, c.low_ball = -1;
   c.narrow = c.high - c.low < 3.0;
   if (c.narrow) {
     c.low_1 = std::cos(c.low);
@@ -404,6 +423,7 @@ ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, 
     forced_ball_ = stays;
   } else {
     moveAlongCircle(sign * end, outermost(meets));
+    if (meets < 0) forced_ball_ = c.i, forced_pair_ = c.j;
   }
   feature_ = Feature::Point;  // no feature yet: the cached circle is that of another place
   return moved ? Went::GoesOn : Went::Stuck;
@@ -411,8 +431,7 @@ ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, 
 
 // Case 3: three spheres hold the SCP in a point.
 void ExactTracker::holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept {
-  const auto normal = [&](int k) { return (scp_ - caps_.centre(balls[std::size_t(k)])) / caps_.radius(balls[std::size_t(k)]); };
-  const Vec3 a = normal(0), b = normal(1), c = normal(2);
+  const Vec3 a = normalOf(balls[0]), b = normalOf(balls[1]), c = normalOf(balls[2]);
   const double volume = glm::dot(glm::cross(a, b), c);
   holds_ = {glm::cross(b, c) / volume, glm::cross(c, a) / volume, glm::cross(a, b) / volume};
   holds_known_ = touching_.count == 3;  // where more balls meet, another three may hold for the next pull

@@ -2,8 +2,8 @@
 //
 // The SCP s flows down |x - h|^2 toward the HIP h from its last place and stays outside every ball. Its way is made of
 // pieces that are known in closed form: straight flight, great circles on spheres, arcs of intersection circles; so are
-// the places where one piece ends and the next begins (docs/exact-tracker.md). Nothing is prepared but the caps of the
-// balls that the SCP has been on (cap_cache.h).
+// the places where one piece ends and the next begins (docs/exact-tracker.md). Nothing is kept but a list of the balls
+// near the SCP (nearby_balls.h).
 //
 // Where the paper's three cases are: slideOnSphere (case 1), slideOnCircle (case 2), a vertex that holds (case 3).
 // Haptic thread; no allocation after construction. Units: angstrom.
@@ -11,9 +11,11 @@
 
 #include <array>
 #include <memory>
+#include <span>
 
 #include "engine/haptics/ball_scene.h"
-#include "engine/haptics/exact/cap_cache.h"
+#include "engine/haptics/nearby_balls.h"
+#include "engine/haptics/sweep.h"
 #include "engine/haptics/tracker.h"
 
 namespace moltact {
@@ -25,7 +27,7 @@ class ExactTracker final : public Tracker {
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
-  double probe_A() const noexcept override { return caps_.probe_A(); }
+  double probe_A() const noexcept override { return near_.probe_A(); }
   Footprint footprint() const noexcept override;
 
   /// Ticks whose flow was cut short because it took more pieces than kMostPieces; the SCP then lags, outside all balls.
@@ -58,8 +60,18 @@ class ExactTracker final : public Tracker {
     double low_1 = 0, low_2 = 0, high_1 = 0, high_2 = 0;
   };
 
+  // Directions on a sphere round `centre`, by the cosine to it: where no cap is, and where none is but the one nearest to
+  // the SCP, which is then asked itself.
+  struct Patch {
+    Vec3 centre{0.0};
+    double clear = 2.0, cosine = 2.0;
+    Vec3 axis{0.0};            // of the nearest cap; zero where there is none
+    double rim = 2.0;          // its cosine
+  };
+
   enum class Went : std::uint8_t { Rests, GoesOn, Stuck };
 
+  [[gnu::noinline]] Contact lookRound(PointA hip) noexcept;
   bool holdsQuickly(const Vec3& hip) noexcept;
   void flow(const Vec3& hip) noexcept;
   Went fly(const Vec3& hip) noexcept;
@@ -69,12 +81,18 @@ class ExactTracker final : public Tracker {
   void moveAlongCircle(double turned, std::int32_t meets) noexcept;
   void holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept;
   bool carry() noexcept;            // carry_surface.cpp
-  std::int32_t outermost(std::int32_t ball) noexcept;
+  std::int32_t outermost(std::int32_t ball) const noexcept;
+  double gapRound(const Vec3& place) noexcept;
+  Hit firstMet(const Vec3& to, std::span<const std::int32_t> leaving) noexcept;
+  Vec3 normalOf(std::int32_t ball) const noexcept {
+    const NearBall b = near_.ball(ball);
+    return (scp_ - b.centre) / b.radius;
+  }
   Contact contact(const Vec3& hip) const noexcept;
   void rememberHolders() noexcept;
 
-  CapCache caps_;
-  Vec3 scp_{0.0};            // this and every place inside the tracker is relative to caps_.origin()
+  NearbyBalls near_;
+  Vec3 scp_{0.0};            // this and every place inside the tracker is relative to near_.origin()
   bool armed_ = false;       // has the HIP been outside since the start?
   Feature feature_ = Feature::Free;
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
@@ -83,8 +101,7 @@ class ExactTracker final : public Tracker {
   // What lets an ordinary tick end at once, for the feature the SCP is on.
   Vec3 free_from_{0.0};      // free: no ball is nearer to this place than the root of free_gap2_
   double free_gap2_ = 0.0;
-  Vec3 patch_centre_{0.0};   // sphere: no cap is met within this cosine of that direction
-  double patch_cos_ = 2.0;
+  Patch patch_;              // sphere
   Circle circle_;            // circle
   std::array<Vec3, 3> holds_;// point: rows of the inverse of its normals; all shares of the pull >= 0 means it holds
   bool holds_known_ = false;
