@@ -2,53 +2,59 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace moltact {
-ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose) noexcept {
+
+ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose, const TickTime& time) noexcept {
   ServoSample out;
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
-  out.hand = pose.position;
+  // A hand that is placed anew is where it is placed.
+  if (settings.placements != placements_ || pose.placements != hand_placements_) clutch_.restart();
+  out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, kTick_s);
   out.buttons = pose.buttons;
-  out.hip = settings.workspace.toMolecule(pose.position);
+  out.hip = settings.workspace.toMolecule(out.hand);
   out.has_tracker = tracker != nullptr;
   out.placements = settings.placements;
 
-  const bool placed = settings.placements != placements_ || pose.placements != hand_placements_;
-  const bool changed = tracker != last_tracker_ || placed;
+  const bool lost = safety_.look(pose, time);
   // A new tracker comes as its maker left it: one that was led to the hand keeps the contact over a change of method.
-  out.placed = placed;
-  if (tracker && placed) tracker->reset();
+  out.placed = std::exchange(other_device_, false) || lost || settings.placements != placements_ || pose.placements != hand_placements_;
+  const bool changed = tracker != last_tracker_ || out.placed;
+  if (tracker && out.placed) tracker->reset();
   last_tracker_ = tracker;
   placements_ = settings.placements;
   hand_placements_ = pose.placements;
-  if (changed || !tracker || !settings.force_on) ramp_ = 0.0;
-  if (!tracker) return out;
+  if (changed) safety_.restart();
+  safety_.stop(settings.panic);
 
-  // The surface swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
-  if (std::isfinite(settings.probe_A)) {
-    const double wanted = std::clamp(settings.probe_A, 0.0, kLargestProbe_A);
-    const double now = tracker->probe_A(), most = kProbeSlew_A_per_s * kTick_s;
-    if (wanted != now) tracker->setProbe(changed ? wanted : now + std::clamp(wanted - now, -most, most));
+  WantedForce wanted{.on = false};
+  if (tracker) {
+    // The surface swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
+    if (std::isfinite(settings.probe_A)) {
+      const double goal = std::clamp(settings.probe_A, 0.0, kLargestProbe_A);
+      const double now = tracker->probe_A(), most = kProbeSlew_A_per_s * kTick_s;
+      if (goal != now) tracker->setProbe(changed ? goal : now + std::clamp(goal - now, -most, most));
+    }
+    out.probe_A = tracker->probe_A();
+    out.contact = tracker->step(out.hip);
+    out.footprint = tracker->footprint();
+    wanted = feel(settings, out);
   }
-  out.probe_A = tracker->probe_A();
-  out.contact = tracker->step(out.hip);
-  out.footprint = tracker->footprint();
-  if (out.contact.fault != Fault::None) ramp_ = 0.0;
-  if (!out.contact.touching() || !settings.force_on) {
-    if (settings.force_on && out.contact.fault == Fault::None) ramp_ = std::min(1.0, ramp_ + kTick_s / kSoftStart_s);
-    return out;
-  }
-
-  ramp_ = std::min(1.0, ramp_ + kTick_s / kSoftStart_s);
-  const double stiffness = std::isfinite(settings.stiffness_N_per_mm) ? std::clamp(settings.stiffness_N_per_mm, 0.0, 5.0) : 0.0;
-  Vec3 force = settings.workspace.spring(out.hip, springEnd(out.contact, out.hip), stiffness).N;
-  const double size = glm::length(force);
-  const double most = std::isfinite(settings.max_force_N) ? std::max(0.0, settings.max_force_N) : 0.0;
-  if (!finite(force) || !std::isfinite(size)) force = Vec3(0.0);
-  else if (size > most) force *= most / size;
-  out.force.N = force * ramp_;
+  out.force = safety_.give(wanted);
+  out.limits = safety_.acted();
   return out;
+}
+
+WantedForce ServoStep::feel(const ServoSettings& settings, const ServoSample& sample) noexcept {
+  const Contact& contact = sample.contact;
+  WantedForce wanted{.most_N = settings.max_force_N, .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
+  if (!contact.touching()) return wanted;
+  wanted.stiffness_N_per_mm = safety_.stiffness(settings.stiffness_N_per_mm);
+  wanted.force_N = settings.workspace.spring(sample.hip, springEnd(contact, sample.hip), wanted.stiffness_N_per_mm).N;
+  wanted.stretch_mm = glm::distance(contact.scp.A, sample.hip.A) / settings.workspace.A_per_mm;
+  return wanted;
 }
 
 }  // namespace moltact

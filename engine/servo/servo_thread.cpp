@@ -4,14 +4,49 @@
 
 namespace moltact {
 
-ServoThread::ServoThread(Device& device) : device_(device), thread_([this] { run(); }) {}
+ServoThread::ServoThread(Device& fallback) : fallback_(fallback) { start(); }
 
 ServoThread::~ServoThread() {
-  stop_.store(true, std::memory_order_release);
-  thread_.join();
+  finish();
   collect();
   delete arriving_.exchange(nullptr);
   delete current_;
+}
+
+void ServoThread::start() {
+  // The old step's count goes on, so that samples are numbered without a gap.
+  if (!step_) step_.emplace(fallback_.info());
+  switch_.emplace(fallback_, chosen_.get());
+  time_ = {};
+  last_ns_ = monotonic_ns();
+  device_beat_ns_.store(0, std::memory_order_relaxed);
+  stop_.store(false, std::memory_order_release);
+  if (chosen_ && chosen_->startClock(*this)) device_beat_ns_.store(last_ns_, std::memory_order_release);
+  thread_ = std::thread([this] { run(); });
+}
+
+void ServoThread::finish() {
+  stop_.store(true, std::memory_order_release);
+  thread_.join();
+  if (chosen_) {
+    chosen_->stopClock();
+    chosen_->write(ForceN{});
+  }
+  fallback_.write(ForceN{});
+}
+
+void ServoThread::setDevice(std::unique_ptr<Device> device) {
+  finish();
+  switch_.reset();
+  chosen_ = std::move(device);
+  start();
+}
+
+void ServoThread::record(bool on) {
+  finish();
+  if (on) recording_ = std::make_unique<Recording>();
+  records_.store(on, std::memory_order_release);
+  start();
 }
 
 void ServoThread::setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene) {
@@ -25,27 +60,12 @@ void ServoThread::collect() { delete leaving_.exchange(nullptr, std::memory_orde
 void ServoThread::run() noexcept {
   realtime_.store(becomeRealtime(), std::memory_order_release);
   constexpr std::int64_t period_ns = 1'000'000;
-  ServoStep step;
   std::int64_t due_ns = monotonic_ns() + period_ns;
   while (!stop_.load(std::memory_order_acquire)) {
     sleepUntil(due_ns);
     const std::int64_t began_ns = monotonic_ns();
-
-    // A new tracker is taken only when the place for the old one is free, so that nothing is ever destroyed here.
-    if (arriving_.load(std::memory_order_acquire) && !leaving_.load(std::memory_order_acquire)) {
-      Handed* next = arriving_.exchange(nullptr, std::memory_order_acq_rel);
-      if (current_) leaving_.store(current_, std::memory_order_release);
-      current_ = next;
-    }
-
-    const DevicePose pose = device_.read(kTick_s);
-    ServoSample sample = step.tick(settings_.read(), current_ ? current_->tracker.get() : nullptr, pose);
-    sample.scene = current_ ? current_->scene : 0;
-    device_.write(sample.force);
-    sample.work_us = float(monotonic_ns() - began_ns) * 1e-3f;
-    sample.late_us = float(began_ns - due_ns) * 1e-3f;
-    latest_.write(sample);
-    samples_.push(sample);
+    // While the device's own clock ticks this one only watches; when that stops, this one takes over.
+    if (began_ns - device_beat_ns_.load(std::memory_order_acquire) > kOwnClock_ns) beat(due_ns);
 
     // A few missed ticks are caught up one after the other; after a long stall the loop begins anew from now.
     due_ns += period_ns;
@@ -54,7 +74,50 @@ void ServoThread::run() noexcept {
       due_ns += behind * period_ns;
     }
   }
-  device_.write(ForceN{});
+}
+
+void ServoThread::tickOfDevice() noexcept {
+  const std::int64_t now_ns = monotonic_ns();
+  device_beat_ns_.store(now_ns, std::memory_order_release);
+  if (!stop_.load(std::memory_order_acquire)) beat(now_ns);
+}
+
+void ServoThread::beat(std::int64_t due_ns) noexcept {
+  // Both clocks at once, which happens for a tick when one takes over from the other: the first one ticks.
+  if (beating_.test_and_set(std::memory_order_acquire)) return;
+  const std::int64_t began_ns = monotonic_ns();
+
+  // A new tracker is taken only when the place for the old one is free, so that nothing is ever destroyed here.
+  if (arriving_.load(std::memory_order_acquire) && !leaving_.load(std::memory_order_acquire)) {
+    Handed* next = arriving_.exchange(nullptr, std::memory_order_acq_rel);
+    if (current_) leaving_.store(current_, std::memory_order_release);
+    current_ = next;
+    if (recording_) recording_->begun = true;
+  }
+
+  time_.dt_s = double(began_ns - last_ns_) * 1e-9;
+  last_ns_ = began_ns;
+  const bool records = records_.load(std::memory_order_acquire) && recording_->begun;
+  if (records && !recording_->started) {
+    step_->forgetTracker();
+    recording_->start = *step_;
+    recording_->started = true;
+  }
+  const ServoSettings& settings = settings_.read();
+  const DevicePose pose = switch_->read(kTick_s, *step_);
+  ServoSample sample = step_->tick(settings, current_ ? current_->tracker.get() : nullptr, pose, time_);
+  const TickTime time_was = time_;
+  sample.scene = current_ ? current_->scene : 0;
+  switch_->write(sample.force);
+  fallen_back_.store(switch_->fallenBack(), std::memory_order_relaxed);
+  const std::int64_t work_ns = monotonic_ns() - began_ns;
+  time_.delay_s = double(work_ns) * 1e-9;
+  sample.work_us = float(work_ns) * 1e-3f;
+  sample.late_us = float(began_ns - due_ns) * 1e-3f;
+  latest_.write(sample);
+  samples_.push(sample);
+  if (records) recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force});
+  beating_.clear(std::memory_order_release);
 }
 
 }  // namespace moltact

@@ -1,25 +1,29 @@
 // The haptic thread: reads the device, steps the tracker, writes the force, 1000 times a second, at real-time priority
-// where the system allows it. Everything crosses to and from it whole and without locks.
+// where the system allows it; by a device's own clock where it brings one. Everything crosses to and from it whole and without locks.
 // All public functions are for the owning thread (the window's), none blocks but the destructor.
 #pragma once
 
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <thread>
 
 #include "engine/device/device.h"
 #include "engine/platform/realtime.h"
 #include "engine/core/sample_ring.h"
+#include "engine/servo/device_switch.h"
 #include "engine/servo/servo_step.h"
+#include "engine/servo/trace.h"
 #include "engine/core/triple_buffer.h"
 
 namespace moltact {
 
-class ServoThread {
+class ServoThread final : private TickTarget {
  public:
-  /// Starts the loop at once. `device` must outlive the thread.
-  explicit ServoThread(Device& device);
+  /// Starts the loop at once. `fallback` is read while no other device is chosen or the chosen one is gone; it must outlive
+  /// the thread.
+  explicit ServoThread(Device& fallback);
   /// Gives zero force, ends the loop and waits for it (at most about a tick).
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
@@ -31,6 +35,14 @@ class ServoThread {
   /// Settings set before are in force when it is first stepped. The old one comes back and is destroyed here, never on the
   /// loop.
   void setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene = 0);
+
+  /// The device to be felt with from now on; null: the fallback. The loop stands for some ticks, without force, and the old
+  /// device is closed here.
+  void setDevice(std::unique_ptr<Device> device);
+  /// The chosen device, for its info() and status(); null where none is.
+  Device* device() const noexcept { return chosen_.get(); }
+  /// Whether the fallback stands in, at the newest tick, for a chosen device that is gone.
+  bool fallenBack() const noexcept { return fallen_back_.load(std::memory_order_relaxed); }
 
   /// The newest tick.
   const ServoSample& latest() noexcept { return latest_.read(); }
@@ -44,6 +56,21 @@ class ServoThread {
     while (samples_.pop(sample)) take(sample);
   }
 
+  /// Records every tick with all that it depended on, from the tick in which the next tracker is handed over, until false.
+  void record(bool on);
+  /// Calls take(tick) for each recorded tick since the last call (the last 4 s at most), and tells in `start` the state
+  /// that the first began from.
+  template <class Take>
+  void drainRecording(ServoStep& start, Take&& take) {
+    TraceTick tick;
+    while (recording_ && recording_->ring.pop(tick)) {
+      start = recording_->start;
+      take(tick);
+    }
+  }
+  /// Ticks that were not recorded because nobody drained them in time.
+  std::size_t lostOfRecording() const { return recording_ ? recording_->ring.dropped() : 0; }
+
   /// Whether the loop runs at real-time priority, and if not, why; set soon after the start.
   RealtimeStatus realtime() const noexcept { return realtime_.load(std::memory_order_acquire); }
 
@@ -52,10 +79,17 @@ class ServoThread {
 
  private:
   static constexpr int kCatchUp_ticks = 5;
+  // A device with its own clock is left to it while that ticks at least so often.
+  static constexpr std::int64_t kOwnClock_ns = 10'000'000;
+  void start();
+  void finish();
   void run() noexcept;
+  void tickOfDevice() noexcept override;
+  void beat(std::int64_t due_ns) noexcept;
   void collect();
 
-  Device& device_;
+  Device& fallback_;
+  std::unique_ptr<Device> chosen_;
   TripleBuffer<ServoSettings> settings_;
   TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
@@ -69,7 +103,23 @@ class ServoThread {
   Handed* current_ = nullptr;                 // the loop's
   std::atomic<RealtimeStatus> realtime_{RealtimeStatus::Starting};
   std::atomic<std::uint64_t> missed_{0};
+  struct Recording {
+    SampleRing<TraceTick, 4096> ring;
+    ServoStep start;       // written before the first tick is pushed
+    bool begun = false;    // the loop's: the tracker that it is to begin with is there
+    bool started = false;  // the loop's: the state at its first tick is kept
+  };
+  std::unique_ptr<Recording> recording_;
+  std::atomic<bool> records_{false};
+  std::atomic<bool> fallen_back_{false};
   std::atomic<bool> stop_{false};
+  // A tick's own, taken by whoever ticks: the loop's clock or the device's.
+  std::atomic_flag beating_ = ATOMIC_FLAG_INIT;
+  std::optional<ServoStep> step_;
+  std::optional<DeviceSwitch> switch_;
+  TickTime time_;
+  std::int64_t last_ns_ = 0;
+  std::atomic<std::int64_t> device_beat_ns_{0};
   std::thread thread_;
 };
 

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "engine/device/simulated_device.h"
+
 using namespace moltact;
 
 namespace {
@@ -25,6 +27,39 @@ class StillDevice final : public Device {
 
  private:
   DeviceInfo info_;
+};
+
+// A device that ticks the loop by a thread of its own.
+class ClockedDevice final : public Device {
+ public:
+  ~ClockedDevice() override { stopClock(); }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePose read(double) noexcept override { return {.position = {{4, 5, 6}}}; }
+  void write(ForceN) noexcept override {}
+  bool startClock(TickTarget& target) override {
+    ends_.store(false);
+    clock_ = std::thread([this, &target] {
+      while (!ends_.load()) {
+        if (!stopped.load()) {
+          target.tickOfDevice();
+          own_ticks.fetch_add(1);
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+    });
+    return true;
+  }
+  void stopClock() override {
+    ends_.store(true);
+    if (clock_.joinable()) clock_.join();
+  }
+  std::atomic<long> own_ticks{0};
+  std::atomic<bool> stopped{false};
+
+ private:
+  DeviceInfo info_;
+  std::atomic<bool> ends_{false};
+  std::thread clock_;
 };
 
 // A tracker that always pushes along x and tells which thread it is destroyed on.
@@ -132,6 +167,47 @@ TEST_CASE("each of 40 trackers makes the samples that bear its number, and none 
   }
   servo.drain(judge);
   CHECK(judged >= 40);
+}
+
+TEST_CASE("a device that is chosen leads, one whose plug is pulled gives way to the fallback, and comes back") {
+  StillDevice fallback;
+  ServoThread servo(fallback);
+  servo.setTracker(std::make_unique<MarkedTracker>(1));
+  auto made = std::make_unique<SimulatedDevice>();
+  SimulatedDevice* stylus = made.get();
+  servo.setDevice(std::move(made));
+  CHECK(servo.device() == stylus);
+  waitForTicks(servo, 20);
+  CHECK(servo.latest().hand.mm != Vec3(1, 2, 3));
+  CHECK_FALSE(servo.fallenBack());
+  stylus->plug(false);
+  waitForTicks(servo, 20);
+  CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
+  CHECK(servo.fallenBack());
+  stylus->plug(true);
+  waitForTicks(servo, 20);
+  CHECK_FALSE(servo.fallenBack());
+  servo.setDevice(nullptr);
+  waitForTicks(servo, 20);
+  CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
+  CHECK(fallback.last_x_N.load() != 0.0);
+}
+
+TEST_CASE("a device with its own clock ticks the loop by it; when that clock stops, the loop's own takes over") {
+  StillDevice fallback;
+  ServoThread servo(fallback);
+  auto made = std::make_unique<ClockedDevice>();
+  ClockedDevice* clocked = made.get();
+  servo.setDevice(std::move(made));
+  while (clocked->own_ticks.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  CHECK(servo.latest().hand.mm == Vec3(4, 5, 6));
+  clocked->stopped.store(true);
+  const long then = clocked->own_ticks.load();
+  waitForTicks(servo, 50);
+  CHECK(clocked->own_ticks.load() <= then + 1);
+  servo.setDevice(nullptr);
+  waitForTicks(servo, 5);
+  CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
 }
 
 TEST_CASE("values handed over 100 000 times arrive whole and never go back") {

@@ -1,0 +1,51 @@
+// Which device leads in this tick: the one that was chosen while it is there, else the fallback, in the same tick in which
+// it went; and back again when it comes. Haptic thread.
+#pragma once
+
+#include "engine/device/device.h"
+#include "engine/servo/servo_step.h"
+
+namespace moltact {
+
+class DeviceSwitch {
+ public:
+  /// `chosen` may be null. Both must outlive the switch.
+  DeviceSwitch(Device& fallback, Device* chosen) noexcept : fallback_(fallback), chosen_(chosen), used_(nullptr) {}
+
+  /// The pose of this tick; `step` is told when another device leads than before.
+  DevicePose read(double dt_s, ServoStep& step) noexcept {
+    DevicePose pose;
+    Device* now = &fallback_;
+    if (chosen_) {
+      pose = chosen_->read(dt_s);
+      if (pose.connected) now = chosen_;
+    }
+    // The fallback is read each time, so that it does not start from where it was long ago.
+    const DevicePose other = fallback_.read(dt_s);
+    if (now == &fallback_) pose = other;
+    other_ = now != used_;
+    if (other_) step.setDevice(now->info());
+    used_ = now;
+    return pose;
+  }
+
+  void write(ForceN force) noexcept {
+    if (chosen_) chosen_->write(used_ == chosen_ ? force : ForceN{});
+    if (used_ != chosen_ || !chosen_) fallback_.write(force);
+  }
+
+  /// True where another device leads in this tick than in the last.
+  bool other() const noexcept { return other_; }
+  /// The one that leads.
+  const DeviceInfo& info() const noexcept { return (used_ ? used_ : &fallback_)->info(); }
+  /// True while the fallback stands in for a chosen device that is gone.
+  bool fallenBack() const noexcept { return chosen_ && used_ == &fallback_; }
+
+ private:
+  Device& fallback_;
+  Device* chosen_;
+  Device* used_;
+  bool other_ = false;
+};
+
+}  // namespace moltact

@@ -1,0 +1,44 @@
+// How fast the hand moves, from places that come rounded: the way of the last kSpan ticks over their time, so that one
+// step of a sensor of 0.055 mm counts as 7 mm/s and not as 55. Haptic thread. Units: metre, second.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "engine/core/units.h"
+
+namespace moltact {
+
+class HandSpeed {
+ public:
+  static constexpr std::size_t kSpan = 8;
+
+  void restart() noexcept { count_ = 0; }
+
+  /// The next place, `dt_s` after the last.
+  void add(const Vec3& place_m, double dt_s) noexcept {
+    time_s_ += dt_s;
+    ring_[next_] = {place_m, time_s_};
+    next_ = (next_ + 1) % ring_.size();
+    if (count_ < ring_.size()) ++count_;
+  }
+
+  Vec3 m_per_s() const noexcept {
+    if (count_ < 2) return Vec3(0.0);
+    const Entry& last = ring_[(next_ + ring_.size() - 1) % ring_.size()];
+    const Entry& first = ring_[(next_ + ring_.size() - count_) % ring_.size()];
+    const double span_s = last.time_s - first.time_s;
+    return span_s > 0 ? (last.place_m - first.place_m) / span_s : Vec3(0.0);
+  }
+
+ private:
+  struct Entry {
+    Vec3 place_m{0.0};
+    double time_s = 0;
+  };
+  std::array<Entry, kSpan + 1> ring_{};
+  std::size_t next_ = 0, count_ = 0;
+  double time_s_ = 0;
+};
+
+}  // namespace moltact

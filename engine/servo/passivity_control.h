@@ -1,0 +1,52 @@
+// Observer and controller of passivity (Hannaford & Ryu 2002), with the spring's store as the reference: a passive
+// surface gives back no more than it was given. What sampling, delay or a method's leaps make beyond that is a debt; what
+// the device's own damping and friction take pays it, and what is left is taken back by braking. Haptic thread.
+// Units: joule, metre, newton, second.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+
+#include "engine/servo/safety_limits.h"
+#include "engine/core/units.h"
+
+namespace moltact {
+
+class PassivityControl {
+ public:
+  void restart() noexcept {
+    debt_J_ = 0;
+    given_.fill(Vec3(0.0));
+  }
+
+  /// The last interval: the way moved, what the spring's store rose by along it, and what the device itself took.
+  /// `delay_ticks`: how much later than it was written a force is felt.
+  void observe(const Vec3& moved_m, double stored_J, double taken_J, std::size_t delay_ticks) noexcept {
+    const std::size_t back = std::min(delay_ticks, given_.size() - 1);
+    const Vec3& held = given_[(next_ + given_.size() - 1 - back) % given_.size()];
+    debt_J_ = std::max(0.0, debt_J_ + stored_J + glm::dot(held, moved_m) - taken_J);
+  }
+
+  /// The force that pays the debt within a tick, as far as `most_N_s_per_m` allows.
+  Vec3 braking_N(const Vec3& speed_m_per_s, double dt_s, double most_N_s_per_m) const noexcept {
+    const double v2 = glm::dot(speed_m_per_s, speed_m_per_s);
+    if (debt_J_ <= 0 || dt_s <= 0 || v2 < safety::kStillHand_m_per_s * safety::kStillHand_m_per_s) return Vec3(0.0);
+    return -speed_m_per_s * std::min(debt_J_ / (v2 * dt_s), most_N_s_per_m);
+  }
+
+  /// The force as given at the end of the tick.
+  void give(const Vec3& force_N) noexcept {
+    given_[next_] = force_N;
+    next_ = (next_ + 1) % given_.size();
+  }
+
+  double debt_J() const noexcept { return debt_J_; }
+
+ private:
+  std::array<Vec3, 8> given_{};
+  std::size_t next_ = 0;
+  double debt_J_ = 0;
+};
+
+}  // namespace moltact

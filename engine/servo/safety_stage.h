@@ -1,0 +1,85 @@
+// The stage between a method's force and a hand: the same for every device, always on. A function of its state and its
+// inputs on the clock that it is told. Haptic thread: no lock, allocation, exception, log or call of the system.
+// What each limit is and why: docs/safety.md. Units: millimetre, newton, second.
+#pragma once
+
+#include "engine/device/device.h"
+#include "engine/servo/hand_speed.h"
+#include "engine/servo/heat_budget.h"
+#include "engine/servo/passivity_control.h"
+#include "engine/servo/safety_limits.h"
+
+namespace moltact {
+
+/// When a tick began, and how long its answer takes.
+struct TickTime {
+  double dt_s = kTick_s;  ///< since the tick before; negative, NaN or over kStale_s is a fault
+  double delay_s = 0.0;   ///< from reading the place to writing the force, as last measured
+};
+
+/// What a method wants the hand to feel.
+struct WantedForce {
+  Vec3 force_N{0.0};
+  double stretch_mm = 0.0;          ///< of the spring that gives it; 0 without contact
+  double stiffness_N_per_mm = 0.0;  ///< of that spring
+  double most_N = 3.3;              ///< the greatest force that the program allows
+  bool on = true;                   ///< false: no force is wanted, and the next begins softly
+};
+
+class SafetyStage {
+ public:
+  /// Figures of a device at hand. The force of the next ticks begins softly.
+  explicit SafetyStage(const DeviceFigures& device) noexcept { setDevice(device); }
+  void setDevice(const DeviceFigures& device) noexcept;
+
+  /// First, with the place as read. True: the contact that was is none any more, for the place leapt, the device was
+  /// gone, or nothing was known of it for kOff_s; the tracker is to begin anew.
+  bool look(const DevicePose& pose, const TickTime& time) noexcept;
+
+  /// The stiffness to feel with for the one that is asked (unit: N/mm): bounded so that the loop is stable, and changed
+  /// slowly. Non-finite: none.
+  double stiffness(double asked_N_per_mm) noexcept;
+
+  /// Last: the force to give in this tick. Always finite and within the device's greatest.
+  ForceN give(const WantedForce& wanted) noexcept;
+
+  /// A new tracker, a hand that was placed anew, a tracker's fault: full force is to be reached softly from nothing.
+  void restart() noexcept { gain_ = 0.0; }
+  /// Panic: no force at all from this tick on, without a way down, until false again.
+  void stop(bool stopped) noexcept { stopped_ = stopped; }
+
+  Limits acted() const noexcept { return acted_; }        ///< in this tick
+  double stiffnessBound_N_per_mm() const noexcept;        ///< with the delay as measured of late
+  double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 as warm as the motors may be
+
+ private:
+  double allowed_N(double most_N) const noexcept;
+  double stored_J(double stretch_mm, double stiffness_N_per_mm, double most_N) const noexcept;
+  Vec3 slowed(Vec3 force) noexcept;
+  Vec3 braked(Vec3 force, const WantedForce& wanted) noexcept;
+  Vec3 slewed(const Vec3& force) noexcept;
+
+  // The device's figures.
+  double peak_N_ = 0, continuous_N_ = 0, max_stiffness_ = 0, max_damping_ = 0, damping_ = 0, friction_N_ = 0;
+  double resolution_m_ = 0, device_delay_s_ = 0;
+  bool closes_loop_ = false;
+
+  // What is known of the hand.
+  HandSpeed speed_;
+  Vec3 place_mm_{0.0}, moved_m_{0.0};
+  bool placed_ = false;           // place_mm_ holds a place
+  std::uint32_t placements_ = 0;
+  double stale_s_ = 0, delay_s_ = 0;
+  double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // since the last tick; the same, but never more than a tick
+  bool off_ = false;              // nothing has been known of the hand for kOff_s, or it is gone
+
+  // What is given.
+  HeatBudget heat_;
+  PassivityControl passivity_;
+  double gain_ = 0, stiffness_ = 0, stretch_mm_ = 0;
+  bool fault_ = false, stopped_ = false;
+  Vec3 force_N_{0.0};
+  Limits acted_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,246 @@
+#include "engine/servo/trace.h"
+
+#include <zlib.h>
+
+#include <cstring>
+#include <type_traits>
+
+#include "engine/platform/read_file.h"
+
+namespace moltact {
+namespace {
+
+static_assert(std::is_trivially_copyable_v<ServoStep>, "its state is kept byte for byte");
+
+constexpr std::string_view kMagic = "MOLTRAC1";
+constexpr std::string_view kBlockMagic = "BLK1";
+constexpr std::uint32_t kTicksInBlock = 256;
+constexpr std::size_t kMostBytes = std::size_t{4} << 30;
+constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kTrouble = 16;
+
+// What must be the same for the bits to be the same: the state's layout and the compiler.
+std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
+
+// Both ways at once, so that what is written and what is read cannot differ.
+struct Putter {
+  std::string& to;
+  template <class T>
+  void operator()(const T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    to.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+};
+struct Getter {
+  const char* at;
+  const char* end;
+  bool ok = true;
+  template <class T>
+  void operator()(T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    if (static_cast<std::size_t>(end - at) < sizeof value) {
+      ok = false;
+      at = end;
+      return;
+    }
+    std::memcpy(&value, at, sizeof value);
+    at += sizeof value;
+  }
+};
+
+template <class Each, class V>
+void eachOf(Each& each, V& v) {
+  each(v.x), each(v.y), each(v.z);
+}
+template <class Each, class Settings>
+void settingsFields(Each& each, Settings& s) {
+  each(s.workspace.A_per_mm);
+  eachOf(each, s.workspace.centre_A);
+  for (int k = 0; k < 3; ++k) eachOf(each, s.workspace.turn[k]);
+  each(s.stiffness_N_per_mm), each(s.max_force_N), each(s.probe_A), each(s.placements), each(s.clutch.buttons);
+}
+template <class Each, class Figures>
+void figuresFields(Each& each, Figures& f) {
+  eachOf(each, f.workspace_mm);
+  each(f.dof_in), each(f.dof_out), each(f.max_force_N), each(f.continuous_force_N), each(f.max_stiffness_N_per_mm);
+  each(f.max_damping_N_s_per_m), each(f.damping_N_s_per_m), each(f.friction_N), each(f.resolution_mm), each(f.delay_s);
+}
+template <class Each, class Tick>
+void tickFields(Each& each, Tick& t) {
+  eachOf(each, t.pose.position.mm);
+  each(t.pose.buttons), each(t.pose.placements), each(t.pose.motor_heat), each(t.time.dt_s), each(t.time.delay_s);
+  eachOf(each, t.force.N);
+}
+
+bool sameBits(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+
+std::string bytesOf(const ServoSettings& settings) {
+  std::string out;
+  Putter put{out};
+  settingsFields(put, settings);
+  put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic)), put(std::uint8_t(settings.clutch.at_edge));
+  return out;
+}
+
+bool readTick(Getter& get, ServoSettings& settings, TraceTick& tick) {
+  std::uint8_t flags = 0, on = 0, panic = 0, gives = 0, at_edge = 0;
+  get(flags);
+  if (flags & kSettings) {
+    settingsFields(get, settings);
+    get(on), get(panic), get(at_edge);
+    settings.clutch.at_edge = at_edge;
+    settings.force_on = on;
+    settings.panic = panic;
+  }
+  tick.other_device = flags & kOtherDevice;
+  if (tick.other_device) {
+    figuresFields(get, tick.device);
+    get(gives);
+    tick.device.gives_force = gives;
+  }
+  tickFields(get, tick);
+  tick.pose.fresh = flags & kFresh;
+  tick.pose.connected = flags & kConnected;
+  tick.pose.trouble = flags & kTrouble;
+  tick.settings = settings;
+  return get.ok;
+}
+
+}  // namespace
+
+Expected<TraceWriter> TraceWriter::create(const std::filesystem::path& file, const std::map<std::string, std::string>& labels,
+                                          const ServoStep& start) {
+  TraceWriter writer;
+  writer.file_ = file;
+  writer.out_.open(file, std::ios::binary | std::ios::trunc);
+  if (!writer.out_) return Problem{file.string(), 0, 0, "the recording cannot be written", "check the folder and that you may write there"};
+  std::string text;
+  for (const auto& [key, value] : labels) text += key + '=' + value + '\n';
+  std::string head(kMagic);
+  Putter put{head};
+  const std::string build = buildName();
+  put(std::uint32_t(text.size()));
+  put(std::uint32_t(build.size()));
+  put(std::uint32_t(sizeof(ServoStep)));
+  head += text + build;
+  head.append(reinterpret_cast<const char*>(&start), sizeof start);
+  put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(head.data()), uInt(head.size()))));
+  writer.out_.write(head.data(), std::streamsize(head.size()));
+  writer.out_.flush();
+  return Expected<TraceWriter>(std::move(writer));
+}
+
+void TraceWriter::add(const TraceTick& tick) {
+  const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
+  const bool device = tick.other_device;
+  Putter put{block_};
+  put(std::uint8_t((other_settings ? kSettings : 0) | (tick.pose.fresh ? kFresh : 0) | (tick.pose.connected ? kConnected : 0) | (tick.pose.trouble ? kTrouble : 0) |
+                   (device ? kOtherDevice : 0)));
+  if (other_settings) block_ += bytesOf(tick.settings);
+  if (device) {
+    figuresFields(put, tick.device);
+    put(std::uint8_t(tick.device.gives_force));
+  }
+  tickFields(put, tick);
+  last_ = tick.settings;
+  if (++ticks_in_block_ == kTicksInBlock) writeBlock();
+}
+
+void TraceWriter::writeBlock() {
+  if (ticks_in_block_ == 0) return;
+  std::string head(kBlockMagic);
+  Putter put{head};
+  put(ticks_in_block_);
+  put(std::uint32_t(block_.size()));
+  put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(block_.data()), uInt(block_.size()))));
+  out_ << head << block_;
+  out_.flush();
+  block_.clear();
+  ticks_in_block_ = 0;
+}
+
+std::optional<Problem> TraceWriter::finish() {
+  writeBlock();
+  out_.close();
+  if (!out_) return Problem{file_.string(), 0, 0, "the recording could not be written to its end", "free some space on the disk"};
+  return std::nullopt;
+}
+
+Expected<DeviceTrace> readTrace(const std::filesystem::path& file) {
+  const auto bytes = readFile(file, kMostBytes, "a recording is 77 bytes a tick: is this one?");
+  if (!bytes) return bytes.problem();
+  const char* data = bytes->data();
+  const Problem none{file.string(), 0, 0, "this is no recording of a device", "recordings are made by `moltact device record`"};
+  const std::size_t fixed = kMagic.size() + 12;
+  if (bytes->size() < fixed || std::string_view(*bytes).substr(0, kMagic.size()) != kMagic) return none;
+  Getter get{data + kMagic.size(), data + bytes->size()};
+  std::uint32_t text_size = 0, build_size = 0, state_size = 0, crc = 0;
+  get(text_size), get(build_size), get(state_size);
+  const std::size_t head = fixed + std::size_t(text_size) + build_size + state_size;
+  if (head + 4 > bytes->size()) return Problem{file.string(), 0, 0, "the recording breaks off in its first lines", "record it anew"};
+  get.at = data + head;
+  get(crc);
+  if (crc != crc32(0, reinterpret_cast<const Bytef*>(data), uInt(head)))
+    return Problem{file.string(), 0, 0, "the recording's first lines are damaged", "record it anew"};
+
+  DeviceTrace trace;
+  const std::string_view text(data + fixed, text_size);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size()), equals = text.find('=', at);
+    if (equals < end) trace.labels[std::string(text.substr(at, equals - at))] = std::string(text.substr(equals + 1, end - equals - 1));
+    at = end + 1;
+  }
+  if (state_size == sizeof(ServoStep) && std::string_view(data + fixed + text_size, build_size) == buildName()) {
+    trace.start.emplace();
+    std::memcpy(static_cast<void*>(&*trace.start), data + fixed + text_size + build_size, sizeof(ServoStep));
+  }
+
+  DeviceFigures device;
+  while (get.at < get.end) {
+    const auto torn = [&](const char* how) {
+      char when[64];
+      std::snprintf(when, sizeof when, " after %.3f s", double(trace.ticks.size()) * kTick_s);
+      trace.torn = std::string("the recording ") + how + when + "; what is before that is kept";
+    };
+    std::uint32_t count = 0, size = 0, block_crc = 0;
+    const bool block = static_cast<std::size_t>(get.end - get.at) >= kBlockMagic.size() && std::string_view(get.at, kBlockMagic.size()) == kBlockMagic;
+    if (block) get.at += kBlockMagic.size();
+    get(count), get(size), get(block_crc);
+    if (!get.ok || static_cast<std::size_t>(get.end - get.at) < size) {
+      torn("breaks off");
+      break;
+    }
+    Getter inside{get.at, get.at + size};
+    get.at += size;
+    bool good = block && count <= kTicksInBlock && block_crc == crc32(0, reinterpret_cast<const Bytef*>(inside.at), uInt(size));
+    ServoSettings settings;
+    std::vector<TraceTick> ticks(good ? count : 0);
+    for (TraceTick& tick : ticks) {
+      tick.device = device;
+      good = good && readTick(inside, settings, tick);
+      device = tick.device;
+    }
+    if (!good || inside.at != inside.end) {
+      torn("is damaged");
+      break;
+    }
+    trace.ticks.insert(trace.ticks.end(), ticks.begin(), ticks.end());
+  }
+  return trace;
+}
+
+ReplayResult replay(const DeviceTrace& trace, Tracker* tracker) {
+  ServoStep step = trace.start.value_or(ServoStep());
+  ReplayResult out;
+  for (const TraceTick& tick : trace.ticks) {
+    if (tick.other_device) step.setDevice(tick.device);
+    const ForceN force = step.tick(tick.settings, tracker, tick.pose, tick.time).force;
+    if (!sameBits(force.N, tick.force.N)) {
+      if (!out.first_difference) out.first_difference = out.ticks;
+      out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(force.N, tick.force.N));
+    }
+    ++out.ticks;
+  }
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,69 @@
+// A recording of the servo loop's ticks: each tick's inputs and its force, and the state from which the first began, so
+// that a replay on the same build with the same scene gives the same forces to the last bit. What the file holds, byte by
+// byte: docs/devices.md. Not for the haptic thread but TraceTick. Units: millimetre, newton, second.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/problem.h"
+#include "engine/servo/servo_step.h"
+
+namespace moltact {
+
+/// One tick with all that its force depended on but the tracker.
+struct TraceTick {
+  ServoSettings settings;
+  DevicePose pose;
+  TickTime time;
+  DeviceFigures device;       ///< of the one that leads
+  bool other_device = false;  ///< that is another than in the last tick
+  ForceN force;
+};
+
+struct DeviceTrace {
+  std::map<std::string, std::string> labels;  ///< what the recorder wrote about it: "molecule", "method", "device"
+  std::optional<ServoStep> start;             ///< none where another build made the file: the forces may then differ
+  std::vector<TraceTick> ticks;
+  std::string torn;                           ///< why the rest could not be read; empty: it is whole
+};
+
+/// Writes a trace as it comes. Each block of 256 ticks is whole on the disk before the next, so that a crash costs no more.
+class TraceWriter {
+ public:
+  /// Labels: no line ends in keys or values, no '=' in keys. A Problem where the file cannot be written.
+  static Expected<TraceWriter> create(const std::filesystem::path& file, const std::map<std::string, std::string>& labels,
+                                      const ServoStep& start);
+  void add(const TraceTick& tick);
+  /// Writes what is left. A Problem where anything could not be written since the start.
+  std::optional<Problem> finish();
+
+ private:
+  TraceWriter() = default;
+  void writeBlock();
+  std::filesystem::path file_;
+  std::ofstream out_;
+  std::string block_;
+  std::uint32_t ticks_in_block_ = 0;
+  std::optional<ServoSettings> last_;
+};
+
+/// Reads a trace. What no trace is gives a Problem; one that breaks off, or whose rest is damaged, gives the ticks before
+/// that and says so in `torn`.
+Expected<DeviceTrace> readTrace(const std::filesystem::path& file);
+
+struct ReplayResult {
+  std::uint64_t ticks = 0;
+  std::optional<std::uint64_t> first_difference;  ///< the first tick whose force is not the recorded one to the last bit
+  double greatest_difference_N = 0;
+};
+
+/// Steps the recorded ticks with a tracker as it was newly made for the recording (null: none), and compares the forces.
+ReplayResult replay(const DeviceTrace& trace, Tracker* tracker);
+
+}  // namespace moltact

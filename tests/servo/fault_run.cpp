@@ -1,0 +1,324 @@
+#include "tests/servo/fault_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "engine/device/device_model.h"
+#include "engine/bench/scenes.h"
+#include "engine/haptics/methods.h"
+#include "engine/servo/servo_step.h"
+#include "tests/haptics/walk.h"
+
+namespace moltact::test {
+namespace {
+
+// The promises, as docs/safety.md makes them.
+constexpr double kPeak_N = 3.3, kSlew_N = 1.0, kSoft_ticks = 500, kFadeTo_ticks = 44;
+constexpr double kRest_m_per_s = 0.03;  // half a step of the sensor a tick is what its rounding makes
+constexpr double kRounding_J = 1e-5;    // a step of the sensor at 0.5 N
+
+enum class Fault : int {
+  Late, Stall, LongStall, Doubled, ClockBack, ClockAhead, ClockNaN, Teleport, PlaceNaN, Stale, Unplug,
+  RendererStalls, SceneSwap, MethodSwap, BadSettings, ProbeJump, Panic, ForceOff, BadTracker, Count,
+};
+constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{
+    "late", "stall", "long stall", "doubled", "clock back", "clock ahead", "clock NaN", "teleport", "place NaN", "stale",
+    "unplug", "renderer stalls", "scene swap", "method swap", "bad settings", "probe jump", "panic", "force off", "bad tracker"};
+
+// A method that answers with what no place is.
+class BadTracker final : public Tracker {
+ public:
+  explicit BadTracker(Vec3 scp) : scp_(scp) {}
+  Contact step(PointA) noexcept override { return {.scp = {scp_}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  void reset() noexcept override {}
+  void setProbe(double) noexcept override {}
+  double probe_A() const noexcept override { return kWaterProbe_A; }
+  Footprint footprint() const noexcept override { return {}; }
+
+ private:
+  Vec3 scp_;
+};
+
+class Run {
+ public:
+  explicit Run(std::uint64_t seed)
+      : random_(seed), seed_(seed), device_(deviceOf()), hand_(handOf()), model_(device_, hand_, {{40, 0, 0}}), step_(infoOf()) {
+    newScene();
+  }
+
+  FaultRunResult go(int faults) {
+    for (int k = 0; k < faults && out_.broken.empty(); ++k) {
+      approach();
+      const auto fault = static_cast<Fault>(int(random_.uniform(0, double(Fault::Count)) * 0.999999));
+      doing_ = kNames[std::size_t(fault)];
+      ++out_.faults;
+      suffer(fault);
+      restAfter();
+    }
+    return out_;
+  }
+
+ private:
+  DeviceParameters deviceOf() {
+    DeviceParameters device;
+    device.substeps = 4;
+    if (seed_ % 3 == 1) {  // an open device: slippery, fine, slow to answer
+      device.friction_N = 0.03;
+      device.damping_N_s_per_m = 0.05;
+      device.resolution_mm = 0.02;
+      device.delay_ticks = 2;
+    }
+    return device;
+  }
+  HandParameters handOf() {
+    if (random_.uniform(0, 1) < 0.3) return {100, 2};
+    return {random_.uniform(150, 500), random_.uniform(3, 10)};
+  }
+  DeviceInfo infoOf() {
+    DeviceInfo info;
+    info.name = "model";
+    info.continuous_force_N = 0.88;
+    info.gives_force = true;
+    info.damping_N_s_per_m = device_.damping_N_s_per_m;
+    info.friction_N = device_.friction_N;
+    info.resolution_mm = device_.resolution_mm;
+    info.delay_s = 0.001 * device_.delay_ticks;
+    return info;
+  }
+
+  void newScene() {
+    scene_ = scenes::cluster(int(random_.uniform(2, 30)), seed_ + out_.faults);
+    newTracker();
+  }
+  void newTracker() {
+    const auto all = methods();
+    const Method& method = random_.uniform(0, 1) < 0.6 ? all.front() : all[std::size_t(random_.uniform(0, double(all.size())) * 0.999)];
+    tracker_ = method.make(makeScene(scene_.balls), settings_.probe_A);
+    method_ = method.name;
+  }
+
+  // The hand goes from outside to some place under the surface, and slides a little.
+  void approach() {
+    const Vec3 out = random_.direction(), side = random_.direction();
+    const double depth_A = random_.uniform(0, 2.0);
+    double far_A = 1;
+    for (const Ball& ball : scene_.balls) {
+      const double along = glm::dot(ball.centre_A, out), aside2 = glm::dot(ball.centre_A, ball.centre_A) - along * along;
+      const double radius = ball.radius_A + settings_.probe_A;
+      if (aside2 < radius * radius) far_A = std::max(far_A, along + std::sqrt(radius * radius - aside2));
+    }
+    const Vec3 away = settings_.workspace.toDevice({out * (far_A + 1.0)}).mm;
+    lead(away, 150);
+    lead(settings_.workspace.toDevice({out * (far_A - depth_A)}).mm, 250);
+    lead(settings_.workspace.toDevice({out * (far_A - depth_A) + side * random_.uniform(0, 1.0)}).mm, 150);
+    for (int k = 0; k < 450; ++k) tick({});
+  }
+  void lead(const Vec3& to_mm, int ticks) {
+    const Vec3 from = target_mm_;
+    for (int k = 1; k <= ticks; ++k) {
+      target_mm_ = from + (to_mm - from) * (double(k) / ticks);
+      tick({});
+    }
+  }
+
+  struct How {
+    TickTime time = {};
+    std::optional<Vec3> place_mm = {};  // instead of the device's
+    bool fresh = true, connected = true;
+    bool moves = true;             // false: no time passes for the device
+  };
+
+  // One tick of the loop, judged; then one millisecond of the world.
+  void tick(const How& how) {
+    const DevicePose pose{.position = how.place_mm ? PointMm{*how.place_mm} : model_.sensed(), .fresh = how.fresh, .connected = how.connected};
+    const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time);
+    ++out_.ticks;
+    out_.contact += sample.contact.touching();
+    judge(sample, how);
+    command_ = sample.force;
+    stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, sample.hip.A) / settings_.workspace.A_per_mm : 0.0;
+    if (how.moves) model_.tick(how.connected ? command_ : ForceN{}, {target_mm_});
+  }
+  void idle(int ms) {
+    for (int k = 0; k < ms; ++k) model_.tick(command_, {target_mm_});
+  }
+
+  void judge(const ServoSample& sample, const How& how) {
+    const Vec3 force = sample.force.N;
+    const double size = glm::length(force);
+    out_.greatest_N = std::max(out_.greatest_N, size);
+    ++since_fault_;
+    stale_ = how.fresh ? 0 : stale_ + 1;
+    if (!finite(force)) return broken("the force is not finite");
+    if (size > kPeak_N + 1e-9) return broken("over the clamp");
+    if (!settings_.panic && glm::length(force - command_.N) > kSlew_N + 1e-9) return broken("over the slew");
+    if (settings_.panic && size > 0) return broken("force in a panic");
+    // What is left of the force before the fault, and what a soft start may have given since.
+    const double soft = lasting_ ? 0.0 : kPeak_N * since_fault_ / kSoft_ticks;
+    if (size > std::max(0.0, before_fault_N_ - kSlew_N * since_fault_) + soft + 1e-9) return broken("force after a fault", size);
+    if (stale_ > kFadeTo_ticks && size > 0) return broken("force at a stale place");
+  }
+  void broken(const char* promise, double size_N = 0) {
+    if (!out_.broken.empty()) return;
+    char text[320];
+    std::snprintf(text, sizeof text, "seed %llu, tick %llu, %s %.0f ticks ago from %.3f N, method %.*s: %s (%.3f N)", static_cast<unsigned long long>(seed_),
+                  static_cast<unsigned long long>(out_.ticks), doing_, since_fault_, before_fault_N_, int(method_.size()), method_.data(), promise, size_N);
+    out_.broken = text;
+  }
+
+  // From the next tick on no more than a soft start is allowed.
+  void expectSoft() {
+    before_fault_N_ = glm::length(command_.N);
+    since_fault_ = 0;
+  }
+  void lasting(int ticks, const How& how) {
+    expectSoft();
+    lasting_ = true;
+    for (int k = 0; k < ticks; ++k) tick(how);
+    lasting_ = false;
+    expectSoft();
+  }
+
+  void suffer(Fault fault) {
+    const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
+    const int some = 1 + int(random_.uniform(0, 60));
+    switch (fault) {
+      case Fault::Late:
+        for (int k = 0; k < some; ++k) {
+          const int late = int(random_.uniform(0, 15));
+          idle(late);
+          tick({.time = {.dt_s = 0.001 * (late + 1), .delay_s = random_.uniform(0, 0.003)}});
+        }
+        break;
+      case Fault::Stall:
+      case Fault::LongStall: {
+        const int ms = int(fault == Fault::Stall ? random_.uniform(21, 99) : random_.uniform(101, 3000));
+        idle(ms);
+        expectSoft();
+        tick({.time = {.dt_s = 0.001 * ms}});
+        break;
+      }
+      case Fault::Doubled:
+        for (int k = 0; k < some; ++k) {
+          tick({.time = {.dt_s = 0}, .moves = false});
+          tick({});
+        }
+        break;
+      case Fault::ClockBack: expectSoft(); tick({.time = {.dt_s = -random_.uniform(1e-6, 1e6)}}); break;
+      case Fault::ClockAhead: expectSoft(); tick({.time = {.dt_s = random_.uniform(0.021, 1e9)}}); break;
+      case Fault::ClockNaN: expectSoft(); tick({.time = {.dt_s = some % 2 ? nan : inf, .delay_s = nan}}); break;
+      case Fault::Teleport:
+        expectSoft();
+        for (int k = 0; k < some % 5 + 1; ++k) tick({.place_mm = model_.sensed().mm + random_.direction() * random_.uniform(8, 200)});
+        expectSoft();
+        break;
+      case Fault::PlaceNaN: lasting(some * 4, {.place_mm = some % 3 ? Vec3(nan, 0, 0) : Vec3(0, inf, -inf)}); break;
+      case Fault::Stale:
+      {
+        const Vec3 frozen = model_.sensed().mm;
+        for (int k = 0; k < some * 5; ++k) tick({.place_mm = frozen, .fresh = false});
+        break;
+      }
+      case Fault::Unplug:
+        lasting(some * 20, {.connected = false});
+        break;
+      case Fault::RendererStalls:  // nobody writes settings or leads the hand for 5 s
+        for (int k = 0; k < 5000; ++k) tick({});
+        break;
+      case Fault::SceneSwap:
+        expectSoft();
+        newScene();
+        ++settings_.placements;
+        tick({});
+        break;
+      case Fault::MethodSwap: expectSoft(); newTracker(); tick({}); break;
+      case Fault::BadSettings: {
+        const ServoSettings kept = settings_;
+        const std::array<double, 6> bad{nan, inf, -inf, -1.0, 1e300, 0.0};
+        const auto pick = [&] { return bad[std::size_t(random_.uniform(0, 5.999))]; };
+        settings_.stiffness_N_per_mm = pick();
+        settings_.max_force_N = pick();
+        settings_.probe_A = pick();
+        if (some % 3 == 0) settings_.workspace.A_per_mm = some % 2 ? nan : 0.0;
+        for (int k = 0; k < some * 3; ++k) tick({});
+        settings_ = kept;
+        break;
+      }
+      case Fault::ProbeJump:
+        settings_.probe_A = random_.uniform(0.5, 2.5);
+        for (int k = 0; k < some * 3; ++k) tick({});
+        settings_.probe_A = kWaterProbe_A;
+        break;
+      case Fault::Panic:
+        settings_.panic = true;
+        for (int k = 0; k < some * 10; ++k) tick({});
+        settings_.panic = false;
+        expectSoft();
+        break;
+      case Fault::ForceOff:
+        settings_.force_on = false;
+        lasting(some * 10, {});
+        settings_.force_on = true;
+        break;
+      case Fault::BadTracker:
+        expectSoft();
+        bad_ = std::make_unique<BadTracker>(some % 3 == 0 ? Vec3(nan, nan, nan) : some % 3 == 1 ? Vec3(1e300, 0, 0) : Vec3(0, -inf, 0));
+        for (int k = 0; k < some * 3; ++k) tick({});
+        bad_.reset();
+        expectSoft();
+        tick({});
+        break;
+      case Fault::Count: break;
+    }
+  }
+  // The hand is held still: what moves the device comes to rest, or slides off on energy that was there.
+  void restAfter() {
+    for (int k = 0; k < 600; ++k) tick({});
+    std::array<double, 2> fastest{}, energy{};
+    for (std::size_t w = 0; w < 2; ++w)
+      for (int k = 0; k < 200; ++k) {
+        tick({});
+        fastest[w] = std::max(fastest[w], glm::length(model_.velocity_m_per_s()));
+        energy[w] = std::max(energy[w], energy_J());
+      }
+    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + kRounding_J;
+    if (!faster || grown) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
+    if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
+    since_fault_ = kSoft_ticks;
+  }
+
+  // Of the device's motion, of the hand that holds it, and of the surface's spring.
+  double energy_J() const {
+    const double v = glm::length(model_.velocity_m_per_s()), d_m = 1e-3 * glm::distance(model_.position().mm, target_mm_);
+    return 0.5 * device_.mass_kg * v * v + 0.5 * hand_.stiffness_N_per_m * d_m * d_m + 0.5e-3 * glm::length(command_.N) * stretch_mm_;
+  }
+
+  scenes::Random random_;
+  std::uint64_t seed_;
+  DeviceParameters device_;
+  HandParameters hand_;
+  DeviceModel model_;
+  ServoStep step_;
+  ServoSettings settings_;
+  scenes::Scene scene_;
+  std::unique_ptr<Tracker> tracker_, bad_;
+  std::string_view method_;
+  const char* doing_ = "none";
+  Vec3 target_mm_{40, 0, 0};
+  ForceN command_;
+  double stretch_mm_ = 0;
+  double before_fault_N_ = 0;
+  double since_fault_ = 0, stale_ = 0;
+  bool lasting_ = false;
+  FaultRunResult out_;
+};
+
+}  // namespace
+
+FaultRunResult runFaults(std::uint64_t seed, int faults) { return Run(seed).go(faults); }
+
+}  // namespace moltact::test

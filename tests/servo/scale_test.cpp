@@ -1,0 +1,90 @@
+// Clutch and scale, in closed form.
+#include "engine/servo/scale.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/haptics/methods.h"
+#include "engine/servo/clutch.h"
+#include "engine/servo/servo_step.h"
+
+using namespace moltact;
+
+TEST_CASE("the scale is told with two digits that count, and a force only where it stands for one") {
+  Workspace workspace;
+  workspace.A_per_mm = 0.2;
+  CHECK(scaleSentence(workspace, 4.2) == "1 mm here is 0.2 Å there, 1 N here would be 4.2 pN there.");
+  CHECK(scaleSentence(workspace) == "1 mm here is 0.2 Å there; the force is made for the hand and is none between molecules.");
+  workspace.A_per_mm = 0.02567;
+  CHECK(scaleSentence(workspace, 1234.0) == "1 mm here is 0.026 Å there, 1 N here would be 1200 pN there.");
+  workspace.A_per_mm = 1.0;
+  CHECK(scaleSentence(workspace, 69.48) == "1 mm here is 1 Å there, 1 N here would be 69 pN there.");
+}
+
+TEST_CASE("a ball of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, centred there; garbage changes nothing") {
+  const DeviceFigures omni;
+  const Workspace now, then = magnified(now, {{1, 2, 3}}, 7.0, omni);
+  CHECK(then.A_per_mm == doctest::Approx(0.2));
+  CHECK(then.centre_A == Vec3(1, 2, 3));
+  CHECK(glm::distance(then.toDevice({{1, 9, 3}}).mm, Vec3(0, 35, 0)) < 1e-9);
+  CHECK(magnified(now, {{0, 0, 0}}, 1e9, omni).A_per_mm == kCoarsest_A_per_mm);
+  CHECK(magnified(now, {{0, 0, 0}}, 0, omni).A_per_mm == kFinest_A_per_mm);
+  CHECK(magnified(now, {{0, 0, 0}}, std::nan(""), omni).A_per_mm == now.A_per_mm);
+  CHECK(magnified(now, {{std::nan(""), 0, 0}}, 7, omni).centre_A == now.centre_A);
+}
+
+TEST_CASE("clutch: with the button held the hand goes back 30 mm and the probe stays; let go, it goes on from there") {
+  Clutch clutch;
+  const ClutchSettings settings{.buttons = 2};
+  const Vec3 room(160, 120, 70);
+  const auto at = [&](double x, std::uint32_t buttons) {
+    DevicePose pose;
+    pose.position.mm.x = x;
+    pose.buttons = buttons;
+    return clutch.place(pose, settings, room, 0.001).mm.x;
+  };
+  CHECK(at(40, 0) == 40);
+  for (int k = 0; k <= 30; ++k) CHECK(at(40 - k, 2) == 40);
+  CHECK(clutch.held());
+  CHECK(at(10, 0) == 40);
+  CHECK(at(15, 0) == 45);
+  CHECK_FALSE(clutch.held());
+  CHECK(at(15, 1) == 45);  // another button
+}
+
+TEST_CASE("edge: 5 mm from the edge of a room of 160 mm the probe goes on by 10 mm a second, 20 mm from it not at all") {
+  Clutch clutch;
+  const ClutchSettings settings{.at_edge = true};
+  DevicePose pose;
+  pose.position.mm.x = -75;
+  double x = 0;
+  for (int k = 0; k < 1000; ++k) x = clutch.place(pose, settings, {160, 120, 70}, 0.001).mm.x;
+  CHECK(x == doctest::Approx(-85));
+  pose.position.mm.x = 60;
+  for (int k = 0; k < 1000; ++k) x = clutch.place(pose, settings, {160, 120, 70}, 0.001).mm.x;
+  CHECK(x == doctest::Approx(50));
+}
+
+TEST_CASE("in the loop the clutch moves the probe's room: no force while it is held, a soft start after it") {
+  auto tracker = methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
+  ServoStep step;
+  ServoSettings settings;  // the surface at 12 mm
+  settings.clutch.buttons = 1;
+  DevicePose pose;
+  pose.position.mm = {0, 0, 30};
+  step.tick(settings, tracker.get(), pose);
+  pose.buttons = 1;
+  for (int k = 0; k < 40; ++k) pose.position.mm.z += 0.5, step.tick(settings, tracker.get(), pose);
+  pose.buttons = 0;
+  ServoSample s;
+  for (int k = 0; k < 39; ++k) pose.position.mm.z -= 0.5, s = step.tick(settings, tracker.get(), pose);
+  CHECK(s.hand.mm.z == doctest::Approx(11));  // the hand itself is at 30.5
+  CHECK(s.contact.touching());
+  for (int k = 0; k < 600; ++k) s = step.tick(settings, tracker.get(), pose);
+  CHECK(s.force.N.z == doctest::Approx(0.5));
+  pose.buttons = 1;
+  for (int k = 0; k < 10; ++k) pose.position.mm.z += 0.5, s = step.tick(settings, tracker.get(), pose);
+  CHECK(s.force.N == Vec3(0));
+}

@@ -1,0 +1,169 @@
+// Recordings: what is written comes back to the last bit and gives the same forces; what is torn or no recording is told.
+#include "engine/servo/trace.h"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+#include "engine/bench/scenes.h"
+#include "engine/device/mouse_device.h"
+#include "engine/device/simulated_device.h"
+#include "engine/haptics/methods.h"
+#include "engine/servo/device_switch.h"
+#include "engine/servo/playback_device.h"
+#include "engine/servo/servo_thread.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+
+namespace {
+
+std::unique_ptr<Tracker> newTracker() {
+  return methods().front().make(test::makeScene(scenes::cluster(20, 3).balls), kWaterProbe_A);
+}
+
+std::filesystem::path scratch(const char* name) { return std::filesystem::temp_directory_path() / ("moltact_trace_" + std::to_string(getpid()) + name); }
+
+// 20 s of the simulated stylus with settings that change, a plug that is pulled, and a clock that is late now and then.
+std::vector<TraceTick> record(const std::filesystem::path& file) {
+  MouseDevice mouse;
+  SimulatedDevice stylus;
+  DeviceSwitch devices(mouse, &stylus);
+  ServoStep step;
+  const auto tracker = newTracker();
+  ServoSettings settings;
+  auto writer = TraceWriter::create(file, {{"molecule", "cluster 20"}, {"method", "exact"}}, step);
+  REQUIRE(writer);
+  std::vector<TraceTick> ticks;
+  for (int k = 0; k < 20'000; ++k) {
+    if (k == 7000) settings.stiffness_N_per_mm = 0.3;
+    if (k == 9000) stylus.plug(false);
+    if (k == 9100) stylus.plug(true);
+    if (k == 15'000) settings.panic = true;
+    if (k == 15'100) settings.panic = false;
+    const TickTime time{.dt_s = k % 1000 == 999 ? 0.004 : 0.001, .delay_s = 1e-5};
+    const DevicePose pose = devices.read(kTick_s, step);
+    const ServoSample s = step.tick(settings, tracker.get(), pose, time);
+    devices.write(s.force);
+    ticks.push_back({settings, pose, time, devices.info(), devices.other(), s.force});
+    writer->add(ticks.back());
+  }
+  CHECK_FALSE(writer->finish());
+  return ticks;
+}
+
+std::string bytesOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+void write(const std::filesystem::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary) << bytes; }
+
+}  // namespace
+
+TEST_CASE("20 000 recorded ticks, unplugged and stopped on the way, come back whole and give the same forces to the last bit") {
+  const auto file = scratch("whole");
+  const std::vector<TraceTick> ticks = record(file);
+  const auto trace = readTrace(file);
+  REQUIRE(trace);
+  CHECK(trace->torn.empty());
+  CHECK(trace->labels.at("molecule") == "cluster 20");
+  REQUIRE(trace->start);
+  REQUIRE(trace->ticks.size() == ticks.size());
+  double greatest = 0;
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    REQUIRE(std::memcmp(&trace->ticks[k].force, &ticks[k].force, sizeof(ForceN)) == 0);
+    greatest = std::max(greatest, glm::length(ticks[k].force.N));
+  }
+  CHECK(greatest > 0.8);
+  const auto tracker = newTracker();
+  const ReplayResult again = replay(*trace, tracker.get());
+  CHECK(again.ticks == ticks.size());
+  CHECK_FALSE(again.first_difference);
+  // With another scene it says where the forces part.
+  const auto other = methods().front().make(test::makeScene(scenes::oneBall().balls), kWaterProbe_A);
+  CHECK(replay(*trace, other.get()).first_difference);
+  CHECK(std::filesystem::file_size(file) < 20'000 * 80);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("a recording cut at any of 200 places keeps its whole blocks and says after how many seconds it breaks off") {
+  const auto file = scratch("cut");
+  record(file);
+  const std::string whole = bytesOf(file);
+  for (int k = 0; k < 200; ++k) {
+    const std::size_t size = whole.size() * std::size_t(k) / 200;
+    write(file, whole.substr(0, size));
+    const auto trace = readTrace(file);
+    if (!trace) {
+      CHECK(size < 2000);
+      CHECK_FALSE(trace.problem().remedy.empty());
+      continue;
+    }
+    CHECK(trace->ticks.size() % 256 == 0);
+    CHECK((trace->torn.empty() || trace->torn.find("breaks off after ") != std::string::npos));
+  }
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("a recording with any of 200 bytes changed gives what is before the damage, a problem, or the same ticks; and no crash") {
+  const auto file = scratch("damaged");
+  record(file);
+  const std::string whole = bytesOf(file);
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    std::string bytes = whole;
+    bytes[whole.size() * std::size_t(k) / 200] ^= char(1 << (k % 8));
+    write(file, bytes);
+    const auto trace = readTrace(file);
+    if (trace) CHECK_FALSE(trace->torn.empty());
+    else CHECK_FALSE(trace.problem().message.empty());
+  }
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("what is no recording is told so: an empty file, a text, a folder, a missing file") {
+  const auto file = scratch("none");
+  for (const std::string& bytes : {std::string(), std::string("ATOM      1  N   ALA"), std::string("MOLTRAC1"), std::string(100, '\xff')}) {
+    write(file, bytes);
+    CHECK_FALSE(readTrace(file));
+  }
+  write(file, "ATOM");
+  CHECK(readTrace(file).problem().message == "this is no recording of a device");
+  std::filesystem::remove(file);
+  CHECK_FALSE(readTrace(file));
+  CHECK_FALSE(readTrace(std::filesystem::temp_directory_path()));
+}
+
+TEST_CASE("a recorded hand played back as a device goes the same way and stays at its end") {
+  const auto file = scratch("play");
+  const std::vector<TraceTick> ticks = record(file);
+  const auto trace = readTrace(file);
+  REQUIRE(trace);
+  PlaybackDevice device(*trace);
+  for (const TraceTick& tick : ticks) REQUIRE(device.read(kTick_s).position.mm == tick.pose.position.mm);
+  CHECK(device.read(kTick_s).position.mm == ticks.back().pose.position.mm);
+  CHECK(PlaybackDevice(DeviceTrace()).read(kTick_s).position.mm == Vec3(0));
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("what the haptic thread itself records in 1500 ticks of its own clock replays to the last bit") {
+  MouseDevice mouse;
+  ServoThread servo(mouse);
+  servo.setDevice(std::make_unique<SimulatedDevice>());
+  servo.record(true);
+  servo.setTracker(newTracker());
+  DeviceTrace trace;
+  trace.start.emplace();
+  while (trace.ticks.size() < 1500) {
+    servo.drainRecording(*trace.start, [&](const TraceTick& tick) { trace.ticks.push_back(tick); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  CHECK(servo.lostOfRecording() == 0);
+  const auto tracker = newTracker();
+  CHECK_FALSE(replay(trace, tracker.get()).first_difference);
+}
