@@ -10,21 +10,56 @@
 
 namespace moltact {
 
-/// What a device can do; read once, before it is used.
-struct DeviceInfo {
-  std::string name;                     ///< as the status bar says it
-  Vec3 workspace_mm{160.0, 120.0, 70.0};///< the reach of the hand, edge to edge
-  double max_force_N = 3.3;             ///< the greatest force for a moment
-  double max_stiffness_N_per_mm = 1.0;  ///< the stiffest wall it can show
-  bool gives_force = false;             ///< false: the force is only shown on the screen
+/// What a device can do, in numbers. Defaults are the Phantom Omni's, as published by its vendor and measured in the
+/// literature; docs/devices.md says which is which.
+struct DeviceFigures {
+  Vec3 workspace_mm{160.0, 120.0, 70.0}; ///< the reach of the hand, edge to edge
+  int dof_in = 3;                        ///< degrees of freedom that are read: 3 place, 6 place and turn
+  int dof_out = 0;                       ///< degrees of freedom that are driven: 0 none, 3 force
+  double max_force_N = 3.3;              ///< the greatest force for a moment
+  double continuous_force_N = 3.3;       ///< the greatest force for good, by the motors' heat
+  double max_stiffness_N_per_mm = 1.0;   ///< the stiffest wall it can show
+  double max_damping_N_s_per_m = 5.0;    ///< the greatest damping it can show
+  double damping_N_s_per_m = 0.2;        ///< its own, in the mechanism
+  double friction_N = 0.26;              ///< its own, Coulomb
+  double resolution_mm = 0.055;          ///< the least step of the place that it tells
+  double delay_s = 0.001;                ///< from a force written to its being felt, with the age of a place when it is read
+  bool gives_force = false;              ///< false: the force is only shown on the screen, and moves no hand
+};
+
+/// A device, described once, before it is used.
+struct DeviceInfo : DeviceFigures {
+  std::string name;  ///< as the status bar says it
 };
 
 struct DevicePose {
   PointMm position;
-  std::uint32_t buttons = 0;  ///< a bit a button, the first in bit 0
+  std::uint32_t buttons = 0;     ///< a bit a button, the first in bit 0
   std::uint32_t placements = 0;  ///< raised by one when the hand was put elsewhere without a way between; a held device never does
+  bool fresh = true;             ///< false: nothing new has come from the device since the last read; the place is the last one
+  bool connected = true;         ///< false: the device is gone
+  bool trouble = false;          ///< the device itself reports a fault, or is not calibrated: no force
+  float motor_heat = 0;          ///< 0 cold to 1 as warm as its motors may be, where it tells
 };
 
+/// How a device is, in words for the person who holds it.
+struct DeviceStatus {
+  bool connected = true;
+  bool ready = true;        ///< false: it gives no force yet, or its places are not to be trusted; `text` says what to do
+  std::string text;         ///< what is wrong, or what the person is to do; empty: nothing
+  double motor_heat = -1.0; ///< 0 cold to 1 as warm as its motors may be, as the device tells it; -1: it does not tell
+};
+
+/// What a device with a clock of its own calls once a tick, on its own thread.
+class TickTarget {
+ public:
+  virtual void tickOfDevice() noexcept = 0;
+
+ protected:
+  ~TickTarget() = default;
+};
+
+/// Made open, by its driver (driver.h); closed, without force, when it is destroyed.
 class Device {
  public:
   virtual ~Device() = default;
@@ -33,6 +68,17 @@ class Device {
   virtual DevicePose read(double dt_s) noexcept = 0;
   /// The force to give until the next tick: always finite and within max_force_N.
   virtual void write(ForceN force) noexcept = 0;
+
+  /// The window's thread, a few times a second: may take a while, and does what is not for the haptic thread.
+  virtual DeviceStatus status() { return {}; }
+  /// The window's thread: the person holds the device as status() asked for its calibration.
+  virtual void calibrate() {}
+
+  /// The window's thread. A device whose driver brings a clock calls `target` by it from now on and returns true; others
+  /// return false and are read by the loop's own clock.
+  virtual bool startClock(TickTarget&) { return false; }
+  /// The window's thread: after it returns the target is not called any more.
+  virtual void stopClock() {}
 };
 
 }  // namespace moltact

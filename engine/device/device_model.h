@@ -1,0 +1,68 @@
+// A force-feedback stylus in a hand, simulated: what closes the loop round a method without hardware.
+// Deterministic, on a virtual clock; figures of the Phantom Omni class. Units: millimetre outside, SI inside;
+// newton, second.
+//
+//   m x'' = F_held + F_hand - b x' - f_c tanh(|x'| / v_0) x'/|x'|,   F_hand = k_h (target - x) + b_h (target'
+//   - x')
+//
+// F_held is the command of `delay_ticks` ago, cut to max_force_N and held through a tick (zero-order hold);
+// what the program sees of x is rounded to `resolution_mm` on each axis. Fourth-order Runge-Kutta in
+// `substeps` a tick.
+#pragma once
+
+#include <vector>
+
+#include "engine/core/units.h"
+
+namespace moltact {
+
+struct DeviceParameters {
+  double mass_kg = 0.045;
+  double damping_N_s_per_m = 0.2;
+  double friction_N = 0.26;              ///< f_c
+  double friction_speed_m_per_s = 0.01;  ///< v_0: friction is full from about twice this speed
+  double resolution_mm = 0.055;          ///< 0: not rounded
+  double max_force_N = 3.3;
+  int delay_ticks = 1;  ///< 0 to 100
+  double tick_s = 0.001;
+  int substeps = 10;
+};
+
+struct HandParameters {
+  double stiffness_N_per_m = 300;
+  double damping_N_s_per_m = 5;
+};
+
+/// No hand at all: the device floats.
+inline constexpr HandParameters kNoHand{0, 0};
+
+class DeviceModel {
+ public:
+  DeviceModel(const DeviceParameters& device, const HandParameters& hand, PointMm at);
+
+  /// The place that the program is told.
+  PointMm sensed() const;
+  PointMm position() const { return {1e3 * x_}; }
+  Vec3 velocity_m_per_s() const { return v_; }
+
+  /// One tick: takes the program's command (non-finite gives none) and leads the hand evenly to `target`
+  /// meanwhile.
+  void tick(ForceN command, PointMm target);
+
+  /// The force that was held during the last tick (unit: newton).
+  ForceN held() const { return {held_}; }
+
+  /// Strikes the device (unit: N s).
+  void strike(const Vec3& impulse_N_s) { v_ += impulse_N_s / device_.mass_kg; }
+
+ private:
+  Vec3 acceleration(const Vec3& x, const Vec3& v, const Vec3& target, const Vec3& target_v) const;
+
+  DeviceParameters device_;
+  HandParameters hand_;
+  Vec3 x_, v_{0.0}, target_, held_{0.0};  // m, m/s, m, N
+  std::vector<Vec3> queue_;               // commands on their way
+  std::size_t next_ = 0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,46 @@
+#include <algorithm>
+
+#include "engine/device/driver.h"
+
+namespace moltact {
+
+extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kSimulatedDriver, kMouseDriver;
+
+std::span<const DeviceDriver> deviceDrivers() {
+  static const DeviceDriver kAll[] = {kOmniDriver,       kWoodenHapticsDriver, kOpenDriver,
+                                      kSpaceMouseDriver, kSimulatedDriver,     kMouseDriver};
+  return kAll;
+}
+
+std::vector<FoundDevice> findDevices() {
+  std::vector<FoundDevice> all;
+  for (const DeviceDriver& driver : deviceDrivers()) {
+    std::vector<FoundDevice> some = driver.find();
+    for (std::size_t k = 0; k < some.size(); ++k) {
+      some[k].name = driver.name;
+      if (k > 0) some[k].name += ':' + std::to_string(k + 1);
+      all.push_back(std::move(some[k]));
+    }
+  }
+  return all;
+}
+
+const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
+  const auto best = std::find_if(found.begin(), found.end(), [](const FoundDevice& one) { return one.usable && one.by_itself; });
+  return best != found.end() ? *best : found.back();
+}
+
+Expected<std::unique_ptr<Device>> openDevice(std::string_view name) {
+  std::string names;
+  for (const FoundDevice& one : findDevices()) {
+    if (one.name == name) {
+      if (!one.usable) return Problem{"", 0, 0, one.title + " cannot be used", one.why};
+      for (const DeviceDriver& driver : deviceDrivers())
+        if (driver.name == name.substr(0, name.find(':'))) return driver.open(one);
+    }
+    names += (names.empty() ? "" : ", ") + one.name;
+  }
+  return Problem{"", 0, 0, "there is no device \"" + std::string(name) + '"', "these are known: " + names};
+}
+
+}  // namespace moltact

@@ -1,0 +1,66 @@
+#include "engine/device/hid/hid_port.h"
+
+#include <hidapi/hidapi.h>
+
+#include <mutex>
+
+namespace moltact {
+namespace {
+
+// hidapi's global functions are not for several threads at once.
+std::mutex& globalHid() {
+  static std::mutex one;
+  return one;
+}
+
+// Device strings are shown as they are, but for what is not plain text.
+std::string plain(const wchar_t* text) {
+  std::string out;
+  for (; text && *text; ++text) out += *text >= 32 && *text < 127 ? static_cast<char>(*text) : '?';
+  return out;
+}
+
+class RealPort final : public HidPort {
+ public:
+  explicit RealPort(hid_device* device) : device_(device) {}
+  ~RealPort() override { hid_close(device_); }
+  int read(std::span<std::uint8_t> report, int wait_ms) override { return hid_read_timeout(device_, report.data(), report.size(), wait_ms); }
+  bool write(std::span<const std::uint8_t> report) override { return hid_write(device_, report.data(), report.size()) >= 0; }
+  int feature(std::span<std::uint8_t> report) override { return hid_get_feature_report(device_, report.data(), report.size()); }
+
+ private:
+  hid_device* device_;
+};
+
+}  // namespace
+
+std::vector<HidEntry> listHid() {
+  const std::lock_guard lock(globalHid());
+  std::vector<HidEntry> out;
+  hid_device_info* const all = hid_enumerate(0, 0);
+  for (const hid_device_info* one = all; one; one = one->next) {
+    HidEntry entry;
+    entry.path = one->path ? one->path : "";
+    const std::string maker = plain(one->manufacturer_string), product = plain(one->product_string);
+    entry.title = maker.empty() || product.empty() ? maker + product : maker + ' ' + product;
+    entry.serial = plain(one->serial_number);
+    entry.vendor = one->vendor_id;
+    entry.product = one->product_id;
+    entry.usage_page = one->usage_page;
+    entry.usage = one->usage;
+    out.push_back(std::move(entry));
+  }
+  hid_free_enumeration(all);
+  return out;
+}
+
+Expected<std::unique_ptr<HidPort>> openHid(const HidEntry& entry) {
+  const std::lock_guard lock(globalHid());
+  hid_device* const device = hid_open_path(entry.path.c_str());
+  if (!device)
+    return Problem{"", 0, 0, entry.path + " cannot be opened (" + plain(hid_error(nullptr)) + ')',
+                   "give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again"};
+  return std::unique_ptr<HidPort>(std::make_unique<RealPort>(device));
+}
+
+}  // namespace moltact

@@ -1,0 +1,70 @@
+#include "engine/device/hid/space_mouse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+
+constexpr std::uint8_t kPush = 1, kTurn = 2, kButtons = 3;
+
+// The device's axes are x right, y toward the person, z down. Its numbers go a little beyond their stops at times.
+Vec3 axesAt(std::span<const std::uint8_t> report, std::size_t at) {
+  const auto axis = [&](std::size_t k) { return std::clamp(int16At(report, at + 2 * k) / SpaceMouseProtocol::kFull, -1.0, 1.0); };
+  return {axis(0), -axis(2), axis(1)};
+}
+
+bool isSpaceMouse(const HidEntry& entry) {
+  constexpr std::uint16_t kLogitech[] = {0xc626, 0xc627, 0xc629, 0xc62b};
+  constexpr std::uint16_t k3Dconnexion[] = {0xc62e, 0xc62f, 0xc631, 0xc632, 0xc633, 0xc635, 0xc652};
+  const auto has = [&](std::span<const std::uint16_t> all) { return std::find(all.begin(), all.end(), entry.product) != all.end(); };
+  const bool known = (entry.vendor == 0x046d && has(kLogitech)) || (entry.vendor == 0x256f && has(k3Dconnexion));
+  // A receiver shows several interfaces; the axes are on the one of usage 8, multi-axis controller.
+  return known && (entry.usage_page == 0 || (entry.usage_page == 1 && entry.usage == 8));
+}
+
+}  // namespace
+
+bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
+  if (report.empty()) return false;
+  if (report[0] == kPush && (report.size() == 7 || report.size() == 13)) {
+    axes_.push = axesAt(report, 1);
+    if (report.size() == 13) axes_.turn = axesAt(report, 7);
+  } else if (report[0] == kTurn && report.size() == 7) {
+    axes_.turn = axesAt(report, 1);
+  } else if (report[0] == kButtons && report.size() >= 2) {
+    pose.buttons = 0;
+    for (std::size_t k = 1; k < report.size() && k <= 4; ++k) pose.buttons |= std::uint32_t(report[k]) << (8 * (k - 1));
+    return true;
+  } else {
+    return false;  // battery and what else there may be
+  }
+  silent_s_ = 0;
+  return true;
+}
+
+void SpaceMouseProtocol::pass(double dt_s, DevicePose& pose) noexcept {
+  if ((silent_s_ += dt_s) > kSilence_s) axes_ = {};
+  const double size = glm::length(axes_.push);
+  if (size <= kDead) return;
+  // With the square of the push, so that a light one is slow.
+  const double part = std::min(1.0, (size - kDead) / (1.0 - kDead));
+  const Vec3 place = pose.position.mm + axes_.push * (kFastest_mm_per_s * part * part * dt_s / size);
+  pose.position.mm = glm::clamp(place, Vec3(-kReach_mm), Vec3(kReach_mm));
+}
+
+extern const DeviceDriver kSpaceMouseDriver;
+const DeviceDriver kSpaceMouseDriver{
+    .name = "spacemouse",
+    .sentence = "3Dconnexion SpaceMouse: pushes the hand about, gives no force.",
+    .find = [] { return findHid(isSpaceMouse, false, "3Dconnexion SpaceMouse"); },
+    .open = [](const FoundDevice& found) {
+      DeviceInfo info;
+      info.name = found.title;
+      info.dof_in = 6;
+      info.workspace_mm = Vec3(2 * SpaceMouseProtocol::kReach_mm);
+      return HidDevice::open(hidOpener(isSpaceMouse, found), std::make_unique<SpaceMouseProtocol>(), info);
+    },
+};
+
+}  // namespace moltact

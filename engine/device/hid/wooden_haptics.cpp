@@ -1,0 +1,84 @@
+#include "engine/device/hid/wooden_haptics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace moltact {
+namespace {
+
+constexpr double kBase_m = 0.080, kUpper_m = 0.205, kFore_m = 0.245;
+constexpr double kOriginForward_m = 0.220, kOriginUp_m = 0.080;
+constexpr std::size_t kReport = 8;
+
+bool isWoodenHaptics(const HidEntry& entry) { return entry.vendor == 0x1234 && entry.product == 0x0006; }
+
+}  // namespace
+
+// The device's own axes are x toward the person, y right, z up.
+PointMm WoodenHapticsProtocol::place(const Vec3& a) {
+  const double reach = kUpper_m * std::sin(a.y) + kFore_m * std::sin(a.z);
+  const double forward = std::cos(a.x) * reach - kOriginForward_m, right = std::sin(a.x) * reach;
+  const double up = kBase_m + kUpper_m * std::cos(a.y) - kFore_m * std::cos(a.z) - kOriginUp_m;
+  return {1e3 * Vec3(right, up, forward)};
+}
+
+// The transpose of the place's derivative by the angles.
+Vec3 WoodenHapticsProtocol::torques(const Vec3& a, ForceN force) {
+  const double reach = kUpper_m * std::sin(a.y) + kFore_m * std::sin(a.z), c = std::cos(a.x), s = std::sin(a.x);
+  const double fx = force.N.z, fy = force.N.x, fz = force.N.y;
+  return {reach * (c * fy - s * fx), kUpper_m * (std::cos(a.y) * (c * fx + s * fy) - std::sin(a.y) * fz),
+          kFore_m * (std::cos(a.z) * (c * fx + s * fy) + std::sin(a.z) * fz)};
+}
+
+bool WoodenHapticsProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
+  if (report.size() != kReport) return false;
+  for (int k = 0; k < 3; ++k)  // the bodies turn against their motors
+    angles_[k] = -kGear[k] * 2.0 * std::numbers::pi * int16At(report, 2 * std::size_t(k)) / kCountsATurn;
+  pose.position = place(angles_);
+  return true;
+}
+
+std::size_t WoodenHapticsProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
+  const Vec3 joints = torques(angles_, force);
+  out[0] = 0;  // hidapi's sign for reports without an id
+  // All three are cut alike, so that the force keeps its direction.
+  Vec3 mA;
+  double biggest = 0;
+  for (int k = 0; k < 3; ++k) {
+    mA[k] = -1e3 * kGear[k] * joints[k] / kTorque_Nm_per_A;
+    biggest = std::max(biggest, std::abs(mA[k]));
+  }
+  if (!std::isfinite(biggest)) mA = Vec3(0.0);
+  else if (biggest > kMost_mA) mA *= kMost_mA / biggest;
+  for (int k = 0; k < 3; ++k) putInt16(out, 1 + 2 * std::size_t(k), int(std::lround(mA[k])));
+  putInt16(out, 7, sent_++);
+  return 1 + kReport;
+}
+
+DeviceInfo woodenHapticsInfo() {
+  DeviceInfo info;
+  info.name = "WoodenHaptics";
+  info.workspace_mm = Vec3(200.0);
+  info.dof_out = 3;
+  info.max_force_N = 5.0;
+  info.continuous_force_N = 1.5;
+  info.max_stiffness_N_per_mm = 1.0;
+  info.max_damping_N_s_per_m = 8.0;
+  info.resolution_mm = 0.05;
+  info.delay_s = 0.002;
+  info.gives_force = true;
+  return info;
+}
+
+extern const DeviceDriver kWoodenHapticsDriver;
+const DeviceDriver kWoodenHapticsDriver{
+    .name = "woodenhaptics",
+    .sentence = "WoodenHaptics, the open stylus of 2015; switch it on with both links upright.",
+    .find = [] { return findHid(isWoodenHaptics, true, "WoodenHaptics"); },
+    .open = [](const FoundDevice& found) {
+      return HidDevice::open(hidOpener(isWoodenHaptics, found), std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo());
+    },
+};
+
+}  // namespace moltact

@@ -1,0 +1,30 @@
+// WoodenHaptics (the 2015 design): an open stylus of three driven joints on USB. Reports are 8 bytes without an id: in, three
+// encoder counts and a counter; out, three motor currents in mA and a number. Its firmware cuts the motors 500 ms after
+// the last report. It counts from where it was switched on: then the arm must be in its resting place, both links upright.
+#pragma once
+
+#include "engine/device/hid/hid_device.h"
+
+namespace moltact {
+
+class WoodenHapticsProtocol final : public HidProtocol {
+ public:
+  bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
+  std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
+
+  /// Places and forces by the joints' angles (unit: rad), in the program's axes.
+  static PointMm place(const Vec3& angles);
+  /// The joints' torques that give the force at that place (unit: N m).
+  static Vec3 torques(const Vec3& angles, ForceN force);
+  static constexpr double kCountsATurn = 2000, kTorque_Nm_per_A = 0.0259, kMost_mA = 3000;
+  static constexpr double kGear[3] = {0.010 / 0.160, 0.010 / 0.120, 0.010 / 0.120};  ///< capstan over body
+
+ private:
+  Vec3 angles_{0.0};
+  std::uint16_t sent_ = 0;
+};
+
+/// What is published of the device; the continuous force is our careful choice.
+DeviceInfo woodenHapticsInfo();
+
+}  // namespace moltact

@@ -1,0 +1,86 @@
+#include "engine/device/omni/hd_library.h"
+
+#include <optional>
+#include <cstdio>
+#include <cstdlib>
+#include <type_traits>
+#include <vector>
+
+#include "engine/platform/shared_library.h"
+
+namespace moltact::hd {
+namespace {
+
+Expected<Library> load() {
+  std::vector<std::string> names{"libHD.so", "libHD.so.3", "/usr/lib/libHD.so", "/usr/lib64/libHD.so"};
+  if (const char* named = std::getenv("MOLTACT_LIBHD")) names = {named};
+  const auto library = SharedLibrary::open(names);
+  if (!library)
+    return Problem{"", 0, 0, "OpenHaptics' libHD.so could not be loaded (" + library.problem().message + ')',
+                   "install 3D Systems' \"OpenHaptics for Linux\" and the driver of the device, both from their support pages"};
+  Library hd{};
+  const char* missing = nullptr;
+  const auto find = [&](auto& function, const char* name) {
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(library->symbol(name));
+    if (!function && !missing) missing = name;
+  };
+  find(hd.initDevice, "hdInitDevice");
+  find(hd.disableDevice, "hdDisableDevice");
+  find(hd.makeCurrentDevice, "hdMakeCurrentDevice");
+  find(hd.beginFrame, "hdBeginFrame");
+  find(hd.endFrame, "hdEndFrame");
+  find(hd.getError, "hdGetError");
+  find(hd.enable, "hdEnable");
+  find(hd.getIntegerv, "hdGetIntegerv");
+  find(hd.getDoublev, "hdGetDoublev");
+  find(hd.setDoublev, "hdSetDoublev");
+  find(hd.getString, "hdGetString");
+  find(hd.checkCalibration, "hdCheckCalibration");
+  find(hd.updateCalibration, "hdUpdateCalibration");
+  find(hd.startScheduler, "hdStartScheduler");
+  find(hd.stopScheduler, "hdStopScheduler");
+  find(hd.setSchedulerRate, "hdSetSchedulerRate");
+  find(hd.scheduleAsynchronous, "hdScheduleAsynchronous");
+  find(hd.unschedule, "hdUnschedule");
+  if (missing)
+    return Problem{"", 0, 0, std::string("libHD.so has no function ") + missing, "install OpenHaptics 3.0 or later for Linux"};
+  return hd;
+}
+
+}  // namespace
+
+Expected<const Library*> Library::get() {
+  // Once found it stays; until then it is looked for anew, for it may be installed while the program runs.
+  static std::optional<Library> found;
+  if (!found) {
+    const auto loaded = load();
+    if (!loaded) return loaded.problem();
+    found = *loaded;
+  }
+  return &*found;
+}
+
+ErrorWords errorWords(std::uint32_t code) {
+  switch (code) {
+    case kWarmMotors: return {"The device's motors are warm.", "Let go for a minute; the force is smaller until they have cooled."};
+    case kExceededMaxForce: return {"More force was asked than the device can give.", "Nothing is to be done: the device has cut it."};
+    case kExceededImpulse: return {"The device has cut a force that changed too fast.", "Touch on: the force comes back softly."};
+    case kExceededVelocity: return {"The stylus moved faster than the device allows.", "Touch on: the force comes back softly."};
+    case kForceError: return {"The device could not give the force.", "Let go of the stylus for a moment."};
+    case kDeviceFault: return {"The device reports a fault.", "Look at its power supply and its cable, then plug it in again."};
+    case kAlreadyInitiated: return {"Another program uses the device.", "End that program."};
+    case kCommError: return {"The connection to the device is lost.", "Plug its cable in again."};
+    case kCommConfig: return {"The device's connection is not set up.", "Run the maker's setup program, Touch_Setup or Geomagic_Touch_Setup."};
+    case kTimerError: return {"The driver found no clock that is fast enough.", "Install the maker's driver anew."};
+    case kInvalidLicense: return {"OpenHaptics has no valid licence.", "Install the licence that came with it."};
+    case kBadHandle: return {"The driver does not know the device any more.", "Plug the device in again."};
+    case kSchedulerFull: return {"The driver's clock has no place for this program.", "End other programs that use the device."};
+    default: {
+      char text[64];
+      std::snprintf(text, sizeof text, "The driver reports error 0x%04X.", code);
+      return {text, "Plug the device in again; if that does not help, start the program anew."};
+    }
+  }
+}
+
+}  // namespace moltact::hd

@@ -1,0 +1,84 @@
+// The part of OpenHaptics' HD interface that the Omni and Touch are driven by, as its published documentation has it
+// (version 3, Linux, x86-64). The library is the maker's and is not part of this program: it is looked for while the program
+// runs. Which function may be called from which thread: omni_device.h.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "engine/core/problem.h"
+
+namespace moltact::hd {
+
+using Handle = std::uint32_t;           // HHD
+using SchedulerHandle = unsigned long;  // HDSchedulerHandle
+using CallbackCode = std::uint32_t;
+using Callback = CallbackCode (*)(void*);
+
+struct ErrorInfo {
+  std::uint32_t code = 0;
+  std::int32_t internal_code = 0;
+  Handle device = 0;
+};
+static_assert(sizeof(ErrorInfo) == 12, "it is returned by value");
+
+inline constexpr Handle kInvalidHandle = 0xFFFFFFFFu;
+inline constexpr CallbackCode kDone = 0, kContinue = 1;
+inline constexpr std::uint16_t kHighestPriority = 0xFFFF;
+
+enum Name : std::uint32_t {
+  // what can be switched on
+  kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002,
+  // state
+  kButtons = 0x2000, kInkwellSwitch = 0x2002, kPosition = 0x2050, kTransform = 0x2052, kCurrentForce = 0x2700,
+  // what it is
+  kModel = 0x2501, kDriverVersion = 0x2502, kVendor = 0x2503, kSerial = 0x2504, kFirmware = 0x2505,
+  kUsableWorkspace = 0x2551, kInputDof = 0x2553, kOutputDof = 0x2554, kCalibrationStyle = 0x2555,
+  kMaxStiffness = 0x2602, kMaxForce = 0x2603, kMaxContinuousForce = 0x2604, kMotorTemperature = 0x2605, kMaxDamping = 0x2609,
+};
+
+enum Calibration : std::uint32_t { kCalibrated = 0x5000, kNeedsUpdate = 0x5001, kNeedsManualInput = 0x5002 };
+enum CalibrationStyle : std::uint32_t { kEncoderReset = 1, kAuto = 2, kInkwell = 4 };
+
+enum Error : std::uint32_t {
+  kNoError = 0,
+  kInvalidEnum = 0x0100, kInvalidValue = 0x0101, kInvalidOperation = 0x0102, kInvalidInputType = 0x0103, kBadHandle = 0x0104,
+  kWarmMotors = 0x0200, kExceededMaxForce = 0x0201, kExceededImpulse = 0x0202, kExceededVelocity = 0x0203, kForceError = 0x0204,
+  kDeviceFault = 0x0300, kAlreadyInitiated = 0x0301, kCommError = 0x0302, kCommConfig = 0x0303, kTimerError = 0x0304,
+  kIllegalBegin = 0x0400, kIllegalEnd = 0x0401, kFrameError = 0x0402,
+  kInvalidPriority = 0x0500, kSchedulerFull = 0x0501,
+  kInvalidLicense = 0x0600,
+};
+
+/// An error in words for the person who holds the device, and what would mend it.
+struct ErrorWords {
+  std::string message, remedy;
+};
+ErrorWords errorWords(std::uint32_t code);
+
+struct Library {
+  Handle (*initDevice)(const char*);
+  void (*disableDevice)(Handle);
+  void (*makeCurrentDevice)(Handle);
+  void (*beginFrame)(Handle);
+  void (*endFrame)(Handle);
+  ErrorInfo (*getError)();
+  void (*enable)(std::uint32_t);
+  void (*getIntegerv)(std::uint32_t, int*);
+  void (*getDoublev)(std::uint32_t, double*);
+  void (*setDoublev)(std::uint32_t, const double*);
+  const char* (*getString)(std::uint32_t);
+  std::uint32_t (*checkCalibration)();
+  void (*updateCalibration)(std::uint32_t);
+  void (*startScheduler)();
+  void (*stopScheduler)();
+  void (*setSchedulerRate)(unsigned long);
+  SchedulerHandle (*scheduleAsynchronous)(Callback, void*, std::uint16_t);
+  void (*unschedule)(SchedulerHandle);
+
+  /// The library, loaded at the first call and never let go; $MOLTACT_LIBHD names another file. A Problem that says how to
+  /// get it, or what is missing in it.
+  static Expected<const Library*> get();
+};
+
+}  // namespace moltact::hd

@@ -1,0 +1,34 @@
+// A hand that feels its way round whatever lies at the middle of the workspace: it comes from one side after another,
+// presses until it feels about kPress_N, slides along for some seconds and goes away again. The same every time.
+// Any thread; no allocation. Units: millimetre, newton, second.
+#pragma once
+
+#include "engine/core/units.h"
+
+namespace moltact {
+
+class ScriptedHand {
+ public:
+  static constexpr double kAway_mm = 60.0;
+  static constexpr double kPress_N = 1.0;
+  static constexpr double kApproach_mm_per_s = 50.0;
+  static constexpr double kSlide_s = 3.0;
+
+  ScriptedHand();
+
+  /// Where the hand wants to be `dt_s` later, having felt that force.
+  PointMm lead(double dt_s, ForceN felt) noexcept;
+  PointMm place() const noexcept { return {side_ * distance_mm_}; }
+
+ private:
+  enum class Doing { Approaches, Slides, Leaves, Turns };
+  static Vec3 sideOf(int visit) noexcept;
+  void approach() noexcept;
+
+  Doing doing_ = Doing::Approaches;
+  int visit_ = 0;
+  Vec3 side_{0.0}, along_{0.0};  // unit, at right angles: where it comes from, and which way it slides
+  double distance_mm_ = kAway_mm, slid_s_ = 0;
+};
+
+}  // namespace moltact

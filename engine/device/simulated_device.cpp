@@ -1,0 +1,49 @@
+#include "engine/device/simulated_device.h"
+
+#include "engine/device/driver.h"
+
+namespace moltact {
+
+DeviceInfo describe(const DeviceParameters& device) {
+  DeviceInfo info;
+  info.name = "Simulated stylus";
+  info.dof_in = info.dof_out = 3;
+  info.workspace_mm = Vec3(2 * ScriptedHand::kAway_mm + 40.0);  // its hand comes from farther off than an Omni reaches
+  info.max_force_N = device.max_force_N;
+  info.continuous_force_N = 0.88;
+  info.damping_N_s_per_m = device.damping_N_s_per_m;
+  info.friction_N = device.friction_N;
+  info.resolution_mm = device.resolution_mm;
+  info.delay_s = device.delay_ticks * device.tick_s;
+  info.gives_force = true;
+  return info;
+}
+
+SimulatedDevice::SimulatedDevice(const DeviceParameters& device, const HandParameters& hand)
+    : info_(describe(device)), model_(device, hand, ScriptedHand().place()) {}
+
+DevicePose SimulatedDevice::read(double) noexcept {
+  return {.position = model_.sensed(), .connected = plugged_.load(std::memory_order_acquire)};
+}
+
+void SimulatedDevice::write(ForceN force) noexcept {
+  if (!plugged_.load(std::memory_order_acquire)) force = {};
+  model_.tick(force, hand_.lead(0.001, model_.held()));
+}
+
+DeviceStatus SimulatedDevice::status() {
+  DeviceStatus status;
+  status.connected = plugged_.load(std::memory_order_acquire);
+  if (!status.connected) status.text = "The simulated stylus is unplugged.";
+  return status;
+}
+
+extern const DeviceDriver kSimulatedDriver;
+const DeviceDriver kSimulatedDriver{
+    .name = "simulated",
+    .sentence = "A simulated stylus in a hand that feels its way round the molecule: for demonstrations and tests.",
+    .find = [] { return std::vector{FoundDevice{.title = "Simulated stylus", .usable = true, .gives_force = true}}; },
+    .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> { return std::unique_ptr<Device>(std::make_unique<SimulatedDevice>()); },
+};
+
+}  // namespace moltact

@@ -1,0 +1,36 @@
+// A force-feedback stylus that is not there: the device model (device_model.h) in the scripted hand, or in a hand that a
+// test leads. The loop through it is closed: what is written moves it. Haptic thread but where said.
+#pragma once
+
+#include <atomic>
+
+#include "engine/device/device.h"
+#include "engine/device/device_model.h"
+#include "engine/device/scripted_hand.h"
+
+namespace moltact {
+
+class SimulatedDevice final : public Device {
+ public:
+  explicit SimulatedDevice(const DeviceParameters& device = {}, const HandParameters& hand = {});
+
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePose read(double dt_s) noexcept override;
+  /// A tick of the model passes.
+  void write(ForceN force) noexcept override;
+  DeviceStatus status() override;
+
+  /// Any thread: pulls the plug, or puts it back. The hand goes on meanwhile, without force.
+  void plug(bool in) noexcept { plugged_.store(in, std::memory_order_release); }
+
+ private:
+  DeviceInfo info_;
+  DeviceModel model_;
+  ScriptedHand hand_;
+  std::atomic<bool> plugged_{true};
+};
+
+/// What a program is told of a device with these parameters.
+DeviceInfo describe(const DeviceParameters& device);
+
+}  // namespace moltact

@@ -1,0 +1,137 @@
+// The simulated device against closed forms: decay, deflection, oscillation, and the bounds of sampled
+// stiffness.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "engine/bench/closed_loop.h"
+#include "engine/bench/plain_wall.h"
+
+using namespace moltact;
+using namespace moltact::bench;
+
+namespace {
+
+// Neither friction nor rounding nor a limit: what the textbook formulas speak of.
+DeviceParameters ideal(double damping, int delay = 0) {
+  DeviceParameters d;
+  d.damping_N_s_per_m = damping;
+  d.friction_N = 0;
+  d.resolution_mm = 0;
+  d.max_force_N = 1e9;
+  d.delay_ticks = delay;
+  return d;
+}
+
+// The device is struck against a two-sided spring of the given stiffness, sampled; how its swing has grown
+// after 2 s.
+double growth(double damping, int delay, double stiffness_N_per_m) {
+  DeviceModel device(ideal(damping, delay), kNoHand, {});
+  device.strike({1e-4, 0, 0});
+  double first = 0, last = 0;
+  for (int k = 0; k < 2000; ++k) {
+    const double x = 1e-3 * device.sensed().mm.x;
+    device.tick({{-stiffness_N_per_m * x, 0, 0}}, {});
+    const double swing = std::abs(device.position().mm.x);
+    if (k < 200) first = std::max(first, swing);
+    if (k >= 1800) last = std::max(last, swing);
+  }
+  return last / first;
+}
+
+}  // namespace
+
+TEST_CASE("in free flight 45 g at 0.1 m/s against 0.2 N s/m come to rest after m v / b = 22.5 mm") {
+  DeviceModel device(ideal(0.2), kNoHand, {});
+  device.strike({0.0045, 0, 0});
+  for (int k = 0; k < 100; ++k) device.tick({}, {});
+  const double tau = 0.045 / 0.2;
+  CHECK(device.velocity_m_per_s().x == doctest::Approx(0.1 * std::exp(-0.1 / tau)).epsilon(1e-9));
+  CHECK(device.position().mm.x ==
+        doctest::Approx(1e3 * 0.1 * tau * (1 - std::exp(-0.1 / tau))).epsilon(1e-9));
+  for (int k = 0; k < 5000; ++k) device.tick({}, {});
+  CHECK(device.position().mm.x == doctest::Approx(22.5).epsilon(1e-6));
+}
+
+TEST_CASE("1.2 N against a hand of 300 N/m give 4 mm") {
+  DeviceModel device(ideal(0.2), {300, 5}, {});
+  for (int k = 0; k < 3000; ++k) device.tick({{0, 1.2, 0}}, {});
+  CHECK(device.position().mm.y == doctest::Approx(4.0).epsilon(1e-9));
+  CHECK(glm::length(device.velocity_m_per_s()) < 1e-9);
+}
+
+TEST_CASE(
+    "an undamped hand's spring of 300 N/m swings for 10 s without gaining or losing a millionth of its "
+    "energy") {
+  DeviceModel device(ideal(0), {300, 0}, {{5, 0, 0}});
+  const auto energy = [&] {
+    const double x = 1e-3 * device.position().mm.x, v = device.velocity_m_per_s().x;
+    return 0.5 * 300 * x * x + 0.5 * 0.045 * v * v;
+  };
+  // The hand moves to the origin in the first tick and stays.
+  device.tick({}, {});
+  device.tick({}, {});
+  const double at_first = energy();
+  for (int k = 0; k < 10'000; ++k) device.tick({}, {});
+  CHECK(energy() == doctest::Approx(at_first).epsilon(1e-6));
+}
+
+TEST_CASE("places are told in steps of 0.055 mm, and a command of 5 N is held as 3.3 N one tick later") {
+  DeviceModel device({}, kNoHand, {{0.1, -0.1, 0.02}});
+  CHECK(device.sensed().mm.x == doctest::Approx(0.11));
+  CHECK(device.sensed().mm.y == doctest::Approx(-0.11));
+  CHECK(device.sensed().mm.z == 0);
+  device.tick({{3, 0, 4}}, {});
+  CHECK(device.held().N == Vec3(0));
+  device.tick({{std::numeric_limits<double>::quiet_NaN(), 0, 0}}, {});
+  CHECK(device.held().N.x == doctest::Approx(3.3 * 0.6));
+  CHECK(device.held().N.z == doctest::Approx(3.3 * 0.8));
+  device.tick({}, {});
+  CHECK(device.held().N == Vec3(0));
+}
+
+TEST_CASE("Coulomb friction of 0.26 N brings 45 g at 0.2 m/s to a stop after about m v^2 / 2 f = 3.46 mm") {
+  DeviceParameters d = ideal(0);
+  d.friction_N = 0.26;
+  d.friction_speed_m_per_s = 0.001;
+  d.substeps = 100;
+  DeviceModel device(d, kNoHand, {});
+  device.strike({0.009, 0, 0});
+  for (int k = 0; k < 1000; ++k) device.tick({}, {});
+  CHECK(device.position().mm.x == doctest::Approx(3.46).epsilon(0.01));
+}
+
+TEST_CASE(
+    "a sampled spring is stable below b / (T/2 + t_d) and unstable above, with no delay and with one tick of "
+    "it") {
+  for (const int delay : {0, 1})
+    for (const double b : {0.2, 0.5, 1.0}) {
+      const double bound = b / (0.0005 + 0.001 * delay);
+      CAPTURE(delay);
+      CAPTURE(b);
+      CHECK(growth(b, delay, 0.85 * bound) < 0.9);
+      CHECK(growth(b, delay, 1.15 * bound) > 1.1);
+    }
+}
+
+TEST_CASE(
+    "the passivity observer sees no energy in a spring that gives back what it got and 0.2 J in a push "
+    "without cause") {
+  PassivityObserver spring;
+  double x = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const double next = 0.005 * std::sin(0.01 * (k + 1)), f = -300 * 0.5 * (x + next);
+    spring.add({f, 0, 0}, {next - x, 0, 0}, 0.5 * 300 * next * next);
+    x = next;
+  }
+  CHECK(spring.made_J() < 1e-15);
+  PassivityObserver push;
+  push.add({-1, 0, 0}, {0.1, 0, 0}, 0);  // absorbs 0.1 J
+  CHECK(push.absorbed_J() == doctest::Approx(0.1));
+  CHECK(push.made_J() == 0);
+  push.add({2, 0, 0}, {0.1, 0, 0}, 0);
+  CHECK(push.absorbed_J() == doctest::Approx(-0.1));
+  CHECK(push.made_J() == doctest::Approx(0.2));
+}

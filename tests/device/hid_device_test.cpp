@@ -1,0 +1,311 @@
+// HID devices: what reports mean, garbage and short ones included; and the device's own thread over a port that a test
+// holds the other end of.
+#include "engine/device/hid/hid_device.h"
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <deque>
+#include <mutex>
+
+#include "engine/bench/scenes.h"
+#include "engine/device/device_model.h"
+#include "engine/device/hid/open_device.h"
+#include "engine/device/hid/space_mouse.h"
+#include "engine/device/hid/wooden_haptics.h"
+#include "tests/device/open_firmware.h"
+
+using namespace moltact;
+
+namespace {
+
+using Report = std::vector<std::uint8_t>;
+
+// The far end of a port.
+struct Wire {
+  std::mutex mutex;
+  std::deque<Report> to_host;
+  std::vector<Report> from_host;
+  bool plugged = true;
+  Report feature;
+
+  void send(Report report) {
+    const std::lock_guard lock(mutex);
+    to_host.push_back(std::move(report));
+  }
+  std::size_t written() {
+    const std::lock_guard lock(mutex);
+    return from_host.size();
+  }
+  Report last() {
+    const std::lock_guard lock(mutex);
+    return from_host.empty() ? Report() : from_host.back();
+  }
+  void plug(bool in) {
+    const std::lock_guard lock(mutex);
+    plugged = in;
+  }
+};
+
+class WirePort final : public HidPort {
+ public:
+  explicit WirePort(std::shared_ptr<Wire> wire) : wire_(std::move(wire)) {}
+  int read(std::span<std::uint8_t> report, int wait_ms) override {
+    {
+      const std::lock_guard lock(wire_->mutex);
+      if (!wire_->plugged) return -1;
+      if (!wire_->to_host.empty()) {
+        const Report next = wire_->to_host.front();
+        wire_->to_host.pop_front();
+        std::copy_n(next.begin(), std::min(next.size(), report.size()), report.begin());
+        return int(std::min(next.size(), report.size()));
+      }
+    }
+    if (wait_ms) std::this_thread::sleep_for(std::chrono::microseconds(200));
+    return 0;
+  }
+  bool write(std::span<const std::uint8_t> report) override {
+    const std::lock_guard lock(wire_->mutex);
+    if (!wire_->plugged) return false;
+    wire_->from_host.emplace_back(report.begin(), report.end());
+    return true;
+  }
+  int feature(std::span<std::uint8_t> report) override {
+    const std::lock_guard lock(wire_->mutex);
+    if (wire_->feature.empty()) return -1;
+    std::copy(wire_->feature.begin(), wire_->feature.end(), report.begin());
+    return int(wire_->feature.size());
+  }
+
+ private:
+  std::shared_ptr<Wire> wire_;
+};
+
+HidDevice::Opener over(std::shared_ptr<Wire> wire) {
+  return [wire]() -> Expected<std::unique_ptr<HidPort>> {
+    const std::lock_guard lock(wire->mutex);
+    if (!wire->plugged) return Problem{"", 0, 0, "not there", ""};
+    return std::unique_ptr<HidPort>(std::make_unique<WirePort>(wire));
+  };
+}
+
+// Waits until `done`, at most some seconds; what it waits for is checked afterwards.
+template <class Done>
+void waitFor(Done done) {
+  for (int k = 0; k < 5000 && !done(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+}
+
+Report of(const auto& bytes) { return {bytes.begin(), bytes.end()}; }
+
+}  // namespace
+
+TEST_CASE("SpaceMouse: two reports of 7 bytes and one of 13 mean the same axes; x right, up against z, toward the person y") {
+  // Half a push to the right (175), none away, a full one up (-350); turned by a quarter round y.
+  const Report push{1, 175, 0, 0, 0, 0xA2, 0xFE}, turn{2, 0, 0, 0, 0, 87, 0}, both{1, 175, 0, 0, 0, 0xA2, 0xFE, 0, 0, 0, 0, 87, 0};
+  SpaceMouseProtocol old, newer;
+  DevicePose pose;
+  CHECK(old.take(push, pose));
+  CHECK(old.take(turn, pose));
+  CHECK(newer.take(both, pose));
+  for (const SpaceMouseProtocol* one : {&old, &newer}) {
+    CHECK(one->axes().push.x == doctest::Approx(0.5));
+    CHECK(one->axes().push.y == doctest::Approx(1.0));
+    CHECK(one->axes().push.z == 0.0);
+    CHECK(one->axes().turn.y == doctest::Approx(-87.0 / 350));
+  }
+  CHECK(old.take(Report{3, 0x05, 0x01}, pose));
+  CHECK(pose.buttons == 0x0105u);
+}
+
+TEST_CASE("SpaceMouse: a full push moves the hand by 60 mm a second, a breath of one not at all, and 80 mm is the end of the way") {
+  SpaceMouseProtocol mouse;
+  DevicePose pose;
+  mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+  for (int k = 0; k < 100; ++k) mouse.pass(0.002, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(12.0));
+  for (int k = 0; k < 2000; ++k) {
+    mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+    mouse.pass(0.002, pose);
+  }
+  CHECK(pose.position.mm.x == 80.0);
+  mouse.take(Report{1, 0xEF, 0xFF, 0, 0, 0, 0}, pose);  // -17 of 350
+  mouse.pass(0.1, pose);
+  CHECK(pose.position.mm.x == 80.0);
+}
+
+TEST_CASE("SpaceMouse: when the report of letting go is lost the hand stands after a quarter of a second") {
+  SpaceMouseProtocol mouse;
+  DevicePose pose;
+  mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+  for (int k = 0; k < 1000; ++k) mouse.pass(0.002, pose);
+  CHECK(pose.position.mm.x < 60 * 0.26);
+}
+
+TEST_CASE("10 000 reports of random length and bytes leave every protocol's place finite and within what 16 bits can say; seed 1") {
+  scenes::Random random(1);
+  SpaceMouseProtocol mouse;
+  WoodenHapticsProtocol wood;
+  OpenProtocol open;
+  DevicePose pose;
+  std::array<std::uint8_t, 64> out{};
+  for (int k = 0; k < 10'000; ++k) {
+    Report report(std::size_t(random.uniform(0, 65)));
+    for (auto& byte : report) byte = std::uint8_t(random.uniform(0, 256));
+    if (k % 2 && !report.empty()) report[0] = std::uint8_t(1 + k / 2 % 3);
+    for (HidProtocol* one : {static_cast<HidProtocol*>(&mouse), static_cast<HidProtocol*>(&wood), static_cast<HidProtocol*>(&open)}) {
+      one->take(report, pose);
+      one->pass(0.001, pose);
+      REQUIRE(finite(pose.position.mm));
+      REQUIRE(glm::length(pose.position.mm) < 1000);
+      one->give({Vec3(random.uniform(-9, 9), std::nan(""), 0)}, out);
+    }
+  }
+}
+
+TEST_CASE("WoodenHaptics: at rest the handle is 220 mm behind and 40 mm under the middle, and work is the same at motor and hand") {
+  const Vec3 rest = WoodenHapticsProtocol::place(Vec3(0)).mm;
+  CHECK(rest.z == doctest::Approx(-220));
+  CHECK(rest.y == doctest::Approx(-40));
+  // Virtual work: force . d place = torque . d angle, for any angles and directions.
+  scenes::Random random(2);
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 a(random.uniform(-1, 1), random.uniform(-0.5, 1.2), random.uniform(0.2, 1.5)), way = random.direction();
+    const ForceN force{random.direction() * 3.0};
+    const double h = 1e-6;
+    const Vec3 moved_m = 1e-3 * (WoodenHapticsProtocol::place(a + h * way).mm - WoodenHapticsProtocol::place(a - h * way).mm) / (2 * h);
+    CHECK(glm::dot(force.N, moved_m) == doctest::Approx(glm::dot(WoodenHapticsProtocol::torques(a, force), way)).epsilon(1e-6));
+  }
+}
+
+TEST_CASE("WoodenHaptics: 2000 counts turn a motor once, no motor gets more than 3 A, and NaN gives none") {
+  WoodenHapticsProtocol wood;
+  DevicePose pose;
+  // A quarter of a turn of the second link's body: 12 x 500 counts of its motor, which turns the other way.
+  Report report(8);
+  putInt16(report, 2, -6000);
+  CHECK(wood.take(report, pose));
+  CHECK(pose.position.mm.z == doctest::Approx(205 - 220));
+  CHECK_FALSE(wood.take(Report(7), pose));
+  std::array<std::uint8_t, 64> out{};
+  CHECK(wood.give({Vec3(0, 100, 0)}, out) == 9);
+  CHECK(int16At(out, 3) == 3000);  // lifts the link: the body's torque is negative, and the motor turns against it
+  wood.give({Vec3(std::nan(""), 0, 0)}, out);
+  for (std::size_t k = 1; k < 7; ++k) CHECK(out[k] == 0);
+}
+
+TEST_CASE("open layout: figures come out of the feature report; one that is short, of another version or without a unit is refused") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  const auto begin = [&](Report feature, DeviceInfo& info) {
+    wire->feature = std::move(feature);
+    WirePort port(wire);
+    return OpenProtocol().begin(port, info);
+  };
+  DeviceInfo info;
+  CHECK_FALSE(begin(of(firmware.description()), info));
+  CHECK(info.resolution_mm == doctest::Approx(0.005));
+  CHECK(info.max_force_N == 4.0);
+  CHECK(info.continuous_force_N == 1.2);
+  CHECK(info.workspace_mm == Vec3(180, 140, 100));
+  CHECK(info.max_stiffness_N_per_mm == doctest::Approx(0.6));
+  CHECK(info.damping_N_s_per_m == doctest::Approx(0.15));
+  CHECK(info.delay_s == doctest::Approx(0.0015));
+  CHECK(info.gives_force);
+  Report bad = of(firmware.description());
+  bad[1] = 'X';
+  CHECK(begin(bad, info));
+  bad = of(firmware.description());
+  bad[5] = 9;
+  CHECK(begin(bad, info)->message.find("another version") != std::string::npos);
+  bad = of(firmware.description());
+  bad[6] = bad[7] = 0;
+  CHECK(begin(bad, info));
+  CHECK(begin(Report(10), info));
+  CHECK(begin(Report(), info)->remedy.find("device-protocol") != std::string::npos);
+}
+
+TEST_CASE("open layout: places and forces go through the reports to a step of 5 um and of 1 mN; status becomes trouble and heat") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  wire->feature = of(firmware.description());
+  WirePort port(wire);
+  OpenProtocol open;
+  DeviceInfo info;
+  REQUIRE_FALSE(open.begin(port, info));
+  DevicePose pose;
+  const Report report = of(firmware.tick({12.345, -7, 0.0049}, 2));
+  CHECK(open.take(report, pose));
+  CHECK_FALSE(open.take(report, pose));  // the same number: nothing new
+  CHECK(glm::distance(pose.position.mm, Vec3(12.345, -7, 0.005)) < 1e-9);
+  CHECK(pose.buttons == 2);
+  std::array<std::uint8_t, 64> out{};
+  const std::size_t size = open.give({Vec3(1.2344, -0.5, 0)}, out);
+  firmware.take({out.data(), size});
+  CHECK(glm::distance(firmware.force_N(), Vec3(1.234, -0.5, 0)) < 1e-9);
+  firmware.hot = true;
+  open.take(of(firmware.tick({})), pose);
+  CHECK(pose.motor_heat == 1.0f);
+  firmware.fault = true;
+  open.take(of(firmware.tick({})), pose);
+  CHECK(pose.trouble);
+  open.give({Vec3(std::nan(""), 0, 0)}, out);
+  CHECK(out[9] == 0);
+}
+
+TEST_CASE("the reference firmware goes without force after 50 ms of silence, and says so, until the next report") {
+  test::OpenFirmware firmware;
+  Report force(11);
+  force[0] = 2, force[9] = 1, force[10] = 50;
+  putInt16(force, 3, 1000);
+  firmware.take(force);
+  for (int k = 0; k < 50; ++k) firmware.tick({});
+  CHECK(firmware.force_N().x == 1.0);
+  CHECK((firmware.tick({})[22] & open_layout::kWatchdogTripped) != 0);
+  CHECK(firmware.force_N() == Vec3(0));
+  firmware.take(force);
+  CHECK(firmware.force_N().x == 1.0);
+}
+
+TEST_CASE("a HID device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and plugging in mends it") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  wire->feature = of(firmware.description());
+  DeviceInfo known;
+  known.name = "Built";
+  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), known);
+  REQUIRE(opened);
+  Device& device = **opened;
+  CHECK(device.info().name == "Built");
+  wire->send({1, 2, 3});  // short
+  wire->send(Report(64, 0xEE));
+  wire->send(of(firmware.tick({10, 0, 0})));
+  DevicePose pose;
+  bool fresh = false;
+  waitFor([&] { pose = device.read(0.001); fresh = fresh || pose.fresh; return pose.position.mm.x == 10; });
+  CHECK(pose.position.mm == Vec3(10, 0, 0));
+  CHECK(fresh);
+  CHECK_FALSE(device.read(0.001).fresh);  // nothing new has come since
+  CHECK(device.status().ready);
+
+  waitFor([&] { device.write({Vec3(1, 0, 0)}); const Report r = wire->last(); return r.size() == 11 && int16At(r, 3) == 1000; });
+  CHECK(int16At(wire->last(), 3) == 1000);
+  waitFor([&] { return int16At(wire->last(), 3) == 0; });  // the loop is silent
+  CHECK(int16At(wire->last(), 3) == 0);
+
+  wire->plug(false);
+  waitFor([&] { return !device.read(0.001).connected; });
+  CHECK_FALSE(device.read(0.001).connected);
+  CHECK(device.status().text.find("plug it in") != std::string::npos);
+  wire->plug(true);
+  waitFor([&] { return device.read(0.001).connected; });
+  pose = device.read(0.001);
+  CHECK(pose.connected);
+  CHECK(pose.placements == 1);
+  wire->send(of(firmware.tick({20, 0, 0})));
+  waitFor([&] { return device.read(0.001).position.mm.x == 20; });
+  CHECK(device.read(0.001).position.mm.x == 20);
+  waitFor([&] { device.write({Vec3(1, 0, 0)}); return int16At(wire->last(), 3) == 1000; });
+  opened->reset();
+  CHECK(int16At(wire->last(), 3) == 0);  // closed without force
+}

@@ -1,0 +1,276 @@
+// A stand-in for OpenHaptics' libHD.so, built from its published documentation, with the device model in the scripted hand
+// behind it. It is strict where the documentation is: what is asked outside a frame, a second begin, a bad handle end
+// as errors on the stack, newest first. The functions standIn… are for the tests: they step its clock by hand or let it run
+// at 1 kHz, and do to it what a device does.
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "engine/device/device_model.h"
+#include "engine/device/omni/hd_library.h"
+#include "engine/device/scripted_hand.h"
+
+using namespace moltact;
+
+namespace {
+
+struct State {
+  std::recursive_mutex mutex;
+  std::vector<hd::ErrorInfo> errors;
+  bool attached = true, initialised = false, in_frame = false, forces_on = false, running = false, manual = true, licensed = true;
+  std::uint32_t calibration = hd::kCalibrated, style = hd::kInkwell, updates = 0;
+  int buttons = 0, inkwell = 0, silent_frames = 0, unsent_frames = 0;
+  double heat = 0.1, force[3] = {}, biggest_N = 0, at_stop_N = -1;
+  hd::Callback callback = nullptr;
+  void* data = nullptr;
+  hd::SchedulerHandle scheduled = 0;
+  DeviceModel model{DeviceParameters{}, HandParameters{}, ScriptedHand().place()};
+  ScriptedHand hand;
+  std::atomic<bool> ends{false};
+  std::thread clock;
+
+  ~State() {
+    ends = true;
+    if (clock.joinable()) clock.join();
+  }
+};
+State& state() {
+  static State one;
+  return one;
+}
+using Lock = std::lock_guard<std::recursive_mutex>;
+
+void push(std::uint32_t code) { state().errors.push_back({code, 0, 0}); }
+bool inFrame() {
+  if (!state().in_frame) push(hd::kInvalidOperation);
+  return state().in_frame;
+}
+
+// One tick of the scheduler and of the world.
+void step() {
+  State& s = state();
+  const Lock lock(s.mutex);
+  if (s.callback && s.running) {
+    if (!s.attached) push(hd::kCommError);
+    const hd::CallbackCode code = s.callback(s.data);
+    if (s.in_frame) push(hd::kFrameError), s.in_frame = false;
+    if (code == hd::kDone) s.callback = nullptr;
+  } else {
+    std::fill(s.force, s.force + 3, 0.0);
+  }
+  const bool driven = s.forces_on && s.calibration == hd::kCalibrated && s.attached;
+  const Vec3 force = driven ? Vec3(s.force[0], s.force[1], s.force[2]) : Vec3(0.0);
+  s.model.tick({force}, s.hand.lead(0.001, s.model.held()));
+}
+
+}  // namespace
+
+extern "C" {
+
+hd::Handle hdInitDevice(const char*) {
+  const Lock lock(state().mutex);
+  if (!state().licensed) return push(hd::kInvalidLicense), hd::kInvalidHandle;
+  if (!state().attached) return push(hd::kCommError), hd::kInvalidHandle;
+  if (state().initialised) return push(hd::kAlreadyInitiated), hd::kInvalidHandle;
+  state().initialised = true;
+  return 0;
+}
+void hdDisableDevice(hd::Handle) {
+  const Lock lock(state().mutex);
+  if (!state().initialised || state().running) push(hd::kInvalidOperation);
+  state().initialised = state().forces_on = false;
+}
+void hdMakeCurrentDevice(hd::Handle device) {
+  const Lock lock(state().mutex);
+  if (device != 0 || !state().initialised) push(hd::kBadHandle);
+}
+void hdBeginFrame(hd::Handle) {
+  const Lock lock(state().mutex);
+  if (state().in_frame) push(hd::kIllegalBegin);
+  state().in_frame = true;
+  ++state().unsent_frames;
+}
+void hdEndFrame(hd::Handle) {
+  const Lock lock(state().mutex);
+  if (!state().in_frame) push(hd::kIllegalEnd);
+  state().in_frame = false;
+}
+hd::ErrorInfo hdGetError() {
+  const Lock lock(state().mutex);
+  if (state().errors.empty()) return {};
+  const hd::ErrorInfo newest = state().errors.back();
+  state().errors.pop_back();
+  return newest;
+}
+void hdEnable(std::uint32_t what) {
+  const Lock lock(state().mutex);
+  if (what < 0x4000 || what > 0x4004) return push(hd::kInvalidEnum);
+  if (what == hd::kForceOutput) state().forces_on = true;
+}
+void hdGetIntegerv(std::uint32_t what, int* out) {
+  const Lock lock(state().mutex);
+  switch (what) {
+    case hd::kButtons: if (inFrame()) *out = state().buttons; break;
+    case hd::kInkwellSwitch: if (inFrame()) *out = state().inkwell; break;
+    case hd::kInputDof: *out = 6; break;
+    case hd::kOutputDof: *out = 3; break;
+    case hd::kCalibrationStyle: *out = int(state().style); break;
+    default: push(hd::kInvalidEnum);
+  }
+}
+void hdGetDoublev(std::uint32_t what, double* out) {
+  const Lock lock(state().mutex);
+  switch (what) {
+    case hd::kPosition: {
+      if (!inFrame()) break;
+      const Vec3 mm = state().model.sensed().mm;
+      out[0] = mm.x, out[1] = mm.y, out[2] = mm.z;
+      break;
+    }
+    case hd::kMotorTemperature: std::fill(out, out + 6, 0.0), out[1] = state().heat; break;
+    case hd::kMaxForce: *out = 3.3; break;
+    case hd::kMaxContinuousForce: *out = 0.88; break;
+    case hd::kMaxStiffness: *out = 0.5; break;
+    case hd::kMaxDamping: *out = 0.003; break;
+    case hd::kUsableWorkspace: {
+      const double box[6] = {-80, -60, -35, 80, 60, 35};
+      std::copy(box, box + 6, out);
+      break;
+    }
+    default: push(hd::kInvalidEnum);
+  }
+}
+void hdSetDoublev(std::uint32_t what, const double* in) {
+  const Lock lock(state().mutex);
+  if (what != hd::kCurrentForce) return push(hd::kInvalidEnum);
+  if (!inFrame()) return;
+  const double size = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
+  if (!std::isfinite(size)) return push(hd::kForceError);
+  if (size > 3.3 + 1e-9) push(hd::kExceededMaxForce);
+  std::copy(in, in + 3, state().force);
+  state().biggest_N = std::max(state().biggest_N, size);
+}
+const char* hdGetString(std::uint32_t what) {
+  switch (what) {
+    case hd::kModel: return "Stand-in Omni";
+    case hd::kSerial: return "42";
+    default: return "";
+  }
+}
+std::uint32_t hdCheckCalibration() {
+  const Lock lock(state().mutex);
+  return state().calibration;
+}
+void hdUpdateCalibration(std::uint32_t style) {
+  const Lock lock(state().mutex);
+  ++state().updates;
+  if (style != state().style) return push(hd::kInvalidValue);
+  if (state().in_frame) return push(hd::kInvalidOperation);
+  state().calibration = hd::kCalibrated;
+}
+void hdStartScheduler() {
+  State& s = state();
+  const Lock lock(s.mutex);
+  if (!s.initialised) return push(hd::kTimerError);
+  s.running = true;
+  if (s.manual || s.clock.joinable()) return;
+  s.ends = false;
+  s.clock = std::thread([&s] {
+    auto due = std::chrono::steady_clock::now();
+    while (!s.ends) {
+      due += std::chrono::milliseconds(1);
+      std::this_thread::sleep_until(due);
+      step();
+    }
+  });
+}
+void hdStopScheduler() {
+  State& s = state();
+  {
+    const Lock lock(s.mutex);
+    s.at_stop_N = std::sqrt(s.force[0] * s.force[0] + s.force[1] * s.force[1] + s.force[2] * s.force[2]);
+    s.running = false;
+  }
+  s.ends = true;
+  if (s.clock.joinable()) s.clock.join();
+}
+void hdSetSchedulerRate(unsigned long rate) {
+  if (rate != 1000) push(hd::kInvalidValue);
+}
+hd::SchedulerHandle hdScheduleAsynchronous(hd::Callback callback, void* data, std::uint16_t) {
+  const Lock lock(state().mutex);
+  state().callback = callback;
+  state().data = data;
+  return ++state().scheduled;
+}
+void hdUnschedule(hd::SchedulerHandle handle) {
+  const Lock lock(state().mutex);
+  if (handle != state().scheduled) push(hd::kInvalidValue);
+  state().callback = nullptr;
+}
+
+// For the tests.
+void standInReset(bool manual) {
+  State& s = state();
+  const Lock lock(s.mutex);
+  s.errors.clear();
+  s.attached = s.licensed = true;
+  s.initialised = s.in_frame = s.forces_on = s.running = false;
+  s.manual = manual;
+  s.calibration = hd::kCalibrated;
+  s.style = hd::kInkwell;
+  s.updates = 0;
+  s.buttons = s.inkwell = 0;
+  s.heat = 0.1;
+  s.biggest_N = 0;
+  s.at_stop_N = -1;
+  s.callback = nullptr;
+  s.hand = ScriptedHand();
+  s.model = DeviceModel(DeviceParameters{}, HandParameters{}, s.hand.place());
+}
+void standInStep(int ticks) {
+  for (int k = 0; k < ticks; ++k) step();
+}
+void standInAttach(bool attached) {
+  const Lock lock(state().mutex);
+  state().attached = attached;
+}
+void standInError(std::uint32_t code) {
+  const Lock lock(state().mutex);
+  push(code);
+}
+void standInCalibration(std::uint32_t calibration, std::uint32_t style) {
+  const Lock lock(state().mutex);
+  state().calibration = calibration;
+  state().style = style;
+}
+void standInHeat(double heat) {
+  const Lock lock(state().mutex);
+  state().heat = heat;
+}
+void standInButtons(int buttons, int inkwell) {
+  const Lock lock(state().mutex);
+  state().buttons = buttons;
+  state().inkwell = inkwell;
+}
+void standInStopClock(bool stopped) {
+  const Lock lock(state().mutex);
+  state().running = !stopped;
+}
+double standInForce() {
+  const Lock lock(state().mutex);
+  const double* f = state().force;
+  return std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+}
+double standInForceAtStop() { return state().at_stop_N; }
+std::uint32_t standInUpdates() { return state().updates; }
+int standInErrorsLeft() { return int(state().errors.size()); }
+bool standInInitialised() { return state().initialised; }
+
+}  // extern "C"
