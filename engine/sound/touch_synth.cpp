@@ -1,0 +1,120 @@
+#include "engine/sound/touch_synth.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace moltact {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kKnockDecay_s = 0.030, kTickDecay_s = 0.008;
+constexpr int kRise_samples = kSamples_per_s * 2 / 1000;
+constexpr int kTickEvery_samples = kSamples_per_s / 25;  // faster ones would run into a buzz
+constexpr double kInaudible = 1e-5;
+constexpr double kQuietest = 0.35, kLoudFrom_N = 2.0;  // of the tone without force; force from which it is loudest
+
+double heard_N(double force_N) { return std::isfinite(force_N) ? std::clamp(force_N, 0.0, kMostHeard_N) : 0.0; }
+
+// A share of the way that leaves 1/e of it after `time_s`.
+double pull(double time_s) { return 1.0 - std::exp(-1.0 / (time_s * kSamples_per_s)); }
+
+const double kAttack = pull(0.008), kRelease = pull(0.030), kGlide = pull(0.025), kCross = pull(0.015);
+
+double advance(double& phase, double hertz) {
+  const double now = std::sin(kTurn * phase);
+  phase += hertz / kSamples_per_s;
+  phase -= std::floor(phase);
+  return now;
+}
+
+// How loud each note of the chord is, so that the power is the same for one, two and three.
+std::array<double, 3> notesOf(Feature feature) {
+  switch (feature) {
+    case Feature::Circle: return {std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};
+    case Feature::Point: return {std::numbers::inv_sqrt3, std::numbers::inv_sqrt3, std::numbers::inv_sqrt3};
+    default: return {1.0, 0.0, 0.0};
+  }
+}
+
+bool reachesNewAtom(const TouchMoment& before, const TouchMoment& now) {
+  return std::any_of(now.atoms.begin(), now.atoms.end(), [&](std::int32_t atom) {
+    return atom >= 0 && std::find(before.atoms.begin(), before.atoms.end(), atom) == before.atoms.end();
+  });
+}
+
+}  // namespace
+
+double pitch_Hz(double force_N) { return kLowestPitch_Hz * std::exp2(kSemitones_per_N * heard_N(force_N) / 12.0); }
+
+void TouchSynth::Blip::strike(double pitch, double peak, double decay_s) noexcept {
+  hertz = pitch;
+  if (level == 0.0) phase = 0.0;
+  rising = kRise_samples;
+  rise = (peak - level) / kRise_samples;
+  fade = 1.0 - pull(decay_s);
+}
+
+double TouchSynth::Blip::next() noexcept {
+  if (level == 0.0 && rising == 0) return 0.0;
+  const double now = level * advance(phase, hertz);
+  if (rising > 0) {
+    level += rise;
+    --rising;
+  } else {
+    level *= fade;
+    if (level < kInaudible) level = 0.0;
+  }
+  return now;
+}
+
+void TouchSynth::take(const TouchMoment& moment) noexcept {
+  const bool was = felt_.feature != Feature::Free, is = moment.feature != Feature::Free;
+  if (is && !was) {
+    knock_.strike(kKnock_Hz, kKnockLevel, kKnockDecay_s);
+    // A new tone begins at its own pitch and does not slide there from the last one's.
+    if (loudness_ == 0.0) {
+      semitones_ = kSemitones_per_N * heard_N(moment.force_N);
+      note_ = notesOf(moment.feature);
+    }
+  } else if (was && !is) {
+    knock_.strike(kRelease_Hz, 0.5 * kKnockLevel, kKnockDecay_s);
+  } else if (is && reachesNewAtom(felt_, moment) && since_tick_ >= kTickEvery_samples) {
+    tick_.strike(kTick_Hz, kTickLevel, kTickDecay_s);
+    since_tick_ = 0;
+  }
+  felt_ = moment;
+}
+
+void TouchSynth::render(std::span<float> out) noexcept {
+  const double force = heard_N(felt_.force_N);
+  const bool on = felt_.feature != Feature::Free;
+  const double loudness = on ? kQuietest + (1 - kQuietest) * std::min(1.0, force / kLoudFrom_N) : 0.0;
+  const double semitones = on ? kSemitones_per_N * force : semitones_;
+  const std::array<double, 3> notes = on ? notesOf(felt_.feature) : note_;
+  for (float& sample : out) {
+    double sum = knock_.next() + tick_.next();
+    since_tick_ = std::min(since_tick_ + 1, kSamples_per_s);
+    if (loudness_ > 0.0 || loudness > 0.0) {
+      const double pitch = kLowestPitch_Hz * std::exp2(semitones_ / 12.0);
+      for (std::size_t k = 0; k < kChord.size(); ++k) {
+        sum += kNoteLevel * loudness_ * note_[k] * advance(phase_[k], pitch * kChord[k]);
+        note_[k] += (notes[k] - note_[k]) * kCross;
+      }
+      semitones_ += (semitones - semitones_) * kGlide;
+      loudness_ += (loudness - loudness_) * (loudness > loudness_ ? kAttack : kRelease);
+      if (loudness == 0.0 && loudness_ < kInaudible) {
+        loudness_ = 0.0;
+        phase_ = {};
+      }
+    }
+    sample = float(sum);
+  }
+}
+
+bool TouchSynth::silent() const noexcept {
+  return felt_.feature == Feature::Free && loudness_ == 0.0 && knock_.level == 0.0 && knock_.rising == 0 && tick_.level == 0.0 &&
+         tick_.rising == 0;
+}
+
+}  // namespace moltact

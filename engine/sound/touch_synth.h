@@ -1,0 +1,74 @@
+// What touching sounds like: a tone whose pitch is the force, as many notes as atoms hold the probe, a knock at contact,
+// a tick for each new atom that is reached. Arithmetic only: no device, no clock, no allocation; the same samples
+// whatever the size of the blocks. One thread at a time. Units: newton, hertz, second; samples from -1 to 1.
+//
+//   heard                       felt
+//   pitch                       force: 330 Hz without force, 8 semitones higher for each newton (3 N: two octaves)
+//   one note                    a ball: one atom holds the probe
+//   two notes, a fifth apart    a crease: two atoms hold it
+//   three notes, a major chord  a pit: three atoms hold it
+//   loudness                    grows a little with the force, up to 2 N
+//   knock                       contact begins; a lower one: contact ends
+//   tick                        an atom is reached that was not held before
+//
+// Every part has its own limit, and their sum stays below 1: nothing clips, however the parts fall together.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/haptics/tracker.h"
+
+namespace moltact {
+
+inline constexpr int kSamples_per_s = 48000;
+inline constexpr double kLowestPitch_Hz = 330.0;
+inline constexpr double kSemitones_per_N = 8.0;
+inline constexpr double kMostHeard_N = 4.0;  ///< a greater force sounds like this one
+/// Just intonation: the notes' frequencies over the lowest. A crease takes the first and the last, a pit all three.
+inline constexpr std::array<double, 3> kChord{1.0, 5.0 / 4.0, 3.0 / 2.0};
+
+inline constexpr double kTick_Hz = 2200.0, kKnock_Hz = 520.0, kRelease_Hz = 390.0;
+/// The limits of the parts: of one note alone (notes together are as loud as one alone), of the knock, of the tick.
+inline constexpr double kNoteLevel = 0.22, kKnockLevel = 0.30, kTickLevel = 0.20;
+
+/// The pitch of a force; what is negative or not finite counts as none.
+double pitch_Hz(double force_N);
+
+/// What one tick of the servo loop gives the ear.
+struct TouchMoment {
+  Feature feature = Feature::Free;
+  std::array<std::int32_t, 3> atoms{-1, -1, -1};
+  double force_N = 0.0;
+};
+
+class TouchSynth {
+ public:
+  /// From now on this is felt.
+  void take(const TouchMoment& moment) noexcept;
+
+  /// Fills `out` with the next samples at kSamples_per_s.
+  void render(std::span<float> out) noexcept;
+
+  /// Nothing is sounding and nothing will until something is touched.
+  bool silent() const noexcept;
+
+ private:
+  /// A short note: rises in 2 ms, then dies away.
+  struct Blip {
+    double hertz = 0, phase = 0, level = 0, fade = 0;
+    int rising = 0;  // samples
+    double rise = 0;
+    void strike(double pitch, double peak, double decay_s) noexcept;
+    double next() noexcept;
+  };
+
+  TouchMoment felt_;
+  double semitones_ = 0, loudness_ = 0;     // smoothed
+  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ is each one's smoothed share
+  Blip knock_, tick_;
+  int since_tick_ = kSamples_per_s;
+};
+
+}  // namespace moltact

@@ -1,0 +1,219 @@
+// Oracles: the pitch from counted zero crossings, single frequencies by correlation with sine and cosine, and bounds that
+// follow from amplitude and frequency. None shares code with the synthesis.
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <cstring>
+#include <fstream>
+#include <numbers>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include <doctest/doctest.h>
+
+#include "engine/sound/touch_synth.h"
+#include "engine/sound/wav_file.h"
+
+using namespace moltact;
+
+namespace {
+
+constexpr double kRate = kSamples_per_s;
+
+std::vector<float> sounding(TouchSynth& synth, double for_s) {
+  std::vector<float> out(std::size_t(std::lround(for_s * kRate)));
+  synth.render(out);
+  return out;
+}
+
+TouchMoment on(Feature feature, double force_N, std::array<std::int32_t, 3> atoms = {0, -1, -1}) { return {feature, atoms, force_N}; }
+
+// Rising zero crossings, each placed between its two samples; the mean distance is the period.
+double frequencyOf(const std::vector<float>& s) {
+  double first = -1, last = -1;
+  int periods = -1;
+  for (std::size_t k = 1; k < s.size(); ++k) {
+    if (!(s[k - 1] < 0 && s[k] >= 0)) continue;
+    last = double(k - 1) + double(-s[k - 1]) / double(s[k] - s[k - 1]);
+    if (first < 0) first = last;
+    ++periods;
+  }
+  return periods > 0 ? kRate * periods / (last - first) : 0.0;
+}
+
+// The amplitude of one frequency: correlation under a Hann window, which keeps other notes out.
+double amplitudeAt(const std::vector<float>& s, double hertz) {
+  std::complex<double> sum = 0;
+  double weight = 0;
+  for (std::size_t k = 0; k < s.size(); ++k) {
+    const double w = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * double(k) / double(s.size()));
+    sum += w * double(s[k]) * std::polar(1.0, -2 * std::numbers::pi * hertz * double(k) / kRate);
+    weight += w;
+  }
+  return 2 * std::abs(sum) / weight;
+}
+
+std::vector<float> steadyTone(Feature feature, double force_N) {
+  TouchSynth synth;
+  synth.take(on(feature, force_N));
+  sounding(synth, 0.5);
+  return sounding(synth, 1.0);
+}
+
+double peak(const std::vector<float>& s) {
+  double most = 0;
+  for (const float x : s) most = std::max(most, std::abs(double(x)));
+  return most;
+}
+
+// The largest second difference: a sine of amplitude A and frequency f has A (2 pi f / rate)^2, a click far more.
+double sharpest(const std::vector<float>& s) {
+  double most = 0;
+  for (std::size_t k = 2; k < s.size(); ++k) most = std::max(most, std::abs(double(s[k]) - 2.0 * double(s[k - 1]) + double(s[k - 2])));
+  return most;
+}
+
+double bend(double amplitude, double hertz) { return amplitude * std::pow(2 * std::numbers::pi * hertz / kRate, 2); }
+
+}  // namespace
+
+TEST_CASE("0, 1, 1.5 and 3 N on one atom sound at 330, 523.8, 660 and 1320 Hz, within 0.1 Hz by zero crossings") {
+  CHECK(frequencyOf(steadyTone(Feature::Sphere, 0.0)) == doctest::Approx(330.0).epsilon(0.0002));
+  CHECK(frequencyOf(steadyTone(Feature::Sphere, 1.0)) == doctest::Approx(330.0 * std::pow(2.0, 8.0 / 12.0)).epsilon(0.0002));
+  CHECK(frequencyOf(steadyTone(Feature::Sphere, 1.5)) == doctest::Approx(660.0).epsilon(0.0002));
+  CHECK(frequencyOf(steadyTone(Feature::Sphere, 3.0)) == doctest::Approx(1320.0).epsilon(0.0001));
+}
+
+TEST_CASE("a ball is one note, a crease a fifth, a pit a major chord, each of the same power") {
+  const double f = 660.0;
+  const auto ball = steadyTone(Feature::Sphere, 1.5), crease = steadyTone(Feature::Circle, 1.5), pit = steadyTone(Feature::Point, 1.5);
+  CHECK(amplitudeAt(ball, f) > 0.1);
+  CHECK(amplitudeAt(ball, f * 1.25) < 1e-4);
+  CHECK(amplitudeAt(ball, f * 1.5) < 1e-4);
+  CHECK(amplitudeAt(crease, f) == doctest::Approx(amplitudeAt(crease, f * 1.5)).epsilon(0.001));
+  CHECK(amplitudeAt(crease, f * 1.25) < 1e-4);
+  CHECK(amplitudeAt(pit, f) == doctest::Approx(amplitudeAt(pit, f * 1.25)).epsilon(0.001));
+  CHECK(amplitudeAt(pit, f) == doctest::Approx(amplitudeAt(pit, f * 1.5)).epsilon(0.001));
+  const auto power = [](const std::vector<float>& s) {
+    double sum = 0;
+    for (const float x : s) sum += double(x) * double(x);
+    return sum / double(s.size());
+  };
+  CHECK(power(crease) == doctest::Approx(power(ball)).epsilon(0.01));
+  CHECK(power(pit) == doctest::Approx(power(ball)).epsilon(0.01));
+}
+
+TEST_CASE("without touch there is exact silence, and again 1 s after the touch has ended") {
+  TouchSynth synth;
+  CHECK(peak(sounding(synth, 0.1)) == 0.0);
+  CHECK(synth.silent());
+  synth.take(on(Feature::Sphere, 1.0));
+  CHECK(peak(sounding(synth, 0.2)) > 0.05);
+  CHECK_FALSE(synth.silent());
+  synth.take({});
+  sounding(synth, 1.0);
+  CHECK(peak(sounding(synth, 0.1)) == 0.0);
+  CHECK(synth.silent());
+}
+
+TEST_CASE("contact knocks at 520 Hz and its end at 390 Hz") {
+  TouchSynth synth;
+  synth.take(on(Feature::Sphere, 0.0));
+  CHECK(amplitudeAt(sounding(synth, 0.1), kKnock_Hz) > 0.01);
+  CHECK(amplitudeAt(sounding(synth, 0.5), kKnock_Hz) < 0.003);
+  synth.take({});
+  CHECK(amplitudeAt(sounding(synth, 0.1), kRelease_Hz) > 0.01);
+}
+
+TEST_CASE("reaching a second atom ticks at 2200 Hz, letting the first go does not") {
+  TouchSynth synth;
+  synth.take(on(Feature::Sphere, 0.5, {7, -1, -1}));
+  sounding(synth, 1.0);
+  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) < 1e-4);
+  synth.take(on(Feature::Circle, 0.5, {7, 9, -1}));
+  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) > 0.01);
+  sounding(synth, 1.0);
+  synth.take(on(Feature::Sphere, 0.5, {9, -1, -1}));
+  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) < 5e-4);
+  sounding(synth, 1.0);
+  synth.take(on(Feature::Sphere, 0.5, {3, -1, -1}));
+  CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) > 0.01);
+}
+
+TEST_CASE("contact, a change from ball to crease and the end have no click: the curve bends no more than its parts may") {
+  TouchSynth synth;
+  std::vector<float> all;
+  const auto play = [&](const TouchMoment& m, double for_s) {
+    synth.take(m);
+    const auto part = sounding(synth, for_s);
+    all.insert(all.end(), part.begin(), part.end());
+  };
+  play({}, 0.05);
+  play(on(Feature::Sphere, 0.2, {1, -1, -1}), 0.3);
+  play(on(Feature::Circle, 0.2, {1, 2, -1}), 0.3);
+  play({}, 0.3);
+  const double tone = pitch_Hz(0.2);
+  // A note rises no faster than its limit in the attack time; a blip in 2 ms: that is the most that a slope can change by.
+  const double slopes = kNoteLevel / (0.008 * kRate) + (kKnockLevel + kTickLevel) / (0.002 * kRate);
+  const double bound = bend(kNoteLevel, tone) + bend(kNoteLevel, 1.5 * tone) + bend(kKnockLevel, kKnock_Hz) + bend(kTickLevel, kTick_Hz) + slopes;
+  CHECK(bound < 0.03);
+  CHECK(sharpest(all) < bound);
+}
+
+TEST_CASE("a second at random with 1000 changes stays below 0.99 and jumps by less than 0.3 a sample; 5 seeds") {
+  for (const unsigned seed : {1u, 2u, 3u, 4u, 5u}) {
+    CAPTURE(seed);
+    std::mt19937 random(seed);
+    TouchSynth synth;
+    std::vector<float> all;
+    for (int tick = 0; tick < 1000; ++tick) {
+      const auto feature = Feature(random() % 4);
+      const double force = std::array{0.0, 3.3, 1e9, -1.0, std::nan(""), double(INFINITY)}[random() % 6];
+      synth.take({feature, {std::int32_t(random() % 5), std::int32_t(random() % 5), -1}, force});
+      const auto part = sounding(synth, 0.001);
+      all.insert(all.end(), part.begin(), part.end());
+    }
+    CHECK(std::all_of(all.begin(), all.end(), [](float x) { return std::isfinite(x); }));
+    CHECK(peak(all) < 0.99);
+    // Three notes of 0.127 at up to 3143 Hz, the knock and the tick: 0.23 in all.
+    double jump = 0;
+    for (std::size_t k = 1; k < all.size(); ++k) jump = std::max(jump, std::abs(double(all[k]) - double(all[k - 1])));
+    CHECK(jump < 0.3);
+  }
+}
+
+TEST_CASE("blocks of 1, 37 and 480 samples give the same samples as one block of 4800") {
+  const auto run = [](std::size_t block) {
+    TouchSynth synth;
+    std::vector<float> out(4800);
+    synth.take(on(Feature::Point, 1.1, {1, 2, 3}));
+    for (std::size_t at = 0; at < out.size(); at += block) synth.render(std::span(out).subspan(at, std::min(block, out.size() - at)));
+    return out;
+  };
+  const auto whole = run(4800);
+  for (const std::size_t block : {std::size_t(1), std::size_t(37), std::size_t(480)}) CHECK(run(block) == whole);
+}
+
+TEST_CASE("a WAV file holds its 44 bytes of header and 16-bit samples: 0, 1, -1 and 2 become 0, 32767, -32767 and 32767") {
+  const auto file = std::filesystem::temp_directory_path() / "moltact_wav_test.wav";
+  const std::vector<float> samples{0.0f, 1.0f, -1.0f, 2.0f};
+  REQUIRE_FALSE(writeWav(file, samples, 48000));
+  std::ifstream in(file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  const std::string bytes = text.str();
+  std::filesystem::remove(file);
+  REQUIRE(bytes.size() == 52);
+  CHECK(bytes.substr(0, 4) == "RIFF");
+  CHECK(bytes.substr(8, 8) == "WAVEfmt ");
+  std::uint32_t rate = 0, data = 0;
+  std::memcpy(&rate, bytes.data() + 24, 4);
+  std::memcpy(&data, bytes.data() + 40, 4);
+  CHECK(rate == 48000);
+  CHECK(data == 8);
+  std::array<std::int16_t, 4> values{};
+  std::memcpy(values.data(), bytes.data() + 44, 8);
+  CHECK(values == std::array<std::int16_t, 4>{0, 32767, -32767, 32767});
+  CHECK(writeWav("/nonexistent/folder/x.wav", samples, 48000).value().text().find("cannot be written") != std::string::npos);
+}
