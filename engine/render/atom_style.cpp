@@ -3,8 +3,29 @@
 #include "engine/molecule/elements.h"
 
 namespace moltact {
+namespace {
 
-Colour elementColour(std::uint8_t atomic_number) {
+constexpr Colour rgb(int red, int green, int blue) { return Colour(float(red), float(green), float(blue)) / 255.0f; }
+
+// Okabe and Ito's eight colours; black is too dark for shade, so carbon is a grey.
+Colour safeColour(std::uint8_t atomic_number) {
+  switch (atomic_number) {
+    case 1: return rgb(240, 240, 240);
+    case 6: return rgb(110, 110, 110);
+    case 7: return rgb(0, 114, 178);
+    case 8: return rgb(213, 94, 0);
+    case 9: case 17: case 35: case 53: return rgb(86, 180, 233);
+    case 15: return rgb(204, 121, 167);
+    case 16: return rgb(240, 228, 66);
+    case 26: return rgb(0, 158, 115);
+    default: return rgb(230, 159, 0);
+  }
+}
+
+}  // namespace
+
+Colour elementColour(std::uint8_t atomic_number, ElementColours colours) {
+  if (colours == ElementColours::ColourBlindSafe) return safeColour(atomic_number) * 0.88f + 0.05f;
   const auto& rgb = element(atomic_number).colour;
   const Colour pure = Colour(rgb[0], rgb[1], rgb[2]) / 255.0f;
   const float grey = glm::dot(pure, Colour(0.30f, 0.59f, 0.11f));

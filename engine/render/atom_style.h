@@ -10,8 +10,14 @@ namespace moltact {
 /// A colour as on the screen (sRGB), 0 to 1 each.
 using Colour = glm::vec3;
 
+/// Which colours tell elements apart.
+enum class ElementColours : std::uint8_t {
+  Customary,        ///< carbon grey, oxygen red, nitrogen blue, as chemists know them
+  ColourBlindSafe,  ///< as near to them as the palette of Okabe and Ito (2008) allows, which every kind of colour vision tells apart
+};
+
 /// The element's colour (engine/molecule/elements.h), softened so that light and shade stay visible on it.
 /// `atomic_number` 0 or beyond the table gives the colour of the unknown element.
-Colour elementColour(std::uint8_t atomic_number);
+Colour elementColour(std::uint8_t atomic_number, ElementColours colours = ElementColours::Customary);
 
 }  // namespace moltact

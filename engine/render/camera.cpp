@@ -57,6 +57,12 @@ void Camera::lookFrom(double azimuth_rad, double elevation_rad) {
   orientation = glm::angleAxis(azimuth_rad, Vec3(0, 1, 0)) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
 }
 
+void Camera::face(PointA place) {
+  constexpr double kNearest_A = 0.1;
+  const Vec3 way = place.A - target.A;
+  if (glm::length(way) > kNearest_A) lookFrom(std::atan2(way.x, way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
+}
+
 void Camera::fit(const Molecule& molecule, double aspect, double margin, double grown_A) {
   if (molecule.atoms.empty()) return;
   // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the eye

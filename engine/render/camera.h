@@ -63,6 +63,8 @@ struct Camera {
   void pan(double dx_px, double dy_px, int height_px);
   /// Looks from an azimuth (about +y, 0 = from +z, positive = from +x) and an elevation (positive = from above).
   void lookFrom(double azimuth_rad, double elevation_rad);
+  /// Turns so that the place lies between the eye and the target; places within 0.1 A of the target can be turned nowhere.
+  void face(PointA place);
   /// Moves the target to the middle of the atoms and back until all of them, whole, fit into a picture of this shape;
   /// `margin` is the free share of the picture's half height (default 0.08), and every atom counts as `grown_A` larger than
   /// it is (default 0). The orientation stays.

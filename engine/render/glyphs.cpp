@@ -4,11 +4,16 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/gltf/gltf_file.h"
 #include "engine/render/ball_intersections.h"
 #include "engine/render/haptic_shapes.h"
 
 namespace moltact {
 namespace {
+
+constexpr double kTouchedOver = 1.004;  // a touched atom is drawn over itself, so much larger
+// Bright on a dark edge: seen on atoms of every colour, in every theme.
+const Colour kTouchedRing{1.0f, 0.94f, 0.62f};
 
 class Maker {
  public:
@@ -24,7 +29,7 @@ class Maker {
   // The oxygen sits in the middle of the sphere that is felt; the hydrogens point away from the surface, spread in
   // the plane that the viewer sees best.
   void probe() {
-    const bool water = std::abs(scene_.probe_A - kWaterProbe_A) < 0.35;
+    const bool water = scene_.water && std::abs(scene_.probe_A - kWaterProbe_A) < 0.35;
     shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.75f);
     addCircle(out_.strokes, {.colour = scene_.theme.probe, .alpha = 0.75f, .hidden = 0.25f, .width_px = 1.5f},
               scene_.camera, silhouetteCentre(scp_, scene_.probe_A), toEye(scp_), silhouetteRadius(scp_, scene_.probe_A));
@@ -47,6 +52,22 @@ class Maker {
     out_.strokes.begin({.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.7f, .width_px = 2.0f});
     out_.strokes.point(view(scene_.hip->A));
     out_.strokes.point(view(scp_));
+  }
+
+  // From below the person's line of sight, as one holds a pen before a screen; at the same size in every molecule.
+  void hand() {
+    if (!scene_.hand) return;
+    const float side = scene_.left_hand ? -1.0f : 1.0f;
+    const glm::vec3 body = glm::normalize(glm::vec3(0.62f * side, -0.50f, 0.60f));
+    const glm::vec3 over = glm::normalize(glm::cross(glm::cross(body, glm::vec3(-0.35f * side, 0.75f, 0.55f)), body));
+    const glm::mat3 turn(glm::cross(body, over), body, over);
+    const float extent = scene_.hand->high.y - scene_.hand->low.y;
+    if (!(extent > 0)) return;
+    const double depth = std::max(0.1, -scene_.camera.toView(*scene_.hip).z);
+    const auto scale = float(kHandLength_px * scene_.camera.pixel_A(depth, 800)) / extent;
+    glm::mat4 place(turn * scale);
+    place[3] = glm::vec4(view(scene_.hip->A), 1.0f);
+    out_.models.push_back({scene_.hand.get(), place});
   }
 
   void scp() {
@@ -81,13 +102,32 @@ class Maker {
     }
   }
 
+  // A ring round each of a few atoms; many are told by their colour and stripes alone, for rings by the hundred hide them
+  // and take longer to draw than all else.
   void highlights(const BallScene& balls) {
+    constexpr std::size_t kMostRings = 120;
+    if (scene_.highlighted.size() > kMostRings) return;
     for (const std::uint32_t a : scene_.highlighted) {
       if (a >= balls.size()) continue;
       const Ball& b = balls[a];
       const double r = b.radius_A + 0.12;
       addCircle(out_.strokes, {.colour = scene_.theme.target, .alpha = 0.95f, .hidden = 0.22f, .width_px = 2.4f},
                 scene_.camera, silhouetteCentre(b.centre_A, r), toEye(b.centre_A), silhouetteRadius(b.centre_A, r));
+    }
+  }
+
+  // The atoms that hold the probe stand out in full light, each in a ring.
+  void touched(const MoleculeModel& model) {
+    if (!touching_) return;
+    for (const std::int32_t a : scene_.contact.atoms) {
+      if (a < 0 || std::size_t(a) >= model.scene.size()) continue;
+      const Ball& b = model.scene[std::size_t(a)];
+      const double r = b.radius_A * kTouchedOver;
+      out_.solid.push_back({view(b.centre_A), float(r), model.colour[std::size_t(a)]});
+      const double ring = b.radius_A + 0.10;
+      for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.3f, .width_px = 4.6f},
+                                   Stroke{.colour = kTouchedRing, .alpha = 1.0f, .hidden = 0.3f, .width_px = 2.2f}})
+        addCircle(out_.strokes, stroke, scene_.camera, silhouetteCentre(b.centre_A, ring), toEye(b.centre_A), silhouetteRadius(b.centre_A, ring));
     }
   }
 
@@ -131,6 +171,7 @@ void Glyphs::clear() {
   ghost.clear();
   shell.clear();
   cones.clear();
+  models.clear();
   strokes.clear();
 }
 
@@ -141,7 +182,8 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
     if (model) make.highlights(model->scene);
   }
   if (!make.hasHip()) return;
-  if (scene.shown.has(Shape::Probe)) make.probe();
+  if (model && scene.shown.has(Shape::Atoms)) make.touched(*model);
+  if (scene.shown.has(Shape::Probe)) make.probe(), make.hand();
   if (scene.shown.has(Shape::Hip)) make.hip();
   if (scene.shown.has(Shape::Scp)) make.scp();
   if (scene.shown.has(Shape::Force)) make.force();

@@ -17,13 +17,23 @@ struct GlyphCone {
   std::uint32_t colour = 0;
 };
 
+/// A model with its transform to the camera's axes.
+struct GlyphModel {
+  const SolidModel* model = nullptr;
+  glm::mat4 to_view{1.0f};
+};
+
 struct Glyphs {
   std::vector<LooseSphere> solid, ghost, shell;  ///< a ghost shows where a solid of the same place is hidden
   std::vector<GlyphCone> cones;
+  std::vector<GlyphModel> models;
   Strokes strokes;
 
   void clear();
 };
+
+/// How long the model at the HIP is drawn, in a picture 800 pixels high.
+inline constexpr double kHandLength_px = 170;
 
 /// O-H distance (unit: angstrom) and H-O-H angle (unit: degree) of water in the gas phase (Benedict, Gailar & Plyler 1956).
 inline constexpr double kWaterBond_A = 0.9572, kWaterAngle_deg = 104.52;

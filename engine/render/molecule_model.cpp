@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/atom_style.h"
 #include "engine/render/exposure.h"
 
 namespace moltact {
@@ -21,14 +20,20 @@ std::uint32_t packSigned(float v) { return std::uint8_t(std::int8_t(std::lround(
 }  // namespace
 
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(ballsOf(*molecule)) {
-  colour.reserve(molecule->atoms.size());
-  for (const Atom& a : molecule->atoms) colour.push_back(packColour(elementColour(a.atomic_number)));
+  paint(elements);
   for (const Exposure& e : exposures(scene.balls()))
     exposure.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |
                        packSigned(e.level) << 24);
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls())
     reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
+}
+
+void MoleculeModel::paint(ElementColours wanted) {
+  elements = wanted;
+  colour.clear();
+  colour.reserve(molecule->atoms.size());
+  for (const Atom& a : molecule->atoms) colour.push_back(packColour(elementColour(a.atomic_number, elements)));
 }
 
 std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,

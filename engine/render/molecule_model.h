@@ -8,13 +8,17 @@
 
 #include "engine/haptics/ball_scene.h"
 #include "engine/molecule/molecule.h"
+#include "engine/render/atom_style.h"
 
 namespace moltact {
 
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
+  /// Colours the atoms by their elements.
+  void paint(ElementColours elements);
 
   std::shared_ptr<const Molecule> molecule;
+  ElementColours elements = ElementColours::Customary;
   BallScene scene;
   std::vector<std::uint32_t> colour;    ///< bytes red, green, blue, 255 from the lowest
   std::vector<std::uint32_t> exposure;  ///< signed bytes slope x, y, z, level from the lowest

@@ -80,6 +80,7 @@ class CallersState {
 // All that the layer of atoms depends on.
 struct LayerKey {
   std::shared_ptr<const Molecule> molecule;
+  ElementColours elements = ElementColours::Customary;
   Camera camera;
   int width = 0, height = 0, samples = 0;
   bool outlines = false, cull = false, atoms = false, resolved = true;
@@ -183,6 +184,7 @@ void Renderer::Parts::drawGlyphs(const ViewScene& scene, const Projection& proje
   glEnable(GL_DEPTH_CLAMP);
   balls.drawLoose(glyphs.ghost, SphereImpostors::Pass::Ghost, projection, near);
   for (const GlyphCone& c : glyphs.cones) mesh.addCone(c.a, c.b, c.radius_a, c.radius_b, c.colour);
+  for (const GlyphModel& m : glyphs.models) mesh.addModel(*m.model, m.to_view);
   mesh.draw(projection, near, 0.35f);
   balls.drawLoose(glyphs.solid, SphereImpostors::Pass::Solid, projection, near);
   balls.drawLoose(dots, SphereImpostors::Pass::Solid, projection, near);
@@ -212,6 +214,7 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   const CallersState state;
   if (!p.model || p.model->molecule != scene.molecule)
     p.model = scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
+  if (p.model && p.model->elements != scene.elements) p.model->paint(scene.elements);
   p.count.atoms = p.model ? p.model->scene.size() : 0;
   if (!p.picture.resize(width_px, height_px)) return tooLarge();
 
@@ -222,7 +225,7 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   } else {
     const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, p.model.get()));
     const Lighting lighting = lightingOf(scene, p.model.get(), projection.depth);
-    LayerKey key{.molecule = scene.molecule, .camera = scene.camera, .width = width_px, .height = height_px,
+    LayerKey key{.molecule = scene.molecule, .elements = scene.elements, .camera = scene.camera, .width = width_px, .height = height_px,
                  .samples = std::clamp(options.samples, 1, 4),
                  .outlines = options.outlines, .cull = options.occlusion_cull, .atoms = scene.shown.has(Shape::Atoms),
                  .top = scene.theme.background_top, .bottom = scene.theme.background_bottom,

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/gltf/gltf_file.h"
+
 namespace moltact {
 namespace {
 
@@ -73,6 +75,13 @@ void SolidMesh::addCone(const glm::vec3& a, const glm::vec3& b, float radius_a, 
     vertices_.insert(vertices_.end(), {a0, a1, b0, b0, a1, b1});
     vertices_.insert(vertices_.end(), {{a, -axis, colour}, {a1.place, -axis, colour}, {a0.place, -axis, colour}});
   }
+}
+
+void SolidMesh::addModel(const SolidModel& model, const glm::mat4& to_view) {
+  const glm::mat3 turn(to_view);
+  vertices_.reserve(vertices_.size() + model.corners.size());
+  for (const SolidModel::Corner& c : model.corners)
+    vertices_.push_back({glm::vec3(to_view * glm::vec4(c.place, 1.0f)), turn * c.normal, packColour(c.colour)});
 }
 
 void SolidMesh::draw(const Projection& projection, const Lighting& lighting, float ghost) {

@@ -10,12 +10,17 @@
 
 namespace moltact {
 
+struct SolidModel;
+
 class SolidMesh {
  public:
   static Expected<SolidMesh> build();
 
   /// A round bar from a to b whose radius goes from `radius_a` to `radius_b` (0 makes a tip), closed at a.
   void addCone(const glm::vec3& a, const glm::vec3& b, float radius_a, float radius_b, std::uint32_t colour);
+
+  /// A model under a transform to the camera's axes that keeps angles.
+  void addModel(const SolidModel& model, const glm::mat4& to_view);
 
   /// Draws what was added, and forgets it. A ghost pass draws hidden parts at the given opacity first.
   void draw(const Projection& projection, const Lighting& lighting, float ghost);

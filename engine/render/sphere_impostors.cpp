@@ -51,14 +51,23 @@ float cut(out vec3 normal, out float facing) {
 }
 )";
 
+// Marked balls are striped, so that they are told from the others without seeing their colour.
 const char* const kSolidText = R"(
 void main() {
   vec3 n;
   float facing, depth = cut(n, facing);
   float open = clamp(v_exposure.w + dot(v_exposure.xyz, n), 0.0, 1.0);
-  o_colour = vec4(lit(v_colour.rgb * v_colour.rgb, n, facing, depth, open, v_y), v_colour.a);
+  vec3 base = v_colour.rgb * v_colour.rgb;
+  bool striped = v_colour.a > 0.994 && v_colour.a < 0.998;
+  if (striped) {
+    float wave = abs(fract((n.x + n.y) * 1.6) - 0.5), soft = fwidth(n.x + n.y) * 1.6;
+    base *= mix(1.0, 0.13, smoothstep(0.30 - soft, 0.30 + soft, wave));
+  }
+  o_colour = vec4(lit(base, n, facing, depth, open, v_y), striped ? 1.0 : v_colour.a);
 }
 )";
+
+constexpr float kStriped = 254.0f / 255.0f;  // an opacity that stands for stripes
 
 const char* const kShellText = R"(
 void main() {
@@ -117,9 +126,10 @@ void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, 
 void SphereImpostors::drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
                                    std::span<const std::uint32_t> tinted, std::uint32_t tint,
                                    float rim, const Projection& projection, const Lighting& lighting) {
+  const std::uint32_t striped = (tint & 0x00FFFFFFu) | packColour({}, kStriped);
   for (const DrawnSphere& s : spheres) {
     const bool is_tinted = std::binary_search(tinted.begin(), tinted.end(), s.index);
-    push(s, is_tinted ? tint : model.colour[s.index], model.exposure[s.index]);
+    push(s, is_tinted ? striped : model.colour[s.index], model.exposure[s.index]);
   }
   flush(Pass::Solid, rim, projection, lighting);
 }

@@ -38,7 +38,7 @@ class SphereImpostors {
 
   static Expected<SphereImpostors> build();
 
-  /// `rim` is the width at depth 1 of a dark edge round each ball that stands well in front of what is behind it.
+  /// The `tinted` balls (ascending) get the colour `tint`, and stripes. `rim` is the width at depth 1 of a dark edge round each ball that stands well in front of what is behind it.
   void drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
                     std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim,
                     const Projection& projection, const Lighting& lighting);

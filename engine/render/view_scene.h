@@ -19,6 +19,7 @@
 namespace moltact {
 
 class SphereMesh;
+struct SolidModel;
 
 /// The parts of a picture that are switched one by one. A part is added here, in the table of view_scene.cpp and where
 /// it is drawn.
@@ -83,12 +84,16 @@ struct ViewScene {
   Camera camera;
   ShapeSet shown = defaultShapes();
   Theme theme = darkTheme();
+  ElementColours elements = ElementColours::Customary;
   bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
 
   std::optional<PointA> hip;  ///< no probe is drawn without it
   Contact contact;            ///< its SCP and atoms are used while touching
   double force_N = 0.0;       ///< length of the force, along SCP - HIP
   double probe_A = kWaterProbe_A;
+  bool water = true;          ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
+  std::shared_ptr<const SolidModel> hand;  ///< stands with its origin at the HIP, its +y toward the person's hand; may be null
+  bool left_hand = false;     ///< the hand comes from the left (default: from the right)
   double arrow_A_per_N = 2.0;  ///< length of the force arrow (default 2 A for 1 N)
 
   std::vector<std::uint32_t> haptic_atoms;  ///< whose haptic shapes are drawn; empty: those nearest to the SCP

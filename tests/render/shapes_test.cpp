@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/gltf/gltf_file.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/molecule/reader.h"
 #include "engine/render/ball_intersections.h"
@@ -185,6 +186,75 @@ TEST_CASE("out-of-range atoms in a scene are passed over") {
   CHECK(drawn(scene, 64, 64).rgb.size() == 64 * 64 * 3);
 }
 
+TEST_CASE("highlighted atoms are told from the others in shades of grey alone: stripes a third as bright as their ground") {
+  ViewScene scene;
+  scene.molecule = molecule({atom(Vec3(-2, 0, 0), 1.7, 6), atom(Vec3(2, 0, 0), 1.7, 6)});
+  scene.camera = frontCamera(14);
+  scene.shown = {Shape::Atoms, Shape::Target};
+  scene.highlighted = {1};
+  const Picture picture = drawn(scene, 400, 300, {.samples = 2});
+  // Along the line square to the stripes, in the ball's bright upper left half.
+  const auto contrast = [&](double x_A) {
+    double low = 255, high = 0;
+    for (double k = -0.9; k <= 0.5; k += 0.02) {
+      const Vec3 px = scene.camera.project({Vec3(x_A + k * 0.7, k * 0.7, 1.4)}, 400, 300);
+      const auto c = picture.at(int(px.x), int(px.y));
+      const double grey = 0.3 * c[0] + 0.59 * c[1] + 0.11 * c[2];
+      low = std::min(low, grey);
+      high = std::max(high, grey);
+    }
+    return low / high;
+  };
+  CHECK(contrast(2) < 0.45);
+  CHECK(contrast(-2) > 0.6);
+}
+
+TEST_CASE("the atoms that hold the probe are drawn over themselves in full light with a ring each; without a touch none is") {
+  ViewScene scene = crease();
+  scene.shown = {Shape::Atoms};
+  const MoleculeModel model(scene.molecule);
+  Glyphs glyphs;
+  addGlyphs(scene, &model, glyphs);
+  REQUIRE(glyphs.solid.size() == 2);
+  CHECK(glyphs.strokes.lines().size() == 4);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Ball& ball = model.scene[k];
+    CHECK(glm::length(Vec3(glyphs.solid[k].centre) - scene.camera.toView({ball.centre_A})) < 1e-5);
+    CHECK(double(glyphs.solid[k].radius) == doctest::Approx(ball.radius_A).epsilon(0.005));
+  }
+  scene.contact = {};
+  glyphs.clear();
+  addGlyphs(scene, &model, glyphs);
+  CHECK(glyphs.solid.empty());
+}
+
+TEST_CASE("a model of 0.1 units stands with its tip at the HIP and is 170 pixels long in a picture 800 high; left-handed it is mirrored") {
+  ViewScene scene = crease();
+  scene.shown = {Shape::Probe};
+  SolidModel rod;
+  rod.corners.resize(3);
+  rod.high = {0, 0.1f, 0};
+  scene.hand = std::make_shared<const SolidModel>(rod);
+  Glyphs glyphs;
+  addGlyphs(scene, nullptr, glyphs);
+  REQUIRE(glyphs.models.size() == 1);
+  const glm::vec3 tip(glyphs.models[0].to_view * glm::vec4(0, 0, 0, 1)), end(glyphs.models[0].to_view * glm::vec4(0, 0.1f, 0, 1));
+  CHECK(glm::length(Vec3(tip) - scene.camera.toView(*scene.hip)) < 1e-5);
+  const double depth = -scene.camera.toView(*scene.hip).z;
+  CHECK(double(glm::length(end - tip)) == doctest::Approx(170 * scene.camera.pixel_A(depth, 800)).epsilon(1e-4));
+  CHECK(glm::determinant(glyphs.models[0].to_view) > 0);
+  scene.left_hand = true;
+  glyphs.clear();
+  addGlyphs(scene, nullptr, glyphs);
+  const glm::vec3 left(glyphs.models[0].to_view * glm::vec4(0, 0.1f, 0, 1));
+  CHECK(left.x - tip.x == doctest::Approx(-(end.x - tip.x)).epsilon(1e-4));
+  CHECK(glm::determinant(glyphs.models[0].to_view) > 0);
+  scene.hip.reset();
+  glyphs.clear();
+  addGlyphs(scene, nullptr, glyphs);
+  CHECK(glyphs.models.empty());
+}
+
 // A golden picture allows for another driver's rounding: the mean within 1.5 levels and at most 1.5 % of the pixels off
 // by more than 24. MOLTACT_UPDATE_GOLDEN=1 writes them anew; look at them before keeping them.
 TEST_CASE("the golden pictures are drawn as they were approved") {
@@ -206,6 +276,18 @@ TEST_CASE("the golden pictures are drawn as they were approved") {
   ViewScene scene = crease();
   scene.shown = {Shape::Atoms, Shape::Force, Shape::Probe, Shape::Hip};
   check("water-in-a-crease", scene);
+  for (const char* name : {"stylus", "finger"}) {
+    auto model = readGltf(std::filesystem::path(MOLTACT_SOURCE_DIR) / "assets/models" / (std::string(name) + ".glb"));
+    if (!model) FAIL(model.problem().text());
+    ViewScene held = scene;
+    held.hand = std::make_shared<const SolidModel>(*std::move(model));
+    check(std::string("hand-") + name, held);
+  }
+  ViewScene marked = crease();
+  marked.shown = {Shape::Atoms, Shape::Target};
+  marked.contact = {};
+  marked.highlighted = {1};
+  check("striped-highlight", marked);
   scene.shown = *parseShapes("atoms,haptic,force");
   scene.theme = lightTheme();
   check("haptic-shapes", scene);

@@ -1,0 +1,103 @@
+#include "assets/generator/hand_models.h"
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/gltf/closed_surface.h"
+
+namespace moltact::generator {
+namespace {
+
+constexpr float kM_per_mm = 0.001f;
+
+// A place on the outline of something turned about the y axis (unit: millimetre).
+struct Outline {
+  float y, r;
+};
+
+// Adds the band between two places of the outline, as a part of one material.
+void addBand(GltfMesh& mesh, Outline a, Outline b, std::size_t material) {
+  constexpr int kSides = 32;
+  const float length = std::hypot(b.y - a.y, b.r - a.r), out = (b.y - a.y) / length, up = (a.r - b.r) / length;
+  const auto first = std::uint32_t(mesh.places.size());
+  for (int k = 0; k <= kSides; ++k) {
+    const float t = 2 * std::numbers::pi_v<float> * float(k % kSides) / kSides, c = std::cos(t), s = std::sin(t);
+    for (const Outline& p : {a, b}) {
+      mesh.places.push_back(glm::vec3(p.r * s, p.y, p.r * c) * kM_per_mm);
+      mesh.normals.push_back({out * s, up, out * c});
+    }
+  }
+  while (mesh.parts.size() <= material) mesh.parts.push_back({.indices = {}, .material = mesh.parts.size()});
+  auto& indices = mesh.parts[material].indices;
+  for (std::uint32_t k = 0; k < kSides; ++k) {
+    const std::uint32_t i = first + 2 * k;
+    indices.insert(indices.end(), {i, i + 2, i + 1, i + 1, i + 2, i + 3});
+  }
+}
+
+}  // namespace
+
+GltfScene makeStylus() {
+  enum : std::size_t { kTip, kRing, kBarrel };
+  GltfScene scene;
+  scene.title = "stylus";
+  scene.notes = {{"unit", "1 m"}};
+  scene.materials = {{"tip", {0.30f, 0.33f, 0.38f}}, {"ring", {0.06f, 0.55f, 0.52f}}, {"barrel", {0.86f, 0.88f, 0.91f}}};
+  GltfMesh mesh{.name = "stylus", .places = {}, .normals = {}, .parts = {}};
+  constexpr float kBall_mm = 1.2f;
+  constexpr int kArc = 6;
+  const auto arc = [&](int k) {
+    const float t = 0.5f * std::numbers::pi_v<float> * float(k) / kArc;
+    return Outline{kBall_mm * (1 - std::cos(t)), kBall_mm * std::sin(t)};
+  };
+  for (int k = 0; k < kArc; ++k) addBand(mesh, arc(k), arc(k + 1), kTip);
+  addBand(mesh, {kBall_mm, kBall_mm}, {24, 4.6f}, kTip);
+  addBand(mesh, {24, 4.6f}, {24.6f, 5.4f}, kRing);
+  addBand(mesh, {24.6f, 5.4f}, {29, 5.4f}, kRing);
+  addBand(mesh, {29, 5.4f}, {29.6f, 5.0f}, kRing);
+  addBand(mesh, {29.6f, 5.0f}, {102, 6.2f}, kBarrel);
+  addBand(mesh, {102, 6.2f}, {107, 5.2f}, kBarrel);
+  addBand(mesh, {107, 5.2f}, {110, 2.6f}, kBarrel);
+  addBand(mesh, {110, 2.6f}, {110.6f, 0}, kBarrel);
+  scene.meshes.push_back(std::move(mesh));
+  scene.nodes.push_back({.name = "stylus", .mesh = 0});
+  return scene;
+}
+
+GltfScene makeFinger() {
+  // A row of balls along the bone (unit: millimetre), then smaller ones for the nail.
+  std::vector<Ball> balls;
+  for (double s = 0; s <= 1; s += 0.015) {
+    const double y = 7.2 + 58 * s, bend = 9.0 * s * s;
+    const double joint = std::exp(-std::pow((y - 27) / 6, 2));
+    balls.push_back({Vec3(0, y, bend), 7.2 + 1.6 * std::min(1.0, 3 * s) + 0.5 * joint});
+  }
+  const std::size_t skin = balls.size();
+  for (double x = -4.2; x <= 4.2; x += 0.35)
+    for (double y = 3.2; y <= 13; y += 0.35) {
+      if (std::pow(x / 4.3, 4) + std::pow((y - 8) / 5.0, 4) > 1) continue;
+      balls.push_back({Vec3(x, y, std::sqrt(std::max(0.0, 7.3 * 7.3 - x * x)) * (0.80 + 0.018 * (y - 3))), 0.9});
+    }
+  const ClosedSurface surface = closedSurface(balls, 1.5);
+  GltfScene scene;
+  scene.title = "finger";
+  scene.notes = {{"unit", "1 m"}};
+  scene.materials = {{"skin", {0.79f, 0.74f, 0.76f}}, {"nail", {0.95f, 0.92f, 0.94f}}};
+  GltfMesh mesh{.name = "finger", .places = {}, .normals = std::vector<glm::vec3>(surface.places.size()),
+                .parts = {{.indices = {}, .material = 0}, {.indices = {}, .material = 1}}};
+  for (const glm::vec3& p : surface.places) mesh.places.push_back((p + glm::vec3(surface.middle_A)) * kM_per_mm);
+  for (std::size_t t = 0; t < surface.owners.size(); ++t) {
+    const std::uint32_t* i = &surface.triangles[3 * t];
+    auto& indices = mesh.parts[surface.owners[t] < skin ? 0 : 1].indices;
+    indices.insert(indices.end(), i, i + 3);
+    // Larger triangles weigh more: a smooth skin over the row of balls.
+    const glm::vec3 face = glm::cross(mesh.places[i[1]] - mesh.places[i[0]], mesh.places[i[2]] - mesh.places[i[0]]);
+    for (int k = 0; k < 3; ++k) mesh.normals[i[k]] += face;
+  }
+  for (glm::vec3& n : mesh.normals) n = glm::normalize(n);
+  scene.meshes.push_back(std::move(mesh));
+  scene.nodes.push_back({.name = "finger", .mesh = 0});
+  return scene;
+}
+
+}  // namespace moltact::generator

@@ -1,0 +1,172 @@
+// What is written is read back by tinygltf, through our reader, which checks every range itself.
+#include <cstring>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include <unistd.h>
+
+#include <doctest/doctest.h>
+
+#include "engine/molecule/reader.h"
+#include "engine/platform/folders.h"
+#include "engine/render/atom_style.h"
+#include "engine/render/gltf_export.h"
+
+using namespace moltact;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Scratch {
+  fs::path folder = fs::temp_directory_path() / ("moltact_gltf_" + std::to_string(getpid()));
+  Scratch() { fs::create_directories(folder); }
+  ~Scratch() { fs::remove_all(folder); }
+};
+
+Molecule library(const char* name) {
+  auto m = readMolecule(moleculesFolder() / name);
+  if (!m) FAIL(m.problem().text());
+  return *std::move(m);
+}
+
+GltfScene exported(const Molecule& m, const ExportOptions& options) {
+  auto scene = exportMolecule(m, options);
+  if (!scene) FAIL(scene.problem().text());
+  return *std::move(scene);
+}
+
+SolidModel writtenAndRead(const fs::path& file, const GltfScene& scene) {
+  if (const auto problem = writeGlb(file, scene)) FAIL(problem->text());
+  auto model = readGltf(file);
+  if (!model) FAIL(model.problem().text());
+  return *std::move(model);
+}
+
+std::string bytesOf(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x, red and white, in nanometres") {
+  const Scratch scratch;
+  const Molecule water = library("water.pdb");
+  REQUIRE(water.atoms.size() == 3);
+  const SolidModel model = writtenAndRead(scratch.folder / "water.glb", exported(water, {}));
+  CHECK(model.corners.size() == 3 * 3 * 1280);
+  Vec3 low(1e9), high(-1e9);
+  for (const Atom& a : water.atoms) {
+    low = glm::min(low, a.position.A - a.radius_A);
+    high = glm::max(high, a.position.A + a.radius_A);
+  }
+  for (int k = 0; k < 3; ++k) {
+    // The corners lie on the ball, but none exactly at its side: 1 part in 200 of a radius of 0.17 nm.
+    CHECK(std::abs(double(model.low[k]) + 0.05 * (high[k] - low[k])) < 0.001);
+    CHECK(std::abs(double(model.high[k]) - 0.05 * (high[k] - low[k])) < 0.001);
+  }
+  std::size_t red = 0, white = 0;
+  for (const auto& c : model.corners) {
+    red += glm::distance(c.colour, elementColour(8)) < 1e-3f;
+    white += glm::distance(c.colour, elementColour(1)) < 1e-3f;
+    CHECK(glm::length(c.normal) == doctest::Approx(1.0).epsilon(1e-4));
+  }
+  CHECK(red == 3 * 1280);
+  CHECK(white == 2 * 3 * 1280);
+  const SolidModel tenfold = writtenAndRead(scratch.folder / "large.glb", exported(water, {.units_per_nm = 10}));
+  CHECK(tenfold.high.x == doctest::Approx(10 * model.high.x).epsilon(1e-5));
+}
+
+TEST_CASE("benzene as a surface inflated by 1.4 A reads back with the size of its inflated balls to 1 step, in two colours") {
+  const Scratch scratch;
+  const Molecule benzene = library("benzene.pdb");
+  const ExportOptions options{.style = ExportStyle::Surface, .probe_A = 1.4, .step_A = 0.25};
+  const SolidModel model = writtenAndRead(scratch.folder / "benzene.glb", exported(benzene, options));
+  Vec3 low(1e9), high(-1e9);
+  for (const Atom& a : benzene.atoms) {
+    low = glm::min(low, a.position.A - a.radius_A - 1.4);
+    high = glm::max(high, a.position.A + a.radius_A + 1.4);
+  }
+  for (int k = 0; k < 3; ++k) {
+    CHECK(double(model.high[k]) <= 0.05 * (high[k] - low[k]) + 1e-6);
+    CHECK(double(model.high[k]) >= 0.05 * (high[k] - low[k]) - 0.025);
+  }
+  std::size_t grey = 0, white = 0;
+  for (const auto& c : model.corners) {
+    grey += glm::distance(c.colour, elementColour(6)) < 1e-3f;
+    white += glm::distance(c.colour, elementColour(1)) < 1e-3f;
+  }
+  CHECK(grey > 300);
+  CHECK(white > 300);
+  CHECK(grey + white == model.corners.size());
+}
+
+TEST_CASE("a protein of 602 atoms as balls stores its ball once: a file below 400 kB with a node for each atom and chain") {
+  const Scratch scratch;
+  const GltfScene scene = exported(library("1ubq.pdb"), {});
+  CHECK(scene.nodes.size() == 602 + 1 + 1);
+  CHECK(scene.nodes.back().name.find(" of ") != std::string::npos);
+  REQUIRE_FALSE(writeGlb(scratch.folder / "p.glb", scene));
+  CHECK(fs::file_size(scratch.folder / "p.glb") < 400000);
+  // 770 000 triangles: too many for a model that stands in the view, and told so.
+  CHECK(readGltf(scratch.folder / "p.glb").problem().text().find("more than 50000 triangles") != std::string::npos);
+}
+
+TEST_CASE("no atoms, too fine a surface, a folder that is not there: each is told with its remedy") {
+  CHECK(exportMolecule({}, {}).problem().text().find("no atoms") != std::string::npos);
+  const auto fine = exportMolecule(library("1ubq.pdb"), {.style = ExportStyle::Surface, .step_A = 0.01});
+  REQUIRE_FALSE(bool(fine));
+  CHECK(fine.problem().remedy.find("coarser") != std::string::npos);
+  CHECK(writeGlb("/no/such/folder/x.glb", exported(library("water.pdb"), {})).value().text().find("cannot be written") != std::string::npos);
+}
+
+TEST_CASE("a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are told, not drawn") {
+  const Scratch scratch;
+  const auto told = [&](const std::string& bytes) {
+    const fs::path file = scratch.folder / "bad.gltf";
+    std::ofstream(file, std::ios::binary) << bytes;
+    const auto model = readGltf(file);
+    REQUIRE_FALSE(bool(model));
+    CHECK(model.problem().file == file.string());
+    return model.problem().text();
+  };
+  CHECK(readGltf(scratch.folder / "none.glb").problem().text().find("cannot be read") != std::string::npos);
+  CHECK(told("").find("no sound glTF") != std::string::npos);
+  CHECK(told("a pen").find("no sound glTF") != std::string::npos);
+  CHECK(told("[1, 2]").find("no sound glTF") != std::string::npos);
+  CHECK(told(R"({"asset": {"version": "2.0"}})").find("has no scene") != std::string::npos);
+  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]})").find("holds no triangles") != std::string::npos);
+  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]})").find("without end") != std::string::npos);
+  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})").find("names a node") != std::string::npos);
+}
+
+TEST_CASE("a good file with 1 to 4 bytes changed at random, or cut short, never ends the program; 400 files, seed 5") {
+  const Scratch scratch;
+  const fs::path file = scratch.folder / "m.glb";
+  GltfScene scene;
+  scene.materials = {{"red", {1, 0, 0}}};
+  scene.meshes = {{.name = "t", .places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+                   .parts = {{.indices = {0, 1, 2}, .material = 0}}}};
+  scene.nodes = {{.name = "n", .mesh = 0, .place = {2, 0, 0}, .scale = 3}};
+  REQUIRE_FALSE(writeGlb(file, scene));
+  const auto whole = readGltf(file);
+  REQUIRE(bool(whole));
+  CHECK(whole->high == glm::vec3(5, 3, 0));
+  const std::string good = bytesOf(file);
+  std::mt19937 random(5);
+  int refused = 0;
+  for (int round = 0; round < 400; ++round) {
+    std::string bad = good;
+    if (round % 4 == 0) bad.resize(random() % good.size());
+    else
+      for (unsigned k = 0; k <= random() % 4; ++k) bad[random() % bad.size()] = char(random() % 256);
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << bad;
+    const auto model = readGltf(file);
+    refused += !model;
+    if (model) CHECK(model->corners.size() % 3 == 0);
+  }
+  CHECK(refused > 100);
+}
