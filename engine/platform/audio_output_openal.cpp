@@ -1,0 +1,174 @@
+#include "engine/platform/audio_output.h"
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <cstdint>
+#include <cstdlib>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include <dlfcn.h>
+
+#define AL_NO_PROTOTYPES
+#define ALC_NO_PROTOTYPES
+#include <AL/al.h>
+#include <AL/alc.h>
+#include <AL/alext.h>
+
+namespace moltact {
+namespace {
+
+// Four blocks of 10 ms: late by at most 40 ms, and a thread that oversleeps by 30 ms is not heard.
+constexpr int kBlocks = 4, kBlocks_per_s = 100;
+constexpr std::chrono::milliseconds kNap{4};
+
+struct OpenAl {
+  LPALCOPENDEVICE openDevice = nullptr;
+  LPALCCLOSEDEVICE closeDevice = nullptr;
+  LPALCCREATECONTEXT createContext = nullptr;
+  LPALCDESTROYCONTEXT destroyContext = nullptr;
+  LPALCMAKECONTEXTCURRENT makeContextCurrent = nullptr;
+  LPALCGETINTEGERV getDeviceInteger = nullptr;
+  LPALCISEXTENSIONPRESENT isExtensionPresent = nullptr;
+  LPALGENSOURCES genSources = nullptr;
+  LPALGENBUFFERS genBuffers = nullptr;
+  LPALDELETESOURCES deleteSources = nullptr;
+  LPALDELETEBUFFERS deleteBuffers = nullptr;
+  LPALBUFFERDATA bufferData = nullptr;
+  LPALSOURCEQUEUEBUFFERS queueBuffers = nullptr;
+  LPALSOURCEUNQUEUEBUFFERS unqueueBuffers = nullptr;
+  LPALGETSOURCEI getSource = nullptr;
+  LPALSOURCEPLAY play = nullptr;
+  LPALSOURCESTOP stop = nullptr;
+  LPALGETERROR error = nullptr;
+
+  // Kept loaded to the end of the process: its threads do not take kindly to being unloaded.
+  bool load() {
+    void* library = dlopen("libopenal.so.1", RTLD_NOW | RTLD_LOCAL);
+    if (!library) return false;
+    const auto get = [&](const char* name, auto& to) {
+      to = reinterpret_cast<std::remove_reference_t<decltype(to)>>(dlsym(library, name));
+      return to != nullptr;
+    };
+    return get("alcOpenDevice", openDevice) && get("alcCloseDevice", closeDevice) && get("alcCreateContext", createContext) &&
+           get("alcDestroyContext", destroyContext) && get("alcMakeContextCurrent", makeContextCurrent) &&
+           get("alcGetIntegerv", getDeviceInteger) && get("alcIsExtensionPresent", isExtensionPresent) &&
+           get("alGenSources", genSources) && get("alGenBuffers", genBuffers) && get("alDeleteSources", deleteSources) &&
+           get("alDeleteBuffers", deleteBuffers) && get("alBufferData", bufferData) && get("alSourceQueueBuffers", queueBuffers) &&
+           get("alSourceUnqueueBuffers", unqueueBuffers) && get("alGetSourcei", getSource) && get("alSourcePlay", play) &&
+           get("alSourceStop", stop) && get("alGetError", error);
+  }
+};
+
+void noMessage(const char*, int, const char*, int, const char*, ...) {}
+
+// ALSA and OpenAL tell a missing card on stderr, a dozen lines of it; the person gets one sentence from us.
+void hushLibraries() {
+  setenv("ALSOFT_LOGLEVEL", "0", 0);
+  void* alsa = dlopen("libasound.so.2", RTLD_NOW | RTLD_LOCAL);
+  if (!alsa) return;
+  using Handler = void (*)(const char*, int, const char*, int, const char*, ...);
+  if (const auto set = reinterpret_cast<int (*)(Handler)>(dlsym(alsa, "snd_lib_error_set_handler"))) set(&noMessage);
+}
+
+}  // namespace
+
+struct AudioOutput::Parts {
+  int samples_per_s;
+  Fill fill;
+  std::atomic<State> state{State::Opening};
+  std::string trouble;  // written before `state` becomes Silent, then never again
+  std::mutex mutex;
+  std::condition_variable wake;
+  bool end = false;
+  std::thread thread;
+
+  void fail(const char* why) {
+    trouble = why;
+    state = State::Silent;
+  }
+
+  bool napOrEnd() {
+    std::unique_lock lock(mutex);
+    return wake.wait_for(lock, kNap, [this] { return end; });
+  }
+
+  void run() {
+    OpenAl al;
+    if (!al.load()) return fail("There is no sound: OpenAL is not installed on this computer (package libopenal1).");
+    ALCdevice* device = al.openDevice(nullptr);
+    if (!device) return fail("There is no sound: this computer has no sound card that can be opened now.");
+    ALCcontext* context = al.createContext(device, nullptr);
+    if (context && al.makeContextCurrent(context)) stream(al, device);
+    else fail("There is no sound: the sound card refuses to play.");
+    al.makeContextCurrent(nullptr);
+    if (context) al.destroyContext(context);
+    al.closeDevice(device);
+  }
+
+  void stream(const OpenAl& al, ALCdevice* device) {
+    ALuint source = 0;
+    std::array<ALuint, kBlocks> buffers{};
+    al.genSources(1, &source);
+    al.genBuffers(kBlocks, buffers.data());
+    std::vector<float> samples(std::size_t(samples_per_s / kBlocks_per_s));
+    std::vector<std::int16_t> words(samples.size());
+    const auto queue = [&](ALuint buffer) {
+      fill(samples);
+      std::transform(samples.begin(), samples.end(), words.begin(),
+                     [](float s) { return std::int16_t(std::lround(32767.0f * std::clamp(s, -1.0f, 1.0f))); });
+      al.bufferData(buffer, AL_FORMAT_MONO16, words.data(), ALsizei(words.size() * sizeof(std::int16_t)), samples_per_s);
+      al.queueBuffers(source, 1, &buffer);
+    };
+    for (const ALuint b : buffers) queue(b);
+    al.play(source);
+    if (al.error() != AL_NO_ERROR) fail("There is no sound: the sound card refuses to play.");
+    else state = State::Playing;
+    const bool tells_loss = al.isExtensionPresent(device, "ALC_EXT_disconnect");
+    while (state == State::Playing && !napOrEnd()) {
+      ALCint connected = 1;
+      if (tells_loss) al.getDeviceInteger(device, ALC_CONNECTED, 1, &connected);
+      if (!connected) fail("The sound has ended: the sound card is gone.");
+      ALint done = 0, playing = 0;
+      al.getSource(source, AL_BUFFERS_PROCESSED, &done);
+      for (; done > 0; --done) {
+        ALuint buffer = 0;
+        al.unqueueBuffers(source, 1, &buffer);
+        queue(buffer);
+      }
+      // The queue runs dry where the computer was too busy.
+      al.getSource(source, AL_SOURCE_STATE, &playing);
+      if (playing != AL_PLAYING) al.play(source);
+    }
+    al.stop(source);
+    al.deleteSources(1, &source);
+    al.deleteBuffers(kBlocks, buffers.data());
+  }
+};
+
+AudioOutput::AudioOutput(int samples_per_s, Fill fill) : parts_(std::make_unique<Parts>()) {
+  hushLibraries();
+  parts_->samples_per_s = samples_per_s;
+  parts_->fill = std::move(fill);
+  parts_->thread = std::thread([p = parts_.get()] { p->run(); });
+}
+
+AudioOutput::~AudioOutput() {
+  {
+    const std::lock_guard lock(parts_->mutex);
+    parts_->end = true;
+  }
+  parts_->wake.notify_one();
+  parts_->thread.join();
+}
+
+AudioOutput::State AudioOutput::state() const { return parts_->state; }
+
+std::string AudioOutput::trouble() const { return state() == State::Silent ? parts_->trouble : std::string(); }
+
+}  // namespace moltact
