@@ -1,0 +1,58 @@
+#include "engine/results/attempt.h"
+
+#include <cstdio>
+#include <filesystem>
+
+namespace moltact {
+
+std::string_view nameOf(InputWay way) {
+  switch (way) {
+    case InputWay::Device: return "device";
+    case InputWay::Mouse: return "mouse";
+    case InputWay::Keyboard: return "keyboard";
+  }
+  return "mouse";
+}
+
+std::size_t LessonOutline::parts() const {
+  std::size_t n = 0;
+  for (const StepOutline& s : steps) n += s.tasks.size() + s.questions.size();
+  return n;
+}
+
+LessonOutline outlineOf(const Lesson& lesson, std::string hash) {
+  LessonOutline out{std::filesystem::path(lesson.file).filename().string(), lesson.title, std::move(hash), {}};
+  for (const Step& step : lesson.steps) {
+    StepOutline& s = out.steps.emplace_back(StepOutline{step.id, step.title, {}, {}});
+    for (const TaskSpec& task : step.tasks) s.tasks.push_back({task.kind, task.values["say"].text});
+    for (const Question& question : step.questions) {
+      QuestionOutline& q = s.questions.emplace_back(QuestionOutline{question.id, plainText(question.title), {}, {}});
+      for (std::size_t i = 0; i < question.choices.size(); ++i) {
+        q.choices.push_back(plainText(question.choices[i].text));
+        if (question.choices[i].right) q.right.push_back(i);
+      }
+    }
+  }
+  return out;
+}
+
+std::string contentHash(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325ull;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
+  char text[17];
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  return text;
+}
+
+std::string utcText(std::chrono::system_clock::time_point when) {
+  using namespace std::chrono;
+  const auto day = floor<days>(when);
+  const year_month_day date(day);
+  const hh_mm_ss time(floor<seconds>(when - day));
+  char text[40];
+  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02dZ", int(date.year()), unsigned(date.month()), unsigned(date.day()),
+                int(time.hours().count()), int(time.minutes().count()), int(time.seconds().count()));
+  return text;
+}
+
+}  // namespace moltact

@@ -1,0 +1,185 @@
+// One student's way through one lesson as its file keeps it: what happened, in order. Plain data, any thread but the
+// haptic one. How it stands in a file: attempt_lines.h; docs/results.md describes the format for readers.
+// Units: second of use since the attempt began (`t_s`: time while the program was shut does not count), angstrom, newton.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "engine/core/units.h"
+#include "engine/haptics/tracker.h"
+#include "engine/lesson/lesson.h"
+
+namespace moltact {
+
+/// What led the probe, or gave an answer.
+enum class InputWay : std::uint8_t { Device, Mouse, Keyboard };
+/// "device", "mouse" or "keyboard".
+std::string_view nameOf(InputWay way);
+
+struct QuestionOutline {
+  std::string id, text;               ///< plain text
+  std::vector<std::string> choices;   ///< plain text; empty where an answer is written
+  std::vector<std::size_t> right;     ///< indices of the right choices
+};
+
+struct TaskOutline {
+  std::string kind, say;
+};
+
+struct StepOutline {
+  std::string id, title;
+  std::vector<TaskOutline> tasks;
+  std::vector<QuestionOutline> questions;
+};
+
+/// What a lesson asked, so that an attempt can be read without the lesson's file.
+struct LessonOutline {
+  std::string file;   ///< its name without folders: "first-touch.md"
+  std::string title;
+  std::string hash;   ///< of the file's bytes, as contentHash() gives it
+  std::vector<StepOutline> steps;
+
+  /// Tasks and questions of all steps.
+  std::size_t parts() const;
+};
+
+LessonOutline outlineOf(const Lesson& lesson, std::string hash);
+
+/// The FNV-1a hash of 64 bits, 16 hexadecimal digits: tells two versions of a lesson apart.
+std::string contentHash(std::string_view bytes);
+
+/// "2026-11-21T10:58:14Z".
+std::string utcText(std::chrono::system_clock::time_point when);
+
+/// The newest version of the format. A reader reads any; of a newer one it passes over what it does not know.
+inline constexpr int kAttemptFormat = 1;
+
+struct AttemptHeader {
+  int format = kAttemptFormat;
+  std::string program;     ///< version of the program
+  std::string began;       ///< "2026-11-21T10:58:14Z"
+  std::string student;     ///< a name or code; empty where none was given
+  std::string device;      ///< name of the device at the start
+  bool gives_force = false;
+  LessonOutline lesson;
+};
+
+/// A number that a task was done with, "peak force 1.32 N".
+struct LoggedFigure {
+  std::string name;
+  double value = 0.0;
+  std::string unit;
+};
+
+struct StepEntered {
+  std::string step;        ///< id
+};
+struct Answered {
+  std::string step, question;       ///< ids
+  int attempt = 1;                  ///< 1 for the first answer to this question
+  std::vector<std::size_t> chosen;  ///< indices of choices
+  std::string written;              ///< of a written answer
+  bool right = false;
+  InputWay by = InputWay::Mouse;
+};
+struct HintOpened {
+  std::string step;
+};
+struct TaskBegun {
+  std::string step;
+  std::size_t task = 0;    ///< index in the step
+};
+struct TaskDone {
+  std::string step;
+  std::size_t task = 0;
+  double took_s = 0.0;     ///< since it was begun
+  InputWay by = InputWay::Mouse;
+  std::vector<LoggedFigure> figures;
+};
+/// A contact; gaps shorter than kTouchGap_s do not end it.
+struct TouchBegan {
+  std::vector<std::int32_t> atoms;
+};
+struct TouchEnded {
+  double from_s = 0.0;
+  std::vector<std::int32_t> atoms;  ///< every atom that held the probe, in the order in which it first did; at most kMostTouched
+  std::size_t crossings = 0;        ///< how often the probe came from one set of atoms to another
+  double peak_N = 0.0, mean_N = 0.0;
+  double path_A = 0.0;              ///< of the SCP
+  InputWay by = InputWay::Mouse;
+};
+inline constexpr double kTouchGap_s = 0.1;
+inline constexpr std::size_t kMostTouched = 256;
+
+struct InputChanged {
+  InputWay by = InputWay::Mouse;
+  std::string device;
+  bool gives_force = false;
+};
+/// What is on the stage, as far as playing the trace back needs it.
+struct StageSet {
+  std::string molecule;     ///< id
+  std::string file;         ///< its name without folders
+  std::size_t atoms = 0;
+  Workspace workspace;
+  double probe_A = kWaterProbe_A;
+  double stiffness_N_per_mm = 0.5;
+  std::string method;
+  bool force_on = true;
+};
+/// How the person looked at it (engine/render/camera.h).
+struct ViewTurned {
+  std::array<double, 4> orientation{1, 0, 0, 0};  ///< quaternion: w, x, y, z
+  Vec3 target_A{0.0};
+  double distance_A = 50.0;
+};
+struct TraceSample {
+  double t_s = 0.0;
+  PointA hip, scp;
+  ForceN force;             ///< in the device's space
+  Feature feature = Feature::Free;
+  std::array<std::int32_t, 3> atoms{-1, -1, -1};
+};
+/// The way of the hand for up to kTraceChunk_s. A gap between two samples is a hand at rest.
+struct TraceChunk {
+  std::vector<TraceSample> samples;
+};
+struct LessonReread {
+  LessonOutline lesson;
+};
+/// The same attempt was taken up again after the program had been shut.
+struct Resumed {
+  std::string at;           ///< UTC
+  std::string program, device;
+  bool gives_force = false;
+};
+struct ProgressMade {
+  std::string step;         ///< where the student is
+  std::size_t done = 0, of = 0;  ///< tasks and questions; steps seen where the lesson has none
+};
+/// A guess written down before touching, while waiting for a turn at the device.
+struct Predicted {
+  std::string student;
+  std::string step;         ///< where the class was
+  std::string question, text;
+};
+/// The program or the lesson was closed, or the turn was passed on.
+struct Left {
+  std::string at;           ///< UTC
+};
+
+using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, TouchBegan, TouchEnded, InputChanged,
+                                 StageSet, ViewTurned, TraceChunk, LessonReread, Resumed, ProgressMade, Predicted, Left>;
+
+struct AttemptEvent {
+  double t_s = 0.0;
+  AttemptFact what;
+};
+
+}  // namespace moltact

@@ -1,0 +1,159 @@
+#include "engine/results/attempt_file.h"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <string>
+
+#include "engine/platform/append_file.h"
+#include "engine/platform/folders.h"
+#include "engine/platform/read_file.h"
+#include "engine/results/attempt_lines.h"
+
+namespace moltact {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kTooLarge = "attempts are far smaller: check what file it is";
+
+// The last line where no line end follows it: whole (it reads as an object), or cut off.
+bool reads(std::string_view line) {
+  if (line.starts_with(kHeaderBegins)) return bool(readHeaderLine(line));
+  return bool(readEventLine(line));
+}
+
+// The bytes after the last line end, and where they begin; read from the end, for most of a file need not be looked at.
+struct Tail {
+  std::uintmax_t begins = 0;
+  std::string bytes;
+};
+std::optional<Tail> lastLine(const fs::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  std::ifstream in(file, std::ios::binary);
+  if (error || !in) return std::nullopt;
+  Tail tail{size, {}};
+  constexpr std::uintmax_t kBlock = 1 << 16;
+  while (tail.begins > 0 && tail.bytes.size() <= kLongestLine) {
+    const std::uintmax_t step = std::min(kBlock, tail.begins);
+    std::string block(step, '\0');
+    in.seekg(static_cast<std::streamoff>(tail.begins - step));
+    if (!in.read(block.data(), static_cast<std::streamsize>(step))) return std::nullopt;
+    const std::size_t end = block.rfind('\n');
+    if (end != std::string::npos) {
+      tail.begins -= step - end - 1;
+      tail.bytes.insert(0, block, end + 1, std::string::npos);
+      return tail;
+    }
+    tail.begins -= step;
+    tail.bytes.insert(0, block);
+  }
+  return tail;
+}
+
+// Whether the file is one that this program began: its first line's start, or as much of it as there is.
+bool beginsAsAttempt(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string start(kHeaderBegins.size(), '\0');
+  in.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(in.gcount()));
+  return kHeaderBegins.starts_with(start);
+}
+
+}  // namespace
+
+bool mendAttempt(const fs::path& file) {
+  if (!beginsAsAttempt(file)) return false;
+  const std::optional<Tail> seen = lastLine(file);
+  if (!seen || (seen->bytes.empty() && seen->begins > 0)) return false;
+  Expected<AppendFile> out = AppendFile::open(file, AppendFile::Begin::Continue);
+  if (!out) return false;
+  // Looked at again now that no other program can write it.
+  const std::optional<Tail> tail = lastLine(file);
+  if (!tail || (tail->bytes.empty() && tail->begins > 0)) return false;
+  if (reads(tail->bytes)) return !out->append("\n");
+  if (tail->begins > 0) return !out->cut(tail->begins);
+  std::error_code error;
+  return fs::remove(file, error);
+}
+
+fs::path attemptsFolder() {
+  const fs::path data = userDataFolder();
+  return data.empty() ? fs::path() : data / "attempts";
+}
+
+double Attempt::end_s() const {
+  double end = 0.0;
+  for (const AttemptEvent& e : events) end = std::max(end, e.t_s);
+  return end;
+}
+
+Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
+  Expected<std::string> bytes = readFile(file, kLargestAttempt, kTooLarge);
+  if (!bytes) return bytes.problem();
+  const std::string_view all = *bytes;
+  Attempt out;
+  out.file = file;
+  bool begun = false;
+  std::size_t number = 0;
+  for (std::size_t at = 0; at < all.size();) {
+    const std::size_t end = std::min(all.find('\n', at), all.size());
+    std::string_view line = all.substr(at, end - at);
+    const bool last = end == all.size();
+    at = end + 1;
+    ++number;
+    if (line.ends_with('\r')) line.remove_suffix(1);  // a file that went through another system
+    if (begun && line.empty()) continue;
+    if (!begun) {
+      Expected<AttemptHeader> header = readHeaderLine(line);
+      if (!header) return Problem{file.string(), 1, 0, header.problem().message, header.problem().remedy};
+      out.header = *std::move(header);
+      begun = true;
+      continue;
+    }
+    if (depth == ReadDepth::NoTrace && isTraceLine(line)) continue;
+    Expected<std::optional<AttemptEvent>> event = readEventLine(line);
+    if (!event) {
+      if (last) out.torn = true;
+      else out.problems.push_back({file.string(), number, 0, event.problem().message, event.problem().remedy});
+      continue;
+    }
+    if (!*event) continue;
+    if (const auto* again = std::get_if<LessonReread>(&(*event)->what)) out.header.lesson = again->lesson;
+    if (depth == ReadDepth::NoTrace && std::holds_alternative<ViewTurned>((*event)->what)) continue;
+    out.events.push_back(**std::move(event));
+  }
+  if (!begun) return Problem{file.string(), 0, 0, "it is empty", "attempts are the .jsonl files that Moltact writes"};
+  return out;
+}
+
+Expected<std::vector<fs::path>> attemptFiles(const fs::path& named) {
+  std::error_code error;
+  if (!fs::is_directory(named, error)) {
+    if (!fs::exists(named, error)) return Problem{named.string(), 0, 0, "there is no such file or folder", "check the name"};
+    return std::vector<fs::path>{named};
+  }
+  std::vector<fs::path> out;
+  fs::directory_iterator it(named, error);
+  if (error) return Problem{named.string(), 0, 0, "the folder cannot be read", "check its permissions"};
+  for (; it != fs::directory_iterator(); it.increment(error)) {
+    if (error) break;
+    std::error_code ignored;
+    if (it->path().extension() == ".jsonl" && it->is_regular_file(ignored)) out.push_back(it->path());
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+std::vector<fs::path> mendAttempts(const fs::path& folder) {
+  std::vector<fs::path> mended;
+  std::error_code error;
+  if (!fs::is_directory(folder, error)) return mended;
+  const Expected<std::vector<fs::path>> files = attemptFiles(folder);
+  if (!files) return mended;
+  for (const fs::path& file : *files)
+    if (mendAttempt(file)) mended.push_back(file);
+  return mended;
+}
+
+}  // namespace moltact

@@ -1,0 +1,412 @@
+#include "engine/results/attempt_lines.h"
+
+#include <cmath>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+namespace moltact {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// What a line lacks; caught in this file, so that the readers below can be written one key a line.
+struct Lacking {
+  std::string what;
+};
+
+double rounded(double value) { return std::isfinite(value) ? std::round(value * 1000.0) / 1000.0 : 0.0; }
+
+Json rounded(const Vec3& v) { return {rounded(v.x), rounded(v.y), rounded(v.z)}; }
+
+void append(Json& list, const Vec3& v) {
+  for (int k = 0; k < 3; ++k) list.push_back(rounded(v[k]));
+}
+
+std::string closed(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
+
+Json written(const LessonOutline& lesson) {
+  Json steps = Json::array();
+  for (const StepOutline& s : lesson.steps) {
+    Json step{{"id", s.id}, {"title", s.title}};
+    for (const TaskOutline& t : s.tasks) step["tasks"].push_back({{"kind", t.kind}, {"say", t.say}});
+    for (const QuestionOutline& q : s.questions) {
+      Json question{{"id", q.id}, {"text", q.text}};
+      if (!q.choices.empty()) question["choices"] = q.choices;
+      if (!q.right.empty()) question["right"] = q.right;
+      step["questions"].push_back(std::move(question));
+    }
+    steps.push_back(std::move(step));
+  }
+  return {{"file", lesson.file}, {"title", lesson.title}, {"hash", lesson.hash}, {"steps", std::move(steps)}};
+}
+
+constexpr std::string_view kFeatureSigns = ".SCP";  // free, sphere, circle, point
+
+// Each kind of fact writes its keys after "kind" and "t".
+struct FactWriter {
+  Json& out;
+
+  void operator()(const StepEntered& e) { out["step"] = e.step; }
+  void operator()(const Answered& e) {
+    out["step"] = e.step;
+    out["question"] = e.question;
+    out["attempt"] = e.attempt;
+    if (!e.chosen.empty()) out["chosen"] = e.chosen;
+    if (!e.written.empty()) out["written"] = e.written;
+    out["right"] = e.right;
+    out["by"] = nameOf(e.by);
+  }
+  void operator()(const HintOpened& e) { out["step"] = e.step; }
+  void operator()(const TaskBegun& e) {
+    out["step"] = e.step;
+    out["task"] = e.task;
+  }
+  void operator()(const TaskDone& e) {
+    out["step"] = e.step;
+    out["task"] = e.task;
+    out["took_s"] = rounded(e.took_s);
+    out["by"] = nameOf(e.by);
+    for (const LoggedFigure& f : e.figures)
+      out["figures"].push_back({{"name", f.name}, {"value", std::isfinite(f.value) ? f.value : 0.0}, {"unit", f.unit}});
+  }
+  void operator()(const TouchBegan& e) { out["atoms"] = e.atoms; }
+  void operator()(const TouchEnded& e) {
+    out["from"] = rounded(e.from_s);
+    out["atoms"] = e.atoms;
+    out["crossings"] = e.crossings;
+    out["peak_N"] = rounded(e.peak_N);
+    out["mean_N"] = rounded(e.mean_N);
+    out["path_A"] = rounded(e.path_A);
+    out["by"] = nameOf(e.by);
+  }
+  void operator()(const InputChanged& e) {
+    out["by"] = nameOf(e.by);
+    out["device"] = e.device;
+    out["gives_force"] = e.gives_force;
+  }
+  void operator()(const StageSet& e) {
+    out["molecule"] = e.molecule;
+    out["file"] = e.file;
+    out["atoms"] = e.atoms;
+    out["A_per_mm"] = e.workspace.A_per_mm;
+    out["centre_A"] = rounded(e.workspace.centre_A);
+    out["turn"] = Json::array();
+    for (int column = 0; column < 3; ++column)
+      for (int row = 0; row < 3; ++row) out["turn"].push_back(e.workspace.turn[column][row]);
+    out["probe_A"] = rounded(e.probe_A);
+    out["stiffness_N_per_mm"] = rounded(e.stiffness_N_per_mm);
+    out["method"] = e.method;
+    out["force_on"] = e.force_on;
+  }
+  void operator()(const ViewTurned& e) {
+    for (const double q : e.orientation) out["orientation"].push_back(std::round(q * 1e5) / 1e5);
+    out["target_A"] = rounded(e.target_A);
+    out["distance_A"] = rounded(e.distance_A);
+  }
+  void operator()(const TraceChunk& e) {
+    Json ms = Json::array(), hip = Json::array(), scp = Json::array(), force = Json::array(), atoms = Json::array();
+    std::string features;
+    std::array<std::int32_t, 3> held{-1, -1, -1};
+    const double from_s = e.samples.empty() ? 0.0 : e.samples.front().t_s;
+    for (std::size_t i = 0; i < e.samples.size(); ++i) {
+      const TraceSample& s = e.samples[i];
+      ms.push_back(std::llround((s.t_s - from_s) * 1000.0));
+      append(hip, s.hip.A);
+      features += kFeatureSigns[static_cast<std::size_t>(s.feature)];
+      if (s.feature == Feature::Free) continue;
+      append(scp, s.scp.A);
+      append(force, s.force.N);
+      if (s.atoms == held) continue;
+      held = s.atoms;
+      Json change = Json::array({i});
+      for (const std::int32_t a : s.atoms)
+        if (a >= 0) change.push_back(a);
+      atoms.push_back(std::move(change));
+    }
+    out["from"] = rounded(from_s);
+    out["ms"] = std::move(ms);
+    out["feature"] = std::move(features);
+    out["hip"] = std::move(hip);
+    if (scp.empty()) return;
+    out["scp"] = std::move(scp);
+    out["force"] = std::move(force);
+    out["atoms"] = std::move(atoms);
+  }
+  void operator()(const LessonReread& e) { out["lesson"] = written(e.lesson); }
+  void operator()(const Resumed& e) {
+    out["at"] = e.at;
+    out["program"] = e.program;
+    out["device"] = e.device;
+    out["gives_force"] = e.gives_force;
+  }
+  void operator()(const ProgressMade& e) {
+    out["step"] = e.step;
+    out["done"] = e.done;
+    out["of"] = e.of;
+  }
+  void operator()(const Predicted& e) {
+    out["student"] = e.student;
+    if (!e.step.empty()) out["step"] = e.step;
+    out["question"] = e.question;
+    out["text"] = e.text;
+  }
+  void operator()(const Left& e) { out["at"] = e.at; }
+};
+
+std::string_view kindOf(const AttemptFact& fact) {
+  constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> kKinds{
+      "step", "answer", "hint", "task", "done", "touch", "released", "input", "stage", "view", "trace", "lesson", "resumed",
+      "progress", "prediction", "left"};
+  return kKinds[fact.index()];
+}
+
+// Reading -------------------------------------------------------------------------------------------------------------
+
+const Json& need(const Json& from, const char* key) {
+  const auto it = from.find(key);
+  if (it == from.end()) throw Lacking{std::string("'") + key + "' is missing"};
+  return *it;
+}
+
+std::string text(const Json& value, const char* key) {
+  if (!value.is_string()) throw Lacking{std::string("'") + key + "' is no text"};
+  return value.get<std::string>();
+}
+std::string text(const Json& from, const char* key, bool needed) {
+  const auto it = from.find(key);
+  if (it == from.end() && !needed) return {};
+  return text(need(from, key), key);
+}
+
+double number(const Json& value, const char* key) {
+  if (!value.is_number()) throw Lacking{std::string("'") + key + "' is no number"};
+  return value.get<double>();
+}
+double numberAt(const Json& from, const char* key) { return number(need(from, key), key); }
+double numberOr(const Json& from, const char* key, double otherwise) {
+  return from.contains(key) ? numberAt(from, key) : otherwise;
+}
+
+// A whole number from `least` on; JSON numbers may be any double.
+std::int64_t whole(const Json& value, const char* key, std::int64_t least) {
+  const double d = number(value, key);
+  if (!(d >= static_cast<double>(least) && d <= 9e15) || d != std::floor(d)) throw Lacking{std::string("'") + key + "' is no whole number that fits"};
+  return static_cast<std::int64_t>(d);
+}
+std::size_t count(const Json& from, const char* key) { return static_cast<std::size_t>(whole(need(from, key), key, 0)); }
+
+const Json& list(const Json& from, const char* key) {
+  const Json& value = need(from, key);
+  if (!value.is_array()) throw Lacking{std::string("'") + key + "' is no list"};
+  return value;
+}
+const Json& listOrNone(const Json& from, const char* key) {
+  static const Json kNone = Json::array();
+  return from.contains(key) ? list(from, key) : kNone;
+}
+
+std::int32_t atom(const Json& value) {
+  const std::int64_t a = whole(value, "atoms", -1);
+  if (a > INT32_MAX) throw Lacking{"'atoms' holds a number that is too large"};
+  return static_cast<std::int32_t>(a);
+}
+
+bool flag(const Json& from, const char* key) {
+  const Json& value = need(from, key);
+  if (!value.is_boolean()) throw Lacking{std::string("'") + key + "' is neither true nor false"};
+  return value.get<bool>();
+}
+
+InputWay way(const Json& from) {
+  const std::string name = text(from, "by", true);
+  for (const InputWay w : {InputWay::Device, InputWay::Mouse, InputWay::Keyboard})
+    if (name == nameOf(w)) return w;
+  throw Lacking{"'by' is none of device, mouse and keyboard"};
+}
+
+std::vector<double> numbers(const Json& from, const char* key, std::size_t size) {
+  const Json& values = list(from, key);
+  if (values.size() != size) throw Lacking{std::string("'") + key + "' should hold " + std::to_string(size) + " numbers"};
+  std::vector<double> out;
+  for (const Json& v : values) out.push_back(number(v, key));
+  return out;
+}
+
+Vec3 vector(const Json& from, const char* key) {
+  const std::vector<double> v = numbers(from, key, 3);
+  return {v[0], v[1], v[2]};
+}
+
+const Json& object(const Json& value, const char* what) {
+  if (!value.is_object()) throw Lacking{std::string("'") + what + "' is no object"};
+  return value;
+}
+
+LessonOutline outline(const Json& from) {
+  object(from, "lesson");
+  LessonOutline out{text(from, "file", true), text(from, "title", true), text(from, "hash", false), {}};
+  for (const Json& step : list(from, "steps")) {
+    StepOutline& s = out.steps.emplace_back(StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
+    for (const Json& task : listOrNone(step, "tasks")) s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false)});
+    for (const Json& question : listOrNone(step, "questions")) {
+      QuestionOutline& q = s.questions.emplace_back(QuestionOutline{text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}});
+      for (const Json& choice : listOrNone(question, "choices")) q.choices.push_back(text(choice, "choices"));
+      for (const Json& right : listOrNone(question, "right")) q.right.push_back(static_cast<std::size_t>(whole(right, "right", 0)));
+    }
+  }
+  return out;
+}
+
+TraceChunk trace(const Json& from) {
+  const Json& ms = list(from, "ms");
+  const std::string features = text(from, "feature", true);
+  const std::size_t n = ms.size();
+  if (features.size() != n) throw Lacking{"'feature' and 'ms' differ in length"};
+  const std::size_t touching = n - static_cast<std::size_t>(std::count(features.begin(), features.end(), '.'));
+  const std::vector<double> hip = numbers(from, "hip", 3 * n);
+  std::vector<double> scp, force;
+  if (touching) {
+    scp = numbers(from, "scp", 3 * touching);
+    force = numbers(from, "force", 3 * touching);
+  }
+  const double from_s = numberAt(from, "from");
+  const Json& changes = listOrNone(from, "atoms");
+  TraceChunk out;
+  std::array<std::int32_t, 3> held{-1, -1, -1};
+  std::size_t change = 0;
+  for (std::size_t i = 0, k = 0; i < n; ++i) {
+    TraceSample s;
+    s.t_s = from_s + number(ms[i], "ms") / 1000.0;
+    s.hip.A = s.scp.A = {hip[3 * i], hip[3 * i + 1], hip[3 * i + 2]};
+    const std::size_t feature = kFeatureSigns.find(features[i]);
+    if (feature == std::string_view::npos) throw Lacking{"'feature' has a sign that is not known"};
+    s.feature = static_cast<Feature>(feature);
+    if (s.feature != Feature::Free) {
+      s.scp.A = {scp[k], scp[k + 1], scp[k + 2]};
+      s.force.N = {force[k], force[k + 1], force[k + 2]};
+      k += 3;
+      if (change < changes.size() && changes[change].is_array() && !changes[change].empty() &&
+          whole(changes[change][0], "atoms", 0) == static_cast<std::int64_t>(i)) {
+        held = {-1, -1, -1};
+        for (std::size_t a = 1; a < std::min<std::size_t>(4, changes[change].size()); ++a) held[a - 1] = atom(changes[change][a]);
+        ++change;
+      }
+      s.atoms = held;
+    }
+    out.samples.push_back(s);
+  }
+  return out;
+}
+
+std::vector<std::int32_t> atoms(const Json& from) {
+  std::vector<std::int32_t> out;
+  for (const Json& a : list(from, "atoms")) out.push_back(atom(a));
+  return out;
+}
+
+// The same order as the table of kinds.
+std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
+  if (kind == "step") return StepEntered{text(j, "step", true)};
+  if (kind == "answer") {
+    Answered a{text(j, "step", true), text(j, "question", true), static_cast<int>(std::min<std::int64_t>(whole(need(j, "attempt"), "attempt", 1), 1'000'000)),
+               {}, text(j, "written", false), flag(j, "right"), way(j)};
+    for (const Json& c : listOrNone(j, "chosen")) a.chosen.push_back(static_cast<std::size_t>(whole(c, "chosen", 0)));
+    return a;
+  }
+  if (kind == "hint") return HintOpened{text(j, "step", true)};
+  if (kind == "task") return TaskBegun{text(j, "step", true), count(j, "task")};
+  if (kind == "done") {
+    TaskDone d{text(j, "step", true), count(j, "task"), numberOr(j, "took_s", 0.0), way(j), {}};
+    for (const Json& f : listOrNone(j, "figures"))
+      d.figures.push_back({text(object(f, "figures"), "name", true), numberAt(f, "value"), text(f, "unit", false)});
+    return d;
+  }
+  if (kind == "touch") return TouchBegan{atoms(j)};
+  if (kind == "released")
+    return TouchEnded{numberAt(j, "from"), atoms(j), j.contains("crossings") ? count(j, "crossings") : 0, numberAt(j, "peak_N"),
+                      numberOr(j, "mean_N", 0.0), numberOr(j, "path_A", 0.0), way(j)};
+  if (kind == "input") return InputChanged{way(j), text(j, "device", false), flag(j, "gives_force")};
+  if (kind == "stage") {
+    StageSet s{text(j, "molecule", true), text(j, "file", true), count(j, "atoms"), {}, numberAt(j, "probe_A"),
+               numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
+    s.workspace.A_per_mm = numberAt(j, "A_per_mm");
+    if (!(s.workspace.A_per_mm > 0.0)) throw Lacking{"'A_per_mm' is not greater than 0"};
+    s.workspace.centre_A = vector(j, "centre_A");
+    const std::vector<double> turn = numbers(j, "turn", 9);
+    for (int k = 0; k < 9; ++k) s.workspace.turn[k / 3][k % 3] = turn[static_cast<std::size_t>(k)];
+    return s;
+  }
+  if (kind == "view") {
+    const std::vector<double> q = numbers(j, "orientation", 4);
+    return ViewTurned{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
+  }
+  if (kind == "trace") return trace(j);
+  if (kind == "lesson") return LessonReread{outline(need(j, "lesson"))};
+  if (kind == "resumed") return Resumed{text(j, "at", true), text(j, "program", false), text(j, "device", false), flag(j, "gives_force")};
+  if (kind == "progress") return ProgressMade{text(j, "step", true), count(j, "done"), count(j, "of")};
+  if (kind == "prediction") return Predicted{text(j, "student", true), text(j, "step", false), text(j, "question", true), text(j, "text", true)};
+  if (kind == "left") return Left{text(j, "at", true)};
+  return std::nullopt;
+}
+
+Problem noObject() { return {{}, 0, 0, "it is no JSON object", "it is passed over"}; }
+
+Json parsed(std::string_view line) {
+  if (line.size() > kLongestLine) return Json(Json::value_t::discarded);
+  return Json::parse(line.begin(), line.end(), nullptr, false);
+}
+
+}  // namespace
+
+std::string lineOf(const AttemptHeader& header) {
+  return closed({{"kind", "attempt"},
+                 {"format", header.format},
+                 {"program", header.program},
+                 {"began", header.began},
+                 {"student", header.student},
+                 {"device", header.device},
+                 {"gives_force", header.gives_force},
+                 {"lesson", written(header.lesson)}});
+}
+
+std::string lineOf(const AttemptEvent& event) {
+  Json out{{"kind", kindOf(event.what)}, {"t", rounded(event.t_s)}};
+  std::visit(FactWriter{out}, event.what);
+  return closed(out);
+}
+
+bool isTraceLine(std::string_view line) { return line.starts_with(R"({"kind":"trace")"); }
+
+Expected<AttemptHeader> readHeaderLine(std::string_view line) {
+  const Json j = parsed(line);
+  const Problem none{{}, 0, 0, "it is no attempt at a lesson", "attempts are the .jsonl files that Moltact writes"};
+  if (!j.is_object() || !j.contains("kind") || j["kind"] != "attempt") return none;
+  try {
+    AttemptHeader h;
+    h.format = static_cast<int>(std::min<std::int64_t>(whole(need(j, "format"), "format", 1), INT32_MAX));
+    h.program = text(j, "program", false);
+    h.began = text(j, "began", true);
+    h.student = text(j, "student", false);
+    h.device = text(j, "device", false);
+    h.gives_force = j.contains("gives_force") && flag(j, "gives_force");
+    h.lesson = outline(need(j, "lesson"));
+    return h;
+  } catch (const Lacking& lacking) {
+    return Problem{{}, 0, 0, "its first line is damaged: " + lacking.what, none.remedy};
+  }
+}
+
+Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line) {
+  const Json j = parsed(line);
+  if (!j.is_object()) return noObject();
+  try {
+    const double t_s = numberAt(j, "t");
+    std::optional<AttemptFact> fact = factOf(text(j, "kind", true), j);
+    if (!fact) return std::optional<AttemptEvent>();
+    return std::optional<AttemptEvent>(AttemptEvent{t_s, *std::move(fact)});
+  } catch (const Lacking& lacking) {
+    return Problem{{}, 0, 0, lacking.what, "the line is passed over"};
+  }
+}
+
+}  // namespace moltact

@@ -1,0 +1,35 @@
+// How an attempt stands in its file: JSON Lines, UTF-8, one object a line, the key "kind" first. The first line is the
+// header ("attempt"). Lengths are in angstrom to 0.001, forces in newton to 0.001, times in second to 0.001.
+// Not for the haptic thread. The table of all keys is in docs/results.md.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "engine/core/problem.h"
+#include "engine/results/attempt.h"
+
+namespace moltact {
+
+/// One line with its line end. Bytes that are no UTF-8 are replaced, numbers that are not finite become 0.
+std::string lineOf(const AttemptHeader& header);
+std::string lineOf(const AttemptEvent& event);
+
+/// How every first line begins.
+inline constexpr std::string_view kHeaderBegins = R"({"kind":"attempt")";
+
+/// Whether a line is one of the trace, without parsing it: most bytes of a file are.
+bool isTraceLine(std::string_view line);
+
+/// The first line of a file. A Problem (without file and line) where it is none. Unknown keys are passed over.
+Expected<AttemptHeader> readHeaderLine(std::string_view line);
+
+/// Any other line; no value for a kind that is not known (of a newer format). A Problem (without file and line) where it is
+/// no JSON object, or where a key that its kind needs is missing or of another type.
+Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line);
+
+/// Longer lines are refused (unit: byte).
+inline constexpr std::size_t kLongestLine = std::size_t{4} << 20;
+
+}  // namespace moltact

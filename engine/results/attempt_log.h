@@ -1,0 +1,49 @@
+// An attempt while it goes on: takes its events and has them written. Nothing is kept of a lesson that was only looked at:
+// the file begins with the first deed (a touch, an answer, a hint, a step gone on to). Window's thread; never waits, but in
+// its destructor.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "engine/results/attempt.h"
+#include "engine/results/attempt_writer.h"
+
+namespace moltact {
+
+class AttemptLog {
+ public:
+  /// A new attempt, kept in `folder` (empty: nothing is kept).
+  AttemptLog(std::filesystem::path folder, AttemptHeader header);
+  /// An attempt that is taken up again; `end_s` is the time of its last event. What is added counts on from there.
+  AttemptLog(std::filesystem::path file, double end_s, const Resumed& resumed);
+
+  /// `event.t_s` is the time of use since this object was made.
+  void add(AttemptEvent event);
+
+  /// The file has been begun.
+  bool begun() const { return writer_.has_value(); }
+  /// The file; empty before it is there.
+  std::filesystem::path file() const { return writer_ ? writer_->file() : std::filesystem::path(); }
+  /// As AttemptWriter has them.
+  std::optional<Problem> takeTrouble() { return writer_ ? writer_->takeTrouble() : std::nullopt; }
+  bool takeRecovered() { return writer_ && writer_->takeRecovered(); }
+  bool flush() { return !writer_ || writer_->flush(); }
+
+  /// Progress is told anew after so much else, so that readProgress finds it near the end (unit: byte).
+  static constexpr std::size_t kProgressEvery = 24 << 10;
+
+ private:
+  void write(std::string line);
+
+  std::filesystem::path folder_;
+  std::string name_;       // of the new file
+  std::string before_;     // lines of which none is a deed
+  double from_s_ = 0.0;
+  std::size_t since_progress_ = 0;
+  std::optional<AttemptEvent> progress_;
+  std::optional<AttemptWriter> writer_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,139 @@
+#include "engine/results/class_csv.h"
+
+#include <cstdio>
+#include <vector>
+
+namespace moltact {
+namespace {
+
+std::string quoted(std::string text) {
+  if (!text.empty() && std::string_view("=+-@\t\r\n").find(text[0]) != std::string_view::npos) text.insert(0, "'");
+  if (text.find_first_of(",\"\r\n;") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) {
+    if (c == '"') out += '"';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string number(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+// Counts on as cells are added; rows end with CR LF, as the standard has it.
+class Row {
+ public:
+  explicit Row(std::string& out) : out_(out) {}
+  ~Row() { out_ += "\r\n"; }
+  void text(const std::string& cell) { raw(quoted(cell)); }
+  void whole(std::size_t n) { raw(std::to_string(n)); }
+  void value(double v, int digits) { raw(number(v, digits)); }
+  void empty() { raw({}); }
+
+ private:
+  void raw(const std::string& cell) {
+    if (!first_) out_ += ',';
+    first_ = false;
+    out_ += cell;
+  }
+  std::string& out_;
+  bool first_ = true;
+};
+
+std::string answerText(const QuestionOutline& question, const AnswerScore& answer) {
+  if (!answer.written.empty()) return answer.written;
+  std::string out;
+  for (const std::size_t c : answer.chosen) out += (out.empty() ? "" : " | ") + (c < question.choices.size() ? question.choices[c] : "?");
+  return out;
+}
+
+void head(std::string& out, const ClassSummary& summary) {
+  Row row(out);
+  for (const char* name : {"student", "lesson", "lesson_file", "began_utc", "attempts", "done", "of", "done_percent", "finished", "last_step",
+                           "minutes", "questions", "answered", "right_at_first_try", "hints", "touches", "touch_s", "peak_force_N",
+                           "mean_force_N", "path_A", "crossings", "input", "device_percent", "mouse_percent", "keyboard_percent", "device",
+                           "force_feedback"})
+    row.text(name);
+  for (const LessonSummary& lesson : summary.lessons)
+    for (const StepOutline& step : lesson.lesson.steps) {
+      const std::string place = lesson.lesson.file + "#" + step.id;
+      row.text(place + " minutes");
+      for (const QuestionOutline& q : step.questions) {
+        row.text(place + "/" + q.id + " first answer");
+        row.text(place + "/" + q.id + " tries");
+      }
+      for (std::size_t t = 0; t < step.tasks.size(); ++t) {
+        row.text(place + "/task " + std::to_string(t + 1) + " s");
+        row.text(place + "/task " + std::to_string(t + 1) + " input");
+      }
+    }
+}
+
+void person(std::string& out, const ClassSummary& summary, const LessonSummary& of, const PersonScore& p) {
+  Row row(out);
+  std::size_t questions = 0;
+  for (const StepOutline& s : of.lesson.steps) questions += s.questions.size();
+  row.text(p.person);
+  row.text(of.lesson.title);
+  row.text(of.lesson.file);
+  row.text(p.began);
+  row.whole(p.attempts);
+  row.whole(p.done);
+  row.whole(p.of);
+  row.value(100.0 * p.share(), 1);
+  row.text(p.finished() ? "yes" : "no");
+  row.text(p.last_step);
+  row.value(p.time_s / 60.0, 2);
+  row.whole(questions);
+  row.whole(p.answers.size());
+  row.whole(p.firstRight());
+  row.whole(p.hints);
+  row.whole(p.touches);
+  row.value(p.touch_s, 1);
+  row.value(p.peak_N, 3);
+  row.value(p.mean_N, 3);
+  row.value(p.path_A, 2);
+  row.whole(p.crossings);
+  const auto way = p.way();
+  row.text(way ? std::string(nameOf(*way)) : "");
+  for (const double s : p.touch_ways_s) {
+    if (p.touch_s > 0) row.value(100.0 * s / p.touch_s, 1);
+    else row.empty();
+  }
+  row.text(p.device);
+  row.text(p.gives_force ? "yes" : "no");
+  for (const LessonSummary& lesson : summary.lessons)
+    for (const StepOutline& step : lesson.lesson.steps) {
+      const bool mine = &lesson == &of;
+      const auto time = p.step_s.find(step.id);
+      if (mine && time != p.step_s.end()) row.value(time->second / 60.0, 2);
+      else row.empty();
+      for (const QuestionOutline& q : step.questions) {
+        const auto answer = p.answers.find({step.id, q.id});
+        const bool given = mine && answer != p.answers.end();
+        if (given) row.text(answerText(q, answer->second)), row.whole(std::size_t(answer->second.tries));
+        else row.empty(), row.empty();
+      }
+      for (std::size_t t = 0; t < step.tasks.size(); ++t) {
+        const auto task = p.tasks.find({step.id, t});
+        const bool done = mine && task != p.tasks.end() && task->second.done;
+        if (done) row.value(task->second.took_s, 1), row.text(std::string(nameOf(task->second.by)));
+        else row.empty(), row.empty();
+      }
+    }
+}
+
+}  // namespace
+
+std::string classCsv(const ClassSummary& summary) {
+  std::string out = "\xEF\xBB\xBF";
+  head(out, summary);
+  for (const LessonSummary& lesson : summary.lessons)
+    for (const PersonScore& p : lesson.people) person(out, summary, lesson, p);
+  return out;
+}
+
+}  // namespace moltact

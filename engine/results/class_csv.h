@@ -1,0 +1,15 @@
+// A class as a table for spreadsheets: RFC 4180, UTF-8 with a byte order mark (without it some take the file for another
+// encoding), one row for each person and lesson. The columns are described in docs/results.md.
+#pragma once
+
+#include <string>
+
+#include "engine/results/class_summary.h"
+
+namespace moltact {
+
+/// The whole file. Text that a spreadsheet would take for a formula (it begins with = + - @, a tab or a line end) gets an
+/// apostrophe before it, so that nothing written by a student is ever computed.
+std::string classCsv(const ClassSummary& summary);
+
+}  // namespace moltact

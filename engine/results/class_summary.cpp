@@ -1,0 +1,189 @@
+#include "engine/results/class_summary.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+namespace moltact {
+namespace {
+
+// "(no name, 21 Nov 10:58)" of "2026-11-21T10:58:14Z".
+std::string nameless(const std::string& began) {
+  static constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0;
+  if (std::sscanf(began.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d", &year, &month, &day, &hour, &minute, &second) != 6 || month < 1 || month > 12)
+    return "(no name)";
+  char text[48];
+  std::snprintf(text, sizeof text, "(no name, %d %s %02d:%02d)", day, kMonths[std::size_t(month - 1)], hour, minute);
+  return text;
+}
+
+// Adds one attempt's events to what its person has done.
+class Counting {
+ public:
+  explicit Counting(PersonScore& into) : p_(into) {}
+
+  void add(const Attempt& attempt) {
+    ++p_.attempts;
+    p_.device = attempt.header.device;
+    p_.gives_force = attempt.header.gives_force;
+    for (const AttemptEvent& event : attempt.events) {
+      t_s_ = event.t_s;
+      std::visit(*this, event.what);
+    }
+    leaveStep();
+    if (p_.of == 0) p_.of = std::max<std::size_t>(1, attempt.header.lesson.parts());
+    p_.time_s += attempt.end_s();
+    for (const StepOutline& s : attempt.header.lesson.steps)
+      if (s.id == at_) p_.last_step = s.title;
+  }
+
+  void operator()(const StepEntered& e) {
+    leaveStep();
+    at_ = step_ = e.step;
+    entered_s_ = t_s_;
+  }
+  void operator()(const Left&) { leaveStep(); }
+  void operator()(const Answered& e) {
+    AnswerScore& a = p_.answers[{e.step, e.question}];
+    if (a.tries == 0) {
+      a.chosen = e.chosen;
+      a.written = e.written;
+      a.first_right = e.right;
+      a.by = e.by;
+    }
+    if (!a.right) ++a.tries;
+    a.right = a.right || e.right;
+  }
+  void operator()(const HintOpened&) { ++p_.hints; }
+  void operator()(const TaskBegun& e) { p_.tasks[{e.step, e.task}].begun = true; }
+  void operator()(const TaskDone& e) {
+    TaskScore& task = p_.tasks[{e.step, e.task}];
+    if (task.done) return;
+    task = {true, true, e.took_s, e.by, e.figures};
+  }
+  void operator()(const TouchEnded& e) {
+    const double lasted_s = std::max(0.0, t_s_ - e.from_s);
+    ++p_.touches;
+    p_.crossings += e.crossings;
+    p_.mean_N = p_.touch_s + lasted_s > 0.0 ? (p_.mean_N * p_.touch_s + e.mean_N * lasted_s) / (p_.touch_s + lasted_s) : 0.0;
+    p_.touch_s += lasted_s;
+    p_.peak_N = std::max(p_.peak_N, e.peak_N);
+    p_.path_A += e.path_A;
+    p_.touch_ways_s[static_cast<std::size_t>(e.by)] += lasted_s;
+  }
+  void operator()(const ProgressMade& e) {
+    if (e.of == 0 || (p_.of > 0 && double(e.done) * double(p_.of) < double(p_.done) * double(e.of))) return;
+    p_.done = std::min(e.done, e.of);
+    p_.of = e.of;
+  }
+  void operator()(const Predicted& e) { p_.predictions.push_back(e); }
+  void operator()(const Resumed& e) {
+    p_.device = e.device;
+    p_.gives_force = e.gives_force;
+  }
+  void operator()(const auto&) {}
+
+ private:
+  void leaveStep() {
+    if (!step_.empty()) p_.step_s[step_] += std::max(0.0, t_s_ - entered_s_);
+    step_.clear();
+  }
+
+  PersonScore& p_;
+  std::string step_, at_;  // the step whose time runs, and the one met last
+  double t_s_ = 0.0, entered_s_ = 0.0;
+};
+
+std::size_t distinctHashes(const std::vector<const Attempt*>& attempts) {
+  std::set<std::string> hashes;
+  for (const Attempt* a : attempts) hashes.insert(a->header.lesson.hash);
+  return hashes.size();
+}
+
+}  // namespace
+
+std::size_t PersonScore::firstRight() const {
+  return std::size_t(std::count_if(answers.begin(), answers.end(), [](const auto& a) { return a.second.first_right; }));
+}
+
+std::optional<InputWay> PersonScore::way() const {
+  WayShares shares = touch_ways_s;
+  if (touches == 0)
+    for (const auto& [question, answer] : answers) shares[static_cast<std::size_t>(answer.by)] += 1.0;
+  const auto most = std::max_element(shares.begin(), shares.end());
+  if (touches == 0 && *most == 0.0) return std::nullopt;
+  return static_cast<InputWay>(most - shares.begin());
+}
+
+ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
+  std::stable_sort(attempts.begin(), attempts.end(), [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
+  ClassSummary out;
+  out.attempts = attempts.size();
+
+  // Codes go by who began first, not by name.
+  std::map<std::string, std::string> codes;
+  std::vector<std::string> names, nobodies;
+  const auto personOf = [&](const Attempt& a, std::size_t index) {
+    const bool named = !a.header.student.empty();
+    const std::string key = named ? "n" + a.header.student : "f" + std::to_string(index);
+    const auto known = codes.find(key);
+    if (known != codes.end()) return known->second;
+    char code[16];
+    std::snprintf(code, sizeof code, "S%02zu", codes.size() + 1);
+    std::string shown = anonymous ? code : named ? a.header.student : nameless(a.header.began);
+    // Two without a name in the same minute are two.
+    for (int more = 2; !named && !anonymous && std::find(nobodies.begin(), nobodies.end(), shown) != nobodies.end(); ++more)
+      shown = nameless(a.header.began) + " #" + std::to_string(more);
+    (named || anonymous ? names : nobodies).push_back(shown);
+    return codes[key] = shown;
+  };
+
+  std::map<std::string, std::vector<const Attempt*>> by_lesson;
+  std::map<const Attempt*, std::string> person;
+  for (std::size_t k = 0; k < attempts.size(); ++k) {
+    by_lesson[attempts[k].header.lesson.file].push_back(&attempts[k]);
+    person[&attempts[k]] = personOf(attempts[k], k);
+  }
+  for (const auto& [file, of_lesson] : by_lesson) {
+    LessonSummary lesson{of_lesson.back()->header.lesson, distinctHashes(of_lesson), {}};
+    std::map<std::string, PersonScore> people;
+    for (const Attempt* a : of_lesson) {
+      PersonScore& p = people[person[a]];
+      if (p.attempts == 0) {
+        p.person = person[a];
+        p.named = !a->header.student.empty();
+        p.began = a->header.began;
+      }
+      Counting(p).add(*a);
+    }
+    for (auto& [name, score] : people) {
+      if (anonymous)
+        for (Predicted& prediction : score.predictions) {
+          const auto code = codes.find("n" + prediction.student);
+          prediction.student = code == codes.end() ? "(another)" : code->second;
+        }
+      lesson.people.push_back(std::move(score));
+    }
+    std::stable_sort(lesson.people.begin(), lesson.people.end(), [](const PersonScore& a, const PersonScore& b) { return a.named > b.named; });
+    out.lessons.push_back(std::move(lesson));
+  }
+  std::sort(out.lessons.begin(), out.lessons.end(), [](const LessonSummary& a, const LessonSummary& b) {
+    return std::pair(a.lesson.title, a.lesson.file) < std::pair(b.lesson.title, b.lesson.file);
+  });
+  std::sort(names.begin(), names.end());
+  out.people = std::move(names);
+  out.people.insert(out.people.end(), nobodies.begin(), nobodies.end());
+  return out;
+}
+
+double quantile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) return 0.0;
+  const double at = std::clamp(share, 0.0, 1.0) * double(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(at);
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (at - double(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace moltact

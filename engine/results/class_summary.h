@@ -1,0 +1,80 @@
+// What a class did, counted from its attempts: plain numbers, from which the CSV and the page are written. Any thread but
+// the haptic one. A person is a student's name, or an attempt where no name was given. Several attempts of a person at a
+// lesson count together: the farthest progress, all the time, and of each question the first answer ever given.
+#pragma once
+
+#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/problem.h"
+#include "engine/results/attempt_file.h"
+
+namespace moltact {
+
+inline constexpr std::size_t kWays = 3;  ///< InputWay's values
+using WayShares = std::array<double, kWays>;
+
+/// The first answer that a person gave to a question, and how it went on.
+struct AnswerScore {
+  std::vector<std::size_t> chosen;  ///< of the first answer
+  std::string written;
+  bool first_right = false, right = false;
+  int tries = 0;                    ///< until the first right one, or all where there is none
+  InputWay by = InputWay::Mouse;    ///< of the first answer
+};
+
+struct TaskScore {
+  bool begun = false, done = false;
+  double took_s = 0.0;
+  InputWay by = InputWay::Mouse;
+  std::vector<LoggedFigure> figures;
+};
+
+/// One person at one lesson.
+struct PersonScore {
+  std::string person;               ///< the name, or "(no name, 21 Nov 10:58)"
+  bool named = false;
+  std::string began;                ///< the first attempt's
+  std::size_t attempts = 0;
+  std::size_t done = 0, of = 0;     ///< of the attempt that came farthest
+  std::string last_step;            ///< title of the step where the last attempt stands
+  double time_s = 0.0;
+  std::size_t hints = 0, touches = 0, crossings = 0;
+  double touch_s = 0.0, peak_N = 0.0, mean_N = 0.0, path_A = 0.0;
+  WayShares touch_ways_s{};         ///< time of touch with each way of input
+  std::string device;               ///< of the last attempt
+  bool gives_force = false;
+  std::map<std::string, double> step_s;                                ///< by step id
+  std::map<std::pair<std::string, std::string>, AnswerScore> answers;  ///< by step and question id
+  std::map<std::pair<std::string, std::size_t>, TaskScore> tasks;      ///< by step id and index
+  std::vector<Predicted> predictions;
+
+  double share() const { return of ? double(done) / double(of) : 0.0; }
+  bool finished() const { return of > 0 && done >= of; }
+  std::size_t firstRight() const;
+  /// The way that most of the touching was done with; of the answers where there was no touch; no value without either.
+  std::optional<InputWay> way() const;
+};
+
+struct LessonSummary {
+  LessonOutline lesson;             ///< of the newest attempt
+  std::size_t versions = 1;         ///< how many versions of the lesson's file the attempts were made with
+  std::vector<PersonScore> people;  ///< by name
+};
+
+struct ClassSummary {
+  std::vector<LessonSummary> lessons;  ///< by title
+  std::vector<std::string> people;     ///< named ones first, then those without a name
+  std::size_t attempts = 0;
+};
+
+/// Attempts in any order. With `anonymous`, names become "S01", "S02" …, in an order that tells nothing about the names.
+ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous = false);
+
+/// The value below which a share of sorted values lies, with linear interpolation; 0 of none.
+double quantile(const std::vector<double>& sorted, double share);
+
+}  // namespace moltact

@@ -1,0 +1,229 @@
+#include "engine/results/page_parts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+namespace moltact::page {
+namespace {
+
+constexpr std::array kWayOrder{InputWay::Device, InputWay::Mouse, InputWay::Keyboard};
+
+// 1, 2 or 5 times a power of ten, not below `least`.
+double roundStep(double least) {
+  const double power = std::pow(10.0, std::floor(std::log10(least)));
+  for (const double m : {1.0, 2.0, 5.0})
+    if (m * power >= least * (1.0 - 1e-12)) return m * power;
+  return 10.0 * power;
+}
+
+int digitsFor(double step) { return std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 4); }
+
+template <class... Parts>
+std::string format(const char* how, Parts... parts) {
+  char text[400];
+  std::snprintf(text, sizeof text, how, parts...);
+  return text;
+}
+
+std::vector<double> sortedValues(const std::vector<Measured>& values) {
+  std::vector<double> out;
+  for (const Measured& m : values) out.push_back(m.value);
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+// The mark of a way: disc, square, triangle.
+std::string mark(InputWay way, double x, double y) {
+  const std::string look = " class=\"mark " + wayClass(way) + "\"/>";
+  if (way == InputWay::Device) return format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.2\"", x, y) + look;
+  if (way == InputWay::Mouse) return format("<rect x=\"%.1f\" y=\"%.1f\" width=\"5.6\" height=\"5.6\"", x - 2.8, y - 2.8) + look;
+  return format("<path d=\"M%.1f %.1fl3.4 6h-6.8z\"", x, y - 3.4) + look;
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string out;
+  for (const char c : text) switch (c) {
+      case '&': out += "&amp;"; break;
+      case '<': out += "&lt;"; break;
+      case '>': out += "&gt;"; break;
+      case '"': out += "&quot;"; break;
+      case '\'': out += "&#39;"; break;
+      default: out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+    }
+  return out;
+}
+
+std::string number(double value, int digits) { return std::isfinite(value) ? format("%.*f", digits, value) : "–"; }
+
+std::string percent(double share) { return format("%.0f %%", 100.0 * share); }
+
+std::string duration(double time_s) {
+  if (time_s < 99.5) return format("%.0f s", time_s);
+  return format(time_s < 600 ? "%.1f min" : "%.0f min", time_s / 60.0);
+}
+
+std::string wayClass(InputWay way) { return "way-" + std::string(nameOf(way)); }
+
+std::string waysText(const PersonScore& person) {
+  std::vector<std::pair<double, InputWay>> shares;
+  for (const InputWay w : kWayOrder)
+    if (const double s = person.touch_ways_s[std::size_t(w)]; s > 0) shares.emplace_back(s, w);
+  if (shares.empty()) {
+    const auto way = person.way();
+    return way ? std::string(nameOf(*way)) : "–";
+  }
+  std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  if (shares.size() == 1) return std::string(nameOf(shares[0].second));
+  std::string out;
+  for (const auto& [s, w] : shares) out += (out.empty() ? "" : ", ") + std::string(nameOf(w)) + " " + percent(s / person.touch_s);
+  return out;
+}
+
+double roundAbove(double value) {
+  if (!(value > 0.0)) return 1.0;
+  const double step = roundStep(value / 5.0);
+  return std::ceil(value / step - 1e-9) * step;
+}
+
+std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values) {
+  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0; });
+  if (values.empty()) return {};
+  const std::vector<double> sorted = sortedValues(values);
+  // Counts have a bar each, which stands over its number.
+  const bool counted = unit.empty() && sorted.back() < 40.0;
+  const double spread = std::max({sorted.back() - sorted.front(), 1e-3 * sorted.back(), 1e-6});
+  const double width = counted ? 1.0 : roundStep(spread / 9.0);
+  const double first = counted ? 0.0 : std::floor(sorted.front() / width) * width;
+  const auto binOf = [&](double value) { return static_cast<std::size_t>((value - first) / width + 1e-9); };
+  const std::size_t bins = binOf(sorted.back()) + 1;
+  std::vector<std::array<int, kWays>> counts(bins);
+  for (const Measured& m : values) ++counts[binOf(m.value)][std::size_t(m.by)];
+  int most = 1;
+  for (const auto& c : counts) most = std::max(most, c[0] + c[1] + c[2]);
+
+  constexpr double kLeft = 26, kTop = 8, kWide = 278, kHigh = 112;
+  const double each = kWide / double(bins), unit_high = kHigh / double(most);
+  std::string svg = "<svg viewBox=\"0 0 320 152\" role=\"img\" aria-label=\"" + escaped(title) + "\">";
+  const int tick = std::max(1, static_cast<int>(roundStep(std::max(1.0, most / 4.5))));
+  for (int n = 0; n <= most; n += tick) {
+    const double y = kTop + kHigh - n * unit_high;
+    svg += format("<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/><text class=\"axis\" x=\"%.0f\" y=\"%.1f\" text-anchor=\"end\">%d</text>", kLeft, y, kWide, kLeft - 5, y + 3.5, n);
+  }
+  for (std::size_t b = 0; b < bins; ++b) {
+    double y = kTop + kHigh;
+    for (const InputWay w : kWayOrder) {
+      const double high = counts[b][std::size_t(w)] * unit_high;
+      if (high <= 0) continue;
+      y -= high;
+      svg += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"", kLeft + each * double(b) + 1, y, each - 2, high) + " class=\"bar " + wayClass(w) + "\"/>";
+    }
+  }
+  const int digits = digitsFor(width);
+  const std::size_t every = bins > 6 ? 2 : 1;
+  for (std::size_t b = 0; b < bins + !counted; b += every)
+    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"%.0f\" text-anchor=\"middle\">%.*f</text>", kLeft + each * (double(b) + (counted ? 0.5 : 0.0)), kTop + kHigh + 14, digits, first + width * double(b));
+  const double median = quantile(sorted, 0.5), x = kLeft + each * ((median - first) / width + (counted ? 0.5 : 0.0));
+  svg += format("<path class=\"median\" d=\"M%.1f %.0fv%.0f\"/>", x, kTop - 4, kHigh + 4);
+  svg += "</svg>";
+  return "<figure class=\"histogram\"><figcaption><div><b>" + escaped(title) + "</b>" + (unit.empty() ? "" : ", " + escaped(unit)) + "</div><span>median " +
+         number(median, std::min(3, digits + 1)) + (unit.empty() ? "" : " " + escaped(unit)) + ", n = " + std::to_string(values.size()) + "</span></figcaption>" + svg + "</figure>";
+}
+
+namespace {
+constexpr double kStripWide = 420, kStripEdge = 6;
+double stripX(double value, double most) { return kStripEdge + (kStripWide - 2 * kStripEdge) * std::clamp(value / most, 0.0, 1.0); }
+}  // namespace
+
+std::string strip(const std::vector<Measured>& values, double most) {
+  std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 22\" role=\"img\" aria-label=\"" + std::to_string(values.size()) + " values\"><path class=\"grid\" d=\"M6 11h408\"/>";
+  const std::vector<double> sorted = sortedValues(values);
+  if (sorted.size() >= 4) {
+    const double from = stripX(quantile(sorted, 0.25), most), to = stripX(quantile(sorted, 0.75), most);
+    svg += format("<rect class=\"box\" x=\"%.1f\" y=\"3\" width=\"%.1f\" height=\"16\" rx=\"2\"/>", from, std::max(1.0, to - from));
+  }
+  // Marks that would cover each other go up and down by turns.
+  std::vector<Measured> by_value = values;
+  std::stable_sort(by_value.begin(), by_value.end(), [](const Measured& a, const Measured& b) { return a.value < b.value; });
+  static constexpr std::array kShift{0.0, -5.0, 5.0, -2.5, 2.5};
+  double last = -100;
+  std::size_t row = 0;
+  for (const Measured& m : by_value) {
+    const double x = stripX(m.value, most);
+    row = x - last < 6.0 ? (row + 1) % kShift.size() : 0;
+    last = x;
+    svg += mark(m.by, x, 11 + kShift[row]);
+  }
+  if (!sorted.empty()) svg += format("<path class=\"median\" d=\"M%.1f 1v20\"/>", stripX(quantile(sorted, 0.5), most));
+  return svg + "</svg>";
+}
+
+std::string stripScale(double most, const std::string& unit) {
+  std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 16\" aria-hidden=\"true\">";
+  const double step = roundStep(most / 4.0);
+  for (double v = 0; v <= most * (1 + 1e-9); v += step) {
+    const bool last = v + step > most * (1 + 1e-9);
+    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"12\" text-anchor=\"%s\">%.*f%s</text>", stripX(v, most), v == 0 ? "start" : v > most * 0.999 ? "end" : "middle",
+                  digitsFor(step), v, last ? (" " + escaped(unit)).c_str() : "");
+  }
+  return svg + "</svg>";
+}
+
+std::string bar(double share, bool right) {
+  const double wide = 198.0 * std::clamp(share, 0.0, 1.0);
+  return format("<svg class=\"share\" viewBox=\"0 0 200 14\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect class=\"track\" x=\"0.5\" y=\"0.5\" width=\"199\" height=\"13\" rx=\"3\"/>"
+                "<rect class=\"%s\" x=\"1\" y=\"1\" width=\"%.1f\" height=\"12\" rx=\"2.5\"/></svg>", right ? "full" : "hatched", wide);
+}
+
+std::string patterns() {
+  return R"svg(<svg width="0" height="0" style="position:absolute" aria-hidden="true"><defs>
+<pattern id="hatch" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="5" height="5" class="ground-wrong"/><rect width="2" height="5" class="ink-wrong"/></pattern>
+<pattern id="mouse" width="6" height="6" patternUnits="userSpaceOnUse" patternTransform="rotate(45)"><rect width="6" height="6" class="ground-mouse"/><rect width="2.6" height="6" class="ink-mouse"/></pattern>
+<pattern id="keyboard" width="6" height="6" patternUnits="userSpaceOnUse"><rect width="6" height="6" class="ground-keyboard"/><circle cx="3" cy="3" r="1.7" class="ink-keyboard"/></pattern>
+</defs></svg>)svg";
+}
+
+std::string_view styleSheet() {
+  return R"css(
+:root{color-scheme:light dark;--ground:#f6f7f9;--panel:#fff;--text:#1b2430;--quiet:#5a6675;--line:#d9dfe6;--accent:#0b63a8;--soft:#e6f0f9;
+--device:#0b63a8;--mouse:#c2560a;--mouse-soft:#f7e3d3;--keyboard:#0a7d5c;--keyboard-soft:#d5efe5;--wrong:#77808c;--wrong-soft:#eceff2;--good:#0a7d5c}
+@media(prefers-color-scheme:dark){:root{--ground:#12161b;--panel:#1b2129;--text:#e8edf2;--quiet:#a3afbc;--line:#333d48;--accent:#6fb5f0;--soft:#1f3347;
+--device:#6fb5f0;--mouse:#f0a066;--mouse-soft:#4a3423;--keyboard:#5fd0a8;--keyboard-soft:#1d4437;--wrong:#9aa5b1;--wrong-soft:#2c343d;--good:#5fd0a8}}
+*{box-sizing:border-box}
+body{margin:0;background:var(--ground);color:var(--text);font:15px/1.5 Inter,system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans",sans-serif;font-variant-numeric:tabular-nums}
+main{max-width:1080px;margin:0 auto;padding:32px 24px 64px}
+h1{font-size:30px;line-height:1.2;margin:0 0 4px;letter-spacing:-.01em}h2{font-size:23px;margin:48px 0 4px;letter-spacing:-.01em}h3{font-size:17px;margin:30px 0 10px}
+p{margin:6px 0}.quiet,figcaption span,.axis{color:var(--quiet)}.small{font-size:13px}
+.tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:12px;margin:18px 0}
+.tile,.card{background:var(--panel);border:1px solid var(--line);border-radius:10px}
+.tile{padding:12px 16px}.tile b{display:block;font-size:25px;line-height:1.25;letter-spacing:-.01em}.tile span{color:var(--quiet);font-size:13px}
+.card{padding:16px 18px;margin:12px 0;break-inside:avoid}
+.scroll{overflow-x:auto}.nowrap{white-space:nowrap}
+table{border-collapse:collapse;width:100%;font-size:14px}th,td{padding:7px 10px;text-align:right;border-bottom:1px solid var(--line);vertical-align:middle}
+th{font-weight:600;color:var(--quiet);font-size:12.5px;line-height:1.3;vertical-align:bottom}th:first-child,td:first-child,.left{text-align:left!important}
+tbody tr:last-child td{border-bottom:0}td.name{font-weight:600;min-width:9em}thead{display:table-header-group}tr{break-inside:avoid}
+.doneCell{display:flex;align-items:center;gap:8px;min-width:130px}.doneCell svg.share{width:76px;flex:none}.doneCell span{min-width:3.1em;text-align:right;white-space:nowrap}
+svg{display:block;max-width:100%}svg.share{width:100%;height:14px}svg.strip{width:420px}
+.track{fill:var(--wrong-soft);stroke:var(--line)}.full{fill:var(--accent)}.hatched{fill:url(#hatch)}
+.ground-wrong{fill:var(--wrong-soft)}.ink-wrong{fill:var(--wrong)}.ground-mouse{fill:var(--mouse-soft)}.ink-mouse{fill:var(--mouse)}.ground-keyboard{fill:var(--keyboard-soft)}.ink-keyboard{fill:var(--keyboard)}
+.bar{stroke-width:1}.bar.way-device{fill:var(--device);stroke:var(--device)}.bar.way-mouse{fill:url(#mouse);stroke:var(--mouse)}.bar.way-keyboard{fill:url(#keyboard);stroke:var(--keyboard)}
+.mark{stroke-width:1.2;fill-opacity:.35}.mark.way-device{fill:var(--device);stroke:var(--device)}.mark.way-mouse{fill:var(--mouse);stroke:var(--mouse)}.mark.way-keyboard{fill:var(--keyboard);stroke:var(--keyboard)}
+.grid{stroke:var(--line);fill:none}.box{fill:var(--soft);stroke:var(--line)}.median{stroke:var(--text);stroke-width:2;fill:none}text.axis{font-size:10.5px;fill:var(--quiet)}
+.histograms{display:grid;grid-template-columns:repeat(auto-fill,minmax(300px,1fr));gap:12px}
+figure{margin:0;background:var(--panel);border:1px solid var(--line);border-radius:10px;padding:12px 14px 8px;break-inside:avoid}
+figcaption{display:flex;flex-wrap:wrap;justify-content:space-between;gap:2px 12px;font-size:13.5px;margin-bottom:6px}figcaption b{margin-right:0}
+.legend{display:flex;flex-wrap:wrap;gap:4px 18px;margin:8px 0 12px;font-size:13px;color:var(--quiet);align-items:center}.legend span{display:inline-flex;align-items:center;gap:7px}.legend svg{width:30px;height:14px}
+.question{display:grid;grid-template-columns:1.6em minmax(10em,2.2fr) minmax(120px,1.6fr) 5.5em;gap:6px 12px;align-items:center;margin-top:10px}
+.question .n{text-align:right;white-space:nowrap}.right{font-weight:600}.tick{color:var(--good);font-weight:700}
+.head{display:flex;justify-content:space-between;gap:16px;align-items:baseline}.head b{font-size:16px}.head span{color:var(--quiet);white-space:nowrap;font-size:13.5px}
+.given td,.given th{text-align:center}.given td:first-child,.given th:first-child{text-align:left}.given .ok{color:var(--good);font-weight:700}.given .no{color:var(--mouse);font-weight:700}.given .none{color:var(--quiet)}
+ul.plain{margin:6px 0;padding-left:1.2em}code{font:13px ui-monospace,"DejaVu Sans Mono",monospace;overflow-wrap:anywhere}
+@media print{:root{--ground:#fff;--panel:#fff;--text:#000;--quiet:#444;--line:#bbb;--accent:#333;--soft:#eee;--device:#000;--mouse:#000;--mouse-soft:#fff;--keyboard:#000;--keyboard-soft:#fff;--wrong:#666;--wrong-soft:#fff;--good:#000;color-scheme:light}
+body{font-size:11pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-before:page}h2.first{break-before:auto}h3{break-after:avoid}.scroll{overflow:visible}table{font-size:9pt}th{font-size:8.5pt}th,td{padding:4px 6px}.histograms{grid-template-columns:1fr 1fr}a{color:inherit}}
+@page{margin:16mm 14mm}
+)css";
+}
+
+}  // namespace moltact::page

@@ -1,0 +1,126 @@
+#include "engine/results/progress.h"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "engine/results/attempt_lines.h"
+
+namespace moltact {
+namespace fs = std::filesystem;
+namespace {
+
+struct Ends {
+  AttemptHeader header;
+  ProgressMade last;
+  bool known = false;  // that there is progress
+};
+
+// Looks through whole lines from the last one back for what tells the progress.
+bool lastProgress(std::string_view bytes, ProgressMade& into) {
+  for (std::size_t end = bytes.size(); end > 0;) {
+    const std::size_t before = end > 1 ? bytes.rfind('\n', end - 2) : std::string_view::npos;
+    const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
+    const std::string_view line = bytes.substr(begin, end - begin);
+    end = begin;
+    if (!line.starts_with(R"({"kind":"progress")")) continue;
+    const Expected<std::optional<AttemptEvent>> event = readEventLine(line.substr(0, line.find('\n')));
+    if (!event || !*event) continue;
+    into = std::get<ProgressMade>((*event)->what);
+    return true;
+  }
+  return false;
+}
+
+std::optional<Ends> readEnds(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string first;
+  if (!in || !std::getline(in, first) || first.size() > kLongestLine) return std::nullopt;
+  Expected<AttemptHeader> header = readHeaderLine(first);
+  if (!header) return std::nullopt;
+  Ends ends{*std::move(header), {}, false};
+  in.clear();
+  in.seekg(0, std::ios::end);
+  const std::streamoff size = in.tellg();
+  // The recorder writes progress often enough for it to stand in the first look; where not, farther back.
+  for (std::streamoff look = 32 << 10;; look *= 8) {
+    const std::streamoff from = std::max<std::streamoff>(0, size - look);
+    std::string bytes(static_cast<std::size_t>(size - from), '\0');
+    in.seekg(from);
+    if (!in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return ends;
+    ends.known = lastProgress(bytes, ends.last);
+    if (ends.known || from == 0) return ends;
+  }
+}
+
+std::string titleOf(const LessonOutline& lesson, const std::string& step) {
+  for (const StepOutline& s : lesson.steps)
+    if (s.id == step) return s.title;
+  return {};
+}
+
+}  // namespace
+
+std::vector<LessonProgress> readProgress(const fs::path& folder, const std::optional<std::string>& student) {
+  std::error_code error;
+  if (folder.empty() || !fs::is_directory(folder, error)) return {};
+  const Expected<std::vector<fs::path>> files = attemptFiles(folder);
+  if (!files) return {};
+  std::map<std::string, LessonProgress> by_lesson;
+  for (const fs::path& file : *files) {
+    const std::optional<Ends> ends = readEnds(file);
+    if (!ends || (student && ends->header.student != *student)) continue;
+    const fs::file_time_type touched = fs::last_write_time(file, error);
+    if (error) continue;
+    const AttemptHeader& h = ends->header;
+    LessonProgress& p = by_lesson[h.lesson.file];
+    const bool newest = p.attempts == 0 || touched >= p.touched;
+    const std::size_t of = ends->known ? ends->last.of : std::max<std::size_t>(1, h.lesson.parts());
+    const bool finished = ends->known && of > 0 && ends->last.done >= of;
+    ++p.attempts;
+    p.finished = p.finished || finished;
+    if (!newest) continue;
+    p.lesson = h.lesson.file;
+    p.title = h.lesson.title;
+    p.student = h.student;
+    p.file = file;
+    p.began = h.began;
+    p.touched = touched;
+    p.step = ends->last.step;
+    p.step_title = titleOf(h.lesson, p.step);
+    p.done = ends->last.done;
+    p.of = of;
+  }
+  std::vector<LessonProgress> out;
+  for (auto& [name, progress] : by_lesson) out.push_back(std::move(progress));
+  std::sort(out.begin(), out.end(), [](const LessonProgress& a, const LessonProgress& b) { return a.touched > b.touched; });
+  return out;
+}
+
+SessionMemory memoryOf(const Attempt& attempt) {
+  std::map<std::string, std::pair<std::set<std::size_t>, std::map<std::string, QuestionStatus>>> steps;
+  SessionMemory out;
+  for (const AttemptEvent& event : attempt.events) {
+    if (const auto* e = std::get_if<StepEntered>(&event.what)) {
+      out.step = e->step;
+      steps[e->step];
+    } else if (const auto* begun = std::get_if<TaskBegun>(&event.what)) {
+      steps[begun->step].first.erase(begun->task);  // begun again: not done any more
+    } else if (const auto* done = std::get_if<TaskDone>(&event.what)) {
+      steps[done->step].first.insert(done->task);
+    } else if (const auto* answer = std::get_if<Answered>(&event.what)) {
+      QuestionStatus& q = steps[answer->step].second[answer->question];
+      q.attempts = answer->attempt;
+      q.chosen = answer->chosen;
+      q.written = answer->written;
+      q.last_right = answer->right;
+      q.answered_right = q.answered_right || answer->right;
+    }
+  }
+  for (auto& [step, done] : steps)
+    out.steps.push_back({step, {done.first.begin(), done.first.end()}, {done.second.begin(), done.second.end()}});
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,83 @@
+#include "engine/results/session_watch.h"
+
+#include <algorithm>
+
+namespace moltact {
+namespace {
+constexpr std::size_t kNone = ~std::size_t{0};
+}
+
+void SessionWatch::resize(const Lesson& lesson) {
+  lesson_ = &lesson;
+  seen_.assign(lesson.steps.size(), {});
+  for (std::size_t i = 0; i < seen_.size(); ++i) {
+    seen_[i].tasks_done.assign(lesson.steps[i].tasks.size(), 0);
+    seen_[i].attempts.assign(lesson.steps[i].questions.size(), 0);
+  }
+}
+
+void SessionWatch::begin(const LessonSession& session) {
+  resize(session.lesson());
+  step_ = task_ = kNone;
+  for (std::size_t s = 0; s < seen_.size(); ++s) {
+    for (std::size_t t = 0; t < seen_[s].tasks_done.size(); ++t) seen_[s].tasks_done[t] = session.taskDone(s, t);
+    for (std::size_t q = 0; q < seen_[s].attempts.size(); ++q) seen_[s].attempts[q] = session.question(s, q).attempts;
+  }
+}
+
+std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, double t_s, InputWay by) {
+  std::vector<AttemptEvent> out;
+  const Lesson& lesson = session.lesson();
+  // A lesson that was read again kept what it could.
+  if (&lesson != lesson_) begin(session);
+  for (std::size_t s = 0; s < seen_.size(); ++s) {
+    const Step& step = lesson.steps[s];
+    for (std::size_t q = 0; q < step.questions.size(); ++q) {
+      const QuestionStatus& status = session.question(s, q);
+      if (status.attempts > seen_[s].attempts[q])
+        out.push_back({t_s, Answered{step.id, step.questions[q].id, status.attempts, status.chosen, status.written, status.last_right, by}});
+      seen_[s].attempts[q] = status.attempts;
+    }
+    for (std::size_t t = 0; t < step.tasks.size(); ++t) {
+      const bool done = session.taskDone(s, t);
+      if (done && !seen_[s].tasks_done[t]) {
+        const bool timed = s == step_ && t == task_;
+        TaskDone fact{step.id, t, timed ? t_s - task_begun_s_ : 0.0, by, {}};
+        for (const TaskFigure& f : session.figuresOf(s, t)) fact.figures.push_back({std::string(f.name), f.value, std::string(f.unit)});
+        out.push_back({t_s, std::move(fact)});
+      }
+      seen_[s].tasks_done[t] = done;
+    }
+  }
+  if (session.stepIndex() != step_) {
+    step_ = session.stepIndex();
+    task_ = kNone;
+    out.push_back({t_s, StepEntered{session.step().id}});
+  }
+  const std::size_t tasks = session.step().tasks.size();
+  std::size_t current = 0;
+  while (current < tasks && session.taskDone(step_, current)) ++current;
+  if (current == tasks) current = kNone;
+  if (current != task_) {
+    task_ = current;
+    task_begun_s_ = t_s;
+    if (current != kNone) out.push_back({t_s, TaskBegun{session.step().id, current}});
+  }
+  return out;
+}
+
+ProgressMade SessionWatch::progressOf(const LessonSession& session) {
+  ProgressMade out{session.step().id, 0, 0};
+  std::size_t steps_seen = 0;
+  const std::vector<Step>& steps = session.lesson().steps;
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    for (std::size_t t = 0; t < steps[s].tasks.size(); ++t) out.done += session.taskDone(s, t);
+    for (std::size_t q = 0; q < steps[s].questions.size(); ++q) out.done += session.question(s, q).answered_right;
+    out.of += steps[s].tasks.size() + steps[s].questions.size();
+    steps_seen += session.stepSeen(s);
+  }
+  if (out.of == 0) out.done = steps_seen, out.of = steps.size();
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,36 @@
+// Turns what changes in a lesson's session into events of an attempt, by comparing it with what it was at the last look.
+// Window's thread, once a frame: cheap where nothing changed.
+#pragma once
+
+#include <vector>
+
+#include "engine/lesson/session.h"
+#include "engine/results/attempt.h"
+
+namespace moltact {
+
+class SessionWatch {
+ public:
+  /// What the session holds now is known already: nothing of it becomes an event, but for the step where the student is.
+  void begin(const LessonSession& session);
+
+  /// What has happened since the last look. `by`: what led the probe and gave answers meanwhile.
+  std::vector<AttemptEvent> look(const LessonSession& session, double t_s, InputWay by);
+
+  /// As a line of the log tells it.
+  static ProgressMade progressOf(const LessonSession& session);
+
+ private:
+  struct StepSeen {
+    std::vector<char> tasks_done;
+    std::vector<int> attempts;
+  };
+  void resize(const Lesson& lesson);
+
+  const Lesson* lesson_ = nullptr;
+  std::vector<StepSeen> seen_;
+  std::size_t step_ = ~std::size_t{0}, task_ = ~std::size_t{0};  // the step and task under way; none: the largest number
+  double task_begun_s_ = 0.0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,88 @@
+#include "engine/results/touch_watch.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace moltact {
+
+void TouchWatch::add(const TouchSample& sample, double t_s, InputWay by) {
+  if (!finite(sample.hip.A) || !finite(sample.contact.scp.A) || !finite(sample.force.N)) return;
+  follow(sample, t_s, by);
+  trace(sample, t_s);
+}
+
+void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
+  if (!s.contact.touching()) {
+    if (touching_ && t_s - touch_.last_s > kTouchGap_s) end();
+    return;
+  }
+  const auto each = [&](auto&& take) {
+    for (const std::int32_t a : s.contact.atoms)
+      if (a >= 0) take(a);
+  };
+  if (!touching_) {
+    touching_ = true;
+    touch_ = Touch();
+    touch_.told.from_s = t_s;
+    touch_.scp_A = s.contact.scp.A;
+    touch_.atoms = s.contact.atoms;
+    TouchBegan began;
+    each([&](std::int32_t a) { began.atoms.push_back(a); });
+    ready_.push_back({t_s, std::move(began)});
+  }
+  TouchEnded& told = touch_.told;
+  if (s.contact.atoms != touch_.atoms) {
+    ++told.crossings;
+    touch_.atoms = s.contact.atoms;
+  }
+  each([&](std::int32_t a) {
+    if (told.atoms.size() < kMostTouched && std::find(told.atoms.begin(), told.atoms.end(), a) == told.atoms.end()) told.atoms.push_back(a);
+  });
+  const double force_N = glm::length(s.force.N);
+  told.peak_N = std::max(told.peak_N, force_N);
+  told.path_A += glm::distance(s.contact.scp.A, touch_.scp_A);
+  told.by = by;
+  touch_.scp_A = s.contact.scp.A;
+  touch_.force_sum_N += force_N;
+  ++touch_.ticks;
+  touch_.last_s = t_s;
+}
+
+void TouchWatch::end() {
+  touching_ = false;
+  touch_.told.mean_N = touch_.force_sum_N / double(std::max<std::size_t>(1, touch_.ticks));
+  ready_.push_back({touch_.last_s, std::move(touch_.told)});
+}
+
+void TouchWatch::trace(const TouchSample& s, double t_s) {
+  const TraceSample now{t_s, s.hip, s.contact.scp, s.force, s.contact.feature, s.contact.atoms};
+  if (has_before_) {
+    const bool changed = now.feature != before_.feature || now.atoms != before_.atoms;
+    if (t_s - before_.t_s < (changed ? kChange_s : kSample_s)) return;
+    const bool still = !changed && glm::distance(now.hip.A, before_.hip.A) < kStill_A && glm::distance(now.force.N, before_.force.N) < 0.005;
+    if (still) {
+      rested_ = true;
+      resting_ = now;
+      return;
+    }
+    // Where the rest ended, so that the way from there is not drawn out over the whole rest.
+    if (std::exchange(rested_, false) && resting_.t_s > before_.t_s) trace_.push_back(resting_);
+  }
+  trace_.push_back(now);
+  before_ = now;
+  has_before_ = true;
+}
+
+void TouchWatch::breakOff() {
+  if (touching_) end();
+  if (!trace_.empty()) ready_.push_back({trace_.back().t_s, TraceChunk{std::exchange(trace_, {})}});
+  has_before_ = rested_ = false;
+}
+
+std::vector<AttemptEvent> TouchWatch::take(double t_s) {
+  if (!trace_.empty() && t_s - trace_.front().t_s >= kTraceChunk_s)
+    ready_.push_back({trace_.back().t_s, TraceChunk{std::exchange(trace_, {})}});
+  return std::exchange(ready_, {});
+}
+
+}  // namespace moltact

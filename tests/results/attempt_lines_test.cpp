@@ -1,0 +1,125 @@
+// Oracle: what was written is what is read, kind by kind; damage made by hand.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "tests/results/sample_attempt.h"
+
+namespace moltact {
+namespace {
+
+TEST_CASE("every one of the 16 kinds of event comes back from its line as it was") {
+  std::vector<bool> met(std::variant_size_v<AttemptFact>);
+  for (const AttemptEvent& event : sampleEvents()) {
+    const std::string line = lineOf(event);
+    CAPTURE(line);
+    CHECK(line.find('\n') == line.size() - 1);
+    met[event.what.index()] = true;
+    const auto back = readEventLine(line);
+    REQUIRE(bool(back));
+    REQUIRE(back->has_value());
+    CHECK((*back)->what.index() == event.what.index());
+    CHECK((*back)->t_s == event.t_s);
+    CHECK(lineOf(**back) == line);
+  }
+  CHECK(met == std::vector<bool>(16, true));
+}
+
+TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms that held the probe") {
+  const AttemptEvent event = sampleEvents()[7];
+  const auto& wanted = std::get<TraceChunk>(event.what).samples;
+  const auto back = readEventLine(lineOf(event));
+  const auto& got = std::get<TraceChunk>((**back).what).samples;
+  REQUIRE(got.size() == wanted.size());
+  for (std::size_t k = 0; k < got.size(); ++k) {
+    CAPTURE(k);
+    CHECK(got[k].t_s == doctest::Approx(wanted[k].t_s));
+    CHECK(glm::distance(got[k].hip.A, wanted[k].hip.A) < 1e-3);
+    CHECK(glm::distance(got[k].scp.A, wanted[k].scp.A) < 1e-3);
+    CHECK(glm::distance(got[k].force.N, wanted[k].force.N) < 1e-3);
+    CHECK(got[k].feature == wanted[k].feature);
+    CHECK(got[k].atoms == wanted[k].atoms);
+  }
+}
+
+TEST_CASE("the header comes back with its outline of 2 steps, and any name of a student") {
+  const auto back = readHeaderLine(lineOf(sampleHeader()));
+  REQUIRE(bool(back));
+  CHECK(back->student == "A. \"Quote\", Ünlü\n=1+1");
+  REQUIRE(back->lesson.steps.size() == 2);
+  CHECK(back->lesson.steps[0].questions[0].choices[2] == "both");
+  CHECK(back->lesson.steps[0].questions[0].right == std::vector<std::size_t>{1});
+  CHECK(back->lesson.parts() == 3);
+  CHECK(lineOf(*back) == lineOf(sampleHeader()));
+}
+
+TEST_CASE("a file of format 7 with kinds and keys that are not known is read as far as it is known") {
+  auto header = sampleHeader();
+  header.format = 7;
+  std::string line = lineOf(header);
+  line.insert(1, R"("mood":{"x":[1,2]},)");
+  const auto back = readHeaderLine(line);
+  REQUIRE(bool(back));
+  CHECK(back->format == 7);
+  const auto unknown = readEventLine(R"({"kind":"smell","t":4,"of":"roses"})");
+  REQUIRE(bool(unknown));
+  CHECK_FALSE(unknown->has_value());
+  const auto more = readEventLine(R"({"t":4,"later":null,"step":"one","kind":"hint"})");
+  REQUIRE((bool(more) && more->has_value()));
+  CHECK(std::get<HintOpened>((*more)->what).step == "one");
+}
+
+TEST_CASE("wrong types, missing keys and numbers that do not fit are told and never thrown") {
+  for (const char* line : {"", "{", "[]", "42", "null", "{}", R"({"kind":"hint"})", R"({"kind":7,"t":1})", R"({"kind":"hint","t":"x","step":"a"})",
+                           R"({"kind":"hint","t":1,"step":3})", R"({"kind":"task","t":1,"step":"a","task":-1})",
+                           R"({"kind":"task","t":1,"step":"a","task":1e300})", R"({"kind":"task","t":1,"step":"a","task":0.5})",
+                           R"({"kind":"answer","t":1,"step":"a","question":"b","attempt":1,"right":"yes","by":"mouse"})",
+                           R"({"kind":"answer","t":1,"step":"a","question":"b","attempt":1,"right":true,"by":"foot"})",
+                           R"({"kind":"touch","t":1,"atoms":[1,99999999999]})", R"({"kind":"trace","t":1,"from":0,"ms":[0,1],"feature":"S","hip":[]})",
+                           R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":"S","hip":[1,2,3]})",
+                           R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":"Q","hip":[1,2,3],"scp":[1,2,3],"force":[0,0,0]})",
+                           R"({"kind":"view","t":1,"orientation":[1,0,0],"target_A":[0,0,0],"distance_A":5})",
+                           R"({"kind":"lesson","t":1,"lesson":[]})"}) {
+    CAPTURE(line);
+    const auto event = readEventLine(line);
+    CHECK_FALSE(bool(event));
+    CHECK_FALSE(event.problem().message.empty());
+    CHECK_FALSE(bool(readHeaderLine(line)));
+  }
+  const std::string deep(300'000, '[');
+  CHECK_FALSE(bool(readEventLine(deep)));
+  CHECK_FALSE(bool(readEventLine(std::string(kLongestLine + 1, ' '))));
+}
+
+TEST_CASE("numbers that are not finite and bytes that are no UTF-8 still give a line that reads") {
+  const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
+  const auto touch = readEventLine(lineOf({nan, TouchEnded{inf, {1}, 0, nan, -inf, nan, InputWay::Mouse}}));
+  REQUIRE(bool(touch));
+  CHECK(std::get<TouchEnded>((**touch).what).peak_N == 0.0);
+  const auto answer = readEventLine(lineOf({1.0, Answered{"a", "b", 1, {}, "\xff\xc3(", true, InputWay::Mouse}}));
+  REQUIRE(bool(answer));
+  CHECK(std::get<Answered>((**answer).what).written == "\xef\xbf\xbd\xef\xbf\xbd(");
+}
+
+TEST_CASE("2000 random changes of bytes in lines neither crash nor hang") {
+  const unsigned seed = std::random_device{}();
+  MESSAGE("seed " << seed);
+  std::mt19937 random(seed);
+  const std::vector<AttemptEvent> events = sampleEvents();
+  for (int round = 0; round < 2000; ++round) {
+    std::string line = round % 10 ? lineOf(events[random() % events.size()]) : lineOf(sampleHeader());
+    for (unsigned changes = 1 + random() % 4; changes > 0; --changes) {
+      const std::size_t at = random() % line.size();
+      if (random() % 3 == 0) line.erase(at, 1 + random() % 5);
+      else line[at] = "{}[]\",:0-9e.ntf\\\x80\xff"[random() % 18];
+      if (line.empty()) break;
+    }
+    (void)bool(readEventLine(line));
+    (void)bool(readHeaderLine(line));
+  }
+}
+
+}  // namespace
+}  // namespace moltact

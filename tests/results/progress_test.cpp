@@ -1,0 +1,108 @@
+// Oracle: the session that was left.
+#include "engine/results/progress.h"
+
+#include <doctest/doctest.h>
+
+#include "engine/results/session_watch.h"
+#include "tests/results/sample_attempt.h"
+#include "tests/results/small_lesson.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+TEST_CASE("a session that goes on after a shutdown has its step, tasks, answers and attempts as they were") {
+  const auto lesson = smallLesson();
+  LessonSession before(lesson);
+  before.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  SessionWatch watch;
+  watch.begin(before);
+  AttemptHeader header;
+  header.began = "2026-11-21T10:58:14Z";
+  header.lesson = outlineOf(*lesson, "0");
+  std::string file = lineOf(header);
+  const auto keep = [&](double t) {
+    for (const AttemptEvent& e : watch.look(before, t, InputWay::Mouse)) file += lineOf(e);
+  };
+  keep(0);
+  touchFor150ms(before, 0, 1.0);
+  keep(2);
+  before.choose(0, {1});
+  keep(3);
+  before.choose(0, {0});
+  before.next();
+  keep(4);
+  before.write(0, "9 Å");
+  keep(5);
+
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "a.jsonl", file);
+  const Expected<Attempt> attempt = readAttempt(scratch.path / "a.jsonl", ReadDepth::NoTrace);
+  REQUIRE(bool(attempt));
+  LessonSession after(lesson);
+  after.restore(memoryOf(*attempt));
+  CHECK(after.stepIndex() == 1);
+  CHECK(after.taskDone(0, 0));
+  CHECK_FALSE(after.taskDone(0, 1));
+  CHECK(after.question(0, 0).answered_right);
+  CHECK(after.question(0, 0).attempts == 2);
+  CHECK(after.question(0, 0).chosen == std::vector<std::size_t>{0});
+  CHECK_FALSE(after.question(0).answered_right);
+  CHECK(after.question(0).written == "9 Å");
+  CHECK(after.progress() == before.progress());
+}
+
+TEST_CASE("a memory of another version of the lesson is taken up as far as the lesson still has it") {
+  LessonSession session(smallLesson());
+  QuestionStatus status;
+  status.attempts = 1;
+  status.chosen = {0, 17};
+  session.restore({"gone", {{"gone", {0}, {}}, {"one", {1, 99}, {{"which", status}, {"what", status}}}}});
+  CHECK(session.stepIndex() == 0);
+  CHECK(session.taskDone(0, 1));
+  CHECK(session.question(0, 0).chosen == std::vector<std::size_t>{0});
+}
+
+void writeAttempt(const fs::path& file, const std::string& lesson, const std::string& student, std::size_t done, int age_h, std::size_t trace_lines = 0) {
+  AttemptHeader header = sampleHeader();
+  header.lesson.file = lesson;
+  header.student = student;
+  std::string bytes = lineOf(header) + lineOf({1, ProgressMade{"one", 0, 3}}) + lineOf({2, ProgressMade{"two", done, 3}});
+  for (std::size_t k = 0; k < trace_lines; ++k) bytes += lineOf(sampleEvents()[7]);
+  writeFile(file, bytes + "{\"kind\":\"tr");
+  fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(age_h));
+}
+
+TEST_CASE("progress of 3 lessons: the last attempt counts, a finished one is remembered, the newest lesson comes first") {
+  const ScratchFolder scratch;
+  writeAttempt(scratch.path / "a1.jsonl", "a.md", "Ana", 3, 30);
+  writeAttempt(scratch.path / "a2.jsonl", "a.md", "Bo", 1, 3, 5000);  // 1.5 MB of trace after the progress
+  writeAttempt(scratch.path / "b.jsonl", "b.md", "Ana", 2, 1);
+  writeFile(scratch.path / "c.jsonl", lineOf(sampleHeader()));
+  fs::last_write_time(scratch.path / "c.jsonl", fs::file_time_type::clock::now() - std::chrono::hours(99));
+  writeFile(scratch.path / "broken.jsonl", "nothing\n");
+  const std::vector<LessonProgress> all = readProgress(scratch.path);
+  REQUIRE(all.size() == 3);
+  CHECK(all[0].lesson == "b.md");
+  CHECK(all[0].share() == doctest::Approx(2.0 / 3));
+  CHECK(all[1].lesson == "a.md");
+  CHECK(all[1].student == "Bo");
+  CHECK(all[1].attempts == 2);
+  CHECK(all[1].finished);
+  CHECK(all[1].canResume());
+  CHECK(all[1].share() == doctest::Approx(1.0 / 3));
+  CHECK(all[1].step_title == "Two");
+  CHECK(all[1].file == scratch.path / "a2.jsonl");
+  CHECK(all[2].lesson == "first-touch.md");
+  CHECK(all[2].share() == 0.0);
+  const std::vector<LessonProgress> anas = readProgress(scratch.path, "Ana");
+  REQUIRE(anas.size() == 2);
+  CHECK(anas[1].share() == 1.0);
+  CHECK_FALSE(anas[1].canResume());
+  CHECK(readProgress(scratch.path / "none").empty());
+  CHECK(readProgress({}).empty());
+}
+
+}  // namespace
+}  // namespace moltact

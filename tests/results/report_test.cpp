@@ -1,0 +1,198 @@
+// Oracles: sums over a class made by hand, a CSV reader that shares nothing with the writer, and the page's own text.
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <set>
+
+#include "engine/results/class_csv.h"
+#include "engine/results/class_page.h"
+#include "tests/results/sample_attempt.h"
+#include "tests/results/synthetic_class.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+// RFC 4180, strictly: quotes only around a whole cell, CR LF after each row.
+std::vector<std::vector<std::string>> readCsv(const std::string& text) {
+  REQUIRE(text.starts_with("\xEF\xBB\xBF"));
+  std::vector<std::vector<std::string>> rows;
+  std::size_t at = 3;
+  while (at < text.size()) {
+    rows.emplace_back();
+    for (;;) {
+      std::string cell;
+      if (text[at] == '"') {
+        for (++at; !(text[at] == '"' && text[at + 1] != '"'); ++at) {
+          if (text[at] == '"') ++at;
+          cell += text[at];
+        }
+        ++at;
+      } else {
+        while (text[at] != ',' && text[at] != '\r') {
+          REQUIRE(text[at] != '"');
+          REQUIRE(text[at] != '\n');
+          cell += text[at++];
+        }
+      }
+      rows.back().push_back(cell);
+      if (text[at++] == ',') continue;
+      REQUIRE(text[at++] == '\n');
+      break;
+    }
+  }
+  return rows;
+}
+
+std::string cell(const std::vector<std::vector<std::string>>& rows, std::size_t row, const std::string& column) {
+  for (std::size_t k = 0; k < rows[0].size(); ++k)
+    if (rows[0][k] == column) return rows[row][k];
+  FAIL("no column " << column);
+  return {};
+}
+
+Attempt sampleAttempt() {
+  Attempt a;
+  a.header = sampleHeader();
+  a.events = sampleEvents();
+  return a;
+}
+
+TEST_CASE("one student's attempt of 9.5 s gives its figures, cell by cell") {
+  const ClassSummary summary = summarise({sampleAttempt()});
+  const auto rows = readCsv(classCsv(summary));
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[1].size() == rows[0].size());
+  CHECK(cell(rows, 1, "student") == sampleHeader().student);
+  CHECK(cell(rows, 1, "done_percent") == "100.0");
+  CHECK(cell(rows, 1, "finished") == "yes");
+  CHECK(cell(rows, 1, "minutes") == "0.16");
+  CHECK(cell(rows, 1, "answered") == "2");
+  CHECK(cell(rows, 1, "right_at_first_try") == "1");
+  CHECK(cell(rows, 1, "hints") == "1");
+  CHECK(cell(rows, 1, "touches") == "1");
+  CHECK(cell(rows, 1, "touch_s") == "0.1");
+  CHECK(cell(rows, 1, "peak_force_N") == "1.250");
+  CHECK(cell(rows, 1, "mean_force_N") == "0.750");
+  CHECK(cell(rows, 1, "path_A") == "6.25");
+  CHECK(cell(rows, 1, "input") == "keyboard");
+  CHECK(cell(rows, 1, "keyboard_percent") == "100.0");
+  CHECK(cell(rows, 1, "first-touch.md#one minutes") == "0.13");  // from 0 s to 8 s
+  CHECK(cell(rows, 1, "first-touch.md#two minutes") == "0.03");  // from 8 s to 9.5 s
+  CHECK(cell(rows, 1, "first-touch.md#one/which first answer") == "this");
+  CHECK(cell(rows, 1, "first-touch.md#one/which tries") == "2");
+  CHECK(cell(rows, 1, "first-touch.md#two/how-much first answer") == "2.5 Å");
+  CHECK(cell(rows, 1, "first-touch.md#one/task 1 s") == "3.2");
+  CHECK(cell(rows, 1, "first-touch.md#one/task 1 input") == "device");
+}
+
+TEST_CASE("a second attempt adds its time, keeps the first answers and never lowers the progress") {
+  Attempt second = sampleAttempt();
+  second.header.began = "2026-11-22T08:00:00Z";
+  second.events = {{0.0, StepEntered{"one"}}, {4.0, Answered{"one", "which", 1, {1}, "", true, InputWay::Device}}, {10.5, ProgressMade{"one", 1, 3}}};
+  const ClassSummary summary = summarise({second, sampleAttempt()});
+  REQUIRE(summary.lessons.size() == 1);
+  REQUIRE(summary.lessons[0].people.size() == 1);
+  const PersonScore& p = summary.lessons[0].people[0];
+  CHECK(p.attempts == 2);
+  CHECK(p.time_s == doctest::Approx(20.0));
+  CHECK(p.finished());
+  CHECK(p.began == "2026-11-21T10:58:14Z");
+  CHECK_FALSE(p.answers.at({"one", "which"}).first_right);
+  CHECK(p.last_step == "One");
+}
+
+TEST_CASE("cells that a spreadsheet would compute are defused: = + - @ tab and line ends") {
+  for (const std::string name : {"=1+1", "+1", "-1", "@SUM(A1)", "\tx", "\rx", "\nx", "=cmd|' /C calc'!A0"}) {
+    Attempt a = sampleAttempt();
+    a.header.student = name;
+    const auto rows = readCsv(classCsv(summarise({a})));
+    CHECK(cell(rows, 1, "student") == "'" + name);
+  }
+  Attempt a = sampleAttempt();
+  a.header.student = "a;b \"c\", d\ne";
+  CHECK(cell(readCsv(classCsv(summarise({a}))), 1, "student") == "a;b \"c\", d\ne");
+}
+
+TEST_CASE("the page shows what students wrote as text: no tag, attribute or script of theirs comes through") {
+  Attempt a = sampleAttempt();
+  a.header.student = "<script>alert(1)</script>\" onload='x";
+  a.header.lesson.title = "<b>&amp;";
+  for (AttemptEvent& e : a.events)
+    if (auto* answer = std::get_if<Answered>(&e.what); answer && !answer->written.empty()) answer->written = "</div><img onerror=y>";
+  const std::string page = classPage(summarise({a}), {{"<i>.jsonl", 3, 0, "<u>", ""}}, "today");
+  for (const char* bad : {"<script", "<img", "<b>&amp;<", "onload='", "<i>", "<u>"}) CHECK_MESSAGE(page.find(bad) == std::string::npos, bad);
+  CHECK(page.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot; onload=&#39;x") != std::string::npos);
+  // Nothing is loaded from elsewhere.
+  for (const char* outside : {"http:", "https:", "src=", "@import", "url(//", "<link"}) CHECK_MESSAGE(page.find(outside) == std::string::npos, outside);
+}
+
+TEST_CASE("with codes in the place of names no name stands in table or page, predictions included") {
+  Attempt a = sampleAttempt(), b = sampleAttempt();
+  a.header.student = "Visible Name";
+  b.header.student = "Bo";
+  const ClassSummary summary = summarise({a, b}, true);
+  for (const std::string& text : {classCsv(summary), classPage(summary, {}, "today")}) {
+    CHECK(text.find("Visible") == std::string::npos);
+    CHECK(text.find("S02") != std::string::npos);
+    CHECK(text.find(">Bo<") == std::string::npos);
+  }
+}
+
+TEST_CASE("a class of 24 attempts by 18 students, written by the real log, is counted whole") {
+  const ScratchFolder scratch;
+  const char* kept = std::getenv("MOLTACT_CLASS_REPORT");  // a folder to leave the class and its report in, to be looked at
+  const fs::path folder = kept ? fs::path(kept) : scratch.path;
+  writeSyntheticClass(folder / "attempts", 7);
+  std::vector<Attempt> attempts;
+  const auto files = attemptFiles(folder / "attempts");
+  REQUIRE(bool(files));
+  for (const fs::path& file : *files) attempts.push_back(*readAttempt(file, ReadDepth::NoTrace));
+  REQUIRE(attempts.size() == 24);
+  const ClassSummary summary = summarise(attempts);
+  CHECK(summary.people.size() == 18);
+  REQUIRE(summary.lessons.size() == 2);
+  CHECK(summary.lessons[0].people.size() == 18);
+  CHECK(summary.lessons[1].people.size() == 5);
+  double time_s = 0, expected_s = 0;
+  for (const Attempt& a : attempts) expected_s += a.end_s();
+  for (const LessonSummary& l : summary.lessons)
+    for (const PersonScore& p : l.people) time_s += p.time_s;
+  CHECK(time_s == doctest::Approx(expected_s));
+  const auto rows = readCsv(classCsv(summary));
+  CHECK(rows.size() == 24);  // a head, and 23 pairs of a person and a lesson
+  for (const auto& row : rows) REQUIRE(row.size() == rows[0].size());
+  CHECK(std::set<std::string>(rows[0].begin(), rows[0].end()).size() == rows[0].size());
+  const std::string page = classPage(summary, {}, "2026-11-21 12:00 UTC");
+  CHECK(page.find("nan") == std::string::npos);
+  CHECK(page.find("inf\"") == std::string::npos);
+  if (kept) {
+    writeFile(folder / "class.csv", classCsv(summary));
+    writeFile(folder / "class.html", page);
+  }
+}
+
+TEST_CASE("no attempts, and an attempt without any event, give a whole table and page") {
+  CHECK(readCsv(classCsv({})).size() == 1);
+  CHECK(classPage({}, {}, "now").ends_with("</html>\n"));
+  Attempt bare = sampleAttempt();
+  bare.events.clear();
+  bare.header.student.clear();
+  bare.header.lesson.steps.clear();
+  const ClassSummary summary = summarise({bare, bare});
+  CHECK(summary.people == std::vector<std::string>{"(no name, 21 Nov 10:58)", "(no name, 21 Nov 10:58) #2"});
+  CHECK(readCsv(classCsv(summary)).size() == 3);
+  CHECK(classPage(summary, {}, "now").find("nan") == std::string::npos);
+}
+
+TEST_CASE("quantiles of 1, 2, 3, 4 by linear interpolation") {
+  CHECK(quantile({1, 2, 3, 4}, 0.5) == 2.5);
+  CHECK(quantile({1, 2, 3, 4}, 0.25) == 1.75);
+  CHECK(quantile({1, 2, 3, 4}, 1.0) == 4.0);
+  CHECK(quantile({7}, 0.3) == 7.0);
+  CHECK(quantile({}, 0.5) == 0.0);
+}
+
+}  // namespace
+}  // namespace moltact

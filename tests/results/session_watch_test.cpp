@@ -1,0 +1,88 @@
+// Oracle: what the student did, in order.
+#include "engine/results/session_watch.h"
+
+#include <doctest/doctest.h>
+
+#include "tests/results/small_lesson.h"
+
+namespace moltact {
+namespace {
+
+// The kinds of the events as one word: "enter begin".
+std::string told(const std::vector<AttemptEvent>& events) {
+  std::string out;
+  for (const AttemptEvent& e : events) {
+    const char* word = std::holds_alternative<StepEntered>(e.what) ? "enter"
+                       : std::holds_alternative<TaskBegun>(e.what) ? "begin"
+                       : std::holds_alternative<TaskDone>(e.what)  ? "done"
+                       : std::holds_alternative<Answered>(e.what)  ? "answer"
+                                                                   : "other";
+    out += (out.empty() ? "" : " ") + std::string(word);
+  }
+  return out;
+}
+
+TEST_CASE("a way through a lesson of 3 steps gives each of its events once, at the look after it happened") {
+  LessonSession session(smallLesson());
+  session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  SessionWatch watch;
+  watch.begin(session);
+  CHECK(told(watch.look(session, 1.0, InputWay::Mouse)) == "enter begin");
+  CHECK(watch.look(session, 2.0, InputWay::Mouse).empty());
+
+  touchFor150ms(session, 0, 2.0);
+  auto events = watch.look(session, 4.5, InputWay::Keyboard);
+  CHECK(told(events) == "done begin");
+  const auto& done = std::get<TaskDone>(events[0].what);
+  CHECK(done.step == "one");
+  CHECK(done.task == 0);
+  CHECK(done.took_s == doctest::Approx(3.5));
+  CHECK(done.by == InputWay::Keyboard);
+  CHECK_FALSE(done.figures.empty());
+
+  session.choose(0, {1});
+  events = watch.look(session, 5.0, InputWay::Mouse);
+  REQUIRE(told(events) == "answer");
+  CHECK_FALSE(std::get<Answered>(events[0].what).right);
+  session.choose(0, {0});
+  events = watch.look(session, 6.0, InputWay::Mouse);
+  REQUIRE(told(events) == "answer");
+  CHECK(std::get<Answered>(events[0].what).right);
+  CHECK(std::get<Answered>(events[0].what).attempt == 2);
+  CHECK(std::get<Answered>(events[0].what).question == "which");
+
+  // Done and gone on between two looks.
+  touchFor150ms(session, 1, 7.0);
+  session.next();
+  CHECK(told(watch.look(session, 8.0, InputWay::Mouse)) == "done enter");
+  session.write(0, "1.45 Å");
+  session.next();
+  events = watch.look(session, 9.0, InputWay::Mouse);
+  REQUIRE(told(events) == "answer enter");
+  CHECK(std::get<Answered>(events[0].what).written == "1.45 Å");
+  const ProgressMade progress = SessionWatch::progressOf(session);
+  CHECK(progress.done == 4);
+  CHECK(progress.of == 4);
+  CHECK(progress.step == "three");
+}
+
+TEST_CASE("a task begun again is told as begun, and a lesson that was read again repeats nothing that was told") {
+  LessonSession session(smallLesson());
+  session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  SessionWatch watch;
+  watch.begin(session);
+  watch.look(session, 0.0, InputWay::Mouse);
+  touchFor150ms(session, 0, 0.0);
+  watch.look(session, 1.0, InputWay::Mouse);
+  session.restartTask(0);
+  const auto events = watch.look(session, 2.0, InputWay::Mouse);
+  REQUIRE(told(events) == "begin");
+  CHECK(std::get<TaskBegun>(events[0].what).task == 0);
+  session.choose(0, {0});
+  watch.look(session, 3.0, InputWay::Mouse);
+  session.replaceLesson(smallLesson());
+  CHECK(told(watch.look(session, 4.0, InputWay::Mouse)) == "enter begin");
+}
+
+}  // namespace
+}  // namespace moltact
