@@ -34,13 +34,20 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   }
   std::vector<BlockLine> lines;
   std::size_t end = 2;
-  while (end <= source.lineCount() && stripped(source.line(end)) != "---") {
+  // A step or a block means that the end was forgotten: the lesson goes on there.
+  const auto goesOn = [](std::string_view line) { return line.starts_with("## ") || line.starts_with("```"); };
+  while (end <= source.lineCount() && stripped(source.line(end)) != "---" && !goesOn(source.line(end))) {
     lines.push_back({std::string(source.line(end)), {end, 1}});
     ++end;
   }
-  if (end > source.lineCount()) {
+  const bool forgotten = end > source.lineCount() || goesOn(source.line(end));
+  if (forgotten) {
     reading.error({1, 1}, "the front matter has no end", "close it with a line '---'");
-    return 0;
+    if (end > source.lineCount()) return source.bytes().size();
+    // Prose between it and the first step is no list of keys.
+    const auto prose = std::find_if(lines.begin(), lines.end(), [](const BlockLine& l) { return stripped(l.text).empty(); });
+    lines.erase(prose, lines.end());
+    --end;
   }
   const auto keys = pointersTo(keysOf(KeyBlock::FrontMatter));
   const KeyValues values = readBlock(reading, linesOf(reading, lines), keys, blockName(KeyBlock::FrontMatter), {1, 1});
@@ -51,6 +58,8 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   lesson.minutes = static_cast<int>(values["minutes"].number);
   lesson.goals = values["goals"].words;
   lesson.molecules = values["molecules"].words;
+  lesson.molecule_places = values["molecules"].places;
+  lesson.locked = values["locked"].words;
   // A goal is a sentence and may hold commas; only a "- " list parts goals.
   if (!values["goals"].text.empty()) lesson.goals = {values["goals"].text};
   return end < source.lineCount() ? source.lineStart(end + 1) : source.bytes().size();
@@ -66,6 +75,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
 
   SceneSpec scene = anew ? SceneSpec{} : *before;
   scene.place = block.place;
+  if (anew) scene.locked = lesson.locked;
   if (values.has("molecule")) {
     scene.molecule = values["molecule"].text;
     scene.molecule_place = values["molecule"].place;
@@ -81,7 +91,15 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("method")) scene.method = values["method"].words[0];
   if (takes("force")) scene.force = values["force"].words[0] == "on";
   if (takes("show")) scene.show = values["show"].words;
-  if (takes("panels")) scene.panels = values["panels"].words;
+  if (takes("panels")) {
+    scene.panels = values["panels"].words;
+    if (scene.panels.size() > 1 && std::find(scene.panels.begin(), scene.panels.end(), "none") != scene.panels.end())
+      reading.error(values["panels"].place, "'none' stands alone", "take it out, or the other panels");
+  }
+  if (takes("locked")) {
+    scene.locked = lesson.locked;
+    scene.locked.insert(scene.locked.end(), values["locked"].words.begin(), values["locked"].words.end());
+  }
   if (takes("highlight")) {
     scene.highlight = values["highlight"].selection;
     scene.highlight_place = values["highlight"].place;
@@ -90,7 +108,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     const Value& view = values["view"];
     scene.view = view.words.empty() ? std::string() : view.words[0];
     scene.facing = view.selection;
-    scene.view_place = view.place;
+    scene.view_place = view.selection.given() ? selectionPlace(view) : view.place;
   }
   return scene;
 }
@@ -121,14 +139,17 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     for (Problem& p : problems) {
       const bool unknown = p.message.find("has no key") != std::string::npos;
       if (!unknown) continue;
+      std::string owners;
       for (const TaskKind& other : taskKinds())
         for (const KeySpec& k : other.keys)
           if (p.message.ends_with("'" + std::string(k.name) + "'") && k.name != other.name)
-            p.remedy = "that key belongs to '" + std::string(other.name) + "'";
+            owners += (owners.empty() ? "'" : ", '") + std::string(other.name) + "'";
+      if (!owners.empty()) p.remedy = "that key belongs to " + owners;
     }
     const bool good = problems.empty();
     if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place}, problems);
-    if (problems.empty()) task.kind = kind->name;
+    // With errors too: the lesson cannot be used then, but more can be told of it.
+    task.kind = kind->name;
     reading.add(std::move(problems));
     return task;
   }
@@ -176,6 +197,7 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
   } else if (values.has("text")) {
     answer.kind = AnswerSpec::Kind::Text;
     answer.texts = values["text"].words;
+    if (answer.texts.empty()) reading.error(values["text"].place, "this question has no right answer", "write the words that count as right");
   }
   if (values.has("tolerance") && !values.has("number"))
     reading.error(values["tolerance"].place, "'tolerance' goes with 'number'", "take it out");

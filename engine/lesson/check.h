@@ -1,9 +1,11 @@
-// Checks a lesson against its molecules: molecules that there are, selections that select atoms.
+// Checks a lesson as an author needs it: everything that can be told of it at once, beyond its own text too: molecules
+// that there are, selections that select atoms, links and pictures that are there, steps that can be reached.
 // Not for the haptic thread.
 #pragma once
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,7 +18,17 @@ namespace moltact {
 /// The molecule of that name in the library, or why it cannot be had.
 using MoleculeByName = std::function<Expected<std::shared_ptr<const Molecule>>(const std::string& name)>;
 
-/// Every problem, in the order of the file, each at its place in the lesson. Each molecule is asked for once.
+struct LessonCheck {
+  std::optional<Lesson> lesson;    ///< present where it could be read: a student could begin it, whatever `errors` says
+  std::vector<Problem> errors;     ///< in the order of the file, each at its place in it
+  std::vector<Problem> warnings;   ///< the same
+};
+
+/// Reads and checks a lesson. `name` is the path of its file: links and pictures are looked up in its folder.
+/// Each molecule is asked for once. A text that cannot be read whole is checked as far as it was understood.
+LessonCheck checkLesson(const std::string& name, std::string bytes, const MoleculeByName& molecule);
+
+/// Only what the molecules tell of a lesson that was read: every error, in the order of the file.
 std::vector<Problem> checkAgainstMolecules(const Lesson& lesson, const MoleculeByName& molecule);
 
 }  // namespace moltact

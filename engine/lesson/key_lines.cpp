@@ -24,7 +24,10 @@ const KeySpec* find(std::span<const KeySpec* const> keys, std::string_view name)
 Value listValue(const KeySpec&, const KeyLine& line) {
   Value value;
   value.text = line.value;
-  for (const ListItem& item : line.items) value.words.push_back(item.text);
+  for (const ListItem& item : line.items) {
+    value.words.push_back(item.text);
+    value.places.push_back(item.place);
+  }
   return value;
 }
 
@@ -89,6 +92,8 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
       continue;
     }
     value->place = line.items.empty() ? line.value_place : line.items[0].place;
+    for (Place& place : value->places)
+      if (place.line == 0) place = {line.value_place.line, line.value_place.column + place.column - 1};
     out.set(key->name, *std::move(value));
   }
   for (const KeySpec* key : keys) {

@@ -6,11 +6,8 @@
 namespace moltact {
 namespace {
 
-std::vector<std::string_view> methodNames() {
-  std::vector<std::string_view> names;
-  for (const Method& m : methods()) names.push_back(m.name);
-  return names;
-}
+/// What a student may be kept from changing: keys of a scene, by their names.
+const std::vector<std::string_view> kLockable{"panels", "method", "force", "probe", "stiffness", "show", "all"};
 
 std::vector<KeySpec> frontMatterKeys() {
   return {
@@ -26,6 +23,9 @@ std::vector<KeySpec> frontMatterKeys() {
       {.name = "author", .type = ValueType::Text, .meaning = "Who wrote the lesson.", .required = true},
       {.name = "licence", .type = ValueType::Text, .meaning = "The terms under which others may use it, for example CC-BY-4.0.",
        .required = true},
+      {.name = "locked", .type = ValueType::WordList,
+       .meaning = "What the student cannot change in menus and panels in the whole lesson, for studies: keys of the scenes, or all of them.",
+       .words = kLockable},
   };
 }
 
@@ -45,10 +45,14 @@ std::vector<KeySpec> sceneKeys() {
        .fallback = "atoms, probe, force, target",
        .words = {"atoms", "spheres", "circles", "points", "cones", "facets", "hip", "scp", "force", "probe", "target"}},
       {.name = "panels", .type = ValueType::WordList,
-       .meaning = "Panels that the scene opens beside the usual ones: 'methods' compares the haptic methods.", .words = {"methods"}},
+       .meaning = "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with touch), 'none' leaves "
+                  "the molecule and the text alone. Left out, those stay that the student has opened.",
+       .words = {"touch", "methods", "none"}},
       {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
       {.name = "view", .type = ValueType::View, .meaning = "From where the molecule is seen at first; 'facing' turns these atoms to the front.",
        .fallback = "front", .words = {"front", "back", "left", "right", "top", "bottom"}},
+      {.name = "locked", .type = ValueType::WordList,
+       .meaning = "What the student cannot change here, besides what the front matter locks.", .words = kLockable},
   };
 }
 
@@ -88,6 +92,13 @@ std::string_view blockName(KeyBlock block) {
 const std::vector<KeySpec>& keysOf(KeyBlock block) {
   static const std::vector<KeySpec> tables[] = {frontMatterKeys(), sceneKeys(), touchKeys(), answerKeys()};
   return tables[static_cast<int>(block)];
+}
+
+Place selectionPlace(const Value& value) {
+  const std::size_t at = value.text.rfind(value.selection.text());
+  Place place = value.place;
+  if (at != std::string::npos) place.column += characterCount(std::string_view(value.text).substr(0, at));
+  return place;
 }
 
 const Value& KeyValues::operator[](std::string_view key) const {

@@ -32,6 +32,7 @@ enum class ValueType : std::uint8_t {
   WordList,   ///< some of `words`, parted by commas
   Selection,  ///< atoms (selection.h)
   Target,     ///< one of `words`, or a selection
+  Path,       ///< selections in order, parted by "then"; or one of `words`
   View,       ///< one of `words`, or "facing" and a selection
 };
 
@@ -57,9 +58,14 @@ struct Value {
   std::string text;                ///< as written
   double number = 0.0;             ///< Count, Number, Quantity (in the code's unit)
   double low = 0.0, high = 0.0;    ///< Range (in the code's unit)
-  std::vector<std::string> words;  ///< Word (one), WordList, TextList, Target and View where a word was given
+  std::vector<std::string> words;  ///< Word (one), WordList, TextList, Target, Path and View where a word was given
+  std::vector<Place> places;       ///< of each of `words`, for WordList and TextList; of each of `path`
   Selection selection;             ///< Selection, Target and View where atoms were given
+  std::vector<Selection> path = {};///< Path where atoms were given, in order
 };
+
+/// Where the selection of a value begins: behind the word "facing" of a View.
+Place selectionPlace(const Value& value);
 
 /// Values by key. A key that was neither given nor has a fallback is not in it.
 class KeyValues {
@@ -75,7 +81,7 @@ class KeyValues {
   std::map<std::string, Value, std::less<>> values_;
 };
 
-/// Reads one value. A problem has line 0 and the column within `text`.
+/// Reads one value. A problem and `places` have line 0 and the column within `text`.
 Expected<Value> parseValue(const KeySpec& key, std::string_view text);
 
 }  // namespace moltact

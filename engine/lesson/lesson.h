@@ -2,9 +2,11 @@
 // Every part knows its place in the file, for messages. The format is described in reader.h.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct TextRun {
   bool bold = false, italic = false, code = false;
   std::string link = {};  ///< where it leads: "#step-id", a file or a web address; empty where it is no link
   Place place = {};
+  Place link_place = {};  ///< where `link` is written
 };
 
 /// A line break that the author asked for is a "\n" in the text.
@@ -52,7 +55,7 @@ struct Quote {
 };
 struct Image {
   std::string path, description;  ///< as written; relative to the lesson's folder
-  Place place;
+  Place place = {};               ///< of the "!["
 };
 struct CodeText {
   std::string text;
@@ -75,11 +78,17 @@ struct SceneSpec {
   std::string method = "exact";        ///< as in findMethod
   bool force = true;                   ///< false: the hand feels nothing
   std::vector<std::string> show;       ///< names of the picture's parts
-  std::vector<std::string> panels;     ///< names of panels to open
+  std::vector<std::string> panels;     ///< "touch", "methods", or "none"; empty: as the student has them
+  std::vector<std::string> locked;     ///< keys that the student cannot change, those of the front matter too
   Selection highlight;                 ///< may select nothing
   std::string view = "front";          ///< front, back, left, right, top or bottom; empty where `facing` is given
   Selection facing;                    ///< atoms to be turned to the front
   Place place, molecule_place, highlight_place, view_place;
+
+  /// Whether the student is kept from changing what a key says ("force").
+  bool locks(std::string_view key) const {
+    return std::any_of(locked.begin(), locked.end(), [&](const std::string& l) { return l == key || l == "all"; });
+  }
 };
 
 /// Something to do by touch. What its values mean is known to its kind (tasks/registry.h).
@@ -123,7 +132,8 @@ struct Question {
 
 struct Step {
   std::string id;        ///< slug of its heading, unique in the lesson
-  std::string title;
+  std::string title;     ///< without the "Aside:" of a side path
+  bool aside = false;    ///< a side path: Next passes over it, only links lead to it, and its Next leads back
   std::vector<Block> blocks;
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
@@ -137,6 +147,8 @@ struct Lesson {
   std::string title, level, author, licence;
   int minutes = 0;
   std::vector<std::string> goals, molecules;
+  std::vector<Place> molecule_places;  ///< of each of `molecules`
+  std::vector<std::string> locked;     ///< in every scene
   std::vector<Block> introduction;  ///< what stands before the first step
   std::vector<Step> steps;          ///< at least one
 

@@ -146,16 +146,30 @@ class Builder {
       case MD_SPAN_CODE: code_ += step; break;
       case MD_SPAN_A:
         links_ += step;
+        if (step < 0) placeLink();
         link_ = links_ > 0 ? attributeText(static_cast<MD_SPAN_A_DETAIL*>(detail)->href) : std::string();
         break;
       case MD_SPAN_IMG:
         images_ += step;
-        if (step > 0 && images_ == 1)
-          stack_.back().images.push_back({attributeText(static_cast<MD_SPAN_IMG_DETAIL*>(detail)->src), {}, source_.at(offset_)});
+        if (step > 0 && images_ == 1) {
+          // md4c does not say where the picture stands: it is the next that begins behind the text so far.
+          const std::size_t at = source_.bytes().find("![", offset_);
+          stack_.back().images.push_back({attributeText(static_cast<MD_SPAN_IMG_DETAIL*>(detail)->src), {},
+                                          source_.at(at == std::string_view::npos ? offset_ : at)});
+        }
         break;
       default: break;
     }
     return 0;
+  }
+
+  /// At the end of a link: its runs learn where its target is written, "](target", or else that it stands in them.
+  void placeLink() {
+    const std::string_view line = source_.bytes().substr(offset_, source_.bytes().substr(offset_).find('\n'));
+    const std::size_t bracket = line.find("](");
+    const bool written = bracket != std::string_view::npos && stripped(line.substr(bracket + 2)).starts_with(link_);
+    for (TextRun& run : stack_.back().text)
+      if (run.link == link_ && run.link_place.line == 0) run.link_place = written ? source_.at(offset_ + bracket + 2) : run.place;
   }
 
   int text(MD_TEXTTYPE type, std::string_view piece) {

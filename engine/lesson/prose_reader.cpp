@@ -1,8 +1,8 @@
 // Paragraphs, lists, quotes, tips, notes and pictures; the choices of questions; links.
 #include <algorithm>
-#include <functional>
 #include <optional>
 
+#include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
 
@@ -108,21 +108,6 @@ void trimEnd(RichText& text) {
   }
 }
 
-void forEachText(const std::vector<Block>& blocks, const std::function<void(const RichText&)>& visit) {
-  const auto all = [&](const std::vector<RichText>& texts) {
-    for (const RichText& t : texts) visit(t);
-  };
-  for (const Block& b : blocks) {
-    if (const auto* p = std::get_if<Paragraph>(&b)) visit(p->text);
-    if (const auto* h = std::get_if<Subheading>(&b)) visit(h->text);
-    if (const auto* t = std::get_if<Tip>(&b)) all(t->paragraphs);
-    if (const auto* n = std::get_if<TeacherNote>(&b)) all(n->paragraphs);
-    if (const auto* q = std::get_if<Quote>(&b)) all(q->paragraphs);
-    if (const auto* l = std::get_if<ListBlock>(&b))
-      for (const ListBlock::Item& i : l->items) visit(i.text);
-  }
-}
-
 }  // namespace
 
 void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks) {
@@ -153,8 +138,10 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
     }
     case Kind::Html:
       // Comments are for authors; other markup would silently vanish.
-      if (!plainText(block.text).starts_with("<!--"))
+      if (const std::string html = plainText(block.text); !html.starts_with("<!--"))
         reading.warning(block.place, "HTML is not shown", "write it in Markdown");
+      else if (html.find("-->") == std::string::npos)
+        reading.error(block.place, "this comment has no end, so nothing below it is shown", "close it with '-->'");
       break;
     default: break;
   }
@@ -183,6 +170,11 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
         if (choice.link.empty() && run.link.starts_with('#')) choice.link = run.link;
     }
     if (plainText(choice.text).empty()) reading.error(item.place, "an empty choice", "write what can be chosen, then → and the feedback");
+    else if (choice.feedback.empty())
+      reading.warning(item.place, "this choice has no feedback", "write → after it and tell the student why it is right or wrong");
+    for (const Choice& other : out)
+      if (plainText(other.text) == plainText(choice.text) && !choice.text.empty())
+        reading.error(item.place, "this choice is there twice", "take one of the two out; the other is on line " + std::to_string(other.place.line));
     out.push_back(std::move(choice));
   }
   return out;
@@ -205,26 +197,14 @@ void checkQuestion(Reading& reading, const Question& question) {
 void checkLinks(Reading& reading, const Lesson& lesson) {
   std::vector<std::string_view> ids;
   for (const Step& s : lesson.steps) ids.push_back(s.id);
-  const auto check = [&](const RichText& text) {
+  forEachText(lesson, [&](const RichText& text) {
     for (const TextRun& run : text) {
       if (!run.link.starts_with('#')) continue;
       const std::string_view id = std::string_view(run.link).substr(1);
       if (std::find(ids.begin(), ids.end(), id) == ids.end())
-        reading.error(run.place, "the link '" + run.link + "' leads to no step", suggest(id, ids, "steps"));
+        reading.error(run.link_place, "the link '" + run.link + "' leads to no step", suggest(id, ids, "steps"));
     }
-  };
-  forEachText(lesson.introduction, check);
-  for (const Step& step : lesson.steps) {
-    forEachText(step.blocks, check);
-    for (const Question& q : step.questions) {
-      check(q.title);
-      for (const RichText& p : q.prompt) check(p);
-      for (const Choice& c : q.choices) {
-        check(c.text);
-        check(c.feedback);
-      }
-    }
-  }
+  });
 }
 
 }  // namespace moltact::reading

@@ -1,11 +1,8 @@
 #include "engine/lesson/reader.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <sstream>
 
+#include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
 
@@ -16,6 +13,7 @@ using Kind = MarkdownBlock::Kind;
 using reading::Reading;
 
 constexpr std::string_view kQuestion = "Question:";
+constexpr std::string_view kAside = "Aside:";
 
 /// Walks the document from top to bottom and puts each block where it belongs.
 class Walk {
@@ -35,6 +33,10 @@ class Walk {
 
  private:
   Step* step() { return lesson_.steps.empty() ? nullptr : &lesson_.steps.back(); }
+  const Step* lastMainStep() const {
+    const auto found = std::find_if(lesson_.steps.rbegin(), lesson_.steps.rend(), [](const Step& s) { return !s.aside; });
+    return found == lesson_.steps.rend() ? nullptr : &*found;
+  }
   std::vector<Block>& blocks() { return step() ? step()->blocks : lesson_.introduction; }
 
   void take(const MarkdownBlock& block) {
@@ -81,14 +83,19 @@ class Walk {
 
   void startStep(const MarkdownBlock& block, const std::string& title) {
     Step next;
+    // The id is that of the whole heading, so that links work on Git hosts too.
     next.id = slug(title);
-    next.title = title;
+    next.aside = title.starts_with(kAside);
+    next.title = next.aside ? stripped(std::string_view(title).substr(kAside.size())) : title;
     next.place = block.place;
-    if (next.id.empty()) reading_.error(block.place, "a step without a name", "write its name after '## '");
+    if (next.aside && !step())
+      reading_.error(block.place, "the first step is an aside", "start with a step that every student sees: '## …'");
+    if (next.title.empty()) reading_.error(block.place, "a step without a name", "write its name after '## '");
     if (const auto twin = lesson_.find(next.id); twin && !next.id.empty())
       reading_.error(block.place, "two steps are called '" + title + "'",
                      "rename one; the other is on line " + std::to_string(lesson_.steps[*twin].place.line));
-    if (step()) next.scene = step()->scene;
+    // What an aside puts on the stage is gone where the student has passed it over.
+    if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
     lesson_.steps.push_back(std::move(next));
   }
 
@@ -227,38 +234,36 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   lesson.file = name;
   const std::size_t body = reading::readFrontMatter(reading, lesson);
   const auto tree = parseMarkdown(source, body);
+  const std::vector<Place> open_fences = reading::findOpenFences(source, body);
   if (tree) {
     Walk(reading, lesson).run(*tree);
-    reading::checkLinks(reading, lesson);
+    if (open_fences.empty()) reading::checkLinks(reading, lesson);
   } else {
     reading.errors.push_back(tree.problem());
+  }
+  if (!open_fences.empty()) {
+    // What follows was read as part of the block, so most of what could be told of it would be wrong.
+    const auto follows = [&](const Problem& p) { return p.line >= open_fences.front().line; };
+    std::erase_if(reading.errors, follows);
+    std::erase_if(reading.warnings, follows);
+    for (const Place place : open_fences)
+      reading.error(place, "this fenced block has no end, so what follows it is not read", "close it with a line of its own: ```");
   }
   sortByPlace(reading.errors);
   sortByPlace(reading.warnings);
   out.errors = std::move(reading.errors);
   out.warnings = std::move(reading.warnings);
   if (out.errors.empty()) out.lesson = std::move(lesson);
+  else if (tree && open_fences.empty()) out.partial = std::move(lesson);
   return out;
 }
 
 LessonReading readLesson(const std::filesystem::path& file) {
+  auto bytes = readLessonFile(file);
+  if (bytes) return readLessonText(file.string(), *std::move(bytes));
   LessonReading out;
-  std::error_code error;
-  const auto fail = [&](std::string message, std::string remedy) {
-    out.errors.push_back({file.string(), 0, 0, std::move(message), std::move(remedy)});
-    return out;
-  };
-  const auto status = std::filesystem::status(file, error);
-  if (status.type() == std::filesystem::file_type::not_found) return fail("there is no such file", "check its name and folder");
-  if (!std::filesystem::is_regular_file(status)) return fail("this is not a file", "name a lesson, a file that ends in .md");
-  std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(std::string("the file cannot be opened: ") + std::strerror(errno), "check that you may read it");
-  // One byte more than is allowed is enough to know that the file is too large.
-  std::string bytes(kLargestLesson + 1, '\0');
-  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (in.bad()) return fail("the file cannot be read to its end", "copy it again");
-  bytes.resize(static_cast<std::size_t>(in.gcount()));
-  return readLessonText(file.string(), std::move(bytes));
+  out.errors.push_back(bytes.problem());
+  return out;
 }
 
 }  // namespace moltact

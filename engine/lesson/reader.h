@@ -3,6 +3,7 @@
 //
 //   front matter between two lines "---"     title, minutes, level, goals, molecules, author, licence
 //   ## heading                               a step; its slug is its id, and links lead to it: [look](#a-crease)
+//   ## Aside: heading                        a side path, which only links lead to: [look](#aside-heading)
 //   ```scene                                 what is on the stage
 //   ```touch                                 something to do by touch; its first key is a task kind (tasks/registry.h)
 //   ### Question: …                          with a task list ("- [x] right → feedback") or an ```answer block
@@ -24,6 +25,7 @@ namespace moltact {
 
 struct LessonReading {
   std::optional<Lesson> lesson;    ///< present exactly when there are no errors
+  std::optional<Lesson> partial;   ///< what was understood of a lesson with errors: for more checks, not for students
   std::vector<Problem> errors;     ///< every error, in the order of the file
   std::vector<Problem> warnings;   ///< what was read but will not be used, in the order of the file
 };

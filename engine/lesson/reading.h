@@ -32,10 +32,13 @@ struct Reading {
 /// Reads the front matter into the lesson; the offset of the first byte after it.
 std::size_t readFrontMatter(Reading& reading, Lesson& lesson);
 
+/// Where fenced blocks begin that have no end: the file ends in them, or a block of a lesson begins in a block of a lesson.
+std::vector<Place> findOpenFences(const SourceText& source, std::size_t from);
+
 /// Reads a scene block upon the scene of the step before (nullptr for the first).
 SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpec* before, const Lesson& lesson);
 
-/// Reads a touch block; no kind (an empty spec) after an error.
+/// Reads a touch block; no kind (an empty spec) where it names none, or two.
 TaskSpec readTouch(Reading& reading, const MarkdownBlock& block);
 
 /// Reads the answer block of a question.

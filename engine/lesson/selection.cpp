@@ -1,7 +1,6 @@
 #include "engine/lesson/selection.h"
 
 #include <algorithm>
-#include <set>
 
 #include "engine/haptics/ball_scene.h"
 #include "engine/lesson/selection_node.h"
@@ -64,6 +63,8 @@ Mask within(const Mask& near_what, double distance_A, const Molecule& m) {
   const BallScene grid(std::move(centres));
   const double squared = distance_A * distance_A;
   for (std::size_t i = 0; i < m.atoms.size(); ++i) {
+    out[i] = near_what[i];
+    if (out[i]) continue;
     const Vec3 p = m.atoms[i].position.A;
     grid.visitNear(p, distance_A, [&](std::uint32_t, const Ball& b) {
       const Vec3 d = b.centre_A - p;
@@ -96,38 +97,13 @@ Mask evaluate(const Node& node, const Molecule& m) {
   return out;
 }
 
-bool any(const Mask& mask) { return std::find(mask.begin(), mask.end(), 1) != mask.end(); }
-
-/// The first part, in reading order, that selects nothing; nullptr where each selects something.
-const Node* firstEmpty(const Node& node, const Molecule& m) {
-  for (const Node* child : {node.left.get(), node.right.get()})
-    if (child && node.kind != SelectionKind::Not)
-      if (const Node* empty = firstEmpty(*child, m)) return empty;
-  const bool joins = node.left != nullptr;
-  return !joins && !any(evaluate(node, m)) ? &node : nullptr;
-}
-
-std::string listed(const std::set<std::string>& names) {
-  constexpr std::size_t kMost = 12;
-  if (names.empty()) return "none";
-  std::string out;
-  std::size_t n = 0;
-  for (const std::string& name : names) {
-    if (n == kMost) return out + ", …";
-    out += (n++ ? ", " : "") + name;
-  }
-  return out;
-}
-
-std::string firstName(const Node& node) { return node.names.empty() ? std::string() : " '" + node.names.front() + "'"; }
+}  // namespace
 
 std::string rangeText(const NumberRange& r) {
   std::string out = std::to_string(r.first);
   if (r.last != r.first) out += "-" + std::to_string(r.last);
   return r.insertion == ' ' ? out : out + r.insertion;
 }
-
-}  // namespace
 
 std::vector<std::uint32_t> Selection::select(const Molecule& molecule) const {
   std::vector<std::uint32_t> out;
@@ -174,48 +150,6 @@ std::string Selection::noun() const {
     default: break;
   }
   return "the place you look for";
-}
-
-std::string Selection::whyEmpty(const Molecule& molecule) const {
-  const std::string place = molecule.id.empty() ? "the molecule" : molecule.id;
-  const Node* empty = root_ ? firstEmpty(*root_, molecule) : nullptr;
-  std::set<std::string> there;
-  if (!empty) return "no atom of " + place + " is '" + text_ + "'";
-  const std::string not_in = " is not in " + place;
-  switch (empty->kind) {
-    case SelectionKind::Chain:
-      for (const Chain& c : molecule.chains) there.insert(c.name);
-      return "chain" + firstName(*empty) + not_in + " (chains: " + listed(there) + ")";
-    case SelectionKind::Ligand:
-      for (const Residue& r : molecule.residues)
-        if (r.kind == ResidueKind::Ligand) there.insert(r.name);
-      if (empty->names.empty()) return "a ligand" + not_in;
-      return "ligand" + firstName(*empty) + not_in + " (ligands: " + listed(there) + ")";
-    case SelectionKind::Resname:
-      for (const Residue& r : molecule.residues) there.insert(r.name);
-      return "residue name" + firstName(*empty) + not_in + " (names: " + listed(there) + ")";
-    case SelectionKind::Name:
-      for (const Atom& a : molecule.atoms) there.insert(std::string(atomName(a)));
-      return "atom name" + firstName(*empty) + not_in + " (names: " + listed(there) + ")";
-    case SelectionKind::Element:
-      for (const Atom& a : molecule.atoms) there.insert(std::string(element(a.atomic_number).symbol));
-      return "element '" + std::string(element(empty->elements[0]).symbol) + "'" + not_in + " (elements: " + listed(there) + ")";
-    case SelectionKind::AtomIndex:
-      return "atom " + rangeText(empty->numbers[0]) + not_in + " (" + std::to_string(molecule.atoms.size()) +
-             " atoms, counted from 0)";
-    case SelectionKind::Residue: {
-      std::string out = "residue " + rangeText(empty->numbers[0]) + not_in;
-      if (molecule.residues.empty()) return out + " (it has no residues)";
-      const auto [low, high] = std::minmax_element(molecule.residues.begin(), molecule.residues.end(),
-                                                   [](const Residue& a, const Residue& b) { return a.number < b.number; });
-      return out + " (residues: " + std::to_string(low->number) + " to " + std::to_string(high->number) + ")";
-    }
-    case SelectionKind::Protein: return "protein" + not_in;
-    case SelectionKind::Nucleic: return "nucleic acid" + not_in;
-    case SelectionKind::Water: return "water" + not_in;
-    case SelectionKind::Ion: return "an ion" + not_in;
-    default: return "no atom of " + place + " is '" + text_ + "'";
-  }
 }
 
 }  // namespace moltact

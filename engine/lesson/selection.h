@@ -47,8 +47,13 @@ class Selection {
   std::string noun() const;
 
   /// Why it selects nothing in this molecule, as "ligand 'BTX' is not in 1stp (ligands: BTN)": its first part without
-  /// atoms and what there is instead; a general sentence where every part has atoms of its own.
-  std::string whyEmpty(const Molecule& molecule) const;
+  /// atoms and what there is instead; a general sentence where every part has atoms of its own. Line 0, the column of
+  /// that part within the text, and what would mend it.
+  Problem whyEmpty(const Molecule& molecule) const;
+
+  /// Names and numbers in it that no atom of the molecule has, though the whole selects some: "resname HEM HEX" in a
+  /// molecule without HEX. As above; most are slips of the author.
+  std::vector<Problem> idleNames(const Molecule& molecule) const;
 
  private:
   std::string text_;

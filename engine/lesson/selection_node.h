@@ -19,8 +19,13 @@ struct NumberRange {
   char insertion = ' ';  ///< of a single residue; a space selects the number with every insertion code
 };
 
+/// "10-20", "52A"
+std::string rangeText(const NumberRange& range);
+
 struct SelectionNode {
   SelectionKind kind = SelectionKind::All;
+  std::size_t column = 1;                 ///< where its word stands in the text
+  std::vector<std::size_t> columns;       ///< where each of its names, numbers or elements stands
   std::vector<std::string> names;         ///< chains, residue names, atom names
   std::vector<NumberRange> numbers;       ///< residues, atom indices
   std::vector<std::uint8_t> elements;     ///< atomic numbers

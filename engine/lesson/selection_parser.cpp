@@ -70,8 +70,9 @@ class Parser {
 
  private:
   Problem problem(const Token& at, std::string message, std::string remedy) const {
-    return {{}, 0, characterCount(text_.substr(0, at.at)) + 1, std::move(message), std::move(remedy)};
+    return {{}, 0, columnOf(at), std::move(message), std::move(remedy)};
   }
+  std::size_t columnOf(const Token& token) const { return characterCount(text_.substr(0, token.at)) + 1; }
   NodePtr fail(const Token& at, std::string message, std::string remedy) {
     if (!problem_) problem_ = problem(at, std::move(message), std::move(remedy));
     return nullptr;
@@ -190,9 +191,11 @@ class Parser {
     advance();
     Node node;
     node.kind = word->kind;
+    node.column = columnOf(token);
     if (word->takes == Takes::Nothing) return std::make_shared<const Node>(std::move(node));
     std::size_t count = 0;
     for (; !next_.end() && !isJoiner(next_) && !findWord(next_); ++count) {
+      node.columns.push_back(columnOf(next_));
       if (!readItem(*word, node)) return nullptr;
       advance();
     }

@@ -38,9 +38,10 @@ bool sameShape(const Step& a, const Step& b) {
 
 }  // namespace
 
+LessonSession::StepState::StepState(const Step& step) : tasks_done(step.tasks.size(), 0), finished(step.tasks.size()), questions(step.questions.size()) {}
+
 LessonSession::LessonSession(std::shared_ptr<const Lesson> lesson) : lesson_(std::move(lesson)) {
-  for (const Step& s : lesson_->steps)
-    states_.push_back({std::vector<char>(s.tasks.size(), 0), std::vector<QuestionStatus>(s.questions.size()), false});
+  for (const Step& s : lesson_->steps) states_.emplace_back(s);
   enter(0);
 }
 
@@ -48,6 +49,7 @@ void LessonSession::enter(std::size_t step) {
   // Another molecule is on its way: the tasks wait until it is there.
   if (step != step_ && lesson_->steps[step].scene.molecule != scene().molecule) molecule_ = nullptr;
   step_ = step;
+  if (!lesson_->steps[step].aside) main_step_ = step;
   ++scene_number_;
   state().seen = true;
   makeTasks();
@@ -58,12 +60,24 @@ void LessonSession::makeTasks() {
   for (const TaskSpec& spec : step().tasks) tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
 }
 
+std::size_t LessonSession::mainStepAfter(std::size_t step) const {
+  do ++step;
+  while (step < lesson_->steps.size() && lesson_->steps[step].aside);
+  return step;
+}
+
 void LessonSession::next() {
-  if (hasNext()) enter(step_ + 1);
+  if (hasNext()) enter(step().aside ? main_step_ : mainStepAfter(step_));
 }
 
 void LessonSession::back() {
-  if (hasBack()) enter(step_ - 1);
+  if (!hasBack()) return;
+  std::size_t before = step_;
+  // The first step is no aside.
+  if (!step().aside)
+    do --before;
+    while (lesson_->steps[before].aside);
+  enter(step().aside ? main_step_ : before);
 }
 
 bool LessonSession::goTo(std::string_view link) {
@@ -88,7 +102,40 @@ void LessonSession::feed(const TouchSample& sample) {
   const std::size_t i = currentTask();
   if (i >= tasks_.size() || !tasks_[i]) return;
   tasks_[i]->feed(sample);
-  if (tasks_[i]->done()) state().tasks_done[i] = 1;
+  keepIfDone(i);
+}
+
+void LessonSession::keepIfDone(std::size_t task) {
+  if (!tasks_[task]->done()) return;
+  state().tasks_done[task] = 1;
+  state().finished[task] = tasks_[task];
+}
+
+const Task* LessonSession::taskAt(std::size_t index) const {
+  if (index >= tasks_.size()) return nullptr;
+  return state().finished[index] ? state().finished[index].get() : tasks_[index].get();
+}
+
+TaskStage LessonSession::taskStage() const {
+  const Task* now = taskAt(currentTask());
+  return now ? now->stage() : TaskStage();
+}
+
+void LessonSession::answerTask(const TaskAnswer& answer) {
+  const std::size_t i = currentTask();
+  if (i >= tasks_.size() || !tasks_[i]) return;
+  tasks_[i]->answer(answer);
+  keepIfDone(i);
+}
+
+std::vector<TaskFigure> LessonSession::taskFigures(std::size_t index) const {
+  const Task* task = taskAt(index);
+  return task ? task->figures() : std::vector<TaskFigure>();
+}
+
+std::vector<TaskFigure> LessonSession::figuresOf(std::size_t step, std::size_t task) const {
+  const auto& finished = states_[step].finished[task];
+  return finished ? finished->figures() : std::vector<TaskFigure>();
 }
 
 void LessonSession::feed(std::span<const TouchSample> samples) {
@@ -103,6 +150,7 @@ TaskStatus LessonSession::task(std::size_t index) const {
   if (out.done) {
     out.progress = 1.0;
     out.sentence = step().tasks[index].values["praise"].text;
+    if (state().finished[index]) out.sentence = state().finished[index]->sentence();
   } else if (out.current && tasks_[index]) {
     out.progress = tasks_[index]->progress();
     out.sentence = tasks_[index]->sentence();
@@ -113,6 +161,7 @@ TaskStatus LessonSession::task(std::size_t index) const {
 void LessonSession::restartTask(std::size_t index) {
   if (index >= tasks_.size()) return;
   state().tasks_done[index] = 0;
+  state().finished[index].reset();
   if (tasks_[index]) tasks_[index]->reset();
 }
 
@@ -173,28 +222,53 @@ bool LessonSession::stepDone(std::size_t step) const {
 
 double LessonSession::progress() const {
   std::size_t all = 0, done = 0, seen = 0;
-  for (const StepState& s : states_) {
+  std::size_t steps = 0;
+  for (std::size_t i = 0; i < states_.size(); ++i) {
+    if (lesson_->steps[i].aside) continue;
+    const StepState& s = states_[i];
     all += s.tasks_done.size() + s.questions.size();
     done += static_cast<std::size_t>(std::count(s.tasks_done.begin(), s.tasks_done.end(), 1));
     for (const QuestionStatus& q : s.questions) done += q.answered_right;
     seen += s.seen;
+    ++steps;
   }
-  return all ? static_cast<double>(done) / static_cast<double>(all) : static_cast<double>(seen) / static_cast<double>(states_.size());
+  return all ? static_cast<double>(done) / static_cast<double>(all) : static_cast<double>(seen) / static_cast<double>(steps);
 }
 
 bool LessonSession::finished() const { return progress() >= 1.0; }
+
+void LessonSession::restore(const SessionMemory& memory) {
+  for (const SessionMemory::StepMemory& remembered : memory.steps) {
+    const auto index = lesson_->find(remembered.step);
+    if (!index) continue;
+    StepState& s = states_[*index];
+    s.seen = true;
+    for (const std::size_t task : remembered.tasks_done)
+      if (task < s.tasks_done.size()) s.tasks_done[task] = 1;
+    const std::vector<Question>& questions = lesson_->steps[*index].questions;
+    for (const auto& [id, status] : remembered.questions)
+      for (std::size_t q = 0; q < questions.size(); ++q) {
+        if (questions[q].id != id) continue;
+        s.questions[q] = status;
+        std::erase_if(s.questions[q].chosen, [&](std::size_t c) { return c >= questions[q].choices.size(); });
+      }
+  }
+  goTo(memory.step);
+}
 
 void LessonSession::replaceLesson(std::shared_ptr<const Lesson> lesson) {
   const std::shared_ptr<const Lesson> old = std::exchange(lesson_, std::move(lesson));
   std::vector<StepState> old_states = std::move(states_);
   states_.clear();
   for (const Step& s : lesson_->steps) {
-    states_.push_back({std::vector<char>(s.tasks.size(), 0), std::vector<QuestionStatus>(s.questions.size()), false});
+    states_.emplace_back(s);
     if (const auto before = old->find(s.id); before && sameShape(old->steps[*before], s)) states_.back() = std::move(old_states[*before]);
   }
   const Step& was = old->steps[step_];
   const std::size_t now = lesson_->find(was.id).value_or(std::min(step_, lesson_->steps.size() - 1));
   if (lesson_->steps[now].scene.molecule != was.scene.molecule) molecule_ = nullptr;
+  main_step_ = lesson_->find(old->steps[main_step_].id).value_or(0);
+  if (lesson_->steps[main_step_].aside) main_step_ = 0;
   step_ = now;
   enter(now);
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/lesson/lesson.h"
@@ -31,6 +32,17 @@ struct QuestionStatus {
   bool last_right = false;         ///< of the last attempt
 };
 
+/// What was done in a lesson, by the ids of its steps and questions: what a session is taken up from.
+struct SessionMemory {
+  struct StepMemory {
+    std::string step;                                            ///< id
+    std::vector<std::size_t> tasks_done;                         ///< indices of tasks
+    std::vector<std::pair<std::string, QuestionStatus>> questions;  ///< by the question's id
+  };
+  std::string step;  ///< id of the step to begin at
+  std::vector<StepMemory> steps;
+};
+
 class LessonSession {
  public:
   /// Starts at the first step. `lesson` must not be null and has at least one step.
@@ -39,14 +51,17 @@ class LessonSession {
   const Lesson& lesson() const { return *lesson_; }
   std::size_t stepIndex() const { return step_; }
   const Step& step() const { return lesson_->steps[step_]; }
+  /// The same, but in an aside the step that it belongs to: the last one that is no aside.
+  std::size_t mainStepIndex() const { return main_step_; }
 
   /// What is on the stage now. `sceneNumber` grows whenever it may have changed, so the screen can compare it cheaply.
   const SceneSpec& scene() const { return step().scene; }
   std::size_t sceneNumber() const { return scene_number_; }
 
-  bool hasNext() const { return step_ + 1 < lesson_->steps.size(); }
-  bool hasBack() const { return step_ > 0; }
-  /// Moves on or back; does nothing at the ends. A student may always move on: `stepDone` tells whether anything is left.
+  bool hasNext() const { return step().aside || mainStepAfter(step_) < lesson_->steps.size(); }
+  bool hasBack() const { return step().aside || step_ > 0; }
+  /// Moves on or back, passing asides over; does nothing at the ends. From an aside both lead to the step from which the
+  /// student came to it. A student may always move on: `stepDone` tells whether anything is left.
   void next();
   void back();
   /// Follows a link "#step-id" (or the id alone). False, without moving, where there is no such step.
@@ -56,6 +71,9 @@ class LessonSession {
   /// is none; tasks then wait. Keeps what has been done.
   void setMolecule(std::shared_ptr<const Molecule> molecule);
 
+  /// Null while there is none.
+  const Molecule* molecule() const { return molecule_.get(); }
+
   /// Feeds the current task of the step. Tasks are done in their order, one at a time.
   void feed(const TouchSample& sample);
   void feed(std::span<const TouchSample> samples);
@@ -63,6 +81,17 @@ class LessonSession {
   /// The tasks and questions of the current step, by their index in it.
   TaskStatus task(std::size_t index) const;
   const QuestionStatus& question(std::size_t index) const { return state().questions[index]; }
+
+  /// A task of the current step, for its buttons, curves and figures; null while there is no molecule and it is not done.
+  const Task* taskAt(std::size_t index) const;
+  /// The index of the task that the student is at; the number of tasks when all are done.
+  std::size_t currentTask() const;
+  /// What the current task asks of the scene; nothing where there is none.
+  TaskStage taskStage() const;
+  /// Tells the current task something.
+  void answerTask(const TaskAnswer& answer);
+  /// What a task of the current step has measured so far, or until it was done; empty while there is no molecule.
+  std::vector<TaskFigure> taskFigures(std::size_t index) const;
 
   /// Begins a task of the current step again, done or not.
   void restartTask(std::size_t index);
@@ -76,10 +105,21 @@ class LessonSession {
   /// What is said to the last attempt at a question: the feedback of each chosen choice, or of the answer block.
   std::vector<RichText> feedback(std::size_t question) const;
 
+  /// The same of any step, whether it is shown or not.
+  bool taskDone(std::size_t step, std::size_t task) const { return states_[step].tasks_done[task] != 0; }
+  const QuestionStatus& question(std::size_t step, std::size_t index) const { return states_[step].questions[index]; }
+  /// Figures of a task that was done, of any step; empty where it was done before the session was taken up.
+  std::vector<TaskFigure> figuresOf(std::size_t step, std::size_t task) const;
+  bool stepSeen(std::size_t step) const { return states_[step].seen; }
+
+  /// Takes up what was done before, as far as the lesson still has it, and goes to the step where that ended. Ids and
+  /// indices that the lesson does not have are passed over.
+  void restore(const SessionMemory& memory);
+
   /// Every task of the step is done and every question answered rightly.
   bool stepDone() const { return stepDone(step_); }
   bool stepDone(std::size_t step) const;
-  /// Tasks and questions done, of all in the lesson, 0 to 1; the share of steps seen where it has none.
+  /// Tasks and questions done, of all in the lesson, 0 to 1; the share of steps seen where it has none. Asides do not count.
   double progress() const;
   bool finished() const;
 
@@ -89,14 +129,17 @@ class LessonSession {
 
  private:
   struct StepState {
+    explicit StepState(const Step& step);
     std::vector<char> tasks_done;
+    std::vector<std::shared_ptr<const Task>> finished;  // as they were when done; null where not done
     std::vector<QuestionStatus> questions;
     bool seen = false;
   };
 
   StepState& state() { return states_[step_]; }
   const StepState& state() const { return states_[step_]; }
-  std::size_t currentTask() const;
+  std::size_t mainStepAfter(std::size_t step) const;   // the number of steps where there is none
+  void keepIfDone(std::size_t task);
   void enter(std::size_t step);
   void makeTasks();
   void record(std::size_t question, bool right);
@@ -104,8 +147,9 @@ class LessonSession {
   std::shared_ptr<const Lesson> lesson_;
   std::shared_ptr<const Molecule> molecule_;
   std::vector<StepState> states_;
-  std::vector<std::unique_ptr<Task>> tasks_;  // of the current step; null while there is no molecule
+  std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null while there is no molecule
   std::size_t step_ = 0, scene_number_ = 0;
+  std::size_t main_step_ = 0;  // the last one that is no aside
 };
 
 }  // namespace moltact

@@ -68,6 +68,7 @@ Expected<Value> wordsValue(const KeySpec& key, std::string_view text, Value valu
     if (std::find(key.words.begin(), key.words.end(), part) == key.words.end())
       return at(text, part, quoted(key.name) + " cannot be " + quoted(part), suggest(part, key.words, "known"));
     value.words.emplace_back(part);
+    value.places.push_back({0, at(text, part, {}).column});
   }
   return value;
 }
@@ -97,6 +98,31 @@ Expected<Value> targetValue(const KeySpec& key, std::string_view text, Value val
   return selected;
 }
 
+// "then" is no word of the language of selections: outside of quotes it always parts two places.
+Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value) {
+  if (std::find(key.words.begin(), key.words.end(), text) != key.words.end()) {
+    value.words = {std::string(text)};
+    return value;
+  }
+  constexpr std::string_view kThen = " then ";
+  std::string_view rest = text;
+  for (bool more = true; more;) {
+    bool quoted_name = false;
+    std::size_t end = 0;
+    while (end < rest.size() && (quoted_name || !rest.substr(end).starts_with(kThen))) quoted_name = quoted_name != (rest[end++] == '"');
+    more = end < rest.size();
+    const std::string_view part = stripped(rest.substr(0, end));
+    if (part.empty() || part == "then" || part.starts_with("then ") || part.ends_with(" then"))
+      return at(text, part, "a place is missing beside 'then'", "name atoms on both sides of it");
+    auto read = selectionValue(text, part, {});
+    if (!read) return read.problem();
+    value.path.push_back(read->selection);
+    value.places.push_back({0, at(text, part, {}).column});
+    if (more) rest.remove_prefix(end + kThen.size());
+  }
+  return value;
+}
+
 }  // namespace
 
 Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
@@ -107,7 +133,10 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::Text: return value;
     case ValueType::TextList:
       for (const std::string_view part : commaParts(text))
-        if (!part.empty()) value.words.emplace_back(part);
+        if (!part.empty()) {
+          value.words.emplace_back(part);
+          value.places.push_back({0, at(text, part, {}).column});
+        }
       return value;
     case ValueType::Count: return countValue(key, text, std::move(value));
     case ValueType::Number: return numberValue(text, std::move(value));
@@ -128,6 +157,7 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::WordList: return wordsValue(key, text, std::move(value), true);
     case ValueType::Selection: return selectionValue(text, text, std::move(value));
     case ValueType::Target: return targetValue(key, text, std::move(value));
+    case ValueType::Path: return pathValue(key, text, std::move(value));
     case ValueType::View:
       if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
       return wordsValue(key, text, std::move(value), false);

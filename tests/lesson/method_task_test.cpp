@@ -1,26 +1,11 @@
 // The task kinds about haptic methods, fed with samples made by hand at 1 kHz.
 #include <doctest/doctest.h>
 
-#include "engine/lesson/key_lines.h"
-#include "engine/lesson/tasks/registry.h"
-#include "tests/lesson/small_molecules.h"
+#include "tests/lesson/task_hand.h"
 
 using namespace moltact;
 
 namespace {
-
-std::unique_ptr<Task> task(const std::string& kind, const std::vector<std::pair<std::string, std::string>>& keys) {
-  const TaskKind* found = findTaskKind(kind);
-  REQUIRE(found);
-  std::vector<KeyLine> lines{{"say", "Do it.", {}, {}, {}}};
-  for (const auto& [k, v] : keys) lines.push_back({k, v, {}, {1, 1}, {}});
-  std::vector<const KeySpec*> specs = pointersTo(found->keys);
-  for (const KeySpec& k : keysOf(KeyBlock::Touch)) specs.push_back(&k);
-  std::vector<Problem> problems;
-  TaskSpec spec{kind, readKeyValues(lines, specs, "touch", {}, problems), {}};
-  REQUIRE_MESSAGE(problems.empty(), problems.front().text());
-  return makeTask(spec, mixedMolecule());
-}
 
 Contact at(Vec3 scp_A) {
   Contact c;
@@ -32,7 +17,7 @@ Contact at(Vec3 scp_A) {
 Contact nowhere() { return {}; }
 
 /// Feeds ticks of one state with the hand at the origin.
-struct Hand {
+struct MethodHand {
   Task& task;
   double time_s = 0.0;
   void ticks(int n, const Contact& contact, const Contact& exact, std::string_view method = "paper") {
@@ -51,7 +36,7 @@ struct Hand {
 
 TEST_CASE("compare wants 1 s of touch with each method, in any order, and says which to choose next") {
   auto t = task("compare", {{"compare", "mesh80, exact"}, {"for", "1 s"}});
-  Hand hand{*t};
+  MethodHand hand{*t};
   hand.ticks(1, nowhere(), nowhere(), "grid04");
   CHECK(t->sentence() == "Now choose Mesh 80 in the panel Methods.");
   hand.ticks(2000, at({0, 0, 1}), at({0, 0, 1}), "grid04");
@@ -76,7 +61,7 @@ TEST_CASE("compare does not know a method that there is not") {
 
 TEST_CASE("meet lost is done after 0.1 s without contact where the exact method holds, and not without its contact") {
   auto t = task("meet", {{"meet", "lost"}});
-  Hand hand{*t};
+  MethodHand hand{*t};
   hand.ticks(300, nowhere(), nowhere());
   hand.ticks(300, at({0, 0, 1}), at({0, 0, 1}));
   hand.ticks(90, nowhere(), at({0, 0, 1}));
@@ -88,7 +73,7 @@ TEST_CASE("meet lost is done after 0.1 s without contact where the exact method 
 
 TEST_CASE("meet wrong-side is done when the force points against the exact one, not at 80 degrees from it") {
   auto t = task("meet", {{"meet", "wrong-side"}});
-  Hand hand{*t};
+  MethodHand hand{*t};
   hand.ticks(300, at({0.985, 0, 0.174}), at({0, 0, 1}));
   CHECK_FALSE(t->done());
   hand.ticks(20, at({0, 0.2, -1}), at({0, 0, 1}));
@@ -97,7 +82,7 @@ TEST_CASE("meet wrong-side is done when the force points against the exact one, 
 
 TEST_CASE("meet jump wants 5 degrees in a tick while the exact force keeps its direction") {
   auto t = task("meet", {{"meet", "jump"}});
-  Hand hand{*t};
+  MethodHand hand{*t};
   hand.ticks(10, at({0, 0, 1}), at({0, 0, 1}));
   hand.ticks(10, at({0.05, 0, 1}), at({0, 0, 1}));  // 2.9 degrees
   CHECK_FALSE(t->done());
@@ -109,7 +94,7 @@ TEST_CASE("meet jump wants 5 degrees in a tick while the exact force keeps its d
 
 TEST_CASE("meet off by 0.03 A wants contact points farther apart than that for 0.1 s") {
   auto t = task("meet", {{"meet", "off"}, {"by", "0.03 Å"}});
-  Hand hand{*t};
+  MethodHand hand{*t};
   hand.ticks(300, at({0, 0.029, 1}), at({0, 0, 1}));
   CHECK_FALSE(t->done());
   hand.ticks(110, at({0, 0.031, 1}), at({0, 0, 1}));

@@ -2,11 +2,15 @@
 // inside the file. The oracle is the file itself: its lines and their lengths counted here byte by byte.
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <random>
 #include <sstream>
 
+#include "engine/lesson/check.h"
+#include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/reader.h"
 
 using namespace moltact;
@@ -40,38 +44,66 @@ std::string joined(const std::vector<std::string>& lines) {
   return out;
 }
 
-/// True when the reading holds together and every place lies in the text.
-void checkReading(const std::string& text) {
+std::size_t charactersIn(const std::string& line) {
+  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// The reading holds together, and every place of it lies in the text. With molecules, so does all that is told of those.
+void checkReading(const std::string& text, const MoleculeByName& molecules = {}) {
   const LessonReading read = readLessonText("lesson.md", text);
   const std::vector<std::string> lines = linesOf(text);
   CHECK(read.lesson.has_value() == read.errors.empty());
-  for (const auto* list : {&read.errors, &read.warnings})
+  CHECK_FALSE((read.lesson && read.partial));
+  LessonCheck check{{}, read.errors, read.warnings};
+  if (molecules) {
+    check = checkLesson("lesson.md", text, molecules);
+    CHECK(check.lesson.has_value() == read.lesson.has_value());
+    CHECK(check.errors.size() >= read.errors.size());
+  }
+  for (const auto* list : {&check.errors, &check.warnings})
     for (const Problem& p : *list) {
       CAPTURE(p.text());
       CHECK(p.file == "lesson.md");
       CHECK_FALSE(p.message.empty());
       REQUIRE((p.line >= 1 && p.line <= lines.size()));
       CAPTURE(lines[p.line - 1]);
-      REQUIRE((p.column >= 1 && p.column <= lines[p.line - 1].size() + 1));
+      REQUIRE((p.column >= 1 && p.column <= charactersIn(lines[p.line - 1]) + 1));
     }
   if (read.lesson) CHECK_FALSE(read.lesson->steps.empty());
 }
 
 }  // namespace
 
-TEST_CASE("every single line deleted, doubled or swapped with its neighbour leaves no crash and no place outside the file") {
+TEST_CASE("every single line deleted, doubled, misspelt or swapped with its neighbour leaves no crash and no place outside the file") {
+  LessonMolecules library;
+  std::map<std::string, Expected<std::shared_ptr<const Molecule>>> known;
+  const MoleculeByName molecules = [&](const std::string& name) {
+    const auto found = known.find(name);
+    return found != known.end() ? found->second : known.emplace(name, library.find("lesson.md", name)).first->second;
+  };
+  // The molecules are asked for one mutation in eight: that is enough to come to every kind of line in every lesson.
+  std::size_t count = 0;
+  const auto check = [&](const std::string& text) { checkReading(text, count++ % 8 == 0 ? molecules : MoleculeByName()); };
   for (const std::string& text : shippedLessons()) {
     const std::vector<std::string> lines = linesOf(text);
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
       std::vector<std::string> changed = lines;
       changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i));
-      checkReading(joined(changed));
+      check(joined(changed));
       changed = lines;
       changed.insert(changed.begin() + static_cast<std::ptrdiff_t>(i), lines[i]);
-      checkReading(joined(changed));
+      check(joined(changed));
       changed = lines;
       std::swap(changed[i], changed[i + 1]);
-      checkReading(joined(changed));
+      check(joined(changed));
+      // Two letters of its first word, and two of its last.
+      for (const bool first : {true, false}) {
+        const std::size_t start = first ? lines[i].find_first_not_of(" ") : lines[i].find_last_of(' ') + 1;
+        if (start >= lines[i].size() || lines[i].size() - start < 3) continue;
+        changed = lines;
+        std::swap(changed[i][start + 1], changed[i][start + 2]);
+        check(joined(changed));
+      }
     }
   }
 }

@@ -48,7 +48,7 @@ TEST_CASE("a fault behind a tab is told at its second character") {
 
 TEST_CASE("faults of touch blocks are told: no task, two tasks, keys of other tasks, bad values, the place in Å counted in characters") {
   CHECK(errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
-        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, avoid, compare or meet and a colon"});
+        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, avoid, compare, meet, trace, find, predict or same and a colon"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\nhold: all\nsay: S\n```\n") ==
         Texts{"l.md:15:1: a touch block holds one task, but this one has 'reach' and 'hold'; write two touch blocks"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\ncount: 3\nsay: S\n```\n") ==
@@ -90,7 +90,7 @@ TEST_CASE("faults of questions and links are told: nothing right, one choice, no
   CHECK(errors(kHead + kStep + "### Question: Q?\n- [x] a\n") == Texts{"l.md:13:5: this question has only one choice; add another line '- [ ] …'"});
   CHECK(errors(kHead + kStep + "### Question: Q?\n") ==
         Texts{"l.md:13:5: this question has nothing to answer; add a list of choices '- [x] …' or an answer block"});
-  CHECK(errors(kHead + kStep + "See [there](#one-stop).\n") == Texts{"l.md:13:6: the link '#one-stop' leads to no step; did you mean 'one-step'?"});
+  CHECK(errors(kHead + kStep + "See [there](#one-stop).\n") == Texts{"l.md:13:13: the link '#one-stop' leads to no step; did you mean 'one-step'?"});
   CHECK(errors(kHead + kStep + "- [x] a\n") == Texts{"l.md:13:7: a task list outside a question; put '### Question: …' above it, or take out the '[ ]'"});
   CHECK(errors(kHead + kStep + "```answer\nfree: yes\n```\n") == Texts{"l.md:13:4: an answer block without a question; put '### Question: …' above it"});
 }
@@ -142,6 +142,21 @@ TEST_CASE("a scene without a molecule changes only what it says; one with a mole
   CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
 }
 
+TEST_CASE("a scene locks what it and the front matter name; the next molecule's scene only what the front matter names") {
+  const std::string head = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlocked: method\n---\n";
+  const LessonReading read = readLessonText("l.md", head + "## A\n```scene\nmolecule: mix\nforce: off\npanels: none\nlocked: force, panels\n```\n"
+                                                    "## B\n```scene\nprobe: 1 Å\n```\n## C\n```scene\nlocked: all\n```\n## D\n```scene\nmolecule: water\n```\n");
+  REQUIRE(read.lesson);
+  const auto& steps = read.lesson->steps;
+  CHECK((steps[0].scene.locks("method") && steps[0].scene.locks("force") && steps[0].scene.locks("panels") && !steps[0].scene.locks("probe")));
+  CHECK(steps[0].scene.panels == Texts{"none"});
+  CHECK((steps[1].scene.locks("force") && !steps[1].scene.locks("probe")));
+  CHECK(steps[2].scene.locks("probe"));
+  CHECK((steps[3].scene.locks("method") && !steps[3].scene.locks("force")));
+  CHECK(errors(kHead + "## S\n```scene\nmolecule: mix\npanels: none, touch\nlocked: forse\n```\n") ==
+        Texts{"l.md:12:9: 'none' stands alone; take it out, or the other panels", "l.md:13:9: 'locked' cannot be 'forse'; did you mean 'force'?"});
+}
+
 TEST_CASE("a question has its prompt, its right choices, feedback after either arrow and the step that the feedback leads to") {
   const Lesson l = lesson(kStep + "### Question: Which `one`?\nThink.\n- [x] This → Yes: [on](#one-step)\n- [ ] That -> No\n\nAfter.\n"
                                   "### Question: How long?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\n```\n");
@@ -178,8 +193,9 @@ TEST_CASE("empty selections and molecules that are not there are told at their p
     return std::make_shared<const Molecule>(mixedMolecule());
   });
   CHECK(asked == 2);
-  CHECK(texts(found) == Texts{"l.md:12:12: chain 'C' is not in mix (chains: A, B); name atoms that it has",
-                              "l.md:15:8: ligand 'BTX' is not in mix (ligands: HEM); name atoms that it has",
+  CHECK(texts(found) == Texts{"l.md:5:17: there is no molecule 'water'; choose another",
+                              "l.md:12:18: chain 'C' is not in mix (chains: A, B); name atoms that it has",
+                              "l.md:15:15: ligand 'BTX' is not in mix (ligands: HEM); name atoms that it has",
                               "l.md:20:5: the start and the end of the crossing have atoms in common; choose atoms that are only in one",
                               "l.md:25:11: there is no molecule 'water'; choose another"});
 }

@@ -98,14 +98,34 @@ TEST_CASE("a faulty selection is told with its column and what would mend it") {
   CHECK(told(std::string(500, '(')) == "65 the selection is nested too deeply; use fewer brackets");
 }
 
-TEST_CASE("an empty selection says what there is instead") {
+TEST_CASE("an empty selection says at which column its first part without atoms stands, and what there is instead") {
   const Molecule m = mixedMolecule();
-  CHECK(parseSelection("ligand BTX")->whyEmpty(m) == "ligand 'BTX' is not in mix (ligands: HEM)");
-  CHECK(parseSelection("chain A and resname GLU")->whyEmpty(m) == "residue name 'GLU' is not in mix (names: ASP, DA, HEM, HOH, ZN)");
-  CHECK(parseSelection("chain C")->whyEmpty(m) == "chain 'C' is not in mix (chains: A, B)");
-  CHECK(parseSelection("atom 12")->whyEmpty(m) == "atom 12 is not in mix (10 atoms, counted from 0)");
-  CHECK(parseSelection("residue 99")->whyEmpty(m) == "residue 99 is not in mix (residues: -1 to 52)");
-  CHECK(parseSelection("chain A and ligand")->whyEmpty(m) == "no atom of mix is 'chain A and ligand'");
+  const auto why = [&](const char* text) {
+    const Problem p = parseSelection(text)->whyEmpty(m);
+    return std::to_string(p.column) + " " + p.text();
+  };
+  CHECK(why("ligand BTX") == "8 ligand 'BTX' is not in mix (ligands: HEM); name atoms that it has");
+  CHECK(why("chain A and resname GLU") == "21 residue name 'GLU' is not in mix (names: ASP, DA, HEM, HOH, ZN); name atoms that it has");
+  CHECK(why("resname hem") == "9 residue name 'hem' is not in mix (names: ASP, DA, HEM, HOH, ZN); did you mean 'HEM'? Names are written as in the file");
+  CHECK(why("resname AXP") == "9 residue name 'AXP' is not in mix (names: ASP, DA, HEM, HOH, ZN); did you mean 'ASP'?");
+  CHECK(why("chain C") == "7 chain 'C' is not in mix (chains: A, B); name atoms that it has");
+  CHECK(why("atom 12") == "6 atom 12 is not in mix (10 atoms, counted from 0); name atoms that it has");
+  CHECK(why("within 5 Å of (residue 99)") == "24 residue 99 is not in mix (residues: -1 to 52); name atoms that it has");
+  CHECK(why("chain A and ligand") == "1 no atom of mix is 'chain A and ligand'; name atoms that it has");
+}
+
+TEST_CASE("names and numbers that select nothing beside others that do are told one by one") {
+  const Molecule m = mixedMolecule();
+  const auto idle = [&](const char* text) {
+    std::string out;
+    for (const Problem& p : parseSelection(text)->idleNames(m)) out += std::to_string(p.column) + " " + p.message + "|";
+    return out;
+  };
+  CHECK(idle("resname HEM HEX or chain A D") == "13 residue name 'HEX' is not in mix (names: ASP, DA, HEM, HOH, ZN)|28 chain 'D' is not in mix (chains: A, B)|");
+  CHECK(idle("residue 50-60 99") == "15 residue 99 is not in mix (residues: -1 to 52)|");
+  CHECK(idle("not element O U") == "15 element 'U' is not in mix (elements: C, Fe, N, O, P, Zn)|");
+  CHECK(idle("resname HEM").empty());
+  CHECK(idle("chain A B").empty());
 }
 
 TEST_CASE("a selection has a name for the middle of a sentence") {

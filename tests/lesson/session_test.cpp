@@ -35,6 +35,30 @@ void touch(LessonSession& session, std::int32_t atom, double from_s) {
 
 }  // namespace
 
+TEST_CASE("Next and Back pass an aside over; from it both lead to the step that linked to it, and progress does not count it") {
+  LessonSession s(lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\n```scene\nprobe: 2 Å\n```\n[y](#aside-y)\n### Question: Q?\n- [x] a\n- [ ] b\n"
+                        "## B\n## Aside: Y\nText.\n"));
+  CHECK(s.lesson().steps[1].title == "X");
+  CHECK(s.lesson().steps[1].scene.probe_A == 2.0);
+  CHECK(s.lesson().steps[2].scene.probe_A == 1.4);
+  s.next();
+  CHECK(s.step().id == "b");
+  CHECK_FALSE(s.hasNext());
+  s.back();
+  CHECK(s.step().id == "a");
+  CHECK_FALSE(s.hasBack());
+  REQUIRE(s.goTo("#aside-x"));
+  CHECK((s.hasNext() && s.hasBack()));
+  REQUIRE(s.goTo("#aside-y"));
+  s.next();
+  CHECK(s.step().id == "a");
+  CHECK(s.finished());
+  s.next();
+  REQUIRE(s.goTo("#aside-y"));
+  s.back();
+  CHECK(s.step().id == "b");
+}
+
 TEST_CASE("tasks wait for the molecule, then are done one at a time in their order") {
   LessonSession session(lesson(kBody));
   touch(session, 0, 0.0);
@@ -56,6 +80,40 @@ TEST_CASE("tasks wait for the molecule, then are done one at a time in their ord
   CHECK(session.progress() == doctest::Approx(2.0 / 5));
   session.restartTask(0);
   CHECK_FALSE(session.task(0).done);
+}
+
+TEST_CASE("a task's figures tell 0.15 s of contact at 0.5 N over a way of 0.15 A, and stay when the step is left and entered again") {
+  LessonSession session(lesson(kBody));
+  CHECK(session.taskFigures(0).empty());
+  session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  const auto figure = [&](std::string_view name) {
+    for (const TaskFigure& f : session.taskFigures(0))
+      if (f.name == name) return f.value;
+    return -1.0;
+  };
+  for (int i = 0; i <= 150; ++i) {
+    TouchSample s;
+    s.time_s = i * 0.001;
+    s.contact.feature = Feature::Sphere;
+    // The task ends after 0.1 s on its atom; before that the hand is 0.05 s on another.
+    s.contact.atoms[0] = i <= 49 ? 3 : 0;
+    s.contact.scp.A = {0.001 * i, 0, 0};
+    s.force.N = {0, 0.3, 0.4};
+    session.feed(s);
+  }
+  const auto check = [&] {
+    CHECK(figure("contact time") == doctest::Approx(0.15).epsilon(0.01));
+    CHECK(figure("mean force") == doctest::Approx(0.5));
+    CHECK(figure("greatest force") == doctest::Approx(0.5));
+    CHECK(figure("way") == doctest::Approx(0.15).epsilon(0.01));
+  };
+  check();
+  REQUIRE(session.task(0).done);
+  session.next();
+  session.back();
+  check();
+  session.restartTask(0);
+  CHECK(figure("time") == 0.0);
 }
 
 TEST_CASE("a question with two right choices takes exactly these two, and a wrong attempt gives feedback") {

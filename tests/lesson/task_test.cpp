@@ -3,48 +3,9 @@
 
 #include <random>
 
-#include "engine/lesson/key_lines.h"
-#include "engine/lesson/tasks/registry.h"
-#include "tests/lesson/small_molecules.h"
+#include "tests/lesson/task_hand.h"
 
 using namespace moltact;
-
-namespace {
-
-/// A task of the kind from its keys, as in a touch block.
-std::unique_ptr<Task> task(std::string kind, std::vector<std::pair<std::string, std::string>> keys) {
-  const TaskKind* found = findTaskKind(kind);
-  REQUIRE(found);
-  std::vector<KeyLine> lines{{"say", "Do it.", {}, {}, {}}};
-  for (auto& [k, v] : keys) lines.push_back({k, v, {}, {1, 1}, {}});
-  std::vector<const KeySpec*> specs = pointersTo(found->keys);
-  for (const KeySpec& k : keysOf(KeyBlock::Touch)) specs.push_back(&k);
-  std::vector<Problem> problems;
-  TaskSpec spec{kind, readKeyValues(lines, specs, "touch", {}, problems), {}};
-  REQUIRE_MESSAGE(problems.empty(), problems.front().text());
-  return makeTask(spec, mixedMolecule());
-}
-
-/// A hand that touches atoms for a while.
-struct Hand {
-  Task& task;
-  double time_s = 0.0, dt_s = 0.001;
-
-  void touch(std::vector<std::int32_t> atoms, double seconds, double force_N = 0.5, Vec3 scp = {0, 0, 0}) {
-    TouchSample s;
-    s.contact.scp = {scp};
-    s.force.N = {0, 0, force_N};
-    for (std::size_t i = 0; i < atoms.size(); ++i) s.contact.atoms[i] = atoms[i];
-    s.contact.feature = static_cast<Feature>(atoms.size());
-    for (int i = 0, n = static_cast<int>(seconds / dt_s + 0.5); i < n; ++i) {
-      s.time_s = time_s += dt_s;
-      task.feed(s);
-    }
-  }
-  void away(double seconds) { touch({}, seconds, 0.0); }
-};
-
-}  // namespace
 
 TEST_CASE("reach is done after 0.1 s on the oxygen, not after 0.05 s, and stays done") {
   auto t = task("reach", {{"reach", "element O"}});
@@ -224,7 +185,9 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
   const std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> all{
       {"reach", {{"reach", "ion"}}}, {"hold", {{"hold", "pit"}}}, {"press", {{"press", "pit"}, {"until", "3 N"}}},
       {"feel", {{"feel", "atoms"}, {"count", "9"}}}, {"cross", {{"cross", "atom 0"}, {"to", "atom 9"}}}, {"avoid", {{"avoid", "ion"}}},
-      {"compare", {{"compare", "exact, paper"}}}, {"meet", {{"meet", "lost"}}}};
+      {"compare", {{"compare", "places"}, {"of", "atom 0 then atom 1"}}}, {"meet", {{"meet", "lost"}}},
+      {"trace", {{"trace", "atom 0-5"}}}, {"find", {{"find", "atom 5"}, {"hints", "warmer"}}}, {"predict", {{"predict", "anywhere"}}},
+      {"same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"for", "0.1 s"}}}};
   CHECK(all.size() == taskKinds().size());
   for (const auto& [kind, keys] : all) {
     auto t = task(kind, keys);
@@ -240,7 +203,13 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       s.exact.scp.A.x = static_cast<double>(random() % 400) * 0.01;
       s.method = random() % 2 ? "exact" : "paper";
       s.force.N.x = random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
+      s.contact.scp.A = s.exact.scp.A;
       t->feed(s);
+      // A person who presses whatever button there is, and draws whatever is asked for.
+      if (const std::vector<TaskButton> buttons = t->buttons(); !buttons.empty() && random() % 20 == 0)
+        t->answer({std::string(buttons[random() % buttons.size()].word), {}});
+      if (t->curves() && random() % 1000 == 0) t->answer({"", std::vector<double>(t->curves()->drawn.size(), 0.1)});
+      for (const TaskFigure& f : t->figures()) REQUIRE(std::isfinite(f.value));
       REQUIRE((t->progress() >= 0.0 && t->progress() <= 1.0));
       REQUIRE((t->done() || !was_done));
       REQUIRE_FALSE(t->sentence().empty());

@@ -14,11 +14,14 @@ class Avoid : public Task {
     Task::reset();
     touched_s_ = 0.0;
     on_region_ = erred_ = false;
+    touches_ = 0;
   }
 
  private:
   void take(const TouchSample& s, double dt_s) override {
+    const bool before = on_region_;
     on_region_ = region_.touchedBy(s.contact);
+    touches_ += on_region_ && !before;
     if (on_region_) {
       erred_ = erred_ || touched_s_ > 0.0;
       touched_s_ = 0.0;
@@ -29,6 +32,15 @@ class Avoid : public Task {
     if (touched_s_ >= time_s_) finish();
   }
 
+  HandPlan demonstrate(const HandView& view) const override {
+    std::vector<std::uint32_t> others;
+    for (const std::uint32_t a : everyAtom(view.balls))
+      if (!region_.has(static_cast<std::int32_t>(a))) others.push_back(a);
+    HandPlan plan;
+    if (const auto place = placeFor(view, openPlaces(view, others, Feature::Sphere))) comeTo(plan, *place, depthFor(view, 0.2), time_s_ + 0.5);
+    return plan;
+  }
+
   std::string guidance() const override {
     if (on_region_) return "That is " + name_ + ". Move away from it; the time starts again.";
     const std::string time = timeText(touched_s_) + " of " + timeText(time_s_) + ".";
@@ -36,10 +48,13 @@ class Avoid : public Task {
     return "Touch the surface anywhere except " + name_ + ".";
   }
 
+  void measure(std::vector<TaskFigure>& out) const override { out.push_back({"touches of the region", double(touches_), ""}); }
+
   AtomSet region_;
   std::string name_;
   double time_s_ = 1.0, touched_s_ = 0.0;
   bool on_region_ = false, erred_ = false;
+  int touches_ = 0;
 };
 
 }  // namespace

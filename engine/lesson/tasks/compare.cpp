@@ -1,4 +1,4 @@
-// compare: touch with each of several haptic methods for a while, in any order.
+// compare: touch several places, or touch with several haptic methods, each for a while and in any order.
 #include <algorithm>
 
 #include "engine/haptics/methods.h"
@@ -7,15 +7,9 @@
 namespace moltact {
 namespace {
 
-std::vector<std::string_view> methodNames() {
-  std::vector<std::string_view> names;
-  for (const Method& m : methods()) names.push_back(m.name);
-  return names;
-}
-
-class Compare : public Task {
+class CompareMethods : public Task {
  public:
-  explicit Compare(const TaskSpec& spec) : Task(spec), time_s_(spec.values["for"].number) {
+  explicit CompareMethods(const TaskSpec& spec) : Task(spec), time_s_(spec.values["for"].number) {
     for (const std::string& name : spec.values["compare"].words)
       if (std::none_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.method == name; })) parts_.push_back({name, 0.0});
   }
@@ -50,6 +44,19 @@ class Compare : public Task {
     if (all) finish();
   }
 
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    const std::vector<SurfacePlace> places = openPlaces(view, everyAtom(view.balls), Feature::Sphere);
+    for (const Part& p : parts_) {
+      const auto place = placeFor(view, places);
+      if (p.felt_s >= time_s_ || !place) continue;
+      const std::size_t begin = plan.size();
+      comeTo(plan, *place, depthFor(view, 0.5), time_s_ + 0.2);
+      plan[begin].method = p.method;
+    }
+    return plan;
+  }
+
   std::string guidance() const override {
     if (in_use_ && in_use_->felt_s < time_s_) {
       const std::string with = methodTitle(in_use_->method);
@@ -67,14 +74,113 @@ class Compare : public Task {
   bool touching_ = false;
 };
 
+class ComparePlaces : public Task {
+ public:
+  ComparePlaces(const TaskSpec& spec, const Molecule& molecule) : Task(spec), time_s_(spec.values["for"].number) {
+    for (const Selection& part : spec.values["of"].path) places_.push_back({AtomSet(part, molecule), part.noun()});
+  }
+
+  void reset() override {
+    Task::reset();
+    for (Place& p : places_) p.felt_s = p.impulse_Ns = 0.0;
+    here_ = nullptr;
+    touching_ = false;
+  }
+
+ private:
+  struct Place {
+    AtomSet atoms;
+    std::string name;
+    double felt_s = 0.0, impulse_Ns = 0.0;
+    double mean_N() const { return felt_s > 0.0 ? impulse_Ns / felt_s : 0.0; }
+  };
+
+  void take(const TouchSample& s, double dt_s) override {
+    touching_ = s.contact.touching();
+    here_ = nullptr;
+    double sum_s = 0.0;
+    bool all = true;
+    for (Place& p : places_) {
+      if (p.atoms.touchedBy(s.contact)) {
+        if (!here_ || p.felt_s < time_s_) here_ = &p;
+        p.felt_s += dt_s;
+        p.impulse_Ns += glm::length(s.force.N) * dt_s;
+      }
+      sum_s += std::min(time_s_, p.felt_s);
+      all = all && p.felt_s >= time_s_;
+    }
+    setProgress(sum_s / (time_s_ * double(std::max<std::size_t>(1, places_.size()))));
+    if (all) finish();
+  }
+
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    for (const Place& p : places_)
+      if (p.felt_s < time_s_)
+        if (const auto place = placeFor(view, placesToTouch(view, p.atoms))) comeTo(plan, *place, depthFor(view, 0.3), time_s_ + 0.2);
+    return plan;
+  }
+
+  std::string guidance() const override {
+    if (here_ && here_->felt_s < time_s_) return "Keep touching " + here_->name + ": " + timeText(here_->felt_s) + " of " + timeText(time_s_) + ".";
+    for (const Place& p : places_)
+      if (p.felt_s < time_s_) return (touching_ && !here_ ? "You are on the surface. Slide on to find " : "Now touch ") + p.name + ".";
+    return {};
+  }
+
+  void measure(std::vector<TaskFigure>& out) const override {
+    if (places_.size() != 2) return;
+    out.push_back({"mean force on the first place", places_[0].mean_N(), "N"});
+    out.push_back({"mean force on the second place", places_[1].mean_N(), "N"});
+  }
+
+  std::vector<Place> places_;
+  double time_s_ = 1.0;
+  const Place* here_ = nullptr;
+  bool touching_ = false;
+};
+
+constexpr std::string_view kPlaces = "places";
+
+std::vector<std::string_view> thingsToCompare() {
+  std::vector<std::string_view> words = methodNames();
+  words.push_back(kPlaces);
+  return words;
+}
+
+bool comparesPlaces(const TaskSpec& spec) {
+  const std::vector<std::string>& words = spec.values["compare"].words;
+  return std::find(words.begin(), words.end(), kPlaces) != words.end();
+}
+
+void checkCompare(const TaskSpec& spec, std::vector<Problem>& problems) {
+  const Value &compare = spec.values["compare"], &of = spec.values["of"];
+  if (!comparesPlaces(spec)) {
+    if (of.place.line)
+      problems.push_back({{}, of.place.line, of.place.column, "'of' belongs to 'compare: places'", "take it out or write 'compare: places'"});
+    return;
+  }
+  if (compare.words.size() > 1)
+    problems.push_back({{}, compare.place.line, compare.place.column, "'places' stands alone", "write a touch block of its own for the methods"});
+  if (of.path.size() < 2)
+    problems.push_back({{}, of.place.line ? of.place.line : compare.place.line, of.place.line ? of.place.column : compare.place.column,
+                        "at least two places are needed to compare", "write them parted by 'then': 'of: residue 4 then residue 9'"});
+}
+
 }  // namespace
 
 TaskKind compareKind() {
-  return {"compare", "Touch with each of several haptic methods; the student switches between them.",
-          {{.name = "compare", .type = ValueType::WordList, .meaning = "The methods, in any order.", .required = true, .words = methodNames()},
+  return {"compare", "Touch several places, or touch with several haptic methods, each for a while.",
+          {{.name = "compare", .type = ValueType::WordList, .meaning = "The methods, between which the student switches in any order; or places.",
+            .required = true, .words = thingsToCompare()},
+           {.name = "of", .type = ValueType::Path, .meaning = "For 'compare: places': the places, parted by 'then'."},
            {.name = "for", .type = ValueType::Quantity, .meaning = "How long to touch with each.", .fallback = "2 s",
             .dimension = Dimension::Time, .least = 0.1, .most = 600.0}},
-          [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Compare>(s); }};
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+            if (comparesPlaces(s)) return std::make_unique<ComparePlaces>(s, m);
+            return std::make_unique<CompareMethods>(s);
+          },
+          &checkCompare};
 }
 
 }  // namespace moltact

@@ -22,7 +22,7 @@ class Cross : public Task {
   void reset() override {
     Task::reset();
     away_s_ = 0.0;
-    crossed_ = 0;
+    crossed_ = lifts_ = 0;
     on_from_ = lost_ = touching_ = false;
   }
 
@@ -35,6 +35,7 @@ class Cross : public Task {
       if (on_from_ && away_s_ > kTouch_s) {
         on_from_ = false;
         lost_ = true;
+        ++lifts_;
       }
       return;
     }
@@ -55,6 +56,39 @@ class Cross : public Task {
     if (crossed_ >= times_) finish();
   }
 
+  HandPlan demonstrate(const HandView& view) const override {
+    std::vector<std::uint32_t> both = from_.atoms();
+    for (const std::uint32_t a : to_.atoms()) both.push_back(a);
+    std::vector<SurfacePlace> creases;
+    for (const SurfacePlace& p : openPlaces(view, both, Feature::Circle, 400))
+      if (from_.has(p.atoms[0]) != from_.has(p.atoms[1])) creases.push_back(p);
+    HandPlan plan;
+    const auto crease = placeFor(view, creases);
+    if (!crease) return plan;
+    const bool first = from_.has(crease->atoms[0]);
+    const SurfacePlace a = beside(view, *crease, crease->atoms[first ? 0 : 1], crease->atoms[first ? 1 : 0]);
+    const SurfacePlace b = beside(view, *crease, crease->atoms[first ? 1 : 0], crease->atoms[first ? 0 : 1]);
+    const double depth_A = depthFor(view, 0.3);
+    comeTo(plan, a, depth_A, 0.2);
+    for (int k = crossed_; k < times_; ++k) {
+      slide(plan, view, a, *crease, depth_A);
+      slide(plan, view, *crease, b, depth_A);
+      plan.back().wait_s = 0.2;
+      if (k + 1 < times_) slide(plan, view, b, a, depth_A);
+    }
+    return plan;
+  }
+
+  // On the face of one atom, a little away from its crease with another.
+  static SurfacePlace beside(const HandView& view, const SurfacePlace& crease, std::int32_t atom, std::int32_t other) {
+    constexpr double kBeside_A = 0.6;
+    const Ball &on = view.balls[static_cast<std::size_t>(atom)], &from = view.balls[static_cast<std::size_t>(other)];
+    const Vec3 up = crease.scp_A - on.centre_A, away = glm::normalize(on.centre_A - from.centre_A);
+    const Vec3 tangent = away - glm::normalize(up) * glm::dot(away, glm::normalize(up));
+    const Vec3 u = glm::normalize(up + (glm::length(tangent) > 1e-6 ? glm::normalize(tangent) * kBeside_A : Vec3(0.0)));
+    return {on.centre_A + u * (on.radius_A + view.probe_A), u, {atom, -1, -1}, Feature::Sphere};
+  }
+
   std::string guidance() const override {
     const std::string count = times_ > 1 ? " (" + std::to_string(crossed_) + " of " + std::to_string(times_) + ")" : "";
     if (on_from_) return "Now slide to " + to_name_ + " without letting go" + count + ".";
@@ -62,11 +96,16 @@ class Cross : public Task {
     return (touching_ ? "Slide to " : "Touch ") + from_name_ + " to begin" + count + ".";
   }
 
+  void measure(std::vector<TaskFigure>& out) const override {
+    out.push_back({"crossings", double(crossed_), ""});
+    out.push_back({"lifts", double(lifts_), ""});
+  }
+
   AtomSet from_, to_;
   std::string from_name_, to_name_;
   double away_s_ = 0.0;
   bool either_ = false;
-  int times_ = 1, crossed_ = 0;
+  int times_ = 1, crossed_ = 0, lifts_ = 0;
   bool on_from_ = false, lost_ = false, touching_ = false;
 };
 

@@ -48,6 +48,14 @@ class FeelPlaces : public Task {
     if (felt == places_.size()) finish();
   }
 
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    for (const Wanted& w : places_)
+      if (!w.felt())
+        if (const auto place = placeFor(view, placesToTouch(view, where_, w.word))) comeTo(plan, *place, depthFor(view, 0.2), 0.3);
+    return plan;
+  }
+
   std::string guidance() const override {
     if (on_wanted_) return "You have it. Stay there a moment.";
     std::string missing;
@@ -92,10 +100,30 @@ class FeelAtoms : public Task {
     if (felt_ >= wanted_) finish();
   }
 
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    std::vector<std::uint32_t> left;
+    for (const std::uint32_t a : where_.atoms())
+      if (watches_[a] < kTouch_s) left.push_back(a);
+    std::size_t planned = felt_;
+    // Atom by atom, those that stick out first.
+    for (const SurfacePlace& place : openPlaces(view, left, Feature::Sphere, 20 * wanted_)) {
+      if (planned >= wanted_) break;
+      const auto atom = std::find(left.begin(), left.end(), static_cast<std::uint32_t>(place.atoms[0]));
+      if (atom == left.end()) continue;
+      left.erase(atom);
+      comeTo(plan, place, depthFor(view, 0.2), 0.2);
+      ++planned;
+    }
+    return plan;
+  }
+
   std::string guidance() const override {
     const std::string so_far = std::to_string(felt_) + " of " + std::to_string(wanted_) + " atoms felt.";
     return so_far + (touching_ ? " Slide on to the next one." : " Touch the surface and slide from atom to atom.");
   }
+
+  void measure(std::vector<TaskFigure>& out) const override { out.push_back({"atoms felt", double(felt_), ""}); }
 
   AtomSet where_;
   std::vector<double> watches_;  // time on each atom, in seconds

@@ -1,4 +1,6 @@
 // hold: stay in contact with atoms or with a kind of place for a time, within a range of force if the author asks for one.
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "engine/lesson/tasks/kinds.h"
@@ -27,6 +29,7 @@ class Hold : public Task {
     watch_.restart();
     state_ = State::Away;
     slipped_ = false;
+    slips_ = 0;
   }
 
  private:
@@ -34,10 +37,25 @@ class Hold : public Task {
 
   void take(const TouchSample& s, double dt_s) override {
     state_ = stateOf(s);
-    if (watch_.tick(state_ == State::Good, dt_s, kSlip_s)) slipped_ = true;
+    if (watch_.tick(state_ == State::Good, dt_s, kSlip_s)) {
+      slipped_ = true;
+      ++slips_;
+    }
     if (state_ == State::Good) slipped_ = false;
     setProgress(watch_.elapsed_s() / time_s_);
     if (watch_.elapsed_s() >= time_s_) finish();
+  }
+
+  HandPlan demonstrate(const HandView& view) const override {
+    const double wanted_N = high_N_ < 1e6 ? std::sqrt(std::max(low_N_, 0.05) * high_N_) : std::max(0.3, 1.5 * low_N_);
+    HandPlan plan;
+    const std::string kind = feature_ == "anywhere" ? "" : feature_;
+    if (const auto place = placeFor(view, placesToTouch(view, target_, kind))) {
+      comeTo(plan, *place, depthFor(view, wanted_N), time_s_ + 0.5);
+      // A method that loses the surface is given up for one that does not.
+      if (view.attempt >= 3) plan.front().method = "exact";
+    }
+    return plan;
   }
 
   State stateOf(const TouchSample& s) const {
@@ -62,12 +80,15 @@ class Hold : public Task {
     return "Touch " + name_ + " and hold for " + timeText(time_s_) + ".";
   }
 
+  void measure(std::vector<TaskFigure>& out) const override { out.push_back({"slips", double(slips_), ""}); }
+
   AtomSet target_;
   std::string name_, feature_;
   double time_s_ = 1.0, low_N_ = 0.0, high_N_ = std::numeric_limits<double>::infinity();
   Stopwatch watch_;
   State state_ = State::Away;
   bool slipped_ = false;
+  int slips_ = 0;
 };
 
 }  // namespace

@@ -13,5 +13,9 @@ TaskKind crossKind();
 TaskKind avoidKind();
 TaskKind compareKind();
 TaskKind meetKind();
+TaskKind traceKind();
+TaskKind findKind();
+TaskKind predictKind();
+TaskKind sameKind();
 
 }  // namespace moltact

@@ -54,6 +54,32 @@ class Meet : public Task {
     if (watch_.elapsed_s() >= enough_s) finish();
   }
 
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    const std::vector<std::uint32_t> all = everyAtom(view.balls);
+    if (what_ == "lost" || what_ == "wrong-side") {
+      // Right through a pit, from one side to the other, by ways that lie a little aside at each attempt.
+      const auto pit = placeFor(view, openPlaces(view, all, Feature::Point));
+      if (!pit) return plan;
+      comeTo(plan, *pit, 0.5, 0.0);
+      const Vec3 aside = Vec3(0.02, 0.01, 0.0) * double(1 + view.attempt);
+      plan.push_back({.to = PointA{pit->scp_A + aside - pit->outward * 3.0}, .wait_s = 0.3});
+      return plan;
+    }
+    const Feature wanted = what_ == "off" ? Feature::Circle : Feature::Sphere;
+    const auto place = placeFor(view, openPlaces(view, all, wanted));
+    if (!place) return plan;
+    // Deep under the surface from place to place, so that the force turns over much of it.
+    comeTo(plan, *place, 1.0, 0.3);
+    const Vec3 x = glm::normalize(glm::cross(place->outward, std::abs(place->outward.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+    for (const double turn : {0.0, 0.7, 1.4, -0.7, -1.4}) {
+      const Vec3 way = x * std::cos(turn) + glm::cross(place->outward, x) * std::sin(turn);
+      plan.push_back({.to = PointA{place->scp_A - place->outward + way * 1.5}, .speed_A_per_s = 2.0, .wait_s = 0.2});
+      plan.push_back({.to = PointA{place->scp_A - place->outward - way * 1.5}, .speed_A_per_s = 2.0, .wait_s = 0.2});
+    }
+    return plan;
+  }
+
   std::string guidance() const override {
     if (!touching_) return "Touch the surface and push in.";
     if (what_ == "jump") return "Slide slowly until the force turns with a jerk.";

@@ -31,6 +31,13 @@ class Press : public Task {
     if (watch_.elapsed_s() >= kTouch_s) finish();
   }
 
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    const std::string kind = feature_ == "anywhere" ? "" : feature_;
+    if (const auto place = placeFor(view, placesToTouch(view, target_, kind))) comeTo(plan, *place, 1.1 * depthFor(view, until_N_), 0.5);
+    return plan;
+  }
+
   std::string guidance() const override {
     if (here_) {
       if (force_N_ >= until_N_) return "That is " + forceText(force_N_) + ". Stay there a moment.";

@@ -1,4 +1,5 @@
 // reach: touch one of the selected atoms, or a place near them.
+#include <algorithm>
 #include <cmath>
 
 #include "engine/lesson/tasks/kinds.h"
@@ -27,6 +28,16 @@ class Reach : public Task {
     watch_.tick(reached(s.contact), dt_s, 0.0);
     setProgress(watch_.elapsed_s() / kTouch_s);
     if (watch_.elapsed_s() >= kTouch_s) finish();
+  }
+
+  HandPlan demonstrate(const HandView& view) const override {
+    std::vector<SurfacePlace> places = placesToTouch(view, target_);
+    if (places.empty() && near_A_ > 0.0)
+      for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), Feature::Sphere, 4000))
+        if (std::any_of(centres_.begin(), centres_.end(), [&](const Vec3& c) { return glm::distance(c, p.scp_A) < near_A_; })) places.push_back(p);
+    HandPlan plan;
+    if (const auto place = placeFor(view, places)) comeTo(plan, *place, depthFor(view, 0.3), 0.3);
+    return plan;
   }
 
   bool reached(const Contact& contact) const {

@@ -14,6 +14,10 @@ std::span<const TaskKind> taskKinds() {
       avoidKind(),
       compareKind(),
       meetKind(),
+      traceKind(),
+      findKind(),
+      predictKind(),
+      sameKind(),
   };
   return kinds;
 }

@@ -8,7 +8,7 @@ namespace moltact {
 
 void Task::feed(const TouchSample& sample) {
   const double force_squared = glm::dot(sample.force.N, sample.force.N);
-  if (done_ || !std::isfinite(sample.time_s) || !std::isfinite(force_squared)) return;
+  if (done_ || !std::isfinite(sample.time_s) || !std::isfinite(force_squared) || !finite(sample.contact.scp.A)) return;
   double dt = 0.0;
   if (started_) {
     dt = sample.time_s - last_time_s_;
@@ -18,17 +18,56 @@ void Task::feed(const TouchSample& sample) {
   started_ = true;
   last_time_s_ = sample.time_s;
   inside_ = sample.contact.fault == Fault::StartedInside;
+  measureTouch(sample, dt);
   take(sample, dt);
 }
 
+void Task::measureTouch(const TouchSample& sample, double dt_s) {
+  time_s_ += dt_s;
+  if (!sample.contact.touching()) {
+    last_scp_A_.reset();
+    return;
+  }
+  const double force_N = glm::length(sample.force.N);
+  contact_s_ += dt_s;
+  impulse_Ns_ += force_N * dt_s;
+  greatest_N_ = std::max(greatest_N_, force_N);
+  if (last_scp_A_ && dt_s > 0.0) way_A_ += glm::distance(*last_scp_A_, sample.contact.scp.A);
+  last_scp_A_ = sample.contact.scp.A;
+}
+
+void Task::answer(const TaskAnswer& given) {
+  if (done_) return;
+  if (const TaskCurves* asked = curves(); asked && asked->drawing && given.curve.size() == asked->drawn.size() && !given.curve.empty()) {
+    if (std::all_of(given.curve.begin(), given.curve.end(), [](double v) { return std::isfinite(v) && v >= 0.0; })) hear(given);
+    return;
+  }
+  const std::vector<TaskButton> there = offered();
+  if (std::any_of(there.begin(), there.end(), [&](const TaskButton& b) { return b.word == given.word; })) hear(given);
+}
+
+std::vector<TaskFigure> Task::figures() const {
+  std::vector<TaskFigure> out{{"time", time_s_, "s"}, {"contact time", contact_s_, "s"}};
+  if (contact_s_ > 0.0) out.push_back({"mean force", impulse_Ns_ / contact_s_, "N"});
+  out.push_back({"greatest force", greatest_N_, "N"});
+  out.push_back({"way", way_A_, "Å"});
+  measure(out);
+  return out;
+}
+
 std::string Task::sentence() const {
-  if (done_) return praise_;
+  if (done_) {
+    const std::string told = afterwards();
+    return told.empty() ? praise_ : told + " " + praise_;
+  }
   if (inside_) return "The probe began inside the molecule. Draw it back until it is outside, then touch again.";
   return guidance();
 }
 
 void Task::reset() {
   progress_ = 0.0;
+  time_s_ = contact_s_ = impulse_Ns_ = greatest_N_ = way_A_ = 0.0;
+  last_scp_A_.reset();
   done_ = started_ = inside_ = false;
 }
 
@@ -44,6 +83,25 @@ AtomSet::AtomSet(const Selection& selection, const Molecule& molecule) : all_(!s
     in_[i] = 1;
     ++count_;
   }
+}
+
+std::vector<std::uint32_t> AtomSet::atoms() const {
+  std::vector<std::uint32_t> out;
+  for (std::size_t i = 0; i < (all_ ? count_ : in_.size()); ++i)
+    if (all_ || in_[i]) out.push_back(static_cast<std::uint32_t>(i));
+  return out;
+}
+
+std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& atoms, std::string_view feature) {
+  if (feature == "crease") return openPlaces(view, atoms.atoms(), Feature::Circle);
+  if (feature == "pit") return openPlaces(view, atoms.atoms(), Feature::Point);
+  std::vector<SurfacePlace> places = openPlaces(view, atoms.atoms(), Feature::Sphere);
+  if (!places.empty() || feature == "sphere") return places;
+  // Atoms without a face of their own may still be touched where they meet others.
+  for (const Feature f : {Feature::Circle, Feature::Point})
+    for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), f, 400))
+      if (std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); })) places.push_back(p);
+  return places;
 }
 
 bool AtomSet::touchedBy(const Contact& contact) const {
@@ -65,6 +123,24 @@ bool Stopwatch::tick(bool lasting, double dt_s, double slip_s) {
   if (away_s_ <= slip_s || elapsed_s_ == 0.0) return false;
   restart();
   return true;
+}
+
+std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule) {
+  std::vector<PathPlace> out;
+  for (const Selection& part : path) {
+    const std::vector<std::uint32_t> atoms = part.select(molecule);
+    if (path.size() == 1) {
+      for (const std::uint32_t a : atoms) out.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A, {a}});
+      return out;
+    }
+    if (atoms.empty()) continue;
+    PathPlace place{Vec3(0.0), 0.0, atoms};
+    for (const std::uint32_t a : atoms) place.centre_A += molecule.atoms[a].position.A / double(atoms.size());
+    for (const std::uint32_t a : atoms)
+      place.reach_A = std::max(place.reach_A, glm::distance(place.centre_A, molecule.atoms[a].position.A) + molecule.atoms[a].radius_A);
+    out.push_back(std::move(place));
+  }
+  return out;
 }
 
 std::string targetName(const TaskSpec& spec, std::string_view key) {

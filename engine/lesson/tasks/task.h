@@ -4,10 +4,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
+#include "engine/lesson/tasks/task_answer.h"
 #include "engine/lesson/touch_sample.h"
 #include "engine/molecule/molecule.h"
 
@@ -22,11 +26,52 @@ inline constexpr double kTouch_s = 0.1;
 /// A slip shorter than this (unit: second) does not interrupt a touch: hands tremble.
 inline constexpr double kSlip_s = 0.3;
 
+/// Something that a task has measured. Name and unit outlive the task: "mean force", "N".
+struct TaskFigure {
+  std::string_view name;
+  double value = 0.0;
+  std::string_view unit;  ///< "s", "N", "Å", "%"; empty for a count
+};
+
+/// Something that the student can tell the task now.
+struct TaskButton {
+  std::string_view word;   ///< for TaskAnswer
+  std::string_view label;  ///< as the button says it
+  char key = '\n';         ///< that presses it: a capital letter, or '\n' for Enter
+};
+
+/// What a task asks of the scene while it is under way. What is not given stays as the lesson's scene has it.
+struct TaskStage {
+  bool dark = false;         ///< the molecule is not drawn and no atom is named: the way is found by touch alone
+  bool force_meter = false;  ///< in the dark the force is shown
+  std::optional<double> probe_A = {}, stiffness_N_per_mm = {};
+  std::string method = {};
+  std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
+  int showing = 0;           ///< another number: the hand lets go and begins anew outside, so that nothing else tells a change
+
+  friend bool operator==(const TaskStage& a, const TaskStage& b) {
+    return a.dark == b.dark && a.force_meter == b.force_meter && a.probe_A == b.probe_A && a.method == b.method &&
+           a.stiffness_N_per_mm == b.stiffness_N_per_mm && a.facing.has_value() == b.facing.has_value() &&
+           (!a.facing || a.facing->A == b.facing->A) && a.showing == b.showing;
+  }
+};
+
+/// A force curve that the student draws first and feels then. Both are values at even distances from 0 to `x_most`, both
+/// ends included; NaN where nothing has been drawn or felt.
+struct TaskCurves {
+  std::string_view x_name;           ///< "depth"
+  double x_most = 1.0;               ///< unit: angstrom
+  double most_N = 1.0;               ///< the upper end of the force axis
+  bool drawing = true;               ///< the student still draws; what is felt does not count yet
+  std::vector<double> drawn, felt;   ///< unit: newton; of the same length
+  std::optional<double> agreement;   ///< once both are known: 0 to 1
+};
+
 class Task {
  public:
   virtual ~Task() = default;
 
-  /// One tick. Samples whose time does not advance, or with a time or force that is not finite, are passed over, as is
+  /// One tick. Samples whose time does not advance, or with a time, force or contact point that is not finite, are passed over, as is
   /// everything after the task is done.
   void feed(const TouchSample& sample);
 
@@ -35,6 +80,29 @@ class Task {
   double progress() const { return done_ ? 1.0 : progress_; }
   /// One sentence for the student: what is going on and what to do next. The author's praise when done.
   std::string sentence() const;
+
+  /// What the student can tell now; none once done. In the order in which they are shown.
+  std::vector<TaskButton> buttons() const { return done_ ? std::vector<TaskButton>() : offered(); }
+  /// Takes what the student tells. Words that are not offered and curves that are not asked for are passed over.
+  void answer(const TaskAnswer& answer);
+  /// Null for a task without a curve to draw.
+  virtual const TaskCurves* curves() const { return nullptr; }
+  /// What it asks of the scene; the lesson's own scene once done.
+  TaskStage stage() const { return done_ ? TaskStage() : wanted(); }
+
+  /// What was measured, from the start until now or until done: time, time in contact, mean and greatest force in contact,
+  /// the way of the contact point over the surface; then what the kind itself measures.
+  std::vector<TaskFigure> figures() const;
+  /// Of these, what the kind itself measures.
+  std::vector<TaskFigure> ownFigures() const {
+    std::vector<TaskFigure> out;
+    measure(out);
+    return out;
+  }
+
+  /// What a hand should do next to carry it out; empty where no place for it is open to a probe from outside. Asked for
+  /// anew when the plan has been followed and the task is not done.
+  virtual HandPlan demonstrate(const HandView& view) const = 0;
 
   /// Forgets everything, as at the start.
   virtual void reset();
@@ -46,13 +114,25 @@ class Task {
   virtual void take(const TouchSample& sample, double dt_s) = 0;
   /// The sentence while the task is under way.
   virtual std::string guidance() const = 0;
+  /// What is told before the author's praise once it is done; may be empty.
+  virtual std::string afterwards() const { return {}; }
+  /// A good answer while the task is under way: its word is offered, or its curve is of the right length and finite.
+  virtual void hear(const TaskAnswer&) {}
+  virtual std::vector<TaskButton> offered() const { return {}; }
+  virtual TaskStage wanted() const { return {}; }
+  /// The kind's own figures.
+  virtual void measure(std::vector<TaskFigure>&) const {}
 
   void setProgress(double progress);
   void finish() { done_ = true; }
 
  private:
+  void measureTouch(const TouchSample& sample, double dt_s);
+
   std::string praise_;
   double progress_ = 0.0, last_time_s_ = 0.0;
+  double time_s_ = 0.0, contact_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
+  std::optional<Vec3> last_scp_A_;
   bool done_ = false, started_ = false, inside_ = false;
 };
 
@@ -69,6 +149,8 @@ class AtomSet {
   /// Whether every atom that holds the contact is one of them.
   bool holds(const Contact& contact) const;
   std::size_t count() const { return count_; }
+  /// Their indices, ascending.
+  std::vector<std::uint32_t> atoms() const;
 
  private:
   std::vector<char> in_;
@@ -88,8 +170,22 @@ class Stopwatch {
   double elapsed_s_ = 0.0, away_s_ = 0.0;
 };
 
+/// A place on a path of atoms: one atom, or the ball round the atoms of one part. Units: angstrom.
+struct PathPlace {
+  Vec3 centre_A{0.0};
+  double reach_A = 0.0;  ///< from the centre to the surface of the atom, or of the farthest atom
+  std::vector<std::uint32_t> atoms;
+};
+
+/// The places of a path: one part stands for its atoms in the order of the file, each of several parts for one place.
+std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule);
+
 /// The name of a task's target in the middle of a sentence: `called`, or made from the selection or the feature in `key`.
 std::string targetName(const TaskSpec& spec, std::string_view key);
+
+/// Places that a hand can take to touch these atoms, or a kind of place where `feature` names one ("sphere", "crease",
+/// "pit") that these atoms make.
+std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& atoms, std::string_view feature = {});
 
 /// "sphere" -> a single atom's sphere, "crease" -> a circle, "pit" -> a point.
 bool isFeature(std::string_view word, Feature feature);

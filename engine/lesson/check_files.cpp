@@ -1,0 +1,86 @@
+// Links to files, and pictures.
+#include <algorithm>
+#include <system_error>
+
+#include "engine/lesson/checks.h"
+#include "engine/lesson/lesson_files.h"
+#include "engine/lesson/lesson_texts.h"
+#include "engine/lesson/reader.h"
+#include "engine/lesson/suggestion.h"
+
+namespace moltact::checks {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "did you mean 'ring.png'?" from the files that are there.
+std::string nearestFile(const fs::path& missing) {
+  std::vector<std::string> names;
+  std::error_code error;
+  const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) names.push_back(it->path().filename().string());
+  std::sort(names.begin(), names.end());
+  const std::vector<std::string_view> known(names.begin(), names.end());
+  const std::string near = suggest(missing.filename().string(), known, "");
+  return near.starts_with("did you mean") ? near : "put it there, or mend its name; it is looked for in the lesson's folder";
+}
+
+class Files {
+ public:
+  Files(const fs::path& lesson_file, Findings& findings) : lesson_file_(lesson_file), findings_(findings) {}
+
+  void link(std::string_view link, Place place) {
+    const std::string_view scheme = linkScheme(link);
+    if (scheme == "http" || scheme == "https" || scheme == "mailto") return;
+    if (!scheme.empty())
+      findings_.error(place, "the link '" + std::string(link) + "' leads to nothing that a lesson can show",
+                      "link to a step (#…), a file beside the lesson or a web address (https://…)");
+    else if (const auto to = fileLink(lesson_file_, link); to && isThere("link", link, to->file, place) && !to->step.empty())
+      stepOf(*to, place);
+  }
+
+  void picture(const Image& image) {
+    if (image.path.empty()) return;
+    if (const auto to = fileLink(lesson_file_, image.path)) isThere("picture", image.path, to->file, image.place);
+  }
+
+ private:
+  bool isThere(const char* what, std::string_view written, const fs::path& file, Place place) {
+    const std::string start = std::string("the ") + what + " '" + std::string(written) + "'";
+    std::error_code error;
+    if (written.starts_with('/'))
+      findings_.error(place, start + " leads to a place of this computer only", "put the file beside the lesson and write its name");
+    else if (!fs::exists(file, error))
+      findings_.error(place, start + " leads to no file", nearestFile(file));
+    else
+      return true;
+    return false;
+  }
+
+  /// A link into another lesson: its step must be there. Other Markdown files have headings of their own making.
+  void stepOf(const FileLink& link, Place place) {
+    if (link.file.extension() != ".md") return;
+    const LessonReading other = readLesson(link.file);
+    const Lesson* lesson = other.lesson ? &*other.lesson : other.partial ? &*other.partial : nullptr;
+    if (!lesson || lesson->title.empty() || lesson->find(link.step)) return;
+    std::vector<std::string_view> ids;
+    for (const Step& s : lesson->steps) ids.push_back(s.id);
+    findings_.error(place, "there is no step '#" + link.step + "' in " + link.file.filename().string(), suggest(link.step, ids, "steps"));
+  }
+
+  const fs::path& lesson_file_;
+  Findings& findings_;
+};
+
+}  // namespace
+
+void files(const Lesson& lesson, const fs::path& lesson_file, Findings& findings) {
+  Files check(lesson_file, findings);
+  forEachText(lesson, [&](const RichText& text) {
+    for (const TextRun& run : text)
+      if (!run.link.empty() && !run.link.starts_with('#')) check.link(run.link, run.link_place);
+  });
+  forEachImage(lesson, [&](const Image& image) { check.picture(image); });
+}
+
+}  // namespace moltact::checks

@@ -1,0 +1,93 @@
+// A lesson against its molecules.
+#include <algorithm>
+#include <map>
+
+#include "engine/lesson/checks.h"
+#include "engine/lesson/tasks/registry.h"
+
+namespace moltact::checks {
+namespace {
+
+class Check {
+ public:
+  Check(const Lesson& lesson, const MoleculeByName& by_name, Findings& findings)
+      : lesson_(lesson), by_name_(by_name), findings_(findings) {}
+
+  void run() {
+    for (std::size_t i = 0; i < lesson_.molecules.size(); ++i) find(lesson_.molecules[i], lesson_.molecule_places[i]);
+    for (const Step& step : lesson_.steps) {
+      if (step.scene.molecule.empty()) continue;
+      const Molecule* molecule = find(step.scene.molecule, step.scene.molecule_place);
+      if (!molecule) continue;
+      if (step.states_scene) {
+        selects(step.scene.highlight, step.scene.highlight_place, *molecule);
+        selects(step.scene.facing, step.scene.view_place, *molecule);
+      }
+      for (const TaskSpec& task : step.tasks) {
+        for (const auto& [key, value] : task.values) {
+          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule);
+          for (std::size_t i = 0; i < value.path.size(); ++i) selects(value.path[i], value.places[i], *molecule);
+        }
+        if (task.kind == "cross") crosses(task, *molecule);
+      }
+    }
+  }
+
+ private:
+  /// The molecule, or nullptr and an error at each place where it is named.
+  const Molecule* find(const std::string& name, Place place) {
+    auto known = found_.find(name);
+    if (known == found_.end()) known = found_.emplace(name, by_name_(name)).first;
+    if (known->second) return known->second->get();
+    const Problem& why = known->second.problem();
+    const auto same = [&](const Problem& p) { return p.line == place.line && p.column == place.column && p.message == why.message; };
+    // A scene that goes on from the one before names nothing anew.
+    if (std::none_of(findings_.errors.begin(), findings_.errors.end(), same)) findings_.error(place, why.message, why.remedy);
+    return nullptr;
+  }
+
+  void selects(const Selection& selection, Place place, const Molecule& molecule) {
+    if (!selection.given()) return;
+    const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
+    if (selection.select(molecule).empty()) {
+      Problem why = selection.whyEmpty(molecule);
+      findings_.error(at(why), std::move(why.message), std::move(why.remedy));
+      return;
+    }
+    for (Problem& idle : selection.idleNames(molecule)) findings_.warning(at(idle), std::move(idle.message), std::move(idle.remedy));
+  }
+
+  void crosses(const TaskSpec& task, const Molecule& molecule) {
+    const Value &from_value = task.values["cross"], &to_value = task.values["to"];
+    if (!from_value.selection.given() || !to_value.selection.given()) return;
+    const AtomSet from(from_value.selection, molecule), to(to_value.selection, molecule);
+    for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
+      const auto atom = static_cast<std::int32_t>(i);
+      if (!from.has(atom) || !to.has(atom)) continue;
+      findings_.error(to_value.place, "the start and the end of the crossing have atoms in common", "choose atoms that are only in one");
+      return;
+    }
+  }
+
+  const Lesson& lesson_;
+  const MoleculeByName& by_name_;
+  Findings& findings_;
+  std::map<std::string, Expected<std::shared_ptr<const Molecule>>> found_;
+};
+
+}  // namespace
+
+void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings) { Check(lesson, molecule, findings).run(); }
+
+void moleculeList(const Lesson& lesson, Findings& findings) {
+  for (std::size_t i = 0; i < lesson.molecules.size(); ++i) {
+    const std::string& name = lesson.molecules[i];
+    const auto before = lesson.molecules.begin() + static_cast<std::ptrdiff_t>(i);
+    if (std::find(lesson.molecules.begin(), before, name) != before)
+      findings.error(lesson.molecule_places[i], "'" + name + "' is listed twice", "take one of the two out");
+    else if (std::none_of(lesson.steps.begin(), lesson.steps.end(), [&](const Step& s) { return s.scene.molecule == name; }))
+      findings.error(lesson.molecule_places[i], "no scene uses '" + name + "'", "take it out, or add a scene with 'molecule: " + name + "'");
+  }
+}
+
+}  // namespace moltact::checks

@@ -1,0 +1,65 @@
+// The way through a lesson: which steps a student can come to, and whether each has something to say.
+#include <algorithm>
+
+#include "engine/lesson/checks.h"
+#include "engine/lesson/lesson_texts.h"
+#include "engine/lesson/source_text.h"
+
+namespace moltact::checks {
+namespace {
+
+/// The steps that a student can come to: every main step by Next, an aside by a link from a step that can be reached.
+std::vector<char> reached(const Lesson& lesson) {
+  std::vector<char> out(lesson.steps.size(), 0);
+  std::vector<std::size_t> todo;
+  const auto reach = [&](std::size_t i) {
+    if (!out[i]) todo.push_back(i);
+    out[i] = 1;
+  };
+  const auto follow = [&](const RichText& text) {
+    for (const TextRun& run : text)
+      if (run.link.starts_with('#'))
+        if (const auto step = lesson.find(std::string_view(run.link).substr(1))) reach(*step);
+  };
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i)
+    if (!lesson.steps[i].aside) reach(i);
+  forEachText(lesson.introduction, follow);
+  while (!todo.empty()) {
+    const std::size_t i = todo.back();
+    todo.pop_back();
+    forEachText(lesson.steps[i], follow);
+  }
+  return out;
+}
+
+bool saysSomething(const Step& step) {
+  if (!step.tasks.empty()) return true;
+  bool any = false;
+  forEachText(step, [&](const RichText& text) { any = any || !stripped(plainText(text)).empty(); });
+  return any;
+}
+
+/// Methods can only be compared by a student who may switch between them.
+void comparesLocked(const Step& step, Findings& findings) {
+  if (!step.scene.locks("method")) return;
+  for (const TaskSpec& task : step.tasks)
+    if (const Value& methods = task.values["compare"]; task.kind == "compare" && !methods.words.empty() && methods.words[0] != "places")
+      findings.error(methods.place, "the student cannot switch methods here, for they are locked", "take 'method' out of 'locked', or this task");
+}
+
+}  // namespace
+
+void steps(const Lesson& lesson, Findings& findings) {
+  const std::vector<char> can_reach = reached(lesson);
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
+    const Step& step = lesson.steps[i];
+    if (!can_reach[i])
+      findings.error(step.place, "no link leads to this aside, so no student can come to it",
+                     "link to it from another step: [" + step.title + "](#" + step.id + ")");
+    comparesLocked(step, findings);
+    if (!saysSomething(step))
+      findings.error(step.place, "this step says nothing to the student", "write a sentence below its heading");
+  }
+}
+
+}  // namespace moltact::checks

@@ -1,0 +1,34 @@
+// The parts of checkLesson. Internal. Each adds what it finds, in any order.
+#pragma once
+
+#include <filesystem>
+
+#include "engine/lesson/check.h"
+
+namespace moltact::checks {
+
+struct Findings {
+  std::string file;
+  std::vector<Problem> errors, warnings;
+
+  void error(Place place, std::string message, std::string remedy) {
+    errors.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
+  }
+  void warning(Place place, std::string message, std::string remedy) {
+    warnings.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
+  }
+};
+
+/// Molecules that there are not, selections without atoms, names that select none.
+void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings);
+
+/// Molecules of the front matter that no scene uses, or that it lists twice.
+void moleculeList(const Lesson& lesson, Findings& findings);
+
+/// Asides that no step leads to; steps without a word.
+void steps(const Lesson& lesson, Findings& findings);
+
+/// Links to files and pictures that are not in the lesson's folder; links into other lessons whose step is not there.
+void files(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
+
+}  // namespace moltact::checks

@@ -1,0 +1,59 @@
+// What a hand should do to carry out a task: the student made of code follows it (engine/lesson/student), and each kind of
+// task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt then takes other places.
+// Not for the haptic thread. Units: angstrom, second, newton.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/tracker.h"
+#include "engine/lesson/surface_places.h"
+#include "engine/lesson/tasks/task_answer.h"
+
+namespace moltact {
+
+/// One thing to do. The hand first goes, then waits, then answers.
+struct HandAct {
+  std::optional<PointA> to = {};      ///< where the HIP goes in a straight line
+  double speed_A_per_s = 3.0;
+  bool placed = false;                ///< it is there at once, as a mouse's hand that hovers over another place
+  double wait_s = 0.0;
+  std::string method = {};            ///< a haptic method to be chosen before anything else; empty: none
+  std::optional<TaskAnswer> answer = {};
+};
+
+using HandPlan = std::vector<HandAct>;
+
+/// What a plan can be made from.
+struct HandView {
+  const BallScene& balls;
+  double probe_A = kWaterProbe_A;
+  double N_per_A = 1.0;   ///< the spring's force for a HIP so deep under the surface
+  PointA hip;
+  int attempt = 0;        ///< 0 for the first plan of a task; each further one should differ
+};
+
+/// The atoms of the scene, 0 to n - 1.
+std::vector<std::uint32_t> everyAtom(const BallScene& balls);
+
+/// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no two
+/// within 0.5 A. `at_most` of them.
+std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature, std::size_t at_most = 40);
+
+/// The place for an attempt: the first, then others in turn. Nothing where there is none.
+std::optional<SurfacePlace> placeFor(const HandView& view, const std::vector<SurfacePlace>& places);
+
+/// How deep under the surface the spring gives so much force.
+double depthFor(const HandView& view, double force_N);
+
+/// Puts the hand before the place, brings it down and `depth_A` under the surface, and waits there.
+void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wait_s);
+
+/// From one place to another over the surface, `depth_A` under it all the way.
+void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A, double speed_A_per_s = 3.0);
+
+}  // namespace moltact

@@ -1,0 +1,105 @@
+#include "engine/lesson/lesson_files.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+#include "engine/core/text.h"
+#include "engine/lesson/reader.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool looksLikeLesson(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  for (bool first = true; std::getline(in, line); first = false) {
+    const std::string_view text = trimmed(line);
+    if (first && (text == "---" || text == "\xEF\xBB\xBF---")) return true;
+    for (const char* fence : {"```scene", "```touch", "```answer"})
+      if (text == fence) return true;
+  }
+  return false;
+}
+
+/// With "%20" and the like as the letters that they stand for.
+std::string decoded(std::string_view text) {
+  std::string out;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    unsigned code = 0;
+    if (text[i] == '%' && i + 2 < text.size() &&
+        std::from_chars(text.data() + i + 1, text.data() + i + 3, code, 16).ptr == text.data() + i + 3) {
+      out += static_cast<char>(code);
+      i += 2;
+    } else {
+      out += text[i];
+    }
+  }
+  return out;
+}
+
+}  // namespace
+
+std::string_view linkScheme(std::string_view link) {
+  const std::size_t colon = link.find(':');
+  // A single letter is the drive of a path.
+  if (colon == std::string_view::npos || colon < 2) return {};
+  const std::string_view scheme = link.substr(0, colon);
+  const auto allowed = [](unsigned char c) { return std::isalnum(c) || c == '+' || c == '-' || c == '.'; };
+  return std::all_of(scheme.begin(), scheme.end(), allowed) ? scheme : std::string_view();
+}
+
+std::optional<FileLink> fileLink(const fs::path& lesson_file, std::string_view link) {
+  if (link.empty() || link.starts_with('#') || !linkScheme(link).empty()) return {};
+  const std::size_t hash = link.find('#');
+  FileLink out{lesson_file.parent_path() / decoded(link.substr(0, hash)), {}};
+  if (hash != std::string_view::npos) out.step = link.substr(hash + 1);
+  return out;
+}
+
+Expected<std::string> readLessonFile(const fs::path& file) {
+  const auto fail = [&](std::string message, std::string remedy) {
+    return Problem{file.string(), 0, 0, std::move(message), std::move(remedy)};
+  };
+  std::error_code error;
+  const auto status = fs::status(file, error);
+  if (status.type() == fs::file_type::not_found) return fail("there is no such file", "check its name and folder");
+  if (!fs::is_regular_file(status)) return fail("this is not a file", "name a lesson, a file that ends in .md");
+  std::ifstream in(file, std::ios::binary);
+  if (!in) return fail(std::string("the file cannot be opened: ") + std::strerror(errno), "check that you may read it");
+  // One byte more than is allowed is enough to know that the file is too large.
+  std::string bytes(kLargestLesson + 1, '\0');
+  in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  if (in.bad()) return fail("the file cannot be read to its end", "copy it again");
+  bytes.resize(static_cast<std::size_t>(in.gcount()));
+  return bytes;
+}
+
+LessonFolder lessonsIn(const fs::path& folder) {
+  LessonFolder out;
+  std::error_code error;
+  fs::recursive_directory_iterator it(folder, fs::directory_options::skip_permission_denied, error);
+  for (; !error && it != fs::recursive_directory_iterator(); it.increment(error)) {
+    const fs::path& path = it->path();
+    std::error_code unknown;
+    if (path.filename().string().starts_with('.')) {
+      it.disable_recursion_pending();
+    } else if (lower(path.extension().string()) == ".md" && it->is_regular_file(unknown)) {
+      (looksLikeLesson(path) ? out.lessons : out.others).push_back(path);
+    }
+  }
+  std::sort(out.lessons.begin(), out.lessons.end());
+  std::sort(out.others.begin(), out.others.end());
+  if (error) out.trouble = Problem{folder.string(), 0, 0, "the folder cannot be read: " + error.message(), "check that you may read it"};
+  else if (out.lessons.empty())
+    out.trouble = Problem{folder.string(), 0, 0, "there is no lesson in this folder", "name a folder with lessons, files that end in .md"};
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,41 @@
+// Lesson files on the disk: the bytes of one, and those in a folder. Not for the haptic thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/problem.h"
+
+namespace moltact {
+
+/// The bytes of a lesson file, at most one more than kLargestLesson (which the reader then refuses). A problem where
+/// there is no such file, or it cannot be read.
+Expected<std::string> readLessonFile(const std::filesystem::path& file);
+
+/// A link or picture of a lesson that leads to a file.
+struct FileLink {
+  std::filesystem::path file;  ///< in the lesson's folder, unless it was written with its whole path
+  std::string step;            ///< what stands after '#'; may be empty
+};
+
+/// Where a link leads, if to a file: nothing for links to steps ("#id") and for addresses ("https:…", "mailto:…").
+/// "%20" and the like are read as the letters that they stand for.
+std::optional<FileLink> fileLink(const std::filesystem::path& lesson_file, std::string_view link);
+
+/// "https" or "mailto" of an address; empty for a link to a file or step.
+std::string_view linkScheme(std::string_view link);
+
+struct LessonFolder {
+  std::vector<std::filesystem::path> lessons;  ///< ascending
+  std::vector<std::filesystem::path> others;   ///< Markdown without anything of a lesson, such as README.md
+  std::optional<Problem> trouble;              ///< the folder cannot be read, or holds no lesson
+};
+
+/// The Markdown files in a folder and the folders in it, but hidden ones. A lesson is told by its front matter or by a
+/// block scene, touch or answer, so that one that lost its front matter is still checked.
+LessonFolder lessonsIn(const std::filesystem::path& folder);
+
+}  // namespace moltact

@@ -1,0 +1,139 @@
+#include "engine/lesson/reference.h"
+
+#include <sstream>
+
+#include "engine/lesson/keys.h"
+#include "engine/lesson/selection_node.h"
+#include "engine/lesson/suggestion.h"
+#include "engine/lesson/tasks/registry.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::string_view kHead = R"(# Every key of a lesson
+
+This page is made by `moltact lesson-reference > docs/lesson-reference.md` from the tables with which lessons are read; a
+test fails where it differs from them. How to write a lesson is told in [Write a lesson](write-a-lesson.md).
+
+In the tables, *needed* stands where a key must be given; otherwise that column says what is taken where it is left
+out, and — that it then plays no part. A line that starts with `#` inside a block or the front matter is a note to yourself.
+)";
+
+std::string number(double value) {
+  std::ostringstream out;
+  out.precision(9);  // whole numbers up to a million without an exponent
+  out << value;
+  return out.str();
+}
+
+std::string code(std::string_view text) { return '`' + std::string(text) + '`'; }
+
+std::string codeList(const std::vector<std::string_view>& words) {
+  std::vector<std::string> quoted;
+  for (const std::string_view w : words) quoted.push_back(code(w));
+  const std::vector<std::string_view> views(quoted.begin(), quoted.end());
+  return joinedWithOr(views);
+}
+
+/// The same for a key that takes several of them.
+std::string someOf(const std::vector<std::string_view>& words) {
+  return words.size() == 1 ? codeList(words) : "one or more of " + codeList(words) + ", parted by commas";
+}
+
+/// ", 0.1 s to 600 s" or ", at most 20 Å"; empty where everything is allowed.
+std::string limits(const KeySpec& key) {
+  const bool top = key.most < std::numeric_limits<double>::max();
+  const std::string unit = key.dimension == Dimension::None ? "" : ' ' + std::string(codeUnit(key.dimension));
+  if (key.least > 0.0 && top) return ", " + number(key.least) + unit + " to " + number(key.most) + unit;
+  if (key.least > 0.0) return ", at least " + number(key.least) + unit;
+  return top ? ", at most " + number(key.most) + unit : "";
+}
+
+std::string valueOf(const KeySpec& key) {
+  switch (key.type) {
+    case ValueType::Text: return "a line of text";
+    case ValueType::TextList: return "texts, each on a line of its own that starts with `- `, or parted by commas";
+    case ValueType::Count: return "a whole number" + limits(key);
+    case ValueType::Number: return "a number, with its unit if it has one";
+    case ValueType::Quantity: return std::string(dimensionName(key.dimension)) + limits(key);
+    case ValueType::Range: return std::string(dimensionName(key.dimension)) + " from … to …" + limits(key);
+    case ValueType::Word: return codeList(key.words);
+    case ValueType::WordList: return someOf(key.words);
+    case ValueType::Selection: return "a [selection](#selections)";
+    case ValueType::Target: return codeList(key.words) + ", or a [selection](#selections)";
+    case ValueType::Path: return codeList(key.words) + (key.words.empty() ? "" : ", or ") + "[selections](#selections) with `then` between them";
+    case ValueType::View: return codeList(key.words) + ", or `facing` and a [selection](#selections)";
+  }
+  return {};
+}
+
+/// A cell of a table: a bar would end it.
+std::string cell(std::string_view text) {
+  std::string out;
+  for (const char c : text) out += c == '|' ? "\\|" : std::string(1, c);
+  return out;
+}
+
+void table(std::ostream& out, const std::vector<KeySpec>& keys) {
+  out << "| key | left out | value | what it is |\n| --- | --- | --- | --- |\n";
+  for (const KeySpec& k : keys)
+    out << "| `" << k.name << "` | " << (k.required ? "*needed*" : k.fallback.empty() ? "—" : cell(code(k.fallback))) << " | " << cell(valueOf(k))
+        << " | " << cell(k.meaning) << " |\n";
+  out << '\n';
+}
+
+void tasks(std::ostream& out) {
+  out << "## Touch tasks\n\nA fenced block `touch` holds one task. Its kind is the key with which the block's first line usually starts; a block has the "
+         "keys of its kind and these, which every kind has:\n\n";
+  table(out, keysOf(KeyBlock::Touch));
+  out << "These are the kinds:\n\n| kind | what the student does |\n| --- | --- |\n";
+  for (const TaskKind& kind : taskKinds()) out << "| [`" << kind.name << "`](#" << kind.name << ") | " << cell(kind.meaning) << " |\n";
+  out << '\n';
+  for (const TaskKind& kind : taskKinds()) {
+    out << "### " << kind.name << "\n\n" << kind.meaning << "\n\n";
+    table(out, kind.keys);
+  }
+}
+
+void units(std::ostream& out) {
+  out << "## Quantities\n\nA quantity is a number and its unit: `4 Å`, `0.3 N`. A number without its unit is an error. The decimal sign is a "
+         "point.\n\n| quantity | units |\n| --- | --- |\n";
+  for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness})
+    out << "| " << dimensionName(d) << " | " << unitsFor(d) << " |\n";
+  out << "\nA range has both ends: `0.2 N to 0.6 N`.\n\n";
+}
+
+void selections(std::ostream& out) {
+  out << "## Selections\n\nA selection names atoms, in the words that molecular viewers share. Names are written as in the molecule's file; the words of "
+         "the language in small letters.\n\n| words | atoms |\n| --- | --- |\n";
+  for (const SelectionWord& w : selectionWords()) out << "| `" << w.word << "` | " << cell(w.meaning) << " |\n";
+  out << R"(| `within` | atoms near others, those included: `within 5 Å of (ligand HEM)` |
+| `not` | all others: `not water` |
+| `and` | atoms that are both: `chain A and name CA` |
+| `or` | atoms that are either: `resname ASP or resname GLU` |
+
+`not` binds first, then `and`, then `or`; round brackets group. A name that is also a word of the language, or has a space or
+bracket in it, stands in double quotes: `name "CA 1"`. `moltact info MOLECULE` tells which chains, elements and ligands a
+molecule has. A selection of no atoms is an error.
+)";
+}
+
+}  // namespace
+
+std::string lessonReference() {
+  std::ostringstream out;
+  out << kHead << "\n## Front matter\n\nBetween two lines `---` at the start of the file.\n\n";
+  table(out, keysOf(KeyBlock::FrontMatter));
+  out << "## Scenes\n\nA fenced block `scene` says what is on the stage in its step and those after it. A scene that names a molecule starts anew; one that "
+         "does not keeps all that it does not say.\n\n";
+  table(out, keysOf(KeyBlock::Scene));
+  tasks(out);
+  out << "## Answers\n\nA fenced block `answer` below `### Question: …` asks for a number or for words, where a list of choices would give the answer away. It "
+         "has one of `number`, `text` and `free`.\n\n";
+  table(out, keysOf(KeyBlock::Answer));
+  units(out);
+  selections(out);
+  return out.str();
+}
+
+}  // namespace moltact

@@ -1,0 +1,110 @@
+#include "engine/lesson/surface_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "engine/haptics/paper/intersection_circle.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kOnBall_A = 1e-7;  // rounding of a place that is computed to lie on a ball
+
+bool covered(const BallScene& scene, const Vec3& place, double probe_A, const std::array<std::int32_t, 3>& but) {
+  bool found = false;
+  scene.visitNear(place, probe_A, [&](std::uint32_t i, const Ball& b) {
+    const auto atom = static_cast<std::int32_t>(i);
+    if (atom == but[0] || atom == but[1] || atom == but[2]) return;
+    found = found || glm::distance(place, b.centre_A) < b.radius_A + probe_A - kOnBall_A;
+  });
+  return found;
+}
+
+// Any unit vector at right angles to a unit vector.
+Vec3 across(const Vec3& u) {
+  const Vec3 other = std::abs(u.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return glm::normalize(glm::cross(u, other));
+}
+
+std::optional<paper::IntersectionCircle> creaseOf(const Ball& a, const Ball& b, double probe_A) {
+  return paper::intersectionCircle(a.centre_A, a.radius_A + probe_A, b.centre_A, b.radius_A + probe_A);
+}
+
+// Calls visit(a, b, crease) for each pair of these atoms whose grown spheres meet, a < b.
+template <class Visit>
+void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, Visit&& visit) {
+  std::vector<char> in(scene.size(), 0);
+  for (const std::uint32_t a : atoms) in[a] = 1;
+  for (const std::uint32_t a : atoms)
+    scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A, [&](std::uint32_t b, const Ball&) {
+      if (b <= a || !in[b]) return;
+      if (const auto crease = creaseOf(scene[a], scene[b], probe_A)) visit(a, b, *crease);
+    });
+}
+
+}  // namespace
+
+std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, int directions) {
+  std::vector<SurfacePlace> out;
+  for (const std::uint32_t a : atoms)
+    for (int k = 0; k < directions; ++k) {
+      // A spiral of even steps from pole to pole, turned by the golden angle at each.
+      const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
+      const Vec3 u(r * std::cos(turn), r * std::sin(turn), z);
+      SurfacePlace place{scene[a].centre_A + u * (scene[a].radius_A + probe_A), u, {static_cast<std::int32_t>(a), -1, -1}, Feature::Sphere};
+      if (!covered(scene, place.scp_A, probe_A, place.atoms)) out.push_back(place);
+    }
+  return out;
+}
+
+std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, double spacing_A) {
+  std::vector<SurfacePlace> out;
+  visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const paper::IntersectionCircle& crease) {
+    const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x);
+    const int count = std::max(12, int(std::ceil(2.0 * std::numbers::pi * crease.radius / spacing_A)));
+    for (int k = 0; k < count; ++k) {
+      const double turn = 2.0 * std::numbers::pi * k / count;
+      const Vec3 u = x * std::cos(turn) + y * std::sin(turn);
+      SurfacePlace place{crease.centre + u * crease.radius, u, {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), -1}, Feature::Circle};
+      if (!covered(scene, place.scp_A, probe_A, place.atoms)) out.push_back(place);
+    }
+  });
+  return out;
+}
+
+std::vector<SurfacePlace> pitPlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A) {
+  std::vector<SurfacePlace> out;
+  std::vector<char> in(scene.size(), 0);
+  for (const std::uint32_t a : atoms) in[a] = 1;
+  visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const paper::IntersectionCircle& crease) {
+    scene.visitNear(crease.centre, crease.radius + probe_A, [&](std::uint32_t c, const Ball& third) {
+      if (c <= b || !in[c]) return;
+      // The circle meets the third grown sphere where a cos + b sin = k.
+      const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x), to = third.centre_A - crease.centre;
+      const double r = third.radius_A + probe_A, cx = glm::dot(to, x), cy = glm::dot(to, y), size = std::hypot(cx, cy);
+      const double k = (crease.radius * crease.radius + glm::dot(to, to) - r * r) / (2.0 * crease.radius);
+      if (!(size > 1e-9) || std::abs(k) >= size) return;
+      const double middle = std::atan2(cy, cx), half = std::acos(k / size);
+      for (const double turn : {middle - half, middle + half}) {
+        const Vec3 place = crease.centre + (x * std::cos(turn) + y * std::sin(turn)) * crease.radius;
+        const std::array<std::int32_t, 3> by{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)};
+        Vec3 outward(0.0);
+        for (const std::int32_t atom : by) outward += glm::normalize(place - scene[static_cast<std::size_t>(atom)].centre_A);
+        if (glm::length(outward) > 1e-6 && !covered(scene, place, probe_A, by))
+          out.push_back({place, glm::normalize(outward), by, Feature::Point});
+      }
+    });
+  });
+  return out;
+}
+
+bool openFromOutside(const BallScene& scene, const SurfacePlace& place, double probe_A) {
+  constexpr double kLift_A = 1e-4;
+  const double far = glm::distance(scene.low_A(), scene.high_A()) + 2.0 * probe_A + 1.0;
+  return sweep(scene, probe_A, place.scp_A + place.outward * far, place.scp_A + place.outward * kLift_A).ball < 0;
+}
+
+}  // namespace moltact

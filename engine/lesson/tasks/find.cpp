@@ -1,0 +1,153 @@
+// find: with the screen dark, go over the surface to a place and say "here".
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kStill_A = 0.4;   // a contact point that stays within this rests
+constexpr double kStill_s = 2.0;   // resting for so long says "here" where the author wants it so
+constexpr double kWarmer_A = 1.0;  // a change of distance that is worth a word
+
+class Find : public Task {
+ public:
+  Find(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), target_(spec.values["find"].selection, molecule), name_(targetName(spec, "find")), within_A_(spec.values["within"].number),
+        by_holding_(spec.values["by"].text == "hold"), warmer_(spec.values["hints"].text == "warmer"), meter_(spec.values["meter"].text == "on") {
+    for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
+      balls_.push_back({molecule.atoms[i].position.A, molecule.atoms[i].radius_A});
+  }
+
+  void reset() override {
+    Task::reset();
+    now_ = {};
+  }
+
+ private:
+  struct Now {
+    double off_A = 0.0, told_A = -1.0, first_off_A = -1.0, still_s = 0.0;
+    Vec3 resting_A{0.0};
+    int guesses = 0, looks = 0;
+    bool touching = false, felt = false, right = false, wrong = false, lit = false, told_here = false;
+    std::string_view heat = {};
+  };
+
+  void take(const TouchSample& s, double dt_s) override {
+    now_.touching = s.contact.touching();
+    if (!now_.touching || now_.lit) {
+      now_.still_s = 0.0;
+      return;
+    }
+    now_.felt = true;
+    now_.off_A = distance(s.contact.scp.A, s.probe_A);
+    now_.right = target_.touchedBy(s.contact) || now_.off_A <= within_A_;
+    if (now_.told_A < 0.0) now_.told_A = now_.off_A;
+    if (std::abs(now_.off_A - now_.told_A) >= kWarmer_A) {
+      now_.heat = now_.off_A < now_.told_A ? "Warmer." : "Colder.";
+      now_.told_A = now_.off_A;
+    }
+    if (glm::distance(s.contact.scp.A, now_.resting_A) > kStill_A) {
+      now_.resting_A = s.contact.scp.A;
+      now_.still_s = 0.0;
+      now_.told_here = now_.wrong = false;
+    } else {
+      now_.still_s += dt_s;
+    }
+    if (!by_holding_) return;
+    setProgress(now_.told_here ? 0.0 : now_.still_s / kStill_s);
+    if (now_.still_s >= kStill_s && !now_.told_here) {
+      now_.told_here = true;
+      here();
+    }
+  }
+
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    const auto place = placeFor(view, placesToTouch(view, target_));
+    if (!place) return plan;
+    comeTo(plan, *place, depthFor(view, 0.3), by_holding_ ? kStill_s + 0.3 : 0.3);
+    if (!by_holding_) plan.push_back({.answer = TaskAnswer{.word = "here"}});
+    return plan;
+  }
+
+  // From the surface of the nearest atom, as the probe's centre sees it.
+  double distance(const Vec3& scp, double probe_A) const {
+    double least = std::numeric_limits<double>::max();
+    for (const Ball& b : balls_) least = std::min(least, glm::distance(scp, b.centre_A) - b.radius_A - probe_A);
+    return std::max(0.0, least);
+  }
+
+  void here() {
+    ++now_.guesses;
+    if (now_.guesses == 1) now_.first_off_A = now_.off_A;
+    now_.wrong = !now_.right;
+    if (now_.right) finish();
+  }
+
+  void hear(const TaskAnswer& answer) override {
+    if (answer.word == "here") {
+      here();
+      return;
+    }
+    now_.lit = answer.word == "light";
+    now_.wrong = false;
+    if (now_.lit) ++now_.looks;
+  }
+
+  std::vector<TaskButton> offered() const override {
+    if (now_.lit) return {{"dark", "Make it dark again", 'L'}};
+    std::vector<TaskButton> out;
+    // A mouse lets go before it clicks: the place that was touched last is meant.
+    if (!by_holding_ && now_.felt) out.push_back({"here", "Here it is"});
+    out.push_back({"light", "Look for a moment", 'L'});
+    return out;
+  }
+
+  TaskStage wanted() const override { return {.dark = !now_.lit, .force_meter = meter_}; }
+
+  std::string guidance() const override {
+    if (now_.lit) return "Look where " + name_ + " is. The search goes on when it is dark again.";
+    if (!now_.touching && now_.felt && !by_holding_ && !now_.wrong) return "Say whether it was there, or feel on to find " + name_ + "." + heat();
+    if (!now_.touching) return "Push until you touch the surface, then feel your way to " + name_ + ".";
+    const std::string tell = by_holding_ ? "rest there for " + timeText(kStill_s) + "." : "say that it is here.";
+    if (now_.wrong) return "That is not " + name_ + ". Feel on." + heat();
+    return "Slide to " + name_ + ", then " + tell + heat();
+  }
+
+  std::string heat() const { return warmer_ && !now_.heat.empty() ? " " + std::string(now_.heat) : std::string(); }
+
+  void measure(std::vector<TaskFigure>& out) const override {
+    out.push_back({"guesses", double(now_.guesses), ""});
+    if (now_.first_off_A >= 0.0) out.push_back({"error of the first guess", now_.first_off_A, "Å"});
+    out.push_back({"looks", double(now_.looks), ""});
+  }
+
+  AtomSet target_;
+  std::string name_;
+  std::vector<Ball> balls_;
+  double within_A_ = 3.0;
+  bool by_holding_ = false, warmer_ = false, meter_ = true;
+  Now now_;
+};
+
+}  // namespace
+
+TaskKind findKind() {
+  return {"find", "Find a place by touch alone, with the screen dark.",
+          {{.name = "find", .type = ValueType::Selection, .meaning = "The atoms of which one is to be found.", .required = true},
+           {.name = "within", .type = ValueType::Quantity,
+            .meaning = "A contact point so near to the surface of a selected atom is right as well.", .fallback = "1 Å",
+            .dimension = Dimension::Length, .most = 100.0},
+           {.name = "by", .type = ValueType::Word, .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
+            .fallback = "here", .words = {"here", "hold"}},
+           {.name = "hints", .type = ValueType::Word, .meaning = "Whether the program says 'warmer' and 'colder'.", .fallback = "none",
+            .words = {"none", "warmer"}},
+           {.name = "meter", .type = ValueType::Word, .meaning = "Whether the force is shown in the dark; without a force-feedback device it is all there is to feel.",
+            .fallback = "on", .words = {"on", "off"}}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Find>(s, m); }};
+}
+
+}  // namespace moltact

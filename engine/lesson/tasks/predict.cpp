@@ -1,0 +1,191 @@
+// predict: draw the curve of the force first, then feel it by pressing in or by sliding along; both are shown together.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::size_t kPoints = 25;     // of each curve
+constexpr double kFeltEnough = 0.9;     // of the points of the axis
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+// How much of the areas under the two curves is common to both, where both are known.
+double overlap(const std::vector<double>& a, const std::vector<double>& b) {
+  double common = 0.0, either = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    if (!std::isfinite(a[k]) || !std::isfinite(b[k])) continue;
+    common += std::min(a[k], b[k]);
+    either += std::max(a[k], b[k]);
+  }
+  return either > 0.0 ? common / either : 1.0;
+}
+
+class Predict : public Task {
+ public:
+  Predict(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), from_(spec.values["predict"].selection, molecule), goal_atoms_(spec.values["along"].selection, molecule), name_(targetName(spec, "predict")),
+        agree_(0.01 * spec.values["agree"].number), slides_(spec.values["along"].selection.given()) {
+    curves_.x_name = slides_ ? "way" : "depth";
+    curves_.x_most = spec.values["deep"].number;
+    curves_.most_N = spec.values["most"].number;
+    if (slides_) {
+      start_A_ = middle(spec.values["predict"].selection, molecule);
+      const Vec3 way = middle(spec.values["along"].selection, molecule) - start_A_;
+      curves_.x_most = std::max(1e-3, glm::length(way));
+      along_ = way / curves_.x_most;
+      goal_ = spec.values["along"].selection.noun();
+    }
+    forget();
+  }
+
+  void reset() override {
+    Task::reset();
+    forget();
+    first_agreement_ = -1.0;
+    predictions_ = 0;
+  }
+
+  const TaskCurves* curves() const override { return &curves_; }
+
+ private:
+  static Vec3 middle(const Selection& selection, const Molecule& molecule) {
+    Vec3 sum(0.0);
+    const std::vector<std::uint32_t> atoms = selection.select(molecule);
+    for (const std::uint32_t a : atoms) sum += molecule.atoms[a].position.A / double(atoms.size());
+    return sum;
+  }
+
+  void forget() {
+    curves_.drawing = true;
+    curves_.drawn.assign(kPoints, kNone);
+    forgetFelt();
+  }
+  void forgetFelt() {
+    curves_.felt.assign(kPoints, kNone);
+    curves_.agreement.reset();
+    counts_.assign(kPoints, 0.0);
+    sums_.assign(kPoints, 0.0);
+  }
+
+  void hear(const TaskAnswer& answer) override {
+    forgetFelt();
+    curves_.drawn = answer.curve;
+    curves_.drawing = missed_ = false;
+    ++predictions_;
+    setProgress(0.5);
+  }
+
+  void take(const TouchSample& s, double) override {
+    touching_ = s.contact.touching();
+    on_place_ = touching_ && (slides_ || from_.touchedBy(s.contact));
+    if (curves_.drawing || !on_place_) return;
+    const double x = slides_ ? glm::dot(s.contact.scp.A - start_A_, along_) : glm::distance(s.contact.scp.A, s.hip.A);
+    const double at = x / curves_.x_most * double(kPoints - 1);
+    if (!(at > -0.5) || !(at < double(kPoints) - 0.5)) return;
+    const auto k = static_cast<std::size_t>(std::lround(std::max(0.0, at)));
+    counts_[k] += 1.0;
+    sums_[k] += glm::length(s.force.N);
+    curves_.felt[k] = sums_[k] / counts_[k];
+    const double felt = feltShare();
+    setProgress(0.5 + 0.5 * felt / kFeltEnough);
+    if (felt >= kFeltEnough) compare();
+  }
+
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    const double depth_A = depthFor(view, 0.5);
+    const auto start = placeFor(view, placesToTouch(view, from_));
+    if (!start) return plan;
+    if (curves_.drawing) {
+      TaskAnswer expected;
+      for (std::size_t k = 0; k < kPoints; ++k)
+        expected.curve.push_back(slides_ ? 0.5 : std::min(curves_.most_N, view.N_per_A * curves_.x_most * double(k) / double(kPoints - 1)));
+      plan.push_back({.answer = std::move(expected)});
+    }
+    if (!slides_) {
+      comeTo(plan, *start, 0.01, 0.0);
+      plan.push_back({.to = PointA{start->scp_A - start->outward * (1.02 * curves_.x_most)}, .speed_A_per_s = 0.5, .wait_s = 0.1});
+      return plan;
+    }
+    const auto end = placeFor(view, placesToTouch(view, goal_atoms_));
+    if (!end) return plan;
+    comeTo(plan, *start, depth_A, 0.1);
+    slide(plan, view, *start, *end, depth_A, 1.5);
+    return plan;
+  }
+
+  double feltShare() const {
+    return double(std::count_if(counts_.begin(), counts_.end(), [](double c) { return c > 0.0; })) / double(kPoints);
+  }
+
+  void compare() {
+    curves_.agreement = overlap(curves_.drawn, curves_.felt);
+    if (first_agreement_ < 0.0) first_agreement_ = *curves_.agreement;
+    if (*curves_.agreement >= agree_) {
+      finish();
+      return;
+    }
+    curves_.drawing = missed_ = true;
+    setProgress(0.0);
+  }
+
+  std::string percent() const { return std::to_string(std::lround(100.0 * curves_.agreement.value_or(0.0))) + " %"; }
+
+  std::string guidance() const override {
+    const std::string over = slides_ ? "on the way from " + name_ + " to " + goal_ : "for pressing into " + name_;
+    if (missed_)
+      return "The two curves agree by " + percent() + "; " + std::to_string(std::lround(100.0 * agree_)) + " % are asked for. Draw again what you expect " + over + ".";
+    if (curves_.drawing) return "First draw the force that you expect " + over + ".";
+    const std::string so_far = " " + std::to_string(std::lround(100.0 * std::min(1.0, feltShare() / kFeltEnough))) + " % felt.";
+    if (slides_) return (touching_ ? "Slide from " + name_ + " to " + goal_ + " and press evenly." : "Now touch " + name_ + ".") + so_far;
+    if (!on_place_) return (touching_ ? "Slide on to " : "Now touch ") + name_ + " and press in slowly." + so_far;
+    return "Press in slowly and ease off again." + so_far;
+  }
+
+  std::string afterwards() const override { return "Your curve and the one that you felt agree by " + percent() + "."; }
+
+  void measure(std::vector<TaskFigure>& out) const override {
+    out.push_back({"predictions", double(predictions_), ""});
+    if (first_agreement_ >= 0.0 && predictions_ > 1) out.push_back({"agreement of the first prediction", 100.0 * first_agreement_, "%"});
+    if (curves_.agreement) out.push_back({"agreement", 100.0 * *curves_.agreement, "%"});
+  }
+
+  AtomSet from_, goal_atoms_;
+  std::string name_, goal_;
+  double agree_ = 0.0, first_agreement_ = -1.0;
+  bool slides_ = false, touching_ = false, on_place_ = false, missed_ = false;
+  Vec3 start_A_{0.0}, along_{1, 0, 0};
+  TaskCurves curves_;
+  std::vector<double> counts_, sums_;
+  int predictions_ = 0;
+};
+
+void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
+  const Value &along = spec.values["along"], &deep = spec.values["deep"], &predict = spec.values["predict"];
+  if (along.selection.given() && deep.place.line)
+    problems.push_back({{}, deep.place.line, deep.place.column, "'deep' belongs to pressing in and 'along' to sliding", "take one of them out"});
+  if (along.selection.given() && !predict.selection.given())
+    problems.push_back({{}, predict.place.line, predict.place.column, "the way has no start", "name the atoms where it begins in 'predict'"});
+}
+
+}  // namespace
+
+TaskKind predictKind() {
+  return {"predict", "Draw the curve of the force first, then feel it.",
+          {{.name = "predict", .type = ValueType::Target, .meaning = "Where to press in, or where the way begins: atoms, or anywhere on the surface.",
+            .required = true, .words = {"anywhere"}},
+           {.name = "along", .type = ValueType::Selection,
+            .meaning = "The force is felt along the way to these atoms; without it against the depth of a press."},
+           {.name = "deep", .type = ValueType::Quantity, .meaning = "How deep the press goes.", .fallback = "1 Å",
+            .dimension = Dimension::Length, .least = 0.1, .most = 3.0},
+           {.name = "most", .type = ValueType::Quantity, .meaning = "The upper end of the force axis.", .fallback = "3.3 N",
+            .dimension = Dimension::Force, .least = 0.1, .most = 20.0},
+           {.name = "agree", .type = ValueType::Count,
+            .meaning = "How far the areas under both curves must agree, in percent; without it any prediction will do.", .most = 100}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Predict>(s, m); }, &checkPredict};
+}
+
+}  // namespace moltact

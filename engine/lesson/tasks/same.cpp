@@ -1,0 +1,214 @@
+// same: feel two things one after the other in the dark and say whether they are the same; in seeded random order.
+#include <algorithm>
+#include <array>
+#include <random>
+
+#include "engine/haptics/methods.h"
+#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/sensitivity.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::array<std::string_view, 4> kDiffers{"probe", "stiffness", "method", "place"};
+
+class Same : public Task {
+ public:
+  Same(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), here_(spec.values["same"].selection, molecule), there_(spec.values["place"].selection, molecule),
+        trials_(static_cast<std::size_t>(spec.values["trials"].number)), seed_(static_cast<unsigned>(spec.values["seed"].number)),
+        time_s_(spec.values["for"].number), tell_(spec.values["tell"].text == "yes"), meter_(spec.values["meter"].text == "on"),
+        by_place_(spec.values["place"].selection.given()) {
+    needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number)) : (3 * trials_ + 3) / 4;
+    if (spec.values.has("probe")) other_.probe_A = spec.values["probe"].number;
+    if (spec.values.has("stiffness")) other_.stiffness_N_per_mm = spec.values["stiffness"].number;
+    if (spec.values.has("method")) other_.method = spec.values["method"].text;
+    if (spec.values["same"].selection.given()) one_.facing = middle(spec.values["same"].selection, molecule);
+    other_.facing = by_place_ ? middle(spec.values["place"].selection, molecule) : one_.facing;
+    shuffle();
+  }
+
+  void reset() override {
+    Task::reset();
+    round_ = showing_ = 0;
+    begin();
+  }
+
+ private:
+  struct Trial {
+    bool second_first = false, differ = false;
+  };
+
+  static std::optional<PointA> middle(const Selection& selection, const Molecule& molecule) {
+    const std::vector<std::uint32_t> atoms = selection.select(molecule);
+    if (atoms.empty()) return std::nullopt;
+    PointA sum;
+    for (const std::uint32_t a : atoms) sum.A += molecule.atoms[a].position.A / double(atoms.size());
+    return sum;
+  }
+
+  void begin() {
+    trial_ = right_ = 0;
+    hits_ = alarms_ = 0;
+    second_ = false;
+    felt_s_ = 0.0;
+    shuffle();
+  }
+
+  // Half of the trials differ (of an odd number one fewer), in an order that the seed and the round fix on every machine.
+  void shuffle() {
+    std::mt19937 random(seed_ + 7919u * static_cast<unsigned>(round_));
+    order_.assign(trials_, {});
+    for (std::size_t k = 0; k < trials_ / 2; ++k) order_[k].differ = true;
+    for (std::size_t k = trials_; k > 1; --k) std::swap(order_[k - 1], order_[random() % k]);
+    for (Trial& t : order_) t.second_first = random() % 2 == 1;
+  }
+
+  bool showsOther() const {
+    const Trial& t = order_[trial_];
+    return t.second_first != (second_ && t.differ);
+  }
+
+  void take(const TouchSample& s, double dt_s) override {
+    const AtomSet& wanted = by_place_ && showsOther() ? there_ : here_;
+    touching_ = s.contact.touching();
+    beside_ = touching_ && !wanted.touchedBy(s.contact);
+    if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+  }
+
+  HandPlan demonstrate(const HandView& view) const override {
+    HandPlan plan;
+    const auto place = placeFor(view, placesToTouch(view, by_place_ && showsOther() ? there_ : here_));
+    if (!place) return plan;
+    comeTo(plan, *place, depthFor(view, 0.5), time_s_ + 0.1);
+    plan.push_back({.answer = TaskAnswer{.word = !second_ ? "next" : order_[trial_].differ ? "different" : "same"}});
+    return plan;
+  }
+
+  std::vector<TaskButton> offered() const override {
+    if (felt_s_ < time_s_) return {};
+    if (!second_) return {{"next", "Feel the second"}};
+    return {{"same", "The same", 'S'}, {"different", "Different", 'D'}};
+  }
+
+  TaskStage wanted() const override {
+    TaskStage stage = showsOther() ? other_ : one_;
+    stage.dark = true;
+    stage.force_meter = meter_;
+    stage.showing = showing_ + 1;
+    return stage;
+  }
+
+  void hear(const TaskAnswer& answer) override {
+    felt_s_ = 0.0;
+    touching_ = beside_ = false;
+    ++showing_;
+    if (!second_) {
+      second_ = true;
+      return;
+    }
+    const bool differ = order_[trial_].differ, said = answer.word == "different";
+    hits_ += differ && said;
+    alarms_ += !differ && said;
+    right_ += differ == said;
+    last_right_ = differ == said;
+    last_differed_ = differ;
+    second_ = false;
+    answered_ = true;
+    failed_ = false;
+    setProgress(double(++trial_) / double(trials_));
+    if (trial_ < trials_) return;
+    --trial_;
+    if (right_ >= needed_) {
+      finish();
+      return;
+    }
+    failed_ = true;
+    failed_right_ = right_;
+    ++round_;
+    begin();
+    setProgress(0.0);
+  }
+
+  std::string counts(std::size_t right) const { return std::to_string(right) + " of " + std::to_string(trials_) + " right"; }
+
+  std::string guidance() const override {
+    std::string told;
+    if (failed_) told = counts(failed_right_) + "; " + std::to_string(needed_) + " are needed. Another round: ";
+    else if (tell_ && answered_ && !second_ && felt_s_ == 0.0)
+      told = std::string(last_right_ ? "Right" : "No") + ", they were " + (last_differed_ ? "different. " : "the same. ");
+    const std::string which = std::string(second_ ? "second" : "first") + " of pair " + std::to_string(trial_ + 1) + " of " + std::to_string(trials_);
+    if (felt_s_ >= time_s_) return second_ ? "Were the two the same, or different?" : "Now go on to the second.";
+    if (beside_) return "You are beside the place. It lies in the middle of the view.";
+    if (touching_) return "Feel the " + which + ": " + timeText(felt_s_) + " of " + timeText(time_s_) + ".";
+    return told + "Touch the " + which + ".";
+  }
+
+  std::string afterwards() const override { return counts(right_) + "."; }
+
+  void measure(std::vector<TaskFigure>& out) const override {
+    const std::size_t answered = done() ? trials_ : trial_;
+    int differed = 0;
+    for (std::size_t k = 0; k < answered; ++k) differed += order_[k].differ;
+    const int alike = static_cast<int>(answered) - differed;
+    out.push_back({"trials", double(answered), ""});
+    out.push_back({"right", double(right_), ""});
+    out.push_back({"hits", double(hits_), ""});
+    out.push_back({"false alarms", double(alarms_), ""});
+    if (answered > 0) out.push_back({"d'", sensitivity(hits_, differed, alarms_, alike), ""});
+    out.push_back({"rounds", double(round_ + 1), ""});
+  }
+
+  AtomSet here_, there_;
+  std::size_t trials_ = 8, needed_ = 6, trial_ = 0, right_ = 0, failed_right_ = 0;
+  unsigned seed_ = 1;
+  double time_s_ = 1.0, felt_s_ = 0.0;
+  bool tell_ = true, meter_ = true, by_place_ = false;
+  TaskStage one_, other_;
+  std::vector<Trial> order_;
+  int round_ = 0, showing_ = 0, hits_ = 0, alarms_ = 0;
+  bool second_ = false, touching_ = false, beside_ = false, answered_ = false, failed_ = false, last_right_ = false, last_differed_ = false;
+};
+
+void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
+  std::size_t given = 0;
+  for (const std::string_view key : kDiffers) {
+    const Value& value = spec.values[key];
+    if (!value.place.line) continue;
+    if (++given > 1)
+      problems.push_back({{}, value.place.line, value.place.column, "the two things differ in one respect only", "take this line out, or the other"});
+  }
+  const Value &same = spec.values["same"], &right = spec.values["right"], &place = spec.values["place"];
+  if (given == 0)
+    problems.push_back({{}, same.place.line, same.place.column, "nothing says how the second thing differs from the scene",
+                        "add one of 'probe', 'stiffness', 'method' and 'place'"});
+  if (place.place.line && !same.selection.given())
+    problems.push_back({{}, same.place.line, same.place.column, "two places are to be felt, but only one is named", "name the atoms of the first in 'same'"});
+  if (right.place.line && right.number > spec.values["trials"].number)
+    problems.push_back({{}, right.place.line, right.place.column, "more right answers than there are trials", "ask for no more than 'trials'"});
+}
+
+}  // namespace
+
+TaskKind sameKind() {
+  return {"same", "Feel two things in the dark and say whether they are the same, several times.",
+          {{.name = "same", .type = ValueType::Target, .meaning = "Where to touch: atoms, or anywhere on the surface. The first thing is the scene as it is.",
+            .required = true, .words = {"anywhere"}},
+           {.name = "probe", .type = ValueType::Quantity, .meaning = "The second thing has a probe of this radius.", .dimension = Dimension::Length,
+            .most = kLargestProbe_A},
+           {.name = "stiffness", .type = ValueType::Quantity, .meaning = "The second thing pushes back so hard.", .dimension = Dimension::Stiffness,
+            .least = 0.01, .most = 5.0},
+           {.name = "method", .type = ValueType::Word, .meaning = "The second thing is felt with this haptic method.", .words = methodNames()},
+           {.name = "place", .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
+           {.name = "trials", .type = ValueType::Count, .meaning = "How many pairs are felt; half of them differ.", .fallback = "8", .least = 2, .most = 100},
+           {.name = "right", .type = ValueType::Count, .meaning = "How many answers must be right; without it three of four.", .least = 1, .most = 100},
+           {.name = "for", .type = ValueType::Quantity, .meaning = "How long each thing is touched at least.", .fallback = "1 s",
+            .dimension = Dimension::Time, .least = 0.1, .most = 60.0},
+           {.name = "tell", .type = ValueType::Word, .meaning = "Whether each answer is judged at once.", .fallback = "yes", .words = {"yes", "no"}},
+           {.name = "meter", .type = ValueType::Word,
+            .meaning = "Whether the force is shown; without a force-feedback device it is all there is to feel.", .fallback = "on", .words = {"on", "off"}},
+           {.name = "seed", .type = ValueType::Count, .meaning = "Another number gives another order of the pairs.", .fallback = "1", .most = 1e6}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); }, &checkSame};
+}
+
+}  // namespace moltact

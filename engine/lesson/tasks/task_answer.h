@@ -1,0 +1,14 @@
+// What the student tells a task otherwise than by touch. Plain data.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace moltact {
+
+struct TaskAnswer {
+  std::string word = {};           ///< of one of the task's buttons
+  std::vector<double> curve = {};  ///< of a task that lets draw one (unit: newton)
+};
+
+}  // namespace moltact

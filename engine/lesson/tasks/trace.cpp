@@ -1,0 +1,328 @@
+// trace: follow a way over the surface in contact: from atom to atom in order, or along the creases between atoms.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/lesson/surface_places.h"
+#include "engine/lesson/tasks/kinds.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kSpacing_A = 0.2;   // of the places along a crease
+constexpr double kBrush_A = 0.25;    // a contact covers so much of a crease to either side
+constexpr double kAhead_A = 5.0;     // round a bend the nearest place of a way may leap so far
+constexpr double kAheadShare = 0.25; // but never over so much of the whole way
+constexpr double kStart_A = 1.0;     // so near to its end a way may be begun
+constexpr double kStartShare = 0.1;  // and within so much of the whole
+
+// What the two forms of the way have in common: how far the hand is off it, and how often it let go.
+class Trace : public Task {
+ public:
+  explicit Trace(const TaskSpec& spec)
+      : Task(spec), name_(spec.values.has("called") ? spec.values["called"].text : "the way"), within_A_(spec.values["within"].number),
+        cover_(0.01 * spec.values["cover"].number), limited_(spec.values.has("lifts")),
+        lifts_allowed_(static_cast<int>(spec.values["lifts"].number)) {}
+
+  void reset() override {
+    Task::reset();
+    forget();
+    lifts_ = 0;
+    over_A_s_ = on_s_ = greatest_A_ = 0.0;
+    state_ = State::Away;
+  }
+
+ protected:
+  enum class State { Away, Elsewhere, On, Off, Lifted, Again };
+
+  struct Step {
+    double off_A = 0.0;  // of the contact point from the way
+    bool on = false;     // on the part of the way that is to be followed now
+  };
+
+  /// Moves on along the way where the contact point is on it within the tolerance.
+  virtual Step follow(const Contact& contact, double probe_A, double within_A) = 0;
+  virtual bool begun() const = 0;
+  virtual double covered() const = 0;  // 0 to 1
+  virtual void forget() = 0;
+  virtual std::string whereToBegin() const = 0;
+
+  const std::string& name() const { return name_; }
+
+ private:
+  void take(const TouchSample& s, double dt_s) override {
+    if (!s.contact.touching()) {
+      away_s_ += dt_s;
+      if (away_s_ > kSlip_s && begun() && state_ != State::Lifted && state_ != State::Again) letGo();
+      return;
+    }
+    away_s_ = 0.0;
+    const Step step = follow(s.contact, s.probe_A, within_A_);
+    if (begun()) {
+      over_A_s_ += step.off_A * dt_s;
+      on_s_ += dt_s;
+      greatest_A_ = std::max(greatest_A_, step.off_A);
+      state_ = step.on ? State::On : State::Off;
+    } else if (state_ != State::Again) {
+      state_ = State::Elsewhere;
+    }
+    setProgress(covered() / cover_);
+    if (covered() >= cover_) finish();
+  }
+
+  void letGo() {
+    ++lifts_;
+    state_ = State::Lifted;
+    if (!limited_ || lifts_ <= lifts_allowed_) return;
+    forget();
+    lifts_ = 0;
+    over_A_s_ = on_s_ = greatest_A_ = 0.0;
+    setProgress(0.0);
+    state_ = State::Again;
+  }
+
+  std::string guidance() const override {
+    const std::string so_far = std::to_string(static_cast<int>(100.0 * covered())) + " % of the way.";
+    switch (state_) {
+      case State::Away: return "Touch " + whereToBegin() + " to begin.";
+      case State::Elsewhere: return "You are on the surface. Slide to " + whereToBegin() + " to begin.";
+      case State::On: return "Follow " + name_ + ": " + so_far;
+      case State::Off: return "You are off " + name_ + ". Go back to where you left it: " + so_far;
+      case State::Lifted: return "You let go. Touch " + name_ + " where you left it: " + so_far;
+      case State::Again: break;
+    }
+    return "You let go too often. Begin again at " + whereToBegin() + ".";
+  }
+
+  void measure(std::vector<TaskFigure>& out) const override {
+    out.push_back({"coverage", 100.0 * covered(), "%"});
+    if (on_s_ > 0.0) out.push_back({"mean deviation", over_A_s_ / on_s_, "Å"});
+    out.push_back({"greatest deviation", greatest_A_, "Å"});
+    out.push_back({"lifts", double(lifts_), ""});
+  }
+
+  std::string name_;
+  double within_A_ = 1.0, cover_ = 0.9;
+  bool limited_ = false;
+  int lifts_allowed_ = 0, lifts_ = 0;
+  double away_s_ = 0.0, over_A_s_ = 0.0, on_s_ = 0.0, greatest_A_ = 0.0;
+  State state_ = State::Away;
+};
+
+/// From atom to atom: the way is the line through their centres, seen from the surface.
+class TraceAtoms : public Trace {
+ public:
+  TraceAtoms(const TaskSpec& spec, const Molecule& molecule) : Trace(spec), either_(spec.values["direction"].text == "either") {
+    for (const PathPlace& p : pathPlaces(spec.values["trace"].path, molecule)) {
+      if (!stops_.empty() && glm::distance(stops_.back().place.centre_A, p.centre_A) < 1e-9) continue;
+      if (!stops_.empty()) length_A_ += glm::distance(stops_.back().place.centre_A, p.centre_A);
+      stops_.push_back({p, length_A_});
+    }
+    ahead_A_ = std::min(kAhead_A, kAheadShare * length_A_);
+    forget();
+  }
+
+ private:
+  struct Stop {
+    PathPlace place;
+    double at_A = 0.0;  // along the way
+  };
+  struct Near {
+    double off_A = 0.0, at_A = 0.0;
+    bool inside = true;  // not at an end of the part that was looked at, unless the way itself ends there
+  };
+
+  // The nearest place of the way on the part of it from `from_A` to `to_A`.
+  Near nearest(const Vec3& scp, double probe_A, double from_A, double to_A) const {
+    Near best{std::numeric_limits<double>::max(), from_A, true};
+    for (std::size_t k = 0; k + 1 < stops_.size(); ++k) {
+      const Stop &a = stops_[k], &b = stops_[k + 1];
+      if (b.at_A < from_A || a.at_A > to_A) continue;
+      const double length = b.at_A - a.at_A;
+      const Vec3 along = (b.place.centre_A - a.place.centre_A) / length;
+      const double at = std::clamp(glm::dot(scp - a.place.centre_A, along), std::max(0.0, from_A - a.at_A), std::min(length, to_A - a.at_A));
+      const double reach_A = a.place.reach_A + (b.place.reach_A - a.place.reach_A) * at / length + probe_A;
+      const double off = glm::distance(scp, a.place.centre_A + along * at) - reach_A;
+      if (off < best.off_A) best = {off, a.at_A + at};
+    }
+    constexpr double kAtEnd_A = 1e-6;
+    const bool cut_low = from_A > 0.0 && best.at_A <= from_A + kAtEnd_A, cut_high = to_A < length_A_ && best.at_A >= to_A - kAtEnd_A;
+    return {std::max(0.0, best.off_A), best.at_A, !cut_low && !cut_high};
+  }
+
+  Step follow(const Contact& contact, double probe_A, double within_A) override {
+    if (stops_.size() < 2) {
+      begun_ = true;
+      front_A_ = length_A_ = 1.0;
+      return {0.0, true};
+    }
+    const Vec3& scp = contact.scp.A;
+    const double off_A = nearest(scp, probe_A, 0.0, length_A_).off_A;
+    if (!begun_) {
+      const double reach = std::min(kStart_A, kStartShare * length_A_);
+      const Near start = nearest(scp, probe_A, 0.0, reach), end = nearest(scp, probe_A, length_A_ - reach, length_A_);
+      const bool at_start = start.inside && start.off_A <= within_A, at_end = either_ && end.inside && end.off_A <= within_A;
+      if (!at_start && !at_end) return {off_A, false};
+      begun_ = true;
+      backward_ = !at_start;
+      front_A_ = backward_ ? length_A_ - end.at_A : start.at_A;
+      return {off_A, true};
+    }
+    const double here_A = backward_ ? length_A_ - front_A_ : front_A_;
+    const Near here = nearest(scp, probe_A, std::max(0.0, here_A - ahead_A_), std::min(length_A_, here_A + ahead_A_));
+    const bool on = here.inside && here.off_A <= within_A;
+    if (on) front_A_ = std::max(front_A_, backward_ ? length_A_ - here.at_A : here.at_A);
+    return {off_A, on};
+  }
+
+  // Over the faces of the path's atoms that are open, one after the other, each the one nearest to the last.
+  HandPlan demonstrate(const HandView& view) const override {
+    std::vector<SurfacePlace> way;
+    for (const Stop& stop : stops_) {
+      const std::vector<SurfacePlace> open = openPlaces(view, stop.place.atoms, Feature::Sphere);
+      if (open.empty()) continue;
+      const auto nearer = [&](const SurfacePlace& a, const SurfacePlace& b) {
+        return glm::distance(a.scp_A, way.back().scp_A) < glm::distance(b.scp_A, way.back().scp_A);
+      };
+      way.push_back(way.empty() ? *placeFor(view, open) : *std::min_element(open.begin(), open.end(), nearer));
+    }
+    HandPlan plan;
+    if (way.empty()) return plan;
+    const double depth_A = depthFor(view, 0.4);
+    comeTo(plan, way.front(), depth_A, 0.2);
+    for (std::size_t k = 1; k < way.size(); ++k) slide(plan, view, way[k - 1], way[k], depth_A);
+    plan.back().wait_s = 0.2;
+    return plan;
+  }
+
+  bool begun() const override { return begun_; }
+  double covered() const override { return begun_ ? front_A_ / length_A_ : 0.0; }
+  void forget() override {
+    begun_ = backward_ = false;
+    front_A_ = 0.0;
+  }
+  std::string whereToBegin() const override { return (either_ ? "either end of " : "the start of ") + name(); }
+
+  std::vector<Stop> stops_;
+  double length_A_ = 0.0, ahead_A_ = 0.0, front_A_ = 0.0;
+  bool either_ = false, begun_ = false, backward_ = false;
+};
+
+/// Along the creases between atoms, in any order.
+class TraceCrease : public Trace {
+ public:
+  TraceCrease(const TaskSpec& spec, const Molecule& molecule)
+      : Trace(spec), scene_(std::make_shared<const BallScene>(molecule.balls())) {
+    atoms_ = spec.values["of"].selection.select(molecule);
+  }
+
+ private:
+  Step follow(const Contact& contact, double probe_A, double within_A) override {
+    if (probe_A != probe_A_) {
+      // The creases move with the surface.
+      std::vector<Ball> points;
+      for (const SurfacePlace& p : creasePlaces(*scene_, atoms_, probe_A, kSpacing_A)) points.push_back({p.scp_A, 0.0});
+      places_ = std::make_unique<const BallScene>(std::move(points));
+      probe_A_ = probe_A;
+      forget();
+    }
+    const double off_A = nearest(contact.scp.A);
+    // Between two of the places the crease is still there.
+    const double off = off_A < kSpacing_A ? std::max(0.0, off_A - 0.5 * kSpacing_A) : off_A;
+    if (off > within_A) return {off, false};
+    begun_ = true;
+    places_->visitCentresNear(contact.scp.A, off_A + kBrush_A, [&](std::uint32_t k, const Ball& p) {
+      if (passed_[k] || glm::distance(p.centre_A, contact.scp.A) > off_A + kBrush_A) return;
+      passed_[k] = 1;
+      ++count_;
+    });
+    return {off, true};
+  }
+
+  // Along each stretch of crease; where the next place is far, the hand comes down anew.
+  HandPlan demonstrate(const HandView& view) const override {
+    constexpr double kNext_A = 0.8;
+    HandPlan plan;
+    const SurfacePlace* last = nullptr;
+    const double depth_A = depthFor(view, 0.4);
+    const std::vector<SurfacePlace> places = creasePlaces(view.balls, atoms_, view.probe_A, kSpacing_A);
+    for (const SurfacePlace& p : places) {
+      if (last && glm::distance(last->scp_A, p.scp_A) < kNext_A) {
+        plan.push_back({.to = PointA{p.scp_A - p.outward * depth_A}});
+      } else if (openFromOutside(view.balls, p, view.probe_A)) {
+        comeTo(plan, p, depth_A, 0.1);
+      } else {
+        continue;
+      }
+      last = &p;
+    }
+    return plan;
+  }
+
+  bool empty() const { return !places_ || places_->size() == 0; }
+
+  // How far the nearest place of the creases is, looked for in a growing box.
+  double nearest(const Vec3& scp) const {
+    const double far = empty() ? 0.0 : glm::distance(places_->low_A(), places_->high_A()) + glm::distance(scp, places_->low_A()) + 1.0;
+    for (double reach_A = 0.5; !empty(); reach_A *= 2.0) {
+      double least = std::numeric_limits<double>::max();
+      places_->visitCentresNear(scp, reach_A, [&](std::uint32_t, const Ball& p) { least = std::min(least, glm::distance(scp, p.centre_A)); });
+      if (least <= reach_A || reach_A > far) return least;
+    }
+    return 1e3;  // there is no crease
+  }
+
+  bool begun() const override { return begun_; }
+  double covered() const override { return empty() ? 0.0 : double(count_) / double(places_->size()); }
+  void forget() override {
+    passed_.assign(empty() ? 0 : places_->size(), 0);
+    count_ = 0;
+    begun_ = false;
+  }
+  std::string whereToBegin() const override { return name() == "the way" ? "the crease" : name(); }
+
+  std::shared_ptr<const BallScene> scene_;
+  std::vector<std::uint32_t> atoms_;
+  std::unique_ptr<const BallScene> places_;  // a grid of points
+  std::vector<char> passed_;
+  std::size_t count_ = 0;
+  double probe_A_ = -1.0;
+  bool begun_ = false;
+};
+
+void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
+  const bool crease = !spec.values["trace"].words.empty();
+  const Value &of = spec.values["of"], &trace = spec.values["trace"];
+  if (crease && !of.selection.given())
+    problems.push_back({{}, trace.place.line, trace.place.column, "nothing says between which atoms the creases lie", "add 'of'; for a small molecule 'of: all'"});
+  if (!crease && of.place.line)
+    problems.push_back({{}, of.place.line, of.place.column, "'of' belongs to 'trace: crease'", "take it out or write 'trace: crease'"});
+  const Value& direction = spec.values["direction"];
+  if (crease && direction.place.line)
+    problems.push_back({{}, direction.place.line, direction.place.column, "a crease has no direction", "take the line out"});
+}
+
+}  // namespace
+
+TaskKind traceKind() {
+  return {"trace", "Follow a way over the surface without letting go.",
+          {{.name = "trace", .type = ValueType::Path,
+            .meaning = "The way: one selection, whose atoms are followed in the order of the file; places parted by 'then'; or 'crease'.",
+            .required = true, .words = {"crease"}},
+           {.name = "of", .type = ValueType::Selection, .meaning = "For 'trace: crease': the atoms between which the creases lie."},
+           {.name = "within", .type = ValueType::Quantity, .meaning = "How far off the way the contact point may be.", .fallback = "1 Å",
+            .dimension = Dimension::Length, .least = 0.05, .most = 50.0},
+           {.name = "cover", .type = ValueType::Count, .meaning = "How much of the way is to be followed, in percent.", .fallback = "90",
+            .least = 1, .most = 100},
+           {.name = "direction", .type = ValueType::Word, .meaning = "Whether the way may be begun at its end as well.",
+            .fallback = "forward", .words = {"forward", "either"}},
+           {.name = "lifts", .type = ValueType::Count,
+            .meaning = "How often the student may let go before the way begins again; without it as often as need be.", .most = 100}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+            if (!s.values["trace"].words.empty()) return std::make_unique<TraceCrease>(s, m);
+            return std::make_unique<TraceAtoms>(s, m);
+          },
+          &checkTrace};
+}
+
+}  // namespace moltact

@@ -1,0 +1,98 @@
+// A lesson of lessons/ and the molecules that it uses, as they are shipped.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "engine/haptics/ball_scene.h"
+#include "engine/lesson/check.h"
+#include "engine/lesson/reader.h"
+#include "engine/lesson/surface_places.h"
+#include "engine/molecule/reader.h"
+
+namespace moltact::test {
+
+inline Expected<std::shared_ptr<const Molecule>> shippedMolecule(const std::string& name) {
+  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb");
+  if (!molecule) return molecule.problem();
+  return std::make_shared<const Molecule>(*std::move(molecule));
+}
+
+inline Lesson shippedLesson(const std::string& name) {
+  const LessonReading read = readLesson(std::string(MOLTACT_SOURCE_DIR "/lessons/") + name + ".md");
+  for (const Problem& p : read.errors) MESSAGE(p.text());
+  for (const Problem& p : read.warnings) MESSAGE(p.text());
+  REQUIRE(read.lesson);
+  CHECK(read.warnings.empty());
+  return *read.lesson;
+}
+
+/// What every shipped lesson owes a student: a task and a question or a hint in each step, feedback to every choice, and
+/// selections that select atoms.
+inline void checkCare(const Lesson& lesson) {
+  for (const Problem& p : checkAgainstMolecules(lesson, shippedMolecule)) FAIL_CHECK(p.text());
+  for (const Step& step : lesson.steps) {
+    CAPTURE(step.title);
+    CHECK_FALSE(step.tasks.empty());
+    bool tip = false;
+    for (const Block& b : step.blocks) tip = tip || std::holds_alternative<Tip>(b);
+    CHECK(tip);
+    for (const TaskSpec& t : step.tasks) CHECK(t.values["praise"].text != "Done.");
+    for (const Question& q : step.questions)
+      for (const Choice& c : q.choices) {
+        CAPTURE(plainText(c.text));
+        CHECK_FALSE(plainText(c.feedback).empty());
+      }
+  }
+}
+
+/// The share of a lesson's steps whose touch tasks are of this kind.
+inline int tasksOf(const Lesson& lesson, std::string_view kind) {
+  int n = 0;
+  for (const Step& s : lesson.steps)
+    for (const TaskSpec& t : s.tasks) n += t.kind == kind;
+  return n;
+}
+
+struct ShippedScene {
+  explicit ShippedScene(const std::string& name) : molecule(*shippedMolecule(name)), balls(molecule->balls()) {}
+  std::vector<std::uint32_t> select(const std::string& text) const {
+    const auto selection = parseSelection(text);
+    REQUIRE(selection);
+    return selection->select(*molecule);
+  }
+  const Atom& atom(const std::string& text) const {
+    const auto found = select(text);
+    REQUIRE_MESSAGE(found.size() == 1, text);
+    return molecule->atoms[found[0]];
+  }
+  double between(const std::string& a, const std::string& b) const {
+    return glm::distance(atom(a).position.A, atom(b).position.A);
+  }
+  /// The angle at the probe in the triangle of the probe and two atoms that it touches (unit: degree).
+  double turn_deg(const std::string& one, const std::string& other, double probe_A) const {
+    const double a = atom(one).radius_A + probe_A, b = atom(other).radius_A + probe_A, d = between(one, other);
+    return std::acos((a * a + b * b - d * d) / (2 * a * b)) * 180 / std::numbers::pi;
+  }
+  /// Places on these atoms where a probe can rest, of 3000 directions round each.
+  std::vector<SurfacePlace> places(const std::string& text, double probe_A) const {
+    const auto atoms = select(text);
+    return facePlaces(balls, atoms, probe_A, 3000);
+  }
+  /// Those to which the probe comes straight from outside.
+  std::size_t openPlaces(const std::string& text, double probe_A) const {
+    std::size_t n = 0;
+    for (const SurfacePlace& p : places(text, probe_A)) n += openFromOutside(balls, p, probe_A);
+    return n;
+  }
+
+  std::shared_ptr<const Molecule> molecule;
+  BallScene balls;
+};
+
+}  // namespace moltact::test

@@ -1,0 +1,119 @@
+#include "engine/lesson/tasks/sensitivity.h"
+#include "tests/lesson/task_hand.h"
+
+using namespace moltact;
+
+namespace {
+
+const Keys kProbes{{"same", "anywhere"}, {"probe", "2 Å"}, {"trials", "8"}, {"for", "0.2 s"}};
+
+/// What one pair was, as only an omniscient observer knows it.
+struct Pair {
+  bool differ = false;
+  std::string order;
+};
+
+/// Feels one pair; says "different" as `say` makes of the truth. Gives the truth.
+template <class Say>
+Pair feelPair(Task& task, Hand& hand, Say say) {
+  Pair pair;
+  bool other[2] = {};
+  for (int k = 0; k < 2; ++k) {
+    REQUIRE(task.stage().dark);
+    other[k] = task.stage().probe_A.has_value();
+    pair.order += other[k] ? 'B' : 'A';
+    hand.away(0.01);
+    CHECK(task.buttons().empty());
+    hand.touch({0}, 0.21);
+    if (k == 0) task.answer({"next"});
+  }
+  pair.differ = other[0] != other[1];
+  REQUIRE(task.buttons().size() == 2);
+  task.answer({say(pair.differ) ? "different" : "same"});
+  return pair;
+}
+
+}  // namespace
+
+TEST_CASE("of 8 pairs 4 differ, in an order that the seed fixes and another seed changes; answering rightly finishes with d' of 2.563") {
+  std::vector<std::string> orders;
+  for (const char* seed : {"1", "1", "2"}) {
+    Keys keys = kProbes;
+    keys.emplace_back("seed", seed);
+    auto t = task("same", keys);
+    Hand hand{*t};
+    int differ = 0;
+    orders.emplace_back();
+    for (int k = 0; k < 8; ++k) {
+      CHECK_FALSE(t->done());
+      const Pair p = feelPair(*t, hand, [](bool d) { return d; });
+      differ += p.differ;
+      orders.back() += p.order + " ";
+    }
+    CHECK(differ == 4);
+    CHECK(t->done());
+    CHECK(figure(*t, "hits") == 4.0);
+    CHECK(figure(*t, "false alarms") == 0.0);
+    // z(4.5 / 5) - z(0.5 / 5) = 2 z(0.9)
+    CHECK(figure(*t, "d'") == doctest::Approx(2.5631).epsilon(0.0001));
+    CHECK(t->sentence() == "8 of 8 right. Done.");
+  }
+  CHECK(orders[0] == orders[1]);
+  CHECK(orders[0] != orders[2]);
+}
+
+TEST_CASE("whoever always says 'the same' has 4 of 8 right, d' of 0 and feels another round in another order") {
+  auto t = task("same", kProbes);
+  Hand hand{*t};
+  std::string first, second;
+  for (int k = 0; k < 7; ++k) first += feelPair(*t, hand, [](bool) { return false; }).order;
+  CHECK(figure(*t, "false alarms") == 0.0);
+  first += feelPair(*t, hand, [](bool) { return false; }).order;
+  CHECK_FALSE(t->done());
+  CHECK(t->progress() == 0.0);
+  CHECK(t->sentence() == "4 of 8 right; 6 are needed. Another round: Touch the first of pair 1 of 8.");
+  CHECK(figure(*t, "rounds") == 2.0);
+  for (int k = 0; k < 8; ++k) second += feelPair(*t, hand, [](bool d) { return d; }).order;
+  CHECK(t->done());
+  CHECK(first != second);
+}
+
+TEST_CASE("each answer is judged at once, unless the author says no") {
+  for (const bool tell : {true, false}) {
+    Keys keys = kProbes;
+    keys.emplace_back("tell", tell ? "yes" : "no");
+    auto t = task("same", keys);
+    Hand hand{*t};
+    const Pair p = feelPair(*t, hand, [](bool d) { return !d; });
+    const std::string told = p.differ ? "No, they were different. " : "No, they were the same. ";
+    CHECK(t->sentence() == (tell ? told : "") + "Touch the first of pair 2 of 8.");
+  }
+}
+
+TEST_CASE("two places are turned to the front, each its own, and only a touch of it counts") {
+  auto t = task("same", {{"same", "atom 0"}, {"place", "atom 4"}, {"trials", "2"}, {"for", "0.2 s"}});
+  Hand hand{*t};
+  REQUIRE(t->stage().facing);
+  const bool other = t->stage().facing->A.x == 10.0;
+  CHECK((other || t->stage().facing->A.x == 0.0));
+  hand.touch({other ? 0 : 4}, 1.0);
+  CHECK(t->buttons().empty());
+  CHECK(t->sentence() == "You are beside the place. It lies in the middle of the view.");
+  hand.touch({other ? 4 : 0}, 0.21);
+  CHECK(t->buttons().size() == 1);
+}
+
+TEST_CASE("what differs must be named once") {
+  CHECK(problemOf("same", {{"same", "anywhere"}}) == "nothing says how the second thing differs from the scene");
+  CHECK(problemOf("same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"method", "mesh80"}}) == "the two things differ in one respect only");
+  CHECK(problemOf("same", {{"same", "anywhere"}, {"place", "atom 3"}}) == "two places are to be felt, but only one is named");
+  CHECK(problemOf("same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"trials", "4"}, {"right", "5"}}) == "more right answers than there are trials");
+}
+
+TEST_CASE("z(0.975) is 1.95996, z(0.5) is 0; 9 of 10 hits and 2 of 10 false alarms give d' of 1.845") {
+  CHECK(normalQuantile(0.975) == doctest::Approx(1.959964).epsilon(1e-6));
+  CHECK(std::abs(normalQuantile(0.5)) < 1e-12);
+  // z(9.5 / 11) + z(8.5 / 11) = 1.0968 + 0.7479, from tables of the normal distribution.
+  CHECK(sensitivity(9, 10, 2, 10) == doctest::Approx(1.8447).epsilon(0.0005));
+  CHECK(sensitivity(3, 10, 3, 10) == doctest::Approx(0.0));
+}

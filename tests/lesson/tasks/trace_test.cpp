@@ -1,0 +1,115 @@
+// Ways along atoms on the x axis and round the crease of two equal balls, where coverage and deviation have closed forms.
+#include <numbers>
+
+#include "tests/lesson/task_hand.h"
+
+using namespace moltact;
+
+namespace {
+
+/// Two balls of 1.88 A, 3.76 A apart on the x axis.
+Molecule pair() {
+  MoleculeBuilder b;
+  b.atom("AR", 18, {-1.88, 0, 0}, 1.88).atom("AR", 18, {1.88, 0, 0}, 1.88);
+  return b.molecule;
+}
+
+constexpr double kCrease_A = 2.68775;  // sqrt((1.88 + 1.4)^2 - 1.88^2)
+
+/// Round the crease, from one angle to another, on a circle of some radius.
+void round(Hand& hand, double from_deg, double to_deg, double radius_A = kCrease_A) {
+  for (double a = from_deg; a <= to_deg; a += 0.1) {
+    const double turn = a * std::numbers::pi / 180.0;
+    hand.touch({0, 1}, 0.001, 0.5, {0, radius_A * std::cos(turn), radius_A * std::sin(turn)});
+  }
+}
+
+}  // namespace
+
+TEST_CASE("tracing half of the crease between two balls covers 50 % without deviation, and all but 30 degrees is enough for 90 %") {
+  auto t = task("trace", {{"trace", "crease"}, {"of", "all"}, {"within", "0.3 Å"}}, pair());
+  Hand hand{*t};
+  CHECK(t->sentence() == "Touch the crease to begin.");
+  round(hand, 0, 180);
+  CHECK(figure(*t, "coverage") == doctest::Approx(50.0).epsilon(0.07));
+  CHECK(figure(*t, "greatest deviation") < 0.01);
+  CHECK_FALSE(t->done());
+  round(hand, 180, 330);
+  CHECK(t->done());
+}
+
+TEST_CASE("a circle 0.5 A outside the crease is off by 0.5 A, covers nothing within 0.3 A and is told") {
+  auto t = task("trace", {{"trace", "crease"}, {"of", "all"}, {"within", "0.3 Å"}}, pair());
+  Hand hand{*t};
+  round(hand, 0, 20);
+  const double covered = figure(*t, "coverage");
+  round(hand, 40, 340, kCrease_A + 0.5);
+  CHECK(figure(*t, "coverage") == covered);
+  CHECK(figure(*t, "greatest deviation") == doctest::Approx(0.5).epsilon(0.02));
+  CHECK(t->sentence().starts_with("You are off the way. Go back to where you left it"));
+}
+
+TEST_CASE("along four atoms of 1.7 A a contact point 3.6 A from their line is 0.5 A off, and 2 of 3 A are 67 % of the way") {
+  auto t = task("trace", {{"trace", "atom 0-3"}, {"called", "the backbone"}, {"within", "0.6 Å"}});
+  Hand hand{*t};
+  hand.touch({9}, 0.1, 0.5, {3, 3.6, 0});
+  CHECK(t->sentence() == "You are on the surface. Slide to the start of the backbone to begin.");
+  hand.slide({0}, {0, 3.6, 0}, {2, 3.6, 0});
+  CHECK(figure(*t, "coverage") == doctest::Approx(200.0 / 3).epsilon(0.01));
+  CHECK(figure(*t, "mean deviation") == doctest::Approx(0.5));
+  CHECK(figure(*t, "greatest deviation") == doctest::Approx(0.5));
+  CHECK(t->sentence() == "Follow the backbone: 66 % of the way.");
+  hand.slide({0}, {2, 4.1, 0}, {3, 4.1, 0});
+  CHECK(figure(*t, "greatest deviation") == doctest::Approx(1.0));
+  CHECK_FALSE(t->done());
+  hand.slide({0}, {2, 3.1, 0}, {2.8, 3.1, 0});
+  CHECK(t->done());
+  CHECK(figure(*t, "coverage") == doctest::Approx(90.0).epsilon(0.01));
+}
+
+TEST_CASE("whoever touches the start, lifts and touches the end has not traced the way; the lift is counted") {
+  auto t = task("trace", {{"trace", "atom 0-3"}});
+  Hand hand{*t};
+  hand.touch({0}, 0.1, 0.5, {0, 3, 0});
+  hand.away(0.5);
+  CHECK(t->sentence().starts_with("You let go. Touch the way where you left it"));
+  hand.touch({3}, 0.5, 0.5, {3, 3, 0});
+  CHECK(figure(*t, "coverage") < 30.0);
+  CHECK(figure(*t, "lifts") == 1.0);
+  hand.slide({0}, {0, 3, 0}, {3, 3, 0});
+  CHECK(t->done());
+}
+
+TEST_CASE("with no lift allowed a lift of 0.35 s begins the way again and a hop of 0.25 s does not") {
+  auto t = task("trace", {{"trace", "atom 0-3"}, {"lifts", "0"}});
+  Hand hand{*t};
+  hand.slide({0}, {0, 3, 0}, {2, 3, 0});
+  hand.away(0.25);
+  hand.touch({2}, 0.01, 0.5, {2, 3, 0});
+  CHECK(figure(*t, "coverage") > 60.0);
+  hand.away(0.35);
+  CHECK(t->sentence() == "You let go too often. Begin again at the start of the way.");
+  CHECK(t->progress() == 0.0);
+  hand.slide({2}, {2, 3, 0}, {3, 3, 0});
+  CHECK_FALSE(t->done());
+  hand.slide({0}, {0, 3, 0}, {3, 3, 0});
+  CHECK(t->done());
+}
+
+TEST_CASE("in either direction the way may begin at its end; forward it may not") {
+  for (const char* direction : {"either", "forward"}) {
+    auto t = task("trace", {{"trace", "atom 0 then atom 3"}, {"direction", direction}});
+    Hand hand{*t};
+    hand.slide({3}, {3, 3, 0}, {0.4, 3, 0});
+    CAPTURE(direction);
+    CHECK(figure(*t, "coverage") == doctest::Approx(std::string_view(direction) == "either" ? 86.7 : 0.0).epsilon(0.01));
+  }
+}
+
+TEST_CASE("keys of a trace that do not go together are told") {
+  CHECK(problemOf("trace", {{"trace", "atom 0-3"}, {"of", "all"}}) == "'of' belongs to 'trace: crease'");
+  CHECK(problemOf("trace", {{"trace", "crease"}}) == "nothing says between which atoms the creases lie");
+  CHECK(problemOf("trace", {{"trace", "crease"}, {"of", "all"}, {"direction", "either"}}) == "a crease has no direction");
+  CHECK(problemOf("trace", {{"trace", "atom 0 then"}}) != "");
+  CHECK(problemOf("trace", {{"trace", "atom 0 then then atom 1"}}) == "a place is missing beside 'then'");
+}
