@@ -22,6 +22,7 @@ ClosedLoop::ClosedLoop(const LoopSettings& settings, PointA start)
 LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   LoopTick out;
   out.hip = settings_.workspace.toMolecule(device_.sensed());
+  const ForceN before = command_;
   if (kind == TickKind::Lost) {
     out.stepped = false;
   } else {
@@ -33,7 +34,7 @@ LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   }
   out.contact = last_;
   out.force = command_;
-  device_.tick(command_, settings_.workspace.toDevice(target));
+  device_.tick(kind == TickKind::Late ? before : command_, settings_.workspace.toDevice(target));
 
   // The store of the spring that the held force belongs to, at the place the device has come to.
   const double k = 1e3 * settings_.stiffness_N_per_mm;

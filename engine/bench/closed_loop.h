@@ -2,7 +2,7 @@
 // person. Units: angstrom in the molecule, millimetre and newton at the hand, joule.
 #pragma once
 
-#include "engine/bench/device_model.h"
+#include "engine/device/device_model.h"
 #include "engine/bench/passivity_observer.h"
 #include "engine/haptics/tracker.h"
 
@@ -19,6 +19,7 @@ struct LoopSettings {
 enum class TickKind : std::uint8_t {
   Normal,
   Lost,        ///< the program misses the tick: the device holds the last command
+  Late,        ///< the program answers too late for this tick: the device holds the last command once more
   Doubled,     ///< the program runs twice on one reading
   NotANumber,  ///< the reading is NaN
 };

@@ -45,7 +45,7 @@ struct StabilityOptions {
   std::vector<const Method*> methods;
   LoopSettings loop;
   std::uint64_t seed = 1;
-  bool stiffness = true;  ///< look for the greatest stable stiffness where a scene asks for it
+  bool stiffness = true;  ///< look for the greatest stable stiffness in every scene where something can be pressed
 };
 
 /// One method in one scene.
@@ -71,7 +71,7 @@ std::string failures(const StabilityResult& result, const StabilityLimits& limit
 ReportTable stabilityMatrix(const std::vector<StabilityResult>& results, const StabilityLimits& limits = {});
 /// Every figure, a row a scene and method.
 ReportTable stabilityFigures(const std::vector<StabilityResult>& results, const StabilityLimits& limits = {});
-/// The greatest stable stiffness, a row a method, the plain wall first.
+/// The greatest stable stiffness: scenes down, the plain wall and the methods across.
 ReportTable stiffnessTable(const std::vector<StabilityResult>& results, double wall_N_per_mm);
 
 }  // namespace moltact::bench

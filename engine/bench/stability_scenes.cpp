@@ -4,6 +4,8 @@
 #include <numbers>
 
 #include "engine/bench/script.h"
+#include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/sweep.h"
 
 namespace moltact::bench {
 namespace {
@@ -204,7 +206,7 @@ StabilityScene deep(std::uint64_t seed) {
 
 StabilityScene disturbed(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
-  StabilityScene out{"NaN, lost and doubled ticks", "Does a disturbed clock or reading leave no mark?",
+  StabilityScene out{"NaN, late, lost and doubled ticks", "Does a disturbed clock or reading leave no mark?",
                      scene};
   Script script(scenes::walk(scene, 1, seed, 0.008).front());
   script.path(scenes::walk(scene, 4000, seed, 0.008));
@@ -214,6 +216,7 @@ StabilityScene disturbed(std::uint64_t seed) {
     t.kind = dice < 0.01   ? TickKind::NotANumber
              : dice < 0.03 ? TickKind::Lost
              : dice < 0.05 ? TickKind::Doubled
+             : dice < 0.07 ? TickKind::Late
                            : TickKind::Normal;
   }
   out.script = std::move(script.ticks);
@@ -262,6 +265,27 @@ StabilityScene swapped() {
   return out;
 }
 
+// Where the scene's own motion presses deepest, but by no more than is pressed here: from 0.3 A outside to 1 A under.
+std::optional<StabilityScene::Press> pressOf(const StabilityScene& s) {
+  const auto balls = std::make_shared<const BallScene>(s.scene.balls);
+  ExactTracker tracker(balls, s.scene.probe_A);
+  std::optional<StabilityScene::Press> out;
+  double deepest = 0.05;
+  for (const StabilityTick& t : s.script) {
+    if (t.reset) tracker.reset();
+    if (t.swap) break;
+    const Contact c = tracker.step({t.place_A});
+    const Vec3 pull = c.scp.A - t.place_A;
+    const double depth = glm::length(pull);
+    if (!c.touching() || depth <= deepest || depth > 1.0) continue;
+    const Vec3 from = c.scp.A + pull * (0.3 / depth);
+    if (clearance(*balls, s.scene.probe_A, from) <= 0.0) continue;
+    deepest = depth;
+    out = {from, c.scp.A - pull / depth};
+  }
+  return out;
+}
+
 }  // namespace
 
 std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
@@ -294,6 +318,8 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
       scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
   out.push_back(walked("a million A from the origin", "Do digits run out far from the origin?",
                        std::move(far), seed + 10));
+  for (StabilityScene& one : out)
+    if (!one.press) one.press = pressOf(one);
   return out;
 }
 

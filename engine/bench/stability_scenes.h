@@ -31,7 +31,7 @@ struct StabilityScene {
   std::size_t held_ticks = 0;  ///< at the end the hand is held for so long, for the residual jitter
   std::vector<StabilityTick> script{};
 
-  /// For the greatest stable stiffness: press from here to there and hold; nothing where it is not asked.
+  /// For the greatest stable stiffness: press from here to there and hold; nothing where nothing can be pressed.
   struct Press {
     Vec3 from{0.0}, to{0.0};
   };

@@ -92,24 +92,25 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results, const 
 ReportTable stiffnessTable(const std::vector<StabilityResult>& results, double wall_N_per_mm) {
   ReportTable t{"stiffness",
                 "The greatest stiffness that stays stable (N/mm)",
-                {{"method", "method"}},
+                {{"scene", "scene"}, {"plain_wall", "plain wall"}},
                 {},
                 "Pressed with a light hand (100 N/m, 2 N s/m) and struck with 4 mN s; stable when the device "
-                "comes to rest in contact. A dash: not asked."};
-  std::vector<std::string> scenes;
-  for (const StabilityResult& r : results)
-    if (r.stiffest_N_per_mm && std::find(scenes.begin(), scenes.end(), r.scene) == scenes.end())
-      scenes.push_back(r.scene);
-  for (const std::string& s : scenes) t.columns.push_back({s, s});
-  t.rows.push_back({std::string("plain wall")});
-  for (std::size_t k = 0; k < scenes.size(); ++k) t.rows[0].emplace_back(wall_N_per_mm);
-  for (const Method* m : inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; })) {
-    std::vector<Cell> row(scenes.size() + 1);
-    row[0] = std::string(m->name);
-    for (std::size_t k = 0; k < scenes.size(); ++k)
-      for (const StabilityResult& r : results)
-        if (r.method == m && r.scene == scenes[k] && r.stiffest_N_per_mm) row[k + 1] = *r.stiffest_N_per_mm;
-    t.rows.push_back(std::move(row));
+                "comes to rest in contact; 0 where it never does, 20 is the most that is tried. A scene is missing where "
+                "nothing can be pressed."};
+  const auto methods = inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; });
+  for (const Method* m : methods) t.columns.push_back({std::string(m->name), std::string(m->name)});
+  for (const std::string& scene :
+       inOrder<std::string>(results, [](const StabilityResult& r) { return r.scene; })) {
+    std::vector<Cell> row(methods.size() + 2);
+    row[0] = scene;
+    row[1] = wall_N_per_mm;
+    bool asked = false;
+    for (const StabilityResult& r : results) {
+      if (r.scene != scene || !r.stiffest_N_per_mm) continue;
+      row[2 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] = *r.stiffest_N_per_mm;
+      asked = true;
+    }
+    if (asked) t.rows.push_back(std::move(row));
   }
   return t;
 }
