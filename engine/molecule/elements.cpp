@@ -132,16 +132,4 @@ const Element& element(int atomic_number) {
   return kElements[known ? static_cast<std::size_t>(atomic_number) : 0];
 }
 
-std::string_view radiusSourceName(RadiusSource source) {
-  switch (source) {
-    case RadiusSource::Bondi:
-      return "Bondi 1964";
-    case RadiusSource::Alvarez:
-      return "Alvarez 2013";
-    case RadiusSource::Default:
-      break;
-  }
-  return "default";
-}
-
 }  // namespace moltact

@@ -33,7 +33,4 @@ struct Element {
 /// radius, pink).
 const Element& element(int atomic_number);
 
-/// "Bondi 1964", "Alvarez 2013" or "default".
-std::string_view radiusSourceName(RadiusSource source);
-
 }  // namespace moltact

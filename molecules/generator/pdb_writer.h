@@ -26,5 +26,7 @@ std::string makeAlphaHelix();
 std::string makeWater();
 std::string makeBenzene();
 std::string makeArgon(int atoms);
+/// From the text of PDB entry 2HHB: chain 'A' (alpha) or 'B' (beta). Throws where an atom is missing.
+std::string makeHaemPocket(const std::string& entry, char chain);
 
 }  // namespace moltact::generator

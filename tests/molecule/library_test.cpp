@@ -4,6 +4,7 @@
 
 #include <map>
 #include <numbers>
+#include <tuple>
 
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/summary.h"
@@ -96,6 +97,28 @@ TEST_CASE("2hhb has 4384 atoms of protein, four haems of 43 atoms and two phosph
     }
 }
 
+TEST_CASE("the haem pockets are atoms of 2hhb, turned: every distance between two atoms is as in the entry to 0.002 A") {
+  const Molecule whole = library("2hhb.pdb");
+  for (const auto& [file, chain, proximal] : {std::tuple{"haem-alpha.pdb", "A", 87}, std::tuple{"haem-beta.pdb", "B", 92}}) {
+    CAPTURE(file);
+    const Molecule pocket = library(file);
+    CHECK(pocket.atoms.size() == 43 + 11 + 10 + 7 + 10);
+    std::vector<Vec3> here, there;
+    for (const Residue& r : pocket.residues)
+      for (std::uint32_t i = r.first_atom; i < r.first_atom + r.atom_count; ++i) {
+        here.push_back(pocket.atoms[i].position.A);
+        there.push_back(place(whole, chain, r.number, pocket.atoms[i].name.data()));
+      }
+    for (std::size_t i = 0; i < here.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) CHECK(std::abs(glm::distance(here[i], here[j]) - glm::distance(there[i], there[j])) < 0.002);
+    CHECK(between(pocket, chain, 1, "FE", proximal, "NE2") == doctest::Approx(2.146).epsilon(0.002));
+    // The iron lies at the origin, the proximal histidine below it, 30 degrees away from straight down.
+    CHECK(glm::length(place(pocket, chain, 1, "FE")) < 1e-9);
+    const Vec3 down = glm::normalize(place(pocket, chain, proximal, "NE2"));
+    CHECK(glm::dot(down, Vec3(0, -std::sqrt(0.75), -0.5)) > 0.98);
+  }
+}
+
 TEST_CASE("1hpv has 1516 atoms of protein and the 35 of its inhibitor, residue 478") {
   const MoleculeSummary s = summarise(library("1hpv.pdb"));
   CHECK(s.atoms == 1551);
@@ -113,10 +136,12 @@ TEST_CASE("1hel has 1001 atoms in 129 residues; its Asp 52 is spoken of as such"
 
 TEST_CASE("the committed files are what the generator makes, byte for byte") {
   using namespace moltact::generator;
+  const std::string entry = contentOf(libraryFolder() / "2hhb.pdb");
   const std::pair<const char*, std::string> made[] = {
       {"argon.pdb", makeArgon(1)}, {"argon-pair.pdb", makeArgon(2)}, {"argon-triangle.pdb", makeArgon(3)},
       {"water.pdb", makeWater()},  {"benzene.pdb", makeBenzene()},   {"alpha-helix.pdb", makeAlphaHelix()},
-      {"b-dna.pdb", makeBDna()}};
+      {"b-dna.pdb", makeBDna()},
+      {"haem-alpha.pdb", makeHaemPocket(entry, 'A')}, {"haem-beta.pdb", makeHaemPocket(entry, 'B')}};
   for (const auto& [file, text] : made) CHECK_MESSAGE(contentOf(libraryFolder() / file) == text, file);
 }
 
