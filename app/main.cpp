@@ -30,6 +30,8 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const moltact::CommandError& e) {
     std::cerr << "moltact: " << e.text << '\n';
+  } catch (const moltact::CommandFailed&) {
+    return 1;
   } catch (const std::bad_alloc&) {
     std::cerr << "moltact: not enough memory for this; close other programs, or take a smaller file\n";
   } catch (const std::exception& e) {

@@ -58,15 +58,35 @@ class ProgressBar {
   bool shown_;
 };
 
+[[noreturn]] void cannotWrite(const fs::path& file) {
+  throw CommandError{Problem{file.string(), 0, 0, "the file cannot be written",
+                             "check the folder, its permissions and the space left"}
+                         .text()};
+}
+
 void write(const fs::path& file, const std::string& text) {
   std::error_code error;
   if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
   std::ofstream out(file, std::ios::binary);
   out << text;
   out.flush();
-  if (!out)
-    throw CommandError{Problem{file.string(), 0, 0, "the file cannot be written",
-                               "check the folder, its permissions and the space left"}
+  if (!out) cannotWrite(file);
+}
+
+// Fails where write() would fail for want of a folder or a right; what is there stays as it is.
+void tryWriting(const fs::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
+  const bool was_there = fs::exists(file, error);
+  if (!std::ofstream(file, std::ios::binary | std::ios::app)) cannotWrite(file);
+  if (!was_there) fs::remove(file, error);
+}
+
+void checkPages(const fs::path& folder) {
+  std::error_code error;
+  if (!fs::is_directory(folder, error))
+    throw CommandError{Problem{folder.string(), 0, 0, "there is no such folder",
+                               "name the folder of the pages, such as docs"}
                            .text()};
 }
 
@@ -100,6 +120,15 @@ std::vector<TableScene> structures() {
   add("2hhb", "");
   for (const char* id : {"5ADH", "8TIM", "1KBW"}) add(id, id);
   return out;
+}
+
+// Told before anything is measured: a quarter of an hour is too long to learn that a folder cannot be written.
+void checkOutputs(const BenchArguments& arguments) {
+  if (!arguments.docs.empty()) checkPages(arguments.docs);
+  for (const std::string& file : {arguments.json, arguments.markdown})
+    if (!file.empty()) tryWriting(file);
+  for (const std::string& folder : {arguments.csv, arguments.svg})
+    if (!folder.empty()) tryWriting(fs::path(folder) / "moltact-bench.tmp");
 }
 
 StrokePlan plan(const BenchArguments& arguments) {
@@ -155,11 +184,6 @@ void addStability(const BenchArguments& arguments, const std::vector<const Metho
 
 // Writes the tables between their markers in every page of the folder that has such markers.
 void updatePages(const fs::path& folder, const Report& report) {
-  std::error_code error;
-  if (!fs::is_directory(folder, error))
-    throw CommandError{Problem{folder.string(), 0, 0, "there is no such folder",
-                               "name the folder of the pages, such as docs"}
-                           .text()};
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() != ".md") continue;
     std::ifstream in(entry.path(), std::ios::binary);
@@ -175,6 +199,7 @@ void updatePages(const fs::path& folder, const Report& report) {
 
 void run(const BenchArguments& arguments) {
   const auto methods = chosen(arguments.methods);
+  checkOutputs(arguments);
   const bool all = arguments.part == "all";
   const auto begin = std::chrono::steady_clock::now();
   Report report;

@@ -10,6 +10,9 @@ struct CommandError {
   std::string text;
 };
 
+/// Ends a command with exit status 1 where it has told by itself what is wrong.
+struct CommandFailed {};
+
 /// Adds every command as a subcommand of `app`; the callback of the one that is named runs it.
 void addAllCommands(CLI::App& app);
 

@@ -1,46 +1,35 @@
-// The program behind the window: the molecule and lesson that are open, the servo loop, the camera, what the person
-// prefers. It draws nothing itself: the panels do (app/ui/panels). Window's thread.
+// The program behind the window: what is touched, the lesson that is open, what the person prefers, and the order of a
+// frame. It draws nothing itself: the panels do (app/ui/panels). What is more than that is an extension
+// (app/ui/extension.h). Window's thread.
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
+#include "app/ui/file_browser.h"
+#include "app/ui/file_dialog.h"
 #include "app/ui/layout.h"
 #include "app/ui/lesson_guide.h"
 #include "app/ui/loader.h"
 #include "app/ui/messages.h"
-#include "app/ui/method_watch.h"
-#include "app/ui/servo_link.h"
+#include "app/ui/panel_state.h"
 #include "app/ui/settings.h"
-#include "app/ui/stage.h"
-#include "app/ui/touch_log.h"
-#include "app/ui/view_controls.h"
-#include "engine/render/view_scene.h"
+#include "app/ui/touch_scene.h"
 
 namespace moltact {
 
+struct Extensions;
 class ViewPicture;
 
 struct ApplicationOptions {
   ServoClock clock = ServoClock::RealThread;
   std::filesystem::path settings_file;  ///< empty: settings are neither read nor kept
+  std::filesystem::path attempts_folder; ///< where attempts at lessons are kept; empty: nowhere
+  std::filesystem::path cache_folder;   ///< for what can be made again; empty: nothing is kept
   std::filesystem::path picture_folder; ///< where "Save picture" puts pictures (default: the current folder)
-};
-
-/// Which panels and pages are open.
-struct PanelState {
-  bool lesson = true, touch = true;
-  bool lesson_first = true;     ///< where only one side panel has room
-  bool touch_details = false;   ///< the touch panel's second half
-  bool methods = false;         ///< in the touch panel's place, behind a tab
-  bool methods_first = false;   ///< which of the two is in front
-  bool methods_by_step = false; ///< the lesson's step opened it, so that another step closes it
-  bool hints = false;           ///< the current step's hints
-  bool open_page = false, controls_page = false, about_page = false;
 };
 
 class Application {
@@ -48,70 +37,78 @@ class Application {
   explicit Application(ApplicationOptions options = {});
   ~Application();
 
-  /// Opens a molecule (a file, or a name of the library) or a lesson, by its name's ending. What cannot be opened is told in a message and changes nothing.
+  /// Opens a molecule (a file, or a name of the library), a lesson or an attempt to be played back, by its name's ending. What cannot be opened is told in a message and changes nothing.
   void open(const std::filesystem::path& file);
-  /// What the program opens when nothing is named: its first lesson, else the first molecule of its library.
-  void openFirst();
+  /// Files were dropped on the window: the first is opened.
+  void drop(const std::vector<std::filesystem::path>& dropped);
+  /// Puts a molecule on the stage as a lesson's step does: it is not among the files opened last.
+  void showMolecule(const std::filesystem::path& file);
+  /// Opens a lesson where its last attempt ended; without a sound attempt at its first step.
+  void resume(const std::filesystem::path& lesson, const std::filesystem::path& attempt);
+  /// Something has been opened that the welcome page can be left for.
+  bool hasWork() const { return scene.stage() || lesson.session(); }
 
-  /// One frame: takes up what the servo loop found, then draws all panels. `content_scale` is the monitor's.
-  void frame(double dt_s, glm::vec2 window_px, double content_scale);
+  /// One frame: takes up what the servo loop found, then draws all panels.
+  void frame(double dt_s, glm::vec2 window_px);
 
   /// Whether the next frame would look different by itself: forces move, something is loading or fading.
   bool live() const;
   /// Waits for a file that is being opened and shows it.
   void finishLoading();
+  bool loading() const { return loader_.busy(); }
+  /// How long a file has been read (unit: second); 0 while none is.
+  double loadingFor_s() const { return loading_s_; }
 
-  bool quit = false;              ///< the person wants to leave
-  bool take_picture = false;      ///< the view panel is to save the next picture it draws
-
-  Stage stage;
-  std::filesystem::path stage_file;
-  ServoLink servo;
-  ServoSettings touch_settings;   ///< as the panels set them; handed to the servo loop each frame
-  std::string method;             ///< name of the method in use
-  TouchLog touch;
-  MethodWatch watch;
+  TouchScene scene;
   LessonGuide lesson;
-  Camera camera;
-  ShapeSet shown = LessonGuide().shapes();
-  ViewControls controls;
   Messages messages;
   Settings settings;
   PanelState panels;
-  Layout layout;
-  std::unique_ptr<ViewPicture> picture;
-  const ApplicationOptions options;
+  FileBrowser files;       ///< of the page that opens files
+  FileDialog file_dialog;  ///< asks for a file to be written, or for a folder
 
-  double scale() const { return content_scale_ * settings.scale; }
-  bool loading() const { return loader_.busy(); }
-  double hintStrength() const;  ///< of the hint of controls: 1 until the person has found out how, then fading to 0
+  Extensions& extensions() { return *extensions_; }
+  const Extensions& extensions() const { return *extensions_; }
+  ViewPicture& picture() { return *picture_; }
+  const Layout& layout() const { return layout_; }
+  const ApplicationOptions& options() const { return options_; }
+
+  /// The camera as it was when the scene was opened.
+  void resetView();
+  /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins there.
+  void beginSceneAgain(std::optional<PointA> before = {});
+  /// The same as resetView because a person asked for it: it can be undone.
+  void resetViewByHand();
+  /// The view panel is to save the next picture it draws; where the file is empty, in the folder of the options.
+  void askForPicture(std::filesystem::path file = {}) { picture_asked_ = std::move(file); }
+  std::optional<std::filesystem::path> takePictureRequest() { return std::exchange(picture_asked_, std::nullopt); }
+  /// Asks where a picture is to go, then for the picture.
+  void askForPictureAs();
+  /// The person wants to leave.
+  void leave() { leaving_ = true; }
+  bool leaving() const { return leaving_; }
+
   double dt_s() const { return dt_s_; }
   double now_s() const { return now_s_; }
 
-  /// Another haptic method, keeping a contact that there is. Unknown names change nothing.
-  void useMethod(std::string_view name);
-  /// Opens the panel that compares methods, or closes it.
-  void showMethods(bool on);
-  bool methodsInFront() const { return panels.methods && panels.methods_first; }
-  /// The camera as it was when the scene was opened.
-  void resetView();
-
  private:
-  void show(Stage stage, const std::filesystem::path& file);
+  TouchScene::Facing facing() const;
   void takeUp(Loaded loaded);
   void enterScene();             // of the lesson's step, where that has changed
-  void watchLeftBehind();
-  void shortcuts();
-  void saveSettingsSoon();
+  void tellSteps();
+  void layPanelsOut(glm::vec2 window_px);
 
+  const ApplicationOptions options_;
+  std::unique_ptr<ViewPicture> picture_;
+  std::unique_ptr<Extensions> extensions_;
   Loader loader_;
-  Settings saved_settings_, changing_settings_;
-  double since_change_s_ = 0;
-  double content_scale_ = 1.0, dt_s_ = 0, now_s_ = 0;
-  double view_aspect_ = 1.0, hint_left_s_ = 2.0;
+  Layout layout_;
+  double dt_s_ = 0, now_s_ = 0, loading_s_ = 0;
+  std::size_t told_opening_ = 0, told_step_ = 0;
   bool aspect_guessed_ = true;   // the view's shape is known once the first frame has been laid out
-  bool hand_moved_ = false;
   bool step_scene_ = false;      // what is being read belongs to a lesson's step
+  bool leaving_ = false;
+  std::optional<std::filesystem::path> picture_asked_;
 };
 
 }  // namespace moltact

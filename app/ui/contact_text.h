@@ -8,11 +8,16 @@
 
 namespace moltact {
 
-/// "touching: crease between N and CA of Ala 3 (chain A), 1.2 N"; "not touching"; or why there is no force.
-/// Atoms out of the molecule's range are left out.
-std::string contactText(const Molecule* molecule, const Contact& contact, double force_N);
+/// "touching: oxygen O of Asp 52, crease with its carbon C, 1.2 N"; "not touching"; or why there is no force. Chains are
+/// named where the molecule has several. Atoms out of the molecule's range are left out. `force_on` false says that no
+/// force is given in place of how much.
+std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true);
 
-/// The atoms in words, those of one residue together: "N and CA of Ala 3 (chain A) and O of Gly 4 (chain A)".
-std::string atomsText(const Molecule& molecule, const std::array<std::int32_t, 3>& atoms);
+/// The same without naming an atom, for a screen that is dark: "touching a crease between two atoms".
+std::string unnamedContactText(const Contact& contact);
+
+/// What is touched, without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty when
+/// nothing is.
+std::string touchedText(const Molecule& molecule, const Contact& contact);
 
 }  // namespace moltact

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <cstdio>
 
+#include <imgui_internal.h>
+
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -11,6 +14,13 @@ namespace moltact {
 namespace {
 
 ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
+// A ring round the last item where the keyboard has led to it.
+void focusRing() {
+  if (!ImGui::IsItemFocused() || GImGui->NavDisableHighlight) return;
+  const float off = look().px(2);
+  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
+  ImGui::GetWindowDrawList()->AddRect({low.x - off, low.y - off}, {high.x + off, high.y + off}, look().palette.accent, look().px(6), 0, look().px(2));
+}
 void drawText(ImVec2 at, ImU32 colour, const char* text) { ImGui::GetWindowDrawList()->AddText(at, colour, text); }
 
 }  // namespace
@@ -23,9 +33,6 @@ bool button(const char* name, const char* label, ButtonLook kind, float width, b
     hovered = faded(p.accent, 0.88f);
     pressed = faded(p.accent, 0.75f);
     text = p.accent_text;
-  } else if (kind == ButtonLook::Quiet) {
-    ground = faded(p.raised, 0.0f);
-    text = p.quiet;
   }
   ImGui::PushStyleColor(ImGuiCol_Button, ground);
   ImGui::PushStyleColor(ImGuiCol_ButtonHovered, hovered);
@@ -44,17 +51,20 @@ bool button(const char* name, const char* label, ButtonLook kind, float width, b
   return clicked;
 }
 
-bool iconButton(const char* name, Icon icon, const char* text, bool on) {
+bool iconButton(const char* name, Icon icon, const char* text, bool on, bool enabled) {
   const Palette& p = look().palette;
   const float size = look().px(30);
   ImGui::PushID(name);
+  ImGui::BeginDisabled(!enabled);
   const bool clicked = ImGui::InvisibleButton("icon", {size, size});
+  ImGui::EndDisabled();
   ImGui::PopID();
   const bool hovered = ImGui::IsItemHovered(), held = ImGui::IsItemActive();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   if (hovered || held || on) draw->AddRectFilled(low, high, held ? p.pressed : hovered ? p.hovered : p.accent_soft, look().px(6));
-  drawIcon(draw, icon, {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, look().px(16), on ? p.accent : hovered ? p.text : p.quiet);
+  focusRing();
+  drawIcon(draw, icon, {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, look().px(16), !enabled ? faded(p.faint, 0.5f) : on ? p.accent : hovered ? p.text : p.quiet);
   recordItem(name, text ? text : "");
   tip(text);
   return clicked;
@@ -75,6 +85,7 @@ bool toggle(const char* name, const char* label, bool& on, const char* text) {
   draw->AddRectFilled(a, b, on ? p.accent : hovered ? p.faint : p.pressed, 0.5f * track_h);
   const float r = 0.5f * track_h - look().px(2.5f);
   draw->AddCircleFilled({on ? b.x - 0.5f * track_h : a.x + 0.5f * track_h, middle}, r, on ? p.accent_text : p.panel, 24);
+  focusRing();
   const std::string shown = elided(label, width - track_w - look().px(8));
   drawText({low.x, middle - 0.5f * ImGui::GetFontSize()}, p.text, shown.c_str());
   recordItem(name, on ? "on" : "off");
@@ -102,12 +113,13 @@ bool slider(const char* name, const char* label, double& value, double least, do
   }
 
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  char shown[64];
-  std::snprintf(shown, sizeof shown, format, value);
-  const float value_w = ImGui::CalcTextSize(shown).x;
+  char number[64];
+  std::snprintf(number, sizeof number, format, value);
+  const std::string shown = localNumbers(number);
+  const float value_w = ImGui::CalcTextSize(shown.c_str()).x;
   const std::string name_shown = elided(label, width - value_w - look().px(8));
   drawText(low, p.text, name_shown.c_str());
-  drawText({end.x - value_w, low.y}, p.quiet, shown);
+  drawText({end.x - value_w, low.y}, p.quiet, shown.c_str());
   const float at = x0 + (x1 - x0) * float(std::clamp((value - least) / (most - least), 0.0, 1.0));
   draw->AddRectFilled({x0, y - 0.5f * track_h}, {x1, y + 0.5f * track_h}, p.pressed, 0.5f * track_h);
   draw->AddRectFilled({x0, y - 0.5f * track_h}, {at, y + 0.5f * track_h}, p.accent, 0.5f * track_h);
@@ -151,6 +163,7 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
       changed = true;
     }
     ImGui::PopID();
+    focusRing();
     const bool on = chosen == k;
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     if (on || ImGui::IsItemHovered())
@@ -261,12 +274,14 @@ bool beginPage(const char* name, const char* title, bool& open, float width, flo
   const float margin = look().px(16);
   ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(look().px(width), window.x - 2 * margin), std::min(look().px(height), window.y - 2 * margin)});
+  const float edge = look().theme == ThemeChoice::HighContrast ? ImGui::GetStyle().PopupBorderSize : 0.0f;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look().px(10));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, edge);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {look().px(22), look().px(18)});
   const bool shown = ImGui::BeginPopupModal(name, nullptr,
                                             ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
                                                 ImGuiWindowFlags_NoSavedSettings);
-  ImGui::PopStyleVar(2);
+  ImGui::PopStyleVar(3);
   if (!shown) {
     open = false;
     return false;
@@ -287,5 +302,11 @@ bool beginPage(const char* name, const char* title, bool& open, float width, flo
 }
 
 void endPage() { ImGui::EndPopup(); }
+
+void leadPagesByKeys() {
+  ImGuiIO& io = ImGui::GetIO();
+  const bool page = ImGui::GetTopMostPopupModal() != nullptr;
+  io.ConfigFlags = page ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+}
 
 }  // namespace moltact

@@ -12,13 +12,16 @@
 
 namespace moltact {
 
-enum class ButtonLook { Plain, Primary, Quiet };
-enum class Icon { None, Home, LeftPanel, RightPanel, Close, Check, ChevronRight, ChevronDown, Folder, File, Up };
+enum class ButtonLook { Plain, Primary };
+enum class Icon {
+  None, Home, LeftPanel, RightPanel, Close, Check, ChevronRight, ChevronDown, Folder, File, Up,
+  Undo, Redo, Camera, Gear, FullScreen, Question, Fit, Sound
+};
 
 /// A button as wide as its label, or `width` pixels (negative: the rest of the line). True when it was clicked.
 bool button(const char* name, const char* label, ButtonLook look = ButtonLook::Plain, float width = 0.0f, bool enabled = true);
 /// A square button with a drawn sign. `tip` is shown while the pointer rests on it; `on` draws it as switched on.
-bool iconButton(const char* name, Icon icon, const char* tip, bool on = false);
+bool iconButton(const char* name, Icon icon, const char* tip, bool on = false, bool enabled = true);
 /// A switch with its label on the left of the line and the knob on the right. True when it was changed.
 bool toggle(const char* name, const char* label, bool& on, const char* tip = nullptr);
 /// A label and value above a track. `format` is printf's for the value with its unit. Ends and steps in the value's unit;
@@ -50,5 +53,8 @@ void endPanel();
 /// and height are at 96 dpi and are cut to the window. End it with endPage(). Escape and its cross close it.
 bool beginPage(const char* name, const char* title, bool& open, float width, float height);
 void endPage();
+/// Once a frame, before pages: while one is open, the arrows lead from control to control and Space works them; over
+/// the panels these keys belong to the molecule.
+void leadPagesByKeys();
 
 }  // namespace moltact

@@ -1,53 +1,16 @@
 #include "app/ui/driver.h"
 
 #include <algorithm>
-#include <array>
-#include <cctype>
 #include <chrono>
 #include <vector>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "app/ui/key_names.h"
+#include "app/ui/view_picture.h"
 #include "engine/render/gl_objects.h"
 
 namespace moltact {
-namespace {
-
-struct KeyName {
-  std::string_view name;
-  int key;
-};
-constexpr std::array kKeys{
-    KeyName{"ctrl", GLFW_KEY_LEFT_CONTROL}, KeyName{"shift", GLFW_KEY_LEFT_SHIFT}, KeyName{"alt", GLFW_KEY_LEFT_ALT},
-    KeyName{"space", GLFW_KEY_SPACE},       KeyName{"escape", GLFW_KEY_ESCAPE},    KeyName{"enter", GLFW_KEY_ENTER},
-    KeyName{"tab", GLFW_KEY_TAB},           KeyName{"backspace", GLFW_KEY_BACKSPACE}, KeyName{"left", GLFW_KEY_LEFT},
-    KeyName{"right", GLFW_KEY_RIGHT},       KeyName{"up", GLFW_KEY_UP},            KeyName{"down", GLFW_KEY_DOWN},
-    KeyName{"pageup", GLFW_KEY_PAGE_UP},    KeyName{"pagedown", GLFW_KEY_PAGE_DOWN}, KeyName{"home", GLFW_KEY_HOME},
-    KeyName{"plus", GLFW_KEY_KP_ADD},       KeyName{"minus", GLFW_KEY_MINUS},      KeyName{"f1", GLFW_KEY_F1},
-};
-
-std::vector<int> keysNamed(std::string_view names) {
-  std::vector<int> out;
-  while (!names.empty()) {
-    const std::size_t end = std::min(names.find('+'), names.size());
-    std::string name(names.substr(0, end));
-    names.remove_prefix(std::min(end + 1, names.size()));
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-    if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0]))) {
-      out.push_back(std::toupper(static_cast<unsigned char>(name[0])));
-      continue;
-    }
-    const auto known = std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyName& k) { return k.name == name; });
-    if (known == kKeys.end()) return {};
-    out.push_back(known->key);
-  }
-  return out;
-}
-
-}  // namespace
-
 struct Driver::Target {
   GlTarget gl;
 };
@@ -77,24 +40,25 @@ Driver::~Driver() {
   target_.reset();
 }
 
-void Driver::frame() {
+void Driver::frame(bool drawn) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
   target_->gl.resize(options_.width, options_.height);
   target_->gl.bind();
-  shell_->setLook(app_->settings.theme == ThemeChoice::Dark, float(options_.content_scale * app_->settings.scale));
+  app_->picture().hold(!drawn);
+  shell_->setLook(app_->settings.theme, float(options_.content_scale * app_->settings.scale));
   shell_->frame(options_.width, options_.height, kFrame_s, [&] {
-    app_->frame(kFrame_s, {options_.width, options_.height}, options_.content_scale);
+    app_->frame(kFrame_s, {options_.width, options_.height});
     target_->gl.bind();
-  });
-  glFinish();
+  }, drawn);
+  if (drawn) glFinish();
   stats_.add(std::chrono::duration<double, std::milli>(Clock::now() - begun).count());
 }
 
 void Driver::frames(int n) {
-  do frame();
+  do frame(options_.draw_all || n <= 1);
   while (!shell_->input().empty());
-  for (int k = 1; k < n; ++k) frame();
+  for (int k = 1; k < n; ++k) frame(options_.draw_all || k + 1 == n);
 }
 
 void Driver::resize(int width, int height) {

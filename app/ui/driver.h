@@ -28,6 +28,7 @@ class Driver {
     int width = 1280, height = 800;
     double content_scale = 1.0;
     ApplicationOptions application = framesClock();
+    bool draw_all = false;  ///< false: of several frames in a row only the last is drawn, which saves most of the time
   };
 
   /// Fails where off-screen OpenGL is missing.
@@ -68,7 +69,7 @@ class Driver {
 
  private:
   Driver() = default;
-  void frame();
+  void frame(bool drawn = true);
   const WidgetRecord* seen(std::string_view widget);
 
   Options options_;

@@ -1,8 +1,10 @@
 // A script's language: one act a line, words parted by spaces, "#" begins a comment.
 //
-//   open FILE                    size WIDTH HEIGHT             theme light|dark          scale FACTOR
+//   open FILE | drop FILE        size WIDTH HEIGHT             theme light|dark|high-contrast
+//   scale FACTOR
 //   click WIDGET [right]         drag WIDGET DX DY [right]     point WIDGET [X Y]        press | release
 //   wheel NOTCHES                key NAMES                     hold NAMES | let-go NAMES type TEXT
+//   sound on|off                 heard FILE.wav: what would have been heard since sound was switched on
 //   wait FRAMES                  expect WIDGET TEXT            expect-not WIDGET TEXT    picture FILE.png
 //
 // `expect` passes where the widget is on the screen and its text contains TEXT.
@@ -11,6 +13,8 @@
 #include <vector>
 
 #include "app/ui/driver.h"
+#include "app/ui/extensions.h"
+#include "engine/sound/wav_file.h"
 
 namespace moltact {
 namespace {
@@ -52,8 +56,14 @@ std::string perform(Driver& d, const Act& a) {
   const std::string absent = "'" + a.word(0) + "' is not on the screen";
   const int button = a.words.size() > 1 && a.words.back() == "right" ? 1 : 0;
   if (a.verb == "open") d.app().open(a.rest), d.app().finishLoading(), d.frames(3);
+  else if (a.verb == "drop") d.app().drop({a.rest}), d.app().finishLoading(), d.frames(3);
   else if (a.verb == "size") d.resize(int(a.number(0, 1280)), int(a.number(1, 800)));
-  else if (a.verb == "theme") d.app().settings.theme = a.rest == "dark" ? ThemeChoice::Dark : ThemeChoice::Light, d.frames(3);
+  else if (a.verb == "theme") {
+    const std::optional<ThemeChoice> theme = themeNamed(a.rest);
+    if (!theme) return "there is no theme '" + a.rest + "'";
+    d.app().settings.theme = *theme;
+    d.frames(3);
+  }
   else if (a.verb == "scale") d.app().settings.scale = a.number(0, 1.0), d.frames(3);
   else if (a.verb == "click") return d.click(a.word(0), button) ? "" : absent;
   else if (a.verb == "drag") return d.drag(a.word(0), a.number(1, 0), a.number(2, 0), button) ? "" : absent;
@@ -65,7 +75,10 @@ std::string perform(Driver& d, const Act& a) {
   else if (a.verb == "hold") return d.hold(a.rest) ? "" : "there is no key '" + a.rest + "'";
   else if (a.verb == "let-go") return d.letGo(a.rest) ? "" : "there is no key '" + a.rest + "'";
   else if (a.verb == "type") d.type(a.rest);
-  else if (a.verb == "wait") d.frames(int(a.number(0, 1)));
+  else if (a.verb == "sound") d.app().settings.sound = a.rest == "on", d.frames(1);
+  else if (a.verb == "heard") {
+    if (const std::optional<Problem> problem = writeWav(a.rest, d.app().extensions().touch_sound.heard(), kSamples_per_s)) return problem->text();
+  } else if (a.verb == "wait") d.frames(int(a.number(0, 1)));
   else if (a.verb == "expect") {
     if (!d.shows(a.word(0))) return absent;
     if (d.text(a.word(0)).find(a.after(1)) == std::string::npos)

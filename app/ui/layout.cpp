@@ -37,9 +37,15 @@ Layout layOut(const LayoutWish& w, bool lesson_first) {
   if (!touch) right = 0;
   out.menu = {{0, 0}, {width, menu}};
   out.status = {{0, bottom}, {width, w.window.y}};
+  if (w.page) {
+    out.page = {{0, top}, {width, bottom}};
+    return out;
+  }
   out.lesson = {{0, top}, {left, bottom}};
   out.touch = {{width - right, top}, {width, bottom}};
-  out.view = {{left, top}, {width - right, bottom}};
+  const float strip = std::min(std::round(w.strip_height * s), 0.5f * (bottom - top));
+  out.view = {{left, top}, {width - right, bottom - strip}};
+  out.strip = {{left, bottom - strip}, {width - right, bottom}};
   return out;
 }
 

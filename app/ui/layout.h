@@ -16,11 +16,14 @@ struct LayoutWish {
   glm::vec2 window{1280, 800};
   float scale = 1.0f;
   bool lesson = true, touch = true;                ///< panels that are wanted
+  bool page = false;                               ///< a page stands in the place of view and panels
   float lesson_width = 350.0f, touch_width = 288.0f;  ///< at 96 dpi
+  float strip_height = 0.0f;                       ///< at 96 dpi; 0: no strip
 };
 
 struct Layout {
-  Rectangle menu, lesson, view, touch, status;     ///< a panel without room, or not wanted, is empty
+  Rectangle menu, lesson, view, touch, page, status;  ///< a panel without room, or not wanted, is empty
+  Rectangle strip;                                 ///< under the view: playback, turns
   bool narrow = false;                             ///< only one side panel has room
 };
 

@@ -4,24 +4,41 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/reader.h"
-#include "engine/molecule/catalogue.h"
 
 namespace moltact {
 
-std::optional<std::string> LessonGuide::open(const std::filesystem::path& file) {
+namespace {
+
+bool sameScene(const SceneSpec& a, const SceneSpec& b) {
+  return a.molecule == b.molecule && a.probe_A == b.probe_A && a.stiffness_N_per_mm == b.stiffness_N_per_mm && a.method == b.method &&
+         a.force == b.force && a.show == b.show && a.panels == b.panels && a.locked == b.locked && a.view == b.view &&
+         a.highlight.text() == b.highlight.text() && a.facing.text() == b.facing.text();
+}
+
+}  // namespace
+
+bool LessonGuide::open(const std::filesystem::path& file) {
   LessonReading reading = readLesson(file);
-  if (!reading.lesson) {
-    constexpr std::size_t kTold = 4;
-    std::string text;
-    for (std::size_t k = 0; k < std::min(kTold, reading.errors.size()); ++k) text += (k ? "\n" : "") + reading.errors[k].text();
-    if (reading.errors.size() > kTold) text += "\nand " + std::to_string(reading.errors.size() - kTold) + " more";
-    return text.empty() ? file.string() + " is not a lesson." : text;
-  }
+  if (!reading.lesson) return false;
   session_ = std::make_unique<LessonSession>(std::make_shared<const Lesson>(*std::move(reading.lesson)));
   file_ = file;
   scene_changed_ = true;
-  return std::nullopt;
+  ++openings_;
+  return true;
+}
+
+void LessonGuide::replace(Lesson lesson) {
+  if (!session_) return;
+  const SceneSpec scene = session_->scene();
+  const std::string step = session_->step().id;
+  const bool seen = !scene_changed_ && session_->sceneNumber() == scene_seen_;
+  const bool kept_drafts = drafts_opening_ == openings_;
+  session_->replaceLesson(std::make_shared<const Lesson>(std::move(lesson)));
+  ++openings_;
+  if (kept_drafts && session_->step().id == step) drafts_opening_ = openings_;
+  if (seen && sameScene(scene, session_->scene())) scene_seen_ = session_->sceneNumber();
 }
 
 void LessonGuide::next() {
@@ -34,6 +51,14 @@ void LessonGuide::back() {
 
 bool LessonGuide::follow(const std::string& link) { return session_ && link.starts_with('#') && session_->goTo(link); }
 
+AnswerDrafts& LessonGuide::drafts() {
+  const std::size_t step = session_ ? session_->stepIndex() : 0;
+  if (drafts_opening_ != openings_ || drafts_step_ != step) drafts_ = {};
+  drafts_opening_ = openings_;
+  drafts_step_ = step;
+  return drafts_;
+}
+
 const SceneSpec* LessonGuide::takeNewScene() {
   if (!session_ || (!scene_changed_ && session_->sceneNumber() == scene_seen_)) return nullptr;
   scene_changed_ = false;
@@ -43,14 +68,14 @@ const SceneSpec* LessonGuide::takeNewScene() {
 
 Expected<std::filesystem::path> LessonGuide::moleculeFile() const {
   if (!session_) return Problem{{}, 0, 0, "no lesson is open", {}};
-  const SceneSpec& scene = session_->scene();
-  std::error_code error;
-  const std::filesystem::path beside = file_.parent_path() / scene.molecule;
-  if (std::filesystem::is_regular_file(beside, error)) return beside;
-  Expected<std::filesystem::path> known = findMolecule(scene.molecule, MoleculeFolders::ofThisComputer());
+  return moleculeOf(session_->scene(), file_);
+}
+
+Expected<std::filesystem::path> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson) {
+  Expected<std::filesystem::path> known = lessonMoleculeFile(lesson, scene.molecule);
   if (known) return known;
   Problem problem = known.problem();
-  return Problem{file_.string(), scene.molecule_place.line, scene.molecule_place.column, problem.message, problem.remedy};
+  return Problem{lesson.string(), scene.molecule_place.line, scene.molecule_place.column, problem.message, problem.remedy};
 }
 
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file) {
@@ -80,23 +105,16 @@ ShapeSet LessonGuide::shapes() const {
   return shown;
 }
 
-bool LessonGuide::wantsPanel(std::string_view name) const {
-  if (!session_) return false;
-  const std::vector<std::string>& panels = session_->scene().panels;
-  return std::find(panels.begin(), panels.end(), name) != panels.end();
+void LessonGuide::face(Camera& camera, const Molecule& molecule) const {
+  if (on_stage_) faceScene(camera, molecule, session_->scene());
 }
 
-void LessonGuide::face(Camera& camera, const Molecule& molecule) const {
-  if (!on_stage_) return;
-  const SceneSpec& scene = session_->scene();
+void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene) {
   if (scene.facing.given()) {
     const std::vector<std::uint32_t> atoms = scene.facing.select(molecule);
     Vec3 middle(0.0);
     for (const std::uint32_t a : atoms) middle += molecule.atoms[a].position.A / double(atoms.size());
-    const Vec3 way = middle - camera.target.A;
-    // Atoms in the middle of the molecule can be turned nowhere.
-    if (!atoms.empty() && glm::length(way) > 0.1)
-      camera.lookFrom(std::atan2(way.x, way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
+    if (!atoms.empty()) camera.face({middle});
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;

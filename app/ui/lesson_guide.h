@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,15 +18,33 @@
 
 namespace moltact {
 
+/// A force curve that is being drawn (unit: newton), NaN where nothing is; and where the pen stands that the arrows lead.
+struct CurveDraft {
+  std::vector<double> values;
+  std::size_t pen = 0;
+};
+
+/// What is being ticked and written at the questions and tasks of a step before it is handed in, by the question's index.
+struct AnswerDrafts {
+  std::map<std::size_t, std::vector<std::size_t>> ticked;
+  std::map<std::size_t, std::string> written;
+  std::map<std::size_t, CurveDraft> curves;  ///< by the task's index
+};
+
 class LessonGuide {
  public:
-  /// Opens a lesson file at its first step. Errors leave the lesson that was open; every one of them is in the text.
-  std::optional<std::string> open(const std::filesystem::path& file);
+  /// Opens a lesson file at its first step. False where it cannot be read as a lesson: the one that was open stays.
+  bool open(const std::filesystem::path& file);
+  /// The open lesson as it was read again: the student stays on the step and keeps what was done. Where the step's scene is
+  /// as before, the view stays too.
+  void replace(Lesson lesson);
 
   /// Null while no lesson is open.
   LessonSession* session() { return session_.get(); }
   const LessonSession* session() const { return session_.get(); }
   const std::filesystem::path& file() const { return file_; }
+  /// Grows each time a lesson is opened; 0 before the first.
+  std::size_t openings() const { return openings_; }
 
   bool canGoOn() const { return session_ && session_->hasNext(); }
   bool canGoBack() const { return session_ && session_->hasBack(); }
@@ -33,6 +52,9 @@ class LessonGuide {
   void back();
   /// Follows a link to a step ("#step-id"); false where there is no such step.
   bool follow(const std::string& link);
+
+  /// Of the step that is shown; empty when it has just been entered.
+  AnswerDrafts& drafts();
 
   /// The scene of the step when it has changed since the last call, else null.
   const SceneSpec* takeNewScene();
@@ -50,8 +72,8 @@ class LessonGuide {
 
   /// The parts of the picture that the step asks for; the usual ones without a lesson.
   ShapeSet shapes() const;
-  /// Whether the step asks for a panel.
-  bool wantsPanel(std::string_view name) const;
+  /// Whether the lesson keeps the student from changing a scene's key ("force").
+  bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
   /// Turns a fitted camera the way the step asks for.
   void face(Camera& camera, const Molecule& molecule) const;
   /// Marks what the step highlights.
@@ -60,10 +82,17 @@ class LessonGuide {
  private:
   std::unique_ptr<LessonSession> session_;
   std::filesystem::path file_;
+  AnswerDrafts drafts_;
+  std::size_t openings_ = 0, drafts_opening_ = 0, drafts_step_ = 0;
   std::size_t scene_seen_ = 0;
   bool scene_changed_ = false, on_stage_ = false;
   std::vector<std::uint32_t> highlighted_;
 };
+
+/// Turns a camera that has been fitted to the molecule the way a scene asks for.
+void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene);
+/// The file of a scene's molecule: beside the lesson, or in the library. A problem where it is in neither.
+Expected<std::filesystem::path> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson);
 
 /// Whether a file is a lesson, by its name.
 bool looksLikeLesson(const std::filesystem::path& file);

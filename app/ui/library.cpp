@@ -1,9 +1,8 @@
 #include "app/ui/library.h"
 
-#include <algorithm>
 #include <fstream>
-#include <system_error>
 
+#include "engine/lesson/lesson_files.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 
@@ -35,16 +34,13 @@ std::string titleOf(const fs::path& file) {
   return file.stem().string();
 }
 
-std::vector<LibraryItem> readLessonList() {
+}  // namespace
+
+std::vector<LibraryItem> lessonItems(const fs::path& folder) {
   std::vector<LibraryItem> items;
-  std::error_code error;
-  for (fs::directory_iterator it(lessonsFolder(), error), end; !error && it != end; it.increment(error))
-    if (it->path().extension() == ".md" && it->path().stem() != "README") items.push_back({it->path().stem().string(), titleOf(it->path()), it->path()});
-  std::sort(items.begin(), items.end(), [](const LibraryItem& a, const LibraryItem& b) { return a.id < b.id; });
+  for (const fs::path& file : lessonsIn(folder).lessons) items.push_back({file.stem().string(), titleOf(file), file});
   return items;
 }
-
-}  // namespace
 
 const std::vector<LibraryItem>& library() {
   static const std::vector<LibraryItem> items = readLibrary();
@@ -52,7 +48,7 @@ const std::vector<LibraryItem>& library() {
 }
 
 const std::vector<LibraryItem>& lessons() {
-  static const std::vector<LibraryItem> items = readLessonList();
+  static const std::vector<LibraryItem> items = lessonItems(lessonsFolder());
   return items;
 }
 

@@ -39,7 +39,6 @@ Loader::Loader(Read read) : read_(read ? std::move(read) : Read(readStage)) {}
 void Loader::begin(std::filesystem::path file) {
   if (wanted_.valid()) unwanted_.push_back(std::move(wanted_));
   std::erase_if(unwanted_, [](const std::future<Loaded>& f) { return ready(f); });
-  file_ = file;
   try {
     wanted_ = std::async(std::launch::async, guarded, read_, file);
   } catch (const std::system_error&) {  // no further thread can be had

@@ -25,7 +25,6 @@ class Loader {
   /// Begins to read; what was being read before is no longer wanted.
   void begin(std::filesystem::path file);
   bool busy() const { return wanted_.valid(); }
-  const std::filesystem::path& file() const { return file_; }
 
   /// What has been read, once; nothing while it is being read.
   std::optional<Loaded> take();
@@ -34,7 +33,6 @@ class Loader {
 
  private:
   Read read_;
-  std::filesystem::path file_;
   std::future<Loaded> wanted_;
   std::vector<std::future<Loaded>> unwanted_;  // a future waits in its destructor, so they end on their own first
 };

@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 #include "engine/haptics/methods.h"
@@ -37,14 +38,14 @@ std::string timeText(double time_us) {
   char out[32];
   if (time_us < 1.0) std::snprintf(out, sizeof out, "%.0f ns", time_us * 1e3);
   else std::snprintf(out, sizeof out, time_us < 10 ? "%.1f µs" : "%.0f µs", time_us);
-  return out;
+  return localNumbers(out);
 }
 
 std::string errorText(double error_A) {
   if (error_A < kLeastError_A) return "no error";
   char out[32];
   std::snprintf(out, sizeof out, error_A < 1e-3 ? "%.0e Å" : "%.2g Å", error_A);
-  return out;
+  return localNumbers(out);
 }
 
 // A head line with a title and a reading, the area below it on a raised ground, and the numbers of the time axis.

@@ -8,6 +8,7 @@
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/theme.h"
+#include "app/ui/while_locked.h"
 #include "app/ui/widget_map.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/haptics/methods.h"
@@ -68,11 +69,12 @@ const Method* middleOf(const std::vector<const Method*>& among) {
 }  // namespace
 
 void drawMethodChooser(Application& app) {
-  const Method* now = findMethod(app.method);
+  const Method* now = findMethod(app.scene.method());
   if (!now) return;
   std::vector<const Method*> among;
   for (const Method& m : methods()) among.push_back(&m);
   const Method* next = nullptr;
+  const WhileLocked locked(app, "method");
   if (row("method", among, &Method::family, *now)) next = middleOf(among);
   else if (row("grade", among, &Method::grade, *now)) next = among.front();
   else if (row("variant", among, &Method::variant, *now)) next = among.front();
@@ -85,7 +87,7 @@ void drawMethodChooser(Application& app) {
     ImGui::PopTextWrapPos();
     recordItem("method/sentence", text);
   }
-  if (next) app.useMethod(next->name);
+  if (next) app.scene.useMethod(next->name);
 }
 
 void drawTouchHead(Application& app) {

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "app/ui/driver.h"
+#include "app/ui/extensions.h"
 
 namespace moltact {
 namespace {
@@ -21,10 +22,13 @@ int runOffscreen(const OffscreenOptions& options) {
   wanted.width = options.width;
   wanted.height = options.height;
   wanted.content_scale = options.content_scale;
+  wanted.draw_all = true;
   Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(wanted));
   if (!made) return fail(made.problem());
   Driver& driver = **made;
-  if (options.file.empty()) driver.app().openFirst();
+  if (!options.state_text.empty())
+    if (const auto problem = driver.app().extensions().state_text.writeTo(options.state_text)) return fail(*problem);
+  if (options.file.empty()) driver.app().panels.welcome = true;
   else driver.app().open(options.file);
   constexpr int kSettle_frames = 20;  // the hand glides to its place, the picture becomes smooth
   driver.frames(kSettle_frames);

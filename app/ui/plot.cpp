@@ -7,6 +7,7 @@
 
 #include <imgui.h>
 
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -29,7 +30,7 @@ void plot(const char* name, const Trace& trace, double newest, const PlotLook& h
   const float width = ImGui::GetContentRegionAvail().x, small = l.font(Font::Small)->FontSize;
   char value[32];
   std::snprintf(value, sizeof value, how.format, newest);
-  const std::string reading = std::string(value) + (*how.unit ? " " : "") + how.unit;
+  const std::string reading = localNumbers(value) + (*how.unit ? " " : "") + how.unit;
 
   const float head = small + l.px(6), body = l.px(how.height);
   ImGui::Dummy({width, head + body});
@@ -50,7 +51,7 @@ void plot(const char* name, const Trace& trace, double newest, const PlotLook& h
   for (const float part : {0.5f, 1.0f}) draw->AddLine({a.x, y(part * top)}, {b.x, y(part * top)}, p.line, 1.0f);
   char mark[32];
   std::snprintf(mark, sizeof mark, top < 1.0f ? "%.2g" : "%.0f", double(top));
-  draw->AddText(font, small * 0.86f, {a.x + l.px(6), y(top) + l.px(1)}, p.faint, mark);
+  draw->AddText(font, small * 0.86f, {a.x + l.px(6), y(top) + l.px(1)}, p.faint, localNumbers(mark).c_str());
 
   // One point a pixel column: the largest of the values that fall on it.
   if (trace.size() > 1) {

@@ -5,8 +5,13 @@
 
 namespace moltact {
 
+namespace {
+constexpr std::uint32_t kNoScene = 0xFFFFFFFF;
+}
+
 ServoLink::ServoLink(ServoClock clock) {
   ticks_.reserve(4096);
+  switch_.emplace(mouse_, nullptr);
   if (clock == ServoClock::RealThread) thread_ = std::make_unique<ServoThread>(mouse_);
 }
 
@@ -15,7 +20,25 @@ void ServoLink::setSettings(const ServoSettings& settings) {
   else settings_ = settings;
 }
 
+void ServoLink::setDevice(std::unique_ptr<Device> device) {
+  if (thread_) {
+    thread_->setDevice(std::move(device));
+    return;
+  }
+  switch_->write(ForceN{});
+  switch_.reset();
+  chosen_ = std::move(device);
+  switch_.emplace(mouse_, chosen_.get());
+}
+
+void ServoLink::tryTracker(std::unique_ptr<Tracker> tracker) {
+  trying_ = true;
+  if (thread_) thread_->setTracker(std::move(tracker), kNoScene);
+  else tracker_ = std::move(tracker);
+}
+
 void ServoLink::setTracker(std::unique_ptr<Tracker> tracker) {
+  trying_ = false;
   if (thread_) thread_->setTracker(std::move(tracker), scene_);
   else tracker_ = std::move(tracker);
 }
@@ -40,6 +63,7 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   ticks_.clear();
   if (thread_) {
     thread_->drain([this](const ServoSample& sample) {
+      newest_ = sample;
       if (ofThisScene(sample)) ticks_.push_back(sample);
     });
     return ticks_;
@@ -48,9 +72,10 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   for (; owed_s_ >= kTick_s; owed_s_ -= kTick_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
-    ServoSample sample = step_.tick(settings_, tracker_.get(), mouse_.read(kTick_s));
-    sample.scene = scene_;
-    mouse_.write(sample.force);
+    ServoSample sample = step_.tick(settings_, tracker_.get(), switch_->read(kTick_s, step_));
+    sample.scene = trying_ ? kNoScene : scene_;
+    switch_->write(sample.force);
+    newest_ = sample;
     if (timed_) sample.work_us = std::chrono::duration<float, std::micro>(Clock::now() - began).count();
     if (ofThisScene(sample)) ticks_.push_back(sample);
   }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/device/mouse_device.h"
+#include "engine/servo/device_switch.h"
 #include "engine/servo/servo_step.h"
 #include "engine/servo/servo_thread.h"
 
@@ -23,7 +24,19 @@ class ServoLink {
 
   /// The stand-in device, which the hand leads.
   MouseDevice& mouse() { return mouse_; }
-  const DeviceInfo& device() const { return mouse_.info(); }
+  /// The device to be felt with from now on; null: the mouse alone. The old one is closed.
+  void setDevice(std::unique_ptr<Device> device);
+  /// The chosen device, for its status; null where the mouse leads alone.
+  Device* chosen() const { return thread_ ? thread_->device() : chosen_.get(); }
+  /// Whether the mouse stands in for a chosen device that is gone.
+  bool fallenBack() const { return thread_ ? thread_->fallenBack() : switch_->fallenBack(); }
+  /// The one that leads.
+  const DeviceInfo& device() const { return chosen() && !fallenBack() ? chosen()->info() : mouse_.info(); }
+  /// A tracker that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is
+  /// taken up again by setTracker().
+  void tryTracker(std::unique_ptr<Tracker> tracker);
+  /// The newest tick of all, of whatever scene.
+  const ServoSample& newest() const { return newest_; }
 
   void setSettings(const ServoSettings& settings);
   /// Another tracker in the same scene.
@@ -49,8 +62,12 @@ class ServoLink {
 
   MouseDevice mouse_;  // outlives the thread, which reads it
   std::vector<ServoSample> ticks_;
+  ServoSample newest_;
+  bool trying_ = false;
   std::uint32_t scene_ = 0, first_placement_ = 0;
   // Of the frames' clock:
+  std::unique_ptr<Device> chosen_;
+  std::optional<DeviceSwitch> switch_;
   ServoStep step_;
   ServoSettings settings_;
   std::unique_ptr<Tracker> tracker_;

@@ -1,6 +1,7 @@
 #include "app/ui/settings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <sstream>
@@ -13,6 +14,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+struct ThemeWord {
+  ThemeChoice theme;
+  const char* word;
+};
+constexpr std::array kThemes{ThemeWord{ThemeChoice::Light, "light"}, ThemeWord{ThemeChoice::Dark, "dark"},
+                             ThemeWord{ThemeChoice::HighContrast, "high-contrast"}};
+
 void readNumber(const nlohmann::json& from, const char* key, double& to, double least, double most) {
   if (const auto it = from.find(key); it != from.end() && it->is_number()) {
     const double value = it->get<double>();
@@ -20,7 +28,33 @@ void readNumber(const nlohmann::json& from, const char* key, double& to, double 
   }
 }
 
+constexpr std::array<std::string_view, 4> kProbeLooks{"water", "ball", "stylus", "finger"};
+
+void readSwitch(const nlohmann::json& from, const char* key, bool& to) {
+  if (const auto it = from.find(key); it != from.end() && it->is_boolean()) to = it->get<bool>();
+}
+
 }  // namespace
+
+std::string_view themeName(ThemeChoice theme) {
+  for (const ThemeWord& t : kThemes)
+    if (t.theme == theme) return t.word;
+  return kThemes.front().word;
+}
+
+std::optional<ThemeChoice> themeNamed(std::string_view name) {
+  for (const ThemeWord& t : kThemes)
+    if (t.word == name) return t.theme;
+  return std::nullopt;
+}
+
+std::string_view probeLookName(ProbeLook look) { return kProbeLooks[std::size_t(look)]; }
+
+std::optional<ProbeLook> probeLookNamed(std::string_view name) {
+  const auto at = std::find(kProbeLooks.begin(), kProbeLooks.end(), name);
+  if (at == kProbeLooks.end()) return std::nullopt;
+  return ProbeLook(at - kProbeLooks.begin());
+}
 
 void Settings::remember(const fs::path& file) {
   std::error_code ignored;
@@ -45,10 +79,19 @@ LoadedSettings loadSettings(const fs::path& file) {
   }
   Settings& s = out.settings;
   if (const auto theme = json.find("theme"); theme != json.end() && theme->is_string())
-    s.theme = *theme == "dark" ? ThemeChoice::Dark : ThemeChoice::Light;
+    s.theme = themeNamed(theme->get<std::string>()).value_or(s.theme);
   readNumber(json, "scale", s.scale, 0.75, 3.0);
   readNumber(json, "lesson_width", s.lesson_width, 240.0, 700.0);
   readNumber(json, "touch_width", s.touch_width, 220.0, 600.0);
+  readSwitch(json, "colour_blind_safe", s.colour_blind_safe);
+  readSwitch(json, "left_handed", s.left_handed);
+  readSwitch(json, "decimal_comma", s.decimal_comma);
+  if (const auto folder = json.find("lesson_folder"); folder != json.end() && folder->is_string()) s.lesson_folder = folder->get<std::string>();
+  if (const auto look = json.find("probe_look"); look != json.end() && look->is_string())
+    s.probe_look = probeLookNamed(look->get<std::string>()).value_or(s.probe_look);
+  readSwitch(json, "sound", s.sound);
+  readSwitch(json, "reduced_motion", s.reduced_motion);
+  readSwitch(json, "large_state_text", s.large_state_text);
   if (const auto recent = json.find("recent"); recent != json.end() && recent->is_array())
     for (const auto& name : *recent)
       if (name.is_string() && s.recent.size() < Settings::kRecent) s.recent.push_back(name.get<std::string>());
@@ -56,10 +99,18 @@ LoadedSettings loadSettings(const fs::path& file) {
 }
 
 std::string saveSettings(const Settings& s, const fs::path& file) {
-  const nlohmann::json json = {{"theme", s.theme == ThemeChoice::Dark ? "dark" : "light"},
+  const nlohmann::json json = {{"theme", themeName(s.theme)},
                                {"scale", s.scale},
                                {"lesson_width", s.lesson_width},
                                {"touch_width", s.touch_width},
+                               {"colour_blind_safe", s.colour_blind_safe},
+                               {"left_handed", s.left_handed},
+                               {"decimal_comma", s.decimal_comma},
+                               {"lesson_folder", s.lesson_folder},
+                               {"probe_look", probeLookName(s.probe_look)},
+                               {"sound", s.sound},
+                               {"reduced_motion", s.reduced_motion},
+                               {"large_state_text", s.large_state_text},
                                {"recent", s.recent}};
   std::error_code error;
   fs::create_directories(file.parent_path(), error);

@@ -27,19 +27,19 @@ Shell::~Shell() {
   ImGui::DestroyContext();
 }
 
-void Shell::setLook(bool dark, float scale) {
+void Shell::setLook(ThemeChoice theme, float scale) {
   scale = std::clamp(scale, 0.5f, 4.0f);
-  if (dark == dark_ && scale == scale_) return;
-  dark_ = dark;
+  if (theme == theme_ && scale == scale_) return;
+  theme_ = theme;
   scale_ = scale;
   look_changed_ = true;
 }
 
-void Shell::frame(int width, int height, double dt_s, const std::function<void()>& panels) {
+void Shell::frame(int width, int height, double dt_s, const std::function<void()>& panels, bool drawn) {
   if (look_changed_) {
     look_changed_ = false;
     if (scale_ != loaded_scale_ && loaded_scale_ != 0.0f) ImGui_ImplOpenGL3_DestroyFontsTexture();
-    std::string trouble = applyLook(dark_, scale_);
+    std::string trouble = applyLook(theme_, scale_);
     if (!trouble.empty()) trouble_ = std::move(trouble);
     ImGui_ImplOpenGL3_NewFrame();  // makes the device objects at the first frame, the font's picture with them
     if (scale_ != loaded_scale_ && loaded_scale_ != 0.0f) ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -55,6 +55,7 @@ void Shell::frame(int width, int height, double dt_s, const std::function<void()
   widgets().clear();
   panels();
   ImGui::Render();
+  if (!drawn) return;
 
   const ImVec4 ground = ImGui::ColorConvertU32ToFloat4(look().palette.ground);
   glViewport(0, 0, width, height);

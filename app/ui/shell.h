@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/ui/input_queue.h"
+#include "app/ui/settings.h"
 
 namespace moltact {
 
@@ -19,16 +20,17 @@ class Shell {
   InputQueue& input() { return *input_; }
 
   /// Asks for a theme and scale from the next frame on.
-  void setLook(bool dark, float scale);
+  void setLook(ThemeChoice theme, float scale);
   /// What could not be loaded, told once; empty when all is well.
   const std::string& trouble() const { return trouble_; }
 
-  /// One frame: feeds the input, calls `panels`, and draws into the bound framebuffer.
-  void frame(int width, int height, double dt_s, const std::function<void()>& panels);
+  /// One frame: feeds the input, calls `panels`, and draws into the bound framebuffer where `drawn`.
+  void frame(int width, int height, double dt_s, const std::function<void()>& panels, bool drawn = true);
 
  private:
   std::unique_ptr<InputQueue> input_;
-  bool dark_ = false, look_changed_ = true;
+  ThemeChoice theme_ = ThemeChoice::Light;
+  bool look_changed_ = true;
   float scale_ = 1.0f, loaded_scale_ = 0.0f;
   std::string trouble_;
 };

@@ -1,13 +1,9 @@
 #include "app/ui/stage.h"
 
-#include <algorithm>
+#include "engine/servo/fit_workspace.h"
 
 namespace moltact {
 namespace {
-
-// The hand reaches so far from side to side; a molecule as large as that is felt at its whole width.
-constexpr double kReach_mm = 160.0;
-constexpr double kFinest_A_per_mm = 0.15, kCoarsest_A_per_mm = 0.4;
 
 // The new tracker first meets the hand a little outside the old surface, or as far as its own surface lies out there: a
 // mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
@@ -22,11 +18,8 @@ Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) 
   for (const Atom& a : molecule.atoms) stage.middle.A += a.position.A / double(molecule.atoms.size());
   stage.balls = std::make_shared<const BallScene>(molecule.balls());
   stage.molecule = std::make_shared<const Molecule>(std::move(molecule));
-  const Vec3 low = stage.balls->low_A(), high = stage.balls->high_A(), size = high - low;
-  stage.workspace.centre_A = 0.5 * (low + high);
-  stage.workspace.A_per_mm =
-      std::clamp(std::max({size.x, size.y, size.z}) / kReach_mm, kFinest_A_per_mm, kCoarsest_A_per_mm);
-  stage.reach_A = 0.5 * glm::length(size) + kLargestProbe_A;
+  stage.workspace = fitWorkspace(*stage.balls);
+  stage.reach_A = 0.5 * glm::distance(stage.balls->low_A(), stage.balls->high_A()) + kLargestProbe_A;
   return stage;
 }
 

@@ -31,6 +31,19 @@ Palette lightPalette() {
           .bad = rgb(0xC23B33), .bad_soft = rgb(0xFBE3E1)};
 }
 
+// Black and white, with edges round everything that can be used, and yellow for what is in use.
+Palette highContrastPalette() {
+  return {.ground = rgb(0x000000), .panel = rgb(0x000000), .raised = rgb(0x1C1C1C), .hovered = rgb(0x3D3D3D),
+          .pressed = rgb(0x5A5A5A), .line = rgb(0xFFFFFF), .text = rgb(0xFFFFFF), .quiet = rgb(0xF0F0F0),
+          .faint = rgb(0xD0D0D0), .accent = rgb(0xFFE14D), .accent_text = rgb(0x000000), .accent_soft = rgb(0x3B3300),
+          .good = rgb(0x5CFF9D), .good_soft = rgb(0x003D1C), .warn = rgb(0xFFC14D), .warn_soft = rgb(0x3D2900),
+          .bad = rgb(0xFF9A94), .bad_soft = rgb(0x4D0800)};
+}
+
+Palette paletteOf(ThemeChoice theme) {
+  return theme == ThemeChoice::Light ? lightPalette() : theme == ThemeChoice::Dark ? darkPalette() : highContrastPalette();
+}
+
 ImVec4 v(ImU32 c) { return ImGui::ColorConvertU32ToFloat4(c); }
 
 void applyColours(ImGuiStyle& style, const Palette& p) {
@@ -80,7 +93,7 @@ void applySpacing(ImGuiStyle& style, const Look& l) {
   style.GrabMinSize = l.px(12);
   style.WindowBorderSize = 0.0f;
   style.ChildBorderSize = style.PopupBorderSize = std::max(1.0f, std::round(l.scale));
-  style.FrameBorderSize = 0.0f;
+  style.FrameBorderSize = l.theme == ThemeChoice::HighContrast ? style.ChildBorderSize : 0.0f;
   style.WindowRounding = 0.0f;
   style.ChildRounding = style.PopupRounding = l.px(8);
   style.FrameRounding = style.GrabRounding = l.px(6);
@@ -146,12 +159,24 @@ ImU32 faded(ImU32 colour, float alpha) {
   return (colour & ~IM_COL32_A_MASK) | a << IM_COL32_A_SHIFT;
 }
 
-std::string applyLook(bool dark, float scale) {
+Theme Look::viewTheme() const {
+  if (theme == ThemeChoice::Light) return lightTheme();
+  Theme t = darkTheme();
+  if (theme == ThemeChoice::HighContrast) {
+    t.background_top = t.background_bottom = Colour(0.0f);
+    t.scp = Colour(1.0f);
+    t.fade = 0.3f;
+    t.wire_strength = 1.4f;
+  }
+  return t;
+}
+
+std::string applyLook(ThemeChoice theme, float scale) {
   std::string missing;
   const bool reload = g_look.scale != scale || !ImGui::GetIO().Fonts->IsBuilt() || !g_look.fonts[0];
-  g_look.dark = dark;
+  g_look.theme = theme;
   g_look.scale = scale;
-  g_look.palette = dark ? darkPalette() : lightPalette();
+  g_look.palette = paletteOf(theme);
   applySpacing(ImGui::GetStyle(), g_look);
   applyColours(ImGui::GetStyle(), g_look.palette);
   if (reload) missing = loadFonts(g_look);

@@ -6,6 +6,9 @@
 
 #include <imgui.h>
 
+#include "app/ui/settings.h"
+#include "engine/render/view_scene.h"
+
 namespace moltact {
 
 /// The colours that the panels draw with themselves; ImGui's own style is made from the same ones.
@@ -23,7 +26,7 @@ struct Palette {
 enum class Font { Body, Strong, Italic, Small, Title, Heading, kCount };
 
 struct Look {
-  bool dark = false;
+  ThemeChoice theme = ThemeChoice::Light;
   float scale = 1.0f;  ///< the monitor's content scale times the person's preference
   Palette palette{};
   ImFont* fonts[int(Font::kCount)] = {};
@@ -31,14 +34,21 @@ struct Look {
   /// Pixels at this scale, whole.
   float px(float at_96_dpi) const;
   ImFont* font(Font f) const { return fonts[int(f)]; }
+  /// The colours of the 3-D view.
+  Theme viewTheme() const;
 };
+
+/// The colours of the atoms that a person prefers.
+inline ElementColours elementColoursOf(const Settings& s) {
+  return s.colour_blind_safe ? ElementColours::ColourBlindSafe : ElementColours::Customary;
+}
 
 /// The look of the current frame.
 const Look& look();
 
 /// Sets ImGui's style for a theme and scale; loads the fonts anew when the scale has changed.
 /// Returns what could not be loaded (empty: all well); the built-in font stands in.
-std::string applyLook(bool dark, float scale);
+std::string applyLook(ThemeChoice theme, float scale);
 
 /// The same colour, more transparent.
 ImU32 faded(ImU32 colour, float alpha);

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <system_error>
 
+#include "engine/platform/folders.h"
+
 namespace moltact {
 namespace {
 
@@ -16,6 +18,17 @@ std::filesystem::path fromEnvironment(const char* name) {
 std::filesystem::path settingsFile() {
   if (const auto config = fromEnvironment("XDG_CONFIG_HOME"); !config.empty()) return config / "moltact" / "settings.json";
   if (const auto home = fromEnvironment("HOME"); !home.empty()) return home / ".config" / "moltact" / "settings.json";
+  return {};
+}
+
+std::filesystem::path ownLessonsFolder() {
+  const std::filesystem::path data = userDataFolder();
+  return data.empty() ? data : data / "lessons";
+}
+
+std::filesystem::path cacheFolder() {
+  if (const auto cache = fromEnvironment("XDG_CACHE_HOME"); !cache.empty()) return cache / "moltact";
+  if (const auto home = fromEnvironment("HOME"); !home.empty()) return home / ".cache" / "moltact";
   return {};
 }
 

@@ -10,6 +10,7 @@ constexpr double kOrbitKeys_rad_per_s = 1.4;
 constexpr double kPanKeys_px_per_s = 320.0;
 constexpr double kZoomNotch = 1.12;
 constexpr double kZoomKeysPerS = 2.2;
+constexpr double kHintFade_s = 0.6;
 constexpr double kHoverStep_A = 0.25;  // a hand that hovers farther in a frame is put there
 }  // namespace
 
@@ -34,6 +35,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   if (!in.press) let_go_ = false;
   pressing_ = in.press && !let_go_ && balls;
   has_pressed_ = has_pressed_ || pressing_;
+  if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
   if (!balls) return;
 
   PointerInput pointer;
@@ -56,6 +58,10 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   if (hovering && glm::distance(lead_.A, before_lead.A) > kHoverStep_A) mouse.place(settings.workspace.toDevice(lead_));
   else mouse.lead(settings.workspace.toDevice(lead_));
 }
+
+double ViewControls::hintStrength() const { return std::clamp(hint_left_s_ / kHintFade_s, 0.0, 1.0); }
+
+bool ViewControls::live() const { return pressing_ || camera_moved_ || (hint_left_s_ > 0.0 && hint_left_s_ < kHintFade_s); }
 
 void ViewControls::begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse) {
   hand_.reset();

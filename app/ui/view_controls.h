@@ -39,6 +39,9 @@ class ViewControls {
   /// viewer, and aims at that place until the pointer or the keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
+  /// Ends a press as Escape does: it begins again when the button or key has been released.
+  void letGo() { let_go_ = true; }
+
   bool pressing() const { return pressing_; }
   double depth_A() const { return hand_.depth_A(); }
   PointA lead() const { return lead_; }
@@ -47,11 +50,16 @@ class ViewControls {
   /// Whether the person has found out how: the hint of controls fades once both are true.
   bool hasPressed() const { return has_pressed_; }
   bool hasTurned() const { return has_turned_; }
+  /// Of the hint of controls: 1 until the person has found out how, then fading to 0.
+  double hintStrength() const;
+  /// The next frame would look different by itself.
+  bool live() const;
 
  private:
   PointerHand hand_;
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
+  double hint_left_s_ = 2.0;
   bool pressing_ = false, let_go_ = false, camera_moved_ = false, has_pressed_ = false, has_turned_ = false;
 };
 

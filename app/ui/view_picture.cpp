@@ -8,6 +8,8 @@
 
 #include <epoxy/gl.h>
 
+#include "engine/render/gl_objects.h"
+
 namespace moltact {
 namespace {
 
@@ -17,6 +19,9 @@ constexpr int kRest_frames = 10;
 constexpr double kCoarsest = 0.5;
 
 }  // namespace
+
+ViewPicture::ViewPicture() = default;
+ViewPicture::~ViewPicture() = default;
 
 bool ViewPicture::ready() {
   if (renderer_ || refused_) return renderer_ != nullptr;
@@ -30,8 +35,8 @@ bool ViewPicture::ready() {
 }
 
 void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool moving, float line_scale) {
-  if (width_px < 1 || height_px < 1 || !ready()) return;
   rested_frames_ = moving ? 0 : rested_frames_ + 1;
+  if (held_ || width_px < 1 || height_px < 1 || !ready()) return;
   // Cost goes with the number of pixels, the square of the scale; eighths keep it from flickering.
   double scale = 1.0;
   if (moving && whole_ms_ > kMoving_ms) scale = std::max(kCoarsest, std::floor(8.0 * std::sqrt(kMoving_ms / whole_ms_)) / 8.0);
@@ -44,7 +49,9 @@ void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
   const auto pixels = [&](int whole) { return std::max(1, int(std::lround(whole * scale))); };
-  if (const std::optional<Problem> problem = renderer_->draw(scene, pixels(width_px), pixels(height_px), options)) trouble_ = problem->text();
+  width_px_ = pixels(width_px);
+  height_px_ = pixels(height_px);
+  if (const std::optional<Problem> problem = renderer_->draw(scene, width_px_, height_px_, options)) trouble_ = problem->text();
   else trouble_.clear();
   if (renderer_->count().atoms_redrawn) {
     glFinish();  // what has only been asked for has not been paid yet
@@ -53,6 +60,24 @@ void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool
     whole_ms_ = whole_ms_ > 0 ? 0.7 * whole_ms_ + 0.3 * whole : whole;
   }
   last_ = options;
+}
+
+void ViewPicture::keepForFade() {
+  if (width_px_ < 1 || !ready()) return;
+  if (!kept_) kept_ = std::make_unique<GlTarget>();
+  GLint before = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &before);
+  if (kept_->resize(width_px_, height_px_)) {
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, kept_->framebuffer());
+    renderer_->copyTo(0, 0);
+  } else {
+    kept_.reset();
+  }
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(before));
+}
+
+ImTextureID ViewPicture::kept() const {
+  return kept_ ? reinterpret_cast<ImTextureID>(std::intptr_t(kept_->colour())) : nullptr;
 }
 
 ImTextureID ViewPicture::texture() const {

@@ -14,11 +14,13 @@
 #include <imgui.h>
 
 #include "app/ui/application.h"
+#include "app/ui/extensions.h"
 #include "app/ui/frame_stats.h"
 #include "app/ui/shell.h"
 #include "app/ui/user_folders.h"
 #include "engine/platform/folders.h"
 #include "engine/render/picture.h"
+#include "engine/results/attempt_file.h"
 
 namespace moltact {
 namespace {
@@ -68,7 +70,7 @@ void connect(GLFWwindow* window) {
   });
   glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) { linkOf(w); });
   glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-    if (count > 0) linkOf(w).app.open(paths[0]);
+    linkOf(w).app.drop({paths, paths + std::max(0, count)});
   });
 }
 
@@ -93,6 +95,39 @@ class Cursors {
  private:
   GLFWcursor* shapes_[ImGuiMouseCursor_COUNT] = {};
   int shown_ = ImGuiMouseCursor_Arrow;
+};
+
+// The whole of the monitor on which the window stands, and back to its place.
+class FullScreen {
+ public:
+  void show(GLFWwindow* window, bool wanted) {
+    if (wanted == on_) return;
+    on_ = wanted;
+    if (!wanted) {
+      glfwSetWindowMonitor(window, nullptr, x_, y_, width_, height_, GLFW_DONT_CARE);
+      return;
+    }
+    glfwGetWindowPos(window, &x_, &y_);
+    glfwGetWindowSize(window, &width_, &height_);
+    GLFWmonitor* monitor = monitorAt(x_ + width_ / 2, y_ + height_ / 2);
+    const GLFWvidmode* mode = monitor ? glfwGetVideoMode(monitor) : nullptr;
+    if (mode) glfwSetWindowMonitor(window, monitor, 0, 0, mode->width, mode->height, mode->refreshRate);
+  }
+
+ private:
+  static GLFWmonitor* monitorAt(int x, int y) {
+    int count = 0;
+    GLFWmonitor** all = glfwGetMonitors(&count);
+    for (int k = 0; k < count; ++k) {
+      int left = 0, top = 0;
+      glfwGetMonitorPos(all[k], &left, &top);
+      const GLFWvidmode* mode = glfwGetVideoMode(all[k]);
+      if (mode && x >= left && y >= top && x < left + mode->width && y < top + mode->height) return all[k];
+    }
+    return glfwGetPrimaryMonitor();
+  }
+  bool on_ = false;
+  int x_ = 0, y_ = 0, width_ = 1280, height_ = 800;
 };
 
 GLFWwindow* openWindow() {
@@ -121,7 +156,7 @@ void setIcon(GLFWwindow* window) {
 
 int noDisplay(const char* why) {
   std::cerr << "moltact: no window can be opened (" << why << ")\n"
-            << "Without a display these commands work: moltact info, replay, render, fetch, bench (see moltact --help).\n";
+            << "Without a display the commands work that moltact --help lists, such as info, render, check, play, report and bench.\n";
   return 1;
 }
 
@@ -147,7 +182,8 @@ int runWindow(const WindowOptions& options) {
   FrameStats stats;
   {
     Shell shell;
-    Application app({.settings_file = settingsFile(), .picture_folder = pictureFolder()});
+    Application app({.settings_file = settingsFile(), .attempts_folder = attemptsFolder(), .cache_folder = cacheFolder(),
+                     .picture_folder = pictureFolder()});
     Link link{shell, app};
     Cursors cursors;
     glfwSetWindowUserPointer(window, &link);
@@ -157,11 +193,14 @@ int runWindow(const WindowOptions& options) {
     io.SetClipboardTextFn = [](void* w, const char* text) { glfwSetClipboardString(static_cast<GLFWwindow*>(w), text); };
     io.GetClipboardTextFn = [](void* w) { return glfwGetClipboardString(static_cast<GLFWwindow*>(w)); };
 
-    if (options.file.empty()) app.openFirst();
+    if (!options.state_text.empty())
+      if (const auto problem = app.extensions().state_text.writeTo(options.state_text)) app.messages.error(problem->text());
+    if (options.file.empty()) app.panels.welcome = true;
     else app.open(options.file);
     using Clock = std::chrono::steady_clock;
     Clock::time_point before = Clock::now();
-    while (!app.quit && !glfwWindowShouldClose(window)) {
+    FullScreen full_screen;
+    while (!app.leaving() && !glfwWindowShouldClose(window)) {
       const bool busy = app.live() || link.settle > 0 || !shell.input().empty();
       if (busy) glfwPollEvents();
       else glfwWaitEventsTimeout(kIdle_s);
@@ -170,13 +209,14 @@ int runWindow(const WindowOptions& options) {
       const Clock::time_point now = Clock::now();
       const double dt_s = std::chrono::duration<double>(now - before).count();
       before = now;
+      full_screen.show(window, app.panels.full_screen);
       int width = 1, height = 1;
       glfwGetFramebufferSize(window, &width, &height);
       float content_x = 1, content_y = 1;
       glfwGetWindowContentScale(window, &content_x, &content_y);
       if (width > 0 && height > 0) {  // a window put away has no size
-        shell.setLook(app.settings.theme == ThemeChoice::Dark, float(double(content_x) * app.settings.scale));
-        shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {width, height}, double(content_x)); });
+        shell.setLook(app.settings.theme, float(double(content_x) * app.settings.scale));
+        shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {width, height}); });
         cursors.show(window);
         glfwSwapBuffers(window);
       }

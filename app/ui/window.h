@@ -7,8 +7,9 @@
 namespace moltact {
 
 struct WindowOptions {
-  std::filesystem::path file;  ///< opened at the start; empty: the first lesson
+  std::filesystem::path file;  ///< opened at the start; empty: the welcome page
   bool frame_stats = false;    ///< tell the frame times at the end
+  std::string state_text;      ///< the state in words goes to this file, or to the terminal for "-"; empty: nowhere
 };
 
 /// Runs until the person leaves. Returns the program's exit status; where there is no display, 1 and a message on stderr

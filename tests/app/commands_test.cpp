@@ -294,7 +294,7 @@ TEST_CASE("the window's command without a display ends with 1 and names the comm
   const int status = std::system(("env -u DISPLAY -u WAYLAND_DISPLAY '" MOLTACT_BINARY "' >'" + out + "' 2>'" + err + "'").c_str());
   CHECK(WEXITSTATUS(status) == 1);
   const std::string text = contents(err);
-  for (const char* command : {"info", "replay", "render", "fetch", "bench"}) CHECK(text.find(command) != std::string::npos);
+  for (const char* command : {"info", "render", "check", "play", "report", "bench"}) CHECK(text.find(command) != std::string::npos);
 }
 
 TEST_CASE("info counts 602 atoms of ubiquitin, as text and as JSON") {

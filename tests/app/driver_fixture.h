@@ -1,10 +1,13 @@
 // The application on EGL without a display, driven as a person would: what the tests of this folder share.
 #pragma once
 
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include "app/ui/driver.h"
 
@@ -15,11 +18,26 @@ inline std::unique_ptr<Driver> startWith(const std::string& what = "1ubq", Drive
   Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(options));
   if (!made) FAIL(made.problem().text());
   std::unique_ptr<Driver> driver = std::move(*made);
+  driver->app().settings.reduced_motion = true;  // a camera that glides would move the place under a hand
   if (!what.empty()) driver->app().open(what);
   driver->app().finishLoading();
   driver->frames(20);
   return driver;
 }
+
+/// The lesson that a newcomer begins with, as it comes with the program.
+inline void openFirst(Driver& driver) { driver.app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md"); }
+
+/// A folder of its own, gone at the end.
+struct Scratch {
+  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("moltact-app-test-" + std::to_string(::getpid()));
+  Scratch() { std::filesystem::create_directories(folder); }
+  ~Scratch() { std::filesystem::remove_all(folder); }
+  std::filesystem::path file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  }
+};
 
 inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
 

@@ -29,13 +29,13 @@ TEST_CASE("the methods panel is closed until the View menu opens it, and a tab l
 
 TEST_CASE("switching through families and grades while pressing keeps the contact and leaves a mark for each") {
   auto d = startWith("argon-pair");
-  d->app().showMethods(true);
+  d->app().panels.showMethods(true);
   d->frames(2);
-  d->app().touch_settings.stiffness_N_per_mm = 2.0;  // keeps the hand less than 1 A under the surface
+  d->app().scene.servo_settings.stiffness_N_per_mm = 2.0;  // keeps the hand less than 1 A under the surface
   d->point("view", 0.45, 0.5);
   d->hold("Space");
   d->frames(40);
-  REQUIRE(d->app().touch.touching());
+  REQUIRE(d->app().scene.log().touching());
   const struct {
     const char *family, *grade, *method;
   } walk[] = {{"Mesh", "80", "mesh80"}, {"Exact", nullptr, "exact"}, {"Mesh", "320", "mesh320"}, {"Grid", "0.8 Å", "grid08"},
@@ -47,22 +47,22 @@ TEST_CASE("switching through families and grades while pressing keeps the contac
       d->frames(1);
       CHECK(d->click(std::string("grade/") + grade));
     }
-    CHECK(d->app().method == method);
+    CHECK(d->app().scene.method() == method);
     d->point("view", 0.45, 0.5);
     d->frames(12);
-    CHECK(d->app().touch.touching());
+    CHECK(d->app().scene.log().touching());
     CHECK(d->shows(std::string("plot/tradeoff/") + method));
   }
-  REQUIRE(d->app().watch.find("exact"));
-  CHECK(d->app().watch.find("exact")->error_A < 1e-9);
-  CHECK(d->app().watch.find("mesh80")->error_A > 10.0 * d->app().watch.find("mesh5120")->error_A);
+  REQUIRE(d->app().scene.watch().find("exact"));
+  CHECK(d->app().scene.watch().find("exact")->error_A < 1e-9);
+  CHECK(d->app().scene.watch().find("mesh80")->error_A > 10.0 * d->app().scene.watch().find("mesh5120")->error_A);
   CHECK(contains(d->text("plot/times"), "half within"));
 }
 
 TEST_CASE("facets are drawn with a mesh and its switch on, and with no other method") {
   auto d = startWith("argon");
-  d->app().showMethods(true);
-  d->app().useMethod("mesh80");
+  d->app().panels.showMethods(true);
+  d->app().scene.useMethod("mesh80");
   d->frames(20);
   REQUIRE(d->text("show/facets") == "on");
   const Picture with = d->picture();
@@ -70,7 +70,7 @@ TEST_CASE("facets are drawn with a mesh and its switch on, and with no other met
   d->point("plot/force");
   d->frames(20);
   CHECK(difference(with, d->picture()) > 0.005);
-  d->app().useMethod("exact");
+  d->app().scene.useMethod("exact");
   d->frames(2);
   CHECK_FALSE(d->shows("show/facets"));
 }
@@ -82,10 +82,10 @@ TEST_CASE("a lesson's step opens the panel with its method, and another lesson c
   CHECK(d->shows("plot/tradeoff"));
   CHECK(d->text("method/Mesh") == "on");
   CHECK(d->text("grade/80") == "on");
-  d->app().openFirst();
+  openFirst(*d);
   d->frames(10);
   CHECK_FALSE(d->shows("tab/Methods"));
-  CHECK(d->app().method == "exact");
+  CHECK(d->app().scene.method() == "exact");
 }
 
 TEST_CASE("the lesson's failures of paper, penalty and grid are met with a mouse") {

@@ -11,12 +11,12 @@ TEST_CASE("pressing on the protein for 2 s gives a force above 0.5 N and the sta
   d->press();
   d->frames(120);
   CHECK(d->text("status/contact") == "touching");
-  CHECK(d->app().touch.force_N() > 0.5);
+  CHECK(d->app().scene.log().force_N() > 0.5);
   CHECK(contains(d->text("view/state"), "touching: "));
   d->release();
   d->frames(30);
   CHECK(d->text("status/contact") == "free");
-  CHECK(d->app().touch.force_N() == 0.0);
+  CHECK(d->app().scene.log().force_N() == 0.0);
 }
 
 TEST_CASE("the wheel while pressing pushes deeper and leaves the camera alone; without a press it zooms") {
@@ -24,13 +24,13 @@ TEST_CASE("the wheel while pressing pushes deeper and leaves the camera alone; w
   d->point("view");
   d->press();
   d->frames(30);
-  const double depth_A = d->app().controls.depth_A(), distance_A = d->app().camera.distance_A;
+  const double depth_A = d->app().scene.controls.depth_A(), distance_A = d->app().scene.camera.distance_A;
   d->wheel(4);
-  CHECK(d->app().controls.depth_A() - depth_A > 4 * PointerHand::kNotch_A * 0.99);
-  CHECK(d->app().camera.distance_A == distance_A);
+  CHECK(d->app().scene.controls.depth_A() - depth_A > 4 * PointerHand::kNotch_A * 0.99);
+  CHECK(d->app().scene.camera.distance_A == distance_A);
   d->release();
   d->wheel(1);
-  CHECK(d->app().camera.distance_A < distance_A);
+  CHECK(d->app().scene.camera.distance_A < distance_A);
 }
 
 TEST_CASE("keyboard alone: arrows and space reach a contact, plus pushes deeper, escape lets go") {
@@ -42,9 +42,9 @@ TEST_CASE("keyboard alone: arrows and space reach a contact, plus pushes deeper,
   d->hold("Space");
   d->frames(60);
   CHECK(d->text("status/contact") == "touching");
-  const double depth_A = d->app().controls.depth_A();
+  const double depth_A = d->app().scene.controls.depth_A();
   d->tap("plus");
-  CHECK(d->app().controls.depth_A() > depth_A + 0.9 * PointerHand::kNotch_A);
+  CHECK(d->app().scene.controls.depth_A() > depth_A + 0.9 * PointerHand::kNotch_A);
   d->tap("Escape");
   d->frames(30);
   CHECK(d->text("status/contact") == "free");
@@ -55,30 +55,30 @@ TEST_CASE("a tap of three keys within one frame is seen three times") {
   auto d = startWith();
   d->hold("Space");
   d->frames(30);
-  const double before_A = d->app().controls.depth_A();
+  const double before_A = d->app().scene.controls.depth_A();
   d->tap("plus");
   d->tap("plus");
   d->tap("plus");
-  CHECK(d->app().controls.depth_A() > before_A + 2.9 * PointerHand::kNotch_A);
+  CHECK(d->app().scene.controls.depth_A() > before_A + 2.9 * PointerHand::kNotch_A);
 }
 
 TEST_CASE("a right drag turns the view, ctrl and arrows too, shift and arrows move it, and Home brings it back") {
   auto d = startWith();
-  const Camera home = d->app().camera;
+  const Camera home = d->app().scene.camera;
   d->drag("view", 120, 0, 1);
-  CHECK(std::abs(glm::dot(d->app().camera.orientation, home.orientation)) < 0.999);
+  CHECK(std::abs(glm::dot(d->app().scene.camera.orientation, home.orientation)) < 0.999);
   d->tap("Home");
-  CHECK(d->app().camera == home);
+  CHECK(d->app().scene.camera == home);
   d->hold("Ctrl+Up");
   d->frames(20);
   d->letGo("Ctrl+Up");
-  CHECK(std::abs(glm::dot(d->app().camera.orientation, home.orientation)) < 0.999);
+  CHECK(std::abs(glm::dot(d->app().scene.camera.orientation, home.orientation)) < 0.999);
   d->tap("Home");
   d->hold("Shift+Left");
   d->frames(20);
   d->letGo("Shift+Left");
-  CHECK(glm::distance(d->app().camera.target.A, home.target.A) > 1.0);
-  CHECK(std::abs(glm::dot(d->app().camera.orientation, home.orientation)) == doctest::Approx(1.0));
+  CHECK(glm::distance(d->app().scene.camera.target.A, home.target.A) > 1.0);
+  CHECK(std::abs(glm::dot(d->app().scene.camera.orientation, home.orientation)) == doctest::Approx(1.0));
 }
 
 TEST_CASE("turning the view by 200 pixels leaves the probe free, outside the molecule") {
@@ -93,7 +93,7 @@ TEST_CASE("a pointer that hovers across the whole protein touches nothing on its
   double greatest_N = 0;
   for (int k = 0; k <= 40; ++k) {
     d->point("view", 0.2 + 0.015 * k, 0.3 + 0.01 * k);
-    greatest_N = std::max(greatest_N, d->app().touch.greatest_N());
+    greatest_N = std::max(greatest_N, d->app().scene.log().greatest_N());
   }
   d->frames(10);
   CHECK(greatest_N < 0.05);
@@ -105,15 +105,15 @@ TEST_CASE("switching the tracker while touching keeps the contact") {
   d->point("view");
   d->press();
   d->frames(90);
-  REQUIRE(d->app().touch.touching());
-  const Vec3 scp = d->app().touch.latest().contact.scp.A;
+  REQUIRE(d->app().scene.log().touching());
+  const Vec3 scp = d->app().scene.log().latest().contact.scp.A;
   for (const Method& m : methods()) {
-    d->app().useMethod(m.name);
+    d->app().scene.useMethod(m.name);
     d->frames(2);
     CAPTURE(m.name);
-    CHECK(d->app().touch.touching());
+    CHECK(d->app().scene.log().touching());
     if (m.name != "penalty")  // it has no surface point of its own: its push sums up all balls
-      CHECK(glm::distance(d->app().touch.latest().contact.scp.A, scp) < 0.6);
+      CHECK(glm::distance(d->app().scene.log().latest().contact.scp.A, scp) < 0.6);
   }
 }
 
@@ -122,22 +122,22 @@ TEST_CASE("a larger probe while touching carries the hand's proxy outward") {
   d->point("view");
   d->press();
   d->frames(60);
-  REQUIRE(d->app().touch.touching());
-  const double before_A = glm::length(d->app().touch.latest().contact.scp.A);
-  d->app().touch_settings.probe_A = 2.4;
+  REQUIRE(d->app().scene.log().touching());
+  const double before_A = glm::length(d->app().scene.log().latest().contact.scp.A);
+  d->app().scene.servo_settings.probe_A = 2.4;
   d->frames(30);
-  CHECK(glm::length(d->app().touch.latest().contact.scp.A) - before_A == doctest::Approx(1.0).epsilon(0.01));
+  CHECK(glm::length(d->app().scene.log().latest().contact.scp.A) - before_A == doctest::Approx(1.0).epsilon(0.01));
 }
 
 TEST_CASE("a hand that is placed inside is told to come out once") {
   auto d = startWith("argon");
-  d->app().servo.mouse().place(d->app().stage.workspace.toDevice({Vec3(0.0)}));
-  ++d->app().touch_settings.placements;
-  d->app().servo.setSettings(d->app().touch_settings);
+  d->app().scene.servo().mouse().place(d->app().scene.stage().workspace.toDevice({Vec3(0.0)}));
+  ++d->app().scene.servo_settings.placements;
+  d->app().scene.servo().setSettings(d->app().scene.servo_settings);
   // One tick before the hand is led out again by the pointer's place.
-  for (const ServoSample& s : d->app().servo.advance(0.001)) d->app().touch.add(s);
-  CHECK(d->app().touch.latest().contact.fault == Fault::StartedInside);
-  CHECK(d->app().touch.force_N() == 0.0);
+  d->app().scene.advance(0.001, 0.0, false);
+  CHECK(d->app().scene.log().latest().contact.fault == Fault::StartedInside);
+  CHECK(d->app().scene.log().force_N() == 0.0);
 }
 
 TEST_CASE("a new molecule begins without what was felt of the old one, on the frames' clock and with the real thread") {
@@ -148,16 +148,16 @@ TEST_CASE("a new molecule begins without what was felt of the old one, on the fr
     d->point("view");
     d->press();
     int frames = 0;
-    while (!d->app().touch.touching() && ++frames < 20000) d->frames(1);
-    REQUIRE(d->app().touch.touching());
+    while (!d->app().scene.log().touching() && ++frames < 20000) d->frames(1);
+    REQUIRE(d->app().scene.log().touching());
     d->release();
-    const std::uint32_t old = d->app().servo.scene();
+    const std::uint32_t old = d->app().scene.servo().scene();
     d->app().open("argon");
     d->app().finishLoading();
-    CHECK_FALSE(d->app().touch.touching());
-    CHECK(d->app().servo.scene() == old + 1);
+    CHECK_FALSE(d->app().scene.log().touching());
+    CHECK(d->app().scene.servo().scene() == old + 1);
     for (int seen = 0; seen < 50;) {
-      for (const ServoSample& s : d->app().servo.advance(1e-3)) {
+      for (const ServoSample& s : d->app().scene.servo().advance(1e-3)) {
         CHECK(s.scene == old + 1);
         // Of argon's one atom; the protein's contact was with another.
         CHECK(s.contact.atoms[0] <= 0);
@@ -175,8 +175,8 @@ TEST_CASE("with the real haptic thread a press of 2 s touches") {
   d->press();
   // No timing is asserted: frames are drawn until the thread has felt something, however long it takes.
   int frames = 0;
-  while (!d->app().touch.touching() && ++frames < 20000) d->frames(1);
-  CHECK(d->app().touch.touching());
+  while (!d->app().scene.log().touching() && ++frames < 20000) d->frames(1);
+  CHECK(d->app().scene.log().touching());
   d->release();
 }
 

@@ -48,7 +48,7 @@ struct BlockPainter {
 
   void operator()(const Tip& tip) {
     const Look& l = look();
-    disclosure((name + "/hint").c_str(), "Hint", app.panels.hints);
+    disclosure((name + "/hint").c_str(), "Hint  (H)", app.panels.hints);
     if (!app.panels.hints) return;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12);

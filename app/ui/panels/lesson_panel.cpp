@@ -1,23 +1,33 @@
 // Left: the lesson's step, its text, tasks and questions; Back and Next below.
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/panels/lesson_blocks.h"
+#include "app/ui/panels/lesson_keys.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
+#include "engine/lesson/lesson_files.h"
 
 namespace moltact {
 namespace {
 
 void drawHead(Application& app, const LessonSession& session) {
   const Look& l = look();
-  const std::size_t count = session.lesson().steps.size(), at = session.stepIndex();
+  // Asides lie beside the way: they neither count nor have a bar.
+  const std::vector<Step>& steps = session.lesson().steps;
+  std::vector<std::size_t> way;
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (!steps[k].aside) way.push_back(k);
+  const std::size_t at = session.mainStepIndex(), count = way.size();
   {
     WithFont small(Font::Small);
     WithText quiet(l.palette.quiet);
-    const std::string place = "Step " + std::to_string(at + 1) + " of " + std::to_string(count);
+    const auto number = std::find(way.begin(), way.end(), at) - way.begin() + 1;
+    const std::string place = session.step().aside ? "Aside" : "Step " + std::to_string(number) + " of " + std::to_string(count);
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);
@@ -31,7 +41,8 @@ void drawHead(Application& app, const LessonSession& session) {
   const ImVec2 low = ImGui::GetCursorScreenPos();
   for (std::size_t k = 0; k < count; ++k) {
     const float x = low.x + (each + gap) * float(k);
-    const ImU32 colour = k == at ? l.palette.accent : session.stepDone(k) && k < at ? faded(l.palette.accent, 0.45f) : l.palette.pressed;
+    const std::size_t step = way[k];
+    const ImU32 colour = step == at ? l.palette.accent : session.stepDone(step) && step < at ? faded(l.palette.accent, 0.45f) : l.palette.pressed;
     ImGui::GetWindowDrawList()->AddRectFilled({x, low.y}, {x + std::max(1.0f, each), low.y + high}, colour, 0.5f * high);
   }
   ImGui::Dummy({width, high + l.px(6)});
@@ -46,6 +57,10 @@ void drawHead(Application& app, const LessonSession& session) {
 void drawFoot(Application& app, const LessonSession& session) {
   const Look& l = look();
   const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
+  if (session.step().aside) {
+    if (button("lesson/next", "Back to the lesson", ButtonLook::Primary, width)) app.lesson.next();
+    return;
+  }
   const float back_w = std::min(l.px(96), 0.4f * width);
   if (button("lesson/back", "Back", ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
   ImGui::SameLine();
@@ -55,19 +70,33 @@ void drawFoot(Application& app, const LessonSession& session) {
   if (button("lesson/next", label, last ? ButtonLook::Plain : kind, width - back_w - gap, !last)) app.lesson.next();
 }
 
+/// A link that leads to no step: to another lesson, or out of the program.
+void followOut(Application& app, const std::string& link) {
+  const std::optional<FileLink> file = fileLink(app.lesson.file(), link);
+  if (!file || file->file.extension() != ".md") {
+    app.messages.notice("This link leads out of the lesson: " + link);
+    return;
+  }
+  app.open(file->file);
+  if (!file->step.empty()) app.lesson.follow('#' + file->step);
+}
+
 }  // namespace
 
 void drawLessonPanel(Application& app) {
   LessonSession* session = app.lesson.session();
-  if (!session || !beginPanel("lesson", app.layout.lesson, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) return;
+  if (!session || !beginPanel("lesson", app.layout().lesson, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) return;
   const Look& l = look();
   const float foot = l.px(34) + l.px(12);
   const std::size_t before = session->stepIndex();
-  // A new step begins at its top.
-  static std::size_t shown_step = ~std::size_t{0};
   ImGui::BeginChild("text", {0, -foot});
-  if (shown_step != before) ImGui::SetScrollY(0.0f);
-  shown_step = before;
+  if (app.panels.lesson_step != before) {
+    ImGui::SetScrollY(0.0f);
+    app.panels.lesson_task = 0;
+  }
+  app.panels.lesson_step = before;
+  scrollByKeys();
+  if (lessonKeyPressed('H')) app.panels.hints = !app.panels.hints;
   drawHead(app, *session);
   ImGui::Spacing();
   std::string link;
@@ -78,12 +107,13 @@ void drawLessonPanel(Application& app) {
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRectFullScreen();
-  draw->AddLine({app.layout.lesson.low.x, edge}, {app.layout.lesson.high.x, edge}, l.palette.line, std::max(1.0f, l.scale));
+  draw->AddLine({app.layout().lesson.low.x, edge}, {app.layout().lesson.high.x, edge}, l.palette.line, std::max(1.0f, l.scale));
   draw->PopClipRect();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + l.px(4));
   drawFoot(app, *session);
-  if (!link.empty() && !app.lesson.follow(link)) app.messages.notice("This link leads out of the lesson: " + link);
   endPanel();
+  // Another lesson may take this one's place, so it comes last.
+  if (!link.empty() && !app.lesson.follow(link)) followOut(app, link);
 }
 
 }  // namespace moltact

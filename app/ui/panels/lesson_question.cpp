@@ -1,38 +1,23 @@
 // A question in the lesson: choices or a field, and what is said to the answer.
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string>
 #include <vector>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
+#include "app/ui/number_text.h"
 #include "app/ui/panels/lesson_blocks.h"
+#include "app/ui/panels/lesson_keys.h"
 #include "app/ui/rich_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
 namespace moltact {
 namespace {
-
-// What is being ticked and written before it is handed in, of one step.
-struct Drafts {
-  const Lesson* lesson = nullptr;
-  std::size_t step = 0;
-  std::map<std::size_t, std::vector<std::size_t>> ticked;
-  std::map<std::size_t, std::string> written;
-};
-
-Drafts& drafts(const LessonSession& session) {
-  static Drafts all;
-  if (all.lesson != &session.lesson() || all.step != session.stepIndex()) all = {&session.lesson(), session.stepIndex(), {}, {}};
-  return all;
-}
 
 bool holds(const std::vector<std::size_t>& list, std::size_t value) { return std::find(list.begin(), list.end(), value) != list.end(); }
 
@@ -71,12 +56,7 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   return clicked;
 }
 
-bool digitPressed(std::size_t choice) {
-  const ImGuiIO& io = ImGui::GetIO();
-  return choice < 9 && !io.WantTextInput && !io.KeyCtrl && !io.KeyAlt &&
-         !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel) &&
-         ImGui::IsKeyPressed(GLFW_KEY_1 + int(choice), false);
-}
+bool digitPressed(std::size_t choice) { return choice < 9 && lessonKeyPressed(char('1' + choice)); }
 
 // The first question of the step that is not yet answered takes the number keys.
 bool takesKeys(const LessonSession& session, std::size_t index) {
@@ -85,10 +65,27 @@ bool takesKeys(const LessonSession& session, std::size_t index) {
   return !session.question(index).answered_right;
 }
 
-void drawChoices(LessonSession& session, std::size_t index, const std::string& name) {
+// Enter belongs to the current task where that waits for it.
+bool enterIsFree(const LessonSession& session) {
+  const Task* task = session.taskAt(session.currentTask());
+  if (!task) return true;
+  if (task->curves() && task->curves()->drawing) return false;
+  const std::vector<TaskButton> offered = task->buttons();
+  return std::none_of(offered.begin(), offered.end(), [](const TaskButton& b) { return b.key == '\n'; });
+}
+
+// The first question with a field that is not yet answered takes the key that begins to write.
+bool takesWriting(const LessonSession& session, std::size_t index) {
+  for (std::size_t k = 0; k < index; ++k)
+    if (!session.question(k).answered_right && session.step().questions[k].choices.empty()) return false;
+  return !session.question(index).answered_right;
+}
+
+void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name) {
+  LessonSession& session = *lesson.session();
   const Question& question = session.step().questions[index];
   const QuestionStatus& status = session.question(index);
-  std::vector<std::size_t>& ticked = drafts(session).ticked[index];
+  std::vector<std::size_t>& ticked = lesson.drafts().ticked[index];
   const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index);
   if (ticked.empty() && status.attempts > 0 && status.answered_right) ticked = status.chosen;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(6)});
@@ -103,27 +100,32 @@ void drawChoices(LessonSession& session, std::size_t index, const std::string& n
     else ticked.push_back(k);
   }
   ImGui::PopStyleVar();
-  if (!one && !status.answered_right && button((name + "/check").c_str(), "Check", ButtonLook::Primary, look().px(96), !ticked.empty())) {
+  const bool entered = keys && !ticked.empty() && enterIsFree(session) && lessonKeyPressed('\n');
+  if (!one && !status.answered_right &&
+      (button((name + "/check").c_str(), "Check  (Enter)", ButtonLook::Primary, look().px(132), !ticked.empty()) || entered)) {
     std::sort(ticked.begin(), ticked.end());
     session.choose(index, ticked);
   }
 }
 
-void drawField(LessonSession& session, std::size_t index, const std::string& name) {
+void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) {
+  LessonSession& session = *lesson.session();
   const AnswerSpec& answer = *session.step().questions[index].answer;
   const QuestionStatus& status = session.question(index);
-  std::string& written = drafts(session).written[index];
+  std::string& written = lesson.drafts().written[index];
   if (written.empty() && status.attempts > 0) written = status.written;
   const bool free = answer.kind == AnswerSpec::Kind::Free;
   const float button_w = look().px(84), gap = ImGui::GetStyle().ItemSpacing.x;
   bool handed_in = false;
+  if (takesWriting(session, index) && lessonKeyPressed('A')) ImGui::SetKeyboardFocusHere();
   if (free) {
-    ImGui::InputTextMultiline("##answer", &written, {-1, look().px(84)});
+    handed_in = ImGui::InputTextMultiline("##answer", &written, {-1, look().px(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
-    handed_in = button((name + "/check").c_str(), "Keep", ButtonLook::Plain, button_w);
+    tip("A begins to write, Ctrl and Enter keeps it");
+    handed_in = button((name + "/check").c_str(), "Keep", ButtonLook::Plain, button_w) || handed_in;
   } else {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_w - gap);
-    const std::string hint = answer.unit.empty() ? "your answer" : "in " + answer.unit;
+    const std::string hint = (answer.unit.empty() ? "your answer" : "in " + answer.unit) + (status.answered_right ? "" : "  (A)");
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look().px(10), std::floor(0.5f * (look().px(34) - ImGui::GetFontSize()))});
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
@@ -131,7 +133,7 @@ void drawField(LessonSession& session, std::size_t index, const std::string& nam
     ImGui::SameLine();
     handed_in = button((name + "/check").c_str(), "Check", ButtonLook::Primary, button_w) || handed_in;
   }
-  if (handed_in) session.write(index, written);
+  if (handed_in) session.write(index, answer.kind == AnswerSpec::Kind::Number ? plainNumbers(written) : written);
 }
 
 }  // namespace
@@ -152,14 +154,19 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   for (TextRun& run : title) run.bold = true;
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
-  if (question.choices.empty() && question.answer) drawField(session, index, name);
-  else drawChoices(session, index, name);
+  const int attempts = session.question(index).attempts;
+  if (question.choices.empty() && question.answer) drawField(app.lesson, index, name);
+  else drawChoices(app.lesson, index, name);
   const QuestionStatus& status = session.question(index);
   if (status.attempts > 0) {
     const ImU32 colour = status.last_right ? l.palette.good : l.palette.bad;
     std::vector<RichText> said = session.feedback(index);
     if (said.empty()) said.push_back({TextRun{.text = status.last_right ? "Right." : "Not yet. Try again."}});
     for (const RichText& p : said) follow(drawRichText((name + "/feedback").c_str(), p, colour));
+    for (const std::size_t k : status.chosen)
+      if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
+    // What is said to an answer is not to be missed below the panel's edge.
+    if (status.attempts != attempts && ImGui::GetCursorScreenPos().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight()) ImGui::SetScrollHereY(1.0f);
   }
   ImGui::PopID();
   return link;

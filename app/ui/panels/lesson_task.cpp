@@ -1,21 +1,48 @@
 // A touch task in the lesson: a card with a mark, what is asked, what to do next, and how far the student has come.
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
+#include "app/ui/number_text.h"
 #include "app/ui/panels/lesson_blocks.h"
+#include "app/ui/panels/lesson_keys.h"
+#include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
 namespace moltact {
+namespace {
+
+// What the task's own kind has measured, in one quiet line; time and force are for the teacher's report.
+void drawFigures(const std::string& name, const Task& task) {
+  std::string line;
+  for (const TaskFigure& f : task.ownFigures()) {
+    char number[32];
+    std::snprintf(number, sizeof number, f.value == std::round(f.value) ? "%.0f" : "%.2f", f.value);
+    line += (line.empty() ? "" : "  ·  ") + std::string(f.name) + " " + number + (f.unit.empty() ? "" : " " + std::string(f.unit));
+  }
+  if (line.empty()) return;
+  WithFont small(Font::Small);
+  WithText quiet(look().palette.quiet);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(line.c_str());
+  ImGui::PopTextWrapPos();
+  recordItem(name + "/figures", line);
+}
+
+}  // namespace
 
 void drawLessonTask(Application& app, std::size_t index) {
   const Look& l = look();
   const Palette& p = l.palette;
   LessonSession& session = *app.lesson.session();
   if (index >= session.step().tasks.size()) return;
-  const TaskStatus status = session.task(index);
+  TaskStatus status = session.task(index);
+  status.say = localNumbers(status.say);
+  status.sentence = localNumbers(status.sentence);
   const std::string name = "task/" + std::to_string(index);
   const bool away = status.current && !app.lesson.onStage();
   const std::string& molecule = session.scene().molecule;
@@ -65,8 +92,19 @@ void drawLessonTask(Application& app, std::size_t index) {
   }
   ImGui::SetCursorScreenPos(low);
   ImGui::Dummy({width, height});
+  // The task whose turn has come is brought into sight, but a step begins at its top.
+  if (status.current && app.panels.lesson_task != index) {
+    if (index > app.panels.lesson_task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
+    app.panels.lesson_task = index;
+  }
   recordItem(name, (status.done ? "done: " : status.current ? "current: " : "waiting: ") + status.say + (next.empty() ? "" : "\n" + next));
-  if (away && !app.loading() && button((name + "/bring back").c_str(), ("Bring " + molecule + " back").c_str(), ButtonLook::Primary, width))
+  if (const Task* task = session.taskAt(index); task && !away) {
+    if (status.current) drawTaskButtons(app, index, *task);
+    if (task->curves() && (status.current || status.done)) drawTaskCurve(app, index, *task->curves(), status.current);
+    if (status.done) drawFigures(name, *task);
+  }
+  if (away && !app.loading() &&
+      (button((name + "/bring back").c_str(), ("Bring " + molecule + " back  (Enter)").c_str(), ButtonLook::Primary, width) || lessonKeyPressed('\n')))
     app.lesson.askForScene();
 }
 

@@ -10,9 +10,9 @@ namespace moltact {
 
 void drawMessageStack(Application& app) {
   const Look& l = look();
-  const Rectangle& view = app.layout.view;
+  const Rectangle& view = app.layout().view;
   if (app.messages.all().empty()) return;
-  const Rectangle room = view.size().x > l.px(260) ? view : Rectangle{{0, app.layout.menu.high.y}, {app.layout.menu.high.x, app.layout.status.low.y}};
+  const Rectangle room = view.size().x > l.px(260) ? view : Rectangle{{0, app.layout().menu.high.y}, {app.layout().menu.high.x, app.layout().status.low.y}};
   const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.px(560));
   float y = room.low.y + margin;
   std::optional<std::size_t> dismissed;

@@ -4,26 +4,33 @@
 #include "app/ui/controls.h"
 #include "app/ui/method_charts.h"
 #include "app/ui/method_chooser.h"
+#include "app/ui/panels/dark_view.h"
 #include "app/ui/plot.h"
 #include "app/ui/theme.h"
+#include "app/ui/while_locked.h"
 
 namespace moltact {
 
 void drawMethodsPanel(Application& app) {
-  if (!app.methodsInFront() || !beginPanel("methods", app.layout.touch)) return;
+  if (!app.panels.methodsInFront() || !beginPanel("methods", app.layout().touch)) return;
+  if (drawnDark(app)) {
+    endPanel();
+    return;
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
   drawTouchHead(app);
   drawMethodChooser(app);
-  if (feltFacets(app.method)) {
-    bool on = app.shown.has(Shape::Facets);
-    if (toggle("show/facets", "Draw the triangles", on, "The triangles that the method feels, round the probe.")) app.shown.set(Shape::Facets, on);
+  if (feltFacets(app.scene.method())) {
+    const WhileLocked locked(app, "show");
+    bool on = app.scene.shown.has(Shape::Facets);
+    if (toggle("show/facets", "Draw the triangles", on, "The triangles that the method feels, round the probe.")) app.scene.shown.set(Shape::Facets, on);
   }
-  plot("plot/force", app.touch.force(), app.touch.force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f, .height = 50.0f});
-  plot("plot/turn", app.watch.turns(), app.watch.greatestTurn_deg(),
+  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f, .height = 50.0f});
+  plot("plot/turn", app.scene.watch().turns(), app.scene.watch().greatestTurn_deg(),
        {.title = "Largest turn in a tick", .least_top = 2.0f, .height = 50.0f, .format = "%.1f°"});
-  const MethodRecord* record = app.watch.find(app.method);
+  const MethodRecord* record = app.scene.watch().find(app.scene.method());
   tickHistogram("plot/times", record, 56.0f);
-  speedAccuracyChart("plot/tradeoff", app.watch, app.method, 140.0f);
+  speedAccuracyChart("plot/tradeoff", app.scene.watch(), app.scene.method(), 140.0f);
   ImGui::PopStyleVar();
   endPanel();
 }

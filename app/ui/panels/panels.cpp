@@ -5,14 +5,24 @@
 // One line a panel: its function is draw<Name>(Application&), in its own file.
 #define MOLTACT_PANELS(X) \
   X(MenuBar)              \
+  X(ToolBar)              \
+  X(WelcomePage)          \
   X(LessonPanel)          \
   X(ViewPanel)            \
   X(TouchPanel)           \
   X(MethodsPanel)         \
   X(Splitters)            \
+  X(PlaybackBar)          \
+  X(TurnsStrip)           \
   X(StatusBar)            \
+  X(LimitNotice)          \
+  X(LessonProblems)       \
   X(MessageStack)         \
+  X(TurnsPage)            \
   X(OpenPage)             \
+  X(FilePage)             \
+  X(PreferencesPage)      \
+  X(DevicePage)           \
   X(ControlsPage)         \
   X(AboutPage)
 

@@ -31,8 +31,8 @@ void splitter(const char* name, const Rectangle& panel, bool on_its_right, doubl
 }  // namespace
 
 void drawSplitters(Application& app) {
-  splitter("splitter/lesson", app.layout.lesson, true, app.settings.lesson_width, 240.0, 700.0);
-  splitter("splitter/touch", app.layout.touch, false, app.settings.touch_width, 220.0, 600.0);
+  splitter("splitter/lesson", app.layout().lesson, true, app.settings.lesson_width, 240.0, 700.0);
+  splitter("splitter/touch", app.layout().touch, false, app.settings.touch_width, 220.0, 600.0);
 }
 
 }  // namespace moltact

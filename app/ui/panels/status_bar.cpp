@@ -7,6 +7,8 @@
 #include "app/ui/application.h"
 #include "app/ui/contact_text.h"
 #include "app/ui/controls.h"
+#include "app/ui/extensions.h"
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -30,9 +32,9 @@ std::string grouped(std::size_t n) {
 
 Segment loopSegment(const Application& app) {
   const Palette& p = look().palette;
-  if (app.servo.clock() == ServoClock::Frames) return {"status/loop", "1000 Hz, virtual clock", "", 3, p.good};
-  const LoopHealth& h = app.touch.health();
-  const RealtimeStatus status = app.servo.realtime();
+  if (app.scene.servo().clock() == ServoClock::Frames) return {"status/loop", "1000 Hz, virtual clock", "", 3, p.good};
+  const LoopHealth& h = app.scene.log().health();
+  const RealtimeStatus status = app.scene.servo().realtime();
   char text[160];
   const char* kind = status == RealtimeStatus::Realtime ? "real-time" : status == RealtimeStatus::Ordinary ? "ordinary priority" : "starting";
   std::snprintf(text, sizeof text, "%.0f Hz, %s, late %.0f µs, tick %.1f µs", h.rate_Hz, kind, h.late_p99_us, h.work_mean_us);
@@ -40,10 +42,10 @@ Segment loopSegment(const Application& app) {
   std::snprintf(tip, sizeof tip,
                 "The touch loop should run 1000 times a second. 99 of 100 ticks began at most %.0f µs late; the longest "
                 "took %.1f µs; %llu were left out.%s",
-                h.late_p99_us, h.work_max_us, static_cast<unsigned long long>(app.servo.missedTicks()),
+                h.late_p99_us, h.work_max_us, static_cast<unsigned long long>(app.scene.servo().missedTicks()),
                 status == RealtimeStatus::Ordinary ? " The system does not allow this program real-time priority, so ticks may come late while the picture is drawn." : "");
   const bool well = h.rate_Hz > 950 && (status == RealtimeStatus::Realtime || h.late_p99_us < 2000);
-  return {"status/loop", text, tip, 3, well ? p.good : p.warn};
+  return {"status/loop", localNumbers(text), localNumbers(tip), 3, well ? p.good : p.warn};
 }
 
 }  // namespace
@@ -52,26 +54,26 @@ void drawStatusBar(Application& app) {
   const Look& l = look();
   WithFont small(Font::Small);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(14), 0});
-  const bool shown = beginPanel("status bar", app.layout.status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool shown = beginPanel("status bar", app.layout().status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (!shown) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const Rectangle& r = app.layout.status;
+  const Rectangle& r = app.layout().status;
   draw->PushClipRectFullScreen();
   draw->AddLine({r.low.x, r.low.y}, {r.high.x, r.low.y}, l.palette.line, std::max(1.0f, l.scale));
   draw->PopClipRect();
 
-  const ServoSample& now = app.touch.latest();
+  const ServoSample& now = app.scene.log().latest();
   std::vector<Segment> segments;
-  segments.push_back({"status/contact", app.touch.touching() ? "touching" : now.contact.fault == Fault::StartedInside ? "inside" : "free",
-                      contactText(app.stage.molecule.get(), now.contact, app.touch.force_N()), 0,
-                      app.touch.touching() ? l.palette.accent : l.palette.faint});
-  segments.push_back({"status/device", app.servo.device().name,
-                      app.servo.device().gives_force ? "" : "No force-feedback device is connected; the mouse or keyboard stands in for it.", 2});
+  segments.push_back({"status/contact", app.scene.log().touching() ? "touching" : now.contact.fault == Fault::StartedInside ? "inside" : "free",
+                      app.extensions().task_stager.dark() ? std::string() : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()), 0,
+                      app.scene.log().touching() ? l.palette.accent : l.palette.faint});
+  segments.push_back({"status/device", app.scene.servo().device().name,
+                      app.scene.servo().device().gives_force ? "" : "No force-feedback device is connected; the mouse or keyboard stands in for it.", 2});
   segments.push_back(loopSegment(app));
-  if (app.stage) {
-    const Molecule& m = *app.stage.molecule;
-    segments.push_back({"status/molecule", m.id.empty() ? app.stage_file.filename().string() : m.id, m.title, 1});
+  if (app.scene.stage()) {
+    const Molecule& m = *app.scene.stage().molecule;
+    segments.push_back({"status/molecule", m.id.empty() ? app.scene.file().filename().string() : m.id, m.title, 1});
     segments.push_back({"status/modelled", grouped(now.footprint.atoms_modelled) + " of " + grouped(m.atoms.size()) + " atoms modelled",
                         "The tracker prepares only the atoms near your probe.", 4});
   }

@@ -4,9 +4,11 @@
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/method_chooser.h"
+#include "app/ui/panels/dark_view.h"
 #include "app/ui/plot.h"
 #include "app/ui/shape_label.h"
 #include "app/ui/theme.h"
+#include "app/ui/while_locked.h"
 
 namespace moltact {
 namespace {
@@ -15,25 +17,33 @@ constexpr double kLargestOffered_A = 4.0;   // of the probe's slider
 constexpr double kSoftest_N_per_mm = 0.05, kStiffest_N_per_mm = 2.0;
 
 void drawShapeSwitches(Application& app) {
+  const WhileLocked locked(app, "show");
   for (const ShapeName& shape : shapeNames()) {
     if (!shape.haptic) continue;  // the others are in the View menu
-    if (shape.shape == Shape::Facets && !feltFacets(app.method)) continue;
-    bool on = app.shown.has(shape.shape);
+    if (shape.shape == Shape::Facets && !feltFacets(app.scene.method())) continue;
+    bool on = app.scene.shown.has(shape.shape);
     if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on, std::string(shape.sentence).c_str()))
-      app.shown.set(shape.shape, on);
+      app.scene.shown.set(shape.shape, on);
   }
 }
 
 }  // namespace
 
 void drawTouchPanel(Application& app) {
-  if (app.methodsInFront() || !beginPanel("touch", app.layout.touch)) return;
+  if (app.panels.methodsInFront() || !beginPanel("touch", app.layout().touch)) return;
+  if (drawnDark(app)) {
+    endPanel();
+    return;
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
   drawTouchHead(app);
-  plot("plot/force", app.touch.force(), app.touch.force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f});
+  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f});
   ImGui::Spacing();
-  slider("probe", "Probe radius", app.touch_settings.probe_A, 0.0, kLargestOffered_A, 0.1, "%.1f Å",
-         "The radius of the ball you touch with. 1.4 Å is a water molecule.");
+  {
+    const WhileLocked locked(app, "probe");
+    slider("probe", "Probe radius", app.scene.servo_settings.probe_A, 0.0, kLargestOffered_A, 0.1, "%.1f Å",
+           "The radius of the ball you touch with. 1.4 Å is a water molecule.");
+  }
   ImGui::Spacing();
   sectionTitle("What the hand feels");
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
@@ -42,13 +52,19 @@ void drawTouchPanel(Application& app) {
   ImGui::Spacing();
   disclosure("more", "Spring, tracker and timing", app.panels.touch_details);
   if (app.panels.touch_details) {
-    slider("stiffness", "Stiffness", app.touch_settings.stiffness_N_per_mm, kSoftest_N_per_mm, kStiffest_N_per_mm, 0.05, "%.2f N/mm",
-           "The spring between your hand and the surface: how hard the molecule feels.");
-    toggle("force", "Force on", app.touch_settings.force_on, "Off: contact is followed, but no force is given.");
+    {
+      const WhileLocked locked(app, "stiffness");
+      slider("stiffness", "Stiffness", app.scene.servo_settings.stiffness_N_per_mm, kSoftest_N_per_mm, kStiffest_N_per_mm, 0.05, "%.2f N/mm",
+             "The spring between your hand and the surface: how hard the molecule feels.");
+    }
+    {
+      const WhileLocked locked(app, "force");
+      toggle("force", "Force on", app.scene.servo_settings.force_on, "Off: contact is followed, but no force is given.");
+    }
     ImGui::TextUnformatted("Tracker");
     drawMethodChooser(app);
-    if (!app.panels.methods && button("compare", "Compare the methods …", ButtonLook::Plain, -1.0f)) app.showMethods(true);
-    plot("plot/tick", app.touch.work(), app.touch.health().work_mean_us, {.title = "Time for a tick", .unit = "µs", .least_top = 2.0f});
+    if (!app.panels.methods && !app.lesson.locks("panels") && button("compare", "Compare the methods …", ButtonLook::Plain, -1.0f)) app.panels.showMethods(true);
+    plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us, {.title = "Time for a tick", .unit = "µs", .least_top = 2.0f});
   }
   ImGui::PopStyleVar();
   endPanel();

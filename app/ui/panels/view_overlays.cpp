@@ -8,6 +8,8 @@
 #include "app/ui/application.h"
 #include "app/ui/contact_text.h"
 #include "app/ui/controls.h"
+#include "app/ui/extensions.h"
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -34,7 +36,7 @@ float pill(const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivo
 // A length of 1, 2 or 5 times a power of ten that takes 50 to 125 pixels at 96 dpi, at the target's depth.
 void scaleBar(const Application& app, const Rectangle& view) {
   const Look& l = look();
-  const double pixel_A = app.camera.pixel_A(app.camera.distance_A, int(view.size().y));
+  const double pixel_A = app.scene.camera.pixel_A(app.scene.camera.distance_A, int(view.size().y));
   if (!(pixel_A > 0.0) || !std::isfinite(pixel_A)) return;
   const double most_A = pixel_A * double(l.px(125));
   double length_A = std::pow(10.0, std::floor(std::log10(most_A)));
@@ -43,8 +45,9 @@ void scaleBar(const Application& app, const Rectangle& view) {
       length_A *= step;
       break;
     }
-  char text[32];
-  std::snprintf(text, sizeof text, "%g Å", length_A);
+  char number[32];
+  std::snprintf(number, sizeof number, "%g Å", length_A);
+  const std::string text = localNumbers(number);
   const float width = float(length_A / pixel_A), x1 = view.high.x - l.px(18), x0 = x1 - width, y = view.high.y - l.px(20);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 colour = l.palette.quiet;
@@ -53,27 +56,28 @@ void scaleBar(const Application& app, const Rectangle& view) {
   draw->AddLine({x0, y - tick}, {x0, y + tick}, colour, thick);
   draw->AddLine({x1, y - tick}, {x1, y + tick}, colour, thick);
   ImFont* small = l.font(Font::Small);
-  const ImVec2 size = small->CalcTextSizeA(small->FontSize, 1e9f, 0, text);
-  draw->AddText(small, small->FontSize, {0.5f * (x0 + x1 - size.x), y - tick - size.y}, colour, text);
+  const ImVec2 size = small->CalcTextSizeA(small->FontSize, 1e9f, 0, text.c_str());
+  draw->AddText(small, small->FontSize, {0.5f * (x0 + x1 - size.x), y - tick - size.y}, colour, text.c_str());
   recordRectangle("view/scale bar", {x0, y - tick - size.y}, {x1, y + tick}, text);
 }
 
 // The force in newtons, a little beyond the arrow's head; beside the contact where the arrow points at the viewer.
 void forceLabel(const Application& app, const ServoSample& now, const Rectangle& view) {
-  const double force_N = app.touch.force_N();
+  const double force_N = app.scene.log().force_N();
   const Vec3 lift = now.contact.scp.A - now.hip.A;
   const double depth_A = glm::length(lift);
   if (!(force_N >= 0.05) || !(depth_A > 0.0)) return;
   const Look& l = look();
   const glm::vec2 size = view.size();
-  const double pixel_A = app.camera.pixel_A(app.camera.distance_A, std::max(1, int(size.y)));
+  const double pixel_A = app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(size.y)));
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * float(force_N) + l.px(26));
-  const Vec3 foot = app.camera.project(now.contact.scp, int(size.x), int(size.y));
-  Vec3 at = app.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
-  char text[24];
-  std::snprintf(text, sizeof text, "%.1f N", force_N);
+  const Vec3 foot = app.scene.camera.project(now.contact.scp, int(size.x), int(size.y));
+  Vec3 at = app.scene.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
+  char number[24];
+  std::snprintf(number, sizeof number, "%.1f N", force_N);
+  const std::string text = localNumbers(number);
   ImFont* font = l.font(Font::Small);
-  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text);
+  const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
     at = foot + Vec3(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0);
   const float x = std::clamp(view.low.x + float(at.x) - 0.5f * extent.x, view.low.x + l.px(6), view.high.x - extent.x - l.px(6));
@@ -81,8 +85,31 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const ImVec2 pad{l.px(5), l.px(2)};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y}, faded(l.palette.panel, 0.85f), l.px(5));
-  draw->AddText(font, font->FontSize, {x, y}, l.palette.text, text);
+  draw->AddText(font, font->FontSize, {x, y}, l.palette.text, text.c_str());
   recordRectangle("view/force", {x, y}, {x + extent.x, y + extent.y}, text);
+}
+
+const char* hintText(bool has_pressed, bool left_handed) {
+  if (has_pressed)
+    return left_handed ? "Drag with the left button to turn the molecule, wheel to come closer"
+                       : "Drag with the right button to turn the molecule, wheel to come closer";
+  return left_handed ? "Hold the right button, or Space, to push against the molecule"
+                     : "Hold the left button, or Space, to push against the molecule";
+}
+
+// What takes long is seen to go on: a bar that runs to and fro.
+void loadingSign(const Application& app, const Rectangle& view) {
+  constexpr double kLong_s = 0.5, kRound_s = 1.6;
+  if (app.loadingFor_s() < kLong_s) return;
+  const Look& l = look();
+  const float width = std::min(l.px(260), 0.8f * view.size().x), high = l.px(5), x0 = 0.5f * (view.low.x + view.high.x - width);
+  const float y = 0.5f * (view.low.y + view.high.y);
+  pill("view/loading", "Opening …", {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width, l.palette.panel, l.palette.text);
+  const double turn = std::fmod(app.now_s(), kRound_s) / kRound_s, part = turn < 0.5 ? 2.0 * turn : 2.0 - 2.0 * turn;
+  const float knob = 0.3f * width, x = x0 + float(part) * (width - knob);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({x0, y}, {x0 + width, y + high}, l.palette.pressed, 0.5f * high);
+  draw->AddRectFilled({x, y}, {x + knob, y + high}, l.palette.accent, 0.5f * high);
 }
 
 }  // namespace
@@ -92,30 +119,33 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   const Palette& p = l.palette;
   const float margin = l.px(14), width = view.size().x - 2 * margin;
   if (width < l.px(120)) return;
-  const ServoSample& now = app.touch.latest();
+  const ServoSample& now = app.scene.log().latest();
 
   ImGui::SetCursorScreenPos({view.high.x - l.px(42), view.low.y + l.px(12)});
-  if (app.stage && iconButton("view/reset", Icon::Home, "Reset view (Home)")) app.resetView();
+  if (app.scene.stage() && iconButton("view/reset", Icon::Fit, "Reset view (Home)")) app.resetViewByHand();
 
-  if (!app.stage) {
-    pill("view/empty", app.loading() ? "Opening …" : "Open a molecule or a lesson: File, Open, or drop a file here.",
+  loadingSign(app, view);
+  if (!app.scene.stage()) {
+    if (!app.loading()) pill("view/empty", "Open a molecule or a lesson: File, Open, or drop a file here.",
          {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel, p.text);
     return;
   }
-  if (now.contact.touching() && app.shown.has(Shape::Force)) forceLabel(app, now, view);
+  if (now.contact.touching() && app.scene.shown.has(Shape::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.px(320);
   if (roomy) scaleBar(app, view);
   const float bottom = view.high.y - margin, words = roomy ? width - l.px(150) : width;
   if (now.contact.fault == Fault::StartedInside) {
-    pill("view/state", contactText(app.stage.molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom}, {0, 1},
+    pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom}, {0, 1},
          words, p.warn_soft, p.warn);
   } else if (now.contact.touching()) {
-    pill("view/state", contactText(app.stage.molecule.get(), now.contact, app.touch.force_N()), {view.low.x + margin, bottom}, {0, 1},
-         words, p.panel, p.text);
-  } else if (const float hint = float(app.hintStrength()); hint > 0.0f) {
-    pill("view/hint", app.controls.hasPressed() ? "Drag with the right button to turn the molecule, wheel to come closer"
-                                                : "Hold the left button, or Space, to push against the molecule",
+    const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
+    // The line rests a moment before it tells something new; by then it may be the first touch.
+    const std::string& line = app.extensions().state_text.line();
+    const bool told = line.starts_with("touching");
+    pill("view/state", localNumbers(told ? line : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N())), {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
+  } else if (const float hint = float(app.scene.controls.hintStrength()); hint > 0.0f) {
+    pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
 }

@@ -1,5 +1,6 @@
 // Centre: the molecule and the probe, what is touched in words, a scale bar, and what the mouse and keys do over it.
 #include <cmath>
+#include <cstddef>
 #include <cstdio>
 #include <string>
 
@@ -9,7 +10,10 @@
 #include "app/ui/application.h"
 #include "app/ui/contact_text.h"
 #include "app/ui/controls.h"
+#include "app/ui/extensions.h"
 #include "app/ui/method_chooser.h"
+#include "app/ui/panels/dark_view.h"
+#include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/theme.h"
 #include "app/ui/view_picture.h"
@@ -25,14 +29,23 @@ glm::dvec2 arrows() {
 
 bool pressed(int key, bool repeat = false) { return ImGui::IsKeyPressed(key, repeat); }
 
+// The method so many places on in the list, round and round. The key works where the panel has no room, too.
+void switchMethod(Application& app, int by) {
+  const auto all = methods();
+  const auto count = static_cast<std::ptrdiff_t>(all.size());
+  app.scene.useMethod(all[static_cast<std::size_t>((findMethod(app.scene.method()) - all.data() + by + count) % count)].name);
+}
+
 void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
   // Keys belong to a text field or an open page before they belong to the view.
   if (io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
   if (io.KeyCtrl && !io.KeyAlt) in.orbit_keys = arrows();
+  else if (app.scene.playing()) return;  // the keys belong to the bar
   else if (io.KeyShift && !io.KeyAlt) in.pan_keys = arrows();
-  else if (!io.KeyAlt) in.probe_keys = arrows();
-  in.press = in.press || (ImGui::IsKeyDown(GLFW_KEY_SPACE) && !io.KeyCtrl && !io.KeyAlt);
+  else if (!io.KeyAlt && !app.panels.arrows_draw) in.probe_keys = arrows();
+  // A press that has begun goes on while Ctrl and the arrows turn the molecule.
+  in.press = in.press || (ImGui::IsKeyDown(GLFW_KEY_SPACE) && !io.KeyAlt && (!io.KeyCtrl || app.scene.controls.pressing()));
   if (!io.KeyCtrl) {
     if (pressed(GLFW_KEY_EQUAL, true) || pressed(GLFW_KEY_KP_ADD, true)) in.push_notches += 1.0;
     if (pressed(GLFW_KEY_MINUS, true) || pressed(GLFW_KEY_KP_SUBTRACT, true)) in.push_notches -= 1.0;
@@ -40,9 +53,9 @@ void readKeys(Application& app, ViewInput& in) {
     for (const ImWchar c : io.InputQueueCharacters)
       if (c == '+' && !pressed(GLFW_KEY_EQUAL, true) && !pressed(GLFW_KEY_KP_ADD, true)) in.push_notches += 1.0;
   }
-  in.zoom_keys = (ImGui::IsKeyDown(GLFW_KEY_PAGE_UP) ? 1.0 : 0.0) - (ImGui::IsKeyDown(GLFW_KEY_PAGE_DOWN) ? 1.0 : 0.0);
+  if (!io.KeyCtrl) in.zoom_keys = (ImGui::IsKeyDown(GLFW_KEY_PAGE_UP) ? 1.0 : 0.0) - (ImGui::IsKeyDown(GLFW_KEY_PAGE_DOWN) ? 1.0 : 0.0);
   in.release = ImGui::IsKeyDown(GLFW_KEY_ESCAPE);
-  if (pressed(GLFW_KEY_HOME)) app.resetView();
+  if (app.panels.methods && !app.extensions().task_stager.dark() && lessonKeyPressed('M')) switchMethod(app, io.KeyShift ? -1 : 1);
 }
 
 ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
@@ -51,9 +64,10 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.size_px = size;
   in.dt_s = app.dt_s();
   const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
-  const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(1) && io.KeyShift));
-  const bool turning = active && !panning && ImGui::IsMouseDown(1);
-  in.press = active && ImGui::IsMouseDown(0);
+  const int push = app.settings.left_handed ? 1 : 0, turn = 1 - push;
+  const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(turn) && io.KeyShift));
+  const bool turning = active && !panning && ImGui::IsMouseDown(turn);
+  in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing();
   const glm::dvec2 drag(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
   if (turning) in.orbit_px = drag;
@@ -66,26 +80,30 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
 
 ViewScene sceneOf(const Application& app) {
   ViewScene scene;
-  const ServoSample& now = app.touch.latest();
-  scene.molecule = app.stage.molecule;
-  scene.camera = app.camera;
-  scene.shown = app.shown;
-  scene.theme = look().dark ? darkTheme() : lightTheme();
-  if (app.stage && now.has_tracker) {
+  const ServoSample& now = app.scene.log().latest();
+  scene.molecule = app.scene.stage().molecule;
+  scene.camera = app.scene.camera;
+  scene.shown = app.scene.shown;
+  scene.theme = look().viewTheme();
+  scene.elements = elementColoursOf(app.settings);
+  if (app.scene.stage() && now.has_tracker) {
     scene.hip = now.hip;
     scene.contact = now.contact;
-    scene.force_N = app.touch.force_N();
-    scene.arrow_A_per_N = app.camera.pixel_A(app.camera.distance_A, std::max(1, int(app.layout.view.size().y))) * look().px(kArrow_px_per_N);
+    scene.force_N = app.scene.log().force_N();
+    scene.arrow_A_per_N = app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) * look().px(kArrow_px_per_N);
     scene.probe_A = now.probe_A;
   }
-  scene.facets = feltFacets(app.method);
+  scene.water = app.settings.probe_look != ProbeLook::Ball;
+  scene.hand = app.extensions().hand_model.model();
+  scene.left_hand = app.settings.left_handed;
+  scene.facets = feltFacets(app.scene.method());
   app.lesson.decorate(scene);
   return scene;
 }
 
-void savePicture(Application& app) {
-  const std::filesystem::path file = freePictureName(app.options.picture_folder);
-  const std::optional<Problem> problem = writePng(file, app.picture->read());
+void savePicture(Application& app, std::filesystem::path file) {
+  if (file.empty()) file = freePictureName(app.options().picture_folder);
+  const std::optional<Problem> problem = writePng(file, app.picture().read());
   if (problem) app.messages.error(problem->text());
   else app.messages.notice("Picture saved as " + file.string());
 }
@@ -94,10 +112,10 @@ void savePicture(Application& app) {
 
 void drawViewPanel(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool shown = beginPanel("view", app.layout.view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool shown = beginPanel("view", app.layout().view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (!shown) return;
-  const Rectangle& r = app.layout.view;
+  const Rectangle& r = app.layout().view;
   const glm::dvec2 size = r.size();
   const ImVec2 low{r.low.x, r.low.y}, high{r.high.x, r.high.y};
   ImGui::SetItemAllowOverlap();
@@ -106,18 +124,24 @@ void drawViewPanel(Application& app) {
   ImGui::SetItemAllowOverlap();
   recordItem("view");
   const ViewInput in = readInput(app, low, size);
-  app.controls.update(in, app.camera, app.stage.balls.get(), app.touch_settings, app.touch.touching(),
-                      app.touch.force_N(), app.servo.mouse());
-  if (app.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings, app.scene.log().touching(),
+                      app.scene.log().force_N(), app.scene.servo().mouse());
+  if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
 
-  ViewPicture& picture = *app.picture;
-  picture.draw(sceneOf(app), int(size.x), int(size.y), app.controls.cameraMoved(), look().scale);
+  if (app.extensions().task_stager.dark()) {
+    drawDarkView(app, r);
+    if (app.takePictureRequest()) app.messages.notice("The screen is dark: there is nothing to save as a picture.");
+    endPanel();
+    return;
+  }
+  ViewPicture& picture = app.picture();
+  const SceneChange& change = app.extensions().scene_change;
+  picture.draw(sceneOf(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(), look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
-  if (app.take_picture) {
-    app.take_picture = false;
-    savePicture(app);
-  }
+  if (change.oldPicture() > 0 && picture.kept())
+    ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0}, faded(IM_COL32_WHITE, float(change.oldPicture())));
+  if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, std::move(*file));
   drawViewOverlays(app, r);
   endPanel();
 }

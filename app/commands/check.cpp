@@ -1,0 +1,132 @@
+// moltact check FILE|FOLDER…: every error of lessons at its place, with its line and a caret under it.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/source_excerpt.h"
+#include "engine/lesson/check.h"
+#include "engine/lesson/lesson_files.h"
+#include "engine/lesson/lesson_molecules.h"
+#include "engine/lesson/source_text.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct CheckArguments {
+  std::vector<std::string> paths;
+  bool json = false;
+};
+
+struct Checked {
+  std::string file;
+  std::string text;  ///< of the file; empty where it could not be read
+  std::vector<Problem> errors, warnings;
+};
+
+Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
+  Checked out{file.string(), {}, {}, {}};
+  auto bytes = readLessonFile(file);
+  if (!bytes) {
+    out.errors.push_back(bytes.problem());
+    return out;
+  }
+  out.text = *bytes;
+  LessonCheck check = checkLesson(out.file, *std::move(bytes), [&](const std::string& name) { return molecules.find(file, name); });
+  out.errors = std::move(check.errors);
+  out.warnings = std::move(check.warnings);
+  return out;
+}
+
+std::string counted(std::size_t n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
+
+struct Row {
+  const Problem* problem;
+  const char* severity;
+};
+
+/// Errors and warnings of a file together, in the order of the file.
+std::vector<Row> rowsOf(const Checked& checked) {
+  std::vector<Row> rows;
+  for (const Problem& p : checked.errors) rows.push_back({&p, "error"});
+  for (const Problem& p : checked.warnings) rows.push_back({&p, "warning"});
+  std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
+    return a.problem->line != b.problem->line ? a.problem->line < b.problem->line : a.problem->column < b.problem->column;
+  });
+  return rows;
+}
+
+void printText(const Checked& checked) {
+  const SourceText source(checked.file, checked.text);
+  for (const Row& row : rowsOf(checked)) {
+    const Problem& p = *row.problem;
+    std::cout << p.file;
+    if (p.line) std::cout << ':' << p.line << ':' << p.column;
+    std::cout << ": " << row.severity << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy << '\n';
+    if (p.line) std::cout << sourceExcerpt(source.line(p.line), p.column);
+  }
+}
+
+nlohmann::ordered_json jsonOf(const Checked& checked) {
+  auto out = nlohmann::ordered_json::array();
+  for (const Row& row : rowsOf(checked)) {
+    const Problem& p = *row.problem;
+    out.push_back({{"file", p.file}, {"line", p.line}, {"column", p.column}, {"severity", row.severity},
+                   {"message", p.message}, {"remedy", p.remedy}});
+  }
+  return out;
+}
+
+void run(const CheckArguments& arguments) {
+  std::vector<Checked> all;
+  std::vector<fs::path> passed_over;
+  LessonMolecules molecules;
+  for (const std::string& path : arguments.paths) {
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+      all.push_back(checkFile(path, molecules));
+      continue;
+    }
+    LessonFolder folder = lessonsIn(path);
+    if (folder.trouble) all.push_back({path, {}, {*std::move(folder.trouble)}, {}});
+    for (const fs::path& file : folder.lessons) all.push_back(checkFile(file, molecules));
+    passed_over.insert(passed_over.end(), folder.others.begin(), folder.others.end());
+  }
+
+  std::size_t errors = 0, warnings = 0, lessons = 0;
+  for (const Checked& c : all) {
+    lessons += !c.text.empty();
+    errors += c.errors.size();
+    warnings += c.warnings.size();
+  }
+  if (arguments.json) {
+    nlohmann::ordered_json document = {{"problems", nlohmann::ordered_json::array()}, {"lessons", lessons},
+                                       {"errors", errors}, {"warnings", warnings}};
+    for (const Checked& c : all)
+      for (auto& problem : jsonOf(c)) document["problems"].push_back(std::move(problem));
+    std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  } else {
+    for (const Checked& c : all) printText(c);
+    for (const fs::path& file : passed_over) std::cout << file.string() << ": no lesson, passed over\n";
+    std::cout << counted(lessons, "lesson") << " checked: " << (errors ? counted(errors, "error") : "no errors")
+              << (warnings ? ", " + counted(warnings, "warning") : "") << '\n';
+  }
+  // What is wrong has been told.
+  if (errors) throw CommandFailed{};
+}
+
+}  // namespace
+
+void addCheck(CLI::App& app) {
+  auto arguments = std::make_shared<CheckArguments>();
+  CLI::App* command = app.add_subcommand("check", "Check lessons: tell every error at its place, and what would mend it");
+  command->add_option("paths", arguments->paths, "Lessons (.md), or folders in which lessons are looked for")->required();
+  command->add_flag("--json", arguments->json, "Print one JSON document, for editors");
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace moltact

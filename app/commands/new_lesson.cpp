@@ -1,0 +1,67 @@
+// moltact new-lesson NAME: a small working lesson to start from.
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "app/commands/command.h"
+#include "engine/lesson/new_lesson.h"
+#include "engine/lesson/source_text.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct NewLessonArguments {
+  std::string name, folder = ".";
+};
+
+/// Writes a file that must not exist yet.
+void writeNew(const fs::path& file, const std::string& text) {
+  // "x": the file is made here or not at all, so that no other program's file can be overwritten in between.
+  std::FILE* out = std::fopen(file.c_str(), "wx");
+  if (!out && errno == EEXIST) throw CommandError{file.string() + " is there already and stays as it is; choose another name"};
+  if (!out) throw CommandError{file.string() + " cannot be written: " + std::strerror(errno) + "; choose another folder with --folder"};
+  const bool whole = std::fwrite(text.data(), 1, text.size(), out) == text.size();
+  if (std::fclose(out) != 0 || !whole) throw CommandError{file.string() + " could not be written to its end; check that the disk has room"};
+}
+
+/// A file's name as a shell takes it.
+std::string shellWord(const std::string& word) {
+  if (word.find_first_of(" '\"\\$`&;()<>|*?[]#~!") == std::string::npos) return word;
+  std::string out = "'";
+  for (const char c : word) out += c == '\'' ? "'\\''" : std::string(1, c);
+  return out + "'";
+}
+
+void run(const NewLessonArguments& arguments) {
+  const std::string name = lessonFileName(arguments.name);
+  if (name.empty() || firstBadByte(arguments.name) != std::string::npos || arguments.name.find_first_of("/\n") != std::string::npos)
+    throw CommandError{"'" + arguments.name + "' is no name for a lesson; name it in a few words, such as 'Haem pockets', and its folder with --folder"};
+  std::error_code error;
+  fs::create_directories(arguments.folder, error);
+  if (error) throw CommandError{arguments.folder + " cannot be made: " + error.message() + "; choose another folder"};
+  const fs::path file = arguments.folder == "." ? fs::path(name) : fs::path(arguments.folder) / name;
+  writeNew(file, newLessonText(lessonTitle(arguments.name)));
+  const std::string word = shellWord(file.string());
+  std::cout << file.string() << " is written. What to do now:\n"
+            << "  moltact " << word << "          see it; it is read again each time you save it\n"
+            << "  moltact check " << word << "    what is wrong with it, and what would mend it\n"
+            << "  moltact info MOLECULE" << std::string(word.size() > 8 ? word.size() - 8 : 0, ' ') << "    the chains, residues and ligands that you can name\n"
+            << "How lessons are written is told in docs/write-a-lesson.md.\n";
+}
+
+}  // namespace
+
+void addNewLesson(CLI::App& app) {
+  auto arguments = std::make_shared<NewLessonArguments>();
+  CLI::App* command = app.add_subcommand("new-lesson", "Write a small working lesson to start from");
+  command->add_option("name", arguments->name, "Its name, such as 'Haem pockets'; the file becomes haem-pockets.md")->required();
+  command->add_option("--folder", arguments->folder, "Where to put it")->capture_default_str();
+  command->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace moltact

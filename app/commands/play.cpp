@@ -1,0 +1,165 @@
+// `moltact play`: a student made of code goes through a lesson, without a window and on a virtual clock.
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "app/commands/command.h"
+#include "app/commands/number_range.h"
+#include "engine/lesson/reader.h"
+#include "engine/lesson/student/answers_file.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/platform/read_file.h"
+
+namespace moltact {
+namespace {
+
+struct Options {
+  std::string lesson, answers;
+  bool demonstrate = false, json = false;
+  double task_s = 180.0;
+};
+
+std::string lineOf(const Lesson& lesson, const StudentEvent& e) {
+  return lesson.file + ":" + std::to_string(e.place.line) + ":" + std::to_string(e.place.column) + ": ";
+}
+
+std::string figuresText(const std::vector<TaskFigure>& figures) {
+  std::string out;
+  for (const TaskFigure& f : figures) {
+    char number[48];
+    std::snprintf(number, sizeof number, f.value == std::round(f.value) ? "%.0f" : "%.2f", f.value);
+    out += (out.empty() ? "" : ", ") + std::string(f.name) + " " + number + (f.unit.empty() ? "" : " ") + std::string(f.unit);
+  }
+  return out;
+}
+
+void print(const Lesson& lesson, const StudentEvent& e) {
+  using Kind = StudentEvent::Kind;
+  switch (e.kind) {
+    case Kind::Step:
+      std::cout << "step " << e.index + 1 << " of " << lesson.steps.size() << ": " << e.text << " (" << e.note << ")\n";
+      break;
+    case Kind::Task:
+    case Kind::GaveUp:
+      std::cout << "  task " << e.index + 1 << ": " << e.text << '\n';
+      std::cout << "    " << (e.kind == Kind::Task ? "done: " : "NOT DONE: " + lineOf(lesson, e)) << e.note << '\n';
+      std::cout << "    " << figuresText(e.figures) << '\n';
+      break;
+    case Kind::Question:
+      std::cout << "  question " << e.index + 1 << ": " << e.text << '\n';
+      std::cout << "    " << (e.right ? "right: " : "wrong: ") << e.answer << '\n';
+      if (!e.note.empty()) std::cout << "    told: " << e.note << '\n';
+      break;
+    case Kind::Trouble: std::cout << "  " << lineOf(lesson, e) << e.note << '\n'; break;
+  }
+}
+
+nlohmann::ordered_json jsonOf(const StudentEvent& e) {
+  using Kind = StudentEvent::Kind;
+  constexpr const char* kNames[] = {"step", "task", "gave up", "question", "trouble"};
+  nlohmann::ordered_json out{{"event", kNames[static_cast<int>(e.kind)]}, {"time_s", e.time_s}, {"step", e.step}, {"index", e.index},
+                             {"line", e.place.line}, {"column", e.place.column}};
+  if (!e.text.empty()) out["text"] = e.text;
+  if (e.kind == Kind::Question) {
+    out["answer"] = e.answer;
+    out["right"] = e.right;
+  }
+  if (!e.note.empty()) out["told"] = e.note;
+  for (const TaskFigure& f : e.figures) out["figures"].push_back({{"name", f.name}, {"value", f.value}, {"unit", f.unit}});
+  return out;
+}
+
+Expected<std::shared_ptr<const Molecule>> shared(Expected<Molecule> molecule) {
+  if (!molecule) return molecule.problem();
+  return std::make_shared<const Molecule>(*std::move(molecule));
+}
+
+// As the window finds it: beside the lesson, else in the library. A step that shows the same molecule does not read it again.
+MoleculeByName library(const std::filesystem::path& lesson) {
+  struct Last {
+    std::string name;
+    std::shared_ptr<const Molecule> molecule;
+  };
+  return [folder = lesson.parent_path(), last = std::make_shared<Last>()](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
+    if (last->molecule && last->name == name) return last->molecule;
+    std::error_code error;
+    const std::filesystem::path beside = folder / name;
+    auto molecule = shared(openMolecule(std::filesystem::is_regular_file(beside, error) ? beside.string() : name));
+    if (molecule) *last = {name, *molecule};
+    return molecule;
+  };
+}
+
+std::string lines(const std::vector<Problem>& problems) {
+  std::string all;
+  for (const Problem& p : problems) {
+    if (!all.empty()) all += '\n';
+    all += p.text();
+  }
+  return all;
+}
+
+std::vector<StudentAct> actsOf(const std::string& file) {
+  const Expected<std::string> text = readFile(file, 1u << 20, "a file of answers is a text of some lines; take another file");
+  if (!text) throw CommandError{text.problem().text()};
+  AnswersReading read = readAnswers(file, *text);
+  if (read.problems.empty()) return std::move(read.acts);
+  throw CommandError{lines(read.problems)};
+}
+
+void run(const Options& options) {
+  LessonReading reading = readLesson(options.lesson);
+  if (!reading.lesson) throw CommandError{lines(reading.errors)};
+  const auto lesson = std::make_shared<const Lesson>(*std::move(reading.lesson));
+  const std::vector<StudentAct> acts = options.demonstrate ? std::vector<StudentAct>() : actsOf(options.answers);
+  nlohmann::ordered_json events = nlohmann::ordered_json::array();
+  const auto watch = [&](const StudentEvent& e) {
+    if (options.json) events.push_back(jsonOf(e));
+    else print(*lesson, e);
+  };
+  Student student(lesson, library(options.lesson), watch, {.task_s = options.task_s});
+  std::vector<Problem> problems;
+  if (options.demonstrate) student.demonstrate();
+  else problems = carryOut(student, acts, options.answers);
+
+  const LessonSession& session = student.session();
+  std::string left;
+  for (std::size_t k = 0; k < lesson->steps.size(); ++k)
+    if (!session.stepDone(k)) left += (left.empty() ? "" : ", ") + lesson->steps[k].id;
+  if (options.json) {
+    nlohmann::ordered_json out{{"lesson", lesson->file}, {"finished", session.finished()}, {"progress", session.progress()}, {"time_s", student.time_s()}};
+    out["events"] = std::move(events);
+    out["problems"] = nlohmann::ordered_json::array();
+    for (const Problem& p : problems) out["problems"].push_back(p.text());
+    std::cout << out.dump(2) << '\n';
+  } else {
+    std::printf("%s after %.1f s on the virtual clock\n", session.finished() ? "lesson finished" : "lesson not finished", student.time_s());
+    std::fflush(stdout);
+  }
+  if (session.finished() && problems.empty()) return;
+  if (!session.finished()) problems.push_back({{}, 0, 0, "the lesson was not finished; left in: " + left, {}});
+  std::cout.flush();
+  throw CommandError{lines(problems)};
+}
+
+}  // namespace
+
+void addPlay(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("play", "Let a student made of code go through a lesson, without a window");
+  auto options = std::make_shared<Options>();
+  command->add_option("lesson", options->lesson, "the lesson's file")->required();
+  CLI::Option* answers = command->add_option("--answers", options->answers,
+                                             "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"
+                                             "  method NAME, say WORD, draw FORCE, FORCE, …, answer QUESTION: ANSWER, next, back, go STEP");
+  CLI::Option* demonstrate = command->add_flag("--demonstrate", options->demonstrate, "do every task and answer every question rightly");
+  answers->excludes(demonstrate);
+  command->add_flag("--json", options->json, "print what happened as JSON");
+  command->add_option("--seconds", options->task_s, "how long a task is tried on the virtual clock")->check(numberFrom(1.0, 36000.0))->capture_default_str();
+  command->callback([options] {
+    if (options->answers.empty() && !options->demonstrate) throw CLI::RequiredError("--answers (or --demonstrate)");
+    run(*options);
+  });
+}
+
+}  // namespace moltact

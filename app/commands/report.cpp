@@ -1,0 +1,75 @@
+// `moltact report`: what a class did, from its attempts, as a table for spreadsheets and as a page.
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <chrono>
+
+#include "app/commands/command.h"
+#include "engine/results/class_csv.h"
+#include "engine/results/class_page.h"
+
+namespace moltact {
+namespace {
+
+struct Arguments {
+  std::vector<std::string> results;
+  std::string csv, html;
+  bool anonymous = false;
+};
+
+void write(const std::string& file, const std::string& bytes) {
+  std::ofstream out(file, std::ios::binary);
+  if (!out) throw CommandError{Problem{file, 0, 0, "the report cannot be written", "check the folder and that you may write there"}.text()};
+  out << bytes;
+  out.flush();
+  if (!out) throw CommandError{Problem{file, 0, 0, "the report could not be written to its end", "free some space on the disk"}.text()};
+}
+
+void run(const Arguments& arguments) {
+  std::vector<Attempt> attempts;
+  std::vector<Problem> problems;
+  for (const std::string& named : arguments.results) {
+    const Expected<std::vector<std::filesystem::path>> files = attemptFiles(named);
+    if (!files) {
+      problems.push_back(files.problem());
+      continue;
+    }
+    if (files->empty()) problems.push_back({named, 0, 0, "there are no .jsonl files in this folder", "name the folder that holds the attempts"});
+    for (const std::filesystem::path& file : *files) {
+      Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoTrace);
+      if (!attempt) {
+        problems.push_back(attempt.problem());
+        continue;
+      }
+      problems.insert(problems.end(), attempt->problems.begin(), attempt->problems.end());
+      attempts.push_back(*std::move(attempt));
+    }
+  }
+  for (const Problem& p : problems) std::cerr << "moltact: passed over: " << p.text() << '\n';
+  if (attempts.empty()) throw CommandError{"there are no attempts to report on in what was named"};
+  const ClassSummary summary = summarise(std::move(attempts), arguments.anonymous);
+  if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));
+  if (!arguments.html.empty()) {
+    const std::string now = utcText(std::chrono::system_clock::now());
+    write(arguments.html, classPage(summary, problems, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
+  }
+  std::cout << summary.people.size() << (summary.people.size() == 1 ? " student, " : " students, ") << summary.lessons.size()
+            << (summary.lessons.size() == 1 ? " lesson, " : " lessons, ") << summary.attempts << (summary.attempts == 1 ? " attempt" : " attempts") << '\n';
+}
+
+}  // namespace
+
+void addReport(CLI::App& app) {
+  CLI::App* command = app.add_subcommand("report", "Report on a class: who finished what, answers, time, force and path");
+  auto arguments = std::make_shared<Arguments>();
+  command->add_option("results", arguments->results, "attempts (.jsonl files) or folders of them")->required();
+  command->add_option("--csv", arguments->csv, "where to write the table: a row for each student and lesson");
+  command->add_option("--html", arguments->html, "where to write the page: charts, light, dark and print, works offline");
+  command->add_flag("--anonymous", arguments->anonymous, "write S01, S02 ... in the place of names");
+  command->callback([arguments] {
+    if (arguments->csv.empty() && arguments->html.empty()) throw CLI::RequiredError("--csv or --html");
+    run(*arguments);
+  });
+}
+
+}  // namespace moltact

@@ -1,0 +1,138 @@
+#include "app/ui/actions.h"
+
+#include <algorithm>
+#include <array>
+
+#include <imgui.h>
+
+#include "app/ui/application.h"
+#include "app/ui/extensions.h"
+#include "app/ui/gltf_saver.h"
+#include "app/ui/key_names.h"
+
+namespace moltact {
+namespace {
+
+using App = Application;
+
+bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.welcome; }
+bool inLesson(const App& a) { return a.lesson.session() && !a.panels.welcome; }
+bool atWork(const App& a) { return !a.panels.welcome; }
+// Where a lesson locks its panels, a narrow window still shows the one or the other.
+bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.touch || !a.lesson.locks("panels")); }
+bool mayMethods(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
+
+// Where only one side panel has room, showing one hides the other.
+void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
+  const bool seen = !place.empty();
+  wanted = !seen;
+  if (!seen) a.panels.lesson_first = lesson;
+}
+
+constexpr std::array kActions{
+    Action{.name = "welcome", .menu = Menu::File, .label = "Welcome page", .shortcut = "Ctrl+H", .sentence = "All lessons and molecules",
+           .icon = Icon::Home, .tool = 1, .run = [](App& a) { a.panels.welcome = !a.panels.welcome || !a.hasWork(); },
+           .on = [](const App& a) { return a.panels.welcome; }},
+    Action{.name = "open", .menu = Menu::File, .label = "Open …", .shortcut = "Ctrl+O", .sentence = "Open a molecule or a lesson",
+           .icon = Icon::Folder, .tool = 2, .run = [](App& a) { a.panels.open_page = true; }},
+    Action{.name = "picture", .menu = Menu::File, .parted = true, .label = "Save picture", .shortcut = "Ctrl+S",
+           .sentence = "Save the view as a picture", .icon = Icon::Camera, .tool = 4, .run = [](App& a) { a.askForPicture(); }, .enabled = hasStage},
+    Action{.name = "picture_as", .menu = Menu::File, .label = "Save picture as …", .shortcut = "Ctrl+Shift+S",
+           .run = [](App& a) { a.askForPictureAs(); }, .enabled = hasStage},
+    Action{.name = "export", .menu = Menu::File, .label = "Save molecule as glTF …",
+           .sentence = "Save the molecule as a 3-D model for slides and web pages", .run = [](App& a) { askForGltf(a); }, .enabled = hasStage},
+    Action{.name = "quit", .menu = Menu::File, .parted = true, .label = "Quit", .shortcut = "Ctrl+Q", .run = [](App& a) { a.leave(); },
+           .while_writing = true},
+
+    Action{.name = "undo", .menu = Menu::Edit, .label = "Undo", .shortcut = "Ctrl+Z",
+           .sentence = "Undo the last change of method, probe, spring, parts shown or view", .icon = Icon::Undo, .tool = 3,
+           .run = [](App& a) { a.extensions().history.undo(a); },
+           .enabled = [](const App& a) { return atWork(a) && a.extensions().history.canUndo(); }},
+    Action{.name = "redo", .menu = Menu::Edit, .label = "Redo", .shortcut = "Ctrl+Shift+Z", .also = "Ctrl+Y",
+           .sentence = "Redo what was undone", .icon = Icon::Redo, .tool = 3, .run = [](App& a) { a.extensions().history.redo(a); },
+           .enabled = [](const App& a) { return atWork(a) && a.extensions().history.canRedo(); }},
+    Action{.name = "preferences", .menu = Menu::Edit, .parted = true, .label = "Preferences …", .shortcut = "Ctrl+,",
+           .sentence = "Colours, sizes, mouse and numbers", .icon = Icon::Gear, .tool = 4,
+           .run = [](App& a) { a.panels.preferences_page = true; }},
+
+    Action{.name = "lesson", .menu = Menu::View, .label = "Lesson panel", .shortcut = "Ctrl+L", .sentence = "Lesson panel", .icon = Icon::LeftPanel, .tool = 1,
+           .run = [](App& a) { switchPanel(a, a.panels.lesson, a.layout().lesson, true); }, .enabled = inLesson,
+           .on = [](const App& a) { return !a.layout().lesson.empty(); }},
+    Action{.name = "touch", .menu = Menu::View, .label = "Touch panel", .shortcut = "Ctrl+T", .sentence = "Touch panel", .icon = Icon::RightPanel, .tool = 1,
+           .run = [](App& a) { switchPanel(a, a.panels.touch, a.layout().touch, false); }, .enabled = mayTouchPanel,
+           .on = [](const App& a) { return !a.layout().touch.empty(); }},
+    Action{.name = "methods", .menu = Menu::View, .label = "Methods panel", .shortcut = "Ctrl+M", .run = [](App& a) { a.panels.showMethods(!a.panels.methods); },
+           .enabled = mayMethods, .on = [](const App& a) { return a.panels.methods; }},
+    Action{.name = "light", .menu = Menu::View, .parted = true, .label = "Light", .run = [](App& a) { a.settings.theme = ThemeChoice::Light; },
+           .on = [](const App& a) { return a.settings.theme == ThemeChoice::Light; }},
+    Action{.name = "dark", .menu = Menu::View, .label = "Dark", .run = [](App& a) { a.settings.theme = ThemeChoice::Dark; },
+           .on = [](const App& a) { return a.settings.theme == ThemeChoice::Dark; }},
+    Action{.name = "high-contrast", .menu = Menu::View, .label = "High contrast",
+           .run = [](App& a) { a.settings.theme = ThemeChoice::HighContrast; },
+           .on = [](const App& a) { return a.settings.theme == ThemeChoice::HighContrast; }},
+    Action{.name = "sound", .menu = Menu::View, .parted = true, .label = "Sound of touch", .sentence = "Hear what is touched",
+           .icon = Icon::Sound, .tool = 4, .run = [](App& a) { a.settings.sound = !a.settings.sound; },
+           .on = [](const App& a) { return a.settings.sound; }},
+    Action{.name = "large-text", .menu = Menu::View, .label = "What is touched in large type",
+           .run = [](App& a) { a.settings.large_state_text = !a.settings.large_state_text; },
+           .on = [](const App& a) { return a.settings.large_state_text; }},
+    Action{.name = "device", .menu = Menu::View, .parted = true, .label = "Device …", .shortcut = "Ctrl+D",
+           .sentence = "The device in your hand: choose it, try it, see its limits", .run = [](App& a) { a.panels.device_page = true; }},
+    Action{.name = "stop-force", .menu = Menu::View, .label = "Stop all force", .shortcut = "F9",
+           .run = [](App& a) { a.scene.servo_settings.panic = !a.scene.servo_settings.panic; },
+           .on = [](const App& a) { return a.scene.servo_settings.panic; }, .while_writing = true},
+    Action{.name = "reset", .menu = Menu::View, .parted = true, .label = "Reset view", .shortcut = "Home",
+           .run = [](App& a) { a.resetViewByHand(); },
+           .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
+    Action{.name = "full-screen", .menu = Menu::View, .label = "Full screen", .shortcut = "F11", .sentence = "Full screen, for a projector",
+           .icon = Icon::FullScreen, .tool = 5, .run = [](App& a) { a.panels.full_screen = !a.panels.full_screen; },
+           .on = [](const App& a) { return a.panels.full_screen; }},
+
+    Action{.name = "next", .menu = Menu::Lesson, .label = "Next step", .shortcut = "Alt+Right", .run = [](App& a) { a.lesson.next(); },
+           .enabled = [](const App& a) { return inLesson(a) && a.lesson.canGoOn(); }},
+    Action{.name = "back", .menu = Menu::Lesson, .label = "Previous step", .shortcut = "Alt+Left", .run = [](App& a) { a.lesson.back(); },
+           .enabled = [](const App& a) { return inLesson(a) && a.lesson.canGoBack(); }},
+    Action{.name = "turns", .menu = Menu::Lesson, .parted = true, .label = "Take turns at one device …", .sentence = "Turns of set length for a class that shares a device",
+           .run = [](App& a) { a.panels.turns_page = true; }, .enabled = [](const App& a) { return !a.extensions().turns.on(); },
+           .on = [](const App& a) { return a.extensions().turns.on(); }},
+
+    Action{.name = "controls", .menu = Menu::Help, .label = "Mouse and keys", .shortcut = "F1", .also = "?",
+           .sentence = "What mouse and keys do", .icon = Icon::Question, .tool = 5, .run = [](App& a) { a.panels.controls_page = true; }},
+    Action{.name = "about", .menu = Menu::Help, .label = "About Moltact", .run = [](App& a) { a.panels.about_page = true; }},
+};
+
+}  // namespace
+
+std::string_view menuLabel(Menu menu) {
+  static constexpr std::array<std::string_view, kMenus> kLabels{"File", "Edit", "View", "Lesson", "Help"};
+  return kLabels[std::size_t(menu)];
+}
+
+std::span<const Action> allActions() { return kActions; }
+
+const Action* findAction(std::string_view name) {
+  const auto found = std::find_if(kActions.begin(), kActions.end(), [&](const Action& a) { return a.name == name; });
+  return found == kActions.end() ? nullptr : &*found;
+}
+
+bool enabled(const Action& action, const Application& app) { return !action.enabled || action.enabled(app); }
+
+std::string toolTip(const Action& action) {
+  std::string text(action.sentence.empty() ? action.label : action.sentence);
+  if (!action.shortcut.empty()) text += " (" + std::string(action.shortcut) + ")";
+  return text;
+}
+
+void runShortcuts(Application& app) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool page = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  for (const Action& action : kActions) {
+    if ((page || io.WantTextInput) && !action.while_writing) continue;
+    if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
+  }
+  // Escape first lets go of the molecule; only with a free hand does it lead away from it.
+  const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+  if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
+}
+
+}  // namespace moltact

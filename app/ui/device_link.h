@@ -1,0 +1,58 @@
+// The device in the person's hand: which there are, which is chosen, how it is, and what its safety limits did. Where it
+// leads, its axes are the screen's. Window's thread. Units: second, millimetre.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "app/ui/extension.h"
+#include "engine/device/driver.h"
+#include "engine/servo/safety_limits.h"
+
+namespace moltact {
+
+class DeviceLink : public Extension {
+ public:
+  static constexpr double kShowLimit_s = 1.0;  ///< a limit that acted is shown for so long
+  static constexpr double kTry_s = 4.0;        ///< the gentle force is tried for so long
+  static constexpr double kTry_N = 0.4;
+  /// Ticks began no later than so many microseconds after their time, by class; the last class is the rest.
+  static constexpr std::array<double, 8> kLate_us{20, 50, 100, 200, 500, 1000, 2000, 5000};
+
+  /// Looks which devices there are: some tens of milliseconds.
+  void look();
+  const std::vector<FoundDevice>& found() const { return found_; }
+  /// Opens it and takes it into use; "mouse" goes back to the mouse alone. What cannot be opened is told in a message and
+  /// changes nothing.
+  void choose(Application& app, const std::string& name);
+  const std::string& chosen() const { return chosen_; }
+  const DeviceStatus& status() const { return status_; }
+
+  /// Pulls gently to the right for kTry_s, whatever is on the stage.
+  void tryForce(Application& app);
+  double tryingLeft_s() const { return trying_s_; }
+
+  /// The limits that acted within the last kShowLimit_s, but those of every start.
+  std::vector<const LimitWords*> shownLimits() const;
+  /// Of the last some thousand ticks, the share in each class of kLate_us and beyond.
+  const std::array<float, kLate_us.size() + 1>& lateness() const { return lateness_; }
+
+  void beforeTicks(Application& app) override;
+  void ticks(Application& app, const FeltTicks& felt) override;
+  void afterPanels(Application& app) override;
+  bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0; }
+
+ private:
+  void turnWithView(Application& app);
+  void stopTrying(Application& app);
+
+  std::vector<FoundDevice> found_;
+  std::string chosen_ = "mouse";
+  DeviceStatus status_;
+  double asked_s_ = -1.0, trying_s_ = 0.0;
+  std::array<double, 32> limit_left_s_{};
+  std::array<float, kLate_us.size() + 1> lateness_{};
+};
+
+}  // namespace moltact

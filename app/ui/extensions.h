@@ -1,0 +1,51 @@
+// The extensions of the window: one member each. Window's thread.
+#pragma once
+
+#include <vector>
+
+#include "app/ui/attempt_recorder.h"
+#include "app/ui/card_pictures.h"
+#include "app/ui/class_turns.h"
+#include "app/ui/device_link.h"
+#include "app/ui/hand_model.h"
+#include "app/ui/lesson_locks.h"
+#include "app/ui/lesson_shelf.h"
+#include "app/ui/lesson_watch.h"
+#include "app/ui/playback.h"
+#include "app/ui/scene_change.h"
+#include "app/ui/scene_history.h"
+#include "app/ui/settings_keeper.h"
+#include "app/ui/state_text.h"
+#include "app/ui/task_stager.h"
+#include "app/ui/touch_sound.h"
+
+namespace moltact {
+
+struct Extensions {
+  SettingsKeeper settings_keeper;
+  LessonWatch lesson_watch;
+  LessonLocks lesson_locks;  // before the history, which then never sees what is locked change
+  AttemptRecorder recorder;
+  ClassTurns turns;
+  Playback playback;
+  SceneHistory history;
+  LessonShelf shelf;
+  CardPictures card_pictures;
+  TaskStager task_stager;
+  SceneChange scene_change;
+  HandModel hand_model;
+  StateText state_text;
+  TouchSound touch_sound;
+  DeviceLink device;
+
+  /// What stands under the view (unit: pixel at 96 dpi); 0 where nothing does.
+  float stripHeight() const;
+
+  /// Every one of them, in the order in which they are called.
+  std::vector<Extension*> all() {
+    return {&settings_keeper, &lesson_watch, &lesson_locks, &recorder, &turns, &playback, &history, &scene_change, &hand_model, &shelf,
+            &card_pictures, &task_stager, &state_text, &touch_sound, &device};
+  }
+};
+
+}  // namespace moltact

@@ -1,0 +1,81 @@
+#include "app/ui/panels/dark_view.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+
+#include <imgui.h>
+
+#include "app/ui/application.h"
+#include "app/ui/contact_text.h"
+#include "app/ui/extensions.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+namespace {
+
+// The same in both themes: it is dark.
+constexpr ImU32 kGround = IM_COL32(13, 15, 19, 255), kTrack = IM_COL32(46, 51, 61, 255), kBright = IM_COL32(232, 236, 242, 255);
+constexpr ImU32 kQuiet = IM_COL32(152, 160, 173, 255), kFill = IM_COL32(72, 199, 182, 255);
+
+constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kFrom = 0.75f * kPi, kTo = 2.25f * kPi;  // of the meter's arc: open below
+
+void centred(const char* name, ImFont* font, const std::string& text, ImVec2 middle, float width, ImU32 colour) {
+  const ImVec2 size = font->CalcTextSizeA(font->FontSize, 1e9f, width, text.c_str());
+  const ImVec2 low{std::round(middle.x - 0.5f * size.x), std::round(middle.y - 0.5f * size.y)};
+  ImGui::GetWindowDrawList()->AddText(font, font->FontSize, low, colour, text.c_str(), nullptr, width);
+  recordRectangle(name, {low.x, low.y}, {low.x + size.x, low.y + size.y}, text);
+}
+
+// An arc that fills up to the largest force that the hand is ever given.
+void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float thick = 0.13f * radius;
+  const auto arc = [&](float to, ImU32 colour) {
+    draw->PathArcTo(middle, radius, kFrom, to, 64);
+    draw->PathStroke(colour, 0, thick);
+    for (const float end : {kFrom, to})
+      draw->AddCircleFilled({middle.x + radius * std::cos(end), middle.y + radius * std::sin(end)}, 0.5f * thick, colour, 24);
+  };
+  arc(kTo, kTrack);
+  const float part = most_N > 0.0 ? float(std::clamp(force_N / most_N, 0.0, 1.0)) : 0.0f;
+  if (part > 0.004f) arc(kFrom + (kTo - kFrom) * part, kFill);
+  char text[32];
+  std::snprintf(text, sizeof text, "%.1f N", force_N);
+  centred("view/force meter", look().font(Font::Title), text, middle, 0.0f, kBright);
+}
+
+}  // namespace
+
+void drawDarkView(Application& app, const Rectangle& view) {
+  const Look& l = look();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({view.low.x, view.low.y}, {view.high.x, view.high.y}, kGround);
+  recordRectangle("view/dark", view.low, view.high, "dark");
+  const TouchLog& log = app.scene.log();
+  const ImVec2 middle{0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)};
+  const float width = view.size().x - 2 * l.px(20), radius = std::min(l.px(78), 0.25f * std::min(view.size().x, view.size().y));
+  float below = middle.y;
+  if (app.extensions().task_stager.showsForce()) {
+    drawMeter(log.force_N(), app.scene.servo_settings.max_force_N, middle, radius);
+    below += radius + l.px(8);
+  }
+  centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact), {middle.x, below + l.px(14)}, width,
+          log.touching() ? kBright : kQuiet);
+  const std::string hint = log.touching() ? "Slide with the mouse or the arrow keys; wheel, + and − push" : "Hold the left button, or Space, to push";
+  centred("view/hint", l.font(Font::Small), hint, {middle.x, view.high.y - l.px(26)}, width, kQuiet);
+}
+
+bool drawnDark(Application& app) {
+  if (!app.extensions().task_stager.dark()) return false;
+  WithText quiet(look().palette.quiet);
+  ImGui::TextWrapped("The screen is dark: what you feel is all there is.");
+  recordItem("hidden in the dark");
+  return true;
+}
+
+}  // namespace moltact

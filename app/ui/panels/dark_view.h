@@ -1,0 +1,16 @@
+// What is seen while the screen is dark: no molecule, only what is felt. Window's thread.
+#pragma once
+
+#include "app/ui/layout.h"
+
+namespace moltact {
+
+class Application;
+
+/// In the view's place: a meter of the force where the task shows it, and what is felt in words that name no atom.
+void drawDarkView(Application& app, const Rectangle& view);
+
+/// In the dark: writes into a panel that it is hidden, and gives true. Otherwise does nothing and gives false.
+bool drawnDark(Application& app);
+
+}  // namespace moltact

@@ -1,0 +1,146 @@
+// View > Device: which devices there are, the one in use live, its calibration, a gentle force to try it with, the limits in
+// force, how punctual the loop is, and what its scale means.
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "app/ui/application.h"
+#include "app/ui/controls.h"
+#include "app/ui/device_link.h"
+#include "app/ui/extensions.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+#include "engine/servo/scale.h"
+
+namespace moltact {
+namespace {
+
+void words(const char* name, const std::string& text, ImU32 colour) {
+  WithText coloured(colour);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+  recordItem(name, text);
+}
+
+void drawUsable(Application& app, DeviceLink& link) {
+  sectionTitle("Choose a device");
+  for (const FoundDevice& one : link.found()) {
+    if (!one.usable) continue;
+    const std::string name = "device/" + one.name;
+    if (button(name.c_str(), one.title.c_str(), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain, -1.0f)) link.choose(app, one.name);
+    if (one.place.empty()) continue;
+    WithFont small(Font::Small);
+    words((name + "/place").c_str(), one.place, look().palette.quiet);
+  }
+  if (button("device/look", "Look again")) link.look();
+}
+
+void drawUnusable(const DeviceLink& link) {
+  sectionTitle("Not to be used now");
+  for (const FoundDevice& one : link.found()) {
+    if (one.usable) continue;
+    const std::string name = "device/" + one.name;
+    words(name.c_str(), one.title, look().palette.text);
+    WithFont small(Font::Small);
+    words((name + "/why").c_str(), one.why, look().palette.quiet);
+  }
+}
+
+void drawLive(Application& app, DeviceLink& link) {
+  const Palette& p = look().palette;
+  ServoLink& servo = app.scene.servo();
+  const DeviceInfo& info = servo.device();
+  const ServoSample& now = servo.newest();
+  sectionTitle("In use");
+  char text[240];
+  words("device/name", info.name, p.text);
+  if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
+  if (servo.chosen() && !link.status().ready && link.status().connected && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
+  std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y, now.hand.mm.z, glm::length(now.force.N));
+  std::string line = text;
+  for (int k = 0; k < 32; ++k)
+    if (now.buttons >> k & 1u) line += "; button " + std::to_string(k + 1);
+  words("device/live", line, p.quiet);
+  words("device/scale", scaleSentence(app.scene.servo_settings.workspace), p.quiet);
+  if (!info.gives_force) return;
+  if (link.status().motor_heat >= 0.0) {
+    words("device/heat label", "Heat of the motors", p.quiet);
+    progressBar("device/heat", float(link.status().motor_heat), false);
+  }
+  const bool trying = link.tryingLeft_s() > 0.0;
+  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f, !trying && link.status().ready))
+    link.tryForce(app);
+  tip("Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
+}
+
+void drawLimits(Application& app, DeviceLink& link) {
+  const Palette& p = look().palette;
+  const DeviceInfo& info = app.scene.servo().device();
+  sectionTitle("Safety");
+  char text[320];
+  if (info.gives_force)
+    std::snprintf(text, sizeof text, "At most %.1f N for a moment and %.2f N for good. With %.1f ms of delay the surface is at most %.2f N/mm stiff.",
+                  std::min(info.max_force_N, app.scene.servo_settings.max_force_N), info.continuous_force_N, 1e3 * info.delay_s,
+                  SafetyStage(info).stiffnessBound_N_per_mm());
+  else
+    std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.", app.scene.servo_settings.max_force_N);
+  words("device/limits", text, p.quiet);
+  std::string acted;
+  for (const LimitWords* one : link.shownLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
+  words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);
+  bool& panic = app.scene.servo_settings.panic;
+  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) panic = !panic;
+}
+
+// A bar a class of lateness.
+void drawLateness(const DeviceLink& link) {
+  const Look& l = look();
+  sectionTitle("How late ticks begin");
+  const auto& share = link.lateness();
+  const float width = ImGui::GetContentRegionAvail().x, height = l.px(64), step = width / float(share.size());
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float most = std::max(1e-6f, *std::max_element(share.begin(), share.end()));
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    const float x = at.x + float(k) * step, top = at.y + height * (1.0f - share[k] / most);
+    draw->AddRectFilled({x + l.px(2), std::min(top, at.y + height - l.px(1))}, {x + step - l.px(2), at.y + height}, l.palette.accent, l.px(2));
+  }
+  ImGui::Dummy({width, height});
+  recordRectangle("device/late", {at.x, at.y}, {at.x + width, at.y + height}, "");
+  WithFont small(Font::Small);
+  WithText quiet(l.palette.quiet);
+  const ImVec2 below = ImGui::GetCursorScreenPos();
+  const char* const labels[] = {"20 µs", "50", "100", "200", "500", "1 ms", "2", "5", "more"};
+  static_assert(std::size(labels) == DeviceLink::kLate_us.size() + 1);
+  for (std::size_t k = 0; k < share.size(); ++k) {
+    const float text = ImGui::CalcTextSize(labels[k]).x;
+    draw->AddText({at.x + (float(k) + 0.5f) * step - 0.5f * text, below.y}, l.palette.quiet, labels[k]);
+  }
+  ImGui::Dummy({width, ImGui::GetFontSize()});
+}
+
+}  // namespace
+
+void drawDevicePage(Application& app) {
+  DeviceLink& link = app.extensions().device;
+  if (!beginPage("device page", "Device", app.panels.device_page, 560, 700)) return;
+  if (link.found().empty()) link.look();
+  ImGui::BeginChild("list");
+  const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
+  drawUsable(app, link);
+  part();
+  drawLive(app, link);
+  part();
+  drawLimits(app, link);
+  part();
+  if (app.scene.servo().clock() == ServoClock::RealThread) {
+    drawLateness(link);
+    part();
+  }
+  drawUnusable(link);
+  ImGui::EndChild();
+  endPage();
+}
+
+}  // namespace moltact

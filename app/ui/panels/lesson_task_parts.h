@@ -1,0 +1,20 @@
+// What a task's card holds beside its text: the buttons by which the student tells something, and the curve that is drawn
+// and felt. Window's thread.
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "engine/lesson/tasks/task.h"
+
+namespace moltact {
+
+class Application;
+
+/// The buttons of the current task, each with its key. True when one was pressed and told to the task.
+bool drawTaskButtons(Application& app, std::size_t index, const Task& task);
+
+/// The curves of a task; the current one's can be drawn with the mouse or the arrow keys.
+void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves, bool current);
+
+}  // namespace moltact

@@ -1,0 +1,50 @@
+// What safety does to the force, over the lower edge of the view: that all force is stopped, and with a device that gives
+// force which limit acts.
+#include <algorithm>
+#include <string>
+
+#include "app/ui/application.h"
+#include "app/ui/controls.h"
+#include "app/ui/device_link.h"
+#include "app/ui/extensions.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+
+void drawLimitNotice(Application& app) {
+  const Rectangle& view = app.layout().view;
+  const bool stopped = app.scene.servo_settings.panic;
+  std::string text;
+  if (stopped) {
+    text = "All force is stopped. F9 allows it again.";
+  } else if (app.scene.servo().device().gives_force) {
+    for (const LimitWords* words : app.extensions().device.shownLimits()) text += (text.empty() ? "" : "\n") + std::string(words->sentence);
+  }
+  if (text.empty() || view.empty() || app.panels.welcome) return;
+
+  const Look& l = look();
+  const Palette& p = l.palette;
+  const float pad = l.px(12), most = std::min(view.size().x - l.px(28), l.px(460));
+  if (most < l.px(120)) return;
+  const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, most - 2 * pad);
+  const float width = words.x + 2 * pad, height = words.y + 2 * l.px(8), bottom = view.high.y - l.px(56);
+  ImGui::SetNextWindowPos({std::round(0.5f * (view.low.x + view.high.x - width)), std::round(bottom - height)});
+  ImGui::SetNextWindowSize({width, height});
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, stopped ? p.bad_soft : p.warn_soft);
+  ImGui::PushStyleColor(ImGuiCol_Border, faded(stopped ? p.bad : p.warn, 0.6f));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, l.px(8));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, l.px(8)});
+  ImGui::Begin("limit notice", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
+  ImGui::PushTextWrapPos(pad + words.x + 1);
+  ImGui::TextUnformatted(text.c_str());
+  recordItem("limits", text);
+  ImGui::PopTextWrapPos();
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+  ImGui::PopStyleColor(2);
+}
+
+}  // namespace moltact

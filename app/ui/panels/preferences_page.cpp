@@ -1,0 +1,103 @@
+// Edit > Preferences: what suits a person and not a scene. Every change takes effect at once and is kept.
+#include <array>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/ui/application.h"
+#include "app/ui/controls.h"
+#include "app/ui/lesson_shelf.h"
+#include "app/ui/theme.h"
+#include "app/ui/widget_map.h"
+
+namespace moltact {
+namespace {
+
+void quietText(const std::string& text) {
+  WithFont small(Font::Small);
+  WithText quiet(look().palette.quiet);
+  ImGui::PushTextWrapPos(0.0f);
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+void drawColours(Settings& s) {
+  sectionTitle("Colours");
+  static const std::vector<std::string> kThemes{"Light", "Dark", "High contrast"};
+  std::size_t theme = std::size_t(s.theme);
+  if (segments("preferences/theme", kThemes, theme)) s.theme = ThemeChoice(theme);
+  toggle("preferences/colour-blind-safe", "Atom colours for every kind of colour vision", s.colour_blind_safe);
+}
+
+void drawProbe(Settings& s) {
+  sectionTitle("Probe and hand");
+  static const std::vector<std::string> kLooks{"Water", "Ball", "Stylus", "Finger"};
+  std::size_t look = std::size_t(s.probe_look);
+  if (segments("preferences/probe", kLooks, look)) s.probe_look = ProbeLook(look);
+  quietText("A stylus or a finger stands where your hand is, beside the water molecule.");
+}
+
+void drawSize(Settings& s) {
+  sectionTitle("Size of text and controls");
+  double percent = std::round(s.scale * 100.0);
+  // The page grows under the pointer: the size is taken when the button is let go.
+  static constexpr double kSteps[] = {75, 90, 100, 125, 150, 175, 200, 250, 300};
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < std::size(kSteps); ++k)
+    if (std::abs(kSteps[k] - percent) < std::abs(kSteps[at] - percent)) at = k;
+  const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
+  if (button("preferences/smaller", "Smaller", ButtonLook::Plain, width, at > 0)) s.scale = kSteps[at - 1] / 100.0;
+  ImGui::SameLine();
+  if (button("preferences/larger", "Larger", ButtonLook::Plain, width, at + 1 < std::size(kSteps))) s.scale = kSteps[at + 1] / 100.0;
+  quietText(std::to_string(int(percent)) + " % of what this display asks for");
+  recordItem("preferences/size", std::to_string(int(percent)) + " %");
+}
+
+void drawOwnLessons(Application& app) {
+  sectionTitle("Your own lessons");
+  const std::filesystem::path folder = lessonFolderOf(app);
+  quietText(folder.empty() ? "No folder is set." : folder.string());
+  recordItem("preferences/lesson-folder", folder.string());
+  if (!button("preferences/choose-folder", "Choose another folder …")) return;
+  app.panels.preferences_page = false;
+  app.file_dialog.ask({.title = "The folder with your lessons",
+                       .chosen =
+                           [](Application& a, const std::filesystem::path& chosen) {
+                             a.settings.lesson_folder = chosen.string();
+                             a.panels.preferences_page = true;
+                           }},
+                      folder);
+}
+
+}  // namespace
+
+void drawPreferencesPage(Application& app) {
+  if (!beginPage("preferences", "Preferences", app.panels.preferences_page, 520, 740)) return;
+  ImGui::BeginChild("list");
+  Settings& s = app.settings;
+  const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
+  drawColours(s);
+  part();
+  drawSize(s);
+  part();
+  drawProbe(s);
+  part();
+  sectionTitle("More than the eye");
+  toggle("preferences/sound", "Sound of touch", s.sound, "Contact, crossing from atom to atom, and force as pitch.");
+  toggle("preferences/large-text", "What is touched in large type", s.large_state_text);
+  toggle("preferences/reduced-motion", "Less motion", s.reduced_motion, "Another scene is there at once; the view does not glide or fade.");
+  part();
+  sectionTitle("Mouse");
+  toggle("preferences/left-handed", "Left-handed mouse", s.left_handed, "Over the molecule the right button pushes and the left one turns.");
+  part();
+  sectionTitle("Numbers");
+  static const std::vector<std::string> kNumbers{"1.4", "1,4"};
+  std::size_t comma = s.decimal_comma;
+  if (segments("preferences/numbers", kNumbers, comma)) s.decimal_comma = comma == 1;
+  part();
+  drawOwnLessons(app);
+  ImGui::EndChild();
+  endPage();
+}
+
+}  // namespace moltact

@@ -1,0 +1,69 @@
+#include "app/ui/scene_history.h"
+
+#include <imgui.h>
+
+#include "app/ui/application.h"
+
+namespace moltact {
+
+SceneHistory::Choices SceneHistory::choicesOf(const Application& app) {
+  const ServoSettings& s = app.scene.servo_settings;
+  return {app.scene.method(), s.probe_A, s.stiffness_N_per_mm, s.force_on, app.scene.shown};
+}
+
+void SceneHistory::apply(Application& app, const Choices& c, const std::optional<Camera>& camera) {
+  ServoSettings& s = app.scene.servo_settings;
+  s.probe_A = c.probe_A;
+  s.stiffness_N_per_mm = c.stiffness_N_per_mm;
+  s.force_on = c.force_on;
+  app.scene.shown = c.shown;
+  if (c.method != app.scene.method()) app.scene.useMethod(c.method);
+  if (camera) app.scene.camera = *camera;
+  current_ = c;
+}
+
+void SceneHistory::undo(Application& app) {
+  if (done_.empty()) return;
+  undone_.push_back(std::move(done_.back()));
+  done_.pop_back();
+  apply(app, undone_.back().before, undone_.back().camera_before);
+}
+
+void SceneHistory::redo(Application& app) {
+  if (undone_.empty()) return;
+  done_.push_back(std::move(undone_.back()));
+  undone_.pop_back();
+  apply(app, done_.back().after, done_.back().camera_after);
+}
+
+void SceneHistory::noteView(const Camera& camera) { view_before_ = camera; }
+
+void SceneHistory::afterPanels(Application& app) {
+  if (ImGui::IsAnyMouseDown()) return;
+  Choices now = choicesOf(app);
+  if (!current_) current_ = now;
+  const bool turned = view_before_ && !(*view_before_ == app.scene.camera);
+  if (now == *current_ && !turned) {
+    view_before_.reset();
+    return;
+  }
+  Change change{*current_, now, {}, {}};
+  if (turned) {
+    change.camera_before = view_before_;
+    change.camera_after = app.scene.camera;
+  }
+  view_before_.reset();
+  done_.push_back(std::move(change));
+  if (done_.size() > kMost) done_.erase(done_.begin());
+  undone_.clear();
+  current_ = std::move(now);
+}
+
+void SceneHistory::begin() {
+  done_.clear();
+  undone_.clear();
+  view_before_.reset();
+  current_.reset();
+}
+
+}  // namespace moltact

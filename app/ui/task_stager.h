@@ -1,0 +1,29 @@
+// Sets the scene as the lesson's current task asks for it (a dark screen, another probe, a place turned to the front) and
+// back again when the task is done or left; lets a device's buttons give a task's answers. Window's thread.
+#pragma once
+
+#include <cstdint>
+
+#include "app/ui/extension.h"
+#include "engine/lesson/tasks/task.h"
+
+namespace moltact {
+
+class TaskStager final : public Extension {
+ public:
+  void beforeTicks(Application& app) override;
+  void ticks(Application& app, const FeltTicks& felt) override;
+  // The step's own scene is set anew, without what a task of another step asked for.
+  void stepChanged(Application&) override { stage_ = {}; }
+
+  /// The molecule is not to be seen, and nothing on the screen may tell what it is that is touched.
+  bool dark() const { return stage_.dark; }
+  /// In the dark, whether the force is shown.
+  bool showsForce() const { return stage_.force_meter; }
+
+ private:
+  TaskStage stage_;
+  std::uint32_t buttons_ = 0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,119 @@
+#include "app/ui/touch_scene.h"
+
+#include <algorithm>
+
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kLeftBehind_s = 0.4;   // contact without cause for so long is let go
+constexpr double kProbeRoom = 2.0;      // so many radii of the probe are seen round the molecule
+constexpr double kStill_A = 2e-3;       // a hand slower than this in a frame is at rest
+
+}  // namespace
+
+TouchScene::TouchScene(ServoClock clock) : servo_(clock), method_(methods().front().name) {}
+
+void TouchScene::show(Stage next, const std::filesystem::path& file, const Facing& facing) {
+  stage_ = std::move(next);
+  file_ = file;
+  servo_settings.workspace = stage_.workspace;
+  log_.clear();
+  watch_.begin(stage_, servo_settings.probe_A);
+  resetView(facing);
+  servo_.begin(servo_settings, freshTracker());
+}
+
+std::unique_ptr<Tracker> TouchScene::freshTracker() const {
+  return played_ ? nullptr : makeTracker(stage_, *findMethod(method_), servo_settings.probe_A, Contact{}, PointA{});
+}
+
+void TouchScene::play(const std::optional<ServoSample>& sample) {
+  const bool was = playing();
+  played_ = sample;
+  if (was == playing()) return;
+  log_.clear();
+  ++servo_settings.placements;
+  servo_.begin(servo_settings, freshTracker());
+}
+
+void TouchScene::beginAgain(const Facing& facing) {
+  log_.clear();
+  resetView(facing);
+  servo_.beginAgain(servo_settings);
+}
+
+void TouchScene::startSoftly() {
+  log_.clear();
+  ++servo_settings.placements;
+  servo_.beginAgain(servo_settings);
+}
+
+void TouchScene::beginAgainAt(PointA place) {
+  beginAgain([&](Camera& turned, const Molecule&) { turned.face(place); });
+  camera.target = place;
+  handBegins(place);
+}
+
+void TouchScene::resetView(const Facing& facing) {
+  if (!stage_) return;
+  camera.orientation = glm::dquat(1, 0, 0, 0);
+  // Round the molecule there is room for the probe, which hovers before it and beside it.
+  const auto fit = [&] { camera.fit(*stage_.molecule, view_aspect_, 0.08, kProbeRoom * servo_settings.probe_A); };
+  fit();
+  facing(camera, *stage_.molecule);
+  // Another side of the molecule may be wider.
+  fit();
+  handBegins(stage_.middle);
+}
+
+void TouchScene::handBegins(PointA before) {
+  ++servo_settings.placements;
+  controls.begin(camera, before, stage_.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
+  servo_.setSettings(servo_settings);
+}
+
+void TouchScene::useMethod(std::string_view name) {
+  const Method* m = findMethod(name);
+  if (!m) return;
+  method_ = m->name;
+  // Each method goes on from the true contact, so that none inherits what another got wrong.
+  const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
+  if (!played_) servo_.setTracker(makeTracker(stage_, *m, servo_settings.probe_A, contact, log_.latest().hip));
+}
+
+FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
+  const Method& m = *findMethod(method_);
+  const PointA hand_before = log_.latest().hip;
+  felt_.clear();
+  if (played_) {
+    servo_.advance(dt_s);  // what the hand does meanwhile counts for nothing
+    for (played_owed_s_ += std::min(dt_s, 0.5); played_owed_s_ >= kTick_s; played_owed_s_ -= kTick_s) log_.add(*played_);
+    hand_moved_ = false;
+    return {felt_, m};
+  }
+  for (const ServoSample& sample : servo_.advance(dt_s)) {
+    log_.add(sample);
+    felt_.push_back({sample, watch_.add(sample, m)});
+  }
+  log_.measure(now_s);
+  servo_.timeTicks(timed);
+  hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
+  watchLeftBehind(dt_s);
+  ServoSettings handed = servo_settings;
+  handed.force_on = handed.force_on && !resting_;
+  servo_.setSettings(handed);
+  return {felt_, m};
+}
+
+void TouchScene::watchLeftBehind(double dt_s) {
+  const ServoSample& now = log_.latest();
+  const bool free = stage_ && log_.touching() && clearance(*stage_.balls, now.probe_A, now.hip.A) > 0.0;
+  log_.countLeftBehind(free && !controls.pressing(), dt_s);
+  if (log_.leftBehind_s() <= kLeftBehind_s) return;
+  ++servo_settings.placements;
+  log_.countLeftBehind(false, dt_s);
+}
+
+}  // namespace moltact

@@ -1,0 +1,218 @@
+// The table of actions and what hangs on it: menus, tool bar, shortcuts and their sheet; undo; preferences.
+#include <cmath>
+#include <set>
+
+#include "app/ui/actions.h"
+#include "app/ui/extensions.h"
+#include "app/ui/key_names.h"
+#include "app/ui/number_text.h"
+#include "app/ui/theme.h"
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+namespace {
+
+// The contrast ratio of WCAG 2.1, from relative luminance.
+double contrast(ImU32 a, ImU32 b) {
+  const auto luminance = [](ImU32 c) {
+    const auto part = [&](int shift) {
+      const double v = double(c >> shift & 255u) / 255.0;
+      return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * part(IM_COL32_R_SHIFT) + 0.7152 * part(IM_COL32_G_SHIFT) + 0.0722 * part(IM_COL32_B_SHIFT);
+  };
+  const double la = luminance(a), lb = luminance(b);
+  return (std::max(la, lb) + 0.05) / (std::min(la, lb) + 0.05);
+}
+
+}  // namespace
+
+TEST_CASE("no two actions share a name or a shortcut, and every shortcut names keys that there are") {
+  std::set<std::string_view> names, keys;
+  for (const Action& a : allActions()) {
+    CAPTURE(a.name);
+    CHECK(names.insert(a.name).second);
+    REQUIRE(bool(a.run));
+    CHECK_FALSE(a.label.empty());
+    for (const std::string_view shortcut : {a.shortcut, a.also}) {
+      if (shortcut.empty()) continue;
+      CHECK(keys.insert(shortcut).second);
+      CHECK((shortcut == "?" || !keysNamed(shortcut).empty()));
+    }
+    if (a.tool > 0) CHECK(a.icon != Icon::None);
+  }
+}
+
+TEST_CASE("keys are named in capitals or not, joined by plus; an unknown name gives none") {
+  CHECK(keysNamed("Ctrl+Shift+S").size() == 3);
+  CHECK(keysNamed("ctrl+s") == keysNamed("Ctrl+S"));
+  CHECK(keysNamed("Page Up") == keysNamed("pageup"));
+  CHECK(keysNamed("F11").size() == 1);
+  CHECK(keysNamed("F13").empty());
+  CHECK(keysNamed("Ctrl+Nothing").empty());
+}
+
+TEST_CASE("F1 and ? open a sheet with every shortcut of the table") {
+  for (const char* way : {"F1", "?"}) {
+    auto d = startWith("argon");
+    if (*way == '?') d->type("?");
+    else d->tap(way);
+    d->frames(3);
+    REQUIRE(d->shows("controls/close"));
+    for (const Action& a : allActions())
+      if (!a.shortcut.empty()) CHECK(contains(d->text("controls/command/" + std::string(a.name)), std::string(a.shortcut)));
+  }
+}
+
+TEST_CASE("a whole drag of the probe's slider is undone at once, and redone") {
+  auto d = startWith("argon");
+  const double before_A = d->app().scene.servo_settings.probe_A;
+  CHECK_FALSE(d->app().extensions().history.canUndo());
+  d->drag("probe", 60, 0);
+  const double after_A = d->app().scene.servo_settings.probe_A;
+  REQUIRE(after_A > before_A + 0.3);
+  d->tap("Ctrl+Z");
+  CHECK(d->app().scene.servo_settings.probe_A == before_A);
+  CHECK_FALSE(d->app().extensions().history.canUndo());
+  d->tap("Ctrl+Shift+Z");
+  CHECK(d->app().scene.servo_settings.probe_A == after_A);
+}
+
+TEST_CASE("method, parts shown and a view that was reset are undone in the order in which they were changed") {
+  auto d = startWith("argon-pair");
+  d->drag("view", 80, 0, 1);
+  const Camera turned = d->app().scene.camera;
+  const ShapeSet shown = d->app().scene.shown;
+  CHECK(d->click("show/spheres"));
+  d->app().scene.useMethod("mesh80");
+  d->frames(2);
+  d->tap("Home");
+  CHECK_FALSE(d->app().scene.camera == turned);
+  CHECK(d->click("tool/undo"));
+  CHECK(d->app().scene.camera == turned);
+  CHECK(d->click("tool/undo"));
+  CHECK(d->app().scene.method() == "exact");
+  CHECK(d->click("tool/undo"));
+  CHECK(d->app().scene.shown == shown);
+  CHECK(d->click("tool/redo"));
+  CHECK_FALSE(d->app().scene.shown == shown);
+}
+
+TEST_CASE("what a lesson's step sets cannot be undone") {
+  auto d = startWith("");
+  openFirst(*d);
+  d->frames(5);
+  d->drag("probe", 60, 0);
+  REQUIRE(d->app().extensions().history.canUndo());
+  CHECK(d->click("lesson/next"));
+  d->frames(3);
+  CHECK_FALSE(d->app().extensions().history.canUndo());
+}
+
+TEST_CASE("with a left-handed mouse the right button pushes and the left one turns") {
+  auto d = startWith("argon");
+  d->app().settings.left_handed = true;
+  d->point("view");
+  d->press(1);
+  d->frames(60);
+  CHECK(d->app().scene.log().touching());
+  d->release(1);
+  const Camera before = d->app().scene.camera;
+  d->drag("view", 60, 0, 0);
+  CHECK_FALSE(d->app().scene.camera == before);
+}
+
+TEST_CASE("with a decimal comma 1.4 Å reads 1,4 Å, and the other way about") {
+  auto d = startWith("argon");
+  CHECK(d->text("probe") == "1.4 Å");
+  d->app().settings.decimal_comma = true;
+  d->frames(2);
+  CHECK(d->text("probe") == "1,4 Å");
+  CHECK(localNumbers("step 3. Then 0.8 N") == "step 3. Then 0,8 N");
+  CHECK(plainNumbers("0,8") == "0.8");
+  setDecimalComma(false);
+  CHECK(localNumbers("0.8 N") == "0.8 N");
+}
+
+TEST_CASE("preferences change the theme, the size and the atoms' colours at once") {
+  auto d = startWith("1ubq");
+  d->tap("Ctrl+,");
+  d->frames(3);
+  REQUIRE(d->shows("preferences/close"));
+  CHECK(d->click("preferences/theme/High contrast"));
+  CHECK(d->app().settings.theme == ThemeChoice::HighContrast);
+  CHECK(d->click("preferences/larger"));
+  d->frames(3);
+  CHECK(d->app().settings.scale == 1.25);
+  CHECK(d->click("preferences/smaller"));
+  d->tap("Escape");
+  d->frames(12);
+  REQUIRE_FALSE(d->shows("preferences/close"));
+  const Picture customary = d->picture();
+  d->app().settings.colour_blind_safe = true;
+  d->frames(12);
+  CHECK(difference(customary, d->picture()) > 0.05);
+}
+
+TEST_CASE("text stands out from its ground: 4.5 to 1 in the light and dark theme, 7 to 1 in high contrast") {
+  auto d = startWith("argon");
+  for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark, ThemeChoice::HighContrast}) {
+    d->app().settings.theme = theme;
+    d->frames(3);
+    const Palette& p = look().palette;
+    const double least = theme == ThemeChoice::HighContrast ? 7.0 : 4.5;
+    CAPTURE(themeName(theme));
+    for (const ImU32 ground : {p.panel, p.raised}) {
+      CHECK(contrast(p.text, ground) >= least);
+      CHECK(contrast(p.quiet, ground) >= least);
+    }
+    CHECK(contrast(p.accent_text, p.accent) >= least);
+    CHECK(contrast(p.text, p.accent_soft) >= least);
+    CHECK(contrast(p.good, p.good_soft) >= (least > 5 ? 7.0 : 3.0));
+    CHECK(contrast(p.bad, p.bad_soft) >= (least > 5 ? 7.0 : 3.0));
+    CHECK(contrast(p.warn, p.warn_soft) >= (least > 5 ? 7.0 : 3.0));
+  }
+}
+
+TEST_CASE("Ctrl+Shift+S asks for a name, refuses to overwrite without a click, and writes the picture") {
+  Scratch scratch;
+  Driver::Options options;
+  options.application.picture_folder = scratch.folder;
+  auto d = startWith("argon", options);
+  d->tap("Ctrl+Shift+S");
+  d->frames(3);
+  REQUIRE(d->shows("file/name"));
+  CHECK(d->text("file/name") == "moltact-001.png");
+  CHECK(d->click("file/choose"));
+  d->frames(3);
+  CHECK(std::filesystem::exists(scratch.folder / "moltact-001.png"));
+  d->tap("Ctrl+Shift+S");
+  d->frames(3);
+  d->app().file_dialog.written = "moltact-001";
+  d->frames(2);
+  CHECK(d->shows("file/warning"));
+  CHECK(d->text("file/choose") == "Replace it");
+  d->tap("Escape");
+  d->frames(2);
+  CHECK_FALSE(d->shows("file/name"));
+}
+
+TEST_CASE("a kept preference of every kind comes back") {
+  Scratch scratch;
+  Settings s;
+  s.theme = ThemeChoice::HighContrast;
+  s.colour_blind_safe = s.left_handed = s.decimal_comma = true;
+  s.lesson_folder = "/tmp/lessons of mine";
+  REQUIRE(saveSettings(s, scratch.folder / "settings.json").empty());
+  CHECK(loadSettings(scratch.folder / "settings.json").settings == s);
+}
+
+TEST_CASE("F11 asks for the full screen and gives it back") {
+  auto d = startWith("argon");
+  d->tap("F11");
+  CHECK(d->app().panels.full_screen);
+  d->tap("F11");
+  CHECK_FALSE(d->app().panels.full_screen);
+}
+
+}  // namespace moltact

@@ -1,0 +1,165 @@
+// What a student does in the window stands in the attempt's file. Oracle: the acts of the script.
+#include <algorithm>
+#include <filesystem>
+
+#include "app/ui/extensions.h"
+#include "engine/results/progress.h"
+#include "tests/app/driver_fixture.h"
+#include "tests/results/sample_attempt.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+Driver::Options keeping(const fs::path& folder) {
+  Driver::Options options;
+  options.width = 900;
+  options.height = 560;
+  options.application.attempts_folder = folder;
+  return options;
+}
+
+const std::string kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
+
+template <class Fact>
+std::vector<const Fact*> all(const Attempt& attempt) {
+  std::vector<const Fact*> out;
+  for (const AttemptEvent& e : attempt.events)
+    if (const auto* fact = std::get_if<Fact>(&e.what)) out.push_back(fact);
+  return out;
+}
+
+Attempt only(const fs::path& folder) {
+  const auto files = attemptFiles(folder);
+  REQUIRE(files->size() == 1);
+  Expected<Attempt> attempt = readAttempt(files->front());
+  REQUIRE(bool(attempt));
+  CHECK(attempt->problems.empty());
+  CHECK_FALSE(attempt->torn);
+  return *std::move(attempt);
+}
+
+void push(Driver& driver, int frames = 40) {
+  driver.point("view", 0.5, 0.5);
+  driver.press();
+  driver.frames(frames);
+  driver.release();
+  driver.frames(15);
+}
+
+TEST_CASE("a lesson that is only looked at leaves no file; a touch, a hint and a step do, with all that went before") {
+  const ScratchFolder scratch;
+  const auto driver = startWith(kLesson, keeping(scratch.path / "attempts"));
+  driver->frames(30);
+  driver->app().extensions().recorder.flush();
+  CHECK_FALSE(fs::exists(scratch.path / "attempts"));
+
+  push(*driver);
+  driver->app().lesson.next();
+  driver->frames(10);
+  REQUIRE(driver->app().extensions().recorder.flush());
+  const Attempt attempt = only(scratch.path / "attempts");
+  CHECK(attempt.header.lesson.file == "first-touch.md");
+  CHECK(attempt.header.lesson.hash.size() == 16);
+  CHECK(attempt.header.gives_force == false);
+  CHECK(attempt.file.filename().string().starts_with("first-touch-20"));
+  const auto steps = all<StepEntered>(attempt);
+  REQUIRE(steps.size() == 2);
+  CHECK(steps[0]->step == "one-atom");
+  const auto done = all<TaskDone>(attempt);
+  REQUIRE(done.size() >= 1);
+  CHECK(done[0]->step == "one-atom");
+  CHECK(done[0]->by == InputWay::Mouse);
+  const auto touches = all<TouchEnded>(attempt);
+  REQUIRE(touches.size() >= 1);
+  CHECK(touches[0]->atoms == std::vector<std::int32_t>{0});
+  CHECK(touches[0]->peak_N > 0.05);
+  CHECK(touches[0]->peak_N < 3.31);
+  CHECK(all<StageSet>(attempt).front()->atoms == 1);
+  // The trace is the way that was felt: outside the inflated atom always, for the SCP.
+  std::size_t held = 0;
+  for (const TraceChunk* chunk : all<TraceChunk>(attempt))
+    for (const TraceSample& s : chunk->samples) held += s.feature == Feature::Sphere;
+  CHECK(held > 20);
+}
+
+TEST_CASE("a program that ends in the middle goes on where it was: same file, same step, same answers") {
+  const ScratchFolder scratch;
+  {
+    const auto driver = startWith(kLesson, keeping(scratch.path));
+    push(*driver);
+    driver->app().lesson.next();
+    driver->frames(10);
+  }
+  const Attempt before = only(scratch.path);
+  CHECK(std::holds_alternative<Left>(before.events.back().what));
+  const std::vector<LessonProgress> progress = readProgress(scratch.path);
+  REQUIRE(progress.size() == 1);
+  CHECK(progress[0].canResume());
+  CHECK(progress[0].done >= 1);
+
+  const auto driver = startWith("", keeping(scratch.path));
+  driver->app().extensions().recorder.resume(driver->app(), kLesson, progress[0].file);
+  driver->app().finishLoading();
+  driver->frames(10);
+  const LessonSession& session = *driver->app().lesson.session();
+  CHECK(session.stepIndex() == 1);
+  CHECK(session.taskDone(0, 0));
+  push(*driver);
+  REQUIRE(driver->app().extensions().recorder.flush());
+  const Attempt after = only(scratch.path);
+  CHECK(after.events.size() > before.events.size());
+  CHECK(all<Resumed>(after).size() == 1);
+  CHECK(after.end_s() > before.end_s());
+  for (std::size_t k = 0; k < before.events.size(); ++k) REQUIRE(lineOf(after.events[k]) == lineOf(before.events[k]));
+}
+
+TEST_CASE("a disk that is full is told once in words to act on, and the lesson goes on") {
+  const ScratchFolder scratch;
+  writeFile(scratch.path / "file", "");
+  const auto driver = startWith(kLesson, keeping(scratch.path / "file" / "attempts"));
+  push(*driver);
+  driver->app().extensions().recorder.flush();
+  driver->frames(5);
+  const std::vector<Message>& messages = driver->app().messages.all();
+  const auto told = std::count_if(messages.begin(), messages.end(), [](const Message& m) { return contains(m.text, "not being kept"); });
+  CHECK(told == 1);
+  CHECK(driver->app().lesson.session()->taskDone(0, 0));
+  driver->app().messages = {};
+  push(*driver);
+  driver->app().extensions().recorder.flush();
+  driver->frames(5);
+  CHECK(driver->app().messages.all().empty());
+}
+
+TEST_CASE("two students in turn have an attempt each, and each goes on with what he did himself") {
+  const ScratchFolder scratch;
+  const auto driver = startWith(kLesson, keeping(scratch.path));
+  AttemptRecorder& recorder = driver->app().extensions().recorder;
+  recorder.passTo(driver->app(), "Ana");
+  driver->frames(10);
+  push(*driver);
+  CHECK(driver->app().lesson.session()->taskDone(0, 0));
+  recorder.passTo(driver->app(), "Bo");
+  driver->frames(10);
+  CHECK_FALSE(driver->app().lesson.session()->taskDone(0, 0));
+  push(*driver);
+  driver->app().lesson.next();
+  driver->frames(5);
+  recorder.passTo(driver->app(), "Ana");
+  driver->frames(10);
+  CHECK(driver->app().lesson.session()->taskDone(0, 0));
+  CHECK(driver->app().lesson.session()->stepIndex() == 1);
+  push(*driver);
+  REQUIRE(recorder.flush());
+  const auto files = attemptFiles(scratch.path);
+  REQUIRE(files->size() == 2);
+  std::vector<std::string> students;
+  for (const fs::path& f : *files) students.push_back(readAttempt(f)->header.student);
+  std::sort(students.begin(), students.end());
+  CHECK(students == std::vector<std::string>{"Ana", "Bo"});
+}
+
+}  // namespace
+}  // namespace moltact

@@ -1,0 +1,101 @@
+// A device in the window, on the frames' clock: chosen on the page, felt, unplugged, stopped.
+#include "app/ui/device_link.h"
+#include "app/ui/extensions.h"
+#include "engine/device/simulated_device.h"
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+namespace {
+
+SimulatedDevice& stylus(Driver& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
+
+// The simulated stylus in use and pressing.
+std::unique_ptr<Driver> pressing() {
+  auto d = startWith();
+  d->tap("Ctrl+D");
+  d->frames(3);
+  REQUIRE(d->click("device/simulated"));
+  d->tap("Escape");
+  for (int k = 0; k < 600 && d->app().scene.log().force_N() < 0.5; ++k) d->frames(1);
+  REQUIRE(d->app().scene.log().force_N() >= 0.5);
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("the device page lists what can be used and why the rest cannot, and a chosen stylus leads: live place, scale and limits") {
+  auto d = startWith();
+  d->tap("Ctrl+D");
+  d->frames(3);
+  CHECK(d->shows("device/mouse"));
+  CHECK(d->text("device/name") == "Mouse");
+  CHECK(contains(d->text("device/limits"), "gives no force"));
+  CHECK(d->click("device/simulated"));
+  d->frames(3);
+  CHECK(d->text("status/device") == "Simulated stylus");
+  CHECK(d->text("device/name") == "Simulated stylus");
+  CHECK(contains(d->text("device/live"), " mm; force "));
+  CHECK(contains(d->text("device/scale"), "1 mm here is 0.25 Å there"));
+  CHECK(contains(d->text("device/limits"), "At most 3.3 N for a moment and 0.88 N for good"));
+  CHECK(d->click("device/mouse"));
+  d->frames(3);
+  CHECK(d->text("status/device") == "Mouse");
+}
+
+TEST_CASE("unplugging in contact: the mouse leads, a message says so; plugged in again the stylus leads") {
+  auto d = pressing();
+  stylus(*d).plug(false);
+  d->frames(1);
+  CHECK(d->app().scene.servo().fallenBack());
+  d->frames(20);
+  CHECK(d->text("status/device") == "Mouse");
+  CHECK(contains(d->text("message/0") + d->text("message/1"), "Until then the mouse leads"));
+  CHECK(d->app().scene.log().force_N() == 0.0);
+  stylus(*d).plug(true);
+  d->frames(20);
+  CHECK(d->text("status/device") == "Simulated stylus");
+  CHECK_FALSE(d->app().scene.servo().fallenBack());
+}
+
+TEST_CASE("F9 stops all force at once and says so over the view; F9 again allows it, softly") {
+  auto d = pressing();
+  d->tap("F9");
+  d->frames(2);
+  CHECK(contains(d->text("limits"), "All force is stopped"));
+  CHECK(d->app().scene.servo().newest().force.N == Vec3(0));
+  d->tap("F9");
+  d->frames(2);
+  CHECK_FALSE(d->app().scene.servo_settings.panic);
+  CHECK(glm::length(d->app().scene.servo().newest().force.N) < 0.5);
+}
+
+TEST_CASE("the gentle force of the device page pulls with 0.4 N for 4 s, and then the molecule is felt again") {
+  auto d = startWith();
+  d->tap("Ctrl+D");
+  d->frames(3);
+  d->click("device/simulated");
+  d->frames(2);
+  DeviceLink& link = d->app().extensions().device;
+  link.tryForce(d->app());
+  double greatest = 0;
+  for (int k = 0; k < 230; ++k) {
+    d->frames(1);
+    greatest = std::max(greatest, glm::length(d->app().scene.servo().newest().force.N));
+  }
+  CHECK(greatest > 0.35);
+  CHECK(greatest < 0.6);
+  d->frames(30);
+  CHECK(link.tryingLeft_s() == 0.0);
+  CHECK(d->app().scene.servo().newest().scene == d->app().scene.servo().scene());
+}
+
+TEST_CASE("with a stylus the screen's right is the device's right, also after the view was turned") {
+  auto d = pressing();
+  d->drag("view", 150, 40, 1);
+  d->frames(3);
+  const glm::dmat3& turn = d->app().scene.servo_settings.workspace.turn;
+  CHECK(glm::distance(turn[0], d->app().scene.camera.right()) < 1e-6);
+  CHECK(glm::distance(turn[2], d->app().scene.camera.back()) < 1e-6);
+}
+
+}  // namespace moltact

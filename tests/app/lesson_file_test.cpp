@@ -1,0 +1,219 @@
+// A lesson's file while it is open in the window: it is read again as its author saves it, and what is wrong is listed.
+#include <doctest/doctest.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "app/ui/extensions.h"
+#include "tests/app/driver_fixture.h"
+
+using namespace moltact;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct AuthorFolder {
+  fs::path folder = fs::temp_directory_path() / ("moltact-lesson-file-" + std::to_string(::getpid()));
+  AuthorFolder() { fs::create_directories(folder); }
+  ~AuthorFolder() { fs::remove_all(folder); }
+  fs::path operator/(const std::string& name) const { return folder / name; }
+};
+
+// A file system may keep times by the second: each save is a second later than the one before.
+void save(const fs::path& file, const std::string& text) {
+  static int saves = 0;
+  std::ofstream(file, std::ios::binary) << text;
+  fs::last_write_time(file, fs::file_time_type::clock::now() + std::chrono::seconds(++saves));
+}
+
+const std::string kHead = "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n";
+const std::string kOne = "## One\n```scene\nmolecule: argon\n```\nText.\n";
+const std::string kTwo = "## Two\nHere.\n### Question: How many?\n- [x] One → Yes.\n- [ ] Two → No.\n";
+
+// Long enough for the file to be looked at, found at rest, checked and taken up.
+constexpr int kSeen_frames = 60;
+
+}  // namespace
+
+TEST_CASE("a lesson that is saved again is shown at once, on the same step and with what was answered") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "mine.md";
+  save(file, kHead + kOne + kTwo);
+  auto d = startWith(file.string());
+  d->click("lesson/next");
+  d->frames(3);
+  d->app().lesson.session()->choose(0, {0});
+  const auto camera = d->app().scene.camera.orientation;
+  const auto placements = d->app().scene.servo_settings.placements;
+  save(file, kHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
+  d->frames(kSeen_frames);
+  CHECK(d->text("lesson/step") == "Two");
+  CHECK(d->text("lesson/place") == "Step 3 of 3");
+  CHECK(d->app().lesson.session()->question(0).answered_right);
+  CHECK(contains(d->text("message/0"), "Read again: mine.md"));
+  // The force begins from nothing, and the view stays as it was.
+  CHECK(d->app().scene.servo_settings.placements == placements + 1);
+  CHECK(d->app().scene.camera.orientation == camera);
+  // A mere touch of the file changes nothing.
+  save(file, kHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
+  d->frames(kSeen_frames);
+  CHECK(d->app().scene.servo_settings.placements == placements + 1);
+}
+
+TEST_CASE("a step that gets another probe is set up anew when the lesson is read again") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "mine.md";
+  save(file, kHead + kOne);
+  auto d = startWith(file.string());
+  save(file, kHead + "## One\n```scene\nmolecule: argon\nprobe: 2 Å\n```\nText.\n");
+  d->frames(kSeen_frames);
+  CHECK(d->app().scene.servo_settings.probe_A == 2.0);
+}
+
+TEST_CASE("with errors the last good lesson stays and they are listed with line and remedy, until they are mended") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "mine.md";
+  save(file, kHead + kOne + kTwo);
+  auto d = startWith(file.string());
+  CHECK_FALSE(d->shows("lesson-problems"));
+  save(file, kHead + kOne + "```touch\nreech: all\n```\n[x](#nowhere)\n");
+  d->frames(kSeen_frames);
+  CHECK(d->text("lesson-problems") == "mine.md: 2 problems. You see the last good version");
+  CHECK(d->text("lesson/place") == "Step 1 of 2");
+  CHECK_FALSE(d->shows("lesson-problem/0"));
+  REQUIRE(d->click("lesson-problems/show"));
+  d->frames(2);
+  CHECK(d->text("lesson-problem/0") == "Line 15: touch has no key 'reech'; did you mean 'reach'?");
+  CHECK(d->text("lesson-problem/1") == "Line 17: the link '#nowhere' leads to no step; steps: one");
+  save(file, kHead + kOne + "```touch\nreach: all\nsay: S\n```\n");
+  d->frames(kSeen_frames);
+  CHECK_FALSE(d->shows("lesson-problems"));
+  CHECK(d->text("lesson/place") == "Step 1 of 1");
+}
+
+TEST_CASE("a file that is gone or empty for a second, as while an editor saves, raises nothing; one that stays gone for 4 s is told") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "mine.md";
+  save(file, kHead + kOne);
+  auto d = startWith(file.string());
+  fs::rename(file, scratch / "mine.md~");
+  d->frames(60);
+  CHECK_FALSE(d->shows("lesson-problems"));
+  save(file, "");
+  d->frames(60);
+  CHECK_FALSE(d->shows("lesson-problems"));
+  save(file, kHead + kOne + kTwo);
+  d->frames(kSeen_frames);
+  CHECK_FALSE(d->shows("lesson-problems"));
+  CHECK(d->text("lesson/place") == "Step 1 of 2");
+  fs::remove(file);
+  d->frames(4 * 60);
+  CHECK(contains(d->text("lesson-problems"), "mine.md: 1 problem"));
+  CHECK(d->text("lesson/place") == "Step 1 of 2");
+  save(file, kHead + kOne);
+  d->frames(kSeen_frames);
+  CHECK_FALSE(d->shows("lesson-problems"));
+}
+
+TEST_CASE("a lesson that cannot be opened leaves the one that is open, lists why, and opens as soon as it is mended") {
+  AuthorFolder scratch;
+  const fs::path good = scratch / "good.md", bad = scratch / "bad.md";
+  save(good, kHead + kOne);
+  save(bad, kHead + "## Broken\n```scene\nmolecule: argon\n```\nText. [x](#y)\n");
+  auto d = startWith(good.string());
+  d->run("drop " + bad.string(), "script");
+  d->frames(kSeen_frames);
+  CHECK(d->text("lesson/step") == "One");
+  CHECK(d->text("lesson-problems") == "bad.md cannot be opened: 1 problem");
+  save(bad, kHead + "## Mended\n```scene\nmolecule: argon\n```\nText.\n");
+  d->frames(kSeen_frames);
+  CHECK(d->text("lesson/step") == "Mended");
+  CHECK_FALSE(d->shows("lesson-problems"));
+  d->app().open(scratch / "gone.md");
+  d->frames(2);
+  CHECK(d->text("lesson-problems") == "gone.md cannot be opened: 1 problem");
+  d->app().open(good);
+  d->frames(kSeen_frames);
+  CHECK_FALSE(d->shows("lesson-problems"));
+}
+
+TEST_CASE("a lesson with an empty selection opens and says so; a picture that is put beside it mends it without a save") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "mine.md";
+  save(file, kHead + kOne + "![A ring](ring.png)\n\n```touch\nreach: protein\nsay: S\n```\n");
+  auto d = startWith(file.string());
+  d->frames(kSeen_frames);
+  CHECK(d->text("lesson/step") == "One");
+  CHECK(d->text("lesson-problems") == "mine.md: 2 problems");
+  save(scratch / "ring.png", "");
+  d->frames(3 * 60);
+  CHECK(d->text("lesson-problems") == "mine.md: 1 problem");
+}
+
+TEST_CASE("files dropped on the window are opened, molecules too") {
+  auto d = startWith("");
+  d->app().drop({MOLTACT_SOURCE_DIR "/molecules/benzene.pdb", "other.pdb"});
+  d->app().finishLoading();
+  d->frames(3);
+  CHECK(d->app().scene.file().filename() == "benzene.pdb");
+  CHECK(contains(d->text("message/0"), "Of 2 files the first was opened"));
+}
+
+TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "study.md";
+  save(file, "---\ntitle: Study\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nlocked: method\n---\n"
+             "## One\n```scene\nmolecule: argon\nprobe: 2 Å\nforce: off\npanels: none\nlocked: force, probe, stiffness, show, panels\n```\nText.\n"
+             "## Two\n```scene\nmolecule: argon\n```\nText.\n");
+  auto d = startWith(file.string());
+  Application& app = d->app();
+  CHECK(app.layout().touch.empty());
+  app.scene.servo_settings.force_on = true;
+  app.scene.servo_settings.probe_A = 1.0;
+  app.scene.servo_settings.stiffness_N_per_mm = 1.0;
+  app.scene.useMethod("penalty");
+  app.scene.shown.set(Shape::Cones, true);
+  app.panels.showMethods(true);
+  app.panels.lesson = false;
+  d->frames(2);
+  CHECK_FALSE(app.scene.servo_settings.force_on);
+  CHECK(app.scene.servo_settings.probe_A == 2.0);
+  CHECK(app.scene.servo_settings.stiffness_N_per_mm == 0.5);
+  CHECK(app.scene.method() == "exact");
+  CHECK_FALSE(app.scene.shown.has(Shape::Cones));
+  CHECK(app.layout().touch.empty());
+  CHECK_FALSE(app.layout().lesson.empty());
+  app.lesson.next();
+  d->frames(3);
+  // The front matter's lock goes on; the scene's has ended, and the student's panel is back.
+  app.scene.useMethod("penalty");
+  app.scene.servo_settings.probe_A = 1.0;
+  d->frames(2);
+  CHECK(app.scene.method() == "exact");
+  CHECK(app.scene.servo_settings.probe_A == 1.0);
+  CHECK_FALSE(app.layout().touch.empty());
+}
+
+TEST_CASE("an aside has no place in the row of steps, and its only button leads back to the step that linked to it") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "aside.md";
+  save(file, kHead + "## One\n```scene\nmolecule: argon\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## Two\nText.\n");
+  auto d = startWith(file.string());
+  CHECK(d->text("lesson/place") == "Step 1 of 2");
+  REQUIRE(d->app().lesson.follow("#aside-more"));
+  d->frames(2);
+  CHECK(d->text("lesson/place") == "Aside");
+  CHECK(d->text("lesson/step") == "More");
+  CHECK(d->text("lesson/next") == "Back to the lesson");
+  CHECK_FALSE(d->shows("lesson/back"));
+  d->click("lesson/next");
+  d->frames(2);
+  CHECK(d->text("lesson/place") == "Step 1 of 2");
+  d->click("lesson/next");
+  d->frames(2);
+  CHECK(d->text("lesson/place") == "Step 2 of 2");
+}

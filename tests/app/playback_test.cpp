@@ -1,0 +1,128 @@
+// An attempt made in one window is played back in another. Oracle: the attempt's own trace.
+#include <algorithm>
+
+#include "app/ui/extensions.h"
+#include "tests/app/driver_fixture.h"
+#include "tests/results/sample_attempt.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
+
+Driver::Options small(const fs::path& folder = {}) {
+  Driver::Options options;
+  options.width = 1000;
+  options.height = 600;
+  options.application.attempts_folder = folder;
+  return options;
+}
+
+// Touches the first lesson's atom, goes on a step; gives the file.
+fs::path recorded(const fs::path& folder) {
+  const auto driver = startWith(kLesson, small(folder));
+  driver->point("view", 0.5, 0.5);
+  driver->press();
+  driver->frames(60);
+  driver->release();
+  driver->frames(30);
+  driver->app().lesson.next();
+  driver->frames(30);
+  REQUIRE(driver->app().extensions().recorder.flush());
+  return driver->app().extensions().recorder.file();
+}
+
+TEST_CASE("an attempt opened as a file moves the probe as the hand did, says what was touched, and feeds no lesson") {
+  const ScratchFolder scratch;
+  const fs::path file = recorded(scratch.path);
+  const std::string bytes = bytesOf(file);
+  const Timeline line(*readAttempt(file));
+  const auto driver = startWith(file.string(), small(scratch.path / "other"));
+  Application& app = driver->app();
+  Playback& playback = app.extensions().playback;
+  REQUIRE(playback.on());
+  CHECK(app.scene.playing());
+  CHECK(app.scene.file().filename().string() == line.stage(0.1)->file);
+  playback.setRunning(false);
+  std::size_t touched = 0;
+  for (int k = 1; k < 40; ++k) {
+    playback.seek(line.length_s() * k / 40.0);
+    driver->frames(2);
+    const auto hand = line.hand(playback.at_s());
+    REQUIRE(hand.has_value());
+    if (app.scene.file().filename() != line.stage(playback.at_s())->file) continue;
+    CHECK(glm::distance(app.scene.log().latest().hip.A, hand->hip.A) < 1e-9);
+    CHECK(app.scene.log().touching() == (hand->feature != Feature::Free));
+    if (hand->feature == Feature::Free) continue;
+    ++touched;
+    CHECK(contains(driver->text("status/contact"), "touching"));
+  }
+  CHECK(touched >= 3);
+  CHECK(contains(driver->text("playback/told"), "First touch"));
+
+  // Plays by itself, twice as fast, to its end.
+  playback.seek(0.0);
+  playback.skips_rests = false;
+  playback.speed = 2.0;
+  CHECK(driver->click("playback/play"));
+  const double before_s = playback.at_s();
+  driver->frames(30);
+  CHECK(playback.at_s() - before_s == doctest::Approx(1.0).epsilon(0.05));
+  driver->frames(int(line.length_s() * 30.0) + 60);
+  CHECK_FALSE(playback.running());
+  CHECK(driver->text("playback/play") == "Play");
+  CHECK(driver->tap("Left"));
+  CHECK(playback.at_s() == doctest::Approx(std::max(0.0, line.length_s() - 5.0)).epsilon(0.2));
+
+  CHECK(driver->click("playback/close"));
+  driver->frames(5);
+  CHECK_FALSE(app.scene.playing());
+  CHECK_FALSE(driver->shows("playback/bar"));
+  CHECK(bytesOf(file) == bytes);
+  CHECK_FALSE(fs::exists(scratch.path / "other"));
+}
+
+TEST_CASE("a lesson that was open goes on after the playback as if nothing had been touched meanwhile") {
+  const ScratchFolder scratch;
+  const fs::path file = recorded(scratch.path);
+  const auto driver = startWith(kLesson, small(scratch.path / "own"));
+  driver->app().open(file);
+  driver->frames(200);
+  CHECK_FALSE(driver->shows("lesson/title"));
+  CHECK_FALSE(driver->app().lesson.session()->taskDone(0, 0));
+  CHECK(driver->click("playback/close"));
+  driver->app().finishLoading();
+  driver->frames(20);
+  CHECK(driver->shows("lesson/title"));
+  CHECK(driver->app().lesson.onStage());
+  driver->point("view", 0.5, 0.5);
+  driver->press();
+  driver->frames(40);
+  driver->release();
+  CHECK(driver->app().lesson.session()->taskDone(0, 0));
+}
+
+TEST_CASE("files that are no attempts, and a molecule that is not there, are told and leave the window as it was") {
+  const ScratchFolder scratch;
+  const auto driver = startWith(kLesson, small());
+  writeFile(scratch.path / "no.jsonl", "{\"a\":1}\n");
+  driver->app().open(scratch.path / "no.jsonl");
+  driver->frames(3);
+  CHECK_FALSE(driver->app().extensions().playback.on());
+  CHECK(contains(driver->text("message/0"), "it is no attempt at a lesson"));
+  AttemptHeader header = sampleHeader();
+  std::vector<AttemptEvent> events = sampleEvents();
+  std::get<StageSet>(events[1].what).file = "nowhere.pdb";
+  std::string bytes = lineOf(header);
+  for (const AttemptEvent& e : events) bytes += lineOf(e);
+  writeFile(scratch.path / "lost.jsonl", bytes);
+  driver->app().open(scratch.path / "lost.jsonl");
+  driver->frames(10);
+  CHECK(driver->app().extensions().playback.on());
+  CHECK(contains(driver->text("message/0"), "nowhere.pdb, is not on this computer"));
+}
+
+}  // namespace
+}  // namespace moltact

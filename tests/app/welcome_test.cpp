@@ -1,0 +1,137 @@
+// The welcome page: cards, their pictures, progress, keys.
+#include <sstream>
+
+#include "app/ui/extensions.h"
+#include "app/ui/library.h"
+#include "engine/lesson/reader.h"
+#include "engine/results/attempt_lines.h"
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+namespace {
+
+std::unique_ptr<Driver> startAtWelcome(Driver::Options options = {}) {
+  auto d = startWith("", std::move(options));
+  d->app().panels.welcome = true;
+  d->frames(60);
+  return d;
+}
+
+}  // namespace
+
+TEST_CASE("the welcome page has a card with title, minutes and level for every lesson, and one for every molecule") {
+  auto d = startAtWelcome();
+  REQUIRE(d->shows("welcome/title"));
+  CHECK(contains(d->text("welcome/lesson/first-touch"), "First touch"));
+  CHECK(contains(d->text("welcome/lesson/first-touch"), "8 min · beginner"));
+  for (const LibraryItem& l : lessons()) CHECK_FALSE(d->text("welcome/lesson/" + l.id).empty());
+  for (const LibraryItem& m : library()) CHECK_FALSE(d->text("welcome/molecule/" + m.id).empty());
+  CHECK_FALSE(d->shows("view"));
+  CHECK_FALSE(d->shows("touch"));
+}
+
+TEST_CASE("a click on a card opens its lesson; Escape leads back to the page and once more to the lesson") {
+  auto d = startAtWelcome();
+  CHECK(d->click("welcome/lesson/first-touch"));
+  d->frames(5);
+  CHECK_FALSE(d->shows("welcome/title"));
+  CHECK(contains(d->text("lesson/place"), "Step 1 of"));
+  CHECK(d->click("lesson/next"));
+  d->tap("Escape");
+  CHECK(d->shows("welcome/title"));
+  CHECK(contains(d->text("welcome/next"), "Back to First touch"));
+  d->tap("Escape");
+  CHECK(contains(d->text("lesson/place"), "Step 2 of"));
+}
+
+TEST_CASE("arrow keys and Enter alone open the first lesson, and a molecule far down the page") {
+  auto d = startAtWelcome();
+  d->tap("Right");
+  d->tap("Enter");
+  d->frames(5);
+  CHECK(contains(d->text("lesson/title"), "First touch"));
+  d->tap("Escape");
+  for (int k = 0; k < 60; ++k) d->tap("Right");  // to the last card
+  d->tap("Enter");
+  d->frames(5);
+  CHECK_FALSE(d->shows("welcome/title"));
+  CHECK(d->app().scene.file() == library().back().file);
+}
+
+TEST_CASE("while the welcome page is open the hand feels nothing") {
+  auto d = startWith("argon");
+  d->point("view");
+  d->hold("Space");
+  d->frames(60);
+  REQUIRE(d->app().scene.log().force_N() > 0.1);
+  d->app().panels.welcome = true;
+  d->frames(10);
+  CHECK(d->app().scene.log().force_N() == 0.0);
+  CHECK(d->app().scene.servo_settings.force_on);
+}
+
+TEST_CASE("pictures of cards are drawn once and found in the cache at the next start; a broken one is drawn anew") {
+  Scratch scratch;
+  Driver::Options options;
+  options.application.cache_folder = scratch.folder / "cache";
+  std::size_t drawn = 0;
+  {
+    auto d = startAtWelcome(options);
+    drawn = d->app().extensions().card_pictures.drawn();
+    CHECK(drawn >= library().size());
+    CHECK_FALSE(d->app().extensions().card_pictures.live());
+  }
+  {
+    auto d = startAtWelcome(options);
+    CHECK(d->app().extensions().card_pictures.drawn() == 0);
+    d->app().settings.colour_blind_safe = true;
+    d->frames(60);
+    CHECK(d->app().extensions().card_pictures.drawn() == drawn);
+  }
+  std::ofstream(std::filesystem::directory_iterator(options.application.cache_folder)->path()) << "no picture";
+  auto d = startAtWelcome(options);
+  d->app().settings.colour_blind_safe = true;
+  d->frames(60);
+  CHECK(d->app().extensions().card_pictures.drawn() == 1);
+}
+
+TEST_CASE("lessons of one's own have cards, and one that cannot be read says why") {
+  Scratch scratch;
+  std::stringstream text;
+  text << std::ifstream(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md").rdbuf();
+  scratch.file("mine.md", text.str().replace(text.str().find("First touch"), 11, "My own"));
+  scratch.file("broken.md", "---\ntitle: Broken\n---\n\n## Step\n\n```touch\npress: all\nuntil: 0.5\n```\n");
+  auto d = startWith("");
+  d->app().settings.lesson_folder = scratch.folder.string();
+  d->app().panels.welcome = true;
+  d->frames(60);
+  CHECK(contains(d->text("welcome/own/mine"), "My own"));
+  CHECK(contains(d->text("welcome/own/broken"), "cannot be opened"));
+  CHECK(d->click("welcome/own/mine"));
+  d->frames(5);
+  CHECK(contains(d->text("lesson/title"), "My own"));
+}
+
+TEST_CASE("a lesson that was left at its third step is offered first and goes on there") {
+  Scratch scratch;
+  LessonReading reading = readLesson(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
+  REQUIRE(reading.lesson);
+  AttemptHeader header;
+  header.program = "test";
+  header.began = "2026-11-21T10:00:00Z";
+  header.lesson = outlineOf(*reading.lesson, "0");
+  const std::size_t parts = header.lesson.parts();
+  std::string lines = lineOf(header);
+  lines += lineOf(AttemptEvent{1.0, StepEntered{reading.lesson->steps[2].id}});
+  lines += lineOf(AttemptEvent{2.0, ProgressMade{reading.lesson->steps[2].id, 2, parts}});
+  scratch.file("attempt.jsonl", lines);
+  Driver::Options options;
+  options.application.attempts_folder = scratch.folder;
+  auto d = startAtWelcome(options);
+  CHECK(contains(d->text("welcome/next"), "Go on with First touch"));
+  CHECK(d->click("welcome/next"));
+  d->frames(5);
+  CHECK(contains(d->text("lesson/place"), "Step 3 of"));
+}
+
+}  // namespace moltact
