@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "engine/haptics/methods.h"
 #include "engine/bench/hip_paths.h"
+#include "engine/servo/servo_step.h"
 
 namespace {
 
@@ -51,6 +53,35 @@ void ticks(benchmark::State& state, const Method* method, bool contact) {
   state.counters["atoms_modelled"] = double(tracker->footprint().atoms_modelled);
 }
 
+// A whole tick of the servo loop in contact: tracker, spring and safety stage, for a device that gives force.
+void servoTicks(benchmark::State& state) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const std::vector<Vec3>& hips = path(count, true);
+  const auto tracker = methods().front().make(scene(count), kWaterProbe_A);
+  DeviceInfo info;
+  info.gives_force = true;
+  const ServoSettings settings;
+  std::optional<ServoStep> step;
+  const auto begin = [&] {  // from the outside to the path's start, where the loop takes the contact up
+    tracker->reset();
+    tracker->step({Vec3(1e4)});
+    tracker->step({hips.front()});
+    step.emplace(info);
+  };
+  begin();
+  std::size_t k = 0, touching = 0;
+  for (auto _ : state) {
+    touching += step->tick(settings, tracker.get(), {.position = settings.workspace.toDevice({hips[k]})}).contact.touching();
+    if (++k == hips.size()) {
+      state.PauseTiming();
+      begin();
+      k = 0;
+      state.ResumeTiming();
+    }
+  }
+  state.counters["touching"] = double(touching) / double(state.iterations());
+}
+
 void ready(benchmark::State& state) {
   const std::vector<Ball> balls = bench::proteinLike(static_cast<std::size_t>(state.range(0)), 1);
   for (auto _ : state) {
@@ -73,6 +104,7 @@ int main(int argc, char** argv) {
       for (const int count : {50, 150, 3'000, 14'000, 1'000'000}) one->Arg(count);
     }
   }
+  benchmark::RegisterBenchmark("servo/contact", servoTicks)->Arg(3'000);
   benchmark::RegisterBenchmark("ready", ready)->Arg(3'000)->Arg(14'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
