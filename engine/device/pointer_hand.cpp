@@ -17,7 +17,7 @@ bool finite(const ViewRays& r) {
          std::isfinite(r.width_px) && r.width_px > 0 && std::isfinite(r.height_px) && r.height_px > 0;
 }
 bool finite(const PointerInput& in) {
-  return std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) && finite(in.keys) &&
+  return std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) && std::isfinite(in.N_per_A) && finite(in.keys) &&
          finite(in.rays) && (!in.pointer_px || finite(*in.pointer_px));
 }
 
@@ -56,14 +56,7 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
   }
   aim_ = glm::clamp(aim_, glm::dvec2(0.0), glm::dvec2(rays.width_px, rays.height_px));
 
-  // Inward: a press sinks with time, more slowly the harder the surface pushes back; notches sink it at once.
-  pressing_ = in.press;
-  if (in.press) {
-    depth_ += kPressSpeed_A_per_s * dt * (depth_ < 0.0 ? 2.0 : yielding) + in.push_notches * kNotch_A;
-    depth_ = std::clamp(depth_, -kHover_A, kDeepest_A);
-  } else {
-    depth_ = -kHover_A;
-  }
+  sink(in, dt * (depth_ < 0.0 ? 2.0 : yielding) * kPressSpeed_A_per_s);
 
   const Vec3 along = rays.direction(aim_);
   const double far = glm::distance(rays.eye_A, 0.5 * (scene.low_A() + scene.high_A())) +
@@ -77,6 +70,21 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
   }
   hip_ = {rays.eye_A + along * (way + (hit.ball >= 0 ? depth_ : -kHover_A))};
   return hip_;
+}
+
+// Inward: a press sinks with time, more slowly the harder the surface pushes back, until it rests; notches act at once.
+void PointerHand::sink(const PointerInput& in, double way_A) {
+  if (!in.press) {
+    depth_ = -kHover_A;
+    goal_N_ = kRest_N;
+  } else {
+    const double N_per_A = std::max(in.N_per_A, kNotch_N / kLongestNotch_A), deepest_N = kDeepest_A * N_per_A;
+    const double before_N = goal_N_;
+    goal_N_ = std::clamp(goal_N_ + in.push_notches * kNotch_N, kLightest_N, std::max(kRest_N, deepest_N));
+    const double goal_A = std::min(goal_N_ / N_per_A, kDeepest_A);
+    depth_ = std::min(goal_A, depth_ + way_A + std::max(0.0, (goal_N_ - before_N) / N_per_A));
+  }
+  pressing_ = in.press;
 }
 
 }  // namespace moltact

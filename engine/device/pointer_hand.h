@@ -1,7 +1,9 @@
 // A hand made out of a mouse or a keyboard: the probe hovers over the surface under the pointer, a press pushes it in.
 // Pure logic on the window's thread, once a frame; MouseDevice carries the result smoothly to the haptic thread.
 // What stands in for the felt resistance: the HIP goes under while the probe stays on the surface, the push slows down
-// and the pointer's gain falls as the force rises. Units: angstrom, pixel, newton, second.
+// and the pointer's gain falls as the force rises. A press that is held comes to rest at the depth where the spring gives
+// kRest_N; a notch makes that kNotch_N more or less, and the press keeps it. Met at a slant the surface pushes back less
+// than the spring gives at that depth, never more. Units: angstrom, pixel, newton, second.
 #pragma once
 
 #include <optional>
@@ -20,6 +22,7 @@ struct PointerInput {
   bool press = false;                    ///< left button or space bar held
   double push_notches = 0.0;             ///< wheel notches or key presses: positive pushes deeper
   double force_N = 0.0;                  ///< the force that the servo loop gave last
+  double N_per_A = 1.0;                  ///< how hard the surface pushes back an angstrom under it; 0 where it does not
   double dt_s = 1.0 / 60.0;
 };
 
@@ -27,7 +30,10 @@ class PointerHand {
  public:
   static constexpr double kHover_A = 0.35;         ///< how far before the surface the probe waits
   static constexpr double kPressSpeed_A_per_s = 1.2;
-  static constexpr double kNotch_A = 0.15;
+  static constexpr double kRest_N = 0.6;           ///< with so much force a held press comes to rest
+  static constexpr double kNotch_N = 0.2;          ///< a notch makes it so much harder or lighter
+  static constexpr double kLightest_N = 0.05;      ///< a press is never lighter
+  static constexpr double kLongestNotch_A = 0.3;   ///< where the surface hardly pushes back
   static constexpr double kDeepest_A = 3.0;        ///< a press goes no further under the surface
   static constexpr double kHalfGain_N = 1.0;       ///< at this force the pointer moves the probe half as far
 
@@ -40,11 +46,14 @@ class PointerHand {
   void reset();
 
  private:
+  void sink(const PointerInput& input, double way_A);
+
   bool placed_ = false;
   bool pressing_ = false;
   bool aim_follows_ = true;  // false while the keys lead
   glm::dvec2 aim_{0.0}, last_pointer_{0.0};
   double depth_ = 0.0;
+  double goal_N_ = kRest_N;   // where the press comes to rest
   double plane_depth_ = 0.0;  // along the view, where the surface was last met
   PointA hip_;
 };

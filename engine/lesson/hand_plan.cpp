@@ -36,11 +36,13 @@ std::vector<std::uint32_t> everyAtom(const BallScene& balls) {
   return all;
 }
 
-std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature, std::size_t at_most) {
+std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature, std::size_t at_most,
+                                     const std::function<bool(const SurfacePlace&)>& wanted) {
   std::vector<SurfacePlace> found;
   if (feature == Feature::Sphere) found = facePlaces(view.balls, atoms, view.probe_A, kDirections);
   else if (feature == Feature::Circle) found = creasePlaces(view.balls, atoms, view.probe_A, kSpacing_A);
   else if (feature == Feature::Point) found = pitPlaces(view.balls, atoms, view.probe_A);
+  if (wanted) std::erase_if(found, [&](const SurfacePlace& p) { return !wanted(p); });
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < found.size(); ++k) order.emplace_back(-room(view, found[k]), k);
   std::sort(order.begin(), order.end());

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -41,8 +42,9 @@ struct HandView {
 std::vector<std::uint32_t> everyAtom(const BallScene& balls);
 
 /// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no two
-/// within 0.5 A. `at_most` of them.
-std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature, std::size_t at_most = 40);
+/// within 0.5 A. `at_most` of them; where `wanted` is given, of those for which it says true.
+std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature, std::size_t at_most = 40,
+                                     const std::function<bool(const SurfacePlace&)>& wanted = {});
 
 /// The place for an attempt: the first, then others in turn. Nothing where there is none.
 std::optional<SurfacePlace> placeFor(const HandView& view, const std::vector<SurfacePlace>& places);

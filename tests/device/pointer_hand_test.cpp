@@ -46,10 +46,11 @@ TEST_CASE("under no force a press sinks at 1.2 A/s once it has met the surface")
   PointerInput in = atMiddle();
   PointA hip = hand.lead(in, scene, kProbe_A);
   in.press = true;
+  in.N_per_A = 0.0;
   while (hand.depth_A() == 0.0) hip = hand.lead(in, scene, kProbe_A);
   const double before = hand.depth_A();
-  for (int k = 0; k < 60; ++k) hip = hand.lead(in, scene, kProbe_A);
-  CHECK(hand.depth_A() - before == doctest::Approx(1.2).epsilon(1e-6));
+  for (int k = 0; k < 30; ++k) hip = hand.lead(in, scene, kProbe_A);
+  CHECK(hand.depth_A() - before == doctest::Approx(0.6).epsilon(1e-6));
   CHECK(height_A(hip) == doctest::Approx(-hand.depth_A()).epsilon(1e-9));
 }
 
@@ -82,17 +83,62 @@ TEST_CASE("at 1 N the pointer moves the aim half as far as at 0 N") {
   }
 }
 
-TEST_CASE("two notches push 0.3 A deeper at once, and the press goes no deeper than 3 A") {
+TEST_CASE("a press that is held comes to rest where the spring gives 0.6 N, and stays there") {
+  const BallScene scene = oneBall();
+  for (const double N_per_A : {1.25, 3.3, 33.0}) {
+    PointerHand hand;
+    PointerInput in = atMiddle();
+    in.press = true;
+    in.N_per_A = N_per_A;
+    for (int k = 0; k < 120; ++k) hand.lead(in, scene, kProbe_A);
+    CAPTURE(N_per_A);
+    CHECK(hand.depth_A() * N_per_A == doctest::Approx(0.6));
+    const PointA rests = hand.lead(in, scene, kProbe_A);
+    for (int k = 0; k < 600; ++k) hand.lead(in, scene, kProbe_A);
+    CHECK(glm::distance(hand.lead(in, scene, kProbe_A).A, rests.A) < 1e-9);
+  }
+}
+
+TEST_CASE("each notch makes a held press 0.2 N harder or lighter at once, never lighter than 0.05 N, and letting go forgets it") {
   const BallScene scene = oneBall();
   PointerHand hand;
   PointerInput in = atMiddle();
   in.press = true;
-  while (hand.depth_A() == 0.0) hand.lead(in, scene, kProbe_A);
-  const double before = hand.depth_A();
+  in.N_per_A = 3.3;
+  for (int k = 0; k < 120; ++k) hand.lead(in, scene, kProbe_A);
+  const auto forceAfter = [&](double notches) {
+    in.push_notches = notches;
+    hand.lead(in, scene, kProbe_A);
+    in.push_notches = 0.0;
+    for (int k = 0; k < 60; ++k) hand.lead(in, scene, kProbe_A);
+    return hand.depth_A() * in.N_per_A;
+  };
+  CHECK(forceAfter(2.0) == doctest::Approx(1.0));
+  CHECK(forceAfter(-3.0) == doctest::Approx(0.4));
+  CHECK(forceAfter(-100.0) == doctest::Approx(0.05));
+  CHECK(forceAfter(1.0) == doctest::Approx(0.25));
+  in.press = false;
+  hand.lead(in, scene, kProbe_A);
+  in.press = true;
+  CHECK(forceAfter(0.0) == doctest::Approx(0.6));
+  // At once, in a frame that lasts no time.
   in.dt_s = 0.0;
   in.push_notches = 2.0;
   hand.lead(in, scene, kProbe_A);
-  CHECK(hand.depth_A() - before == doctest::Approx(0.3));
+  CHECK(hand.depth_A() * in.N_per_A == doctest::Approx(1.0));
+}
+
+TEST_CASE("no notch pushes deeper than 3 A, and one is at most 0.3 A where the surface hardly pushes back") {
+  const BallScene scene = oneBall();
+  PointerHand hand;
+  PointerInput in = atMiddle();
+  in.press = true;
+  in.N_per_A = 0.0;
+  for (int k = 0; k < 120; ++k) hand.lead(in, scene, kProbe_A);
+  CHECK(hand.depth_A() == doctest::Approx(0.9));
+  in.push_notches = 1.0;
+  hand.lead(in, scene, kProbe_A);
+  CHECK(hand.depth_A() == doctest::Approx(1.2));
   in.push_notches = 1000.0;
   hand.lead(in, scene, kProbe_A);
   CHECK(hand.depth_A() == doctest::Approx(PointerHand::kDeepest_A));
@@ -113,7 +159,7 @@ TEST_CASE("input that is not finite leaves the hand where it was") {
   PointerHand hand;
   const PointA before = hand.lead(atMiddle(), scene, kProbe_A);
   const double nan = std::numeric_limits<double>::quiet_NaN(), inf = std::numeric_limits<double>::infinity();
-  for (int which = 0; which < 6; ++which) {
+  for (int which = 0; which < 7; ++which) {
     PointerInput in = atMiddle();
     in.press = true;
     if (which == 0) in.force_N = nan;
@@ -122,6 +168,7 @@ TEST_CASE("input that is not finite leaves the hand where it was") {
     if (which == 3) in.pointer_px->x = inf;
     if (which == 4) in.keys.y = nan;
     if (which == 5) in.rays.eye_A.z = nan;
+    if (which == 6) in.N_per_A = nan;
     CAPTURE(which);
     CHECK(hand.lead(in, scene, kProbe_A).A == before.A);
   }

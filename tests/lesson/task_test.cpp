@@ -144,6 +144,29 @@ TEST_CASE("cross in either direction may begin on the second atom, and there and
   CHECK(t->done());
 }
 
+TEST_CASE("cross in either direction keeps the names that its author gives, on whichever side the student begins") {
+  auto t = task("cross", {{"cross", "atom 0"}, {"called", "the knob"}, {"to", "atom 1"}, {"arrival", "the stem"}, {"direction", "either"}});
+  Hand hand{*t};
+  CHECK(t->sentence() == "Touch the knob or the stem to begin.");
+  hand.touch({1}, 0.2);
+  CHECK(t->sentence() == "Now slide to the knob without letting go.");
+  hand.away(0.5);
+  CHECK(t->sentence().starts_with("You left the surface. Start again on "));
+  hand.touch({0}, 0.2);
+  CHECK(t->sentence() == "Now slide to the stem without letting go.");
+  hand.touch({1}, 0.2);
+  CHECK(t->done());
+}
+
+TEST_CASE("the one crease between start and end is found among more than 400 roomier ones") {
+  MoleculeBuilder b;
+  for (int k = 0; k < 60; ++k) b.atom("C", 6, {4.0 * k, 0, 0});
+  b.atom("O", 8, {122, 3.5, 0});
+  auto t = task("cross", {{"cross", "element C"}, {"to", "element O"}}, b.molecule);
+  const BallScene balls(b.molecule.balls());
+  CHECK_FALSE(t->demonstrate({.balls = balls}).empty());
+}
+
 TEST_CASE("avoid counts 3 s on the rest of the surface, begins again at a touch, and does not count the air") {
   auto t = task("avoid", {{"avoid", "ligand"}, {"for", "3 s"}});
   Hand hand{*t};

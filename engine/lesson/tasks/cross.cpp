@@ -12,12 +12,8 @@ class Cross : public Task {
       : Task(spec), from_(spec.values["cross"].selection, molecule), to_(spec.values["to"].selection, molecule),
         from_name_(targetName(spec, "cross")),
         to_name_(spec.values.has("arrival") ? spec.values["arrival"].text : spec.values["to"].selection.noun()),
-        either_(spec.values["direction"].text == "either"), times_(static_cast<int>(spec.values["times"].number)) {
-    if (either_) {
-      from_name_ = "one atom";
-      to_name_ = "the other atom";
-    }
-  }
+        either_(spec.values["direction"].text == "either"), named_(spec.values.has("called") || spec.values.has("arrival")),
+        times_(static_cast<int>(spec.values["times"].number)) {}
 
   void reset() override {
     Task::reset();
@@ -41,7 +37,10 @@ class Cross : public Task {
     }
     away_s_ = 0.0;
     // Where either direction counts, the side that the student touches first is the start.
-    if (either_ && !on_from_ && to_.holds(s.contact)) std::swap(from_, to_);
+    if (either_ && !on_from_ && to_.holds(s.contact)) {
+      std::swap(from_, to_);
+      std::swap(from_name_, to_name_);
+    }
     const bool from = from_.holds(s.contact), to = to_.holds(s.contact);
     if (on_from_ && to && !from) {
       ++crossed_;
@@ -59,11 +58,11 @@ class Cross : public Task {
   HandPlan demonstrate(const HandView& view) const override {
     std::vector<std::uint32_t> both = from_.atoms();
     for (const std::uint32_t a : to_.atoms()) both.push_back(a);
-    std::vector<SurfacePlace> creases;
-    for (const SurfacePlace& p : openPlaces(view, both, Feature::Circle, 400))
-      if (from_.has(p.atoms[0]) != from_.has(p.atoms[1])) creases.push_back(p);
+    const auto between = [&](const SurfacePlace& p) {
+      return (from_.has(p.atoms[0]) && to_.has(p.atoms[1])) || (from_.has(p.atoms[1]) && to_.has(p.atoms[0]));
+    };
     HandPlan plan;
-    const auto crease = placeFor(view, creases);
+    const auto crease = placeFor(view, openPlaces(view, both, Feature::Circle, 40, between));
     if (!crease) return plan;
     const bool first = from_.has(crease->atoms[0]);
     const SurfacePlace a = beside(view, *crease, crease->atoms[first ? 0 : 1], crease->atoms[first ? 1 : 0]);
@@ -91,9 +90,12 @@ class Cross : public Task {
 
   std::string guidance() const override {
     const std::string count = times_ > 1 ? " (" + std::to_string(crossed_) + " of " + std::to_string(times_) + ")" : "";
-    if (on_from_) return "Now slide to " + to_name_ + " without letting go" + count + ".";
-    if (lost_) return "You left the surface. Start again on " + from_name_ + count + ".";
-    return (touching_ ? "Slide to " : "Touch ") + from_name_ + " to begin" + count + ".";
+    // Atoms that look the same to either side need no names.
+    const bool alike = either_ && !named_;
+    if (on_from_) return "Now slide to " + (alike ? "the other atom" : to_name_) + " without letting go" + count + ".";
+    const std::string begin = alike ? "one atom" : either_ ? from_name_ + " or " + to_name_ : from_name_;
+    if (lost_) return "You left the surface. Start again on " + begin + count + ".";
+    return (touching_ ? "Slide to " : "Touch ") + begin + " to begin" + count + ".";
   }
 
   void measure(std::vector<TaskFigure>& out) const override {
@@ -104,7 +106,7 @@ class Cross : public Task {
   AtomSet from_, to_;
   std::string from_name_, to_name_;
   double away_s_ = 0.0;
-  bool either_ = false;
+  bool either_ = false, named_ = false;
   int times_ = 1, crossed_ = 0, lifts_ = 0;
   bool on_from_ = false, lost_ = false, touching_ = false;
 };

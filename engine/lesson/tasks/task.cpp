@@ -98,9 +98,9 @@ std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& ato
   std::vector<SurfacePlace> places = openPlaces(view, atoms.atoms(), Feature::Sphere);
   if (!places.empty() || feature == "sphere") return places;
   // Atoms without a face of their own may still be touched where they meet others.
+  const auto touched = [&](const SurfacePlace& p) { return std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); }); };
   for (const Feature f : {Feature::Circle, Feature::Point})
-    for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), f, 400))
-      if (std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); })) places.push_back(p);
+    for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), f, 40, touched)) places.push_back(p);
   return places;
 }
 

@@ -159,6 +159,11 @@ class TraceAtoms : public Trace {
     const Vec3& scp = contact.scp.A;
     const double off_A = nearest(scp, probe_A, 0.0, length_A_).off_A;
     if (!begun_) {
+      if (rests(contact, stops_.front()) || (either_ && rests(contact, stops_.back()))) {
+        begun_ = true;
+        backward_ = !rests(contact, stops_.front());
+        return {off_A, true};
+      }
       const double reach = std::min(kStart_A, kStartShare * length_A_);
       const Near start = nearest(scp, probe_A, 0.0, reach), end = nearest(scp, probe_A, length_A_ - reach, length_A_);
       const bool at_start = start.inside && start.off_A <= within_A, at_end = either_ && end.inside && end.off_A <= within_A;
@@ -172,7 +177,25 @@ class TraceAtoms : public Trace {
     const Near here = nearest(scp, probe_A, std::max(0.0, here_A - ahead_A_), std::min(length_A_, here_A + ahead_A_));
     const bool on = here.inside && here.off_A <= within_A;
     if (on) front_A_ = std::max(front_A_, backward_ ? length_A_ - here.at_A : here.at_A);
-    return {off_A, on};
+    return {off_A, comesTo(contact) || on};
+  }
+
+  // A place of several atoms is reached where one of them is touched: the line through its middle may be out of reach.
+  bool comesTo(const Contact& contact) {
+    bool reached = false;
+    for (const Stop& stop : stops_) {
+      const double at_A = backward_ ? length_A_ - stop.at_A : stop.at_A;
+      if (at_A - front_A_ > ahead_A_ + stop.place.reach_A || front_A_ - at_A > stop.place.reach_A || !rests(contact, stop)) continue;
+      front_A_ = std::max(front_A_, at_A);
+      reached = true;
+    }
+    return reached;
+  }
+
+  static bool rests(const Contact& contact, const Stop& stop) {
+    const std::vector<std::uint32_t>& of = stop.place.atoms;
+    return of.size() > 1 && std::any_of(contact.atoms.begin(), contact.atoms.end(),
+                                        [&](std::int32_t a) { return a >= 0 && std::find(of.begin(), of.end(), std::uint32_t(a)) != of.end(); });
   }
 
   // Over the faces of the path's atoms that are open, one after the other, each the one nearest to the last.

@@ -113,3 +113,32 @@ TEST_CASE("keys of a trace that do not go together are told") {
   CHECK(problemOf("trace", {{"trace", "atom 0 then"}}) != "");
   CHECK(problemOf("trace", {{"trace", "atom 0 then then atom 1"}}) == "a place is missing beside 'then'");
 }
+
+TEST_CASE("a place of several atoms is reached at the first of its atoms that is touched, though its middle is 2 A farther on") {
+  // Three rows of three atoms, 2 A apart, round x = 0, 10 and 20 A.
+  MoleculeBuilder b;
+  for (const double x : {0.0, 10.0, 20.0})
+    for (const double by : {-2.0, 0.0, 2.0}) b.atom("C", 6, {x + by, 0, 0});
+  auto t = task("trace", {{"trace", "atom 0-2 then atom 3-5 then atom 6-8"}, {"within", "0.5 Å"}, {"direction", "either"}}, b.molecule);
+  Hand hand{*t};
+  // The near side of the last place is all that the hand comes to; the far side of the first is where it begins.
+  hand.touch({2}, 0.05, 0.5, {2.0, 3.1, 0});
+  CHECK(t->sentence() == "Follow the way: 10 % of the way.");
+  hand.slide({4}, {2.0, 3.1, 0}, {17.0, 3.1, 0});
+  CHECK_FALSE(t->done());
+  hand.touch({6}, 0.05, 0.5, {18.0, 3.1, 0});
+  CHECK(t->done());
+}
+
+TEST_CASE("touching the last of the places does not finish a way whose middle was left out") {
+  MoleculeBuilder b;
+  for (const double x : {0.0, 20.0, 40.0})
+    for (const double by : {-1.0, 1.0}) b.atom("C", 6, {x + by, 0, 0});
+  auto t = task("trace", {{"trace", "atom 0-1 then atom 2-3 then atom 4-5"}}, b.molecule);
+  Hand hand{*t};
+  hand.touch({0}, 0.1, 0.5, {0, 3.1, 0});
+  hand.away(0.5);
+  hand.touch({4}, 0.5, 0.5, {39, 3.1, 0});
+  CHECK_FALSE(t->done());
+  CHECK(figure(*t, "coverage") < 1.0);
+}
