@@ -73,7 +73,8 @@ void AttemptRecorder::beginNew(Application& app) {
 void AttemptRecorder::lessonChanged(Application& app) {
   if (log_ && session_ == app.lesson.session()) {
     const Expected<std::string> bytes = readFile(app.lesson.file(), kLargestAttempt, "");
-    add(LessonReread{outlineOf(app.lesson.session()->lesson(), bytes ? contentHash(*bytes) : std::string())});
+    // The same attempt goes on, and in a pause too its outline is to be the lesson's.
+    log_->add({now_s_, LessonReread{outlineOf(app.lesson.session()->lesson(), bytes ? contentHash(*bytes) : std::string())}});
     return;
   }
   endAttempt();

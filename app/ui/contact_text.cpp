@@ -1,5 +1,6 @@
 #include "app/ui/contact_text.h"
 
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -67,6 +68,15 @@ std::string unnamedContactText(const Contact& contact) {
     case Feature::Point: return "touching a pit between three atoms";
   }
   return "not touching";
+}
+
+std::string pushText(const Vec3& direction) {
+  constexpr double kStraight = 0.26, kAside = 0.38;  // sine of 15 degrees; of half the angle between two of eight directions
+  const double sideways = std::hypot(direction.x, direction.y);
+  if (sideways < kStraight) return direction.z >= 0.0 ? "pushed toward you" : "pushed away from you";
+  const double x = direction.x / sideways, y = direction.y / sideways;
+  const std::string up = y > kAside ? "up" : y < -kAside ? "down" : "", right = x > kAside ? "to the right" : x < -kAside ? "to the left" : "";
+  return "pushed " + up + (up.empty() || right.empty() ? "" : " and ") + right;
 }
 
 }  // namespace moltact

@@ -16,6 +16,10 @@ std::string contactText(const Molecule* molecule, const Contact& contact, double
 /// The same without naming an atom, for a screen that is dark: "touching a crease between two atoms".
 std::string unnamedContactText(const Contact& contact);
 
+/// Whereto the surface pushes the hand as the view shows it, by a unit vector in the camera's axes (x right, y up, z toward the
+/// person): "pushed toward you", "pushed up and to the left".
+std::string pushText(const Vec3& direction);
+
 /// What is touched, without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty when
 /// nothing is.
 std::string touchedText(const Molecule& molecule, const Contact& contact);

@@ -41,6 +41,7 @@ Driver::~Driver() {
 }
 
 void Driver::frame(bool drawn) {
+  drawn = drawn && !eyes_closed_;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
   target_->gl.resize(options_.width, options_.height);

@@ -39,6 +39,8 @@ class Driver {
 
   /// Draws frames until the input is used up, and `n` more.
   void frames(int n = 1);
+  /// While nobody looks, frames do everything but draw, which is most of their time.
+  void closeEyes(bool on) { eyes_closed_ = on; }
   void resize(int width, int height);
 
   // Each of these draws the frames it needs. Names are those of the widget map; a name that is not on the screen gives
@@ -79,6 +81,7 @@ class Driver {
   std::unique_ptr<Shell> shell_;
   std::unique_ptr<Application> app_;
   FrameStats stats_;
+  bool eyes_closed_ = false;
   std::string missing_;
 };
 

@@ -106,7 +106,7 @@ ShapeSet LessonGuide::shapes() const {
 }
 
 void LessonGuide::face(Camera& camera, const Molecule& molecule) const {
-  if (on_stage_) faceScene(camera, molecule, session_->scene());
+  faceScene(camera, molecule, on_stage_ ? session_->scene() : SceneSpec());
 }
 
 void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene) {
@@ -118,7 +118,8 @@ void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene)
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;
-  if (scene.view == "back") camera.lookFrom(2 * kQuarter, 0);
+  if (scene.view == "side") camera.lookSideOn(molecule);
+  else if (scene.view == "back") camera.lookFrom(2 * kQuarter, 0);
   else if (scene.view == "left") camera.lookFrom(-kQuarter, 0);
   else if (scene.view == "right") camera.lookFrom(kQuarter, 0);
   else if (scene.view == "top") camera.lookFrom(0, kQuarter);

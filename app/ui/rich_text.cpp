@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -30,6 +31,26 @@ struct Pen {
 
 }  // namespace
 
+std::string wrapped(const std::string& text, float width) {
+  const std::string kept = withUnitsKept(text);
+  std::string out;
+  std::size_t line = 0;  // where the last line of `out` begins
+  for (std::size_t at = 0; at < kept.size();) {
+    const std::size_t end = std::min(kept.find_first_of(" \n", at + 1), kept.size());
+    const std::string word = kept.substr(at, end - at);  // with what is before it
+    if (word.front() == '\n') line = out.size() + 1;
+    const bool first = out.size() <= line;
+    if (!first && word.front() == ' ' && ImGui::CalcTextSize((out.substr(line) + word).c_str()).x > width) {
+      out += '\n' + word.substr(1);
+      line = out.size() - word.size() + 1;
+    } else {
+      out += word;
+    }
+    at = end;
+  }
+  return out;
+}
+
 std::string drawRichText(const char* name, const RichText& text, ImU32 colour, float width) {
   const Look& l = look();
   const float size = l.font(Font::Body)->FontSize;
@@ -42,7 +63,8 @@ std::string drawRichText(const char* name, const RichText& text, ImU32 colour, f
   for (const TextRun& run : text) {
     ImFont* font = fontOf(run);
     const ImU32 ink = run.link.empty() ? colour : l.palette.accent;
-    std::string_view rest = run.text;
+    const std::string shown = run.code ? run.text : withUnitsKept(localProse(run.text));
+    std::string_view rest = shown;
     ImVec2 link_low{1e9f, 1e9f}, link_high{-1e9f, -1e9f};
     bool link_hovered = false;
     while (!rest.empty()) {
@@ -93,7 +115,10 @@ std::string drawRichText(const char* name, const RichText& text, ImU32 colour, f
   }
   const float height = float(pen.line) * pen.line_height + (pen.x > 0 || pen.line == 0 ? pen.line_height : 0.0f);
   ImGui::Dummy({pen.width, height});
-  recordItem(name, plainText(text));
+  RichText told = text;
+  for (TextRun& run : told)
+    if (!run.code) run.text = localProse(std::move(run.text));
+  recordItem(name, plainText(told));
   return clicked;
 }
 

@@ -1,6 +1,7 @@
 #include "app/ui/task_stager.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/ui/application.h"
@@ -27,6 +28,16 @@ void TaskStager::beforeTicks(Application& app) {
   if (!anew) return;
   app.beginSceneAgain(wanted.facing);
   app.scene.controls.letGo();
+}
+
+void TaskStager::stepChanged(Application& app) {
+  const LessonSession* session = app.lesson.session();
+  const TaskStage before = std::exchange(stage_, {});
+  if (!session) return;
+  const SceneSpec& spec = session->scene();
+  if (before.probe_A) app.scene.servo_settings.probe_A = spec.probe_A;
+  if (before.stiffness_N_per_mm) app.scene.servo_settings.stiffness_N_per_mm = spec.stiffness_N_per_mm;
+  if (!before.method.empty()) app.scene.useMethod(spec.method);
 }
 
 void TaskStager::ticks(Application& app, const FeltTicks& felt) {

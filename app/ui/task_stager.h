@@ -13,13 +13,15 @@ class TaskStager final : public Extension {
  public:
   void beforeTicks(Application& app) override;
   void ticks(Application& app, const FeltTicks& felt) override;
-  // The step's own scene is set anew, without what a task of another step asked for.
-  void stepChanged(Application&) override { stage_ = {}; }
+  // The step's own scene, without what a task of another step, or of the lesson as it was before, asked for.
+  void stepChanged(Application& app) override;
 
   /// The molecule is not to be seen, and nothing on the screen may tell what it is that is touched.
   bool dark() const { return stage_.dark; }
   /// In the dark, whether the force is shown.
   bool showsForce() const { return stage_.force_meter; }
+  /// A task has made the surface softer or harder than the lesson's scene.
+  bool changesStiffness() const { return stage_.stiffness_N_per_mm.has_value(); }
 
  private:
   TaskStage stage_;

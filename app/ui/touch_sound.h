@@ -1,5 +1,7 @@
 // Sound for the touch: switched on at will, fed with every tick, silent where there is no sound card. On the frames' clock
-// nothing is played; what would have been heard is kept, for scripts and tests. Window's thread.
+// nothing is played; what would have been heard is kept, for scripts and tests. It goes on while the screen is dark: the force,
+// the kind of place and the passing from one set of atoms to another are what a hand feels too, and no atom is told by its name
+// or element. Window's thread.
 #pragma once
 
 #include <memory>

@@ -50,7 +50,7 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   pointer.press = pressing_;
   pointer.push_notches = in.push_notches;
   pointer.force_N = force_N;
-  pointer.N_per_A = settings.force_on ? settings.stiffness_N_per_mm / settings.workspace.A_per_mm : 0.0;
+  pointer.N_per_A = settings.force_on ? in.expected_N_per_mm.value_or(settings.stiffness_N_per_mm) / settings.workspace.A_per_mm : 0.0;
   pointer.dt_s = in.dt_s;
   const PointA before_lead = lead_;
   lead_ = hand_.lead(pointer, *balls, settings.probe_A);

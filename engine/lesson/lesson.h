@@ -81,7 +81,7 @@ struct SceneSpec {
   std::vector<std::string> panels;     ///< "touch", "methods", or "none"; empty: as the student has them
   std::vector<std::string> locked;     ///< keys that the student cannot change, those of the front matter too
   Selection highlight;                 ///< may select nothing
-  std::string view = "front";          ///< front, back, left, right, top or bottom; empty where `facing` is given
+  std::string view = "side";           ///< side, front, back, left, right, top or bottom; empty where `facing` is given
   Selection facing;                    ///< atoms to be turned to the front
   Place place, molecule_place, highlight_place, view_place;
 

@@ -8,7 +8,18 @@
 namespace moltact {
 namespace {
 constexpr double kNearest_A = 0.5, kFarthestBack_A = 1e7;
+
+// Of a spread of places, by powers of the matrix; any direction where all are alike.
+Vec3 longestAxis(const glm::dmat3& spread) {
+  Vec3 axis = glm::normalize(Vec3(0.36, 0.48, 0.8));
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 next = spread * axis;
+    if (!(glm::length(next) > 0.0)) break;
+    axis = glm::normalize(next);
+  }
+  return axis;
 }
+}  // namespace
 
 Vec3 Camera::toView(PointA place) const {
   return glm::conjugate(orientation) * (place.A - target.A) - Vec3(0, 0, distance_A);
@@ -55,6 +66,27 @@ void Camera::pan(double dx_px, double dy_px, int height_px) {
 
 void Camera::lookFrom(double azimuth_rad, double elevation_rad) {
   orientation = glm::angleAxis(azimuth_rad, Vec3(0, 1, 0)) * glm::angleAxis(-elevation_rad, Vec3(1, 0, 0));
+}
+
+void Camera::lookSideOn(const Molecule& molecule) {
+  constexpr double kLong = 1.3;  // so many times as far spread along the longest axis as across it
+  constexpr double kEndOn = 0.7; // of the axis toward the eye
+  if (molecule.atoms.size() < 2) return;
+  Vec3 middle(0.0);
+  for (const Atom& a : molecule.atoms) middle += a.position.A / double(molecule.atoms.size());
+  glm::dmat3 spread(0.0);
+  for (const Atom& a : molecule.atoms) spread += glm::outerProduct(a.position.A - middle, a.position.A - middle);
+  const Vec3 axis = longestAxis(spread);
+  const double along = glm::dot(axis, spread * axis);
+  const glm::dmat3 rest = spread - along * glm::outerProduct(axis, axis);
+  const Vec3 second = longestAxis(rest);
+  if (along < kLong * kLong * glm::dot(second, rest * second)) return;
+  Vec3 seen = glm::conjugate(orientation) * axis;
+  if (std::abs(seen.z) < kEndOn) return;
+  if (seen.z < 0.0) seen = -seen;
+  const Vec3 to(1, 0, 0);
+  const glm::dquat turn = glm::normalize(glm::dquat(1.0 + glm::dot(seen, to), glm::cross(seen, to)));
+  orientation = glm::normalize(orientation * glm::conjugate(turn));
 }
 
 void Camera::face(PointA place) {

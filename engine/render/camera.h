@@ -63,6 +63,9 @@ struct Camera {
   void pan(double dx_px, double dy_px, int height_px);
   /// Looks from an azimuth (about +y, 0 = from +z, positive = from +x) and an elevation (positive = from above).
   void lookFrom(double azimuth_rad, double elevation_rad);
+  /// Looks at a long molecule from the side: where its longest axis would look at the eye it is turned to lie across the picture, by
+  /// the shortest way; else the orientation stays.
+  void lookSideOn(const Molecule& molecule);
   /// Turns so that the place lies between the eye and the target; places within 0.1 A of the target can be turned nowhere.
   void face(PointA place);
   /// Moves the target to the middle of the atoms and back until all of them, whole, fit into a picture of this shape;

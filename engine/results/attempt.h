@@ -102,6 +102,16 @@ struct TaskDone {
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
 };
+/// Of a task that asks to draw a force curve before it is felt: the one or the other. Values at even distances from 0 to
+/// `to_A`, both ends included; NaN where nothing was felt.
+struct CurveKept {
+  std::string step;
+  std::size_t task = 0;
+  bool felt = false;            ///< else drawn
+  std::string axis;             ///< "depth" or "way"
+  double to_A = 1.0, most_N = 1.0;  ///< the ends of the axes
+  std::vector<double> force_N;
+};
 /// A contact; gaps shorter than kTouchGap_s do not end it.
 struct TouchBegan {
   std::vector<std::int32_t> atoms;
@@ -174,7 +184,7 @@ struct Left {
   std::string at;           ///< UTC
 };
 
-using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, TouchBegan, TouchEnded, InputChanged,
+using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan, TouchEnded, InputChanged,
                                  StageSet, ViewTurned, TraceChunk, LessonReread, Resumed, ProgressMade, Predicted, Left>;
 
 struct AttemptEvent {

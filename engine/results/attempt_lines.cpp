@@ -69,6 +69,16 @@ struct FactWriter {
     for (const LoggedFigure& f : e.figures)
       out["figures"].push_back({{"name", f.name}, {"value", std::isfinite(f.value) ? f.value : 0.0}, {"unit", f.unit}});
   }
+  void operator()(const CurveKept& e) {
+    out["step"] = e.step;
+    out["task"] = e.task;
+    out["of"] = e.felt ? "felt" : "drawn";
+    out["axis"] = e.axis;
+    out["to_A"] = rounded(e.to_A);
+    out["most_N"] = rounded(e.most_N);
+    out["force_N"] = Json::array();
+    for (const double f : e.force_N) out["force_N"].push_back(std::isfinite(f) ? Json(rounded(f)) : Json());
+  }
   void operator()(const TouchBegan& e) { out["atoms"] = e.atoms; }
   void operator()(const TouchEnded& e) {
     out["from"] = rounded(e.from_s);
@@ -155,7 +165,7 @@ struct FactWriter {
 
 std::string_view kindOf(const AttemptFact& fact) {
   constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> kKinds{
-      "step", "answer", "hint", "task", "done", "touch", "released", "input", "stage", "view", "trace", "lesson", "resumed",
+      "step", "answer", "hint", "task", "done", "curve", "touch", "released", "input", "stage", "view", "trace", "lesson", "resumed",
       "progress", "prediction", "left"};
   return kKinds[fact.index()];
 }
@@ -320,6 +330,11 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     for (const Json& f : listOrNone(j, "figures"))
       d.figures.push_back({text(object(f, "figures"), "name", true), numberAt(f, "value"), text(f, "unit", false)});
     return d;
+  }
+  if (kind == "curve") {
+    CurveKept c{text(j, "step", true), count(j, "task"), text(j, "of", true) == "felt", text(j, "axis", false), numberAt(j, "to_A"), numberAt(j, "most_N"), {}};
+    for (const Json& f : list(j, "force_N")) c.force_N.push_back(f.is_null() ? std::nan("") : number(f, "force_N"));
+    return c;
   }
   if (kind == "touch") return TouchBegan{atoms(j)};
   if (kind == "released")

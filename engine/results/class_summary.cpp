@@ -61,7 +61,12 @@ class Counting {
   void operator()(const TaskDone& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
     if (task.done) return;
-    task = {true, true, e.took_s, e.by, e.figures};
+    task = {true, true, e.took_s, e.by, e.figures, std::move(task.drawn), std::move(task.felt)};
+  }
+  void operator()(const CurveKept& e) {
+    TaskScore& task = p_.tasks[{e.step, e.task}];
+    if (e.felt) task.felt = e;
+    else if (!task.drawn) task.drawn = e;
   }
   void operator()(const TouchEnded& e) {
     const double lasted_s = std::max(0.0, t_s_ - e.from_s);

@@ -31,6 +31,7 @@ struct TaskScore {
   double took_s = 0.0;
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
+  std::optional<CurveKept> drawn, felt;  ///< the first curve drawn, and the last felt
 };
 
 /// One person at one lesson.

@@ -182,6 +182,16 @@ void steps(std::string& out, const LessonSummary& lesson) {
   out += "<tr><td></td><td></td><td></td><td class=\"left\">" + stripScale(most, "min") + "</td></tr></tbody></table></div>";
 }
 
+// What each student expected and felt, where a task asks to draw it.
+std::string taskCurves(const LessonSummary& lesson, const StepOutline& step, std::size_t task) {
+  std::string figures;
+  for (const PersonScore& p : lesson.people)
+    if (const auto score = p.tasks.find({step.id, task}); score != p.tasks.end() && score->second.drawn)
+      figures += curves(p.person, *score->second.drawn, score->second.felt);
+  if (figures.empty()) return {};
+  return "<p class=\"quiet small\">Force as first drawn (dashed) and as felt in the end (line).</p><div class=\"curves\">" + figures + "</div>";
+}
+
 void tasks(std::string& out, const LessonSummary& lesson) {
   std::string rows;
   for (const StepOutline& s : lesson.lesson.steps)
@@ -218,7 +228,7 @@ void tasks(std::string& out, const LessonSummary& lesson) {
         }
         rows += "</tbody></table></div>";
       }
-      rows += "</div>";
+      rows += taskCurves(lesson, s, t) + "</div>";
     }
   if (!rows.empty()) out += "<h3>Touch tasks</h3>" + rows;
 }

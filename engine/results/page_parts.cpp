@@ -171,6 +171,35 @@ std::string stripScale(double most, const std::string& unit) {
   return svg + "</svg>";
 }
 
+namespace {
+
+// The parts of a line where it has values, in a box of the given size; newlines of the path begin anew after a gap.
+std::string linePath(const std::vector<double>& values, double most, double left, double top, double wide, double high) {
+  std::string path;
+  bool on = false;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const bool there = std::isfinite(values[k]);
+    if (there) path += format("%c%.1f %.1f", on ? 'L' : 'M', left + wide * double(k) / double(std::max<std::size_t>(1, values.size() - 1)), top + high * (1.0 - std::clamp(values[k] / most, 0.0, 1.0)));
+    on = there;
+  }
+  return path;
+}
+
+}  // namespace
+
+std::string curves(const std::string& title, const CurveKept& drawn, const std::optional<CurveKept>& felt) {
+  constexpr double kLeft = 24, kTop = 6, kWide = 166, kHigh = 84;
+  const double most = drawn.most_N > 0.0 ? drawn.most_N : 1.0;
+  std::string svg = "<svg viewBox=\"0 0 196 108\" role=\"img\" aria-label=\"" + escaped(title) + "\">";
+  for (const double part : {0.0, 0.5, 1.0}) svg += format("<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/>", kLeft, kTop + kHigh * part, kWide);
+  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g</text><text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">0</text>", kLeft - 4, kTop + 8, most, kLeft - 4, kTop + kHigh + 3);
+  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g Å</text>", kLeft + kWide, kTop + kHigh + 14, drawn.to_A);
+  svg += "<text class=\"axis\" x=\"" + format("%.0f", kLeft) + "\" y=\"" + format("%.0f", kTop + kHigh + 14) + "\">N against " + escaped(drawn.axis.empty() ? "depth" : drawn.axis) + "</text>";
+  if (felt) svg += "<path class=\"felt\" d=\"" + linePath(felt->force_N, most, kLeft, kTop, kWide, kHigh) + "\"/>";
+  svg += "<path class=\"drawn\" d=\"" + linePath(drawn.force_N, most, kLeft, kTop, kWide, kHigh) + "\"/></svg>";
+  return "<figure class=\"curve\"><figcaption>" + escaped(title) + (felt ? "" : " <span>not felt</span>") + "</figcaption>" + svg + "</figure>";
+}
+
 std::string bar(double share, bool right) {
   const double wide = 198.0 * std::clamp(share, 0.0, 1.0);
   return format("<svg class=\"share\" viewBox=\"0 0 200 14\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect class=\"track\" x=\"0.5\" y=\"0.5\" width=\"199\" height=\"13\" rx=\"3\"/>"
@@ -195,7 +224,9 @@ std::string_view styleSheet() {
 body{margin:0;background:var(--ground);color:var(--text);font:15px/1.5 Inter,system-ui,-apple-system,"Segoe UI",Roboto,"Noto Sans",sans-serif;font-variant-numeric:tabular-nums}
 main{max-width:1080px;margin:0 auto;padding:32px 24px 64px}
 h1{font-size:30px;line-height:1.2;margin:0 0 4px;letter-spacing:-.01em}h2{font-size:23px;margin:48px 0 4px;letter-spacing:-.01em}h3{font-size:17px;margin:30px 0 10px}
-p{margin:6px 0}.quiet,figcaption span,.axis{color:var(--quiet)}.small{font-size:13px}
+p{margin:6px 0}.curves{display:grid;grid-template-columns:repeat(auto-fill,minmax(180px,1fr));gap:10px;margin-top:8px}figure.curve{margin:0}figure.curve figcaption{font-size:13px}
+.drawn,.felt{fill:none;stroke-width:2;stroke-linejoin:round}.drawn{stroke:var(--accent);stroke-dasharray:5 3}.felt{stroke:var(--text)}
+.quiet,figcaption span,.axis{color:var(--quiet)}.small{font-size:13px}
 .tiles{display:grid;grid-template-columns:repeat(auto-fit,minmax(150px,1fr));gap:12px;margin:18px 0}
 .tile,.card{background:var(--panel);border:1px solid var(--line);border-radius:10px}
 .tile{padding:12px 16px}.tile b{display:block;font-size:25px;line-height:1.25;letter-spacing:-.01em}.tile span{color:var(--quiet);font-size:13px}

@@ -41,6 +41,9 @@ std::string stripScale(double most, const std::string& unit);
 /// The end of a scale that shows every value: a round number not below any.
 double roundAbove(double value);
 
+/// A force curve as it was drawn before it was felt, and as it was felt where that is known.
+std::string curves(const std::string& title, const CurveKept& drawn, const std::optional<CurveKept>& felt);
+
 /// A bar filled from 0 to 1; `right` is a full fill, else hatched.
 std::string bar(double share, bool right);
 

@@ -19,6 +19,7 @@ void SessionWatch::resize(const Lesson& lesson) {
 void SessionWatch::begin(const LessonSession& session) {
   resize(session.lesson());
   step_ = task_ = kNone;
+  curves_.clear();
   for (std::size_t s = 0; s < seen_.size(); ++s) {
     for (std::size_t t = 0; t < seen_[s].tasks_done.size(); ++t) seen_[s].tasks_done[t] = session.taskDone(s, t);
     for (std::size_t q = 0; q < seen_[s].attempts.size(); ++q) seen_[s].attempts[q] = session.question(s, q).attempts;
@@ -28,6 +29,7 @@ void SessionWatch::begin(const LessonSession& session) {
 std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, double t_s, InputWay by) {
   std::vector<AttemptEvent> out;
   const Lesson& lesson = session.lesson();
+  if (&lesson == lesson_ && session.stepIndex() == step_) lookAtCurves(session, t_s, out);
   // A lesson that was read again kept what it could.
   if (&lesson != lesson_) begin(session);
   for (std::size_t s = 0; s < seen_.size(); ++s) {
@@ -52,6 +54,7 @@ std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, doubl
   if (session.stepIndex() != step_) {
     step_ = session.stepIndex();
     task_ = kNone;
+    curves_.clear();
     out.push_back({t_s, StepEntered{session.step().id}});
   }
   const std::size_t tasks = session.step().tasks.size();
@@ -64,6 +67,23 @@ std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, doubl
     if (current != kNone) out.push_back({t_s, TaskBegun{session.step().id, current}});
   }
   return out;
+}
+
+// A curve is told when it is handed in, and again as it was felt when both are known.
+void SessionWatch::lookAtCurves(const LessonSession& session, double t_s, std::vector<AttemptEvent>& out) {
+  curves_.resize(session.step().tasks.size());
+  for (std::size_t t = 0; t < curves_.size(); ++t) {
+    const Task* task = session.taskAt(t);
+    const TaskCurves* now = task ? task->curves() : nullptr;
+    CurveSeen& before = curves_[t];
+    const CurveSeen seen = now ? CurveSeen{now->drawing, now->agreement.has_value()} : CurveSeen();
+    const auto tell = [&](bool felt, const std::vector<double>& force_N) {
+      out.push_back({t_s, CurveKept{session.step().id, t, felt, std::string(now->x_name), now->x_most, now->most_N, force_N}});
+    };
+    if (before.drawing && !seen.drawing) tell(false, now->drawn);
+    if (seen.compared && !before.compared) tell(true, now->felt);
+    before = seen;
+  }
 }
 
 ProgressMade SessionWatch::progressOf(const LessonSession& session) {

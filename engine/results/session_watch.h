@@ -25,12 +25,18 @@ class SessionWatch {
     std::vector<char> tasks_done;
     std::vector<int> attempts;
   };
+  /// How far a task of the step has come with a curve.
+  struct CurveSeen {
+    bool drawing = true, compared = false;
+  };
+  void lookAtCurves(const LessonSession& session, double t_s, std::vector<AttemptEvent>& out);
   void resize(const Lesson& lesson);
 
   const Lesson* lesson_ = nullptr;
   std::vector<StepSeen> seen_;
   std::size_t step_ = ~std::size_t{0}, task_ = ~std::size_t{0};  // the step and task under way; none: the largest number
   double task_begun_s_ = 0.0;
+  std::vector<CurveSeen> curves_;  // of the step where the student is
 };
 
 }  // namespace moltact

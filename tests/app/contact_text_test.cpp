@@ -3,6 +3,7 @@
 #include <random>
 
 #include "app/ui/contact_text.h"
+#include "app/ui/number_text.h"
 #include "app/ui/state_line.h"
 #include "engine/molecule/reader.h"
 
@@ -53,6 +54,30 @@ TEST_CASE("of two chains the text names the chain; atoms without residues are co
   CHECK(touchedText(m, on(Feature::Circle, {1, 77, -1})) == "carbon C of Asp 52 (chain A)");
   const Molecule bare = read("0 0 0 1.5\n2 0 0 1.5\n", "bare.xyzr");
   CHECK(touchedText(bare, on(Feature::Circle, {0, 1, -1})) == "atom 0, crease with atom 1");
+}
+
+TEST_CASE("whereto the surface pushes is told in eight directions, and straight ahead within 15 degrees") {
+  CHECK(pushText({0, 0, 1}) == "pushed toward you");
+  CHECK(pushText({0.2, -0.1, 0.97}) == "pushed toward you");
+  CHECK(pushText({0, 0, -1}) == "pushed away from you");
+  CHECK(pushText({0.6, 0, 0.8}) == "pushed to the right");
+  CHECK(pushText({-0.6, 0.1, 0.79}) == "pushed to the left");
+  CHECK(pushText({0, 0.6, 0.8}) == "pushed up");
+  CHECK(pushText({-0.4, -0.4, 0.82}) == "pushed down and to the left");
+}
+
+TEST_CASE("in prose a point between digits becomes a comma where that is preferred, but not in versions and addresses") {
+  setDecimalComma(true);
+  CHECK(localProse("A ball of 1.4 Å, then 3.28 Å. Next 0.5.") == "A ball of 1,4 Å, then 3,28 Å. Next 0,5.");
+  CHECK(localProse("version 1.4.2, doi 10.1038/227, v1.4, 10.1.b") == "version 1.4.2, doi 10.1038/227, v1.4, 10.1.b");
+  CHECK(localProse("−1.4 (2.0) 3.5Å") == "−1,4 (2,0) 3,5Å");
+  setDecimalComma(false);
+  CHECK(localProse("1.4 Å") == "1.4 Å");
+}
+
+TEST_CASE("a number stays with its unit and not with a word") {
+  CHECK(withUnitsKept("by 0.08 Å and 26 N/m; 20 % of 3 atoms, 2 s.") == "by 0.08\u00a0Å and 26\u00a0N/m; 20\u00a0% of 3 atoms, 2\u00a0s.");
+  CHECK(withUnitsKept("5 more, 7 nmr") == "5 more, 7 nmr");
 }
 
 TEST_CASE("for reading the line changes at most every 0.4 s, for speaking every 1.5 s, however fast the force trembles; seed 11") {

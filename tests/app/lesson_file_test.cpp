@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/ui/extensions.h"
+#include "engine/results/attempt_file.h"
 #include "tests/app/driver_fixture.h"
 
 using namespace moltact;
@@ -72,6 +73,65 @@ TEST_CASE("a step that gets another probe is set up anew when the lesson is read
   save(file, kHead + "## One\n```scene\nmolecule: argon\nprobe: 2 Å\n```\nText.\n");
   d->frames(kSeen_frames);
   CHECK(d->app().scene.servo_settings.probe_A == 2.0);
+}
+
+TEST_CASE("what is done before and after a lesson is read again stands in one attempt") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "mine.md", attempts = scratch / "attempts";
+  save(file, kHead + kOne + kTwo);
+  Driver::Options options;
+  options.application.attempts_folder = attempts;
+  {
+    auto d = startWith(file.string(), options);
+    d->click("lesson/next");
+    d->frames(3);
+    d->app().lesson.session()->choose(0, {1});
+    d->frames(3);
+    save(file, kHead + kOne + kTwo + "More text.\n");
+    d->frames(kSeen_frames);
+    REQUIRE(contains(d->text("message/0"), "Read again"));
+    d->app().lesson.session()->choose(0, {0});
+    d->frames(3);
+  }
+  const auto files = attemptFiles(attempts);
+  REQUIRE(files->size() == 1);
+  const Expected<Attempt> attempt = readAttempt(files->front());
+  REQUIRE(bool(attempt));
+  std::vector<int> tries;
+  int reread = 0;
+  for (const AttemptEvent& e : attempt->events) {
+    if (const auto* a = std::get_if<Answered>(&e.what)) tries.push_back(a->attempt);
+    reread += std::holds_alternative<LessonReread>(e.what);
+  }
+  CHECK(tries == std::vector<int>{1, 2});
+  CHECK(reread == 1);
+}
+
+TEST_CASE("a probe that a task asked for is the scene's again when the lesson is read again in the middle of the task") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "mine.md";
+  const std::string task = "```touch\nsame: anywhere\nprobe: 3 Å\ntrials: 2\nfor: 0.2 s\nsay: S\n```\n";
+  save(file, kHead + kOne + task);
+  auto d = startWith(file.string());
+  // Whichever of a pair is felt with the other probe.
+  for (int k = 0; k < 2 && d->app().scene.servo_settings.probe_A != 3.0; ++k) {
+    d->hold("Space");
+    d->frames(120);
+    d->letGo("Space");
+    d->tap("Enter");
+    d->frames(5);
+    if (d->app().scene.servo_settings.probe_A == 3.0) break;
+    d->hold("Space");
+    d->frames(120);
+    d->letGo("Space");
+    d->tap("S");
+    d->frames(5);
+  }
+  REQUIRE(d->app().scene.servo_settings.probe_A == 3.0);
+  // The task is gone.
+  save(file, kHead + kOne);
+  d->frames(kSeen_frames);
+  CHECK(d->app().scene.servo_settings.probe_A == 1.4);
 }
 
 TEST_CASE("with errors the last good lesson stays and they are listed with line and remedy, until they are mended") {

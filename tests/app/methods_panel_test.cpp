@@ -88,6 +88,20 @@ TEST_CASE("a lesson's step opens the panel with its method, and another lesson c
   CHECK(d->app().scene.method() == "exact");
 }
 
+TEST_CASE("the key of methods does not switch, for a frame either, what a lesson has locked") {
+  const Scratch scratch;
+  const auto file = scratch.file("locked.md", "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+                                              "## One\n```scene\nmolecule: argon\npanels: methods\nlocked: method\n```\nText.\n");
+  auto d = startWith(file.string());
+  const auto family = d->app().scene.method();
+  REQUIRE(d->text("method/Exact") == "on");
+  d->hold("M");
+  // As it was drawn in the very frame of the key.
+  CHECK(d->text("method/Exact") == "on");
+  d->letGo("M");
+  CHECK(d->app().scene.method() == family);
+}
+
 TEST_CASE("the lesson's failures of paper, penalty and grid are met with a mouse") {
   const std::optional<Problem> problem = [&] {
     auto d = startWith("");

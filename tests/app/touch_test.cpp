@@ -3,6 +3,14 @@
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
+namespace {
+
+double notch_A(Driver& d) {
+  const ServoSettings& s = d.app().scene.servo_settings;
+  return PointerHand::kNotch_N / (s.stiffness_N_per_mm / s.workspace.A_per_mm);
+}
+
+}  // namespace
 
 TEST_CASE("pressing on the protein for 2 s gives a force above 0.5 N and the status bar says touching") {
   auto d = startWith();
@@ -26,7 +34,7 @@ TEST_CASE("the wheel while pressing pushes deeper and leaves the camera alone; w
   d->frames(30);
   const double depth_A = d->app().scene.controls.depth_A(), distance_A = d->app().scene.camera.distance_A;
   d->wheel(4);
-  CHECK(d->app().scene.controls.depth_A() - depth_A > 4 * PointerHand::kNotch_A * 0.99);
+  CHECK(d->app().scene.controls.depth_A() - depth_A > 4 * notch_A(*d) * 0.99);
   CHECK(d->app().scene.camera.distance_A == distance_A);
   d->release();
   d->wheel(1);
@@ -44,7 +52,7 @@ TEST_CASE("keyboard alone: arrows and space reach a contact, plus pushes deeper,
   CHECK(d->text("status/contact") == "touching");
   const double depth_A = d->app().scene.controls.depth_A();
   d->tap("plus");
-  CHECK(d->app().scene.controls.depth_A() > depth_A + 0.9 * PointerHand::kNotch_A);
+  CHECK(d->app().scene.controls.depth_A() > depth_A + 0.9 * notch_A(*d));
   d->tap("Escape");
   d->frames(30);
   CHECK(d->text("status/contact") == "free");
@@ -59,7 +67,7 @@ TEST_CASE("a tap of three keys within one frame is seen three times") {
   d->tap("plus");
   d->tap("plus");
   d->tap("plus");
-  CHECK(d->app().scene.controls.depth_A() > before_A + 2.9 * PointerHand::kNotch_A);
+  CHECK(d->app().scene.controls.depth_A() > before_A + 2.9 * notch_A(*d));
 }
 
 TEST_CASE("a right drag turns the view, ctrl and arrows too, shift and arrows move it, and Home brings it back") {

@@ -181,6 +181,16 @@ TEST_CASE("avoid counts 3 s on the rest of the surface, begins again at a touch,
   CHECK(t->done());
 }
 
+TEST_CASE("hold in a pit of some atoms does not take a pit that another atom helps to make") {
+  auto t = task("hold", {{"hold", "pit"}, {"of", "chain A"}, {"for", "1 s"}});
+  Hand hand{*t};
+  hand.touch({0, 1, 6}, 1.5);
+  CHECK_FALSE(t->done());
+  hand.touch({0, 1, 2}, 1.1);
+  CHECK(t->done());
+  CHECK(problemOf("hold", {{"hold", "chain A"}, {"of", "chain B"}}) == "'of' belongs to a kind of place");
+}
+
 TEST_CASE("samples at 30 Hz finish a hold of 2 s after 2.0 to 2.1 s; a gap of 10 s between samples counts nothing") {
   auto t = task("hold", {{"hold", "anywhere"}, {"for", "2 s"}});
   Hand slow{*t, 0.0, 1.0 / 30};

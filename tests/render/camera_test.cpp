@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "engine/molecule/molecule.h"
@@ -65,6 +66,30 @@ TEST_CASE("zooming by 2 halves the distance, stops at 0.5 A, and ignores what is
   CHECK(camera.distance_A == doctest::Approx(0.5));
   for (const double bad : {0.0, -1.0, std::nan(""), double(INFINITY)}) camera.zoom(bad);
   CHECK(camera.distance_A == doctest::Approx(0.5));
+}
+
+TEST_CASE("a row of atoms toward the eye is turned to lie across the picture; one that lies aside, and a ring, stay as they are") {
+  Molecule row, ring;
+  for (int k = 0; k < 10; ++k) {
+    Atom a;
+    a.position.A = {100.0 + 0.2 * k, -50.0 + 0.3 * k, 1.5 * k};
+    row.atoms.push_back(a);
+    a.position.A = {3.0 * std::cos(0.2 * k * std::numbers::pi), 0.0, 3.0 * std::sin(0.2 * k * std::numbers::pi)};
+    ring.atoms.push_back(a);
+  }
+  Camera camera;
+  camera.lookSideOn(row);
+  CHECK(std::abs(glm::dot(camera.right(), glm::normalize(Vec3(0.2, 0.3, 1.5)))) == doctest::Approx(1.0));
+  CHECK(glm::length(camera.orientation) == doctest::Approx(1.0));
+  // From there it stays, and so it does where the picture already shows it from the side.
+  const glm::dquat turned = camera.orientation;
+  camera.lookSideOn(row);
+  CHECK(camera.orientation == turned);
+  Camera other;
+  other.lookSideOn(ring);
+  CHECK(other.orientation == Camera().orientation);
+  other.lookSideOn(Molecule());
+  CHECK(other.orientation == Camera().orientation);
 }
 
 TEST_CASE("fitting a long molecule keeps every ball in the picture and leaves no more than the margin, seed 3") {

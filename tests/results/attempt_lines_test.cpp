@@ -10,7 +10,7 @@
 namespace moltact {
 namespace {
 
-TEST_CASE("every one of the 16 kinds of event comes back from its line as it was") {
+TEST_CASE("every one of the 17 kinds of event comes back from its line as it was") {
   std::vector<bool> met(std::variant_size_v<AttemptFact>);
   for (const AttemptEvent& event : sampleEvents()) {
     const std::string line = lineOf(event);
@@ -24,7 +24,7 @@ TEST_CASE("every one of the 16 kinds of event comes back from its line as it was
     CHECK((*back)->t_s == event.t_s);
     CHECK(lineOf(**back) == line);
   }
-  CHECK(met == std::vector<bool>(16, true));
+  CHECK(met == std::vector<bool>(17, true));
 }
 
 TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms that held the probe") {
@@ -42,6 +42,18 @@ TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms tha
     CHECK(got[k].feature == wanted[k].feature);
     CHECK(got[k].atoms == wanted[k].atoms);
   }
+}
+
+TEST_CASE("a felt curve keeps its forces to 0.001 N and the places where nothing was felt") {
+  const CurveKept felt{"one", 2, true, "depth", 0.8, 3.3, {0.0, std::nan(""), 1.23456}};
+  const std::string line = lineOf(AttemptEvent{4.0, felt});
+  CHECK(line == R"({"kind":"curve","t":4.0,"step":"one","task":2,"of":"felt","axis":"depth","to_A":0.8,"most_N":3.3,"force_N":[0.0,null,1.235]})" "\n");
+  const auto back = readEventLine(line);
+  const auto& got = std::get<CurveKept>((**back).what);
+  CHECK(got.felt);
+  REQUIRE(got.force_N.size() == 3);
+  CHECK(std::isnan(got.force_N[1]));
+  CHECK(got.force_N[2] == 1.235);
 }
 
 TEST_CASE("the header comes back with its outline of 2 steps, and any name of a student") {

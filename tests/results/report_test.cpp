@@ -87,6 +87,19 @@ TEST_CASE("one student's attempt of 9.5 s gives its figures, cell by cell") {
   CHECK(cell(rows, 1, "first-touch.md#one/task 1 input") == "device");
 }
 
+TEST_CASE("the page shows the first curve that a student drew beside the one felt in the end") {
+  Attempt again = sampleAttempt();
+  again.events.push_back({9.6, CurveKept{"one", 0, false, "depth", 0.8, 3.3, {3.3, 3.3, 3.3}}});
+  const ClassSummary summary = summarise({again});
+  const TaskScore& score = summary.lessons[0].people[0].tasks.at({"one", 0});
+  REQUIRE((score.done && score.drawn && score.felt));
+  CHECK(score.drawn->force_N[1] == 1.5);
+  CHECK(score.felt->force_N[1] == 1.25);
+  const std::string page = classPage(summary, {}, "");
+  CHECK(page.find("<path class=\"felt\" d=\"M24.0 90.0L107.0 58.2L190.0 26.4\"/>") != std::string::npos);
+  CHECK(page.find("<path class=\"drawn\" d=\"M24.0 90.0L107.0 51.8L190.0 13.6\"/>") != std::string::npos);
+}
+
 TEST_CASE("a second attempt adds its time, keeps the first answers and never lowers the progress") {
   Attempt second = sampleAttempt();
   second.header.began = "2026-11-22T08:00:00Z";

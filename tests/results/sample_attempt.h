@@ -79,6 +79,8 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {3.0, TouchBegan{{7}}},
       {3.085, chunk},
       {3.1, TouchEnded{3.0, {7, 9, 12}, 2, 1.25, 0.75, 6.25, InputWay::Keyboard}},
+      {3.1, CurveKept{"one", 0, false, "depth", 0.8, 3.3, {0.0, 1.5, 3.0}}},
+      {3.2, CurveKept{"one", 0, true, "depth", 0.8, 3.3, {0.0, 1.25, 2.5}}},
       {3.2, TaskDone{"one", 0, 3.2, InputWay::Device, {{"peak force", 1.25, "N"}}}},
       {4.0, Answered{"one", "which", 1, {0}, "", false, InputWay::Mouse}},
       {5.0, Answered{"one", "which", 2, {1}, "", true, InputWay::Mouse}},

@@ -66,6 +66,54 @@ TEST_CASE("a way through a lesson of 3 steps gives each of its events once, at t
   CHECK(progress.step == "three");
 }
 
+TEST_CASE("a force curve is told as it is handed in, before anything is felt, and the felt one when both are known") {
+  LessonReading read = readLessonText("p.md", "---\ntitle: P\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n"
+                                              "## One\n```scene\nmolecule: mix\n```\n```touch\npredict: anywhere\ndeep: 0.5 Å\nmost: 2 N\nagree: 90\nsay: S\n```\n");
+  REQUIRE(read.lesson);
+  LessonSession session(std::make_shared<const Lesson>(*std::move(read.lesson)));
+  session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  SessionWatch watch;
+  watch.begin(session);
+  watch.look(session, 0.0, InputWay::Mouse);
+  double time_s = 0.0;
+  // 2 N for each A, against a drawn curve of so much at every depth.
+  const auto predict = [&](double drawn_N, double N_per_A) {
+    session.answerTask({{}, std::vector<double>(session.taskAt(0)->curves()->drawn.size(), drawn_N)});
+    const auto drawn = watch.look(session, 1.0, InputWay::Mouse);
+    REQUIRE(drawn.size() == 1);
+    CHECK_FALSE(std::get<CurveKept>(drawn[0].what).felt);
+    CHECK(std::get<CurveKept>(drawn[0].what).force_N.front() == drawn_N);
+    for (int k = 0; k <= 500; ++k) {
+      TouchSample s = touching(0, time_s += 0.001, N_per_A * 0.001 * k);
+      s.hip.A.z = -0.001 * k;
+      session.feed(s);
+    }
+    return watch.look(session, 2.0, InputWay::Mouse);
+  };
+  auto events = predict(2.0, 2.0);
+  REQUIRE(events.size() == 1);
+  const CurveKept& felt = std::get<CurveKept>(events[0].what);
+  CHECK(felt.felt);
+  CHECK(felt.axis == "depth");
+  CHECK(felt.to_A == 0.5);
+  // Told when enough was felt: the deepest places are still missing.
+  CHECK(felt.force_N[12] == doctest::Approx(0.5).epsilon(0.05));
+  CHECK_FALSE(session.task(0).done);
+  // Predicted anew, and now right: the felt one is constant, too.
+  session.answerTask({{}, std::vector<double>(felt.force_N.size(), 1.0)});
+  CHECK(watch.look(session, 3.0, InputWay::Mouse).size() == 1);
+  for (int k = 0; k <= 500; ++k) {
+    TouchSample s = touching(0, time_s += 0.001, 1.0);
+    s.hip.A.z = -0.001 * k;
+    session.feed(s);
+  }
+  events = watch.look(session, 4.0, InputWay::Mouse);
+  REQUIRE(events.size() == 2);
+  CHECK(std::get<CurveKept>(events[0].what).felt);
+  CHECK(std::holds_alternative<TaskDone>(events[1].what));
+  CHECK(watch.look(session, 5.0, InputWay::Mouse).empty());
+}
+
 TEST_CASE("a task begun again is told as begun, and a lesson that was read again repeats nothing that was told") {
   LessonSession session(smallLesson());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));

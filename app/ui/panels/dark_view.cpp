@@ -11,6 +11,7 @@
 #include "app/ui/application.h"
 #include "app/ui/contact_text.h"
 #include "app/ui/extensions.h"
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -46,7 +47,37 @@ void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
   if (part > 0.004f) arc(kFrom + (kTo - kFrom) * part, kFill);
   char text[32];
   std::snprintf(text, sizeof text, "%.1f N", force_N);
-  centred("view/force meter", look().font(Font::Title), text, middle, 0.0f, kBright);
+  centred("view/force meter", look().font(Font::Title), localNumbers(text), {middle.x, middle.y + 0.86f * radius}, 0.0f, kBright);
+}
+
+// Whereto the surface pushes, as a hand at a force-feedback device feels it: an arrow as long as it goes sideways, on a ring that
+// it reaches when it goes nowhere else; straight toward the person it is the dot in the middle.
+void drawDirection(const Vec3& direction, ImVec2 middle, float radius) {
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddCircle(middle, radius, kTrack, 64, look().px(1.5f));
+  draw->AddCircleFilled(middle, look().px(3), kTrack, 20);
+  if (direction == Vec3(0.0)) return;
+  const float thick = look().px(4), head = look().px(13);
+  const ImVec2 way{radius * float(direction.x), -radius * float(direction.y)};
+  const float length = std::hypot(way.x, way.y);
+  draw->AddCircleFilled(middle, look().px(5), kBright, 24);
+  if (length > head) {
+    const ImVec2 along{way.x / length, way.y / length}, across{-along.y, along.x};
+    const ImVec2 tip{middle.x + way.x, middle.y + way.y}, neck{tip.x - head * along.x, tip.y - head * along.y};
+    draw->AddLine(middle, neck, kBright, thick);
+    draw->AddTriangleFilled(tip, {neck.x + 0.55f * head * across.x, neck.y + 0.55f * head * across.y},
+                            {neck.x - 0.55f * head * across.x, neck.y - 0.55f * head * across.y}, kBright);
+  } else {
+    draw->AddLine(middle, {middle.x + way.x, middle.y + way.y}, kBright, 2 * thick);
+  }
+}
+
+// From the hand to the contact point, in the camera's axes; nothing where no force is given.
+Vec3 pushOf(const Application& app) {
+  const ServoSample& now = app.scene.log().latest();
+  const Vec3 way = now.contact.scp.A - now.hip.A;
+  if (!app.scene.log().touching() || app.scene.log().force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
+  return glm::conjugate(app.scene.camera.orientation) * glm::normalize(way);
 }
 
 }  // namespace
@@ -61,8 +92,11 @@ void drawDarkView(Application& app, const Rectangle& view) {
   const float width = view.size().x - 2 * l.px(20), radius = std::min(l.px(78), 0.25f * std::min(view.size().x, view.size().y));
   float below = middle.y;
   if (app.extensions().task_stager.showsForce()) {
+    const Vec3 push = pushOf(app);
     drawMeter(log.force_N(), app.scene.servo_settings.max_force_N, middle, radius);
-    below += radius + l.px(8);
+    drawDirection(push, middle, 0.72f * radius);
+    below += radius + l.px(22);
+    if (push != Vec3(0.0)) centred("view/push", l.font(Font::Body), pushText(push), {middle.x, below + l.px(38)}, width, kQuiet);
   }
   centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact), {middle.x, below + l.px(14)}, width,
           log.touching() ? kBright : kQuiet);

@@ -7,7 +7,8 @@ namespace moltact {
 
 class Application;
 
-/// In the view's place: a meter of the force where the task shows it, and what is felt in words that name no atom.
+/// In the view's place: where the task shows it a meter of the force and an arrow whereto it pushes, as a
+/// force-feedback hand would feel both; and what is felt in words that name no atom.
 void drawDarkView(Application& app, const Rectangle& view);
 
 /// In the dark: writes into a panel that it is hidden, and gives true. Otherwise does nothing and gives false.

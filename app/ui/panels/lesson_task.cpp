@@ -10,6 +10,7 @@
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
+#include "app/ui/rich_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -25,10 +26,12 @@ void drawFigures(const std::string& name, const Task& task) {
     line += (line.empty() ? "" : "  ·  ") + std::string(f.name) + " " + number + (f.unit.empty() ? "" : " " + std::string(f.unit));
   }
   if (line.empty()) return;
+  line = localProse(std::move(line));
   WithFont small(Font::Small);
   WithText quiet(look().palette.quiet);
+  const float room = ImGui::GetContentRegionAvail().x;
   ImGui::PushTextWrapPos(0.0f);
-  ImGui::TextUnformatted(line.c_str());
+  ImGui::TextUnformatted(wrapped(line, room).c_str());
   ImGui::PopTextWrapPos();
   recordItem(name + "/figures", line);
 }
@@ -41,8 +44,8 @@ void drawLessonTask(Application& app, std::size_t index) {
   LessonSession& session = *app.lesson.session();
   if (index >= session.step().tasks.size()) return;
   TaskStatus status = session.task(index);
-  status.say = localNumbers(status.say);
-  status.sentence = localNumbers(status.sentence);
+  status.say = localProse(status.say);
+  status.sentence = localProse(status.sentence);
   const std::string name = "task/" + std::to_string(index);
   const bool away = status.current && !app.lesson.onStage();
   const std::string& molecule = session.scene().molecule;
@@ -52,8 +55,9 @@ void drawLessonTask(Application& app, std::size_t index) {
 
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12), mark = l.px(11);
   const float text_x = pad + 2 * mark + l.px(10), text_w = std::max(l.px(60), width - text_x - pad);
-  const float say_h = ImGui::CalcTextSize(status.say.c_str(), nullptr, false, text_w).y, gap = next.empty() ? 0.0f : l.px(4);
-  const float next_h = next.empty() ? 0.0f : ImGui::CalcTextSize(next.c_str(), nullptr, false, text_w).y;
+  const std::string say_lines = wrapped(status.say, text_w), next_lines = wrapped(next, text_w);
+  const float say_h = ImGui::CalcTextSize(say_lines.c_str(), nullptr, false, text_w + 1).y, gap = next.empty() ? 0.0f : l.px(4);
+  const float next_h = next.empty() ? 0.0f : ImGui::CalcTextSize(next_lines.c_str(), nullptr, false, text_w + 1).y;
   const bool bar = status.current && !away;
   const float say_y = std::max(0.0f, mark - 0.5f * ImGui::GetFontSize() - l.px(1));
   const float height = std::max(say_y + say_h + gap + next_h, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
@@ -75,10 +79,10 @@ void drawLessonTask(Application& app, std::size_t index) {
   }
   const ImVec2 at{low.x + text_x, low.y + pad + say_y};
   const auto write = [&](const std::string& text, float y, ImU32 colour) {
-    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x, y}, colour, text.c_str(), nullptr, text_w);
+    draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x, y}, colour, text.c_str(), nullptr, text_w + 1);
   };
-  write(status.say, at.y, status.current ? p.text : p.quiet);
-  write(next, at.y + say_h + gap, status.done ? p.text : p.quiet);
+  write(say_lines, at.y, status.current ? p.text : p.quiet);
+  write(next_lines, at.y + say_h + gap, status.done ? p.text : p.quiet);
   if (bar) {
     ImGui::SetCursorScreenPos({low.x + text_x, high.y - pad - l.px(3)});
     ImGui::BeginGroup();

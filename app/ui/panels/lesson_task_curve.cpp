@@ -10,6 +10,7 @@
 
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
+#include "app/ui/number_text.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/theme.h"
@@ -64,11 +65,11 @@ void drawAxes(const Area& area, const TaskCurves& curves) {
   };
   for (const double part : {0.5, 1.0}) {
     std::snprintf(text, sizeof text, part == 1.0 ? "%.2g N" : "%.2g", part * area.most_N);
-    write({area.low.x - l.px(5), area.y(part * area.most_N) - 0.5f * size}, 1.0f, text);
+    write({area.low.x - l.px(5), area.y(part * area.most_N) - 0.5f * size}, 1.0f, localNumbers(text).c_str());
   }
   write({area.low.x, area.high.y + l.px(3)}, 0.5f, "0");
   std::snprintf(text, sizeof text, "%.2g Å", curves.x_most);
-  write({area.high.x, area.high.y + l.px(3)}, 1.0f, text);
+  write({area.high.x, area.high.y + l.px(3)}, 1.0f, localNumbers(text).c_str());
   write({0.5f * (area.low.x + area.high.x), area.high.y + l.px(3)}, 0.5f, std::string(curves.x_name).c_str());
 }
 

@@ -55,7 +55,7 @@ void readKeys(Application& app, ViewInput& in) {
   }
   if (!io.KeyCtrl) in.zoom_keys = (ImGui::IsKeyDown(GLFW_KEY_PAGE_UP) ? 1.0 : 0.0) - (ImGui::IsKeyDown(GLFW_KEY_PAGE_DOWN) ? 1.0 : 0.0);
   in.release = ImGui::IsKeyDown(GLFW_KEY_ESCAPE);
-  if (app.panels.methods && !app.extensions().task_stager.dark() && lessonKeyPressed('M')) switchMethod(app, io.KeyShift ? -1 : 1);
+  if (app.panels.methods && !app.lesson.locks("method") && !app.extensions().task_stager.dark() && lessonKeyPressed('M')) switchMethod(app, io.KeyShift ? -1 : 1);
 }
 
 ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
@@ -74,6 +74,8 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);
+  // A surface that a task makes softer or harder is to be felt as that: the hand presses as deep as before.
+  if (app.extensions().task_stager.changesStiffness()) in.expected_N_per_mm = app.lesson.session()->scene().stiffness_N_per_mm;
   if (hovered || active) (in.press ? in.push_notches : in.zoom_notches) += double(io.MouseWheel);
   return in;
 }

@@ -106,8 +106,10 @@ class FeelAtoms : public Task {
     for (const std::uint32_t a : where_.atoms())
       if (watches_[a] < kTouch_s) left.push_back(a);
     std::size_t planned = felt_;
-    // Atom by atom, those that stick out first.
-    for (const SurfacePlace& place : openPlaces(view, left, Feature::Sphere, 20 * wanted_)) {
+    // Atom by atom, those that stick out first; another attempt begins with others.
+    std::vector<SurfacePlace> places = openPlaces(view, left, Feature::Sphere, 20 * wanted_);
+    if (!places.empty()) std::rotate(places.begin(), places.begin() + view.attempt % static_cast<int>(places.size()), places.end());
+    for (const SurfacePlace& place : places) {
       if (planned >= wanted_) break;
       const auto atom = std::find(left.begin(), left.end(), static_cast<std::uint32_t>(place.atoms[0]));
       if (atom == left.end()) continue;

@@ -145,7 +145,7 @@ TaskKind findKind() {
             .fallback = "here", .words = {"here", "hold"}},
            {.name = "hints", .type = ValueType::Word, .meaning = "Whether the program says 'warmer' and 'colder'.", .fallback = "none",
             .words = {"none", "warmer"}},
-           {.name = "meter", .type = ValueType::Word, .meaning = "Whether the force is shown in the dark; without a force-feedback device it is all there is to feel.",
+           {.name = "meter", .type = ValueType::Word, .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device it is all there is to feel.",
             .fallback = "on", .words = {"on", "off"}}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Find>(s, m); }};
 }

@@ -17,6 +17,7 @@ class Hold : public Task {
       : Task(spec), target_(spec.values["hold"].selection, molecule), name_(targetName(spec, "hold")) {
     const Value& place = spec.values["hold"];
     if (!place.words.empty()) feature_ = place.words[0];
+    if (spec.values["of"].selection.given()) target_ = AtomSet(spec.values["of"].selection, molecule);
     time_s_ = spec.values["for"].number;
     if (spec.values.has("force")) {
       low_N_ = spec.values["force"].low;
@@ -60,7 +61,7 @@ class Hold : public Task {
 
   State stateOf(const TouchSample& s) const {
     if (!s.contact.touching()) return State::Away;
-    const bool here = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact) : isFeature(feature_, s.contact.feature);
+    const bool here = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact) : isFeature(feature_, s.contact.feature) && target_.holds(s.contact);
     if (!here) return State::Elsewhere;
     const double force = glm::length(s.force.N);
     if (force < low_N_ * (1.0 - kForceSlack)) return State::TooLight;
@@ -91,17 +92,24 @@ class Hold : public Task {
   int slips_ = 0;
 };
 
+void checkHold(const TaskSpec& spec, std::vector<Problem>& problems) {
+  const Value &hold = spec.values["hold"], &of = spec.values["of"];
+  if (of.place.line && hold.selection.given())
+    problems.push_back({{}, of.place.line, of.place.column, "'of' belongs to a kind of place", "take it out, or write 'hold: pit'"});
+}
+
 }  // namespace
 
 TaskKind holdKind() {
   return {"hold", "Stay in contact for a time.",
           {{.name = "hold", .type = ValueType::Target, .meaning = "Where to stay: atoms, a kind of place, or anywhere on the surface.",
             .required = true, .words = {"sphere", "crease", "pit", "anywhere"}},
+           {.name = "of", .type = ValueType::Selection, .meaning = "For a kind of place: only where these atoms alone hold the probe."},
            {.name = "for", .type = ValueType::Quantity, .meaning = "How long; slips under 0.3 s are forgiven.",
             .fallback = "2 s", .dimension = Dimension::Time, .least = 0.1, .most = 600.0},
            {.name = "force", .type = ValueType::Range, .meaning = "The force to keep within; 5 % beyond either end is forgiven.",
             .dimension = Dimension::Force, .most = 20.0}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Hold>(s, m); }};
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Hold>(s, m); }, &checkHold};
 }
 
 }  // namespace moltact

@@ -206,7 +206,7 @@ TaskKind sameKind() {
             .dimension = Dimension::Time, .least = 0.1, .most = 60.0},
            {.name = "tell", .type = ValueType::Word, .meaning = "Whether each answer is judged at once.", .fallback = "yes", .words = {"yes", "no"}},
            {.name = "meter", .type = ValueType::Word,
-            .meaning = "Whether the force is shown; without a force-feedback device it is all there is to feel.", .fallback = "on", .words = {"on", "off"}},
+            .meaning = "Whether the force is shown, how great and whereto; without a force-feedback device it is all there is to feel.", .fallback = "on", .words = {"on", "off"}},
            {.name = "seed", .type = ValueType::Count, .meaning = "Another number gives another order of the pairs.", .fallback = "1", .most = 1e6}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); }, &checkSame};
 }

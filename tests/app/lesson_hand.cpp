@@ -1,0 +1,301 @@
+#include "tests/app/lesson_hand.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "app/ui/extensions.h"
+#include "engine/device/pointer_hand.h"
+
+namespace moltact {
+namespace {
+
+constexpr int kAttempts = 8;                  // in a row that bring a task no further
+constexpr double kOrbit_rad_per_px = 0.008, kOrbit_rad_per_s = 1.4;
+constexpr double kSeen = 0.5;                 // a slide goes on while the surface looks at the student so much (cosine)
+constexpr double kSame_A = 0.1;               // sideways: nearer than this a plan only pushes deeper
+
+// With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
+void takePicture(Driver& d, const std::string& name) {
+  const char* folder = std::getenv("MOLTACT_LESSON_PICTURES");
+  if (!folder) return;
+  d.closeEyes(false);
+  d.frames(2);
+  if (const auto problem = writePng(std::string(folder) + "/" + name + ".png", d.picture())) std::fputs(problem->text().c_str(), stderr);
+  d.closeEyes(true);
+}
+
+std::string unitText(const AnswerSpec& answer) {
+  if (answer.kind == AnswerSpec::Kind::Text && !answer.texts.empty()) return answer.texts.front();
+  if (answer.kind != AnswerSpec::Kind::Number) return "By touch.";
+  char number[32];
+  std::snprintf(number, sizeof number, "%.6g", answer.number);
+  return number;
+}
+
+}  // namespace
+
+LessonSession& LessonHand::session() const { return *d_.app().lesson.session(); }
+
+double LessonHand::N_per_A() const {
+  const ServoSettings& s = d_.app().scene.servo_settings;
+  return s.stiffness_N_per_mm / s.workspace.A_per_mm;
+}
+
+bool LessonHand::finishLesson() {
+  d_.closeEyes(true);
+  for (;;) {
+    d_.frames(5);
+    const std::string step = session().step().id;
+    for (std::size_t t = 0; t < session().step().tasks.size(); ++t) {
+      const bool done = doTask(t);
+      takePicture(d_, d_.app().lesson.file().stem().string() + "-" + std::to_string(session().stepIndex()) + "-" + std::to_string(t) + (mouse() ? "-mouse" : "-keys"));
+      lift();
+      if (done) continue;
+      failed_ += step + ", task " + std::to_string(t + 1) + ": " + session().task(t).sentence + '\n';
+      break;
+    }
+    for (std::size_t q = 0; q < session().step().questions.size(); ++q) answerRightly(q);
+    if (!session().hasNext()) return session().finished();
+    if (mouse()) d_.click("lesson/next");
+    else d_.tap("Alt+Right");
+    d_.frames(10);
+  }
+}
+
+bool LessonHand::goesOn(std::size_t task) const { return session().currentTask() == task; }
+
+bool LessonHand::doTask(std::size_t task) {
+  double best = -1.0;
+  for (int attempt = 0, idle = 0; goesOn(task) && idle < kAttempts; ++attempt, ++idle) {
+    const Stage& stage = d_.app().scene.stage();
+    const HandPlan plan = session().taskAt(task)->demonstrate({.balls = *stage.balls, .probe_A = d_.app().scene.servo_settings.probe_A, .N_per_A = N_per_A(),
+                                                               .hip = d_.app().scene.log().latest().hip, .attempt = attempt});
+    follow(plan, task);
+    if (!goesOn(task)) return true;
+    const double progress = session().task(task).progress;
+    if (progress > best) best = progress, idle = -1;
+  }
+  return !goesOn(task);
+}
+
+void LessonHand::follow(const HandPlan& plan, std::size_t task) {
+  for (std::size_t k = 0; k < plan.size() && goesOn(task); ++k) {
+    const HandAct& act = plan[k];
+    if (!act.method.empty()) useMethod(act.method);
+    if (act.to && act.placed) {
+      lift();
+      // The whole slide is to be seen from the front, its first place above all.
+      const Vec3 first = k + 1 < plan.size() && plan[k + 1].to ? plan[k + 1].to->A : act.to->A;
+      Vec3 front = act.to->A - first;
+      for (std::size_t n = k + 2; n < plan.size() && plan[n].to && !plan[n].placed && n < k + 12; ++n) front += 0.5 * outward(plan[n].to->A);
+      if (glm::dot(front, act.to->A - first) < kSeen * glm::length(front) * glm::distance(act.to->A, first)) front = act.to->A - first;
+      face(front);
+      pointAt(first);
+      continue;
+    }
+    if (act.to) {
+      const Vec3 deeper = k > 0 && plan[k - 1].to ? plan[k - 1].to->A - act.to->A : Vec3(0.0);
+      const Vec3 front = outward(act.to->A);
+      const bool began = k > 0 && plan[k - 1].placed, straight = !began && glm::length(deeper - front * glm::dot(deeper, front)) < kSame_A;
+      if (began) press();
+      if (began || straight) {
+        // A plan comes to a place from 1 A outside.
+        const double depth_A = began ? glm::length(deeper) - 1.0 : glm::dot(deeper, front) + pushed_N_ / N_per_A();
+        push(depth_A * N_per_A());
+      } else {
+        if (glm::dot(front, d_.app().scene.camera.back()) < kSeen) {
+          lift();
+          face(front);
+          pointAt(act.to->A);
+          press();
+        }
+        lead(act.to->A, task);
+      }
+    }
+    for (int n = 0; n < int(act.wait_s * 60.0) + 1 && goesOn(task); ++n) d_.frames(1);
+    if (act.answer && goesOn(task)) tell(task, *act.answer);
+  }
+}
+
+void LessonHand::answerRightly(std::size_t q) {
+  if (session().question(q).answered_right) return;
+  const Question& asked = session().step().questions[q];
+  const std::string name = "question/" + std::to_string(q);
+  if (asked.choices.empty()) {
+    if (mouse()) d_.click(name + "/field");
+    else d_.tap("A");
+    d_.frames(3);
+    d_.type(unitText(*asked.answer));
+    if (mouse()) d_.click(name + "/check");
+    else d_.tap(asked.answer->kind == AnswerSpec::Kind::Free ? "Ctrl+Enter" : "Enter");
+  } else {
+    for (std::size_t k = 0; k < asked.choices.size(); ++k) {
+      if (!asked.choices[k].right) continue;
+      if (mouse()) d_.click(name + "/" + std::to_string(k));
+      else d_.tap(std::to_string(k + 1));
+    }
+    if (asked.rightChoices() > 1 && mouse()) d_.click(name + "/check");
+    else if (asked.rightChoices() > 1) d_.tap("Enter");
+  }
+  d_.frames(3);
+  if (!session().question(q).answered_right) failed_ += session().step().id + ", question " + std::to_string(q + 1) + '\n';
+}
+
+void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
+  const std::string name = "task/" + std::to_string(task);
+  if (answer.word.empty()) return draw(name, answer.curve, session().taskAt(task)->curves()->most_N);
+  // A mouse lets go before it clicks.
+  if (mouse()) lift();
+  for (const TaskButton& b : session().taskAt(task)->buttons()) {
+    if (b.word != answer.word) continue;
+    if (mouse()) d_.click(name + "/" + std::string(b.word));
+    else d_.tap(b.key == '\n' ? std::string("Enter") : std::string(1, b.key));
+    break;
+  }
+  lift();
+  d_.frames(3);
+}
+
+void LessonHand::draw(const std::string& name, const std::vector<double>& curve, double most_N) {
+  const double last = double(curve.size() - 1);
+  if (mouse()) {
+    d_.point(name + "/hand in");  // with the whole of the curve in sight
+    for (std::size_t k = 0; k < curve.size(); ++k) {
+      d_.point(name + "/curve", double(k) / last, 1.0 - curve[k] / most_N);
+      if (k == 0) d_.press();
+    }
+    d_.release();
+    d_.click(name + "/hand in");
+    return;
+  }
+  constexpr double kStep = 0.025;
+  double pen = 0.0;
+  for (std::size_t k = 0; k < curve.size(); ++k) {
+    for (; pen < curve[k] / most_N - 0.5 * kStep; pen += kStep) d_.tap("Up");
+    for (; pen > curve[k] / most_N + 0.5 * kStep; pen -= kStep) d_.tap("Down");
+    d_.tap("Right");
+  }
+  d_.tap("Enter");
+}
+
+void LessonHand::useMethod(const std::string& name) {
+  if (d_.app().scene.method() == name) return;
+  if (!mouse()) {
+    for (std::size_t k = 0; k < methods().size() && d_.app().scene.method() != name; ++k) d_.tap("M");
+    return;
+  }
+  const Method& m = *findMethod(name);
+  d_.click("tab/Methods");
+  d_.click("method/" + std::string(m.family));
+  d_.frames(2);
+  if (!m.grade.empty() && d_.app().scene.method() != name) d_.click("grade/" + std::string(m.grade));
+  d_.frames(2);
+  if (!m.variant.empty() && d_.app().scene.method() != name) d_.click("variant/" + std::string(m.variant));
+}
+
+glm::dvec2 LessonHand::seen(const Vec3& place_A) const {
+  const glm::dvec2 size = d_.app().layout().view.size();
+  const Vec3 px = d_.app().scene.camera.project({place_A}, int(size.x), int(size.y));
+  return glm::dvec2(px.x, px.y) / size;
+}
+
+Vec3 LessonHand::outward(const Vec3& place_A) const {
+  Vec3 sum(0.0);
+  const double probe_A = d_.app().scene.servo_settings.probe_A;
+  d_.app().scene.stage().balls->visitNear(place_A, probe_A + 0.3, [&](std::uint32_t, const Ball& b) {
+    const Vec3 way = place_A - b.centre_A;
+    if (glm::length(way) < b.radius_A + probe_A + 0.3) sum += glm::normalize(way);
+  });
+  return glm::length(sum) > 1e-6 ? glm::normalize(sum) : d_.app().scene.camera.back();
+}
+
+void LessonHand::face(Vec3 direction) {
+  for (int turns = 0; turns < 12; ++turns) {
+    const Vec3 v = glm::normalize(glm::conjugate(d_.app().scene.camera.orientation) * direction);
+    if (v.z > 0.97) return;
+    const double right = -std::atan2(v.x, v.z), down = std::asin(v.y);
+    if (mouse()) {
+      // Few people drag farther than a third of the view at once.
+      const auto px = [](double rad) { return std::clamp(rad / kOrbit_rad_per_px, -200.0, 200.0); };
+      d_.drag("view", px(right), px(down), 1);
+      continue;
+    }
+    const auto turn = [&](double rad, const char* plus, const char* minus) {
+      if (std::abs(rad) < 0.05) return;
+      const char* keys = rad > 0.0 ? plus : minus;
+      d_.hold(keys);
+      d_.frames(std::max(1, int(std::abs(rad) / kOrbit_rad_per_s * 60.0)));
+      d_.letGo(keys);
+    };
+    turn(right, "Ctrl+Right", "Ctrl+Left");
+    turn(down, "Ctrl+Down", "Ctrl+Up");
+  }
+}
+
+void LessonHand::pointAt(const Vec3& place_A) {
+  if (!mouse()) return lead(place_A, session().currentTask());
+  const glm::dvec2 at = seen(place_A);
+  d_.point("view", at.x, at.y);
+  d_.frames(20);
+}
+
+void LessonHand::press() {
+  if (pressing_) return;
+  if (mouse()) d_.press();
+  else d_.hold("Space");
+  pressing_ = true;
+  pushed_N_ = PointerHand::kRest_N;
+  d_.frames(45);
+}
+
+void LessonHand::lift() {
+  holdArrows({0, 0});
+  if (!pressing_) return;
+  if (mouse()) d_.release();
+  else d_.letGo("Space");
+  pressing_ = false;
+  d_.frames(15);
+}
+
+void LessonHand::push(double force_N) {
+  for (; pushed_N_ < force_N && pushed_N_ < 10.0; pushed_N_ += PointerHand::kNotch_N) {
+    if (mouse()) d_.wheel(1);
+    else d_.tap("plus");
+    d_.frames(3);
+  }
+}
+
+void LessonHand::lead(const Vec3& place_A, std::size_t task) {
+  const glm::dvec2 size = d_.app().layout().view.size();
+  constexpr double kNear_px = 2.0;
+  for (int k = 0; k < 400 && goesOn(task); ++k) {
+    const glm::dvec2 way = (seen(place_A) - seen(d_.app().scene.controls.lead().A)) * size;
+    if (glm::length(way) < kNear_px) break;
+    if (mouse()) {
+      const ImVec2 now = ImGui::GetIO().MousePos;
+      const Rectangle& view = d_.app().layout().view;
+      const glm::dvec2 step = way * std::min(1.0, 3.0 / glm::length(way)), to = (glm::dvec2(now.x, now.y) + step - glm::dvec2(view.low)) / size;
+      d_.point("view", to.x, to.y);
+    } else {
+      const auto sign = [](double v) { return v > 0.7 * kNear_px ? 1 : v < -0.7 * kNear_px ? -1 : 0; };
+      holdArrows({sign(way.x), sign(-way.y)});
+      d_.frames(1);
+    }
+  }
+  holdArrows({0, 0});
+}
+
+void LessonHand::holdArrows(glm::ivec2 way) {
+  const auto change = [&](int before, int after, const char* plus, const char* minus) {
+    if (before == after) return;
+    if (before) d_.letGo(before > 0 ? plus : minus);
+    if (after) d_.hold(after > 0 ? plus : minus);
+  };
+  change(arrows_.x, way.x, "Right", "Left");
+  change(arrows_.y, way.y, "Up", "Down");
+  arrows_ = way;
+}
+
+}  // namespace moltact

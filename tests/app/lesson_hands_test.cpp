@@ -1,0 +1,44 @@
+// Every shipped lesson in the window, on the frames' clock: once with the mouse alone and once with the keyboard alone.
+#include "tests/app/driver_fixture.h"
+#include "tests/app/lesson_hand.h"
+
+namespace moltact {
+namespace {
+
+void walk(const std::string& lesson, LessonHand::By by) {
+  CAPTURE(lesson);
+  auto d = startWith(std::string(MOLTACT_SOURCE_DIR) + "/lessons/" + lesson);
+  LessonHand hand(*d, by);
+  CHECK(hand.finishLesson());
+  CHECK(hand.failed() == "");
+  CHECK(d->missing() == "");
+}
+
+}  // namespace
+
+TEST_CASE("first-touch.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("first-touch.md", LessonHand::By::Mouse);
+  walk("first-touch.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("bonds-and-creases.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("bonds-and-creases.md", LessonHand::By::Mouse);
+  walk("bonds-and-creases.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("the-probe-decides.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("the-probe-decides.md", LessonHand::By::Mouse);
+  walk("the-probe-decides.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("dna-grooves-blind.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("dna-grooves-blind.md", LessonHand::By::Mouse);
+  walk("dna-grooves-blind.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("how-touch-is-computed.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("how-touch-is-computed.md", LessonHand::By::Mouse);
+  walk("how-touch-is-computed.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("haemoglobin-and-haem.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("haemoglobin-and-haem.md", LessonHand::By::Mouse);
+  walk("haemoglobin-and-haem.md", LessonHand::By::Keyboard);
+}
+
+}  // namespace moltact
