@@ -47,6 +47,7 @@ class Run {
  public:
   explicit Run(std::uint64_t seed)
       : random_(seed), seed_(seed), device_(deviceOf()), hand_(handOf()), model_(device_, hand_, {{40, 0, 0}}), step_(infoOf()) {
+    settings_.stiffness_N_per_mm = random_.uniform(0, 1) < 0.5 ? 0.5 : 2.0;  // as a lesson has it, or the stiffest that the panel offers
     newScene();
   }
 

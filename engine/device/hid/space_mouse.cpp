@@ -25,6 +25,11 @@ bool isSpaceMouse(const HidEntry& entry) {
 
 }  // namespace
 
+std::optional<Problem> SpaceMouseProtocol::begin(HidPort&, DeviceInfo&) {
+  axes_ = {};
+  return std::nullopt;
+}
+
 bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.empty()) return false;
   if (report[0] == kPush && (report.size() == 7 || report.size() == 13)) {

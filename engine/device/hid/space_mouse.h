@@ -19,6 +19,8 @@ class SpaceMouseProtocol final : public HidProtocol {
   static constexpr double kSilence_s = 0.25;        ///< after it a push counts as let go: a report was lost
   static constexpr double kReach_mm = 80.0;         ///< the hand goes no farther from the middle on any axis
 
+  /// A push from before an unplugging is over.
+  std::optional<Problem> begin(HidPort&, DeviceInfo&) override;
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void pass(double dt_s, DevicePose& pose) noexcept override;
   const SixAxes& axes() const { return axes_; }
