@@ -24,6 +24,7 @@ struct DeviceFigures {
   double friction_N = 0.26;              ///< its own, Coulomb
   double resolution_mm = 0.055;          ///< the least step of the place that it tells
   double delay_s = 0.001;                ///< from a force written to its being felt, with the age of a place when it is read
+  bool endless = false;                  ///< its room has no edge, for the hand is put where it is wanted: a mouse's
   bool gives_force = false;              ///< false: the force is only shown on the screen, and moves no hand
 };
 
@@ -40,6 +41,12 @@ struct DevicePose {
   bool connected = true;         ///< false: the device is gone
   bool trouble = false;          ///< the device itself reports a fault, or is not calibrated: no force
   float motor_heat = 0;          ///< 0 cold to 1 as warm as its motors may be, where it tells
+};
+
+/// How fast a person wants the view to move and to turn, each -1 to 1 along and round the screen's axes (+x right, +y up,
+/// +z toward the person); what is seen goes with the hand.
+struct ViewWish {
+  Vec3 move{0.0}, turn{0.0};
 };
 
 /// How a device is, in words for the person who holds it.
@@ -71,6 +78,8 @@ class Device {
 
   /// The window's thread, a few times a second: may take a while, and does what is not for the haptic thread.
   virtual DeviceStatus status() { return {}; }
+  /// The window's thread, each frame.
+  virtual ViewWish viewWish() noexcept { return {}; }
   /// The window's thread: the person holds the device as status() asked for its calibration.
   virtual void calibrate() {}
 

@@ -4,7 +4,10 @@
 
 namespace moltact {
 
-MouseDevice::MouseDevice() { info_.name = "Mouse"; }
+MouseDevice::MouseDevice() {
+  info_.name = "Mouse";
+  info_.endless = true;
+}
 
 void MouseDevice::lead(PointMm target) noexcept {
   if (!finite(target.mm)) return;

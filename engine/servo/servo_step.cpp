@@ -12,7 +12,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   out.time_s = double(out.tick) * kTick_s;
   // A hand that is placed anew is where it is placed.
   if (settings.placements != placements_ || pose.placements != hand_placements_) clutch_.restart();
-  out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, kTick_s);
+  out.hand = clutch_.place(pose, settings.clutch, room_mm_, kTick_s);
   out.buttons = pose.buttons;
   out.hip = settings.workspace.toMolecule(out.hand);
   out.has_tracker = tracker != nullptr;
@@ -26,7 +26,9 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   last_tracker_ = tracker;
   placements_ = settings.placements;
   hand_placements_ = pose.placements;
-  if (changed) safety_.restart();
+  // At another scale the same way in gives another force.
+  const bool rescaled = std::exchange(A_per_mm_, settings.workspace.A_per_mm) != settings.workspace.A_per_mm;
+  if (changed || rescaled) safety_.restart();
   safety_.stop(settings.panic);
 
   WantedForce wanted{.on = false};

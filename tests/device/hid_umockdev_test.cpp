@@ -96,6 +96,30 @@ TEST_CASE("a device of the open layout is opened by its feature report; one that
   }
 }
 
+TEST_CASE("a DualShock 4 is found by its ids and usage, its stick moves the hand, and the force is written to its motors until the loop is silent") {
+  HidTestbed bed;
+  bed.plug(kDualShock);
+  const auto device = opened("gamepad");
+  CHECK_FALSE(device->info().gives_force);
+  Bytes right(64);
+  right[0] = 1, right[1] = 255, right[2] = right[3] = right[4] = 128;
+  Bytes motors;
+  const auto motorsSay = [&](std::uint8_t weak) {
+    const Bytes all = bed.written();
+    if (all.size() >= 32) motors.assign(all.end() - 32, all.end());
+    return motors.size() == 32 && motors[0] == 5 && motors[4] == weak;
+  };
+  waitFor([&] {
+    bed.send(right);
+    device->write({Vec3(0, 0, 3.3)});
+    return device->read(0.001).position.mm.x > 1.0 && motorsSay(255);
+  });
+  CHECK(device->read(0.001).position.mm.x > 1.0);
+  CHECK(motorsSay(255));
+  waitFor([&] { return motorsSay(0); });
+  CHECK(motorsSay(0));
+}
+
 TEST_CASE("a device of another maker is none of ours") {
   HidTestbed bed;
   bed.plug({"046D", "C077", "Logitech Mouse", hidDescriptor(1, 2)});

@@ -15,6 +15,8 @@ namespace moltact::test {
 inline const MockedHid kSpaceMouse{"256F", "C635", "3Dconnexion SpaceMouse Compact", hidDescriptor(1, 8)};
 inline const MockedHid kWoodenHaptics{"1234", "0006", "Forsslund WoodenHaptics", hidDescriptor(0xFF00, 2)};
 
+inline const MockedHid kDualShock{"054C", "09CC", "Sony Wireless Controller", hidDescriptor(1, 5)};
+
 inline MockedHid openLayout(const OpenFirmware& firmware) {
   const auto description = firmware.description();
   return {"16C0", "0486", "Workshop Stylus", hidDescriptor(0xFF00, 1), Bytes(description.begin(), description.end())};

@@ -55,6 +55,7 @@ void drawLive(Application& app, DeviceLink& link) {
   sectionTitle("In use");
   char text[240];
   words("device/name", info.name, p.text);
+  if (!link.awaited().empty()) words("device/awaited", link.awaited() + " leads as soon as it is plugged in.", p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
   if (servo.chosen() && !link.status().ready && link.status().connected && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
   std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y, now.hand.mm.z, glm::length(now.force.N));
