@@ -24,7 +24,6 @@ struct DeviceFigures {
   double friction_N = 0.26;              ///< its own, Coulomb
   double resolution_mm = 0.055;          ///< the least step of the place that it tells
   double delay_s = 0.001;                ///< from a force written to its being felt, with the age of a place when it is read
-  bool endless = false;                  ///< its room has no edge, for the hand is put where it is wanted: a mouse's
   bool gives_force = false;              ///< false: the force is only shown on the screen, and moves no hand
 };
 

@@ -25,7 +25,7 @@ std::string twoDigits(double value) {
 }  // namespace
 
 Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceFigures& device) {
-  const Vec3& room = device.workspace_mm;
+  const Vec3 room = finite(device.workspace_mm) ? device.workspace_mm : DeviceFigures{}.workspace_mm;
   const double half_mm = 0.5 * std::min({room.x, room.y, room.z});
   if (!finite(centre.A) || !std::isfinite(radius_A) || !(half_mm > 0) || !std::isfinite(half_mm)) return now;
   Workspace out = now;

@@ -12,7 +12,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   out.time_s = double(out.tick) * kTick_s;
   // A hand that is placed anew is where it is placed.
   if (settings.placements != placements_ || pose.placements != hand_placements_) clutch_.restart();
-  out.hand = clutch_.place(pose, settings.clutch, room_mm_, kTick_s);
+  out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, kTick_s);
   out.buttons = pose.buttons;
   out.hip = settings.workspace.toMolecule(out.hand);
   out.has_tracker = tracker != nullptr;

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 
 #include "engine/core/units.h"
 #include "engine/device/device.h"
@@ -49,13 +48,13 @@ struct ServoSample {
 
 class ServoStep {
  public:
-  explicit ServoStep(const DeviceFigures& device = {}) : room_mm_(roomOf(device)), safety_(device) {}
+  explicit ServoStep(const DeviceFigures& device = {}) : workspace_mm_(device.workspace_mm), safety_(device) {}
 
   /// Another device is read from now on: its figures hold, the contact is forgotten, and the force starts softly.
   void setDevice(const DeviceFigures& device) noexcept {
     safety_.setDevice(device);
     clutch_.restart();
-    room_mm_ = roomOf(device);
+    workspace_mm_ = device.workspace_mm;
     other_device_ = true;
   }
 
@@ -69,9 +68,6 @@ class ServoStep {
   const SafetyStage& safety() const { return safety_; }
 
  private:
-  static Vec3 roomOf(const DeviceFigures& device) noexcept {
-    return device.endless ? Vec3(std::numeric_limits<double>::infinity()) : device.workspace_mm;
-  }
   WantedForce feel(const ServoSettings& settings, const ServoSample& sample) noexcept;
 
   std::uint64_t tick_ = 0;
@@ -79,7 +75,7 @@ class ServoStep {
   std::uint32_t placements_ = 0, hand_placements_ = 0;
   bool other_device_ = false;
   double A_per_mm_ = 0;
-  Vec3 room_mm_;  // of the device's hand
+  Vec3 workspace_mm_;
   Clutch clutch_;
   SafetyStage safety_;
 };

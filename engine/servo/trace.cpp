@@ -17,7 +17,6 @@ constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kMostBytes = std::size_t{4} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kTrouble = 16;
-constexpr std::uint8_t kGivesForce = 1, kEndless = 2;  // of a device
 
 // What must be the same for the bits to be the same: the state's layout and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
@@ -96,8 +95,7 @@ bool readTick(Getter& get, ServoSettings& settings, TraceTick& tick) {
   if (tick.other_device) {
     figuresFields(get, tick.device);
     get(gives);
-    tick.device.gives_force = gives & kGivesForce;
-    tick.device.endless = gives & kEndless;
+    tick.device.gives_force = gives;
   }
   tickFields(get, tick);
   tick.pose.fresh = flags & kFresh;
@@ -140,7 +138,7 @@ void TraceWriter::add(const TraceTick& tick) {
   if (other_settings) block_ += bytesOf(tick.settings);
   if (device) {
     figuresFields(put, tick.device);
-    put(std::uint8_t((tick.device.gives_force ? kGivesForce : 0) | (tick.device.endless ? kEndless : 0)));
+    put(std::uint8_t(tick.device.gives_force));
   }
   tickFields(put, tick);
   last_ = tick.settings;

@@ -146,6 +146,7 @@ class Run {
     stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, sample.hip.A) / settings_.workspace.A_per_mm : 0.0;
     const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
     felt_N_per_mm_ = stretch_mm_ > 0.0 && !cut ? glm::length(command_.N) / stretch_mm_ : -1.0;
+    if (felt_N_per_mm_ > 0.0) last_felt_N_per_mm_ = felt_N_per_mm_;
     if (how.moves) model_.tick(how.connected ? command_ : ForceN{}, {target_mm_});
   }
   void idle(int ms) {
@@ -307,8 +308,8 @@ class Run {
         fastest[w] = std::max(fastest[w], glm::length(model_.velocity_m_per_s()));
         energy[w] = std::max(energy[w], energy_J());
       }
-    const double stored_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
-    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + kRounding_J + stored_J;
+    const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
+    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + kRounding_J + stiffened_J;
     if (!faster || grown) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
     if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
     since_fault_ = kSoft_ticks;
@@ -317,7 +318,14 @@ class Run {
   // Of the device's motion, of the hand that holds it, and of the surface's spring.
   double energy_J() const {
     const double v = glm::length(model_.velocity_m_per_s()), d_m = 1e-3 * glm::distance(model_.position().mm, target_mm_);
-    return 0.5 * device_.mass_kg * v * v + 0.5 * hand_.stiffness_N_per_m * d_m * d_m + 0.5e-3 * glm::length(command_.N) * stretch_mm_;
+    return 0.5 * device_.mass_kg * v * v + 0.5 * hand_.stiffness_N_per_m * d_m * d_m + stored_J();
+  }
+  // What a spring holds; one whose force is cut gives it back all the way.
+  double stored_J() const {
+    const double force_N = glm::length(command_.N);
+    if (felt_N_per_mm_ >= 0.0) return 0.5e-3 * force_N * stretch_mm_;
+    const double bent_mm = std::min(stretch_mm_, force_N / last_felt_N_per_mm_);
+    return 1e-3 * force_N * (stretch_mm_ - 0.5 * bent_mm);
   }
 
   scenes::Random random_;
@@ -334,7 +342,7 @@ class Run {
   Vec3 target_mm_{40, 0, 0};
   ForceN command_;
   PointMm sensed_;
-  double stretch_mm_ = 0, felt_N_per_mm_ = -1;  // negative: none, or the force is cut
+  double stretch_mm_ = 0, felt_N_per_mm_ = -1, last_felt_N_per_mm_ = 0.5;  // negative: none, or the force is cut
   double before_fault_N_ = 0;
   double since_fault_ = 0, stale_ = 0;
   bool lasting_ = false;
