@@ -34,10 +34,9 @@ void drawUsable(Application& app, DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/place").c_str(), one.place, look().palette.quiet);
   }
-  if (button("device/look", "Look again")) link.look();
 }
 
-void drawUnusable(const DeviceLink& link) {
+void drawUnusable(DeviceLink& link) {
   sectionTitle("Not to be used now");
   for (const FoundDevice& one : link.found()) {
     if (one.usable) continue;
@@ -46,6 +45,7 @@ void drawUnusable(const DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/why").c_str(), one.why, look().palette.quiet);
   }
+  if (button("device/look", "Look again")) link.look();
 }
 
 // The device's room seen along one of its axes: the hand in it, and the force on it.
@@ -76,7 +76,7 @@ void drawRooms(const ServoSample& now, const DeviceInfo& info) {
   const Vec3& room = info.workspace_mm;
   if (!finite(room) || !(room.x > 0 && room.y > 0 && room.z > 0)) return;
   const float gap = l.px(16), width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
-  const float height = std::min(l.px(110), width * float(std::max(room.y, room.z) / room.x));
+  const float height = std::min(l.px(88), width * float(std::max(room.y, room.z) / room.x));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Vec3 &hand = now.hand.mm, &force = now.force.N;
   drawRoom("device/front", "from the front", at, {width, height}, {room.x, room.y}, {hand.x, hand.y}, {force.x, force.y});
