@@ -143,10 +143,12 @@ class Run {
     out_.contact += sample.contact.touching();
     judge(sample, how);
     command_ = sample.force;
-    stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, sample.hip.A) / settings_.workspace.A_per_mm : 0.0;
+    const auto stretch = [&](PointA hip) { return sample.contact.touching() ? glm::distance(sample.contact.scp.A, hip.A) / settings_.workspace.A_per_mm : 0.0; };
+    const double told_mm = stretch(sample.hip);
+    stretch_mm_ = stretch(settings_.workspace.toMolecule(model_.position()));  // without the sensor's steps
     const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
-    felt_N_per_mm_ = stretch_mm_ > 0.0 && !cut ? glm::length(command_.N) / stretch_mm_ : -1.0;
-    if (felt_N_per_mm_ > 0.0) last_felt_N_per_mm_ = felt_N_per_mm_;
+    felt_N_per_mm_ = told_mm > 0.0 && !cut ? glm::length(command_.N) / told_mm : -1.0;
+    if (!cut) bent_mm_ = stretch_mm_;
     if (how.moves) model_.tick(how.connected ? command_ : ForceN{}, {target_mm_});
   }
   void idle(int ms) {
@@ -323,9 +325,8 @@ class Run {
   // What a spring holds; one whose force is cut gives it back all the way.
   double stored_J() const {
     const double force_N = glm::length(command_.N);
-    if (felt_N_per_mm_ >= 0.0) return 0.5e-3 * force_N * stretch_mm_;
-    const double bent_mm = std::min(stretch_mm_, force_N / last_felt_N_per_mm_);
-    return 1e-3 * force_N * (stretch_mm_ - 0.5 * bent_mm);
+    if (felt_N_per_mm_ >= 0.0) return 0.5e-3 * felt_N_per_mm_ * stretch_mm_ * stretch_mm_;
+    return 1e-3 * force_N * (stretch_mm_ - 0.5 * bent_mm_);
   }
 
   scenes::Random random_;
@@ -342,7 +343,8 @@ class Run {
   Vec3 target_mm_{40, 0, 0};
   ForceN command_;
   PointMm sensed_;
-  double stretch_mm_ = 0, felt_N_per_mm_ = -1, last_felt_N_per_mm_ = 0.5;  // negative: none, or the force is cut
+  double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
+  double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
   double before_fault_N_ = 0;
   double since_fault_ = 0, stale_ = 0;
   bool lasting_ = false;
