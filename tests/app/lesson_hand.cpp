@@ -214,7 +214,7 @@ Vec3 LessonHand::outward(const Vec3& place_A) const {
 void LessonHand::face(Vec3 direction) {
   for (int turns = 0; turns < 12; ++turns) {
     const Vec3 v = glm::normalize(glm::conjugate(d_.app().scene.camera.orientation) * direction);
-    if (v.z > 0.97) return;
+    if (v.z > 0.995) return;
     const double right = -std::atan2(v.x, v.z), down = std::asin(v.y);
     if (mouse()) {
       // Few people drag farther than a third of the view at once.
@@ -223,7 +223,7 @@ void LessonHand::face(Vec3 direction) {
       continue;
     }
     const auto turn = [&](double rad, const char* plus, const char* minus) {
-      if (std::abs(rad) < 0.05) return;
+      if (std::abs(rad) < 0.03) return;
       const char* keys = rad > 0.0 ? plus : minus;
       d_.hold(keys);
       d_.frames(std::max(1, int(std::abs(rad) / kOrbit_rad_per_s * 60.0)));
