@@ -49,18 +49,14 @@ std::vector<KeySpec> sceneKeys() {
                   "the molecule and the text alone. Left out, those stay that the student has opened.",
        .words = {"touch", "methods", "none"}},
       {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
-<<<<<<< HEAD
-      {.name = "view", .type = ValueType::View, .meaning = "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would look at the "
-                                                            "student lies across; 'facing' turns these atoms to the front.",
+      {.name = "view", .type = ValueType::View,
+       .meaning = "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would look at the student lies "
+                  "across; 'facing' turns these atoms to the front.",
        .fallback = "side", .words = {"side", "front", "back", "left", "right", "top", "bottom"}},
-=======
-      {.name = "view", .type = ValueType::View, .meaning = "From where the molecule is seen at first; 'facing' turns these atoms to the front.",
-       .fallback = "front", .words = {"front", "back", "left", "right", "top", "bottom"}},
       {.name = "magnify", .type = ValueType::Target,
        .meaning = "Atoms that are to fill the room of the hand: they are felt larger, and the view comes close to them; with 'view' they can "
                   "be turned to the front. 'none' ends what an earlier scene magnified.",
        .words = {"none"}},
->>>>>>> main
       {.name = "locked", .type = ValueType::WordList,
        .meaning = "What the student cannot change here, besides what the front matter locks.", .words = kLockable},
   };
