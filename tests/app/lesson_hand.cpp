@@ -11,7 +11,7 @@
 namespace moltact {
 namespace {
 
-constexpr int kAttempts = 8;                  // in a row that bring a task no further
+constexpr int kAttempts = 24;                 // in a row that bring a task no further
 constexpr double kOrbit_rad_per_px = 0.008, kOrbit_rad_per_s = 1.4;
 constexpr double kSeen = 0.5;                 // a slide goes on while the surface looks at the student so much (cosine)
 constexpr double kSame_A = 0.1;               // sideways: nearer than this a plan only pushes deeper

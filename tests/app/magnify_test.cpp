@@ -81,8 +81,8 @@ TEST_CASE("magnified in the middle of a press the contact stays, and the force g
   auto d = startWith();
   d->point("view");
   d->press();
-  for (int k = 0; k < 200 && d->app().scene.log().force_N() < 0.4; ++k) d->frames(1);
-  REQUIRE(d->app().scene.log().force_N() >= 0.4);
+  for (int k = 0; k < 200 && d->app().scene.log().force_N() < 0.3; ++k) d->frames(1);
+  REQUIRE(d->app().scene.log().force_N() >= 0.3);
   d->tap("Ctrl+G");
   CHECK(scale(*d) == doctest::Approx(0.1));
   CHECK(d->app().scene.log().touching());

@@ -138,7 +138,7 @@ TEST_CASE("a scene without a molecule changes only what it says; one with a mole
   CHECK((l.steps[2].scene.probe_A == 1.0 && !l.steps[2].scene.force && l.steps[2].scene.molecule == "mix"));
   CHECK((l.steps[2].scene.view.empty() && l.steps[2].scene.facing.text() == "ligand"));
   const SceneSpec& d = l.steps[3].scene;
-  CHECK((d.probe_A == 1.4 && d.force && d.stiffness_N_per_mm == doctest::Approx(0.5) && d.view == "front" && !d.facing.given()));
+  CHECK((d.probe_A == 1.4 && d.force && d.stiffness_N_per_mm == doctest::Approx(0.5) && d.view == "side" && !d.facing.given()));
   CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
 }
 
