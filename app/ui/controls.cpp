@@ -99,7 +99,7 @@ bool slider(const char* name, const char* label, double& value, double least, do
   const double before = value;
   const auto snapped = [&](double v) { return std::clamp(least + std::round((v - least) / step) * step, least, most); };
   if (held && GImGui->ActiveIdSource == ImGuiInputSource_Mouse) value = snapped(least + (most - least) * double(std::clamp((ImGui::GetIO().MousePos.x - x0) / (x1 - x0), 0.0f, 1.0f)));
-  value = snapped(value + step * arrowsAtItem());
+  if (const int notches = arrowsAtItem()) value = snapped(value + step * notches);
   if (hovered && !held && ImGui::GetIO().MouseWheel != 0.0f) {
     value = snapped(value + step * double(ImGui::GetIO().MouseWheel));
     ImGui::GetIO().MouseWheel = 0.0f;

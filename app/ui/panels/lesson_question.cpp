@@ -37,6 +37,7 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 ground = told ? (right ? p.good_soft : p.bad_soft) : ImGui::IsItemHovered() ? p.hovered : p.raised;
   draw->AddRectFilled(low, high, ground, l.px(7));
+  if (l.theme == ThemeChoice::HighContrast) draw->AddRect(low, high, p.line, l.px(7), 0, std::max(1.0f, l.scale));
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark + l.px(1)};
   const ImU32 colour = told ? (right ? p.good : p.bad) : ticked ? p.accent : p.faint;
   if (round) {

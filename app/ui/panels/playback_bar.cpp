@@ -130,18 +130,19 @@ void drawPlaybackBar(Application& app) {
   if (button("playback/play", playback.running() ? "Pause" : "Play", ButtonLook::Primary, l.tx(72))) playback.setRunning(!playback.running());
   tip("Space; arrows left and right by 5 s, with Shift from mark to mark");
   ImGui::SameLine();
-  const std::string time = clockText(playback.at_s()) + " / " + clockText(playback.timeline().length_s());
-  const float time_w = ImGui::CalcTextSize((clockText(playback.timeline().length_s()) + " / " + clockText(playback.timeline().length_s())).c_str()).x + l.px(6);
-  drawScrubber(playback, whole - l.tx(72) - l.tx(58) - time_w - 3 * gap);
+  const std::string length = clockText(playback.timeline().length_s()), time = clockText(playback.at_s()) + " / " + length;
+  // Where there is little room the time stands before the words.
+  const bool wide = whole > l.tx(430);
+  const float time_w = wide ? ImGui::CalcTextSize((length + " / " + length).c_str()).x + l.px(6) + gap : 0.0f;
+  drawScrubber(playback, whole - l.tx(72) - l.tx(58) - time_w - 2 * gap);
   ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
   const float y = ImGui::GetCursorPosY();
-  ImGui::SetCursorPosY(y + std::max(0.0f, 0.5f * (l.tx(30) - ImGui::GetFontSize()) - ImGui::GetStyle().FramePadding.y));
-  {
+  if (wide) {
+    ImGui::SetCursorPosY(y + std::max(0.0f, 0.5f * (l.tx(30) - ImGui::GetFontSize())));
     WithText quiet(l.palette.quiet);
     ImGui::TextUnformatted(time.c_str());
+    recordItem("playback/time", time);
   }
-  recordItem("playback/time", time);
   ImGui::SameLine(l.px(14) + whole - l.tx(58));
   ImGui::SetCursorPosY(y);
   drawSpeed(playback);
@@ -149,7 +150,7 @@ void drawPlaybackBar(Application& app) {
   // What happened last stands where there is room beside the switches.
   const float switches = l.tx(350), close_w = l.tx(72);
   const bool roomy = whole > switches + l.tx(120);
-  const std::string words = told(playback);
+  const std::string words = (wide ? "" : time + "  ") + told(playback);
   {
     WithText quiet(l.palette.quiet);
     const float row = ImGui::GetCursorPosY();
