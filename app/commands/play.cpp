@@ -14,7 +14,7 @@
 namespace moltact {
 namespace {
 
-struct Options {
+struct PlayOptions {
   std::string lesson, answers;
   bool demonstrate = false, json = false;
   double task_s = 180.0;
@@ -108,7 +108,7 @@ std::vector<StudentAct> actsOf(const std::string& file) {
   throw CommandError{lines(read.problems)};
 }
 
-void run(const Options& options) {
+void run(const PlayOptions& options) {
   LessonReading reading = readLesson(options.lesson);
   if (!reading.lesson) throw CommandError{lines(reading.errors)};
   const auto lesson = std::make_shared<const Lesson>(*std::move(reading.lesson));
@@ -147,7 +147,7 @@ void run(const Options& options) {
 
 void addPlay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("play", "Let a student made of code go through a lesson, without a window");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<PlayOptions>();
   command->add_option("lesson", options->lesson, "the lesson's file")->required();
   CLI::Option* answers = command->add_option("--answers", options->answers,
                                              "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"

@@ -15,7 +15,7 @@
 namespace moltact {
 namespace {
 
-struct Options {
+struct ReplayOptions {
   MoleculeArgument molecule;
   std::string path, out, method = "exact";
   double probe_A = kWaterProbe_A, stiffness_N_per_A = 1.0;
@@ -40,7 +40,7 @@ void append(std::string& row, const Vec3& v) {
   }
 }
 
-void writeTrace(const Options& options, const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
+void writeTrace(const ReplayOptions& options, const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
   std::ofstream out(options.out, std::ios::binary);
   if (!out) throw CommandError{Problem{options.out, 0, 0, "the trace cannot be written", "check the folder and that you may write there"}.text()};
   out << "tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n";
@@ -109,7 +109,7 @@ nlohmann::ordered_json timePath(const Method& method, const std::shared_ptr<cons
   return out;
 }
 
-void run(const Options& options) {
+void run(const ReplayOptions& options) {
   const Molecule molecule = options.molecule.load();
   const auto path = readHipPath(options.path);
   if (!path) throw CommandError{path.problem().text()};
@@ -136,7 +136,7 @@ void run(const Options& options) {
 
 void addReplay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("replay", "Lead the HIP along a recorded path and write what a hand would feel");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReplayOptions>();
   options->molecule.addTo(*command);
   command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")->required();
   command->add_option("--out", options->out, "where to write the trace (CSV); may be left out with --time");

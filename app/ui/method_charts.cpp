@@ -34,7 +34,7 @@ void text(ImVec2 at, ImU32 colour, const std::string& words, float size, float a
   ImGui::GetWindowDrawList()->AddText(font, size, {at.x - align * width, at.y}, colour, words.c_str());
 }
 
-std::string timeText(double time_us) {
+std::string tickTimeText(double time_us) {
   char out[32];
   if (time_us < 1.0) std::snprintf(out, sizeof out, "%.0f ns", time_us * 1e3);
   else std::snprintf(out, sizeof out, time_us < 10 ? "%.1f µs" : "%.0f µs", time_us);
@@ -78,7 +78,7 @@ void tickHistogram(const char* name, const MethodRecord* record, float height) {
   const Look& l = look();
   const Palette& p = l.palette;
   const bool any = record && !record->times.empty();
-  const std::string reading = any ? "half within " + timeText(record->times.quantile_us(0.5)) : "touch to measure";
+  const std::string reading = any ? "half within " + tickTimeText(record->times.quantile_us(0.5)) : "touch to measure";
   const Frame f = begin("Time for a tick", reading, height);
   if (any) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -159,10 +159,10 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
       break;
     }
     recordRectangle(std::string(name) + "/" + r->method, {c.x - dot, c.y - dot}, {c.x + dot, c.y + dot},
-                    timeText(r->times.quantile_us(0.5)) + ", " + errorText(r->error_A));
+                    tickTimeText(r->times.quantile_us(0.5)) + ", " + errorText(r->error_A));
     const ImVec2 mouse = ImGui::GetIO().MousePos;
     if (ImGui::IsWindowHovered() && std::hypot(mouse.x - c.x, mouse.y - c.y) < l.px(9))
-      ImGui::SetTooltip("%s: %s, %s", label.c_str(), timeText(r->times.quantile_us(0.5)).c_str(), errorText(r->error_A).c_str());
+      ImGui::SetTooltip("%s: %s, %s", label.c_str(), tickTimeText(r->times.quantile_us(0.5)).c_str(), errorText(r->error_A).c_str());
   }
   draw->PopClipRect();
 }
