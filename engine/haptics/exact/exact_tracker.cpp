@@ -82,18 +82,21 @@ Contact ExactTracker::step(PointA hip) noexcept {
   const Vec3& h = hip.A;
   // Most ticks of all: free, and nothing can be met yet. A HIP that is not a number fails the comparison.
   if (feature_ == Feature::Free && armed_) {
-    const Vec3 local = h - near_.origin(), way = local - free_from_;
-    if (glm::dot(way, way) < free_gap2_) {
-      scp_ = local;
+    const Vec3& o = near_.origin();
+    const double x = h.x - o.x, y = h.y - o.y, z = h.z - o.z;  // one by one: as a vector they would go through memory
+    const double way_x = x - free_from_.x, way_y = y - free_from_.y, way_z = z - free_from_.z;
+    if (way_x * way_x + way_y * way_y + way_z * way_z < free_gap2_) {
+      scp_.x = x, scp_.y = y, scp_.z = z;
       return {.scp = hip};
     }
   }
-  return lookRound(hip);
+  return lookRound(h.x, h.y, h.z);
 }
 
 // A tick that is not plainly free; apart, so that those need not save its registers.
-Contact ExactTracker::lookRound(PointA hip) noexcept {
-  const Vec3& h = hip.A;
+Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
+  const Vec3 h(x, y, z);
+  const PointA hip{h};
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
   const Vec3 local = h - near_.origin();
   if (!armed_) {

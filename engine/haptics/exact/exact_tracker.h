@@ -71,7 +71,7 @@ class ExactTracker final : public Tracker {
 
   enum class Went : std::uint8_t { Rests, GoesOn, Stuck };
 
-  [[gnu::noinline]] Contact lookRound(PointA hip) noexcept;
+  [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
   bool holdsQuickly(const Vec3& hip) noexcept;
   void flow(const Vec3& hip) noexcept;
   Went fly(const Vec3& hip) noexcept;
