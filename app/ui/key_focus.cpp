@@ -34,7 +34,7 @@ KeyStops& stops() {
 
 bool popupOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
 
-bool taken(int key) {
+bool takenKey(int key) {
   if (!ImGui::IsKeyPressed(key, false)) return false;
   ImGui::GetIO().KeysDownDuration[key] = 1e-6f;  // no longer newly pressed in this frame
   return true;
@@ -104,7 +104,7 @@ void openMenus(PanelState& panels) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool tapped = altTapped(panels);
   if (ImGui::GetTopMostPopupModal()) return;
-  if (tapped || (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift && taken(GLFW_KEY_F10))) {
+  if (tapped || (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift && takenKey(GLFW_KEY_F10))) {
     // The second time they close.
     if (popupOpen()) ImGui::ClosePopupToLevel(0, true);
     else panels.menu_wanted = 0;
@@ -134,16 +134,19 @@ void leadByKeys(Application& app) {
   bool& in_panels = app.panels.keys_in_panels;
   if (ImGui::GetFrameCount() <= 1) stops() = {};  // of another context
   stops().before = std::exchange(stops().now, {});
+  // Escape has closed a menu or list before this frame's first line.
+  if (app.panels.popup_open && !popupOpen()) takenKey(GLFW_KEY_ESCAPE);
   openMenus(app.panels);
   const bool page = ImGui::GetTopMostPopupModal() != nullptr, menu = popupOpen() && !page;
   for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button) in_panels = in_panels && !ImGui::IsMouseClicked(button);
-  if (!page && !menu && in_panels && !io.WantTextInput && taken(GLFW_KEY_ESCAPE)) in_panels = false;
-  const bool tab = ImGui::IsKeyPressed(GLFW_KEY_TAB, true), panel = !page && taken(GLFW_KEY_F6);
+  if (!page && !menu && in_panels && !io.WantTextInput && takenKey(GLFW_KEY_ESCAPE)) in_panels = false;
+  const bool tab = ImGui::IsKeyPressed(GLFW_KEY_TAB, true), panel = !page && takenKey(GLFW_KEY_F6);
   if (!menu && !io.KeyCtrl && !io.KeyAlt && (tab || panel)) {
     const bool moved = move(io.KeyShift ? -1 : 1, panel, page);
     if (!page) in_panels = moved;
     if (!moved) ImGui::ClearActiveID();
   }
+  app.panels.popup_open = page || menu;
   const bool on = page || menu || in_panels || app.panels.menu_wanted >= 0;
   io.ConfigFlags = on ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
   if (!on) g.NavDisableHighlight = true;
@@ -157,7 +160,7 @@ unsigned keyStop() {
   const ImGuiLastItemData& item = g.LastItemData;
   ImGuiWindow* window = g.CurrentWindow;
   if (!item.ID || window->DC.NavLayerCurrent != ImGuiNavLayer_Main || item.InFlags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav) ||
-      window->Flags & ImGuiWindowFlags_NoInputs)
+      window->Flags & ImGuiWindowFlags_NoNavInputs)
     return 0;
   std::vector<KeyStop>& all = stops().now;
   if (all.empty() || all.back().id != item.ID) all.push_back({item.ID, window, item.Rect, bool(item.InFlags & ImGuiItemFlags_Inputable)});

@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-void record(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text, unsigned key_stop) {
+void recordAs(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text, unsigned key_stop) {
   WidgetRecord record{low, high, {}, {}, std::move(text)};
   record.key_stop = key_stop;
   if (const ImGuiWindow* window = ImGui::GetCurrentWindowRead()) {
@@ -27,11 +27,11 @@ WidgetMap& widgets() {
 }
 
 void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text) {
-  record(name, low, high, std::move(text), 0);
+  recordAs(name, low, high, std::move(text), 0);
 }
 
 void recordControl(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text) {
-  record(name, low, high, std::move(text), keyStop());
+  recordAs(name, low, high, std::move(text), keyStop());
 }
 
 void recordItem(std::string_view name, std::string text) {

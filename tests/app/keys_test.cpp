@@ -39,6 +39,7 @@ TEST_CASE("Tab leads once through every control of each step of a lesson, of the
   for (std::size_t k = 0; k < steps; ++k) {
     CAPTURE(k);
     const std::vector<std::string> way = tabbed(*d);
+    REQUIRE_FALSE(way.empty());
     CHECK(std::set<std::string>(way.begin(), way.end()) == controls());
     CHECK(way.size() == controls().size());
     CHECK(way.front().find("tool/") == std::string::npos);

@@ -83,6 +83,7 @@ TEST_CASE("a student goes from the welcome page through a step, a wrong and a ri
   d->app().panels.welcome = true;
   runAll(*d, R"(
 wait 40
+point welcome/own/first-touch
 expect welcome/own/first-touch First touch
 click welcome/own/first-touch
 wait 20

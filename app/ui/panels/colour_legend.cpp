@@ -15,17 +15,17 @@
 namespace moltact {
 namespace {
 
-struct Entry {
+struct LegendEntry {
   Colour colour;
   std::string name;
   std::size_t atoms = 0;
 };
 
-constexpr std::size_t kMost = 9;  // entries; a molecule of more has the commonest
+constexpr std::size_t kMostEntries = 9;  // entries; a molecule of more has the commonest
 
 // Chains in their order, then elements from the commonest to the rarest.
-std::vector<Entry> entriesOf(const Molecule& molecule, ColourBy by, ElementColours elements) {
-  std::vector<Entry> chains, others;
+std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, ElementColours elements) {
+  std::vector<LegendEntry> chains, others;
   std::array<std::size_t, kElementCount + 1> of_element{};
   std::vector<std::size_t> of_chain(molecule.chains.size());
   for (const Atom& a : molecule.atoms) {
@@ -36,7 +36,7 @@ std::vector<Entry> entriesOf(const Molecule& molecule, ColourBy by, ElementColou
     if (of_chain[k]) chains.push_back({chainColour(std::uint32_t(k)), "chain " + molecule.chains[k].name, of_chain[k]});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k]) others.push_back({elementColour(std::uint8_t(k), elements), std::string(element(int(k)).name), of_element[k]});
-  std::stable_sort(others.begin(), others.end(), [](const Entry& a, const Entry& b) { return a.atoms > b.atoms; });
+  std::stable_sort(others.begin(), others.end(), [](const LegendEntry& a, const LegendEntry& b) { return a.atoms > b.atoms; });
   chains.insert(chains.end(), others.begin(), others.end());
   return chains;
 }
@@ -47,12 +47,12 @@ void drawColourLegend(Application& app, const Rectangle& view) {
   const bool by_chain = app.scene.colour_by == ColourBy::Chain;
   if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(Shape::Atoms)) return;
   const Look& l = look();
-  std::vector<Entry> entries = entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
-  if (entries.size() > kMost) entries.resize(kMost);
+  std::vector<LegendEntry> entries = entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
+  if (entries.size() > kMostEntries) entries.resize(kMostEntries);
   WithFont small(Font::Small);
   const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(), indent = 2 * dot + l.px(8);
   float wide = 0.0f;
-  for (const Entry& e : entries) wide = std::max(wide, ImGui::CalcTextSize(e.name.c_str()).x);
+  for (const LegendEntry& e : entries) wide = std::max(wide, ImGui::CalcTextSize(e.name.c_str()).x);
   const ImVec2 low{view.low.x + l.px(14), view.low.y + l.px(14)};
   const ImVec2 high{low.x + indent + wide + 2 * pad, low.y + line * float(entries.size()) - l.px(5) + 2 * pad};
   if (high.x > view.high.x - l.px(60) || high.y > view.high.y - l.px(80)) return;  // no room for it
@@ -60,7 +60,7 @@ void drawColourLegend(Application& app, const Rectangle& view) {
   draw->AddRectFilled(low, high, faded(l.palette.panel, 0.88f), l.px(8));
   std::string text;
   float y = low.y + pad;
-  for (const Entry& e : entries) {
+  for (const LegendEntry& e : entries) {
     const ImVec2 centre{low.x + pad + dot, y + 0.5f * ImGui::GetFontSize()};
     draw->AddCircleFilled(centre, dot, ImGui::ColorConvertFloat4ToU32({e.colour.x, e.colour.y, e.colour.z, 1.0f}), 24);
     draw->AddCircle(centre, dot, l.palette.quiet, 24, 1.0f);

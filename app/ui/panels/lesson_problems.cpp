@@ -77,7 +77,7 @@ void drawLessonProblems(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {side, pad});
   ImGui::Begin("lesson-problems", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
   const float top = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(top + 0.5f * (head - text_h));
   ImGui::PushTextWrapPos(side + text_w);

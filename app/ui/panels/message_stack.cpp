@@ -34,7 +34,7 @@ void drawMessageStack(Application& app) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
     ImGui::Begin(name.c_str(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
     ImGui::PushTextWrapPos(pad + text_w);
     ImGui::TextUnformatted(m.text.c_str());
     recordItem(name, m.text);
