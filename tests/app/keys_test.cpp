@@ -84,13 +84,13 @@ TEST_CASE("where Tab has led the keys to a panel, arrows and Space work its cont
   for (int k = 0; k < 30 && controlOfKeys() != "probe"; ++k) d->tap("Tab"), d->frames(1);
   REQUIRE(controlOfKeys() == "probe");
   const double probe_A = d->app().scene.servo_settings.probe_A;
-  const auto before = at();
   d->tap("Right");
   d->tap("Right");
   d->tap("Left");
   d->frames(5);
   CHECK(d->app().scene.servo_settings.probe_A == doctest::Approx(probe_A + 0.1));
   CHECK(controlOfKeys() == "probe");
+  const auto before = at();  // a larger probe stands farther out
   d->hold("Space");
   d->frames(20);
   d->letGo("Space");

@@ -140,6 +140,7 @@ expect question/0/feedback Yes. It touches both
   runAll(*d, R"(
 wait 60
 expect message/0 Read again: first-touch.md
+point lesson/place
 expect lesson/place Step 2 of
 expect lesson/0 Here, said anew
 point question/0/feedback
@@ -150,6 +151,7 @@ expect question/0/feedback Yes. It touches both
   runAll(*d, R"(
 wait 60
 expect lesson-problems first-touch.md: 1 problem. You see the last good version
+point lesson/0
 expect lesson/0 Here, said anew
 click lesson-problems/show
 wait 3
@@ -159,6 +161,7 @@ expect lesson-problem/0 crease
   runAll(*d, R"(
 wait 60
 expect-not lesson-problems problem
+point lesson/place
 expect lesson/place Step 2 of
 point question/0/feedback
 expect question/0/feedback Yes. It touches both
