@@ -153,7 +153,11 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
       const Box box{t, {t.x + size.x, t.y + size.y}};
       const bool inside = box.low.x >= f.low.x + l.px(2) && box.high.x <= f.high.x - l.px(2) && box.low.y >= f.low.y && box.high.y <= f.high.y;
       const Box own{{c.x - dot, c.y - dot}, {c.x + dot, c.y + dot}};
-      if (!inside || std::any_of(taken.begin(), taken.end(), [&](const Box& b) { return b.meets(box) && !b.meets(own); })) continue;
+      // A name may lie on a mark only where that mark and its own lie on each other; on a name never.
+      const auto marks_end = taken.begin() + std::ptrdiff_t(shown.size());
+      if (!inside || std::any_of(taken.begin(), marks_end, [&](const Box& b) { return b.meets(box) && !b.meets(own); }) ||
+          std::any_of(marks_end, taken.end(), [&](const Box& b) { return b.meets(box); }))
+        continue;
       taken.push_back(box);
       text(t, now ? p.text : p.quiet, label, label_size);
       break;

@@ -50,12 +50,14 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
   return {first.ball(), std::min(1.0, t0 + first.at() / whole)};
 }
 
-double clearance(const BallScene& scene, double probe_A, const Vec3& place) noexcept {
-  const Vec3 low = scene.low_A() - Vec3(probe_A), high = scene.high_A() + Vec3(probe_A);
+double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept {
   if (scene.size() == 0) return kFarthest_A;
-  const double looked = 0.5 * scene.cell_A();
-  const Vec3 outside = glm::max(glm::max(low - place, place - high), Vec3(0.0));
-  const double to_box = glm::length(outside);
+  const Vec3 low = scene.low_A() - Vec3(probe_A), high = scene.high_A() + Vec3(probe_A);
+  return glm::length(glm::max(glm::max(low - place, place - high), Vec3(0.0)));
+}
+
+double clearance(const BallScene& scene, double probe_A, const Vec3& place) noexcept {
+  const double looked = 0.5 * scene.cell_A(), to_box = wayToBox(scene, probe_A, place);
   if (to_box > looked) return to_box;
   double best = looked;
   scene.visitNear(place, probe_A + looked, [&](std::uint32_t, const Ball& b) {

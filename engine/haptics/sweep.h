@@ -59,6 +59,9 @@ inline void lessenGap(double& gap, const Vec3& from_centre, double radius) {
 Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to,
           std::span<const std::int32_t> leaving = {}) noexcept;
 
+/// The distance from `place` to the box round all inflated balls, 0 inside it.
+double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept;
+
 /// A lower bound of the distance from `place` to the nearest inflated ball, exact when under one grid cell;
 /// negative or zero inside or on a ball.
 double clearance(const BallScene& scene, double probe_A, const Vec3& place) noexcept;

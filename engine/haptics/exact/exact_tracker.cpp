@@ -168,7 +168,7 @@ std::int32_t ExactTracker::outermost(std::int32_t ball) const noexcept {
 double ExactTracker::gapRound(const Vec3& place) noexcept {
   double least = kFarthest_A;
   const double known = near_.each(place, kLook_A, [&](const NearBall& b) { lessenGap(least, place - b.centre, b.radius); });
-  return least < known ? least : std::max(known, clearance(near_.scene(), near_.probe_A(), near_.origin() + place));
+  return least < known ? least : std::max(known, wayToBox(near_.scene(), near_.probe_A(), near_.origin() + place));
 }
 
 // The first ball on a straight way. A short one meets only what is known to be near.
