@@ -167,6 +167,7 @@ point question/0/feedback
 expect question/0/feedback Yes. It touches both
 key Ctrl+H
 wait 3
+point welcome/next
 expect welcome/next Back to First touch
 click welcome/molecule/benzene
 wait 10

@@ -49,6 +49,9 @@ void drawColourLegend(Application& app, const Rectangle& view) {
   const Look& l = look();
   std::vector<LegendEntry> entries = entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
   if (entries.size() > kMostEntries) entries.resize(kMostEntries);
+  ViewScene marks;
+  app.lesson.decorate(marks);
+  if (!marks.highlighted.empty() && app.scene.shown.has(Shape::Target)) entries.push_back({l.viewTheme().target, "marked", marks.highlighted.size()});
   WithFont small(Font::Small);
   const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(), indent = 2 * dot + l.px(8);
   float wide = 0.0f;
