@@ -34,12 +34,14 @@ std::unique_ptr<Device> opened(const std::string& name) {
 }
 
 void describe(const DeviceInfo& info) {
-  char text[320];
+  char text[320], room[80] = "without an edge";
+  if (finite(info.workspace_mm))
+    std::snprintf(room, sizeof room, "%.0f x %.0f x %.0f mm", info.workspace_mm.x, info.workspace_mm.y, info.workspace_mm.z);
   std::snprintf(text, sizeof text,
-                "%s: %d degrees of freedom in, %d out; room %.0f x %.0f x %.0f mm; %.1f N for a moment, %.2f N for good;\n"
+                "%s: %d degrees of freedom in, %d out; room %s; %.1f N for a moment, %.2f N for good;\n"
                 "stiffness up to %.2f N/mm, damping up to %.1f N s/m, steps of %.3f mm, %.1f ms of delay\n",
-                info.name.c_str(), info.dof_in, info.dof_out, info.workspace_mm.x, info.workspace_mm.y, info.workspace_mm.z, info.max_force_N,
-                info.continuous_force_N, info.max_stiffness_N_per_mm, info.max_damping_N_s_per_m, info.resolution_mm, 1e3 * info.delay_s);
+                info.name.c_str(), info.dof_in, info.dof_out, room, info.max_force_N, info.continuous_force_N, info.max_stiffness_N_per_mm,
+                info.max_damping_N_s_per_m, info.resolution_mm, 1e3 * info.delay_s);
   std::cout << text;
 }
 

@@ -22,6 +22,10 @@ bool atWork(const App& a) { return !a.panels.welcome; }
 bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.touch || !a.lesson.locks("panels")); }
 bool mayMethods(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
 
+bool mayMagnify(const App& a) {
+  return hasStage(a) && !a.scene.playing() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
+}
+
 // Where only one side panel has room, showing one hides the other.
 void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
   const bool seen = !place.empty();
@@ -91,6 +95,9 @@ constexpr std::array kActions{
     Action{.name = "reset", .menu = Menu::View, .parted = true, .label = "Reset view", .shortcut = "Home",
            .run = [](App& a) { a.resetViewByHand(); },
            .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
+    Action{.name = "magnify", .menu = Menu::View, .label = "Magnify round the probe", .shortcut = "Ctrl+G",
+           .sentence = "What lies round the probe fills the room of your hand", .run = [](App& a) { a.scene.magnify(!a.scene.magnifiedByHand()); },
+           .enabled = mayMagnify, .on = [](const App& a) { return a.scene.magnifiedByHand(); }},
     Action{.name = "full-screen", .menu = Menu::View, .label = "Full screen", .shortcut = "F11", .sentence = "Full screen, for a projector",
            .icon = Icon::FullScreen, .tool = 5, .run = [](App& a) { a.panels.full_screen = !a.panels.full_screen; },
            .on = [](const App& a) { return a.panels.full_screen; }},

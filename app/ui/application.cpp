@@ -91,6 +91,7 @@ void Application::enterScene() {
     return;
   }
   if (*file == scene.file() && scene.stage() && !loader_.busy()) {
+    scene.setRegion(lesson.region());
     beginSceneAgain();
     return;
   }
@@ -133,6 +134,7 @@ void Application::takeUp(Loaded loaded) {
   }
   panels.welcome = false;
   lesson.meet(loaded.stage->molecule, loaded.file);
+  scene.setRegion(lesson.region());
   scene.show(*std::move(loaded.stage), loaded.file, facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }

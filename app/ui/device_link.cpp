@@ -1,15 +1,19 @@
 #include "app/ui/device_link.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/ui/application.h"
+#include "app/ui/extensions.h"
 #include "engine/servo/plain_trackers.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kAsk_s = 0.25;             // between two questions for the device's state
+constexpr double kLookAgain_s = 2.0;        // for a device that is waited for
 constexpr double kTurned = 1e-9;            // a view that has turned by less has not
+constexpr double kTurn_rad_per_s = 1.5, kPan_heights_per_s = 0.5, kCloser_per_s = 2.2;  // of a view that a device leads fully
 constexpr float kForgetTick = 1.0f / 3000;  // so the classes stand for the last 3 s
 constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
 
@@ -18,18 +22,25 @@ constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
 void DeviceLink::look() { found_ = findDevices(); }
 
 void DeviceLink::choose(Application& app, const std::string& name) {
+  if (const std::optional<Problem> problem = use(app, name)) {
+    app.messages.error(problem->text());
+    return;
+  }
+  awaited_.clear();
+  awaited_title_.clear();
+  app.settings.device = name;
+}
+
+std::optional<Problem> DeviceLink::use(Application& app, const std::string& name) {
   stopTrying(app);
   ServoLink& servo = app.scene.servo();
   if (name == "mouse") {
     servo.setDevice(nullptr);
   } else {
     // The old one goes first: it may be the same.
-    if (name == chosen_) return;
+    if (name == chosen_) return std::nullopt;
     auto device = openDevice(name);
-    if (!device) {
-      app.messages.error(device.problem().text());
-      return;
-    }
+    if (!device) return device.problem();
     servo.setDevice(std::move(*device));
   }
   chosen_ = name;
@@ -37,6 +48,32 @@ void DeviceLink::choose(Application& app, const std::string& name) {
   asked_s_ = -1.0;
   // A hand that is held has an edge to its room, and a button to reach beyond it.
   app.scene.servo_settings.clutch = name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
+  return std::nullopt;
+}
+
+void DeviceLink::begin(Application& app) {
+  begun_ = true;
+  std::string name = app.settings.device;
+  // On a script's clock a device that happens to be plugged in is none of the script's business.
+  if (name.empty() && app.scene.servo().clock() == ServoClock::RealThread) name = defaultDevice(findDevices()).name;
+  if (name.empty() || name == "mouse") return;
+  const std::optional<FoundDevice> found = findDevice(name);
+  if (found && found->usable && !use(app, name)) return;
+  // A name that no driver has any more is forgotten.
+  if (!found && !findDevice(name.substr(0, name.find(':')))) return;
+  awaited_ = name;
+  awaited_title_ = found ? found->title : name;
+  app.messages.notice(awaited_title_ + " is not there" + (found && !found->why.empty() ? " (" + found->why + ")" : "") + ". Until it is, the mouse leads.");
+}
+
+void DeviceLink::await(Application& app) {
+  if (awaited_.empty() || app.now_s() - looked_s_ < kLookAgain_s) return;
+  looked_s_ = app.now_s();
+  const std::optional<FoundDevice> found = findDevice(awaited_);
+  if (!found || !found->usable || use(app, awaited_)) return;
+  awaited_.clear();
+  awaited_title_.clear();
+  app.messages.notice(app.scene.servo().chosen()->info().name + " is there and leads.");
 }
 
 void DeviceLink::tryForce(Application& app) {
@@ -65,7 +102,29 @@ void DeviceLink::turnWithView(Application& app) {
   ++app.scene.servo_settings.placements;
 }
 
+// A cap or a stick that leads the view; not while a task keeps the screen dark.
+void DeviceLink::leadView(Application& app) {
+  Device* device = app.scene.servo().chosen();
+  if (!device || !app.scene.stage() || app.scene.servo().fallenBack() || app.extensions().task_stager.dark()) return;
+  const ViewWish wish = device->viewWish();
+  const double dt = app.dt_s();
+  Camera& camera = app.scene.camera;
+  if (wish.turn != Vec3(0.0)) {
+    const Vec3 turn = wish.turn * (kTurn_rad_per_s * dt);
+    camera.orbit(turn.y, turn.x);
+    camera.roll(turn.z);
+  }
+  if (wish.move != Vec3(0.0)) {
+    const int height = std::max(1, int(app.layout().view.size().y));
+    camera.pan(wish.move.x * kPan_heights_per_s * height * dt, -wish.move.y * kPan_heights_per_s * height * dt, height);
+    camera.zoom(std::pow(kCloser_per_s, wish.move.z * dt));
+  }
+}
+
 void DeviceLink::beforeTicks(Application& app) {
+  if (!begun_) begin(app);
+  await(app);
+  leadView(app);
   turnWithView(app);
   for (double& left : limit_left_s_) left = std::max(0.0, left - app.dt_s());
   if (trying_s_ > 0.0) {

@@ -1,8 +1,10 @@
-// The device in the person's hand: which there are, which is chosen, how it is, and what its safety limits did. Where it
-// leads, its axes are the screen's. Window's thread. Units: second, millimetre.
+// The device in the person's hand: which there are, which is chosen, how it is, and what its safety limits did. At the start the
+// one that was chosen last is opened, or is waited for; where nobody ever chose, the default. Where it leads, its axes are the
+// screen's. Window's thread. Units: second, millimetre.
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,10 +25,12 @@ class DeviceLink : public Extension {
   /// Looks which devices there are: some tens of milliseconds.
   void look();
   const std::vector<FoundDevice>& found() const { return found_; }
-  /// Opens it and takes it into use; "mouse" goes back to the mouse alone. What cannot be opened is told in a message and
-  /// changes nothing.
+  /// Opens it and takes it into use, now and at the next start; "mouse" goes back to the mouse alone. What cannot be opened is
+  /// told in a message and changes nothing.
   void choose(Application& app, const std::string& name);
   const std::string& chosen() const { return chosen_; }
+  /// What is written on the device that was chosen earlier and is not there; empty: none is waited for.
+  const std::string& awaited() const { return awaited_title_; }
   const DeviceStatus& status() const { return status_; }
 
   /// Pulls gently to the right for kTry_s, whatever is on the stage.
@@ -41,14 +45,21 @@ class DeviceLink : public Extension {
   void beforeTicks(Application& app) override;
   void ticks(Application& app, const FeltTicks& felt) override;
   void afterPanels(Application& app) override;
-  bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0; }
+  bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty(); }
 
  private:
+  std::optional<Problem> use(Application& app, const std::string& name);
+  void begin(Application& app);
+  void await(Application& app);
   void turnWithView(Application& app);
+  void leadView(Application& app);
   void stopTrying(Application& app);
 
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
+  std::string awaited_, awaited_title_;
+  bool begun_ = false;
+  double looked_s_ = 0.0;
   DeviceStatus status_;
   double asked_s_ = -1.0, trying_s_ = 0.0;
   std::array<double, 32> limit_left_s_{};

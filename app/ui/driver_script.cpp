@@ -4,6 +4,7 @@
 //   scale FACTOR                 text-size FACTOR: of letters alone
 //   click WIDGET [right]         drag WIDGET DX DY [right]     point WIDGET [X Y]        press | release
 //   wheel NOTCHES                key NAMES                     hold NAMES | let-go NAMES type TEXT
+//   plug out|in: the simulated stylus, where it is in use
 //   sound on|off                 heard FILE.wav: what would have been heard since sound was switched on
 //   wait FRAMES                  expect WIDGET TEXT            expect-not WIDGET TEXT    picture FILE.png
 //
@@ -14,6 +15,7 @@
 
 #include "app/ui/driver.h"
 #include "app/ui/extensions.h"
+#include "engine/device/simulated_device.h"
 #include "engine/sound/wav_file.h"
 
 namespace moltact {
@@ -76,6 +78,12 @@ std::string perform(Driver& d, const Act& a) {
   else if (a.verb == "hold") return d.hold(a.rest) ? "" : "there is no key '" + a.rest + "'";
   else if (a.verb == "let-go") return d.letGo(a.rest) ? "" : "there is no key '" + a.rest + "'";
   else if (a.verb == "type") d.type(a.rest);
+  else if (a.verb == "plug") {
+    SimulatedDevice* stylus = dynamic_cast<SimulatedDevice*>(d.app().scene.servo().chosen());
+    if (!stylus) return "the simulated stylus is not in use";
+    stylus->plug(a.rest == "in");
+    d.frames(1);
+  }
   else if (a.verb == "sound") d.app().settings.sound = a.rest == "on", d.frames(1);
   else if (a.verb == "heard") {
     if (const std::optional<Problem> problem = writeWav(a.rest, d.app().extensions().touch_sound.heard(), kSamples_per_s)) return problem->text();

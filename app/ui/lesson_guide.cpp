@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "engine/lesson/lesson_molecules.h"
+#include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
 
 namespace moltact {
@@ -14,7 +15,8 @@ namespace {
 bool sameScene(const SceneSpec& a, const SceneSpec& b) {
   return a.molecule == b.molecule && a.probe_A == b.probe_A && a.stiffness_N_per_mm == b.stiffness_N_per_mm && a.method == b.method &&
          a.force == b.force && a.show == b.show && a.colour == b.colour && a.panels == b.panels && a.locked == b.locked && a.view == b.view &&
-         a.highlight.text() == b.highlight.text() && a.facing.text() == b.facing.text();
+         a.highlight.text() == b.highlight.text() && a.facing.text() == b.facing.text() &&
+         a.magnify.text() == b.magnify.text();
 }
 
 }  // namespace
@@ -82,11 +84,13 @@ Expected<std::filesystem::path> moleculeOf(const SceneSpec& scene, const std::fi
 
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file) {
   highlighted_.clear();
+  region_.reset();
   on_stage_ = false;
   if (!session_) return;
   const Expected<std::filesystem::path> wanted = moleculeFile();
   on_stage_ = wanted && *wanted == file;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
+  if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
 }
 

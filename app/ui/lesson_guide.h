@@ -14,6 +14,7 @@
 #include "engine/core/problem.h"
 #include "engine/lesson/session.h"
 #include "engine/render/view_scene.h"
+#include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
 
 namespace moltact {
@@ -77,6 +78,8 @@ class LessonGuide {
   ShapeSet shapes() const;
   /// Whether the lesson keeps the student from changing a scene's key ("force").
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
+  /// The part of the molecule that the step magnifies.
+  const std::optional<Region>& region() const { return region_; }
   /// Turns a fitted camera the way the step asks for.
   void face(Camera& camera, const Molecule& molecule) const;
   /// Marks what the step highlights.
@@ -90,6 +93,7 @@ class LessonGuide {
   std::size_t scene_seen_ = 0;
   bool scene_changed_ = false, on_stage_ = false;
   std::vector<std::uint32_t> highlighted_;
+  std::optional<Region> region_;
 };
 
 /// Turns a camera that has been fitted to the molecule the way a scene asks for.

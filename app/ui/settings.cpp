@@ -91,6 +91,7 @@ LoadedSettings loadSettings(const fs::path& file) {
   if (const auto folder = json.find("lesson_folder"); folder != json.end() && folder->is_string()) s.lesson_folder = folder->get<std::string>();
   if (const auto look = json.find("probe_look"); look != json.end() && look->is_string())
     s.probe_look = probeLookNamed(look->get<std::string>()).value_or(s.probe_look);
+  if (const auto device = json.find("device"); device != json.end() && device->is_string()) s.device = device->get<std::string>();
   readSwitch(json, "sound", s.sound);
   readSwitch(json, "reduced_motion", s.reduced_motion);
   readSwitch(json, "large_state_text", s.large_state_text);
@@ -112,6 +113,7 @@ std::string saveSettings(const Settings& s, const fs::path& file) {
                                {"decimal_comma", s.decimal_comma},
                                {"lesson_folder", s.lesson_folder},
                                {"probe_look", probeLookName(s.probe_look)},
+                               {"device", s.device},
                                {"sound", s.sound},
                                {"reduced_motion", s.reduced_motion},
                                {"large_state_text", s.large_state_text},

@@ -37,6 +37,7 @@ struct Settings {
   std::vector<std::string> recent;  ///< files opened last, newest first, at most kRecent
   static constexpr std::size_t kRecent = 8;
 
+  std::string device;             ///< the one that was chosen last, by its name; empty: none was
   ProbeLook probe_look = ProbeLook::Water;
   bool sound = false;             ///< touch is heard
   bool reduced_motion = false;    ///< another scene is there at once: the camera does not glide, nothing fades

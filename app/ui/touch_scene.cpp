@@ -9,6 +9,8 @@ namespace {
 
 constexpr double kLeftBehind_s = 0.4;   // contact without cause for so long is let go
 constexpr double kProbeRoom = 2.0;      // so many radii of the probe are seen round the molecule
+constexpr double kByHand_A = 3.5;       // the radius of what is magnified round the probe
+constexpr double kAtLeast = 2.0;        // and at least so much more than the scene
 constexpr double kStill_A = 2e-3;       // a hand slower than this in a frame is at rest
 
 }  // namespace
@@ -65,12 +67,37 @@ void TouchScene::resetView(const Facing& facing) {
   facing(camera, *stage_.molecule);
   // Another side of the molecule may be wider.
   fit();
-  handBegins(stage_.middle);
+  if (region_) camera.fit(region_->centre, region_->radius_A, view_aspect_);
+  const glm::dmat3 turn = servo_settings.workspace.turn;
+  servo_settings.workspace = sceneWorkspace();
+  servo_settings.workspace.turn = turn;
+  by_hand_ = false;
+  handBegins(region_ ? region_->centre : stage_.middle);
 }
+
+Workspace TouchScene::sceneWorkspace() const {
+  return region_ ? magnified(stage_.workspace, *region_, servo_.device()) : stage_.workspace;
+}
+
+void TouchScene::magnify(bool on) {
+  if (!stage_ || played_ || on == by_hand_) return;
+  const ServoSample& now = log_.latest();
+  const Workspace whole = sceneWorkspace();
+  const double fine = magnified(whole, {now.hip, kByHand_A}, servo_.device()).A_per_mm;
+  const double wanted = on ? std::min(fine, whole.A_per_mm / kAtLeast) : whole.A_per_mm;
+  const double closer = servo_settings.workspace.A_per_mm / wanted;
+  servo_settings.workspace = rescaled(servo_settings.workspace, wanted, now.hand, now.hip);
+  // The probe stays where it is in the picture.
+  camera.target.A = now.hip.A + (camera.target.A - now.hip.A) / closer;
+  camera.distance_A /= closer;
+  by_hand_ = on;
+}
+
+double TouchScene::magnification() const { return stage_ ? stage_.workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0; }
 
 void TouchScene::handBegins(PointA before) {
   ++servo_settings.placements;
-  controls.begin(camera, before, stage_.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
+  controls.begin(camera, before, servo_settings.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
   servo_.setSettings(servo_settings);
 }
 

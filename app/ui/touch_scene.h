@@ -17,6 +17,7 @@
 #include "app/ui/view_controls.h"
 #include "engine/haptics/methods.h"
 #include "engine/render/view_scene.h"
+#include "engine/servo/scale.h"
 
 namespace moltact {
 
@@ -61,7 +62,15 @@ class TouchScene {
   void startSoftly();
   /// The same, with a place turned to the front and in the middle of the view; the hand begins before it.
   void beginAgainAt(PointA place);
-  /// The camera as it is when a scene is opened. Does nothing without a molecule.
+  /// The part of the molecule that the scenes shown from now on magnify; nothing: none.
+  void setRegion(const std::optional<Region>& region) { region_ = region; }
+  /// By hand, until the view is reset or another scene begins: what lies round the probe fills the room of the hand, and is
+  /// seen that much larger. Hand and probe stay, the force begins softly.
+  void magnify(bool on);
+  bool magnifiedByHand() const { return by_hand_; }
+  /// How many times larger than the whole molecule's scale.
+  double magnification() const;
+  /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
   void resetView(const Facing& facing);
   /// Another haptic method, keeping a contact that there is. Unknown names change nothing.
   void useMethod(std::string_view name);
@@ -85,6 +94,7 @@ class TouchScene {
 
  private:
   void handBegins(PointA before);
+  Workspace sceneWorkspace() const;
   void watchLeftBehind(double dt_s);
   std::unique_ptr<Tracker> freshTracker() const;
 
@@ -98,7 +108,8 @@ class TouchScene {
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
   double view_aspect_ = 1.0;
-  bool hand_moved_ = false, resting_ = false;
+  std::optional<Region> region_;
+  bool hand_moved_ = false, resting_ = false, by_hand_ = false;
 };
 
 }  // namespace moltact

@@ -42,6 +42,12 @@ struct DevicePose {
   float motor_heat = 0;          ///< 0 cold to 1 as warm as its motors may be, where it tells
 };
 
+/// How fast a person wants the view to move and to turn, each -1 to 1 along and round the screen's axes (+x right, +y up,
+/// +z toward the person); what is seen goes with the hand.
+struct ViewWish {
+  Vec3 move{0.0}, turn{0.0};
+};
+
 /// How a device is, in words for the person who holds it.
 struct DeviceStatus {
   bool connected = true;
@@ -71,6 +77,8 @@ class Device {
 
   /// The window's thread, a few times a second: may take a while, and does what is not for the haptic thread.
   virtual DeviceStatus status() { return {}; }
+  /// The window's thread, each frame.
+  virtual ViewWish viewWish() noexcept { return {}; }
   /// The window's thread: the person holds the device as status() asked for its calibration.
   virtual void calibrate() {}
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -37,6 +38,9 @@ std::span<const DeviceDriver> deviceDrivers();
 
 /// What all drivers find, in their order.
 std::vector<FoundDevice> findDevices();
+
+/// What there is of that name, by its driver alone; nothing where no driver knows it or it lists none.
+std::optional<FoundDevice> findDevice(std::string_view name);
 
 /// The one to use where nobody chose; never fails, for the mouse is always there.
 const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found);

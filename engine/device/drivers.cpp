@@ -4,25 +4,45 @@
 
 namespace moltact {
 
-extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kSimulatedDriver, kMouseDriver;
+extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kDualShockDriver, kSimulatedDriver, kMouseDriver;
 
 std::span<const DeviceDriver> deviceDrivers() {
-  static const DeviceDriver kAll[] = {kOmniDriver,       kWoodenHapticsDriver, kOpenDriver,
-                                      kSpaceMouseDriver, kSimulatedDriver,     kMouseDriver};
+  static const DeviceDriver kAll[] = {kOmniDriver,       kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver,
+                                      kDualShockDriver, kSimulatedDriver,     kMouseDriver};
   return kAll;
 }
 
+namespace {
+
+std::vector<FoundDevice> findWith(const DeviceDriver& driver) {
+  std::vector<FoundDevice> some = driver.find();
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    some[k].name = driver.name;
+    if (k > 0) some[k].name += ':' + std::to_string(k + 1);
+  }
+  return some;
+}
+
+const DeviceDriver* driverOf(std::string_view name) {
+  for (const DeviceDriver& driver : deviceDrivers())
+    if (driver.name == name.substr(0, name.find(':'))) return &driver;
+  return nullptr;
+}
+
+}  // namespace
+
 std::vector<FoundDevice> findDevices() {
   std::vector<FoundDevice> all;
-  for (const DeviceDriver& driver : deviceDrivers()) {
-    std::vector<FoundDevice> some = driver.find();
-    for (std::size_t k = 0; k < some.size(); ++k) {
-      some[k].name = driver.name;
-      if (k > 0) some[k].name += ':' + std::to_string(k + 1);
-      all.push_back(std::move(some[k]));
-    }
-  }
+  for (const DeviceDriver& driver : deviceDrivers())
+    for (FoundDevice& one : findWith(driver)) all.push_back(std::move(one));
   return all;
+}
+
+std::optional<FoundDevice> findDevice(std::string_view name) {
+  if (const DeviceDriver* driver = driverOf(name))
+    for (FoundDevice& one : findWith(*driver))
+      if (one.name == name) return std::move(one);
+  return std::nullopt;
 }
 
 const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
@@ -31,15 +51,12 @@ const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
 }
 
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name) {
-  std::string names;
-  for (const FoundDevice& one : findDevices()) {
-    if (one.name == name) {
-      if (!one.usable) return Problem{"", 0, 0, one.title + " cannot be used", one.why};
-      for (const DeviceDriver& driver : deviceDrivers())
-        if (driver.name == name.substr(0, name.find(':'))) return driver.open(one);
-    }
-    names += (names.empty() ? "" : ", ") + one.name;
+  if (const std::optional<FoundDevice> one = findDevice(name)) {
+    if (!one->usable) return Problem{"", 0, 0, one->title + " cannot be used", one->why};
+    return driverOf(name)->open(*one);
   }
+  std::string names;
+  for (const FoundDevice& one : findDevices()) names += (names.empty() ? "" : ", ") + one.name;
   return Problem{"", 0, 0, "there is no device \"" + std::string(name) + '"', "these are known: " + names};
 }
 

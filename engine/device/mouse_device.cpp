@@ -1,10 +1,14 @@
 #include "engine/device/mouse_device.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace moltact {
 
-MouseDevice::MouseDevice() { info_.name = "Mouse"; }
+MouseDevice::MouseDevice() {
+  info_.name = "Mouse";
+  info_.workspace_mm = Vec3(std::numeric_limits<double>::infinity());  // the hand is put where it is wanted
+}
 
 void MouseDevice::lead(PointMm target) noexcept {
   if (!finite(target.mm)) return;

@@ -105,6 +105,10 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.highlight = values["highlight"].selection;
     scene.highlight_place = values["highlight"].place;
   }
+  if (takes("magnify")) {
+    scene.magnify = values["magnify"].selection;
+    scene.magnify_place = values["magnify"].place;
+  }
   if (takes("view")) {
     const Value& view = values["view"];
     scene.view = view.words.empty() ? std::string() : view.words[0];

@@ -22,6 +22,7 @@ class Check {
       if (step.states_scene) {
         selects(step.scene.highlight, step.scene.highlight_place, *molecule);
         selects(step.scene.facing, step.scene.view_place, *molecule);
+        selects(step.scene.magnify, step.scene.magnify_place, *molecule);
       }
       for (const TaskSpec& task : step.tasks) {
         for (const auto& [key, value] : task.values) {

@@ -7,7 +7,7 @@ namespace moltact {
 namespace {
 
 /// What a student may be kept from changing: keys of a scene, by their names.
-const std::vector<std::string_view> kLockable{"panels", "method", "force", "probe", "stiffness", "show", "all"};
+const std::vector<std::string_view> kLockable{"panels", "method", "force", "probe", "stiffness", "show", "magnify", "all"};
 
 std::vector<KeySpec> frontMatterKeys() {
   return {
@@ -54,6 +54,10 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
       {.name = "view", .type = ValueType::View, .meaning = "From where the molecule is seen at first; 'facing' turns these atoms to the front.",
        .fallback = "front", .words = {"front", "back", "left", "right", "top", "bottom"}},
+      {.name = "magnify", .type = ValueType::Target,
+       .meaning = "Atoms that are to fill the room of the hand: they are felt larger, and the view comes close to them; with 'view' they can "
+                  "be turned to the front. 'none' ends what an earlier scene magnified.",
+       .words = {"none"}},
       {.name = "locked", .type = ValueType::WordList,
        .meaning = "What the student cannot change here, besides what the front matter locks.", .words = kLockable},
   };

@@ -84,7 +84,8 @@ struct SceneSpec {
   Selection highlight;                 ///< may select nothing
   std::string view = "front";          ///< front, back, left, right, top or bottom; empty where `facing` is given
   Selection facing;                    ///< atoms to be turned to the front
-  Place place, molecule_place, highlight_place, view_place;
+  Selection magnify;                   ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
+  Place place, molecule_place, highlight_place, view_place, magnify_place;
 
   /// Whether the student is kept from changing what a key says ("force").
   bool locks(std::string_view key) const {

@@ -25,7 +25,7 @@ std::string twoDigits(double value) {
 }  // namespace
 
 Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceFigures& device) {
-  const Vec3& room = device.workspace_mm;
+  const Vec3 room = finite(device.workspace_mm) ? device.workspace_mm : DeviceFigures{}.workspace_mm;
   const double half_mm = 0.5 * std::min({room.x, room.y, room.z});
   if (!finite(centre.A) || !std::isfinite(radius_A) || !(half_mm > 0) || !std::isfinite(half_mm)) return now;
   Workspace out = now;
@@ -34,8 +34,18 @@ Workspace magnified(const Workspace& now, PointA centre, double radius_A, const 
   return out;
 }
 
+Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA hip) {
+  if (!(A_per_mm > 0.0) || !std::isfinite(A_per_mm) || !finite(hand.mm) || !finite(hip.A)) return now;
+  Workspace out = now;
+  out.A_per_mm = A_per_mm;
+  out.centre_A = hip.A - now.turn * (hand.mm * A_per_mm);
+  return out;
+}
+
+std::string lengthScale(const Workspace& workspace) { return "1 mm here is " + twoDigits(workspace.A_per_mm) + " Å there"; }
+
 std::string scaleSentence(const Workspace& workspace, std::optional<double> pN_per_N) {
-  const std::string length = "1 mm here is " + twoDigits(workspace.A_per_mm) + " Å there";
+  const std::string length = lengthScale(workspace);
   if (pN_per_N) return length + ", 1 N here would be " + twoDigits(*pN_per_N) + " pN there.";
   return length + "; the force is made for the hand and is none between molecules.";
 }

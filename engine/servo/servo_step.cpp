@@ -26,7 +26,9 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   last_tracker_ = tracker;
   placements_ = settings.placements;
   hand_placements_ = pose.placements;
-  if (changed) safety_.restart();
+  // At another scale the same way in gives another force.
+  const bool rescaled = std::exchange(A_per_mm_, settings.workspace.A_per_mm) != settings.workspace.A_per_mm;
+  if (changed || rescaled) safety_.restart();
   safety_.stop(settings.panic);
 
   WantedForce wanted{.on = false};

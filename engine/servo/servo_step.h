@@ -74,6 +74,7 @@ class ServoStep {
   const Tracker* last_tracker_ = nullptr;
   std::uint32_t placements_ = 0, hand_placements_ = 0;
   bool other_device_ = false;
+  double A_per_mm_ = 0;
   Vec3 workspace_mm_;
   Clutch clutch_;
   SafetyStage safety_;

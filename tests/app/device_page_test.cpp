@@ -1,4 +1,6 @@
 // A device in the window, on the frames' clock: chosen on the page, felt, unplugged, stopped.
+#include <cmath>
+
 #include "app/ui/device_link.h"
 #include "app/ui/extensions.h"
 #include "engine/device/simulated_device.h"
@@ -8,6 +10,20 @@ namespace moltact {
 namespace {
 
 SimulatedDevice& stylus(Driver& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
+
+// A device whose hand rests and that asks for the view.
+class Cap final : public Device {
+ public:
+  explicit Cap(ViewWish& wish) : wish_(wish) { info_.name = "Cap"; }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePose read(double) noexcept override { return {.position = {{0, 0, 79}}}; }
+  void write(ForceN) noexcept override {}
+  ViewWish viewWish() noexcept override { return wish_; }
+
+ private:
+  DeviceInfo info_;
+  ViewWish& wish_;
+};
 
 // The simulated stylus in use and pressing.
 std::unique_ptr<Driver> pressing() {
@@ -87,6 +103,33 @@ TEST_CASE("the gentle force of the device page pulls with 0.4 N for 4 s, and the
   d->frames(30);
   CHECK(link.tryingLeft_s() == 0.0);
   CHECK(d->app().scene.servo().newest().scene == d->app().scene.servo().scene());
+}
+
+TEST_CASE("a cap that is turned fully for a second turns the view by 1.5 rad to the right; pulled up it moves half the view's height, toward the person it comes "
+          "2.2 times as close") {
+  auto d = startWith();
+  ViewWish wish;
+  d->app().scene.servo().setDevice(std::make_unique<Cap>(wish));
+  d->frames(2);
+  const Camera before = d->app().scene.camera;
+  wish.turn = {0, 1, 0};
+  d->frames(60);
+  wish = {};
+  d->frames(2);
+  const Camera& now = d->app().scene.camera;
+  // What was on the right comes to the front: the camera's right turns away from it.
+  CHECK(glm::dot(now.right(), before.right()) == doctest::Approx(std::cos(1.5)).epsilon(1e-3));
+  CHECK(glm::dot(now.right(), before.back()) == doctest::Approx(std::sin(1.5)).epsilon(1e-3));
+  CHECK(now.target.A == before.target.A);
+  const Vec3 up = now.up(), target = now.target.A;
+  wish.move = {0, 1, 0};
+  d->frames(60);
+  const double height_A = 2.0 * now.tanHalfY() * now.distance_A;
+  CHECK(glm::dot(now.target.A - target, up) == doctest::Approx(-0.5 * height_A).epsilon(0.01));
+  wish.move = {0, 0, 1};
+  const double distance_A = now.distance_A;
+  d->frames(60);
+  CHECK(now.distance_A == doctest::Approx(distance_A / 2.2).epsilon(1e-3));
 }
 
 TEST_CASE("with a stylus the screen's right is the device's right, also after the view was turned") {

@@ -11,6 +11,7 @@
 
 #include "engine/bench/scenes.h"
 #include "engine/device/device_model.h"
+#include "engine/device/hid/dual_shock.h"
 #include "engine/device/hid/open_device.h"
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
@@ -115,7 +116,7 @@ TEST_CASE("SpaceMouse: two reports of 7 bytes and one of 13 mean the same axes; 
     CHECK(one->axes().turn.y == doctest::Approx(-87.0 / 350));
   }
   CHECK(old.take(Report{3, 0x05, 0x01}, pose));
-  CHECK(pose.buttons == 0x0105u);
+  CHECK(pose.buttons == 0x0104u);  // the first switches between hand and view
 }
 
 TEST_CASE("SpaceMouse: a full push moves the hand by 60 mm a second, a breath of one not at all, and 80 mm is the end of the way") {
@@ -134,6 +135,81 @@ TEST_CASE("SpaceMouse: a full push moves the hand by 60 mm a second, a breath of
   CHECK(pose.position.mm.x == 80.0);
 }
 
+TEST_CASE("SpaceMouse: a turn that is stronger than the push turns the view and leaves the hand; the first button gives the push to the view, too") {
+  SpaceMouseProtocol mouse;
+  DevicePose pose;
+  // Pushed right by 100 of 350, turned round the axis that points down by -350: seen from above to the left.
+  const Report both{1, 100, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xA2, 0xFE}, push{1, 0x5E, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  mouse.take(both, pose);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm == Vec3(0));
+  CHECK(mouse.viewWish().turn.y == doctest::Approx(1.0));
+  CHECK(mouse.viewWish().move == Vec3(0));
+  mouse.take(push, pose);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(0.6));
+  CHECK(mouse.viewWish().turn == Vec3(0));
+  mouse.take(Report{3, 1}, pose);
+  mouse.take(Report{3, 0}, pose);
+  CHECK(pose.buttons == 0);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(0.6));
+  CHECK(mouse.viewWish().move.x == doctest::Approx(1.0));
+  mouse.take(Report{3, 1}, pose);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(1.2));
+  CHECK(mouse.viewWish().move == Vec3(0));
+}
+
+TEST_CASE("DualShock 4: left stick right and up, right trigger in, right stick the view; sticks that rest beside their middle move nothing") {
+  DualShockProtocol pad;
+  DevicePose pose;
+  Report report(64);
+  report[0] = 1, report[1] = 120, report[2] = 133, report[3] = 128, report[4] = 128, report[5] = 8;
+  CHECK(pad.take(report, pose));
+  for (int k = 0; k < 100; ++k) pad.pass(0.01, pose), pad.take(report, pose);
+  CHECK(pose.position.mm == Vec3(0));
+  CHECK(pose.buttons == 0);
+  report[1] = 255, report[2] = 128, report[5] = 0x20 | 8;  // right, with the cross
+  pad.take(report, pose);
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(6.0));
+  CHECK(pose.buttons == 1);
+  report[1] = 128, report[2] = 0, report[5] = 0x40 | 8;  // up, with the circle
+  pad.take(report, pose);
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.y == doctest::Approx(6.0));
+  CHECK(pose.buttons == 2);
+  report[2] = 128, report[9] = 255, report[3] = 255;
+  pad.take(report, pose);
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z == doctest::Approx(-6.0));
+  CHECK(pad.viewWish().turn.y == doctest::Approx(1.0));
+  pad.pass(0.3, pose);  // the report of letting go was lost
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z > -30.0);
+  CHECK(pad.viewWish().turn == Vec3(0));
+  CHECK_FALSE(pad.take(Report(63), pose));
+}
+
+TEST_CASE("DualShock 4: it rumbles by the force over USB, a report where the strength changes; at 3.3 N both motors fully, at none not, over Bluetooth never") {
+  DualShockProtocol pad;
+  DevicePose pose;
+  std::array<std::uint8_t, 64> out{};
+  Report usb(64), bluetooth(10);
+  usb[0] = bluetooth[0] = 1;
+  pad.take(bluetooth, pose);
+  CHECK(pad.give({Vec3(3.3, 0, 0)}, out) == 0);
+  pad.take(usb, pose);
+  CHECK(pad.give({Vec3(0, 3.3, 0)}, out) == 32);
+  CHECK((out[0] == 5 && out[1] == 1 && out[4] == 255 && out[5] == 255));
+  CHECK(pad.give({Vec3(0, 0, 3.3)}, out) == 0);
+  CHECK(pad.give({Vec3(0.5, 0, 0)}, out) == 32);
+  CHECK((out[4] > 0 && out[4] < 80 && out[5] == 0));
+  CHECK(pad.give({Vec3(std::nan(""), 0, 0)}, out) == 32);
+  CHECK((out[4] == 0 && out[5] == 0));
+}
+
 TEST_CASE("SpaceMouse: when the report of letting go is lost the hand stands after a quarter of a second") {
   SpaceMouseProtocol mouse;
   DevicePose pose;
@@ -147,13 +223,15 @@ TEST_CASE("10 000 reports of random length and bytes leave every protocol's plac
   SpaceMouseProtocol mouse;
   WoodenHapticsProtocol wood;
   OpenProtocol open;
+  DualShockProtocol pad;
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
   for (int k = 0; k < 10'000; ++k) {
     Report report(std::size_t(random.uniform(0, 65)));
     for (auto& byte : report) byte = std::uint8_t(random.uniform(0, 256));
     if (k % 2 && !report.empty()) report[0] = std::uint8_t(1 + k / 2 % 3);
-    for (HidProtocol* one : {static_cast<HidProtocol*>(&mouse), static_cast<HidProtocol*>(&wood), static_cast<HidProtocol*>(&open)}) {
+    for (HidProtocol* one : {static_cast<HidProtocol*>(&mouse), static_cast<HidProtocol*>(&wood), static_cast<HidProtocol*>(&open),
+                              static_cast<HidProtocol*>(&pad)}) {
       one->take(report, pose);
       one->pass(0.001, pose);
       REQUIRE(finite(pose.position.mm));

@@ -142,6 +142,17 @@ TEST_CASE("a scene without a molecule changes only what it says; one with a mole
   CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
 }
 
+TEST_CASE("what a scene magnifies goes on until a scene says otherwise, 'none' or another molecule") {
+  const Lesson l = lesson("## A\n```scene\nmolecule: mix\nmagnify: ligand\n```\n## B\n```scene\nprobe: 1 Å\n```\n"
+                          "## C\n```scene\nmagnify: none\n```\n## D\n```scene\nmagnify: residue 52\n```\n## E\n```scene\nmolecule: water\n```\n");
+  CHECK(l.steps[0].scene.magnify.text() == "ligand");
+  CHECK(l.steps[1].scene.magnify.text() == "ligand");
+  CHECK_FALSE(l.steps[2].scene.magnify.given());
+  CHECK(l.steps[3].scene.magnify.text() == "residue 52");
+  CHECK_FALSE(l.steps[4].scene.magnify.given());
+  CHECK(errors(kHead + "## S\n```scene\nmolecule: mix\nmagnify: noen\n```\n") == Texts{"l.md:12:10: 'magnify' cannot be 'noen'; did you mean 'none'?"});
+}
+
 TEST_CASE("a scene locks what it and the front matter name; the next molecule's scene only what the front matter names") {
   const std::string head = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlocked: method\n---\n";
   const LessonReading read = readLessonText("l.md", head + "## A\n```scene\nmolecule: mix\nforce: off\npanels: none\nlocked: force, panels\n```\n"

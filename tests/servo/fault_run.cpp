@@ -10,6 +10,7 @@
 #include "engine/device/device_model.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
+#include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
 #include "tests/haptics/walk.h"
 
@@ -23,11 +24,11 @@ constexpr double kRounding_J = 1e-5;    // a step of the sensor at 0.5 N
 
 enum class Fault : int {
   Late, Stall, LongStall, Doubled, ClockBack, ClockAhead, ClockNaN, Teleport, PlaceNaN, Stale, Unplug,
-  RendererStalls, SceneSwap, MethodSwap, BadSettings, ProbeJump, Panic, ForceOff, BadTracker, Count,
+  RendererStalls, SceneSwap, MethodSwap, BadSettings, ProbeJump, Panic, ForceOff, BadTracker, Rescaled, Count,
 };
 constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{
     "late", "stall", "long stall", "doubled", "clock back", "clock ahead", "clock NaN", "teleport", "place NaN", "stale",
-    "unplug", "renderer stalls", "scene swap", "method swap", "bad settings", "probe jump", "panic", "force off", "bad tracker"};
+    "unplug", "renderer stalls", "scene swap", "method swap", "bad settings", "probe jump", "panic", "force off", "bad tracker", "rescaled"};
 
 // A method that answers with what no place is.
 class BadTracker final : public Tracker {
@@ -47,6 +48,7 @@ class Run {
  public:
   explicit Run(std::uint64_t seed)
       : random_(seed), seed_(seed), device_(deviceOf()), hand_(handOf()), model_(device_, hand_, {{40, 0, 0}}), step_(infoOf()) {
+    settings_.stiffness_N_per_mm = random_.uniform(0, 1) < 0.5 ? 0.5 : 2.0;  // as a lesson has it, or the stiffest that the panel offers
     newScene();
   }
 
@@ -135,12 +137,18 @@ class Run {
   // One tick of the loop, judged; then one millisecond of the world.
   void tick(const How& how) {
     const DevicePose pose{.position = how.place_mm ? PointMm{*how.place_mm} : model_.sensed(), .fresh = how.fresh, .connected = how.connected};
+    sensed_ = pose.position;
     const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time);
     ++out_.ticks;
     out_.contact += sample.contact.touching();
     judge(sample, how);
     command_ = sample.force;
-    stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, sample.hip.A) / settings_.workspace.A_per_mm : 0.0;
+    const auto stretch = [&](PointA hip) { return sample.contact.touching() ? glm::distance(sample.contact.scp.A, hip.A) / settings_.workspace.A_per_mm : 0.0; };
+    const double told_mm = stretch(sample.hip);
+    stretch_mm_ = stretch(settings_.workspace.toMolecule(model_.position()));  // without the sensor's steps
+    const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
+    felt_N_per_mm_ = told_mm > 0.0 && !cut ? glm::length(command_.N) / told_mm : -1.0;
+    if (!cut) bent_mm_ = stretch_mm_;
     if (how.moves) model_.tick(how.connected ? command_ : ForceN{}, {target_mm_});
   }
   void idle(int ms) {
@@ -272,20 +280,38 @@ class Run {
         expectSoft();
         tick({});
         break;
+      case Fault::Rescaled: {  // a part is magnified, or no longer
+        expectSoft();
+        const Workspace kept = settings_.workspace;
+        settings_.workspace = rescaled(kept, kept.A_per_mm * (some % 2 ? 0.4 : 1.5), sensed_, kept.toMolecule(sensed_));
+        for (int k = 0; k < some * 3; ++k) tick({});
+        expectSoft();
+        settings_.workspace = rescaled(kept, kept.A_per_mm, sensed_, settings_.workspace.toMolecule(sensed_));
+        for (int k = 0; k < some * 3; ++k) tick({});
+        break;
+      }
       case Fault::Count: break;
     }
   }
-  // The hand is held still: what moves the device comes to rest, or slides off on energy that was there.
+  // The hand is held still: what moves the device comes to rest, or slides off on energy that was there. A stiffness that
+  // comes back after late ticks stores more in the same stretch, and may.
   void restAfter() {
     for (int k = 0; k < 600; ++k) tick({});
     std::array<double, 2> fastest{}, energy{};
+    double softest = 1e9, stiffest = 0, stretched_mm = 0;
+    bool known = true;
     for (std::size_t w = 0; w < 2; ++w)
       for (int k = 0; k < 200; ++k) {
         tick({});
+        known = known && felt_N_per_mm_ >= 0.0;
+        if (w == 0) softest = std::min(softest, felt_N_per_mm_);
+        else stiffest = std::max(stiffest, felt_N_per_mm_);
+        stretched_mm = std::max(stretched_mm, stretch_mm_);
         fastest[w] = std::max(fastest[w], glm::length(model_.velocity_m_per_s()));
         energy[w] = std::max(energy[w], energy_J());
       }
-    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + kRounding_J;
+    const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
+    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + kRounding_J + stiffened_J;
     if (!faster || grown) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
     if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
     since_fault_ = kSoft_ticks;
@@ -294,7 +320,13 @@ class Run {
   // Of the device's motion, of the hand that holds it, and of the surface's spring.
   double energy_J() const {
     const double v = glm::length(model_.velocity_m_per_s()), d_m = 1e-3 * glm::distance(model_.position().mm, target_mm_);
-    return 0.5 * device_.mass_kg * v * v + 0.5 * hand_.stiffness_N_per_m * d_m * d_m + 0.5e-3 * glm::length(command_.N) * stretch_mm_;
+    return 0.5 * device_.mass_kg * v * v + 0.5 * hand_.stiffness_N_per_m * d_m * d_m + stored_J();
+  }
+  // What a spring holds; one whose force is cut gives it back all the way.
+  double stored_J() const {
+    const double force_N = glm::length(command_.N);
+    if (felt_N_per_mm_ >= 0.0) return 0.5e-3 * felt_N_per_mm_ * stretch_mm_ * stretch_mm_;
+    return 1e-3 * force_N * (stretch_mm_ - 0.5 * bent_mm_);
   }
 
   scenes::Random random_;
@@ -310,7 +342,9 @@ class Run {
   const char* doing_ = "none";
   Vec3 target_mm_{40, 0, 0};
   ForceN command_;
-  double stretch_mm_ = 0;
+  PointMm sensed_;
+  double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
+  double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
   double before_fault_N_ = 0;
   double since_fault_ = 0, stale_ = 0;
   bool lasting_ = false;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/device/mouse_device.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/clutch.h"
 #include "engine/servo/servo_step.h"
@@ -33,6 +34,42 @@ TEST_CASE("a ball of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, c
   CHECK(magnified(now, {{0, 0, 0}}, 0, omni).A_per_mm == kFinest_A_per_mm);
   CHECK(magnified(now, {{0, 0, 0}}, std::nan(""), omni).A_per_mm == now.A_per_mm);
   CHECK(magnified(now, {{std::nan(""), 0, 0}}, 7, omni).centre_A == now.centre_A);
+}
+
+TEST_CASE("rescaled: the hand and the probe stay, whatever the turn, and 10 mm farther it is 1 A farther; a scale that is none changes nothing") {
+  Workspace workspace;
+  workspace.centre_A = {5, -3, 8};
+  workspace.turn = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
+  const PointMm hand{{40, -12, 7}};
+  const PointA hip = workspace.toMolecule(hand);
+  const Workspace fine = rescaled(workspace, 0.1, hand, hip);
+  CHECK(glm::distance(fine.toMolecule(hand).A, hip.A) < 1e-12);
+  CHECK(glm::distance(fine.toMolecule({hand.mm + Vec3(10, 0, 0)}).A, hip.A + Vec3(0, 1, 0)) < 1e-12);
+  for (const double bad : {0.0, -1.0, std::nan(""), std::numeric_limits<double>::infinity()})
+    CHECK(rescaled(workspace, bad, hand, hip).A_per_mm == workspace.A_per_mm);
+  CHECK(rescaled(workspace, 0.1, {{std::nan(""), 0, 0}}, hip).A_per_mm == workspace.A_per_mm);
+}
+
+TEST_CASE("in contact a scale 2.5 times as fine keeps the contact and gives 2.5 times the force, from nothing in half a second") {
+  auto tracker = methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
+  ServoStep step;
+  ServoSettings settings;  // 0.25 A a mm, the surface at 12 mm
+  DevicePose pose;
+  for (double z = 20; z >= 10.6; z -= 0.1) pose.position.mm = {0, 0, z}, step.tick(settings, tracker.get(), pose);
+  ServoSample s;
+  for (int k = 0; k < 600; ++k) s = step.tick(settings, tracker.get(), pose);
+  const double coarse_N = s.force.N.z;
+  CHECK(coarse_N == doctest::Approx(0.5 * (12.0 - s.hand.mm.z)));
+  settings.workspace = rescaled(settings.workspace, 0.1, s.hand, s.hip);
+  Vec3 last = s.force.N;
+  for (int k = 0; k < 500; ++k) {
+    s = step.tick(settings, tracker.get(), pose);
+    CHECK(s.contact.touching());
+    CHECK(glm::distance(s.force.N, last) <= 1.0 + 1e-9);
+    if (k == 4) CHECK(s.force.N.z < 0.05);
+    last = s.force.N;
+  }
+  CHECK(s.force.N.z == doctest::Approx(2.5 * coarse_N).epsilon(0.01));
 }
 
 TEST_CASE("clutch: with the button held the hand goes back 30 mm and the probe stays; let go, it goes on from there") {
@@ -65,6 +102,19 @@ TEST_CASE("edge: 5 mm from the edge of a room of 160 mm the probe goes on by 10 
   pose.position.mm.x = 60;
   for (int k = 0; k < 1000; ++k) x = clutch.place(pose, settings, {160, 120, 70}, 0.001).mm.x;
   CHECK(x == doctest::Approx(50));
+}
+
+TEST_CASE("a mouse that stands in for a device has no edge: 100 mm from the middle for 2 s its probe stays where it is") {
+  MouseDevice mouse;
+  ServoStep step(DeviceFigures{});
+  step.setDevice(mouse.info());
+  ServoSettings settings;
+  settings.clutch = {.buttons = 2, .at_edge = true};
+  DevicePose pose;
+  pose.position.mm = {0, 0, 100};
+  ServoSample s;
+  for (int k = 0; k < 2000; ++k) s = step.tick(settings, nullptr, pose);
+  CHECK(s.hand.mm == Vec3(0, 0, 100));
 }
 
 TEST_CASE("in the loop the clutch moves the probe's room: no force while it is held, a soft start after it") {

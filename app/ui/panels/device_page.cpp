@@ -8,6 +8,7 @@
 #include "app/ui/controls.h"
 #include "app/ui/device_link.h"
 #include "app/ui/extensions.h"
+#include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 #include "engine/servo/scale.h"
@@ -33,10 +34,9 @@ void drawUsable(Application& app, DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/place").c_str(), one.place, look().palette.quiet);
   }
-  if (button("device/look", "Look again")) link.look();
 }
 
-void drawUnusable(const DeviceLink& link) {
+void drawUnusable(DeviceLink& link) {
   sectionTitle("Not to be used now");
   for (const FoundDevice& one : link.found()) {
     if (one.usable) continue;
@@ -45,6 +45,44 @@ void drawUnusable(const DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/why").c_str(), one.why, look().palette.quiet);
   }
+  if (button("device/look", "Look again")) link.look();
+}
+
+// The device's room seen along one of its axes: the hand in it, and the force on it.
+void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, glm::dvec2 room_mm, glm::dvec2 hand_mm, glm::dvec2 force_N) {
+  constexpr float kForce_px_per_N = 14.0f;
+  const Look& l = look();
+  const Palette& p = l.palette;
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  const float scale = float(std::min(double(size.x) / room_mm.x, double(size.y) / room_mm.y));
+  const ImVec2 middle{low.x + 0.5f * size.x, low.y + 0.5f * size.y}, half{0.5f * scale * float(room_mm.x), 0.5f * scale * float(room_mm.y)};
+  const ImVec2 a{middle.x - half.x, middle.y - half.y}, b{middle.x + half.x, middle.y + half.y};
+  draw->AddRectFilled(a, b, p.raised, l.px(6));
+  draw->AddRect(a, b, p.line, l.px(6));
+  draw->AddLine({middle.x, a.y}, {middle.x, b.y}, p.line);
+  draw->AddLine({a.x, middle.y}, {b.x, middle.y}, p.line);
+  const ImVec2 at{std::clamp(middle.x + scale * float(hand_mm.x), a.x, b.x), std::clamp(middle.y - scale * float(hand_mm.y), a.y, b.y)};
+  const ImVec2 tip{at.x + l.px(kForce_px_per_N) * float(force_N.x), at.y - l.px(kForce_px_per_N) * float(force_N.y)};
+  draw->AddLine(at, tip, p.warn, l.px(3));
+  draw->AddCircleFilled(at, l.px(5), p.accent, 24);
+  recordRectangle(name, {a.x, a.y}, {b.x, b.y}, label);
+  const WithFont small(Font::Small);
+  draw->AddText({middle.x - 0.5f * ImGui::CalcTextSize(label).x, low.y + size.y + l.px(4)}, p.quiet, label);
+}
+
+// From the front and from above, where a device in the hand leads.
+void drawRooms(const ServoSample& now, const DeviceInfo& info) {
+  const Look& l = look();
+  const Vec3& room = info.workspace_mm;
+  if (!finite(room) || !(room.x > 0 && room.y > 0 && room.z > 0)) return;
+  const float gap = l.px(16), width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+  const float height = std::min(l.px(88), width * float(std::max(room.y, room.z) / room.x));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const Vec3 &hand = now.hand.mm, &force = now.force.N;
+  drawRoom("device/front", "from the front", at, {width, height}, {room.x, room.y}, {hand.x, hand.y}, {force.x, force.y});
+  drawRoom("device/above", "from above", {at.x + width + gap, at.y}, {width, height}, {room.x, room.z}, {hand.x, -hand.z}, {force.x, -force.z});
+  const WithFont small(Font::Small);
+  ImGui::Dummy({2 * width + gap, height + l.px(4) + ImGui::GetFontSize()});
 }
 
 void drawLive(Application& app, DeviceLink& link) {
@@ -55,14 +93,16 @@ void drawLive(Application& app, DeviceLink& link) {
   sectionTitle("In use");
   char text[240];
   words("device/name", info.name, p.text);
+  if (!link.awaited().empty()) words("device/awaited", link.awaited() + " leads as soon as it is plugged in.", p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
   if (servo.chosen() && !link.status().ready && link.status().connected && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
   std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y, now.hand.mm.z, glm::length(now.force.N));
   std::string line = text;
   for (int k = 0; k < 32; ++k)
     if (now.buttons >> k & 1u) line += "; button " + std::to_string(k + 1);
-  words("device/live", line, p.quiet);
-  words("device/scale", scaleSentence(app.scene.servo_settings.workspace), p.quiet);
+  words("device/live", localNumbers(line), p.quiet);
+  drawRooms(now, info);
+  words("device/scale", localNumbers(scaleSentence(app.scene.servo_settings.workspace)), p.quiet);
   if (!info.gives_force) return;
   if (link.status().motor_heat >= 0.0) {
     words("device/heat label", "Heat of the motors", p.quiet);
@@ -85,7 +125,7 @@ void drawLimits(Application& app, DeviceLink& link) {
                   SafetyStage(info).stiffnessBound_N_per_mm());
   else
     std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.", app.scene.servo_settings.max_force_N);
-  words("device/limits", text, p.quiet);
+  words("device/limits", localNumbers(text), p.quiet);
   std::string acted;
   for (const LimitWords* one : link.shownLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
   words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);

@@ -1,6 +1,7 @@
 // Bottom: the device, how the 1 kHz loop keeps its time, the molecule, and how much of it is modelled. What has no room
 // is left out, the least needed first.
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
+#include "engine/servo/scale.h"
 
 namespace moltact {
 namespace {
@@ -48,6 +50,18 @@ Segment loopSegment(const Application& app) {
   return {"status/loop", localNumbers(text), localNumbers(tip), 3, well ? p.good : p.warn};
 }
 
+// What a way of the hand is in the molecule: where a hand is felt with, or the scale is not the molecule's own.
+std::optional<Segment> scaleSegment(const Application& app) {
+  const TouchScene& scene = app.scene;
+  const bool magnified = scene.magnification() > 1.005;
+  if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
+  std::string text = lengthScale(scene.servo_settings.workspace);
+  char times[48];
+  std::snprintf(times, sizeof times, ", magnified %.1f times", scene.magnification());
+  if (magnified) text += times;
+  return Segment{"status/scale", localNumbers(text), localNumbers(scaleSentence(scene.servo_settings.workspace)), 2, magnified ? look().palette.accent : 0};
+}
+
 }  // namespace
 
 void drawStatusBar(Application& app) {
@@ -70,6 +84,7 @@ void drawStatusBar(Application& app) {
                       app.scene.log().touching() ? l.palette.accent : l.palette.faint});
   segments.push_back({"status/device", app.scene.servo().device().name,
                       app.scene.servo().device().gives_force ? "" : "No force-feedback device is connected; the mouse or keyboard stands in for it.", 2});
+  if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
   segments.push_back(loopSegment(app));
   if (app.scene.stage()) {
     const Molecule& m = *app.scene.stage().molecule;

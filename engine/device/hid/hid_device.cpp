@@ -55,6 +55,7 @@ void HidDevice::run() {
     gone_.store(true);
     told.pose.connected = false;
     told_.write(told);
+    wish_.write({});
     look_again = Clock::now() + kLookAgain;
   };
   while (!ends_.load()) {
@@ -83,6 +84,7 @@ void HidDevice::run() {
     protocol_->pass(std::min(0.05, std::chrono::duration<double>(now - last).count()), told.pose);
     last = now;
     told_.write(told);
+    wish_.write(protocol_->viewWish());
 
     const Asked& asked = asked_.read();
     if (asked.count != asked_count) {

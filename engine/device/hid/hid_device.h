@@ -27,6 +27,8 @@ class HidProtocol {
   virtual bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept = 0;
   /// Time passes: for devices that tell a speed and not a place.
   virtual void pass(double, DevicePose&) noexcept {}
+  /// What the newest reports ask of the view, for devices that lead it.
+  virtual ViewWish viewWish() const noexcept { return {}; }
   /// The report that gives this force, its id first; its length, 0 for a device without force.
   virtual std::size_t give(ForceN, std::span<std::uint8_t, 64>) noexcept { return 0; }
 };
@@ -43,6 +45,7 @@ class HidDevice final : public Device {
   DevicePose read(double dt_s) noexcept override;
   void write(ForceN force) noexcept override;
   DeviceStatus status() override;
+  ViewWish viewWish() noexcept override { return wish_.read(); }
 
  private:
   HidDevice() = default;
@@ -64,6 +67,7 @@ class HidDevice final : public Device {
   };
   TripleBuffer<Told> told_;
   TripleBuffer<Asked> asked_;
+  TripleBuffer<ViewWish> wish_;
   std::uint32_t last_told_ = 0;  // the haptic thread's
   Asked asking_;                 // the haptic thread's
   std::atomic<bool> ends_{false}, gone_{false};

@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/device/hid/rate_control.h"
+
 namespace moltact {
 namespace {
 
 constexpr std::uint8_t kPush = 1, kTurn = 2, kButtons = 3;
+constexpr std::uint32_t kSwitch = 1;  // the first button
 
 // The device's axes are x right, y toward the person, z down. Its numbers go a little beyond their stops at times.
 Vec3 axesAt(std::span<const std::uint8_t> report, std::size_t at) {
@@ -25,6 +28,12 @@ bool isSpaceMouse(const HidEntry& entry) {
 
 }  // namespace
 
+std::optional<Problem> SpaceMouseProtocol::begin(HidPort&, DeviceInfo&) {
+  axes_ = {};
+  wish_ = {};
+  return std::nullopt;
+}
+
 bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.empty()) return false;
   if (report[0] == kPush && (report.size() == 7 || report.size() == 13)) {
@@ -33,8 +42,11 @@ bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& 
   } else if (report[0] == kTurn && report.size() == 7) {
     axes_.turn = axesAt(report, 1);
   } else if (report[0] == kButtons && report.size() >= 2) {
-    pose.buttons = 0;
-    for (std::size_t k = 1; k < report.size() && k <= 4; ++k) pose.buttons |= std::uint32_t(report[k]) << (8 * (k - 1));
+    const std::uint32_t before = pressed_;
+    pressed_ = 0;
+    for (std::size_t k = 1; k < report.size() && k <= 4; ++k) pressed_ |= std::uint32_t(report[k]) << (8 * (k - 1));
+    if (pressed_ & ~before & kSwitch) leads_view_ = !leads_view_;
+    pose.buttons = pressed_ & ~kSwitch;
     return true;
   } else {
     return false;  // battery and what else there may be
@@ -44,25 +56,24 @@ bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& 
 }
 
 void SpaceMouseProtocol::pass(double dt_s, DevicePose& pose) noexcept {
-  if ((silent_s_ += dt_s) > kSilence_s) axes_ = {};
-  const double size = glm::length(axes_.push);
-  if (size <= kDead) return;
-  // With the square of the push, so that a light one is slow.
-  const double part = std::min(1.0, (size - kDead) / (1.0 - kDead));
-  const Vec3 place = pose.position.mm + axes_.push * (kFastest_mm_per_s * part * part * dt_s / size);
-  pose.position.mm = glm::clamp(place, Vec3(-kReach_mm), Vec3(kReach_mm));
+  if ((silent_s_ += dt_s) > rate_control::kSilence_s) axes_ = {};
+  wish_ = {};
+  // No hand pushes without turning a little, nor the other way round.
+  if (glm::length(axes_.turn) > glm::length(axes_.push)) wish_.turn = rate_control::shaped(axes_.turn);
+  else if (leads_view_) wish_.move = rate_control::shaped(axes_.push);
+  else rate_control::move(pose, axes_.push, dt_s);
 }
 
 extern const DeviceDriver kSpaceMouseDriver;
 const DeviceDriver kSpaceMouseDriver{
     .name = "spacemouse",
-    .sentence = "3Dconnexion SpaceMouse: pushes the hand about, gives no force.",
+    .sentence = "3Dconnexion SpaceMouse: leads the hand and turns the view, gives no force.",
     .find = [] { return findHid(isSpaceMouse, false, "3Dconnexion SpaceMouse"); },
     .open = [](const FoundDevice& found) {
       DeviceInfo info;
       info.name = found.title;
       info.dof_in = 6;
-      info.workspace_mm = Vec3(2 * SpaceMouseProtocol::kReach_mm);
+      info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
       return HidDevice::open(hidOpener(isSpaceMouse, found), std::make_unique<SpaceMouseProtocol>(), info);
     },
 };

@@ -1,5 +1,5 @@
-// 3Dconnexion SpaceMouse: six axes that tell how far the cap is pushed and turned, no force. The hand goes with a speed that
-// the push sets, and the view may turn with the rest (axes()).
+// 3Dconnexion SpaceMouse: six axes that tell how far the cap is pushed and turned, no force. A push sets the hand's speed, a
+// turn the view's, whichever is the stronger. The first button switches: the push then moves the view, until it is pressed again.
 #pragma once
 
 #include "engine/device/hid/hid_device.h"
@@ -14,17 +14,19 @@ struct SixAxes {
 class SpaceMouseProtocol final : public HidProtocol {
  public:
   static constexpr double kFull = 350.0;            ///< what the device tells at its stops
-  static constexpr double kDead = 0.05;             ///< of it: less counts as rest
-  static constexpr double kFastest_mm_per_s = 60.0; ///< of the hand, at a full push
-  static constexpr double kSilence_s = 0.25;        ///< after it a push counts as let go: a report was lost
-  static constexpr double kReach_mm = 80.0;         ///< the hand goes no farther from the middle on any axis
 
+  /// A push from before an unplugging is over.
+  std::optional<Problem> begin(HidPort&, DeviceInfo&) override;
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void pass(double dt_s, DevicePose& pose) noexcept override;
+  ViewWish viewWish() const noexcept override { return wish_; }
   const SixAxes& axes() const { return axes_; }
 
  private:
   SixAxes axes_;
+  ViewWish wish_;
+  std::uint32_t pressed_ = 0;
+  bool leads_view_ = false;
   double silent_s_ = 0;
 };
 

@@ -1,6 +1,7 @@
 #include "engine/lesson/student/virtual_touch.h"
 
 #include "engine/haptics/methods.h"
+#include "engine/lesson/lesson_region.h"
 #include "engine/servo/fit_workspace.h"
 
 namespace moltact {
@@ -9,8 +10,9 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
   if (molecule != molecule_) {
     molecule_ = std::move(molecule);
     balls_ = std::make_shared<const BallScene>(molecule_->balls());
-    settings_.workspace = fitWorkspace(*balls_);
   }
+  settings_.workspace = fitWorkspace(*balls_);
+  if (const auto region = magnifiedRegion(scene, *molecule_)) settings_.workspace = magnified(settings_.workspace, *region, DeviceFigures{});
   scene_ = scene;
   stage_ = {};
   settings_.probe_A = scene.probe_A;

@@ -1,0 +1,30 @@
+// A hand that is led by how far something is pushed: what a SpaceMouse's cap and a game pad's sticks have in common. The push
+// sets a speed. Pure. Units: millimetre, second; pushes are -1 to 1 (+x right, +y up, +z toward the person).
+#pragma once
+
+#include <algorithm>
+
+#include "engine/device/device.h"
+
+namespace moltact::rate_control {
+
+inline constexpr double kDead = 0.05;              ///< less counts as rest
+inline constexpr double kFastest_mm_per_s = 60.0;  ///< of the hand, at a full push
+inline constexpr double kReach_mm = 80.0;          ///< the hand goes no farther from the middle on any axis
+inline constexpr double kSilence_s = 0.25;         ///< after it a push counts as let go: a report was lost
+
+/// The square of the push in its direction, so that a light one is slow; nothing within kDead.
+inline Vec3 shaped(const Vec3& push) noexcept {
+  const double size = glm::length(push);
+  if (!(size > kDead)) return Vec3(0.0);
+  const double part = std::min(1.0, (size - kDead) / (1.0 - kDead));
+  return push * (part * part / size);
+}
+
+/// The hand goes on for so long.
+inline void move(DevicePose& pose, const Vec3& push, double dt_s) noexcept {
+  const Vec3 place = pose.position.mm + shaped(push) * (kFastest_mm_per_s * dt_s);
+  pose.position.mm = glm::clamp(place, Vec3(-kReach_mm), Vec3(kReach_mm));
+}
+
+}  // namespace moltact::rate_control

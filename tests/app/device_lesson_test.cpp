@@ -1,0 +1,144 @@
+// A device over a lesson and over two starts: it is unplugged in a step and comes back in it; the one that was chosen is
+// remembered, waited for, and leads when it is there.
+#include <cstdlib>
+
+#include "app/ui/device_link.h"
+#include "app/ui/extensions.h"
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+namespace {
+
+Driver::Options keeping(const std::filesystem::path& settings) {
+  Driver::Options options;
+  options.application.settings_file = settings;
+  return options;
+}
+
+// Whether one of the messages says so.
+bool told(Driver& d, const std::string& part) {
+  for (const Message& m : d.app().messages.all())
+    if (contains(m.text, part)) return true;
+  return false;
+}
+
+const char* kLesson = R"(---
+title: Held
+minutes: 5
+goals: Hold on.
+molecules: 1ubq
+author: A
+licence: CC0
+---
+
+## Before
+
+```scene
+molecule: 1ubq
+```
+
+Nothing to do.
+
+## Press
+
+```touch
+reach: residue 70
+say: Touch valine 70.
+```
+)";
+
+}  // namespace
+
+TEST_CASE("unplugged in a lesson's step, by a script: the mouse does the step's task, the stylus leads again when it is back, and the step is the same") {
+  const Scratch scratch;
+  auto d = startWith("");
+  const std::string script = "open " + scratch.file("held.md", kLesson).string() + R"(
+key Alt+Right
+expect lesson/step Press
+key Ctrl+D
+wait 3
+click device/simulated
+key Escape
+wait 5
+expect status/device Simulated stylus
+wait 120
+expect status/contact touching
+plug out
+expect status/device Mouse
+expect status/contact free
+wait 15
+expect message/0 Until then the mouse leads
+expect lesson/step Press
+expect task/0 current: Touch valine 70.
+point view 0.40 0.30
+wait 20
+press
+wait 90
+release
+expect task/0 done: Touch valine 70.
+expect lesson/step Press
+plug in
+wait 20
+expect status/device Simulated stylus
+expect lesson/step Press
+expect task/0 done
+)";
+  const auto problem = d->run(script, "script");
+  CHECK_MESSAGE(!problem, (problem ? problem->text() : ""));
+}
+
+TEST_CASE("a device that was chosen is in use at the next start; the mouse that was chosen after it, too") {
+  const Scratch scratch;
+  const auto file = scratch.folder / "settings.json";
+  {
+    auto d = startWith("1ubq", keeping(file));
+    CHECK(d->text("status/device") == "Mouse");
+    d->app().extensions().device.choose(d->app(), "simulated");
+    d->frames(2);
+  }
+  {
+    auto d = startWith("1ubq", keeping(file));
+    CHECK(d->text("status/device") == "Simulated stylus");
+    d->app().extensions().device.choose(d->app(), "mouse");
+    d->frames(2);
+  }
+  auto d = startWith("1ubq", keeping(file));
+  CHECK(d->text("status/device") == "Mouse");
+}
+
+TEST_CASE("a device that was chosen and is not there is told once, the mouse leads, and within some seconds of its coming it leads") {
+  const Scratch scratch;
+  const auto file = scratch.file("settings.json", R"({"device": "omni"})");
+  ::setenv("MOLTACT_LIBHD", "/nowhere/libHD.so", 1);
+  auto d = startWith("1ubq", keeping(file));
+  CHECK(d->text("status/device") == "Mouse");
+  CHECK(told(*d, "Phantom Omni or Touch is not there"));
+  CHECK(told(*d, "Until it is, the mouse leads."));
+  d->tap("Ctrl+D");
+  d->frames(3);
+  CHECK(d->text("device/awaited") == "Phantom Omni or Touch leads as soon as it is plugged in.");
+  d->tap("Escape");
+  ::setenv("MOLTACT_LIBHD", MOLTACT_STAND_IN_LIBHD, 1);
+  d->frames(150);
+  CHECK(d->app().extensions().device.chosen() == "omni");
+  CHECK(told(*d, " is there and leads."));
+  CHECK(d->app().extensions().device.awaited().empty());
+  CHECK(d->app().settings.device == "omni");
+}
+
+TEST_CASE("who chooses another device while one is waited for is asked no more for the first; a name that no driver has is forgotten") {
+  const Scratch scratch;
+  {
+    auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "spacemouse"})")));
+    CHECK_FALSE(d->app().extensions().device.awaited().empty());
+    d->app().extensions().device.choose(d->app(), "mouse");
+    CHECK(d->app().extensions().device.awaited().empty());
+    CHECK(d->app().settings.device == "mouse");
+  }
+  auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "ouija"})")));
+  CHECK(d->app().extensions().device.awaited().empty());
+  CHECK_FALSE(told(*d, "is not there"));
+  CHECK(d->text("status/device") == "Mouse");
+}
+
+}  // namespace moltact

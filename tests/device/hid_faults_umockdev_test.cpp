@@ -1,0 +1,161 @@
+// What goes wrong with a HID device, through the real libhidapi: it is unplugged under the hand, its reports are garbage or
+// too short, it cannot be read. Runs under umockdev-wrapper. The hand is then judged at the end of the whole loop.
+#include "engine/bench/scenes.h"
+#include "engine/device/mouse_device.h"
+#include "engine/servo/device_switch.h"
+#include "engine/servo/plain_trackers.h"
+#include "tests/device/hid_testbed.h"
+#include "tests/device/mocked_hids.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+// The servo loop over a device, the mouse as the fallback, and a pull of 0.8 N wherever the hand is.
+class Loop {
+ public:
+  explicit Loop(Device& device) : device_(device), switch_(mouse_, &device), pull_(1.6) { settings_.workspace.A_per_mm = 1.0; }
+
+  ServoSample tick() {
+    const ServoSample sample = step_.tick(settings_, &pull_, switch_.read(kTick_s, step_));
+    switch_.write(sample.force);
+    const double most = switch_.fallenBack() ? 0.0 : device_.info().max_force_N, size = glm::length(sample.force.N);
+    CHECK(finite(sample.force.N));
+    CHECK(finite(sample.hip.A));
+    if (!switch_.fallenBack()) CHECK(size <= most);
+    CHECK(glm::distance(sample.force.N, last_) <= 1.0 + 1e-9);
+    last_ = sample.force.N;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return sample;
+  }
+  bool fallenBack() const { return switch_.fallenBack(); }
+
+ private:
+  MouseDevice mouse_;
+  Device& device_;
+  DeviceSwitch switch_;
+  ServoStep step_;
+  ServoSettings settings_;
+  PullTracker pull_;
+  Vec3 last_{0.0};
+};
+
+// The device sends its place, and the loop ticks, until the hand feels something.
+ServoSample feel(HidTestbed& bed, Loop& loop) {
+  ServoSample sample;
+  for (int k = 0; k < 3000 && glm::length(sample.force.N) < 0.3; ++k) {
+    bed.send(counts(k % 2, 0, 0));
+    bed.written();
+    sample = loop.tick();
+  }
+  return sample;
+}
+
+}  // namespace
+
+TEST_CASE("unplugged under the hand: the mouse leads, the list no longer has it, and plugged in again it leads from a soft start") {
+  HidTestbed bed;
+  bed.plug(kWoodenHaptics);
+  const auto device = opened("woodenhaptics");
+  Loop loop(*device);
+  CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
+
+  bed.unplug();
+  ServoSample sample;
+  waitFor([&] { return (sample = loop.tick(), loop.fallenBack()); });
+  CHECK(loop.fallenBack());
+  CHECK_FALSE(device->status().connected);
+  CHECK(device->status().text == "WoodenHaptics is unplugged: plug it in again.");
+  for (const FoundDevice& one : findDevices())
+    if (one.name == "woodenhaptics") CHECK(one.why == "none is plugged in");
+
+  bed.plug(kWoodenHaptics);
+  waitFor([&] { return device->status().connected; });
+  CHECK(device->status().connected);
+  bed.send(counts(0, 0, 0));
+  waitFor([&] { return (sample = loop.tick(), !loop.fallenBack()); });
+  CHECK_FALSE(loop.fallenBack());
+  CHECK(glm::length(sample.force.N) < 0.05);
+  CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
+}
+
+TEST_CASE("ten times unplugged and plugged in, at any moment of the reports: it is told each time, and works after the last; seed 3") {
+  HidTestbed bed;
+  bed.plug(kWoodenHaptics);
+  const auto device = opened("woodenhaptics");
+  Loop loop(*device);
+  scenes::Random random(3);
+  for (int time = 0; time < 10; ++time) {
+    for (int k = 0; k < int(random.uniform(0, 20)); ++k) {
+      bed.send(counts(k, 0, 0));
+      loop.tick();
+    }
+    bed.unplug();
+    waitFor([&] { return (loop.tick(), loop.fallenBack()); });
+    CHECK(loop.fallenBack());
+    bed.plug(kWoodenHaptics);
+    waitFor([&] { return (loop.tick(), !loop.fallenBack()); });
+    CHECK_FALSE(loop.fallenBack());
+  }
+  CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
+}
+
+TEST_CASE("600 reports of random length and bytes, sound ones between: places and forces stay finite and limited, and the next sound "
+          "report is read right; seed 4") {
+  HidTestbed bed;
+  bed.plug(kWoodenHaptics);
+  const auto device = opened("woodenhaptics");
+  Loop loop(*device);
+  scenes::Random random(4);
+  for (int k = 0; k < 600; ++k) {
+    Bytes report(std::size_t(random.uniform(1, 65)));
+    for (auto& byte : report) byte = std::uint8_t(random.uniform(0, 256));
+    bed.send(k % 4 ? report : counts(k % 7, 0, 0));
+    bed.written();
+    CHECK_FALSE(loop.tick().force.N.x > 5.0);
+  }
+  CHECK(device->status().connected);
+  DevicePose pose;
+  waitFor([&] { return (bed.send(counts(0, -6000, 0)), std::abs((pose = device->read(0.001)).position.mm.z + 15.0) < 0.5); });
+  CHECK(pose.position.mm.z == doctest::Approx(205 - 220));
+}
+
+TEST_CASE("reports that break off after 3 and 6 bytes tell no place; after 40 ms of them there is no force, and with whole ones it comes back") {
+  HidTestbed bed;
+  bed.plug(kWoodenHaptics);
+  const auto device = opened("woodenhaptics");
+  Loop loop(*device);
+  feel(bed, loop);
+  const Vec3 before = device->read(0.001).position.mm;
+  ServoSample sample;
+  for (int k = 0; k < 100; ++k) {
+    bed.send(Bytes(k % 2 ? 3 : 6, 0x11));  // joined they are no whole report either
+    bed.written();
+    sample = loop.tick();
+  }
+  CHECK(device->read(0.001).position.mm == before);
+  CHECK(device->read(0.001).connected);
+  CHECK(sample.force.N == Vec3(0));
+  CHECK(sample.limits.has(Limit::StalePlace));
+  CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
+}
+
+TEST_CASE("a SpaceMouse that is unplugged while its cap is pushed stands still, and moves on from there when it is back") {
+  HidTestbed bed;
+  bed.plug(kSpaceMouse);
+  const auto device = opened("spacemouse");
+  const Bytes push{1, 0x5E, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  waitFor([&] { return (bed.send(push), device->read(0.001).position.mm.x > 1.0); });
+  CHECK(device->read(0.001).position.mm.x > 1.0);
+  bed.unplug();
+  waitFor([&] { return !device->read(0.001).connected; });
+  const double stood = device->read(0.001).position.mm.x;
+  CHECK_FALSE(device->read(0.001).connected);
+  bed.plug(kSpaceMouse);
+  waitFor([&] { return device->read(0.001).connected; });
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  CHECK(device->read(0.001).position.mm.x == stood);  // the push is forgotten
+  waitFor([&] { return (bed.send(push), device->read(0.001).position.mm.x > stood + 1.0); });
+  CHECK(device->read(0.001).position.mm.x > stood + 1.0);
+}
