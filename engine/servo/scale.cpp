@@ -30,7 +30,9 @@ Workspace magnified(const Workspace& now, PointA centre, double radius_A, const 
   if (!finite(centre.A) || !std::isfinite(radius_A) || !(half_mm > 0) || !std::isfinite(half_mm)) return now;
   Workspace out = now;
   out.centre_A = centre.A;
-  out.A_per_mm = std::clamp(radius_A / half_mm, kFinest_A_per_mm, kCoarsest_A_per_mm);
+  // A part that needs more room than the whole has lies in it as the whole does.
+  const double coarsest = std::max(kFinest_A_per_mm, std::min(kCoarsest_A_per_mm, now.A_per_mm));
+  out.A_per_mm = std::clamp(radius_A / half_mm, kFinest_A_per_mm, coarsest);
   return out;
 }
 

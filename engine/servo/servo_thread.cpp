@@ -18,10 +18,11 @@ void ServoThread::start() {
   if (!step_) step_.emplace(fallback_.info());
   switch_.emplace(fallback_, chosen_.get());
   time_ = {};
-  last_ns_ = monotonic_ns();
+  const std::int64_t begun_ns = last_ns_ = monotonic_ns();
   device_beat_ns_.store(0, std::memory_order_relaxed);
   stop_.store(false, std::memory_order_release);
-  if (chosen_ && chosen_->startClock(*this)) device_beat_ns_.store(last_ns_, std::memory_order_release);
+  // From here on the device's clock may already tick, and last_ns_ is its own.
+  if (chosen_ && chosen_->startClock(*this)) device_beat_ns_.store(begun_ns, std::memory_order_release);
   thread_ = std::thread([this] { run(); });
 }
 

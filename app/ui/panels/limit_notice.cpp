@@ -18,7 +18,7 @@ void drawLimitNotice(Application& app) {
   std::string text;
   if (stopped) {
     text = "All force is stopped. F9 allows it again.";
-  } else if (app.scene.servo().device().gives_force) {
+  } else if (app.scene.servo().device().gives_force && !app.panels.device_page) {  // the page tells them itself
     for (const LimitWords* words : app.extensions().device.shownLimits()) text += (text.empty() ? "" : "\n") + std::string(words->sentence);
   }
   if (text.empty() || view.empty() || app.panels.welcome) return;
