@@ -18,13 +18,14 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
   app.add_option("--script", into.script)->group("");
   app.add_option("--size", into.size)->group("");
   app.add_option("--content-scale", into.scale)->group("");
+  app.add_option("--attempts", into.attempts)->group("");
   app.add_flag("--frame-stats", into.frame_stats)->group("");
 }
 
 int runWindowArguments(const WindowArguments& a) {
   if (a.screenshot.empty() && a.script.empty()) return runWindow({.file = a.file, .frame_stats = a.frame_stats, .state_text = a.state_text});
   OffscreenOptions options{.file = a.file, .screenshot = a.screenshot, .script = a.script, .content_scale = a.scale,
-                           .frame_stats = a.frame_stats, .state_text = a.state_text};
+                           .frame_stats = a.frame_stats, .state_text = a.state_text, .attempts = a.attempts};
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {  // false for what is not a number, too
     std::cerr << "moltact: --content-scale " << a.scale << " is out of range; give 0.5 to 8\n";
     return 2;

@@ -19,7 +19,7 @@ constexpr double kRadian = std::numbers::pi / 180;
 
 struct RenderArguments {
   MoleculeArgument molecule;
-  std::string out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark";
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark", colour = "element";
   double probe_A = kWaterProbe_A, azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
   bool look_at_hip = false;
@@ -91,6 +91,7 @@ void render(const RenderArguments& arguments) {
   scene.shown = *shown;
   scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
+  scene.colour_by = arguments.colour == "chain" ? ColourBy::Chain : ColourBy::Element;
   scene.probe_A = arguments.probe_A;
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
   scene.camera.fit(*scene.molecule, double(width) / height);
@@ -140,6 +141,7 @@ void addRender(CLI::App& app) {
       ->check(numberFrom(0.01, 1000.0))->capture_default_str();
   command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
+  command->add_option("--colour", a.colour, "What the atoms' colours tell")->check(CLI::IsMember({"element", "chain"}))->capture_default_str();
   command->add_option("--samples", a.samples, "Samples along each pixel's edge")->check(CLI::Range(1, 4))->capture_default_str();
   command->add_option("--time", a.time, "Also draws so many pictures and prints the times as JSON")->check(CLI::Range(0, 10000));
   command->callback([arguments] { render(*arguments); });

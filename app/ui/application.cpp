@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/ui/actions.h"
-#include "app/ui/controls.h"
 #include "app/ui/extensions.h"
+#include "app/ui/key_focus.h"
 #include "app/ui/number_text.h"
 #include "app/ui/panels/panels.h"
 #include "app/ui/theme.h"
@@ -82,6 +82,7 @@ void Application::enterScene() {
   scene.servo_settings.force_on = spec->force;
   if (findMethod(spec->method) && spec->method != scene.method()) scene.useMethod(spec->method);
   scene.shown = lesson.shapes();
+  scene.colour_by = colourBy(*spec);
   panels.follow(spec->panels);
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.file());
   const Expected<std::filesystem::path> file = lesson.moleculeFile();
@@ -145,8 +146,10 @@ TouchScene::Facing Application::facing() const {
 void Application::resetView() { scene.resetView(facing()); }
 
 void Application::resetViewByHand() {
-  extensions_->history.noteView(scene.camera);
+  const Camera seen = scene.camera, before = extensions_->scene_change.bound(seen);
   resetView();
+  extensions_->history.noteView(before, scene.camera);
+  extensions_->scene_change.glide(*this, seen);
 }
 
 void Application::askForPictureAs() {
@@ -158,7 +161,7 @@ void Application::askForPictureAs() {
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {
-  layout_ = layOut({.window = window_px, .scale = look().scale, .lesson = panels.lesson && lesson.session() && !extensions_->playback.on(), .touch = panels.touch, .page = panels.welcome,
+  layout_ = layOut({.window = window_px, .scale = look().scale * look().text, .lesson = panels.lesson && lesson.session() && !extensions_->playback.on(), .touch = panels.touch, .page = panels.welcome,
                     .lesson_width = float(settings.lesson_width), .touch_width = float(settings.touch_width), .strip_height = extensions_->stripHeight()},
                    panels.lesson_first);
   if (panels.welcome) return;
@@ -186,7 +189,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   messages.age(dt_s);
 
   setDecimalComma(settings.decimal_comma);
-  leadPagesByKeys();
+  leadByKeys(*this);
   runShortcuts(*this);
   layPanelsOut(window_px);
   for (const Panel& panel : allPanels()) panel.draw(*this);

@@ -34,7 +34,7 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 146959810393466
 }
 
 std::string sceneKey(const SceneSpec& s) {
-  return s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' + s.method + '|' + std::to_string(s.probe_A);
+  return s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' + s.method + '|' + std::to_string(s.probe_A) + '|' + s.colour;
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -59,6 +59,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
   scene.shown = {Shape::Atoms, Shape::Target, Shape::Probe, Shape::Facets};
   scene.probe_A = spec.probe_A;
+  scene.colour_by = colourBy(spec);
   scene.facets = feltFacets(spec.method);
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;

@@ -6,6 +6,7 @@
 
 #include <imgui_internal.h>
 
+#include "app/ui/key_focus.h"
 #include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
@@ -14,13 +15,6 @@ namespace moltact {
 namespace {
 
 ImVec2 operator+(ImVec2 a, ImVec2 b) { return {a.x + b.x, a.y + b.y}; }
-// A ring round the last item where the keyboard has led to it.
-void focusRing() {
-  if (!ImGui::IsItemFocused() || GImGui->NavDisableHighlight) return;
-  const float off = look().px(2);
-  const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  ImGui::GetWindowDrawList()->AddRect({low.x - off, low.y - off}, {high.x + off, high.y + off}, look().palette.accent, look().px(6), 0, look().px(2));
-}
 void drawText(ImVec2 at, ImU32 colour, const char* text) { ImGui::GetWindowDrawList()->AddText(at, colour, text); }
 
 }  // namespace
@@ -40,7 +34,7 @@ bool button(const char* name, const char* label, ButtonLook kind, float width, b
   ImGui::PushStyleColor(ImGuiCol_Text, text);
   ImGui::BeginDisabled(!enabled);
   ImGui::PushID(name);
-  const float high = look().px(34);
+  const float high = look().tx(34);
   if (kind == ButtonLook::Primary) ImGui::PushFont(look().font(Font::Strong));
   const bool clicked = ImGui::Button(label, {width, high});
   if (kind == ButtonLook::Primary) ImGui::PopFont();
@@ -63,7 +57,6 @@ bool iconButton(const char* name, Icon icon, const char* text, bool on, bool ena
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   if (hovered || held || on) draw->AddRectFilled(low, high, held ? p.pressed : hovered ? p.hovered : p.accent_soft, look().px(6));
-  focusRing();
   drawIcon(draw, icon, {0.5f * (low.x + high.x), 0.5f * (low.y + high.y)}, look().px(16), !enabled ? faded(p.faint, 0.5f) : on ? p.accent : hovered ? p.text : p.quiet);
   recordItem(name, text ? text : "");
   tip(text);
@@ -72,7 +65,7 @@ bool iconButton(const char* name, Icon icon, const char* text, bool on, bool ena
 
 bool toggle(const char* name, const char* label, bool& on, const char* text) {
   const Palette& p = look().palette;
-  const float width = std::max(ImGui::GetContentRegionAvail().x, look().px(60)), high = look().px(28);
+  const float width = std::max(ImGui::GetContentRegionAvail().x, look().px(60)), high = look().tx(28);
   ImGui::PushID(name);
   const bool clicked = ImGui::InvisibleButton("toggle", {width, high});
   ImGui::PopID();
@@ -85,7 +78,6 @@ bool toggle(const char* name, const char* label, bool& on, const char* text) {
   draw->AddRectFilled(a, b, on ? p.accent : hovered ? p.faint : p.pressed, 0.5f * track_h);
   const float r = 0.5f * track_h - look().px(2.5f);
   draw->AddCircleFilled({on ? b.x - 0.5f * track_h : a.x + 0.5f * track_h, middle}, r, on ? p.accent_text : p.panel, 24);
-  focusRing();
   const std::string shown = elided(label, width - track_w - look().px(8));
   drawText({low.x, middle - 0.5f * ImGui::GetFontSize()}, p.text, shown.c_str());
   recordItem(name, on ? "on" : "off");
@@ -106,7 +98,8 @@ bool slider(const char* name, const char* label, double& value, double least, do
   const float x0 = low.x + knob, x1 = std::max(x0 + 1.0f, end.x - knob), y = end.y - knob;
   const double before = value;
   const auto snapped = [&](double v) { return std::clamp(least + std::round((v - least) / step) * step, least, most); };
-  if (held) value = snapped(least + (most - least) * double(std::clamp((ImGui::GetIO().MousePos.x - x0) / (x1 - x0), 0.0f, 1.0f)));
+  if (held && GImGui->ActiveIdSource == ImGuiInputSource_Mouse) value = snapped(least + (most - least) * double(std::clamp((ImGui::GetIO().MousePos.x - x0) / (x1 - x0), 0.0f, 1.0f)));
+  if (const int notches = arrowsAtItem()) value = snapped(value + step * notches);
   if (hovered && !held && ImGui::GetIO().MouseWheel != 0.0f) {
     value = snapped(value + step * double(ImGui::GetIO().MouseWheel));
     ImGui::GetIO().MouseWheel = 0.0f;
@@ -127,14 +120,14 @@ bool slider(const char* name, const char* label, double& value, double least, do
   draw->AddCircleFilled({at, y}, knob, p.accent, 32);
   draw->AddCircleFilled({at, y}, knob - look().px(2.5f), p.panel, 32);
   // A script aims at the track and not at the label.
-  recordRectangle(name, {x0, y - knob}, {x1, y + knob}, shown);
+  recordControl(name, {x0, y - knob}, {x1, y + knob}, shown);
   if (!held) tip(text);
   return value != before;
 }
 
 bool segments(const char* name, std::span<const std::string> labels, std::size_t& chosen) {
   const Palette& p = look().palette;
-  const float width = ImGui::GetContentRegionAvail().x, high = look().px(32), inset = look().px(3);
+  const float width = ImGui::GetContentRegionAvail().x, high = look().tx(32), inset = look().px(3);
   const ImVec2 low = ImGui::GetCursorScreenPos();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, low + ImVec2(width, high), p.raised, look().px(7));
@@ -163,8 +156,7 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
       changed = true;
     }
     ImGui::PopID();
-    focusRing();
-    const bool on = chosen == k;
+      const bool on = chosen == k;
     const ImVec2 a = ImGui::GetItemRectMin(), b = ImGui::GetItemRectMax();
     if (on || ImGui::IsItemHovered())
       draw->AddRectFilled(a + ImVec2(inset, inset), b + ImVec2(-inset, -inset), on ? p.accent : p.hovered, look().px(5));
@@ -180,7 +172,7 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
 
 bool disclosure(const char* name, const char* label, bool& open) {
   const Palette& p = look().palette;
-  const float width = ImGui::GetContentRegionAvail().x, high = look().px(30);
+  const float width = ImGui::GetContentRegionAvail().x, high = look().tx(30);
   ImGui::PushID(name);
   const bool clicked = ImGui::InvisibleButton("disclosure", {width, high});
   ImGui::PopID();
@@ -220,7 +212,7 @@ void tip(const char* text) {
   if (ImGui::GetCurrentContext() && ImGui::IsAnyMouseDown()) return;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {look().px(10), look().px(7)});
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(look().px(280));
+  ImGui::PushTextWrapPos(look().tx(280));
   ImGui::TextUnformatted(text);
   ImGui::PopTextWrapPos();
   ImGui::EndTooltip();
@@ -273,7 +265,7 @@ bool beginPage(const char* name, const char* title, bool& open, float width, flo
   const ImVec2 window = ImGui::GetIO().DisplaySize;
   const float margin = look().px(16);
   ImGui::SetNextWindowPos({0.5f * window.x, 0.5f * window.y}, ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(look().px(width), window.x - 2 * margin), std::min(look().px(height), window.y - 2 * margin)});
+  ImGui::SetNextWindowSize({std::min(look().tx(width), window.x - 2 * margin), std::min(look().tx(height), window.y - 2 * margin)});
   const float edge = look().theme == ThemeChoice::HighContrast ? ImGui::GetStyle().PopupBorderSize : 0.0f;
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, look().px(10));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, edge);
@@ -302,11 +294,5 @@ bool beginPage(const char* name, const char* title, bool& open, float width, flo
 }
 
 void endPage() { ImGui::EndPopup(); }
-
-void leadPagesByKeys() {
-  ImGuiIO& io = ImGui::GetIO();
-  const bool page = ImGui::GetTopMostPopupModal() != nullptr;
-  io.ConfigFlags = page ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
-}
 
 }  // namespace moltact

@@ -53,8 +53,5 @@ void endPanel();
 /// and height are at 96 dpi and are cut to the window. End it with endPage(). Escape and its cross close it.
 bool beginPage(const char* name, const char* title, bool& open, float width, float height);
 void endPage();
-/// Once a frame, before pages: while one is open, the arrows lead from control to control and Space works them; over
-/// the panels these keys belong to the molecule.
-void leadPagesByKeys();
 
 }  // namespace moltact

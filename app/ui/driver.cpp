@@ -47,7 +47,7 @@ void Driver::frame(bool drawn) {
   target_->gl.resize(options_.width, options_.height);
   target_->gl.bind();
   app_->picture().hold(!drawn);
-  shell_->setLook(app_->settings.theme, float(options_.content_scale * app_->settings.scale));
+  shell_->setLook(app_->settings.theme, float(options_.content_scale * app_->settings.scale), float(app_->settings.text_size));
   shell_->frame(options_.width, options_.height, kFrame_s, [&] {
     app_->frame(kFrame_s, {options_.width, options_.height});
     target_->gl.bind();

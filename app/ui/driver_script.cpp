@@ -1,7 +1,7 @@
 // A script's language: one act a line, words parted by spaces, "#" begins a comment.
 //
 //   open FILE | drop FILE        size WIDTH HEIGHT             theme light|dark|high-contrast
-//   scale FACTOR
+//   scale FACTOR                 text-size FACTOR: of letters alone
 //   click WIDGET [right]         drag WIDGET DX DY [right]     point WIDGET [X Y]        press | release
 //   wheel NOTCHES                key NAMES                     hold NAMES | let-go NAMES type TEXT
 //   plug out|in: the simulated stylus, where it is in use
@@ -67,6 +67,7 @@ std::string perform(Driver& d, const Act& a) {
     d.frames(3);
   }
   else if (a.verb == "scale") d.app().settings.scale = a.number(0, 1.0), d.frames(3);
+  else if (a.verb == "text-size") d.app().settings.text_size = a.number(0, 1.0), d.frames(3);
   else if (a.verb == "click") return d.click(a.word(0), button) ? "" : absent;
   else if (a.verb == "drag") return d.drag(a.word(0), a.number(1, 0), a.number(2, 0), button) ? "" : absent;
   else if (a.verb == "point") return d.point(a.word(0), a.number(1, 0.5), a.number(2, 0.5)) ? "" : absent;

@@ -12,13 +12,12 @@ namespace fs = std::filesystem;
 bool fileRow(const std::string& name, Icon icon, const std::string& label) {
   const Look& l = look();
   ImGui::PushID(name.c_str());
-  const float width = ImGui::GetContentRegionAvail().x, high = l.px(30);
+  const float width = ImGui::GetContentRegionAvail().x, high = l.tx(30);
   const bool clicked = ImGui::InvisibleButton("row", {width, high});
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const bool led = ImGui::IsItemFocused() && ImGui::GetIO().NavVisible;
-  if (ImGui::IsItemHovered() || led) draw->AddRectFilled(low, end, l.palette.hovered, l.px(6));
+  if (ImGui::IsItemHovered()) draw->AddRectFilled(low, end, l.palette.hovered, l.px(6));
   const float middle = 0.5f * (low.y + end.y);
   drawIcon(draw, icon, {low.x + l.px(16), middle}, l.px(14), icon == Icon::Folder ? l.palette.accent : l.palette.quiet);
   const std::string shown = elided(label, width - l.px(40));
@@ -32,7 +31,7 @@ fs::path drawFileList(FileBrowser& b, const std::string& prefix, const char* not
   if (b.folder().has_parent_path() && b.folder() != b.folder().parent_path() && fileRow(prefix + "/up", Icon::Up, "Parent folder"))
     next = b.folder().parent_path();
   ImGuiListClipper clipper;
-  clipper.Begin(int(b.entries().size()), look().px(30) + ImGui::GetStyle().ItemSpacing.y);
+  clipper.Begin(int(b.entries().size()), look().tx(30) + ImGui::GetStyle().ItemSpacing.y);
   while (clipper.Step())
     for (int k = clipper.DisplayStart; k < clipper.DisplayEnd; ++k) {
       const FileEntry& e = b.entries()[std::size_t(k)];

@@ -27,7 +27,7 @@ void setModifiers(ImGuiIO& io) {
 
 InputQueue::InputQueue() {
   ImGuiIO& io = ImGui::GetIO();
-  io.KeyMap[ImGuiKey_Tab] = GLFW_KEY_TAB;
+  io.KeyMap[ImGuiKey_Tab] = -1;  // leads everywhere and not only from field to field: key_focus.h
   io.KeyMap[ImGuiKey_LeftArrow] = GLFW_KEY_LEFT;
   io.KeyMap[ImGuiKey_RightArrow] = GLFW_KEY_RIGHT;
   io.KeyMap[ImGuiKey_UpArrow] = GLFW_KEY_UP;

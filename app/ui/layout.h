@@ -14,7 +14,7 @@ struct Rectangle {
 
 struct LayoutWish {
   glm::vec2 window{1280, 800};
-  float scale = 1.0f;
+  float scale = 1.0f;                              ///< of what holds text
   bool lesson = true, touch = true;                ///< panels that are wanted
   bool page = false;                               ///< a page stands in the place of view and panels
   float lesson_width = 350.0f, touch_width = 288.0f;  ///< at 96 dpi

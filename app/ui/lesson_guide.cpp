@@ -14,12 +14,14 @@ namespace {
 
 bool sameScene(const SceneSpec& a, const SceneSpec& b) {
   return a.molecule == b.molecule && a.probe_A == b.probe_A && a.stiffness_N_per_mm == b.stiffness_N_per_mm && a.method == b.method &&
-         a.force == b.force && a.show == b.show && a.panels == b.panels && a.locked == b.locked && a.view == b.view &&
+         a.force == b.force && a.show == b.show && a.colour == b.colour && a.panels == b.panels && a.locked == b.locked && a.view == b.view &&
          a.highlight.text() == b.highlight.text() && a.facing.text() == b.facing.text() &&
          a.magnify.text() == b.magnify.text();
 }
 
 }  // namespace
+
+ColourBy colourBy(const SceneSpec& scene) { return scene.colour == "chain" ? ColourBy::Chain : ColourBy::Element; }
 
 bool LessonGuide::open(const std::filesystem::path& file) {
   LessonReading reading = readLesson(file);

@@ -32,6 +32,9 @@ struct AnswerDrafts {
   std::map<std::size_t, CurveDraft> curves;  ///< by the task's index
 };
 
+/// What a scene's colours tell.
+ColourBy colourBy(const SceneSpec& scene);
+
 class LessonGuide {
  public:
   /// Opens a lesson file at its first step. False where it cannot be read as a lesson: the one that was open stays.

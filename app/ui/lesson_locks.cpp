@@ -14,7 +14,10 @@ void LessonLocks::afterPanels(Application& app) {
   if (spec.locks("stiffness")) app.scene.servo_settings.stiffness_N_per_mm = stage.stiffness_N_per_mm.value_or(spec.stiffness_N_per_mm);
   if (spec.locks("force")) app.scene.servo_settings.force_on = spec.force;
   if (spec.locks("method") && findMethod(method) && app.scene.method() != method) app.scene.useMethod(method);
-  if (spec.locks("show")) app.scene.shown = app.lesson.shapes();
+  if (spec.locks("show")) {
+    app.scene.shown = app.lesson.shapes();
+    app.scene.colour_by = colourBy(spec);
+  }
   if (spec.locks("panels")) app.panels.keep(spec.panels);
 }
 

@@ -57,7 +57,7 @@ Frame begin(const char* title, const std::string& reading, float height) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   text(low, p.quiet, title, small);
   text({high.x, low.y}, p.text, reading, small, 1.0f);
-  Frame f{{low.x + l.px(kLeftMargin), low.y + head}, {high.x, high.y - foot}, small};
+  Frame f{{low.x + l.tx(kLeftMargin), low.y + head}, {high.x, high.y - foot}, small};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(f.low, f.high, p.raised, l.px(6));
   struct Mark {

@@ -22,7 +22,8 @@ int runOffscreen(const OffscreenOptions& options) {
   wanted.width = options.width;
   wanted.height = options.height;
   wanted.content_scale = options.content_scale;
-  wanted.draw_all = true;
+  wanted.draw_all = options.frame_stats;  // else only what is looked at
+  wanted.application.attempts_folder = options.attempts;
   Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(wanted));
   if (!made) return fail(made.problem());
   Driver& driver = **made;

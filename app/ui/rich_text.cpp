@@ -4,6 +4,8 @@
 #include <cmath>
 #include <string_view>
 
+#include <imgui_internal.h>
+
 #include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
@@ -107,7 +109,13 @@ std::string drawRichText(const char* name, const RichText& text, ImU32 colour, f
       }
       pen.x += word_w;
     }
-    if (link_high.x > 0) recordRectangle(std::string(name) + "/" + run.text, {link_low.x, link_low.y}, {link_high.x, link_high.y}, run.link);
+    if (link_high.x > 0) {
+      // An item only for the keys: the mouse may point at any of its words.
+      const ImGuiID id = ImGui::GetID((std::string(name) + "/" + run.text).c_str());
+      ImGui::ItemAdd({link_low, link_high}, id);
+      recordControl(std::string(name) + "/" + run.text, {link_low.x, link_low.y}, {link_high.x, link_high.y}, run.link);
+      if (GImGui->NavActivatePressedId == id) clicked = run.link;
+    }
     if (link_hovered) {
       ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
       if (ImGui::IsMouseClicked(0)) clicked = run.link;

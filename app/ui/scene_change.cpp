@@ -23,12 +23,17 @@ void SceneChange::sceneChanged(Application& app) {
   if (app.scene.stage().molecule != molecule_) {
     app.picture().keepForFade();
     fade_s_ = 0.0;
-  } else if (!(seen_ == app.scene.camera)) {
-    from_ = seen_;
-    to_ = app.scene.camera;
-    app.scene.camera = from_;
-    glide_s_ = 0.0;
+  } else {
+    glide(app, seen_);
   }
+}
+
+void SceneChange::glide(Application& app, const Camera& seen) {
+  if (app.settings.reduced_motion || seen == app.scene.camera) return;
+  from_ = seen;
+  to_ = app.scene.camera;
+  app.scene.camera = from_;
+  glide_s_ = 0.0;
 }
 
 void SceneChange::beforeTicks(Application& app) {

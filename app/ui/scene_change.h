@@ -24,6 +24,11 @@ class SceneChange : public Extension {
   void afterPanels(Application& app) override;
   bool live() const override { return glide_s_ < kGlide_s || fade_s_ < kFade_s; }
 
+  /// From the view that is seen to the scene's camera, which has been set. At once where the person prefers it so.
+  void glide(Application& app, const Camera& seen);
+  /// Where the camera is going; `now` where it rests.
+  Camera bound(const Camera& now) const { return gliding() ? to_ : now; }
+
   /// How strongly the picture of the scene before still shows over the new one (1 to 0).
   double oldPicture() const { return 1.0 - fade_s_ / kFade_s; }
   bool gliding() const { return glide_s_ < kGlide_s; }

@@ -3,12 +3,13 @@
 #include <imgui.h>
 
 #include "app/ui/application.h"
+#include "app/ui/extensions.h"
 
 namespace moltact {
 
 SceneHistory::Choices SceneHistory::choicesOf(const Application& app) {
   const ServoSettings& s = app.scene.servo_settings;
-  return {app.scene.method(), s.probe_A, s.stiffness_N_per_mm, s.force_on, app.scene.shown};
+  return {app.scene.method(), s.probe_A, s.stiffness_N_per_mm, s.force_on, app.scene.shown, app.scene.colour_by};
 }
 
 void SceneHistory::apply(Application& app, const Choices& c, const std::optional<Camera>& camera) {
@@ -17,8 +18,13 @@ void SceneHistory::apply(Application& app, const Choices& c, const std::optional
   s.stiffness_N_per_mm = c.stiffness_N_per_mm;
   s.force_on = c.force_on;
   app.scene.shown = c.shown;
+  app.scene.colour_by = c.colour_by;
   if (c.method != app.scene.method()) app.scene.useMethod(c.method);
-  if (camera) app.scene.camera = *camera;
+  if (camera) {
+    const Camera seen = app.scene.camera;
+    app.scene.camera = *camera;
+    app.extensions().scene_change.glide(app, seen);
+  }
   current_ = c;
 }
 
@@ -36,23 +42,21 @@ void SceneHistory::redo(Application& app) {
   apply(app, done_.back().after, done_.back().camera_after);
 }
 
-void SceneHistory::noteView(const Camera& camera) { view_before_ = camera; }
+void SceneHistory::noteView(const Camera& before, const Camera& after) {
+  if (!(before == after)) view_ = {before, after};
+}
 
 void SceneHistory::afterPanels(Application& app) {
   if (ImGui::IsAnyMouseDown()) return;
   Choices now = choicesOf(app);
   if (!current_) current_ = now;
-  const bool turned = view_before_ && !(*view_before_ == app.scene.camera);
-  if (now == *current_ && !turned) {
-    view_before_.reset();
-    return;
-  }
+  const auto view = std::exchange(view_, std::nullopt);
+  if (now == *current_ && !view) return;
   Change change{*current_, now, {}, {}};
-  if (turned) {
-    change.camera_before = view_before_;
-    change.camera_after = app.scene.camera;
+  if (view) {
+    change.camera_before = view->first;
+    change.camera_after = view->second;
   }
-  view_before_.reset();
   done_.push_back(std::move(change));
   if (done_.size() > kMost) done_.erase(done_.begin());
   undone_.clear();
@@ -62,7 +66,7 @@ void SceneHistory::afterPanels(Application& app) {
 void SceneHistory::begin() {
   done_.clear();
   undone_.clear();
-  view_before_.reset();
+  view_.reset();
   current_.reset();
 }
 

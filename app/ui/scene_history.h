@@ -4,6 +4,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/ui/extension.h"
@@ -18,8 +19,8 @@ class SceneHistory : public Extension {
   bool canRedo() const { return !undone_.empty(); }
   void undo(Application& app);
   void redo(Application& app);
-  /// The view is about to be reset: undo brings back the camera as it is now.
-  void noteView(const Camera& camera);
+  /// The view was set anew by hand, or is on its way: undo brings back the camera as it was before.
+  void noteView(const Camera& before, const Camera& after);
 
   /// Takes up a change once the mouse rests, so that a slider's whole drag is one.
   void afterPanels(Application& app) override;
@@ -32,6 +33,7 @@ class SceneHistory : public Extension {
     double probe_A = 0.0, stiffness_N_per_mm = 0.0;
     bool force_on = true;
     ShapeSet shown;
+    ColourBy colour_by = ColourBy::Element;
     friend bool operator==(const Choices&, const Choices&) = default;
   };
   struct Change {
@@ -44,7 +46,7 @@ class SceneHistory : public Extension {
   void apply(Application& app, const Choices& choices, const std::optional<Camera>& camera);
 
   std::optional<Choices> current_;  // none: what the scene has at the end of the frame
-  std::optional<Camera> view_before_;
+  std::optional<std::pair<Camera, Camera>> view_;  // before and after
   std::vector<Change> done_, undone_;
 };
 

@@ -81,8 +81,10 @@ LoadedSettings loadSettings(const fs::path& file) {
   if (const auto theme = json.find("theme"); theme != json.end() && theme->is_string())
     s.theme = themeNamed(theme->get<std::string>()).value_or(s.theme);
   readNumber(json, "scale", s.scale, 0.75, 3.0);
+  readNumber(json, "text_size", s.text_size, 1.0, 1.5);
   readNumber(json, "lesson_width", s.lesson_width, 240.0, 700.0);
   readNumber(json, "touch_width", s.touch_width, 220.0, 600.0);
+  readSwitch(json, "legend", s.legend);
   readSwitch(json, "colour_blind_safe", s.colour_blind_safe);
   readSwitch(json, "left_handed", s.left_handed);
   readSwitch(json, "decimal_comma", s.decimal_comma);
@@ -102,8 +104,10 @@ LoadedSettings loadSettings(const fs::path& file) {
 std::string saveSettings(const Settings& s, const fs::path& file) {
   const nlohmann::json json = {{"theme", themeName(s.theme)},
                                {"scale", s.scale},
+                               {"text_size", s.text_size},
                                {"lesson_width", s.lesson_width},
                                {"touch_width", s.touch_width},
+                               {"legend", s.legend},
                                {"colour_blind_safe", s.colour_blind_safe},
                                {"left_handed", s.left_handed},
                                {"decimal_comma", s.decimal_comma},

@@ -26,8 +26,10 @@ std::optional<ProbeLook> probeLookNamed(std::string_view name);
 struct Settings {
   ThemeChoice theme = ThemeChoice::Light;
   double scale = 1.0;             ///< times the monitor's own scale (0.75 to 3, default 1)
+  double text_size = 1.0;         ///< letters, and what holds them, are so much larger than that (1 to 1.5, default 1)
   double lesson_width = 350.0;    ///< unit: pixel at 96 dpi (240 to 700)
   double touch_width = 288.0;     ///< unit: pixel at 96 dpi (220 to 600)
+  bool legend = true;             ///< colours that are not the customary ones are named in the view
   bool colour_blind_safe = false; ///< atoms in colours that every kind of colour vision tells apart
   bool left_handed = false;       ///< over the molecule the right button pushes and the left one turns
   bool decimal_comma = false;     ///< numbers as "1,4" and not as "1.4"

@@ -27,23 +27,25 @@ Shell::~Shell() {
   ImGui::DestroyContext();
 }
 
-void Shell::setLook(ThemeChoice theme, float scale) {
+void Shell::setLook(ThemeChoice theme, float scale, float text) {
   scale = std::clamp(scale, 0.5f, 4.0f);
-  if (theme == theme_ && scale == scale_) return;
+  if (theme == theme_ && scale == scale_ && text == text_) return;
   theme_ = theme;
   scale_ = scale;
+  text_ = text;
   look_changed_ = true;
 }
 
 void Shell::frame(int width, int height, double dt_s, const std::function<void()>& panels, bool drawn) {
   if (look_changed_) {
     look_changed_ = false;
-    if (scale_ != loaded_scale_ && loaded_scale_ != 0.0f) ImGui_ImplOpenGL3_DestroyFontsTexture();
-    std::string trouble = applyLook(theme_, scale_);
+    const bool another = loaded_ != 0.0f && loaded_ != scale_ * text_;
+    if (another) ImGui_ImplOpenGL3_DestroyFontsTexture();
+    std::string trouble = applyLook(theme_, scale_, text_);
     if (!trouble.empty()) trouble_ = std::move(trouble);
     ImGui_ImplOpenGL3_NewFrame();  // makes the device objects at the first frame, the font's picture with them
-    if (scale_ != loaded_scale_ && loaded_scale_ != 0.0f) ImGui_ImplOpenGL3_CreateFontsTexture();
-    loaded_scale_ = scale_;
+    if (another) ImGui_ImplOpenGL3_CreateFontsTexture();
+    loaded_ = scale_ * text_;
   }
   ImGuiIO& io = ImGui::GetIO();
   io.DisplaySize = {float(width), float(height)};

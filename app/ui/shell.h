@@ -19,8 +19,8 @@ class Shell {
 
   InputQueue& input() { return *input_; }
 
-  /// Asks for a theme and scale from the next frame on.
-  void setLook(ThemeChoice theme, float scale);
+  /// Asks for a theme, a scale and a size of letters (1: the scale's own) from the next frame on.
+  void setLook(ThemeChoice theme, float scale, float text);
   /// What could not be loaded, told once; empty when all is well.
   const std::string& trouble() const { return trouble_; }
 
@@ -31,7 +31,7 @@ class Shell {
   std::unique_ptr<InputQueue> input_;
   ThemeChoice theme_ = ThemeChoice::Light;
   bool look_changed_ = true;
-  float scale_ = 1.0f, loaded_scale_ = 0.0f;
+  float scale_ = 1.0f, text_ = 1.0f, loaded_ = 0.0f;  // loaded_: of the letters
   std::string trouble_;
 };
 

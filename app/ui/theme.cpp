@@ -78,7 +78,7 @@ void applyColours(ImGuiStyle& style, const Palette& p) {
   c[ImGuiCol_TableBorderLight] = c[ImGuiCol_TableBorderStrong] = v(p.line);
   c[ImGuiCol_TextSelectedBg] = v(faded(p.accent, 0.35f));
   c[ImGuiCol_ModalWindowDimBg] = ImVec4(0, 0, 0, 0.45f);
-  c[ImGuiCol_NavHighlight] = v(p.accent);
+  c[ImGuiCol_NavHighlight] = none;  // keyStop() draws the ring
 }
 
 void applySpacing(ImGuiStyle& style, const Look& l) {
@@ -131,7 +131,7 @@ std::string loadFonts(Look& l) {
   for (std::size_t k = 0; k < kFaces.size(); ++k) {
     const std::string file = std::string(kInter) + kFaces[k].file;
     // ImGui's font size is the height of ascent and descent together; Inter's em is 1 / 1.21 of it.
-    const float size = std::round(kFaces[k].size * 1.19f * l.scale);
+    const float size = std::round(kFaces[k].size * 1.19f * l.scale * l.text);
     ImFont* font = nullptr;
     if (std::filesystem::exists(file)) font = io.Fonts->AddFontFromFileTTF(file.c_str(), size, nullptr, kText);
     if (!font) {
@@ -152,6 +152,8 @@ std::string loadFonts(Look& l) {
 
 float Look::px(float at_96_dpi) const { return std::round(at_96_dpi * scale); }
 
+float Look::tx(float at_96_dpi) const { return std::round(at_96_dpi * scale * text); }
+
 const Look& look() { return g_look; }
 
 ImU32 faded(ImU32 colour, float alpha) {
@@ -171,11 +173,12 @@ Theme Look::viewTheme() const {
   return t;
 }
 
-std::string applyLook(ThemeChoice theme, float scale) {
+std::string applyLook(ThemeChoice theme, float scale, float text) {
   std::string missing;
-  const bool reload = g_look.scale != scale || !ImGui::GetIO().Fonts->IsBuilt() || !g_look.fonts[0];
+  const bool reload = g_look.scale * g_look.text != scale * text || !ImGui::GetIO().Fonts->IsBuilt() || !g_look.fonts[0];
   g_look.theme = theme;
   g_look.scale = scale;
+  g_look.text = text;
   g_look.palette = paletteOf(theme);
   applySpacing(ImGui::GetStyle(), g_look);
   applyColours(ImGui::GetStyle(), g_look.palette);

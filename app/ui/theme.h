@@ -28,11 +28,14 @@ enum class Font { Body, Strong, Italic, Small, Title, Heading, kCount };
 struct Look {
   ThemeChoice theme = ThemeChoice::Light;
   float scale = 1.0f;  ///< the monitor's content scale times the person's preference
+  float text = 1.0f;   ///< how much larger letters are than the scale alone makes them
   Palette palette{};
   ImFont* fonts[int(Font::kCount)] = {};
 
   /// Pixels at this scale, whole.
   float px(float at_96_dpi) const;
+  /// The same for what holds text: it grows with the letters, too.
+  float tx(float at_96_dpi) const;
   ImFont* font(Font f) const { return fonts[int(f)]; }
   /// The colours of the 3-D view.
   Theme viewTheme() const;
@@ -46,9 +49,9 @@ inline ElementColours elementColoursOf(const Settings& s) {
 /// The look of the current frame.
 const Look& look();
 
-/// Sets ImGui's style for a theme and scale; loads the fonts anew when the scale has changed.
+/// Sets ImGui's style for a theme, a scale and a size of letters; loads the fonts anew when these have changed.
 /// Returns what could not be loaded (empty: all well); the built-in font stands in.
-std::string applyLook(ThemeChoice theme, float scale);
+std::string applyLook(ThemeChoice theme, float scale, float text);
 
 /// The same colour, more transparent.
 ImU32 faded(ImU32 colour, float alpha);

@@ -3,15 +3,14 @@
 #include <imgui.h>
 #include <imgui_internal.h>
 
+#include "app/ui/key_focus.h"
+
 namespace moltact {
+namespace {
 
-WidgetMap& widgets() {
-  static WidgetMap map;
-  return map;
-}
-
-void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text) {
+void recordAs(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text, unsigned key_stop) {
   WidgetRecord record{low, high, {}, {}, std::move(text)};
+  record.key_stop = key_stop;
   if (const ImGuiWindow* window = ImGui::GetCurrentWindowRead()) {
     record.clip_low = {window->ClipRect.Min.x, window->ClipRect.Min.y};
     record.clip_high = {window->ClipRect.Max.x, window->ClipRect.Max.y};
@@ -20,9 +19,24 @@ void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::
   widgets().set(name, std::move(record));
 }
 
+}  // namespace
+
+WidgetMap& widgets() {
+  static WidgetMap map;
+  return map;
+}
+
+void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text) {
+  recordAs(name, low, high, std::move(text), 0);
+}
+
+void recordControl(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text) {
+  recordAs(name, low, high, std::move(text), keyStop());
+}
+
 void recordItem(std::string_view name, std::string text) {
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  recordRectangle(name, {low.x, low.y}, {high.x, high.y}, std::move(text));
+  recordControl(name, {low.x, low.y}, {high.x, high.y}, std::move(text));
 }
 
 }  // namespace moltact

@@ -15,6 +15,7 @@ struct WidgetRecord {
   glm::vec2 clip_low{0.0f}, clip_high{0.0f};  ///< of the window that it stands in: what lies outside is not seen
   std::string text;                           ///< its value or label as shown; may be empty
   bool scrolls = false;                       ///< it stands in a window that can be scrolled up and down
+  unsigned key_stop = 0;                      ///< the keys lead to it, as ImGui's item of this id; 0: they do not
 
   glm::vec2 centre() const { return 0.5f * (low + high); }
   /// Its middle is seen.
@@ -43,6 +44,8 @@ WidgetMap& widgets();
 
 /// Records ImGui's last item under a name, with the text it shows.
 void recordItem(std::string_view name, std::string text = {});
+/// The same with a rectangle of its own, where a script aims at a part of the item.
+void recordControl(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text);
 /// Records a rectangle of the current window that is no item.
 void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text = {});
 

@@ -215,7 +215,7 @@ int runWindow(const WindowOptions& options) {
       float content_x = 1, content_y = 1;
       glfwGetWindowContentScale(window, &content_x, &content_y);
       if (width > 0 && height > 0) {  // a window put away has no size
-        shell.setLook(app.settings.theme, float(double(content_x) * app.settings.scale));
+        shell.setLook(app.settings.theme, float(double(content_x) * app.settings.scale), float(app.settings.text_size));
         shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {width, height}); });
         cursors.show(window);
         glfwSwapBuffers(window);

@@ -91,6 +91,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("method")) scene.method = values["method"].words[0];
   if (takes("force")) scene.force = values["force"].words[0] == "on";
   if (takes("show")) scene.show = values["show"].words;
+  if (takes("colour")) scene.colour = values["colour"].words[0];
   if (takes("panels")) {
     scene.panels = values["panels"].words;
     if (scene.panels.size() > 1 && std::find(scene.panels.begin(), scene.panels.end(), "none") != scene.panels.end())

@@ -44,6 +44,9 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "show", .type = ValueType::WordList, .meaning = "The parts of the picture that are drawn.",
        .fallback = "atoms, probe, force, target",
        .words = {"atoms", "spheres", "circles", "points", "cones", "facets", "hip", "scp", "force", "probe", "target"}},
+      {.name = "colour", .type = ValueType::Word,
+       .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else has its elements' colours.",
+       .fallback = "element", .words = {"element", "chain"}},
       {.name = "panels", .type = ValueType::WordList,
        .meaning = "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with touch), 'none' leaves "
                   "the molecule and the text alone. Left out, those stay that the student has opened.",

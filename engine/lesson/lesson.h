@@ -78,6 +78,7 @@ struct SceneSpec {
   std::string method = "exact";        ///< as in findMethod
   bool force = true;                   ///< false: the hand feels nothing
   std::vector<std::string> show;       ///< names of the picture's parts
+  std::string colour = "element";      ///< what the atoms' colours tell: "element" or "chain"
   std::vector<std::string> panels;     ///< "touch", "methods", or "none"; empty: as the student has them
   std::vector<std::string> locked;     ///< keys that the student cannot change, those of the front matter too
   Selection highlight;                 ///< may select nothing

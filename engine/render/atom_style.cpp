@@ -1,5 +1,7 @@
 #include "engine/render/atom_style.h"
 
+#include <array>
+
 #include "engine/molecule/elements.h"
 
 namespace moltact {
@@ -22,10 +24,18 @@ Colour safeColour(std::uint8_t atomic_number) {
   }
 }
 
+// Light and shade stay visible on it.
+Colour softened(const Colour& pure) { return pure * 0.88f + 0.05f; }
+
+// Paul Tol's "bright" scheme of 2018, beginning with what is far from the colour of targets.
+constexpr std::array kChains{rgb(68, 119, 170), rgb(34, 136, 51), rgb(170, 51, 119), rgb(102, 204, 238), rgb(238, 102, 119), rgb(204, 187, 68), rgb(187, 187, 187)};
+
 }  // namespace
 
+Colour chainColour(std::uint32_t chain) { return softened(kChains[chain % kChains.size()]); }
+
 Colour elementColour(std::uint8_t atomic_number, ElementColours colours) {
-  if (colours == ElementColours::ColourBlindSafe) return safeColour(atomic_number) * 0.88f + 0.05f;
+  if (colours == ElementColours::ColourBlindSafe) return softened(safeColour(atomic_number));
   const auto& rgb = element(atomic_number).colour;
   const Colour pure = Colour(rgb[0], rgb[1], rgb[2]) / 255.0f;
   const float grey = glm::dot(pure, Colour(0.30f, 0.59f, 0.11f));

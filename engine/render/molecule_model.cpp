@@ -19,8 +19,15 @@ std::uint32_t packSigned(float v) { return std::uint8_t(std::int8_t(std::lround(
 
 }  // namespace
 
+std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom) {
+  if (atom.residue == kNoResidue) return std::nullopt;
+  const Residue& r = molecule.residues[atom.residue];
+  if (r.kind != ResidueKind::AminoAcid && r.kind != ResidueKind::Nucleotide) return std::nullopt;
+  return r.chain;
+}
+
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(ballsOf(*molecule)) {
-  paint(elements);
+  paint(elements, colour_by);
   for (const Exposure& e : exposures(scene.balls()))
     exposure.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |
                        packSigned(e.level) << 24);
@@ -29,11 +36,15 @@ MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::
     reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
 }
 
-void MoleculeModel::paint(ElementColours wanted) {
+void MoleculeModel::paint(ElementColours wanted, ColourBy by) {
   elements = wanted;
+  colour_by = by;
   colour.clear();
   colour.reserve(molecule->atoms.size());
-  for (const Atom& a : molecule->atoms) colour.push_back(packColour(elementColour(a.atomic_number, elements)));
+  for (const Atom& a : molecule->atoms) {
+    const std::optional<std::uint32_t> chain = by == ColourBy::Chain ? colouredChain(*molecule, a) : std::nullopt;
+    colour.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, elements)));
+  }
 }
 
 std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,

@@ -1,9 +1,10 @@
 // What the renderer keeps of a molecule between pictures: balls, colours, exposure, and a grid to find neighbours.
-// Made once for a molecule, immutable. Units: angstrom.
+// Made once for a molecule; only its colours change. Units: angstrom.
 #pragma once
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "engine/haptics/ball_scene.h"
@@ -12,13 +13,17 @@
 
 namespace moltact {
 
+/// The chain whose colour an atom has where chains are told apart; none for what keeps its element's.
+std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom);
+
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
-  /// Colours the atoms by their elements.
-  void paint(ElementColours elements);
+  /// Colours the atoms.
+  void paint(ElementColours elements, ColourBy by);
 
   std::shared_ptr<const Molecule> molecule;
   ElementColours elements = ElementColours::Customary;
+  ColourBy colour_by = ColourBy::Element;
   BallScene scene;
   std::vector<std::uint32_t> colour;    ///< bytes red, green, blue, 255 from the lowest
   std::vector<std::uint32_t> exposure;  ///< signed bytes slope x, y, z, level from the lowest

@@ -81,6 +81,7 @@ class CallersState {
 struct LayerKey {
   std::shared_ptr<const Molecule> molecule;
   ElementColours elements = ElementColours::Customary;
+  ColourBy colour_by = ColourBy::Element;
   Camera camera;
   int width = 0, height = 0, samples = 0;
   bool outlines = false, cull = false, atoms = false, resolved = true;
@@ -214,7 +215,7 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   const CallersState state;
   if (!p.model || p.model->molecule != scene.molecule)
     p.model = scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
-  if (p.model && p.model->elements != scene.elements) p.model->paint(scene.elements);
+  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by)) p.model->paint(scene.elements, scene.colour_by);
   p.count.atoms = p.model ? p.model->scene.size() : 0;
   if (!p.picture.resize(width_px, height_px)) return tooLarge();
 
@@ -225,7 +226,7 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   } else {
     const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, p.model.get()));
     const Lighting lighting = lightingOf(scene, p.model.get(), projection.depth);
-    LayerKey key{.molecule = scene.molecule, .elements = scene.elements, .camera = scene.camera, .width = width_px, .height = height_px,
+    LayerKey key{.molecule = scene.molecule, .elements = scene.elements, .colour_by = scene.colour_by, .camera = scene.camera, .width = width_px, .height = height_px,
                  .samples = std::clamp(options.samples, 1, 4),
                  .outlines = options.outlines, .cull = options.occlusion_cull, .atoms = scene.shown.has(Shape::Atoms),
                  .top = scene.theme.background_top, .bottom = scene.theme.background_bottom,

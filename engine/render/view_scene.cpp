@@ -78,7 +78,7 @@ bool sameView(const ViewScene& a, const ViewScene& b) {
     return p.centre.A == q.centre.A && p.radius_A == q.radius_A && p.reached == q.reached;
   };
   return a.blank == b.blank && a.molecule == b.molecule && a.camera == b.camera && a.shown == b.shown &&
-         a.theme == b.theme && a.elements == b.elements && samePlace(a.hip, b.hip) && sameContact(a.contact, b.contact) &&
+         a.theme == b.theme && a.elements == b.elements && a.colour_by == b.colour_by && samePlace(a.hip, b.hip) && sameContact(a.contact, b.contact) &&
          a.force_N == b.force_N && a.probe_A == b.probe_A && a.arrow_A_per_N == b.arrow_A_per_N &&
          a.haptic_atoms == b.haptic_atoms && a.haptic_atoms_at_most == b.haptic_atoms_at_most &&
          a.facets == b.facets && a.water == b.water && a.hand == b.hand && a.left_hand == b.left_hand && a.highlighted == b.highlighted &&

@@ -85,6 +85,7 @@ struct ViewScene {
   ShapeSet shown = defaultShapes();
   Theme theme = darkTheme();
   ElementColours elements = ElementColours::Customary;
+  ColourBy colour_by = ColourBy::Element;
   bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
 
   std::optional<PointA> hip;  ///< no probe is drawn without it

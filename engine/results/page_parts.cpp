@@ -252,8 +252,10 @@ figcaption{display:flex;flex-wrap:wrap;justify-content:space-between;gap:2px 12p
 .given td,.given th{text-align:center}.given td:first-child,.given th:first-child{text-align:left}.given .ok{color:var(--good);font-weight:700}.given .no{color:var(--mouse);font-weight:700}.given .none{color:var(--quiet)}
 ul.plain{margin:6px 0;padding-left:1.2em}code{font:13px ui-monospace,"DejaVu Sans Mono",monospace;overflow-wrap:anywhere}
 @media print{:root{--ground:#fff;--panel:#fff;--text:#000;--quiet:#444;--line:#bbb;--accent:#333;--soft:#eee;--device:#000;--mouse:#000;--mouse-soft:#fff;--keyboard:#000;--keyboard-soft:#fff;--wrong:#666;--wrong-soft:#fff;--good:#000;color-scheme:light}
-body{font-size:11pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h2{break-before:page}h2.first{break-before:auto}h3{break-after:avoid}.scroll{overflow:visible}table{font-size:9pt}th{font-size:8.5pt}th,td{padding:4px 6px}.histograms{grid-template-columns:1fr 1fr}a{color:inherit}}
-@page{margin:16mm 14mm}
+body{font-size:9.5pt;-webkit-print-color-adjust:exact;print-color-adjust:exact}main{max-width:none;padding:0}h1{font-size:18pt}h2{font-size:15pt;margin:0 0 2px;break-before:page}h2.first{break-before:auto}h3{font-size:11pt;margin:14px 0 6px;break-after:avoid}.small{font-size:8.5pt}
+.tiles{grid-template-columns:repeat(5,1fr);gap:8px;margin:10px 0}.tile{padding:8px 10px}.tile b{font-size:14pt}.tile span{font-size:8pt}.card{padding:8px 12px;margin:8px 0}.scroll{overflow:visible;break-inside:auto}.head b{font-size:10.5pt}.head span,figcaption,.legend{font-size:8.5pt}
+table{font-size:8pt}th{font-size:7.5pt}th,td{padding:2px 6px}.histograms{grid-template-columns:repeat(3,1fr)}a{color:inherit}}
+@page{margin:14mm 13mm}
 )css";
 }
 

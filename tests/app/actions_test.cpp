@@ -154,6 +154,68 @@ TEST_CASE("preferences change the theme, the size and the atoms' colours at once
   CHECK(difference(customary, d->picture()) > 0.05);
 }
 
+TEST_CASE("letters grow by themselves: at 150 % a line of text is 1.5 times as high, and the tool bar's signs stay as they are") {
+  auto d = startWith("argon");
+  const auto high = [](const char* name) { return widgets().find(name)->high.y - widgets().find(name)->low.y; };
+  const float sign = high("tool/open"), row = high("show/hip"), words = look().font(Font::Body)->FontSize;
+  d->tap("Ctrl+,");
+  d->frames(3);
+  CHECK(d->click("preferences/text-size/150 %"));
+  d->tap("Escape");
+  d->frames(3);
+  CHECK(d->app().settings.text_size == 1.5);
+  CHECK(d->app().settings.scale == 1.0);
+  CHECK(look().font(Font::Body)->FontSize == doctest::Approx(1.5 * words).epsilon(0.05));
+  CHECK(high("show/hip") == doctest::Approx(1.5 * row).epsilon(0.05));
+  CHECK(high("tool/open") == sign);
+}
+
+TEST_CASE("colours that are not the customary ones are named in the view, commonest element first, chains in their order") {
+  auto d = startWith("1ubq");
+  CHECK_FALSE(d->shows("view/legend"));
+  d->app().settings.colour_blind_safe = true;
+  d->frames(2);
+  CHECK(d->text("view/legend") == "carbon, oxygen, nitrogen, sulfur");
+  d->app().settings.legend = false;
+  d->frames(2);
+  CHECK_FALSE(d->shows("view/legend"));
+}
+
+TEST_CASE("a molecule coloured by chain shows as many colours as it has chains, what is no chain keeps its own, and undo brings the elements back") {
+  auto d = startWith("2hhb");
+  d->app().messages = {};
+  d->frames(10);
+  const Picture elements = d->picture();
+  d->click("menu/view");
+  d->frames(3);
+  CHECK(d->click("menu/view/chains"));
+  d->frames(10);
+  CHECK(d->text("view/legend").starts_with("chain A, chain B, chain C, chain D, carbon"));
+  CHECK(contains(d->text("view/legend"), "iron"));
+  CHECK(difference(elements, d->picture()) > 0.1);
+  CHECK(d->click("tool/undo"));
+  d->frames(10);
+  CHECK_FALSE(d->shows("view/legend"));
+  CHECK(d->app().scene.colour_by == ColourBy::Element);
+}
+
+TEST_CASE("a lesson's scene colours by chain until another scene says otherwise, and locks it with what is shown") {
+  Scratch scratch;
+  const auto file = scratch.file("mine.md", "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq, argon\nauthor: A\nlicence: L\n---\n"
+                                            "## One\n```scene\nmolecule: 1ubq\ncolour: chain\nlocked: show\n```\nText.\n## Two\nText.\n## Three\n```scene\nmolecule: argon\n```\nText.\n");
+  auto d = startWith(file.string());
+  CHECK(d->text("view/legend") == "chain A");
+  d->app().scene.colour_by = ColourBy::Element;
+  d->frames(2);
+  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+  d->app().lesson.next();
+  d->frames(3);
+  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+  d->app().lesson.next();
+  d->frames(3);
+  CHECK(d->app().scene.colour_by == ColourBy::Element);
+}
+
 TEST_CASE("text stands out from its ground: 4.5 to 1 in the light and dark theme, 7 to 1 in high contrast") {
   auto d = startWith("argon");
   for (const ThemeChoice theme : {ThemeChoice::Light, ThemeChoice::Dark, ThemeChoice::HighContrast}) {
@@ -202,6 +264,8 @@ TEST_CASE("a kept preference of every kind comes back") {
   Settings s;
   s.theme = ThemeChoice::HighContrast;
   s.colour_blind_safe = s.left_handed = s.decimal_comma = true;
+  s.text_size = 1.3;
+  s.legend = false;
   s.lesson_folder = "/tmp/lessons of mine";
   REQUIRE(saveSettings(s, scratch.folder / "settings.json").empty());
   CHECK(loadSettings(scratch.folder / "settings.json").settings == s);

@@ -3,6 +3,7 @@
 
 #include "app/ui/extensions.h"
 #include "tests/app/driver_fixture.h"
+#include "tests/results/sample_attempt.h"
 
 namespace moltact {
 namespace {
@@ -24,6 +25,34 @@ struct Page {
   std::function<void(Driver&)> show;
 };
 
+// A lesson with an aside, locks and colours by chain; a copy of it with mistakes; an attempt.
+struct Files {
+  ScratchFolder scratch;
+  std::string lesson, wrong, attempt;
+
+  Files() {
+    const std::string head = "---\ntitle: A lesson of a length that a title may have\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\nlocked: all\n---\n";
+    const std::string text = "## One\n```scene\nmolecule: 1ubq\ncolour: chain\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## Two\nText.\n";
+    lesson = (scratch.path / "mine.md").string();
+    wrong = (scratch.path / "wrong.md").string();
+    attempt = (scratch.path / "mine.jsonl").string();
+    writeFile(lesson, head + text);
+    writeFile(wrong, head + text + "[x](#nowhere)\n```touch\nreech: all\n```\n");
+    std::string lines = lineOf(sampleHeader());
+    for (const AttemptEvent& e : sampleEvents()) lines += lineOf(e);
+    writeFile(attempt, lines);
+  }
+};
+const std::string& fileOf(std::string Files::*member) {
+  static const Files files;
+  return files.*member;
+}
+
+void beginTurns(Driver& d) {
+  d.app().extensions().turns.begin(d.app(), {"Ana with a long second name", "Bo", "Carla"}, 60.0);
+  d.frames(3);
+}
+
 const Page kPages[] = {
     {"lesson", [](Driver&) {}},
     {"touch details", [](Driver& d) { d.app().panels.touch_details = true; }},
@@ -32,21 +61,35 @@ const Page kPages[] = {
     {"controls", [](Driver& d) { d.app().panels.controls_page = true; }},
     {"about", [](Driver& d) { d.app().panels.about_page = true; }},
     {"preferences", [](Driver& d) { d.app().panels.preferences_page = true; }},
+    {"device", [](Driver& d) { d.app().panels.device_page = true; }},
     {"open", [](Driver& d) { d.app().panels.open_page = true; }},
     {"file", [](Driver& d) { d.app().askForPictureAs(); }},
     {"welcome", [](Driver& d) { d.app().panels.welcome = true; }},
+    {"legend", [](Driver& d) { d.app().settings.colour_blind_safe = true; }},
+    {"all force stopped", [](Driver& d) { d.app().scene.servo_settings.panic = true; }},
+    {"turns page", [](Driver& d) { d.app().panels.turns_page = true; }},
+    {"hand over", beginTurns},
+    {"turns strip", [](Driver& d) { beginTurns(d), d.app().extensions().turns.start(d.app()); }},
+    {"playback", [](Driver& d) { d.app().open(fileOf(&Files::attempt)); }},
+    {"locks, touch", [](Driver& d) { d.app().open(fileOf(&Files::lesson)), d.app().panels.lesson_first = false; }},
+    {"aside", [](Driver& d) { d.app().open(fileOf(&Files::lesson)), d.app().lesson.follow("#aside-more"); }},
+    {"mistakes", [](Driver& d) { d.app().open(fileOf(&Files::wrong)), d.app().panels.lesson_problems = true; }},
 };
 
 void closeAll(Driver& d) {
   PanelState& p = d.app().panels;
   for (int k = 0; k < 2; ++k) {
     d.tap("Escape");
-    p.welcome = p.controls_page = p.about_page = p.preferences_page = p.open_page = false;
+    p.welcome = p.controls_page = p.about_page = p.preferences_page = p.open_page = p.device_page = p.turns_page = false;
     d.app().file_dialog.close();
     d.frames(2);
   }
-  p.welcome = false;
+  p.welcome = p.lesson_problems = false;
   p.showMethods(false);
+  d.app().settings.colour_blind_safe = d.app().scene.servo_settings.panic = false;
+  if (d.app().extensions().turns.on()) d.app().extensions().turns.end(d.app());
+  d.app().extensions().playback.close(d.app(), false);
+  openFirst(d);
   while (!d.app().messages.all().empty()) d.app().messages.dismiss(0);
   d.frames(2);
 }
@@ -55,6 +98,7 @@ void checkAllPages(Driver& d, glm::vec2 window) {
   for (const Page& page : kPages) {
     page.show(d);
     d.frames(5);
+    REQUIRE_FALSE(widgets().all().empty());
     CAPTURE(page.name);
     CHECK(cutOff(window) == "");
     closeAll(d);
@@ -88,6 +132,16 @@ TEST_CASE("on every page of a small and of a large window at 150 % every widget 
     d->resize(width, height);
     CAPTURE(width);
     checkAllPages(*d, {width, height});
+  }
+}
+
+TEST_CASE("on every page with letters of 130 % and 150 % every widget lies inside its panel") {
+  auto d = startWith("");
+  openFirst(*d);
+  for (const double size : {1.3, 1.5}) {
+    d->app().settings.text_size = size;
+    CAPTURE(size);
+    checkAllPages(*d, {1280, 800});
   }
 }
 

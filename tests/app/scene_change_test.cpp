@@ -58,6 +58,28 @@ TEST_CASE("a scene that begins again glides the camera back in 0.6 s without a j
   }
 }
 
+TEST_CASE("Home glides for 0.6 s and ends where it would have jumped to; pressed again on its way it is one way, and undo glides back") {
+  auto d = startWith("1ubq");
+  Application& app = d->app();
+  app.settings.reduced_motion = false;
+  const Camera home = app.scene.camera;
+  d->drag("view", 90, 20, 1);
+  const Camera away = app.scene.camera;
+  REQUIRE(turn_rad(home, away) > 0.5);
+  d->tap("Home");
+  CHECK(turn_rad(app.scene.camera, away) < 0.1);
+  d->frames(10);
+  d->tap("Home");
+  d->frames(40);
+  CHECK(turn_rad(app.scene.camera, home) < 1e-6);
+  CHECK_FALSE(app.extensions().scene_change.gliding());
+  d->tap("Ctrl+Z");
+  CHECK(turn_rad(app.scene.camera, home) < 0.1);
+  d->frames(40);
+  CHECK(turn_rad(app.scene.camera, away) < 1e-6);
+  CHECK_FALSE(app.extensions().history.canUndo());
+}
+
 TEST_CASE("another molecule fades in over 0.35 s: the first frame is mostly the old picture, the last all new") {
   auto d = startWith("argon-pair");
   d->app().settings.reduced_motion = false;

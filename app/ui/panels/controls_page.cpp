@@ -30,6 +30,11 @@ constexpr std::array kRows{
     Row{"Link in what is said", "click", "G"},
     Row{"Scroll the lesson", "wheel", "Ctrl + Page Up, Page Down"},
     Row{"Next, previous method", "click", "M, Shift + M"},
+    Row{"From control to control", "", "Tab, Shift + Tab"},
+    Row{"From panel to panel", "", "F6, Shift + F6"},
+    Row{"Press it, change it", "click, drag", "Space or Enter, arrows"},
+    Row{"Back to the molecule", "click", "Esc"},
+    Row{"Menus", "click", "F10 or Alt, or Alt + F, E, V, L, H"},
     Row{"Open a file", "drop it on the window", "Ctrl + O"},
     Row{"Leave the molecule", "house in the tool bar", "Esc with a free hand"},
 };

@@ -36,7 +36,7 @@ void drawFilePage(Application& app) {
       ImGui::TextUnformatted(elided(d.browser.folder().string(), ImGui::GetContentRegionAvail().x).c_str());
       recordItem("file/folder", d.browser.folder().string());
     }
-    const float foot = l.px(34) + l.px(12) + (there ? ImGui::GetTextLineHeightWithSpacing() : 0.0f);
+    const float foot = l.tx(34) + l.px(12) + (there ? ImGui::GetTextLineHeightWithSpacing() : 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(8), l.px(2)});
     ImGui::BeginChild("entries", {0, -foot});
     const std::filesystem::path file = drawFileList(d.browser, "file", folder ? "No folders here." : "No folders or files of this kind here.");

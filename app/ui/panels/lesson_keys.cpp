@@ -4,6 +4,8 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
+#include "app/ui/key_focus.h"
+
 namespace moltact {
 namespace {
 
@@ -25,7 +27,8 @@ bool lessonKeysFree() {
 
 bool lessonKeyPressed(char key) {
   if (!lessonKeysFree()) return false;
-  if (key == '\n') return taken(GLFW_KEY_ENTER) || taken(GLFW_KEY_KP_ENTER);
+  // Where Tab has led the keys to a control, Enter presses that one.
+  if (key == '\n') return !keysLeadControls() && (taken(GLFW_KEY_ENTER) || taken(GLFW_KEY_KP_ENTER));
   // GLFW names digits and letters by their ASCII codes.
   return taken(key);
 }

@@ -61,7 +61,7 @@ void drawFoot(Application& app, const LessonSession& session) {
     if (button("lesson/next", "Back to the lesson", ButtonLook::Primary, width)) app.lesson.next();
     return;
   }
-  const float back_w = std::min(l.px(96), 0.4f * width);
+  const float back_w = std::min(l.tx(96), 0.4f * width);
   if (button("lesson/back", "Back", ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
   ImGui::SameLine();
   const bool last = !session.hasNext();
@@ -87,7 +87,7 @@ void drawLessonPanel(Application& app) {
   LessonSession* session = app.lesson.session();
   if (!session || !beginPanel("lesson", app.layout().lesson, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) return;
   const Look& l = look();
-  const float foot = l.px(34) + l.px(12);
+  const float foot = l.tx(34) + l.px(12);
   const std::size_t before = session->stepIndex();
   ImGui::BeginChild("text", {0, -foot});
   if (app.panels.lesson_step != before) {

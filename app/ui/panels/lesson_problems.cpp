@@ -57,14 +57,14 @@ void drawLessonProblems(Application& app) {
   const Rectangle& seen = app.layout().view;
   const Rectangle view = seen.size().x > l.px(260) ? seen : Rectangle{{0, app.layout().menu.high.y}, {app.layout().menu.high.x, app.layout().status.low.y}};
   const Palette& p = l.palette;
-  const float margin = l.px(14), pad = l.px(10), side = l.px(12), button_w = l.px(76);
-  const float width = std::min(view.size().x - 2 * margin, l.px(640));
+  const float margin = l.px(14), pad = l.px(10), side = l.px(12), button_w = l.tx(76);
+  const float width = std::min(view.size().x - 2 * margin, l.tx(640));
   if (width < l.px(160)) return;
   const std::string text = headline(app, watch);
   const float text_w = width - 2 * side - button_w - l.px(12);
-  const float text_h = ImGui::CalcTextSize(text.c_str(), nullptr, false, text_w).y, head = std::max(l.px(34), text_h);
+  const float text_h = ImGui::CalcTextSize(text.c_str(), nullptr, false, text_w).y, head = std::max(l.tx(34), text_h);
   // Below it the view says what is touched.
-  const float bottom = view.high.y - (view.size().x > l.px(400) ? l.px(62) : l.px(84));
+  const float bottom = view.high.y - (view.size().x > l.px(400) ? l.tx(62) : l.tx(84));
   const bool open = app.panels.lesson_problems;
   const float most = std::max(l.px(90), 0.5f * view.size().y);
   const float height = open ? std::min(most, head + app.panels.lesson_problems_height + 3 * pad) : head + 2 * pad;
@@ -77,14 +77,14 @@ void drawLessonProblems(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {side, pad});
   ImGui::Begin("lesson-problems", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
   const float top = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(top + 0.5f * (head - text_h));
   ImGui::PushTextWrapPos(side + text_w);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   recordItem("lesson-problems", text);
-  ImGui::SetCursorPos({width - side - button_w, top + 0.5f * (head - l.px(34))});
+  ImGui::SetCursorPos({width - side - button_w, top + 0.5f * (head - l.tx(34))});
   if (button("lesson-problems/show", open ? "Hide" : "Show", ButtonLook::Plain, button_w)) app.panels.lesson_problems = !open;
   if (open) {
     ImGui::SetCursorPosY(top + head + pad);

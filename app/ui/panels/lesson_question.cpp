@@ -37,6 +37,7 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 ground = told ? (right ? p.good_soft : p.bad_soft) : ImGui::IsItemHovered() ? p.hovered : p.raised;
   draw->AddRectFilled(low, high, ground, l.px(7));
+  if (l.theme == ThemeChoice::HighContrast) draw->AddRect(low, high, p.line, l.px(7), 0, std::max(1.0f, l.scale));
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark + l.px(1)};
   const ImU32 colour = told ? (right ? p.good : p.bad) : ticked ? p.accent : p.faint;
   if (round) {
@@ -102,7 +103,7 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
   ImGui::PopStyleVar();
   const bool entered = keys && !ticked.empty() && enterIsFree(session) && lessonKeyPressed('\n');
   if (!one && !status.answered_right &&
-      (button((name + "/check").c_str(), "Check  (Enter)", ButtonLook::Primary, look().px(132), !ticked.empty()) || entered)) {
+      (button((name + "/check").c_str(), "Check  (Enter)", ButtonLook::Primary, look().tx(132), !ticked.empty()) || entered)) {
     std::sort(ticked.begin(), ticked.end());
     session.choose(index, ticked);
   }
@@ -115,18 +116,18 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   std::string& written = lesson.drafts().written[index];
   if (written.empty() && status.attempts > 0) written = status.written;
   const bool free = answer.kind == AnswerSpec::Kind::Free;
-  const float button_w = look().px(84), gap = ImGui::GetStyle().ItemSpacing.x;
+  const float button_w = look().tx(84), gap = ImGui::GetStyle().ItemSpacing.x;
   bool handed_in = false;
   if (takesWriting(session, index) && lessonKeyPressed('A')) ImGui::SetKeyboardFocusHere();
   if (free) {
-    handed_in = ImGui::InputTextMultiline("##answer", &written, {-1, look().px(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
+    handed_in = ImGui::InputTextMultiline("##answer", &written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
     tip("A begins to write, Ctrl and Enter keeps it");
     handed_in = button((name + "/check").c_str(), "Keep", ButtonLook::Plain, button_w) || handed_in;
   } else {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_w - gap);
     const std::string hint = (answer.unit.empty() ? "your answer" : "in " + answer.unit) + (status.answered_right ? "" : "  (A)");
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look().px(10), std::floor(0.5f * (look().px(34) - ImGui::GetFontSize()))});
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look().px(10), std::floor(0.5f * (look().tx(34) - ImGui::GetFontSize()))});
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
     recordItem(name + "/field", written);

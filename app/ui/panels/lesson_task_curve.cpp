@@ -10,6 +10,7 @@
 
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
+#include "app/ui/key_focus.h"
 #include "app/ui/number_text.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
@@ -139,7 +140,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   const bool drawing = current && curves.drawing;
 
   const float width = ImGui::GetContentRegionAvail().x, small = l.font(Font::Small)->FontSize;
-  const float left = l.px(46), head = small + l.px(8), foot = small + l.px(6);
+  const float left = l.tx(46), head = small + l.px(8), foot = small + l.px(6);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 high{origin.x + width, origin.y + head + l.px(130) + foot};
   const Area area{{origin.x + left, origin.y + head}, {high.x - l.px(8), high.y - foot}, curves.most_N, curves.drawn.size()};
@@ -150,7 +151,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
     if (ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
     drawWithMouse(area, draft);
     // The arrows draw while nothing else wants them.
-    app.panels.arrows_draw = lessonKeysFree();
+    app.panels.arrows_draw = lessonKeysFree() && keysFree();
     const CurveDraft before = draft;
     if (app.panels.arrows_draw) drawWithArrows(area, draft);
     // Whoever draws with the keys may not see all of the area.
@@ -186,7 +187,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
     const float how_w = font->CalcTextSizeA(small, 1e9f, 0.0f, how).x;
     ImGui::GetWindowDrawList()->AddText(font, small, {std::round(0.5f * (area.low.x + area.high.x - how_w)), area.y(0.75 * area.most_N)}, l.palette.quiet, how);
   }
-  const float wipe_w = l.px(70), gap = ImGui::GetStyle().ItemSpacing.x;
+  const float wipe_w = l.tx(70), gap = ImGui::GetStyle().ItemSpacing.x;
   if ((button((name + "/hand in").c_str(), "This is what I expect  (Enter)", ButtonLook::Primary, width - wipe_w - gap, any) ||
        lessonKeyPressed('\n')) && any) {
     draft.values = whole(draft.values);

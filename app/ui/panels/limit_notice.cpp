@@ -25,7 +25,7 @@ void drawLimitNotice(Application& app) {
 
   const Look& l = look();
   const Palette& p = l.palette;
-  const float pad = l.px(12), most = std::min(view.size().x - l.px(28), l.px(460));
+  const float pad = l.px(12), most = std::min(view.size().x - l.px(28), l.tx(460));
   if (most < l.px(120)) return;
   const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, most - 2 * pad);
   const float width = words.x + 2 * pad, height = words.y + 2 * l.px(8), bottom = view.high.y - l.px(56);

@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <string>
 
+#include <imgui_internal.h>
+
 #include "app/ui/actions.h"
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
@@ -23,6 +25,13 @@ bool item(const std::string& name, const char* label, const char* shortcut = nul
   return chosen;
 }
 
+// As if it had been clicked; its first line is where the keys are.
+void openByKeys(const char* label) {
+  ImGui::OpenPopup(label);
+  GImGui->NavDisableHighlight = false;
+  GImGui->NavDisableMouseHover = true;
+}
+
 bool beginMenu(const std::string& name, const char* label, bool enabled = true) {
   const bool open = ImGui::BeginMenu(label, enabled);
   // Within an open menu the last item is the menu's own window, so its head is recorded only while it is closed.
@@ -30,15 +39,21 @@ bool beginMenu(const std::string& name, const char* label, bool enabled = true) 
   return open;
 }
 
+bool beginSubmenu(Application& app, const std::string& name, const char* label, bool enabled = true) {
+  const bool open = beginMenu(name, label, enabled);
+  if (!open && enabled && ImGui::IsItemFocused()) app.panels.at_submenu = true;
+  return open;
+}
+
 void libraryMenu(Application& app) {
-  if (!beginMenu("menu/file/library", "Library")) return;
+  if (!beginSubmenu(app, "menu/file/library", "Library")) return;
   for (const LibraryItem& entry : library())
     if (item("menu/file/library/" + entry.id, entry.label.c_str())) app.open(entry.file);
   ImGui::EndMenu();
 }
 
 void recentMenu(Application& app) {
-  if (!beginMenu("menu/file/recent", "Recent", !app.settings.recent.empty())) return;
+  if (!beginSubmenu(app, "menu/file/recent", "Recent", !app.settings.recent.empty())) return;
   std::string chosen;
   for (std::size_t k = 0; k < app.settings.recent.size(); ++k)
     if (item("menu/file/recent/" + std::to_string(k), app.settings.recent[k].c_str())) chosen = app.settings.recent[k];
@@ -47,7 +62,7 @@ void recentMenu(Application& app) {
 }
 
 void shapesMenu(Application& app) {
-  if (!beginMenu("menu/view/shapes", "Shapes", !app.panels.welcome && !app.lesson.locks("show"))) return;
+  if (!beginSubmenu(app, "menu/view/shapes", "Shapes", !app.panels.welcome && !app.lesson.locks("show"))) return;
   for (const ShapeName& shape : shapeNames()) {
     const bool on = app.scene.shown.has(shape.shape);
     if (item("menu/view/shapes/" + std::string(shape.name), shapeLabel(shape).c_str(), nullptr, on)) app.scene.shown.set(shape.shape, !on);
@@ -56,7 +71,7 @@ void shapesMenu(Application& app) {
 }
 
 void sizeMenu(Application& app) {
-  if (!beginMenu("menu/view/scale", "Interface size")) return;
+  if (!beginSubmenu(app, "menu/view/scale", "Interface size")) return;
   for (const int percent : {75, 90, 100, 125, 150, 175, 200, 250, 300}) {
     char label[16];
     std::snprintf(label, sizeof label, "%d %%", percent);
@@ -81,7 +96,9 @@ constexpr Inset kInsets[] = {{"open", libraryMenu}, {"open", recentMenu}, {"meth
 
 void drawMenu(Application& app, Menu menu) {
   const std::string label(menuLabel(menu)), prefix = "menu/" + lower(label);
+  if (app.panels.menu_wanted == int(menu)) openByKeys(label.c_str());
   if (!beginMenu(prefix, label.c_str())) return;
+  app.panels.menu_open = int(menu);
   for (const Action& a : allActions()) {
     if (a.menu != menu) continue;
     if (a.parted) ImGui::Separator();
@@ -104,7 +121,10 @@ void drawMenuBar(Application& app) {
     // The bar's own paddings are not the menus'.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(12), l.px(10)});
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(16), l.px(10)});
+    app.panels.menu_open = -1;
+    app.panels.at_submenu = false;
     for (int menu = 0; menu < kMenus; ++menu) drawMenu(app, Menu(menu));
+    app.panels.menu_wanted = -1;
     app.panels.menus_end = ImGui::GetCursorScreenPos().x;
     ImGui::PopStyleVar(2);
     ImGui::EndMenuBar();

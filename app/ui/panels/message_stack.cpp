@@ -13,7 +13,7 @@ void drawMessageStack(Application& app) {
   const Rectangle& view = app.layout().view;
   if (app.messages.all().empty()) return;
   const Rectangle room = view.size().x > l.px(260) ? view : Rectangle{{0, app.layout().menu.high.y}, {app.layout().menu.high.x, app.layout().status.low.y}};
-  const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.px(560));
+  const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.tx(560));
   float y = room.low.y + margin;
   std::optional<std::size_t> dismissed;
   for (std::size_t k = 0; k < app.messages.all().size(); ++k) {
@@ -23,7 +23,7 @@ void drawMessageStack(Application& app) {
     const ImU32 edge = m.kind == MessageKind::Error ? p.bad : m.kind == MessageKind::Warning ? p.warn : p.good;
     const float pad = l.px(12), text_w = width - 2 * pad - l.px(40);
     const float text_h = ImGui::CalcTextSize(m.text.c_str(), nullptr, false, text_w).y;
-    const float height = std::min(std::max(text_h, l.px(22)) + 2 * pad, room.high.y - y - margin);
+    const float height = std::min(std::max(text_h, l.tx(22)) + 2 * pad, room.high.y - y - margin);
     if (height < l.px(30)) break;
     const std::string name = "message/" + std::to_string(k);
     ImGui::SetNextWindowPos({0.5f * (room.low.x + room.high.x - width), y});
@@ -34,7 +34,7 @@ void drawMessageStack(Application& app) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
     ImGui::Begin(name.c_str(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
     ImGui::PushTextWrapPos(pad + text_w);
     ImGui::TextUnformatted(m.text.c_str());
     recordItem(name, m.text);

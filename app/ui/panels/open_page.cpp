@@ -83,7 +83,7 @@ void drawOpenPage(Application& app) {
   }
   ImGui::Dummy({0, look().px(2)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
-  const float shelf = std::min(look().px(350), 0.45f * ImGui::GetContentRegionAvail().x);
+  const float shelf = std::min(look().tx(350), 0.45f * ImGui::GetContentRegionAvail().x);
   ImGui::BeginChild("shelf", {shelf, 0});
   drawShelf(app);
   ImGui::EndChild();

@@ -5,7 +5,6 @@
 // One line a panel: its function is draw<Name>(Application&), in its own file.
 #define MOLTACT_PANELS(X) \
   X(MenuBar)              \
-  X(ToolBar)              \
   X(WelcomePage)          \
   X(LessonPanel)          \
   X(ViewPanel)            \
@@ -15,6 +14,7 @@
   X(PlaybackBar)          \
   X(TurnsStrip)           \
   X(StatusBar)            \
+  X(ToolBar)              \
   X(LimitNotice)          \
   X(LessonProblems)       \
   X(MessageStack)         \

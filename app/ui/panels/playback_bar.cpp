@@ -10,6 +10,7 @@
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/extensions.h"
+#include "app/ui/key_focus.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
@@ -54,7 +55,7 @@ void drawMark(ImDrawList* draw, const TimelineMark& m, float x, float y, float h
 
 void drawScrubber(Playback& playback, float width) {
   const Look& l = look();
-  const float high = l.px(30);
+  const float high = l.tx(30);
   ImGui::InvisibleButton("scrub", {std::max(width, l.px(40)), high});
   const ImVec2 low = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
   const double length_s = std::max(1e-9, playback.timeline().length_s());
@@ -88,14 +89,14 @@ void drawSpeed(Playback& playback) {
   static constexpr double kSpeeds[] = {0.5, 1.0, 2.0, 4.0, 8.0};
   char text[16];
   std::snprintf(text, sizeof text, "%g ×", playback.speed);
-  if (!button("playback/speed", text, ButtonLook::Plain, look().px(58))) return;
+  if (!button("playback/speed", text, ButtonLook::Plain, look().tx(58))) return;
   const double* after = std::find_if(std::begin(kSpeeds), std::end(kSpeeds), [&](double s) { return s > playback.speed + 1e-9; });
   playback.speed = after == std::end(kSpeeds) ? kSpeeds[0] : *after;
 }
 
 void keys(Playback& playback) {
   const ImGuiIO& io = ImGui::GetIO();
-  if (io.WantTextInput || io.KeyCtrl || io.KeyAlt || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  if (!keysFree() || io.KeyCtrl || io.KeyAlt) return;
   constexpr double kStep_s = 5.0;
   if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) playback.setRunning(!playback.running());
   if (ImGui::IsKeyPressed(GLFW_KEY_LEFT, true)) io.KeyShift ? playback.seekMark(-1) : playback.seek(playback.at_s() - kStep_s);
@@ -126,29 +127,30 @@ void drawPlaybackBar(Application& app) {
   keys(playback);
 
   const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  if (button("playback/play", playback.running() ? "Pause" : "Play", ButtonLook::Primary, l.px(72))) playback.setRunning(!playback.running());
+  if (button("playback/play", playback.running() ? "Pause" : "Play", ButtonLook::Primary, l.tx(72))) playback.setRunning(!playback.running());
   tip("Space; arrows left and right by 5 s, with Shift from mark to mark");
   ImGui::SameLine();
-  const std::string time = clockText(playback.at_s()) + " / " + clockText(playback.timeline().length_s());
-  const float time_w = ImGui::CalcTextSize((clockText(playback.timeline().length_s()) + " / " + clockText(playback.timeline().length_s())).c_str()).x + l.px(6);
-  drawScrubber(playback, whole - l.px(72) - l.px(58) - time_w - 3 * gap);
+  const std::string length = clockText(playback.timeline().length_s()), time = clockText(playback.at_s()) + " / " + length;
+  // Where there is little room the time stands before the words.
+  const bool wide = whole > l.tx(430);
+  const float time_w = wide ? ImGui::CalcTextSize((length + " / " + length).c_str()).x + l.px(6) + gap : 0.0f;
+  drawScrubber(playback, whole - l.tx(72) - l.tx(58) - time_w - 2 * gap);
   ImGui::SameLine();
-  ImGui::AlignTextToFramePadding();
   const float y = ImGui::GetCursorPosY();
-  ImGui::SetCursorPosY(y + std::max(0.0f, 0.5f * (l.px(30) - ImGui::GetFontSize()) - ImGui::GetStyle().FramePadding.y));
-  {
+  if (wide) {
+    ImGui::SetCursorPosY(y + std::max(0.0f, 0.5f * (l.tx(30) - ImGui::GetFontSize())));
     WithText quiet(l.palette.quiet);
     ImGui::TextUnformatted(time.c_str());
+    recordItem("playback/time", time);
   }
-  recordItem("playback/time", time);
-  ImGui::SameLine(l.px(14) + whole - l.px(58));
+  ImGui::SameLine(l.px(14) + whole - l.tx(58));
   ImGui::SetCursorPosY(y);
   drawSpeed(playback);
 
   // What happened last stands where there is room beside the switches.
-  const float switches = l.px(350), close_w = l.px(72);
-  const bool roomy = whole > switches + l.px(120);
-  const std::string words = told(playback);
+  const float switches = l.tx(350), close_w = l.tx(72);
+  const bool roomy = whole > switches + l.tx(120);
+  const std::string words = (wide ? "" : time + "  ") + told(playback);
   {
     WithText quiet(l.palette.quiet);
     const float row = ImGui::GetCursorPosY();
@@ -159,10 +161,10 @@ void drawPlaybackBar(Application& app) {
     ImGui::SetCursorPosY(row);
   }
   if (roomy) {
-    if (button("playback/follow", playback.follows_view ? "View as it was" : "View is yours", ButtonLook::Plain, l.px(128))) playback.follows_view = !playback.follows_view;
+    if (button("playback/follow", playback.follows_view ? "View as it was" : "View is yours", ButtonLook::Plain, l.tx(128))) playback.follows_view = !playback.follows_view;
     tip("Whether the molecule turns as the student turned it, or only as you do");
     ImGui::SameLine();
-    if (button("playback/rests", playback.skips_rests ? "Rests left out" : "Rests shown", ButtonLook::Plain, l.px(124))) playback.skips_rests = !playback.skips_rests;
+    if (button("playback/rests", playback.skips_rests ? "Rests left out" : "Rests shown", ButtonLook::Plain, l.tx(124))) playback.skips_rests = !playback.skips_rests;
     tip("Times when the hand lay still for more than 3 s");
     ImGui::SameLine();
   }

@@ -38,7 +38,14 @@ void drawProbe(Settings& s) {
 }
 
 void drawSize(Settings& s) {
-  sectionTitle("Size of text and controls");
+  sectionTitle("Size of letters");
+  static const std::vector<std::string> kLetters{"100 %", "115 %", "130 %", "150 %"};
+  static constexpr double kLetterSizes[] = {1.0, 1.15, 1.3, 1.5};
+  std::size_t letters = 0;
+  while (letters + 1 < std::size(kLetterSizes) && s.text_size > kLetterSizes[letters] + 0.01) ++letters;
+  if (segments("preferences/text-size", kLetters, letters)) s.text_size = kLetterSizes[letters];
+  ImGui::Dummy({0, look().px(8)});
+  sectionTitle("Size of everything");
   double percent = std::round(s.scale * 100.0);
   // The page grows under the pointer: the size is taken when the button is let go.
   static constexpr double kSteps[] = {75, 90, 100, 125, 150, 175, 200, 250, 300};

@@ -19,12 +19,12 @@ void splitter(const char* name, const Rectangle& panel, bool on_its_right, doubl
   if (active || hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (active) {
     const float at = ImGui::GetIO().MousePos.x;
-    width = std::clamp(double((on_its_right ? at - panel.low.x : panel.high.x - at) / l.scale), least, most);
+    width = std::clamp(double((on_its_right ? at - panel.low.x : panel.high.x - at) / (l.scale * l.text)), least, most);
   }
   const float line = std::max(1.0f, l.scale) * (active || hovered ? 2.0f : 1.0f);
   ImGui::GetWindowDrawList()->AddRectFilled({x - 0.5f * line, panel.low.y}, {x + 0.5f * line, panel.high.y},
                                             active || hovered ? l.palette.accent : l.palette.line);
-  recordItem(name);
+  recordRectangle(name, {x - half, panel.low.y}, {x + half, panel.high.y});
   endPanel();
 }
 

@@ -89,7 +89,7 @@ void drawStatusBar(Application& app) {
   if (app.scene.stage()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back({"status/molecule", m.id.empty() ? app.scene.file().filename().string() : m.id, m.title, 1});
-    segments.push_back({"status/modelled", grouped(now.footprint.atoms_modelled) + " of " + grouped(m.atoms.size()) + " atoms modelled",
+    if (!app.scene.playing()) segments.push_back({"status/modelled", grouped(now.footprint.atoms_modelled) + " of " + grouped(m.atoms.size()) + " atoms modelled",
                         "The tracker prepares only the atoms near your probe.", 4});
   }
   if (app.loading()) segments.push_back({"status/loading", "Opening …", "", 0, l.palette.warn});

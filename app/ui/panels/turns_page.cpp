@@ -29,7 +29,7 @@ void drawHandOver(Application& app, ClassTurns& turns) {
   ImGui::TextWrapped("Take the device in your hand, or the mouse. The force is off until you begin, and comes up softly.");
   if (app.lesson.session()) ImGui::TextWrapped("What you do is kept under your name.");
   ImGui::Dummy({0, l.px(10)});
-  const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x, side = l.px(110);
+  const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x, side = l.tx(110);
   const bool begun = button("turn/begin", "Begin", ButtonLook::Primary, whole - 2 * side - 2 * gap);
   ImGui::SameLine();
   const bool absent = button("turn/absent", "Not here", ButtonLook::Plain, side);
@@ -53,8 +53,8 @@ void drawSetUp(Application& app, ClassTurns& turns) {
     WithFont strong(Font::Strong);
     ImGui::TextUnformatted("Names or codes, one a line, in the order of the turns");
   }
-  const float below = l.px(150);
-  ImGui::InputTextMultiline("##names", &draft.names, {-1, std::max(l.px(80), ImGui::GetContentRegionAvail().y - below)});
+  const float below = l.tx(150);
+  ImGui::InputTextMultiline("##names", &draft.names, {-1, std::max(l.tx(80), ImGui::GetContentRegionAvail().y - below)});
   recordItem("turns/names", draft.names);
   slider("turns/minutes", "Minutes a turn", draft.minutes, 0.5, 20.0, 0.5, "%.1f min");
   if (!app.lesson.session()) {
@@ -65,7 +65,7 @@ void drawSetUp(Application& app, ClassTurns& turns) {
     ImGui::TextWrapped("The names stay on this computer, with what was done (docs/results.md).");
   }
   const std::vector<std::string> names = Turns::namesIn(draft.names);
-  const std::string label = names.empty() ? "Begin" : "Begin with " + elided(names.front(), l.px(200));
+  const std::string label = names.empty() ? "Begin" : "Begin with " + elided(names.front(), l.tx(200));
   const bool begun = button("turns/begin", label.c_str(), ButtonLook::Primary, -1.0f, !names.empty());
   if (begun) {
     app.panels.turns_page = false;

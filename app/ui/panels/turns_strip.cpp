@@ -27,7 +27,7 @@ std::string clockText(double t_s) {
 // Text in the middle of a row of buttons.
 void rowText(const char* name, const std::string& text, ImU32 colour) {
   const float y = ImGui::GetCursorPosY();
-  ImGui::SetCursorPosY(y + std::round(0.5f * (look().px(34) - ImGui::GetFontSize())));
+  ImGui::SetCursorPosY(y + std::round(0.5f * (look().tx(34) - ImGui::GetFontSize())));
   WithText with(colour);
   ImGui::TextUnformatted(text.c_str());
   recordItem(name, text);
@@ -38,30 +38,30 @@ void rowText(const char* name, const std::string& text, ImU32 colour) {
 void drawTurn(Application& app, ClassTurns& turns, float whole) {
   const Look& l = look();
   const Turns& t = turns.turns();
-  const float gap = ImGui::GetStyle().ItemSpacing.x, buttons = l.px(96 + 84 + 74 + 66) + 3 * gap;
-  const bool roomy = whole > buttons + l.px(230);
+  const float gap = ImGui::GetStyle().ItemSpacing.x, buttons = l.tx(96 + 84 + 74 + 66) + 3 * gap;
+  const bool roomy = whole > buttons + l.tx(230);
   const float row = ImGui::GetCursorPosY();
   const bool short_time = t.left_s() < 15.0 && t.state() == Turns::State::Running;
   rowText("turns/left", clockText(t.left_s()), short_time ? l.palette.bad : l.palette.accent);
   {
     WithFont strong(Font::Strong);
-    const float room = whole - l.px(60) - (roomy ? buttons : l.px(96) + gap);
-    const std::string who = elided(t.current(), std::max(l.px(40), t.names().size() > 1 && roomy ? 0.6f * room : room));
+    const float room = whole - l.tx(60) - (roomy ? buttons : l.tx(96) + gap);
+    const std::string who = elided(t.current(), std::max(l.tx(40), t.names().size() > 1 && roomy ? 0.6f * room : room));
     rowText("turns/current", who, l.palette.text);
   }
-  if (roomy && t.names().size() > 1) rowText("turns/next", "then " + elided(t.next(), l.px(110)), l.palette.quiet);
-  ImGui::SameLine(l.px(14) + whole - (roomy ? buttons : l.px(96)));
+  if (roomy && t.names().size() > 1) rowText("turns/next", "then " + elided(t.next(), l.tx(110)), l.palette.quiet);
+  ImGui::SameLine(l.px(14) + whole - (roomy ? buttons : l.tx(96)));
   ImGui::SetCursorPosY(row);
-  if (button("turns/pass", "Pass on", ButtonLook::Primary, l.px(96))) return turns.passOn(app);
+  if (button("turns/pass", "Pass on", ButtonLook::Primary, l.tx(96))) return turns.passOn(app);
   if (!roomy) return;
   ImGui::SameLine();
   const bool paused = t.state() == Turns::State::Paused;
-  if (button("turns/pause", paused ? "Go on" : "Pause", ButtonLook::Plain, l.px(84))) paused ? turns.goOn() : turns.pause();
+  if (button("turns/pause", paused ? "Go on" : "Pause", ButtonLook::Plain, l.tx(84))) paused ? turns.goOn() : turns.pause();
   tip("Stops the time of this turn");
   ImGui::SameLine();
-  if (button("turns/longer", "+1 min", ButtonLook::Plain, l.px(74))) turns.extend(60.0);
+  if (button("turns/longer", "+1 min", ButtonLook::Plain, l.tx(74))) turns.extend(60.0);
   ImGui::SameLine();
-  if (button("turns/end", "End", ButtonLook::Plain, l.px(66))) turns.end(app);
+  if (button("turns/end", "End", ButtonLook::Plain, l.tx(66))) turns.end(app);
   tip("Ends the turns; what everyone did is kept");
 }
 
@@ -87,10 +87,10 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
     recordItem("turns/prompt", asked);
     tip(asked.c_str());
   }
-  const float name_w = std::min(l.px(150), 0.3f * whole), keep_w = l.px(72);
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {l.px(10), std::floor(0.5f * (l.px(34) - ImGui::GetFontSize()))});
+  const float name_w = std::min(l.tx(150), 0.3f * whole), keep_w = l.tx(72);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {l.px(10), std::floor(0.5f * (l.tx(34) - ImGui::GetFontSize()))});
   ImGui::SetNextItemWidth(name_w);
-  const bool open = ImGui::BeginCombo("##who", elided(waiting[draft.who], name_w - l.px(44)).c_str());
+  const bool open = ImGui::BeginCombo("##who", elided(waiting[draft.who], name_w - l.tx(44)).c_str());
   if (!open) recordItem("turns/who", waiting[draft.who]);
   if (open) {
     for (std::size_t k = 0; k < waiting.size(); ++k) {

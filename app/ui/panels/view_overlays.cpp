@@ -102,7 +102,7 @@ void loadingSign(const Application& app, const Rectangle& view) {
   constexpr double kLong_s = 0.5, kRound_s = 1.6;
   if (app.loadingFor_s() < kLong_s) return;
   const Look& l = look();
-  const float width = std::min(l.px(260), 0.8f * view.size().x), high = l.px(5), x0 = 0.5f * (view.low.x + view.high.x - width);
+  const float width = std::min(l.tx(260), 0.8f * view.size().x), high = l.px(5), x0 = 0.5f * (view.low.x + view.high.x - width);
   const float y = 0.5f * (view.low.y + view.high.y);
   pill("view/loading", "Opening …", {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width, l.palette.panel, l.palette.text);
   const double turn = std::fmod(app.now_s(), kRound_s) / kRound_s, part = turn < 0.5 ? 2.0 * turn : 2.0 - 2.0 * turn;
@@ -130,11 +130,12 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
          {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel, p.text);
     return;
   }
+  drawColourLegend(app, view);
   if (now.contact.touching() && app.scene.shown.has(Shape::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
-  const bool roomy = width > l.px(320);
+  const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, view);
-  const float bottom = view.high.y - margin, words = roomy ? width - l.px(150) : width;
+  const float bottom = view.high.y - margin, words = roomy ? width - l.tx(150) : width;
   if (now.contact.fault == Fault::StartedInside) {
     pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom}, {0, 1},
          words, p.warn_soft, p.warn);
@@ -144,7 +145,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     const std::string& line = app.extensions().state_text.line();
     const bool told = line.starts_with("touching");
     pill("view/state", localNumbers(told ? line : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N())), {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
-  } else if (const float hint = float(app.scene.controls.hintStrength()); hint > 0.0f) {
+  } else if (const float hint = float(app.scene.controls.hintStrength()); hint > 0.0f && !app.scene.playing()) {
     pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }

@@ -13,4 +13,7 @@ inline constexpr float kArrow_px_per_N = 70.0f;
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 
+/// What the atoms' colours are, where they are not the customary ones.
+void drawColourLegend(Application& app, const Rectangle& view);
+
 }  // namespace moltact

@@ -11,6 +11,7 @@
 #include "app/ui/contact_text.h"
 #include "app/ui/controls.h"
 #include "app/ui/extensions.h"
+#include "app/ui/key_focus.h"
 #include "app/ui/method_chooser.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/lesson_keys.h"
@@ -38,8 +39,8 @@ void switchMethod(Application& app, int by) {
 
 void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
-  // Keys belong to a text field or an open page before they belong to the view.
-  if (io.WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  // Keys belong to a text field, an open page or a panel before they belong to the view.
+  if (!keysFree()) return;
   if (io.KeyCtrl && !io.KeyAlt) in.orbit_keys = arrows();
   else if (app.scene.playing()) return;  // the keys belong to the bar
   else if (io.KeyShift && !io.KeyAlt) in.pan_keys = arrows();
@@ -88,6 +89,7 @@ ViewScene sceneOf(const Application& app) {
   scene.shown = app.scene.shown;
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
+  scene.colour_by = app.scene.colour_by;
   if (app.scene.stage() && now.has_tracker) {
     scene.hip = now.hip;
     scene.contact = now.contact;
@@ -124,7 +126,7 @@ void drawViewPanel(Application& app) {
   ImGui::InvisibleButton("view", {r.size().x, r.size().y},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   ImGui::SetItemAllowOverlap();
-  recordItem("view");
+  recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
   app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings, app.scene.log().touching(),
                       app.scene.log().force_N(), app.scene.servo().mouse());

@@ -11,6 +11,7 @@
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/extensions.h"
+#include "app/ui/key_focus.h"
 #include "app/ui/library.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
@@ -67,7 +68,9 @@ bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width
   const bool clicked = ImGui::InvisibleButton("card", {width, height});
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
-  const bool hovered = ImGui::IsItemHovered(), selected = grid.selected();
+  const bool hovered = ImGui::IsItemHovered();
+  if (keysAtItem()) grid.panels.card.card = grid.count;
+  const bool selected = grid.selected();
   if (selected && grid.panels.card.scroll) {
     grid.panels.card.scroll = false;
     ImGui::SetScrollHereY(0.5f);
@@ -105,7 +108,7 @@ bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width
 template <class Draw>
 void rows(Grid& grid, std::size_t count, float card_width, Draw draw) {
   const float gap = look().px(kGap), left = ImGui::GetCursorPosX();
-  const std::size_t columns = std::max<std::size_t>(1, std::size_t((grid.width + gap) / (look().px(card_width) + gap)));
+  const std::size_t columns = std::max<std::size_t>(1, std::size_t((grid.width + gap) / (look().tx(card_width) + gap)));
   const float width = std::floor((grid.width - gap * float(columns - 1)) / float(columns));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t k = 0; k < count; ++k) {
@@ -195,7 +198,7 @@ void drawNext(Application& app, float most) {
 }
 
 void readKeys(Grid& grid, PanelState& panels) {
-  if (ImGui::GetIO().WantTextInput || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel)) return;
+  if (!keysFree()) return;
   const ImGuiIO& io = ImGui::GetIO();
   if (io.KeyCtrl || io.KeyAlt) return;
   const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
@@ -204,8 +207,7 @@ void readKeys(Grid& grid, PanelState& panels) {
   int at = int(panels.card.card);
   const bool none = at >= count;
   const int row = none ? 1 : std::max(1, int(panels.card.columns));
-  const int step = (pressed(GLFW_KEY_RIGHT) || (pressed(GLFW_KEY_TAB) && !io.KeyShift)) - (pressed(GLFW_KEY_LEFT) || (pressed(GLFW_KEY_TAB) && io.KeyShift)) +
-                   row * (pressed(GLFW_KEY_DOWN) - pressed(GLFW_KEY_UP));
+  const int step = (pressed(GLFW_KEY_RIGHT)) - (pressed(GLFW_KEY_LEFT)) + row * (pressed(GLFW_KEY_DOWN) - pressed(GLFW_KEY_UP));
   if (!step || !count) return;
   at = none ? 0 : std::clamp(at + step, 0, count - 1);
   panels.card.card = std::size_t(at);
@@ -221,7 +223,7 @@ void drawWelcomePage(Application& app) {
   Grid grid(panels);
   readKeys(grid, panels);
   const float room = ImGui::GetContentRegionAvail().x;
-  grid.width = std::min(room, l.px(kWidest));
+  grid.width = std::min(room, l.tx(kWidest));
   const float indent = std::max(1.0f, std::floor(0.5f * (room - grid.width)));
   ImGui::Indent(indent);
   ImGui::Dummy({0, l.px(6)});
