@@ -34,7 +34,7 @@ struct HandView {
   const BallScene& balls;
   double probe_A = kWaterProbe_A;
   double N_per_A = 1.0;   ///< the spring's force for a HIP so deep under the surface
-  PointA hip;
+  PointA hip{};
   int attempt = 0;        ///< 0 for the first plan of a task; each further one should differ
 };
 
