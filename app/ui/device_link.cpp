@@ -126,6 +126,8 @@ void DeviceLink::beforeTicks(Application& app) {
   await(app);
   leadView(app);
   turnWithView(app);
+  if (chosen_ != "mouse")
+    app.scene.servo_settings.clutch.buttons = app.extensions().task_stager.takesSecondButton() ? 0 : kClutchButton;
   for (double& left : limit_left_s_) left = std::max(0.0, left - app.dt_s());
   if (trying_s_ > 0.0) {
     trying_s_ -= app.dt_s();

@@ -60,6 +60,12 @@ std::string withUnitsKept(const std::string& text) {
   return out;
 }
 
-std::string plainNumbers(std::string text) { return g_comma ? exchanged(std::move(text), ',', '.') : text; }
+std::string plainNumbers(std::string text) {
+  // Where a point is preferred, a comma before three digits may part thousands; any other is a decimal one all the same.
+  const std::size_t comma = text.find(',');
+  std::size_t digits = 0;
+  while (comma != std::string::npos && comma + 1 + digits < text.size() && digit(text[comma + 1 + digits])) ++digits;
+  return g_comma || digits != 3 ? exchanged(std::move(text), ',', '.') : text;
+}
 
 }  // namespace moltact

@@ -16,7 +16,8 @@ std::string localNumbers(std::string text);
 std::string localProse(std::string text);
 /// A number and its unit on one line: the space between them becomes one at which no line is broken.
 std::string withUnitsKept(const std::string& text);
-/// The inverse of localNumbers, for what the person wrote as one number.
+/// The inverse of localNumbers, for what the person wrote as one number. Understands a decimal comma also where a point is preferred,
+/// unless three digits follow: "1,76" gives "1.76", "1,760" stays.
 std::string plainNumbers(std::string text);
 
 }  // namespace moltact

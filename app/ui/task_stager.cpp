@@ -42,6 +42,8 @@ void TaskStager::stepChanged(Application& app) {
 
 void TaskStager::ticks(Application& app, const FeltTicks& felt) {
   LessonSession* session = app.lesson.session();
+  const Task* current = session ? session->taskAt(session->currentTask()) : nullptr;
+  two_answers_ = current && current->buttons().size() > 1;
   for (const FeltTick& tick : felt.ticks) {
     const std::uint32_t pressed = tick.sample.buttons & ~buttons_;
     buttons_ = tick.sample.buttons;

@@ -20,12 +20,15 @@ class TaskStager final : public Extension {
   bool dark() const { return stage_.dark; }
   /// In the dark, whether the force is shown.
   bool showsForce() const { return stage_.force_meter; }
+  /// The current task has two answers, and a device's second button gives the second: it is no clutch meanwhile.
+  bool takesSecondButton() const { return two_answers_; }
   /// A task has made the surface softer or harder than the lesson's scene.
   bool changesStiffness() const { return stage_.stiffness_N_per_mm.has_value(); }
 
  private:
   TaskStage stage_;
   std::uint32_t buttons_ = 0;
+  bool two_answers_ = false;
 };
 
 }  // namespace moltact

@@ -132,6 +132,9 @@ TEST_CASE("with a decimal comma 1.4 Å reads 1,4 Å, and the other way about") {
   CHECK(plainNumbers("0,8") == "0.8");
   setDecimalComma(false);
   CHECK(localNumbers("0.8 N") == "0.8 N");
+  // Who writes a decimal comma where a point is preferred is understood too, unless it may part thousands.
+  CHECK(plainNumbers("1,76") == "1.76");
+  CHECK(plainNumbers("1,760") == "1,760");
 }
 
 TEST_CASE("preferences change the theme, the size and the atoms' colours at once") {

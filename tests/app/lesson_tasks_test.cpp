@@ -190,6 +190,8 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
       d->frames(60);
       // The hand presses as deep on both: the meter tells a fifth of the force.
       soft[k] = d->app().scene.log().force_N() < 0.3;
+      // Two answers are asked for once both are felt: a stylus's second button then gives one, and is no clutch.
+      CHECK(d->app().extensions().task_stager.takesSecondButton() == (k == 1));
       if (k == 0) tell(*d, "Enter");
       d->letGo("Space");
       d->frames(2);
