@@ -21,6 +21,7 @@ namespace {
 void drawFigures(const std::string& name, const Task& task) {
   std::string line;
   for (const TaskFigure& f : task.ownFigures()) {
+    if (f.value == 0.0 && f.unit.empty()) continue;  // nothing was counted: no slip, no wrong turn
     char number[32];
     std::snprintf(number, sizeof number, f.value == std::round(f.value) ? "%.0f" : "%.2f", f.value);
     line += (line.empty() ? "" : "  ·  ") + std::string(f.name) + " " + number + (f.unit.empty() ? "" : " " + std::string(f.unit));
