@@ -1,5 +1,5 @@
 #!/bin/sh
-# Draws the pictures of docs/pages.md anew, off-screen. Run in the source folder: docs/pictures/draw_pages.sh [PROGRAM]
+# Draws the pictures of docs/pages.md and of README.md anew, off-screen. Run in the source folder: docs/pictures/draw_pages.sh [PROGRAM]
 # The class's report is drawn where there is chromium; its class is the one that the tests make up.
 set -eu
 program=${1:-build/release/moltact}
@@ -14,6 +14,8 @@ for theme in light dark high-contrast; do
   sed "s/THEME/$theme/g" $pictures/pages.script > "$work/pages.script"
   "$program" --size 1280x800 --script "$work/pages.script"
 done
+
+"$program" 1ubq --screenshot $pictures/ubiquitin.png --size 1280x800 --script $pictures/ubiquitin.script
 
 mkdir "$work/my lessons"
 cp lessons/first-touch.md "$work/my lessons/grooves.md"
