@@ -89,10 +89,11 @@ void record(const Options& options) {
   auto device = opened(options.name);
   const std::map<std::string, std::string> labels{{"molecule", options.molecule.name}, {"method", options.method}, {"device", device->info().name}};
   servo.setSettings(settings);
+  const double felt_N_per_mm = steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, device->info());
   servo.setDevice(std::move(device));
   servo.record(true);
   servo.setTracker(findMethod(options.method)->make(scene, settings.probe_A));
-  std::cout << "Recording " << options.seconds << " s. " << scaleSentence(settings.workspace) << '\n' << std::flush;
+  std::cout << "Recording " << options.seconds << " s. " << scaleSentence(settings.workspace, felt_N_per_mm) << '\n' << std::flush;
 
   std::optional<TraceWriter> writer;
   ServoStep start;

@@ -6,6 +6,8 @@
 #include "app/ui/application.h"
 #include "app/ui/extensions.h"
 #include "engine/servo/plain_trackers.h"
+#include "engine/servo/safety_stage.h"
+#include "engine/servo/scale.h"
 
 namespace moltact {
 namespace {
@@ -48,6 +50,7 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
   asked_s_ = -1.0;
   // A hand that is held has an edge to its room, and a button to reach beyond it.
   app.scene.servo_settings.clutch = name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
+  app.scene.fitToDevice();
   return std::nullopt;
 }
 
@@ -159,6 +162,13 @@ void DeviceLink::ticks(Application&, const FeltTicks& felt) {
 void DeviceLink::afterPanels(Application& app) {
   // A scene that was opened meanwhile has its own tracker.
   if (trying_s_ > 0.0 && !app.panels.device_page) stopTrying(app);
+}
+
+DeviceLink::ScaleWords DeviceLink::scaleWords(const Application& app) const {
+  const ServoSettings& s = app.scene.servo_settings;
+  if (app.extensions().task_stager.changesStiffness()) return {lengthScale(s.workspace) + ".", ""};
+  const double felt = steadyStiffness_N_per_mm(s.stiffness_N_per_mm, app.scene.servo().device());
+  return {scaleSentence(s.workspace, felt), scaleReason(s.workspace, felt)};
 }
 
 std::vector<const LimitWords*> DeviceLink::shownLimits() const {

@@ -37,6 +37,13 @@ class DeviceLink : public Extension {
   void tryForce(Application& app);
   double tryingLeft_s() const { return trying_s_; }
 
+  /// What a way and a newton of the hand are in the molecule, and what is meant by it. While a task has made the surface softer
+  /// or harder the way alone, without a reason.
+  struct ScaleWords {
+    std::string sentence, reason;
+  };
+  ScaleWords scaleWords(const Application& app) const;
+
   /// The limits that acted within the last kShowLimit_s, but those of every start.
   std::vector<const LimitWords*> shownLimits() const;
   /// Of the last some thousand ticks, the share in each class of kLate_us and beyond.

@@ -1,5 +1,5 @@
-// Undo and redo of what a person changed about the scene by hand: method, probe, spring, parts shown, the view that was
-// reset. What a lesson's step sets begins anew. Window's thread.
+// Undo and redo of what a person changed about the scene by hand: method, probe, spring, parts shown, what was magnified,
+// the view that was reset. What a lesson's step sets begins anew. Window's thread.
 #pragma once
 
 #include <optional>
@@ -31,7 +31,7 @@ class SceneHistory : public Extension {
   struct Choices {
     std::string method;
     double probe_A = 0.0, stiffness_N_per_mm = 0.0;
-    bool force_on = true;
+    bool force_on = true, magnified = false;
     ShapeSet shown;
     ColourBy colour_by = ColourBy::Element;
     friend bool operator==(const Choices&, const Choices&) = default;

@@ -79,18 +79,33 @@ Workspace TouchScene::sceneWorkspace() const {
   return region_ ? magnified(stage_.workspace, *region_, servo_.device()) : stage_.workspace;
 }
 
+double TouchScene::byHand_A_per_mm() const {
+  const Workspace whole = sceneWorkspace();
+  return std::min(magnified(whole, {log_.latest().hip, kByHand_A}, servo_.device()).A_per_mm, whole.A_per_mm / kAtLeast);
+}
+
 void TouchScene::magnify(bool on) {
   if (!stage_ || played_ || on == by_hand_) return;
   const ServoSample& now = log_.latest();
-  const Workspace whole = sceneWorkspace();
-  const double fine = magnified(whole, {now.hip, kByHand_A}, servo_.device()).A_per_mm;
-  const double wanted = on ? std::min(fine, whole.A_per_mm / kAtLeast) : whole.A_per_mm;
+  const double wanted = on ? byHand_A_per_mm() : sceneWorkspace().A_per_mm;
   const double closer = servo_settings.workspace.A_per_mm / wanted;
   servo_settings.workspace = rescaled(servo_settings.workspace, wanted, now.hand, now.hip);
   // The probe stays where it is in the picture.
   camera.target.A = now.hip.A + (camera.target.A - now.hip.A) / closer;
   camera.distance_A /= closer;
   by_hand_ = on;
+}
+
+void TouchScene::fitToDevice() {
+  if (!stage_ || !(region_ || by_hand_)) return;
+  Workspace fitted = sceneWorkspace();
+  if (by_hand_) {
+    fitted.A_per_mm = byHand_A_per_mm();
+    fitted.centre_A = log_.latest().hip.A;
+  }
+  fitted.turn = servo_settings.workspace.turn;
+  servo_settings.workspace = fitted;
+  handBegins({fitted.centre_A});
 }
 
 double TouchScene::magnification() const { return stage_ ? stage_.workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0; }

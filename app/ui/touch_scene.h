@@ -68,6 +68,8 @@ class TouchScene {
   /// seen that much larger. Hand and probe stay, the force begins softly.
   void magnify(bool on);
   bool magnifiedByHand() const { return by_hand_; }
+  /// Another device leads: what is magnified fills its room, and the hand begins before it. Otherwise nothing changes.
+  void fitToDevice();
   /// How many times larger than the whole molecule's scale.
   double magnification() const;
   /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
@@ -95,6 +97,7 @@ class TouchScene {
  private:
   void handBegins(PointA before);
   Workspace sceneWorkspace() const;
+  double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
   std::unique_ptr<Tracker> freshTracker() const;
 

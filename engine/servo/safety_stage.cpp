@@ -198,4 +198,8 @@ ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
   return {force};
 }
 
+double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceFigures& device) noexcept {
+  return std::min(asked_N_per_mm, SafetyStage(device).stiffnessBound_N_per_mm());
+}
+
 }  // namespace moltact

@@ -82,4 +82,7 @@ class SafetyStage {
   Limits acted_;
 };
 
+/// The stiffness that is felt of the one that is asked, at the delay of the device's own figures (unit: N/mm).
+double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceFigures& device) noexcept;
+
 }  // namespace moltact

@@ -46,10 +46,28 @@ Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA h
 
 std::string lengthScale(const Workspace& workspace) { return "1 mm here is " + twoDigits(workspace.A_per_mm) + " Å there"; }
 
-std::string scaleSentence(const Workspace& workspace, std::optional<double> pN_per_N) {
+std::optional<double> carbonPush_pN(double overlap_A) {
+  constexpr double kTouch_A = 3.40, kDepth_kcal_per_mol = 0.107, kPn_A_mol_per_kcal = 69.477;
+  if (!(overlap_A >= 0.0 && overlap_A <= kDeepest_A)) return std::nullopt;
+  const double near = kTouch_A / (kTouch_A - overlap_A);
+  return kPn_A_mol_per_kcal * 12.0 * kDepth_kcal_per_mol / kTouch_A * (std::pow(near, 13) - std::pow(near, 7));
+}
+
+std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm) {
   const std::string length = lengthScale(workspace);
-  if (pN_per_N) return length + ", 1 N here would be " + twoDigits(*pN_per_N) + " pN there.";
-  return length + "; the force is made for the hand and is none between molecules.";
+  if (!(stiffness_N_per_mm > 0.0)) return length + "; nothing pushes back.";
+  const std::optional<double> push = carbonPush_pN(workspace.A_per_mm / stiffness_N_per_mm);
+  return length + (push ? ", 1 N here would be " + twoDigits(*push) + " pN there." : "; 1 N here presses deeper than atoms can go there.");
+}
+
+std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm) {
+  if (!(stiffness_N_per_mm > 0.0)) return "The surface has no spring now.";
+  const double depth_A = workspace.A_per_mm / stiffness_N_per_mm;
+  const std::string deep = "With 1 N the probe is " + twoDigits(depth_A) + " Å under the surface";
+  const std::optional<double> push = carbonPush_pN(depth_A);
+  if (!push) return deep + ": so far into each other no two atoms can be pressed.";
+  return deep + ". Two carbon atoms pressed that far into each other would push back with " + twoDigits(*push) +
+         " pN. The spring in your hand grows evenly with depth; between atoms the force grows ever faster, and a little farther off they attract.";
 }
 
 }  // namespace moltact

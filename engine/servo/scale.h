@@ -33,8 +33,20 @@ Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA h
 /// "1 mm here is 0.2 Å there".
 std::string lengthScale(const Workspace& workspace);
 
-/// "1 mm here is 0.2 Å there, 1 N here would be 4.2 pN there." Without `pN_per_N`, where the force stands for none between
-/// molecules: "1 mm here is 0.2 Å there; the force is made for the hand and is none between molecules."
-std::string scaleSentence(const Workspace& workspace, std::optional<double> pN_per_N = std::nullopt);
+/// The force (unit: pN) with which two carbon atoms push each other apart that lie `overlap_A` nearer than they touch: the
+/// yardstick for what a press would be between atoms. The van der Waals term of the Tripos 5.2 force field (Clark, Cramer &
+/// Van Opdenbosch, J. Comput. Chem. 10, 982, 1989), which takes carbon's radius as 1.70 Å, as Bondi and the balls here do:
+/// F = 12 e/R ((R/r)^13 - (R/r)^7), R = 3.40 Å, e = 0.107 kcal/mol, r = R - overlap. Nothing where they do not overlap, and
+/// where they overlap by more than kDeepest_A, which no such term describes.
+std::optional<double> carbonPush_pN(double overlap_A);
+
+inline constexpr double kDeepest_A = 1.0;  ///< there two carbon atoms push with 2 nN, about what breaks a bond between them
+
+/// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there": how deep 1 N presses with a spring of `stiffness_N_per_mm`, told by
+/// carbonPush_pN(); in words where it tells nothing.
+std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm);
+
+/// What that force is, and what the spring leaves out: three sentences, or one where there is no such force.
+std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm);
 
 }  // namespace moltact

@@ -4,6 +4,8 @@
 #include "app/ui/device_link.h"
 #include "app/ui/extensions.h"
 #include "engine/device/simulated_device.h"
+#include "engine/servo/safety_stage.h"
+#include "engine/servo/scale.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
@@ -51,7 +53,13 @@ TEST_CASE("the device page lists what can be used and why the rest cannot, and a
   CHECK(d->text("status/device") == "Simulated stylus");
   CHECK(d->text("device/name") == "Simulated stylus");
   CHECK(contains(d->text("device/live"), " mm; force "));
-  CHECK(contains(d->text("device/scale"), "1 mm here is 0.25 Å there"));
+  CHECK(contains(d->text("device/scale"), "1 mm here is 0.25 Å there, 1 N here would be 130 pN there."));
+  CHECK(contains(d->text("device/scale reason"), "Two carbon atoms pressed that far into each other would push back with "));
+  // A spring harder than the stylus can hold counts as hard as it is felt.
+  const double bound = SafetyStage(d->app().scene.servo().device()).stiffnessBound_N_per_mm();
+  d->app().scene.servo_settings.stiffness_N_per_mm = 2 * bound;
+  d->frames(3);
+  CHECK(d->text("device/scale") == scaleSentence(d->app().scene.servo_settings.workspace, bound));
   CHECK(contains(d->text("device/limits"), "At most 3.3 N for a moment and 0.88 N for good"));
   CHECK(d->click("device/mouse"));
   d->frames(3);

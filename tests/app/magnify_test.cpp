@@ -103,6 +103,50 @@ TEST_CASE("the view's Home ends what was magnified by hand") {
   CHECK(scale(*d) == doctest::Approx(0.25).epsilon(0.01));
 }
 
+TEST_CASE("what was magnified by hand is undone and redone, and so is its end by Home") {
+  auto d = startWith();
+  d->point("view");
+  d->frames(10);
+  const double whole = scale(*d);
+  d->tap("Ctrl+G");
+  d->frames(3);
+  CHECK(d->click("tool/undo"));
+  d->frames(3);
+  CHECK(scale(*d) == doctest::Approx(whole));
+  CHECK_FALSE(d->app().scene.magnifiedByHand());
+  CHECK(d->click("tool/redo"));
+  d->frames(3);
+  CHECK(scale(*d) == doctest::Approx(0.1));
+  const Camera near = d->app().scene.camera;
+  d->tap("Home");
+  d->frames(60);
+  CHECK(scale(*d) == doctest::Approx(whole));
+  CHECK(d->click("tool/undo"));
+  d->frames(60);
+  CHECK(scale(*d) == doctest::Approx(0.1));
+  CHECK(d->app().scene.camera.distance_A == doctest::Approx(near.distance_A));
+}
+
+TEST_CASE("a device with another room is chosen while residue 44 is magnified: it fills that room, and the force begins at nothing") {
+  const Scratch scratch;
+  auto d = startWith("");
+  d->app().open(scratch.file("magnified.md", kLesson));
+  d->app().finishLoading();
+  d->frames(10);
+  d->app().lesson.next();
+  d->frames(10);
+  const double radius_A = d->app().lesson.region()->radius_A;
+  CHECK(scale(*d) == doctest::Approx(radius_A / 35.0));
+  d->tap("Ctrl+D");
+  d->frames(3);
+  REQUIRE(d->click("device/simulated"));
+  d->frames(3);
+  const Vec3 room = d->app().scene.servo().device().workspace_mm;
+  CHECK(scale(*d) == doctest::Approx(2 * radius_A / std::min({room.x, room.y, room.z})));
+  CHECK(glm::distance(d->app().scene.servo_settings.workspace.centre_A, d->app().lesson.region()->centre.A) < 1e-9);
+  CHECK(d->app().scene.log().force_N() < 0.05);
+}
+
 TEST_CASE("a lesson's step magnifies residue 44 so that it fills the hand's room and the view, and the next step ends it") {
   const Scratch scratch;
   auto d = startWith("");

@@ -13,15 +13,36 @@
 
 using namespace moltact;
 
-TEST_CASE("the scale is told with two digits that count, and a force only where it stands for one") {
+TEST_CASE("carbon's push is the slope of the van der Waals energy, and nothing where they touch and beyond 1 A") {
+  // Independent of the formula's derivative: the energy itself, e ((R/r)^12 - 2 (R/r)^6), differenced; SI through Avogadro's number.
+  const auto energy_J = [](double r_A) {
+    const double x6 = std::pow(3.40 / r_A, 6);
+    return 0.107 * 4184.0 / 6.02214076e23 * (x6 * x6 - 2 * x6);
+  };
+  for (const double overlap_A : {0.01, 0.1, 0.3, 0.5, 0.8, 1.0}) {
+    const double r = 3.40 - overlap_A, h = 1e-5;
+    const double pN = 1e12 * (energy_J(r - h) - energy_J(r + h)) / (2 * h * 1e-10);
+    REQUIRE(carbonPush_pN(overlap_A));
+    CHECK(*carbonPush_pN(overlap_A) == doctest::Approx(pN).epsilon(1e-4));
+  }
+  CHECK(*carbonPush_pN(0.0) == 0.0);
+  CHECK(*carbonPush_pN(0.6) > 2 * *carbonPush_pN(0.3));
+  for (const double none : {-0.01, 1.001, 3.4, std::nan(""), std::numeric_limits<double>::infinity()}) CHECK_FALSE(carbonPush_pN(none));
+}
+
+TEST_CASE("the scale tells a way and a force with two digits that count: 0.2 A a mm under 0.5 N/mm is 71 pN a newton") {
   Workspace workspace;
-  workspace.A_per_mm = 0.2;
-  CHECK(scaleSentence(workspace, 4.2) == "1 mm here is 0.2 Å there, 1 N here would be 4.2 pN there.");
-  CHECK(scaleSentence(workspace) == "1 mm here is 0.2 Å there; the force is made for the hand and is none between molecules.");
-  workspace.A_per_mm = 0.02567;
-  CHECK(scaleSentence(workspace, 1234.0) == "1 mm here is 0.026 Å there, 1 N here would be 1200 pN there.");
-  workspace.A_per_mm = 1.0;
-  CHECK(scaleSentence(workspace, 69.48) == "1 mm here is 1 Å there, 1 N here would be 69 pN there.");
+  workspace.A_per_mm = 0.2;  // 1 N: 2 mm, 0.4 A
+  CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 0.2 Å there, 1 N here would be 71 pN there.");
+  CHECK(scaleReason(workspace, 0.5).find("With 1 N the probe is 0.4 Å under the surface. Two carbon atoms pressed that far into each other would push back with 71 pN.") == 0);
+  workspace.A_per_mm = 0.0362;  // 0.0724 A
+  CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 0.036 Å there, 1 N here would be 4.2 pN there.");
+  workspace.A_per_mm = 1.0;  // 1.0 A under 1 N/mm
+  CHECK(scaleSentence(workspace, 1.0) == "1 mm here is 1 Å there, 1 N here would be 2100 pN there.");
+  workspace.A_per_mm = 4.0;
+  CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 4 Å there; 1 N here presses deeper than atoms can go there.");
+  CHECK(scaleReason(workspace, 0.5) == "With 1 N the probe is 8 Å under the surface: so far into each other no two atoms can be pressed.");
+  for (const double none : {0.0, -1.0, std::nan("")}) CHECK(scaleSentence(workspace, none) == "1 mm here is 4 Å there; nothing pushes back.");
 }
 
 TEST_CASE("a ball of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, centred there; garbage changes nothing") {

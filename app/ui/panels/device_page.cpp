@@ -11,7 +11,6 @@
 #include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
-#include "engine/servo/scale.h"
 
 namespace moltact {
 namespace {
@@ -102,7 +101,9 @@ void drawLive(Application& app, DeviceLink& link) {
     if (now.buttons >> k & 1u) line += "; button " + std::to_string(k + 1);
   words("device/live", localNumbers(line), p.quiet);
   drawRooms(now, info);
-  words("device/scale", localNumbers(scaleSentence(app.scene.servo_settings.workspace)), p.quiet);
+  const DeviceLink::ScaleWords scale = link.scaleWords(app);
+  words("device/scale", localNumbers(scale.sentence), p.text);
+  if (!scale.reason.empty()) words("device/scale reason", localNumbers(scale.reason), p.quiet);
   if (!info.gives_force) return;
   if (link.status().motor_heat >= 0.0) {
     words("device/heat label", "Heat of the motors", p.quiet);

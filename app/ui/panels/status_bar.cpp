@@ -59,7 +59,8 @@ std::optional<Segment> scaleSegment(const Application& app) {
   char times[48];
   std::snprintf(times, sizeof times, ", magnified %.1f times", scene.magnification());
   if (magnified) text += times;
-  return Segment{"status/scale", localNumbers(text), localNumbers(scaleSentence(scene.servo_settings.workspace)), 2, magnified ? look().palette.accent : 0};
+  const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app);
+  return Segment{"status/scale", localNumbers(text), localNumbers(scale.sentence + "\n" + scale.reason), 2, magnified ? look().palette.accent : 0};
 }
 
 }  // namespace
