@@ -166,7 +166,7 @@ void DeviceLink::afterPanels(Application& app) {
 
 DeviceLink::ScaleWords DeviceLink::scaleWords(const Application& app) const {
   const ServoSettings& s = app.scene.servo_settings;
-  if (app.extensions().task_stager.changesStiffness()) return {lengthScale(s.workspace) + ".", ""};
+  if (app.extensions().task_stager.dark()) return {lengthScale(s.workspace) + ".", ""};
   const double felt = steadyStiffness_N_per_mm(s.stiffness_N_per_mm, app.scene.servo().device());
   return {scaleSentence(s.workspace, felt), scaleReason(s.workspace, felt)};
 }

@@ -37,8 +37,8 @@ class DeviceLink : public Extension {
   void tryForce(Application& app);
   double tryingLeft_s() const { return trying_s_; }
 
-  /// What a way and a newton of the hand are in the molecule, and what is meant by it. While a task has made the surface softer
-  /// or harder the way alone, without a reason.
+  /// What a way and a newton of the hand are in the molecule, and what is meant by it. In a task's dark the way alone:
+  /// the surface may be softer or harder there, which is for the hand to find.
   struct ScaleWords {
     std::string sentence, reason;
   };

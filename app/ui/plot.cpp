@@ -37,7 +37,9 @@ void plot(const char* name, const Trace& trace, double newest, const PlotLook& h
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   ImFont* font = l.font(Font::Small);
-  draw->AddText(font, small, low, p.quiet, how.title);
+  char title[80];
+  std::snprintf(title, sizeof title, "%s, last %.0f s", how.title, how.span_s);
+  draw->AddText(font, small, low, p.quiet, title);
   const float reading_w = font->CalcTextSizeA(small, 1e9f, 0.0f, reading.c_str()).x;
   draw->AddText(font, small, {high.x - reading_w, low.y}, p.text, reading.c_str());
 
@@ -49,9 +51,6 @@ void plot(const char* name, const Trace& trace, double newest, const PlotLook& h
   const float inset = l.px(6), y0 = b.y - inset, y1 = a.y + inset;
   const auto y = [&](float v) { return y0 - (y0 - y1) * std::clamp(v / top, 0.0f, 1.0f); };
   for (const float part : {0.5f, 1.0f}) draw->AddLine({a.x, y(part * top)}, {b.x, y(part * top)}, p.line, 1.0f);
-  char mark[32];
-  std::snprintf(mark, sizeof mark, top < 1.0f ? "%.2g" : "%.0f", double(top));
-  draw->AddText(font, small * 0.86f, {a.x + l.px(6), y(top) + l.px(1)}, p.faint, localNumbers(mark).c_str());
 
   // One point a pixel column: the largest of the values that fall on it.
   if (trace.size() > 1) {
@@ -74,10 +73,13 @@ void plot(const char* name, const Trace& trace, double newest, const PlotLook& h
     }
     draw->PopClipRect();
   }
-  char span[32];
-  std::snprintf(span, sizeof span, "last %.0f s", how.span_s);
-  const ImVec2 span_size = font->CalcTextSizeA(small * 0.86f, 1e9f, 0.0f, span);
-  draw->AddText(font, small * 0.86f, {b.x - span_size.x - l.px(6), y(top) + l.px(1)}, p.faint, span);
+  // Over the curve, which may run behind it.
+  char mark[32];
+  std::snprintf(mark, sizeof mark, top < 1.0f ? "%.2g" : "%.0f", double(top));
+  const std::string most = localNumbers(mark);
+  const ImVec2 size = font->CalcTextSizeA(small * 0.86f, 1e9f, 0.0f, most.c_str()), at{a.x + l.px(6), y(top) + l.px(1)};
+  draw->AddRectFilled({at.x - l.px(2), at.y}, {at.x + size.x + l.px(2), at.y + size.y}, faded(p.raised, 0.85f), l.px(3));
+  draw->AddText(font, small * 0.86f, at, p.quiet, most.c_str());
   recordItem(name, reading);
 }
 

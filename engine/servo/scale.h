@@ -40,7 +40,7 @@ std::string lengthScale(const Workspace& workspace);
 /// where they overlap by more than kDeepest_A, which no such term describes.
 std::optional<double> carbonPush_pN(double overlap_A);
 
-inline constexpr double kDeepest_A = 1.0;  ///< there two carbon atoms push with 2 nN, about what breaks a bond between them
+inline constexpr double kDeepest_A = 1.0;  ///< there two carbon atoms push with 2 nN, of the order of what breaks a covalent bond
 
 /// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there": how deep 1 N presses with a spring of `stiffness_N_per_mm`, told by
 /// carbonPush_pN(); in words where it tells nothing.

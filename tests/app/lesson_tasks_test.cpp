@@ -269,6 +269,14 @@ TEST_CASE("with the mouse alone a place is found in the dark and a pair is judge
   REQUIRE(session(*d).goTo("same-or-different"));
   d->frames(10);
   for (const char* button : {"task/0/next", "task/0/different"}) {
+    // The device page does not tell which of the two it is.
+    d->tap("Ctrl+D");
+    d->frames(3);
+    CHECK(contains(d->text("device/scale"), " Å there."));
+    CHECK_FALSE(contains(d->text("device/scale"), "pN"));
+    CHECK_FALSE(d->shows("device/scale reason"));
+    d->tap("Escape");
+    d->frames(3);
     d->point("view");
     d->press();
     CHECK(waitUntil(*d, [&] { return !session(*d).taskAt(0)->buttons().empty(); }));

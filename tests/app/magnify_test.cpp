@@ -64,7 +64,7 @@ TEST_CASE("Ctrl+G magnifies round the probe: 0.25 A a mm becomes 0.1, hand and p
   d->tap("Ctrl+G");
   d->frames(30);
   CHECK(scale(*d) == doctest::Approx(0.1));
-  CHECK(contains(d->text("status/scale"), "1 mm here is 0.1 Å there, magnified 2.5 times"));
+  CHECK(contains(d->text("status/scale"), "1 mm here is 0.1 Å there, 1 N here would be 18 pN there, magnified 2.5 times"));
   CHECK(d->app().scene.camera.distance_A == doctest::Approx(camera.distance_A * scale(*d) / whole));
   const ServoSample after = d->app().scene.log().latest();
   CHECK(glm::distance(after.hip.A, before.hip.A) < 0.05);
@@ -184,7 +184,7 @@ TEST_CASE("with a stylus the scale is always told, and a magnified part lies in 
   REQUIRE(d->click("device/simulated"));
   d->tap("Escape");
   d->frames(3);
-  CHECK(d->text("status/scale") == "1 mm here is 0.25 Å there");
+  CHECK(d->text("status/scale") == "1 mm here is 0.25 Å there, 1 N here would be 130 pN there");
   const double half_mm = 0.5 * d->app().scene.servo().device().workspace_mm.x;
   d->tap("Ctrl+G");
   d->frames(3);

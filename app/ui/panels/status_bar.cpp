@@ -12,7 +12,6 @@
 #include "app/ui/number_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
-#include "engine/servo/scale.h"
 
 namespace moltact {
 namespace {
@@ -55,12 +54,12 @@ std::optional<Segment> scaleSegment(const Application& app) {
   const TouchScene& scene = app.scene;
   const bool magnified = scene.magnification() > 1.005;
   if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
-  std::string text = lengthScale(scene.servo_settings.workspace);
+  const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app);
+  std::string text = scale.sentence.substr(0, scale.sentence.size() - 1);  // without its full stop
   char times[48];
   std::snprintf(times, sizeof times, ", magnified %.1f times", scene.magnification());
   if (magnified) text += times;
-  const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app);
-  return Segment{"status/scale", localNumbers(text), localNumbers(scale.sentence + "\n" + scale.reason), 2, magnified ? look().palette.accent : 0};
+  return Segment{"status/scale", localNumbers(text), localNumbers(scale.reason), 2, magnified ? look().palette.accent : 0};
 }
 
 }  // namespace

@@ -52,12 +52,14 @@ void scaleBar(const Application& app, const Rectangle& view) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 colour = l.palette.quiet;
   const float thick = std::max(1.0f, l.px(1.5f)), tick = l.px(4);
+  ImFont* small = l.font(Font::Small);
+  const ImVec2 size = small->CalcTextSizeA(small->FontSize, 1e9f, 0, text.c_str());
+  const float pad = l.px(6), half = 0.5f * std::max(width, size.x), middle = 0.5f * (x0 + x1);
+  draw->AddRectFilled({middle - half - pad, y - tick - size.y - 0.5f * pad}, {middle + half + pad, y + tick + pad}, faded(l.palette.panel, 0.75f), l.px(6));
   draw->AddLine({x0, y}, {x1, y}, colour, thick);
   draw->AddLine({x0, y - tick}, {x0, y + tick}, colour, thick);
   draw->AddLine({x1, y - tick}, {x1, y + tick}, colour, thick);
-  ImFont* small = l.font(Font::Small);
-  const ImVec2 size = small->CalcTextSizeA(small->FontSize, 1e9f, 0, text.c_str());
-  draw->AddText(small, small->FontSize, {0.5f * (x0 + x1 - size.x), y - tick - size.y}, colour, text.c_str());
+  draw->AddText(small, small->FontSize, {middle - 0.5f * size.x, y - tick - size.y}, colour, text.c_str());
   recordRectangle("view/scale bar", {x0, y - tick - size.y}, {x1, y + tick}, text);
 }
 
@@ -121,7 +123,9 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   if (width < l.px(120)) return;
   const ServoSample& now = app.scene.log().latest();
 
-  ImGui::SetCursorScreenPos({view.high.x - l.px(42), view.low.y + l.px(12)});
+  const ImVec2 corner{view.high.x - l.px(42), view.low.y + l.px(12)};
+  if (app.scene.stage()) ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + l.px(30), corner.y + l.px(30)}, faded(p.panel, 0.75f), l.px(6));
+  ImGui::SetCursorScreenPos(corner);
   if (app.scene.stage() && iconButton("view/reset", Icon::Fit, "Reset view (Home)")) app.resetViewByHand();
 
   loadingSign(app, view);
