@@ -58,6 +58,7 @@ TEST_CASE("unplugged under the hand: the mouse leads, the list no longer has it,
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
+  holdUpright(bed, *device);
   Loop loop(*device);
   CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
 
@@ -73,6 +74,8 @@ TEST_CASE("unplugged under the hand: the mouse leads, the list no longer has it,
   bed.plug(kWoodenHaptics);
   waitFor([&] { return device->status().connected; });
   CHECK(device->status().connected);
+  CHECK_FALSE(device->status().ready);  // it may have been switched off meanwhile
+  holdUpright(bed, *device);
   bed.send(counts(0, 0, 0));
   waitFor([&] { return (sample = loop.tick(), !loop.fallenBack()); });
   CHECK_FALSE(loop.fallenBack());
@@ -84,6 +87,7 @@ TEST_CASE("ten times unplugged and plugged in, at any moment of the reports: it 
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
+  holdUpright(bed, *device);
   Loop loop(*device);
   scenes::Random random(3);
   for (int time = 0; time < 10; ++time) {
@@ -98,6 +102,7 @@ TEST_CASE("ten times unplugged and plugged in, at any moment of the reports: it 
     waitFor([&] { return (loop.tick(), !loop.fallenBack()); });
     CHECK_FALSE(loop.fallenBack());
   }
+  holdUpright(bed, *device);
   CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
 }
 
@@ -106,6 +111,7 @@ TEST_CASE("600 reports of random length and bytes, sound ones between: places an
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
+  holdUpright(bed, *device);
   Loop loop(*device);
   scenes::Random random(4);
   for (int k = 0; k < 600; ++k) {
@@ -125,6 +131,7 @@ TEST_CASE("reports that break off after 3 and 6 bytes tell no place; after 40 ms
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
+  holdUpright(bed, *device);
   Loop loop(*device);
   feel(bed, loop);
   const Vec3 before = device->read(0.001).position.mm;

@@ -64,17 +64,25 @@ std::size_t DualShockProtocol::give(ForceN force, std::span<std::uint8_t, 64> ou
   return kMotorBytes;
 }
 
+namespace {
+
+const HidKind& dualShock() {
+  static const HidKind kind{"Game pad (DualShock 4)", isDualShock, [] { return std::unique_ptr<HidProtocol>(new DualShockProtocol); }, [] {
+                              DeviceInfo info;
+                              info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
+                              return info;
+                            }()};
+  return kind;
+}
+
+}  // namespace
+
 extern const DeviceDriver kDualShockDriver;
 const DeviceDriver kDualShockDriver{
     .name = "gamepad",
     .sentence = "Sony DualShock 4: its sticks lead the hand and turn the view, its rumble stands for the force.",
-    .find = [] { return findHid(isDualShock, false, "Game pad (DualShock 4)"); },
-    .open = [](const FoundDevice& found) {
-      DeviceInfo info;
-      info.name = found.title;
-      info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
-      return HidDevice::open(hidOpener(isDualShock, found), std::make_unique<DualShockProtocol>(), info);
-    },
+    .find = [] { return findHid(dualShock()); },
+    .open = [](const FoundDevice& found) { return openHid(dualShock(), found); },
 };
 
 }  // namespace moltact

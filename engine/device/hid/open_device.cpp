@@ -38,10 +38,11 @@ std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   info.max_damping_N_s_per_m = 1e-3 * uint16At(bytes, 22);
   info.friction_N = 1e-3 * uint16At(bytes, 24);
   info.delay_s = 1e-6 * uint16At(bytes, 26);
-  info.dof_in = report[28] & 1 ? 6 : 3;
+  info.dof_in = 3;  // the turn, where it is measured, is not used
   info.gives_force = gives_ = max_N > 0;
   info.dof_out = gives_ ? 3 : 0;
   any_seen_ = false;
+  status_ = 0;
   return std::nullopt;
 }
 
@@ -53,10 +54,16 @@ bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) 
   any_seen_ = true;
   pose.position.mm = step_mm_ * Vec3(int16At(report, 7), int16At(report, 9), int16At(report, 11));
   pose.buttons = report[21];
-  const std::uint8_t status = report[22];
-  pose.trouble = status & (kFault | kUncalibrated);
-  pose.motor_heat = status & kHot ? 1.0f : 0.0f;
+  status_ = report[22];
+  pose.trouble = status_ & (kFault | kUncalibrated);
+  pose.motor_heat = status_ & kHot ? 1.0f : 0.0f;
   return !again;
+}
+
+HidGuidance OpenProtocol::guidance() const noexcept {
+  if (status_ & kFault) return {"The device reports a fault: look at it and at its power, then plug it in again."};
+  if (status_ & kUncalibrated) return {"The device is not calibrated: do with it what its maker says for that."};
+  return {};
 }
 
 std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
@@ -70,16 +77,25 @@ std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) no
   return kForceBytes;
 }
 
+namespace {
+
+const HidKind& openLayout() {
+  static const HidKind kind{"Device of the open layout", isOpenDevice, [] { return std::unique_ptr<HidProtocol>(new OpenProtocol); }, [] {
+                              DeviceInfo info;
+                              info.gives_force = true;  // most do; each tells it itself
+                              return info;
+                            }()};
+  return kind;
+}
+
+}  // namespace
+
 extern const DeviceDriver kOpenDriver;
 const DeviceDriver kOpenDriver{
     .name = "open",
     .sentence = "A device that you build: any that speaks the reports of docs/device-protocol.md.",
-    .find = [] { return findHid(isOpenDevice, true, "Device of the open layout"); },
-    .open = [](const FoundDevice& found) {
-      DeviceInfo info;
-      info.name = found.title;
-      return HidDevice::open(hidOpener(isOpenDevice, found), std::make_unique<OpenProtocol>(), info);
-    },
+    .find = [] { return findHid(openLayout()); },
+    .open = [](const FoundDevice& found) { return openHid(openLayout(), found); },
 };
 
 }  // namespace moltact

@@ -19,12 +19,14 @@ inline constexpr std::uint8_t kFault = 1, kHot = 2, kUncalibrated = 4, kWatchdog
 class OpenProtocol final : public HidProtocol {
  public:
   std::optional<Problem> begin(HidPort& port, DeviceInfo& info) override;
+  HidGuidance guidance() const noexcept override;
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
 
  private:
   double step_mm_ = 0.005;
   std::uint16_t seen_ = 0, sent_ = 0;
+  std::uint8_t status_ = 0;
   bool any_seen_ = false, gives_ = false;
 };
 
