@@ -92,7 +92,7 @@ TEST_CASE("a device of the open layout is opened by its feature report; one that
     bed.plug(mute);
     const auto refused = openDevice("open");
     REQUIRE_FALSE(refused);
-    CHECK(refused.problem().remedy.find("Workshop Stylus is none") != std::string::npos);
+    CHECK(refused.problem().remedy.find("Workshop Stylus: ") != std::string::npos);
     CHECK(refused.problem().remedy.find("its feature report 3 does not begin with 'MLTC'") != std::string::npos);
   }
 }

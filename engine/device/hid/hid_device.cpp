@@ -116,13 +116,13 @@ void HidDevice::run() {
     const bool anew = newest.count != asked.count;
     if (anew) asked = newest;
     const bool lonely = std::chrono::duration<double>(now - asked.at).count() > kLonelyForce_s;
-    if (const std::size_t length = protocol_->give(lonely ? ForceN{} : asked.force, out)) {
+    if (const std::size_t length = lonely || !asked.motors_on ? protocol_->stop(out) : protocol_->give(asked.force, out)) {
       if (!port_->write({out.data(), length})) lose();
       else if (anew) told.wait_s = std::chrono::duration<double>(Clock::now() - asked.at).count();
     }
   }
   if (!port_) return;
-  if (const std::size_t length = protocol_->give(ForceN{}, out)) port_->write({out.data(), length});
+  if (const std::size_t length = protocol_->stop(out)) port_->write({out.data(), length});
 }
 
 DevicePose HidDevice::read(double) noexcept {
@@ -136,8 +136,9 @@ DevicePose HidDevice::read(double) noexcept {
   return pose;
 }
 
-void HidDevice::write(ForceN force) noexcept {
+void HidDevice::ask(ForceN force, bool motors_on) noexcept {
   asking_.force = force;
+  asking_.motors_on = motors_on;
   asking_.at = Clock::now();
   ++asking_.count;
   asked_.write(asking_);
@@ -165,16 +166,18 @@ std::vector<FoundDevice> findHid(const HidKind& kind) {
     FoundDevice one{.title = entry.title.empty() ? std::string(kind.title) : entry.title, .place = entry.path};
     DeviceInfo info = kind.known;
     const auto port = openHid(entry);
-    if (!port) {
-      one.gives_force = info.gives_force;
-      one.why = port.problem().text();
-      closed.push_back(std::move(one));
-    } else if (const auto problem = kind.protocol()->begin(**port, info)) {
-      strangers += "; " + one.title + " is none: " + problem->message;
-    } else {
+    const auto protocol = kind.protocol();
+    const std::optional<Problem> problem = port ? protocol->begin(**port, info) : port.problem();
+    one.gives_force = info.gives_force;
+    if (!problem) {
       one.usable = true;
-      one.gives_force = one.by_itself = info.gives_force;
+      one.by_itself = info.gives_force;
       out.push_back(std::move(one));
+    } else if (protocol->ofKind()) {
+      one.why = problem->text();
+      closed.push_back(std::move(one));
+    } else {
+      strangers += "; " + one.title + ": " + problem->message;
     }
   }
   out.insert(out.end(), closed.begin(), closed.end());

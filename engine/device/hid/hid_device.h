@@ -32,6 +32,8 @@ class HidProtocol {
   virtual ~HidProtocol() = default;
   /// Asks the device what it is, when it is looked at, opened or opened anew. A Problem where it is not of this kind.
   virtual std::optional<Problem> begin(HidPort&, DeviceInfo&) { return std::nullopt; }
+  /// After begin() gave a Problem: false where it is something else altogether.
+  virtual bool ofKind() const noexcept { return true; }
   virtual HidGuidance guidance() const noexcept { return {}; }
   /// The person holds the device as guidance() asked. True: its places are others from now on.
   virtual bool calibrate() noexcept { return false; }
@@ -43,6 +45,8 @@ class HidProtocol {
   virtual ViewWish viewWish() const noexcept { return {}; }
   /// The report that gives this force, its id first; its length, 0 for a device without force.
   virtual std::size_t give(ForceN, std::span<std::uint8_t, 64>) noexcept { return 0; }
+  /// The report that ends all force, with the motors off where they can be switched.
+  virtual std::size_t stop(std::span<std::uint8_t, 64> out) noexcept { return give(ForceN{}, out); }
 };
 
 class HidDevice final : public Device {
@@ -58,7 +62,8 @@ class HidDevice final : public Device {
 
   const DeviceInfo& info() const noexcept override { return info_.get(); }
   DevicePose read(double dt_s) noexcept override;
-  void write(ForceN force) noexcept override;
+  void write(ForceN force) noexcept override { ask(force, true); }
+  void stop() noexcept override { ask({}, false); }
   DeviceStatus status() override;
   void calibrate() override { calibrate_.store(true, std::memory_order_release); }
   ViewWish viewWish() noexcept override { return wish_.read(); }
@@ -73,6 +78,7 @@ class HidDevice final : public Device {
   };
   struct Asked {
     ForceN force;
+    bool motors_on = false;
     std::uint32_t count = 0;
     Clock::time_point at{};
   };
@@ -82,6 +88,7 @@ class HidDevice final : public Device {
   void run();
   bool revive(Told& told);
   int take(Told& told);
+  void ask(ForceN force, bool motors_on) noexcept;
 
   Opener opener_;
   std::unique_ptr<HidProtocol> protocol_;
