@@ -1,5 +1,6 @@
 // `moltact device check | record | replay`: a device in the hand, without the window.
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <thread>
@@ -10,6 +11,8 @@
 #include "engine/device/driver.h"
 #include "engine/device/mouse_device.h"
 #include "engine/haptics/methods.h"
+#include "engine/platform/interrupt.h"
+#include "engine/platform/terminal.h"
 #include "engine/servo/device_check.h"
 #include "engine/servo/scale.h"
 #include "engine/servo/servo_thread.h"
@@ -34,39 +37,76 @@ std::unique_ptr<Device> opened(const std::string& name) {
 }
 
 void describe(const DeviceInfo& info) {
-  char text[320], room[80] = "without an edge";
+  char text[400], room[80] = "without an edge", limits[120] = "";
+  if (std::isfinite(info.speed_limit_m_per_s) || std::isfinite(info.slew_limit_N_per_s))
+    std::snprintf(limits, sizeof limits, ";\nits driver gives no force beyond %.2f m/s or %.0f N/s", info.speed_limit_m_per_s, info.slew_limit_N_per_s);
   if (finite(info.workspace_mm))
     std::snprintf(room, sizeof room, "%.0f x %.0f x %.0f mm", info.workspace_mm.x, info.workspace_mm.y, info.workspace_mm.z);
   std::snprintf(text, sizeof text,
                 "%s: %d degrees of freedom in, %d out; room %s; %.1f N for a moment, %.2f N for good;\n"
-                "stiffness up to %.2f N/mm, damping up to %.1f N s/m, steps of %.3f mm, %.1f ms of delay\n",
+                "stiffness up to %.2f N/mm, damping up to %.1f N s/m, steps of %.3f mm, %.1f ms of delay%s\n",
                 info.name.c_str(), info.dof_in, info.dof_out, room, info.max_force_N, info.continuous_force_N, info.max_stiffness_N_per_mm,
-                info.max_damping_N_s_per_m, info.resolution_mm, 1e3 * info.delay_s);
+                info.max_damping_N_s_per_m, info.resolution_mm, 1e3 * info.delay_s, limits);
   std::cout << text;
 }
 
+constexpr int kNothingChecked = 3, kInterrupted = 130;  // exit statuses
+constexpr double kWaitReady_s = 120.0, kWaitPlug_s = 60.0;
+
 // No answer, as from a script without one, counts as no.
-bool askOnTerminal(const std::string& question) {
+bool askOnTerminal(const std::string& question, const InterruptWatch& interrupt) {
   std::cout << question << " Go on? [y/N] " << std::flush;
   std::string answer;
-  if (!std::getline(std::cin, answer)) std::cout << '\n';
-  return answer == "y" || answer == "Y" || answer == "yes";
+  while (!interrupt.seen()) {
+    const Typed typed = typedLine(answer, 100);
+    if (typed == Typed::Line) return answer == "y" || answer == "Y" || answer == "yes";
+    if (typed == Typed::End) break;
+  }
+  std::cout << '\n';
+  return false;
 }
 
+// Shows what the device asks of the person, whenever that changes, and takes Enter for "it is so".
+class GuideOnTerminal {
+ public:
+  bool operator()(const DeviceStatus& status) {
+    if (status.text != told_) {
+      told_ = status.text;
+      std::cout << told_ << (status.asks_calibrate ? " Then press Enter." : "") << '\n' << std::flush;
+    }
+    std::string line;
+    return typedLine(line, 0) == Typed::Line && status.asks_calibrate;
+  }
+
+ private:
+  std::string told_;
+};
+
 void check(const Options& options) {
+  const InterruptWatch interrupt;
   auto device = opened(options.name);
+  const bool gives_force = device->info().gives_force;
   describe(device->info());
-  if (const std::string text = device->status().text; !text.empty()) std::cout << text << '\n';
   DeviceCheckOptions how;
-  how.ask = options.yes ? [](const std::string& question) { return std::cout << question << '\n', true; } : askOnTerminal;
-  how.tell = [](const std::string& what) { std::cout << what << '\n'; };
+  if (options.yes) how.ask = [](const std::string& question) { return std::cout << question << '\n', true; };
+  else how.ask = [&](const std::string& question) { return askOnTerminal(question, interrupt); };
+  how.tell = [](const std::string& what) { std::cout << what << '\n' << std::flush; };
+  how.guide = GuideOnTerminal();
+  how.interrupted = [&] { return interrupt.seen(); };
   how.part_s = options.seconds;
-  bool failed = false;
+  how.ready_s = kWaitReady_s;
+  how.unplug_s = options.yes ? 0.0 : kWaitPlug_s;  // nobody may be there
+  bool failed = false, anything = false, force = false;
   for (const CheckedPart& part : checkDevice(std::move(device), how)) {
     failed = failed || (part.done && !part.passed);
+    anything = anything || part.done;
+    force = force || (part.done && part.forces);
     std::cout << (part.done ? part.passed ? "passed   " : "FAILED   " : "left out ") << part.name << ": " << part.found << '\n';
   }
+  if (interrupt.seen()) throw CommandError{"broken off; the device was closed without force", kInterrupted};
   if (failed) throw CommandError{"the device did not pass"};
+  if (!anything) throw CommandError{"nothing was checked", kNothingChecked};
+  if (gives_force && !force) throw CommandError{"the device's force was not checked", kNothingChecked};
 }
 
 std::shared_ptr<const BallScene> sceneOf(const Options& options) {
@@ -95,11 +135,12 @@ void record(const Options& options) {
   servo.setTracker(findMethod(options.method)->make(scene, settings.probe_A));
   std::cout << "Recording " << options.seconds << " s. " << scaleSentence(settings.workspace, felt_N_per_mm) << '\n' << std::flush;
 
+  const InterruptWatch interrupt;  // what was recorded until then is kept, and the device closed in order
   std::optional<TraceWriter> writer;
   ServoStep start;
   std::size_t ticks = 0, touching = 0;
   const auto wanted = static_cast<std::size_t>(options.seconds / kTick_s);
-  while (ticks < wanted) {
+  while (ticks < wanted && !interrupt.seen()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
     servo.drainRecording(start, [&](const TraceTick& tick) {
       if (!writer) {
@@ -111,9 +152,10 @@ void record(const Options& options) {
     });
     servo.drain([&](const ServoSample& sample) { touching += sample.contact.touching(); });
   }
+  if (!writer) throw CommandError{"broken off before the first tick", kInterrupted};
   if (auto problem = writer->finish()) throw CommandError{problem->text()};
   if (servo.lostOfRecording()) throw CommandError{"the disk was too slow: " + std::to_string(servo.lostOfRecording()) + " ticks are missing, so the recording cannot be replayed"};
-  std::cout << wanted << " ticks in " << options.file << ", " << touching << " of them in contact\n";
+  std::cout << std::min(ticks, wanted) << " ticks in " << options.file << ", " << touching << " of them in contact\n";
 }
 
 void replayFile(const Options& options) {
@@ -150,7 +192,7 @@ void addDevice(CLI::App& app) {
   std::vector<std::string> names;
   for (const Method& m : methods()) names.emplace_back(m.name);
 
-  CLI::App* checks = command->add_subcommand("check", "Try a device in your hand: its places, a gentle pull, a wall, the panic key");
+  CLI::App* checks = command->add_subcommand("check", "Try a device in your hand: its places, a gentle pull, a wall, and every way in which force must end");
   checks->add_option("NAME", options->name, "as `moltact devices` lists it")->required();
   checks->add_flag("--yes", options->yes, "do not ask before the device moves");
   checks->add_option("--seconds", options->seconds, "how long each part lasts")->check(numberFrom(0.2, 600.0))->capture_default_str();

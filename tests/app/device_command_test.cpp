@@ -58,8 +58,10 @@ TEST_CASE("moltact device check passes the simulated stylus with --yes, and with
   CHECK(yes.status == 0);
   CHECK(contains(yes.out, "passed   wall"));
   const Run none = moltact("device check simulated --seconds 0.2");
-  CHECK(none.status == 0);
+  CHECK(none.status == 3);
+  CHECK(contains(none.out, "passed   places at rest"));
   CHECK(contains(none.out, "left out gentle pull"));
+  CHECK(contains(none.err, "the device's force was not checked"));
   const Run unknown = moltact("device check phantom");
   CHECK(unknown.status == 1);
   CHECK(contains(unknown.err, "these are known"));

@@ -275,7 +275,7 @@ DeviceStatus OmniDevice::status() {
       error_shown_ = error;
       shown_until_ = now + kShowError;
     }
-  if (target_.load()) status.text = guidance(status);
+  if (framed_.load(std::memory_order_acquire)) status.text = guidance(status);  // before it nothing is known
   status.ready = status.text.empty();
   if (status.text.empty() && now < shown_until_) status.text = words(error_shown_);
   return status;
@@ -283,7 +283,6 @@ DeviceStatus OmniDevice::status() {
 
 // What the person is to do for the calibration; nothing where it is done.
 std::string OmniDevice::guidance(DeviceStatus& status) const {
-  if (!framed_.load(std::memory_order_acquire)) return "The device is starting.";
   const std::uint32_t state = calibration_.load(std::memory_order_relaxed), style = calibration_style_.load(std::memory_order_relaxed);
   if (state == hd::kCalibrated) return "";
   const bool updating = style & (hd::kInkwell | hd::kAuto) ? state == hd::kNeedsUpdate : resetting_.load(std::memory_order_relaxed);
