@@ -1,13 +1,15 @@
 // A stand-in for OpenHaptics' libHD.so, built from its published documentation, with the device model in the scripted hand
 // behind it. It is strict where the documentation is: what is asked outside a frame or by the getter of another type, a second
 // begin, a bad handle end as errors on the stack, newest first. The callback runs without its lock. The functions standIn… are for the tests: they step its clock by hand or let it run
-// at 1 kHz, and do to it what a device does.
+// at 1 kHz, and do to it what a device does. In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks
+// for the calibration style STAND_IN_STYLE if that is set, and writes how the device was closed.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <cstdlib>
+#include <fstream>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -38,6 +40,13 @@ struct State {
   std::atomic<bool> ends{false};
   std::thread clock;
 
+  State() {
+    if (std::getenv("STAND_IN_LOG")) manual = false;
+    if (const char* named = std::getenv("STAND_IN_STYLE")) {
+      style = std::uint32_t(std::atoi(named));
+      calibration = hd::kNeedsManualInput;
+    }
+  }
   ~State() {
     ends = true;
     if (clock.joinable()) clock.join();
@@ -128,6 +137,8 @@ void hdDisableDevice(hd::Handle) {
   const Lock lock(state().mutex);
   if (!state().initialised || state().running) push(hd::kInvalidOperation);
   state().initialised = state().forces_on = false;
+  if (const char* log = std::getenv("STAND_IN_LOG"))
+    std::ofstream(log, std::ios::app) << "closed, " << state().biggest_N << " N at most, " << state().at_stop_N << " N at the stop, " << state().errors.size() << " errors\n";
 }
 void hdMakeCurrentDevice(hd::Handle device) {
   const Lock lock(state().mutex);
