@@ -21,7 +21,10 @@ void SafetyStage::setDevice(const DeviceFigures& device) noexcept {
   resolution_m_ = 1e-3 * usable(device.resolution_mm);
   device_delay_s_ = usable(device.delay_s);
   closes_loop_ = device.gives_force;
-  heat_ = HeatBudget();
+  // Its motors give nothing yet. The heat stays: the device may be the one that was just gone, and its motors warm.
+  force_N_ = Vec3(0.0);
+  stretch_mm_ = stiffness_ = 0.0;
+  passivity_.restart();
   placed_ = false;
   restart();
 }
@@ -156,7 +159,7 @@ Vec3 SafetyStage::slewed(const Vec3& force) noexcept {
 }
 
 ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
-  heat_.add(glm::length(force_N_), elapsed_s_);
+  heat_.add(closes_loop_ ? glm::length(force_N_) : 0.0, elapsed_s_);
 
   Vec3 force = wanted.force_N;
   double size = glm::length(force), stretch_mm = wanted.stretch_mm;
@@ -177,7 +180,8 @@ ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
   WantedForce known = wanted;
   known.stretch_mm = stretch_mm;
   force = braked(slowed(force), known);
-  if (const double braked_size = glm::length(force); braked_size > peak_N_) force *= peak_N_ / braked_size;
+  // Braking is a force like any other.
+  if (const double most = allowed_N(wanted.most_N), braked_size = glm::length(force); braked_size > most) force *= most / braked_size;
 
   // What follows only takes away: braking too ends where no force is to be.
   if (gain_ < 1.0 && size > 0.0) acted_.add(Limit::SoftStart);

@@ -44,7 +44,7 @@ class ClockedDevice final : public Device {
           target.tickOfDevice();
           own_ticks.fetch_add(1);
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
       }
     });
     return true;
@@ -201,6 +201,15 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   servo.setDevice(std::move(made));
   while (clocked->own_ticks.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   CHECK(servo.latest().hand.mm == Vec3(4, 5, 6));
+  // It ticks every 2 ms: a millisecond late, at the least, but where the loop's own clock stood in.
+  std::size_t told = 0, late = 0;
+  servo.drain([&](const ServoSample& s) {
+    if (s.hand.mm != Vec3(4, 5, 6)) return;
+    ++told;
+    late += s.late_us >= 900.0f;
+  });
+  CHECK(told > 40);
+  CHECK(2 * late > told);
   clocked->stopped.store(true);
   const long then = clocked->own_ticks.load();
   waitForTicks(servo, 50);
