@@ -17,7 +17,7 @@ void SafetyStage::setDevice(const DeviceFigures& device) noexcept {
   max_stiffness_ = usable(device.max_stiffness_N_per_mm);
   max_damping_ = usable(device.max_damping_N_s_per_m);
   damping_ = usable(device.damping_N_s_per_m);
-  friction_N_ = usable(device.friction_N);
+  friction_N_ = device.friction_N > 0.0 ? usable(device.friction_N) : safety::kUnknownFriction_N;
   resolution_m_ = 1e-3 * usable(device.resolution_mm);
   device_delay_s_ = usable(device.delay_s);
   closes_loop_ = device.gives_force;
@@ -89,7 +89,7 @@ bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
 double SafetyStage::stiffnessBound_N_per_mm() const noexcept {
   if (!closes_loop_) return safety::kHardest_N_per_mm;
   double bound = (damping_ + safety::kLightHand_N_s_per_m) / (kTick_s / 2 + device_delay_s_ + delay_s_);
-  if (resolution_m_ > 0 && friction_N_ > 0) bound = std::min(bound, 2 * friction_N_ / resolution_m_);
+  if (resolution_m_ > 0) bound = std::min(bound, 2 * friction_N_ / resolution_m_);
   return std::min({1e-3 * safety::kStiffnessMargin * bound, max_stiffness_, safety::kHardest_N_per_mm});
 }
 
