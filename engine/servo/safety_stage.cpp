@@ -43,7 +43,8 @@ bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
   }
   dt_s_ = sane ? std::min(time.dt_s, kTick_s) : kTick_s;
   // The delay rises at once and falls within about a second, so that the bound does not flicker.
-  const double delay_s = std::isfinite(time.delay_s) ? std::clamp(time.delay_s, 0.0, safety::kOff_s) : safety::kOff_s;
+  const double measured_s = time.delay_s + pose.age_s;
+  const double delay_s = std::isfinite(measured_s) ? std::clamp(measured_s, 0.0, safety::kOff_s) : safety::kOff_s;
   delay_s_ = std::max(delay_s, delay_s_ + (delay_s - delay_s_) * std::min(1.0, dt_s_));
 
   const double elapsed_s = sane ? time.dt_s : safety::kStale_s;

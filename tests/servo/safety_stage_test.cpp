@@ -230,9 +230,16 @@ TEST_CASE("stiffness: with 2.2 N s/m and 1 ms of delay 0.73 N/mm are stable by h
   stage.look({}, {.delay_s = 0.002});
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5 - 0.001));
+  SafetyStage aged = ready();
+  aged.look({.position = {}, .age_s = 0.002f}, {});
+  CHECK(aged.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
+  aged.look({.position = {}, .age_s = std::nanf("")}, {});
+  CHECK(aged.stiffnessBound_N_per_mm() < 0.012);
   DeviceInfo coarse = omni();
   coarse.resolution_mm = 2.0;  // 2 x 0.26 N / 2 mm = 0.26 N/mm
   CHECK(ready(coarse).stiffnessBound_N_per_mm() == doctest::Approx(0.13));
+  coarse.friction_N = 0.0;  // not known: 2 x 0.01 N / 2 mm
+  CHECK(ready(coarse).stiffnessBound_N_per_mm() == doctest::Approx(0.005));
 }
 
 TEST_CASE("device: while it reports a fault there is no force after 4 ms, and its own heat of 0.9 halves what the peak has over the continuous force") {
