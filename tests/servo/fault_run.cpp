@@ -361,7 +361,7 @@ class Run {
         risen_J = std::max(risen_J, now_J - least_J);
       }
     const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
-    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + kRounding_J + stiffened_J;
+    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
     // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the speed is; what
     // buzzes does neither.
     const bool slides = (faster && !grown) || energy[0] - energy[1] > 0.5 * device_.mass_kg * fastest[1] * fastest[1];
