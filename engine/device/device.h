@@ -76,6 +76,8 @@ class Device {
   virtual DevicePose read(double dt_s) noexcept = 0;
   /// The force to give until the next tick: always finite and within max_force_N.
   virtual void write(ForceN force) noexcept = 0;
+  /// In place of write(): no force, and the motors off where the device can, until the next write.
+  virtual void stop() noexcept { write(ForceN{}); }
 
   /// The window's thread, a few times a second: may take a while, and does what is not for the haptic thread.
   virtual DeviceStatus status() { return {}; }

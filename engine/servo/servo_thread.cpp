@@ -32,7 +32,7 @@ void ServoThread::finish() {
   thread_.join();
   if (chosen_) {
     chosen_->stopClock();
-    chosen_->write(ForceN{});
+    chosen_->stop();
   }
   fallback_.write(ForceN{});
 }
@@ -109,7 +109,7 @@ void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
   ServoSample sample = step_->tick(settings, current_ ? current_->tracker.get() : nullptr, pose, time_);
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;
-  switch_->write(sample.force);
+  switch_->write(sample.force, sample.limits.has(Limit::Panic));
   fallen_back_.store(switch_->fallenBack(), std::memory_order_relaxed);
   const std::int64_t work_ns = monotonic_ns() - began_ns;
   time_.delay_s = double(work_ns) * 1e-9;
