@@ -88,7 +88,7 @@ void check(const Options& options) {
   const bool gives_force = device->info().gives_force;
   describe(device->info());
   DeviceCheckOptions how;
-  if (options.yes) how.ask = [](const std::string& question) { return std::cout << question << '\n', true; };
+  if (options.yes) how.ask = [](const std::string& question) { return std::cout << question << '\n' << std::flush, true; };
   else how.ask = [&](const std::string& question) { return askOnTerminal(question, interrupt); };
   how.tell = [](const std::string& what) { std::cout << what << '\n' << std::flush; };
   how.guide = GuideOnTerminal();

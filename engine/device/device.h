@@ -22,7 +22,7 @@ struct DeviceFigures {
   double max_stiffness_N_per_mm = 1.0;   ///< the stiffest wall it can show
   double max_damping_N_s_per_m = 5.0;    ///< the greatest damping it can show
   double damping_N_s_per_m = 0.2;        ///< its own, in the mechanism
-  double friction_N = 0.26;              ///< its own, Coulomb
+  double friction_N = 0.26;              ///< its own, Coulomb; 0: not known
   double resolution_mm = 0.055;          ///< the least step of the place that it tells
   double delay_s = 0.001;                ///< from the encoders to the driver and from there to the motors, together
   double speed_limit_m_per_s = kNoLimit; ///< faster than this it gives no force
