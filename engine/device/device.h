@@ -21,7 +21,7 @@ struct DeviceFigures {
   double max_stiffness_N_per_mm = 1.0;   ///< the stiffest wall it can show
   double max_damping_N_s_per_m = 5.0;    ///< the greatest damping it can show
   double damping_N_s_per_m = 0.2;        ///< its own, in the mechanism
-  double friction_N = 0.26;              ///< its own, Coulomb
+  double friction_N = 0.26;              ///< its own, Coulomb; 0: not known
   double resolution_mm = 0.055;          ///< the least step of the place that it tells
   double delay_s = 0.001;                ///< from a force written to its being felt, with the age of a place when it is read
   bool gives_force = false;              ///< false: the force is only shown on the screen, and moves no hand

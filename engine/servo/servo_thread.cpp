@@ -1,5 +1,6 @@
 #include "engine/servo/servo_thread.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace moltact {
@@ -60,8 +61,7 @@ void ServoThread::collect() { delete leaving_.exchange(nullptr, std::memory_orde
 
 void ServoThread::run() noexcept {
   realtime_.store(becomeRealtime(), std::memory_order_release);
-  constexpr std::int64_t period_ns = 1'000'000;
-  std::int64_t due_ns = monotonic_ns() + period_ns;
+  std::int64_t due_ns = monotonic_ns() + kPeriod_ns;
   while (!stop_.load(std::memory_order_acquire)) {
     sleepUntil(due_ns);
     const std::int64_t began_ns = monotonic_ns();
@@ -69,21 +69,20 @@ void ServoThread::run() noexcept {
     if (began_ns - device_beat_ns_.load(std::memory_order_acquire) > kOwnClock_ns) beat(due_ns);
 
     // A few missed ticks are caught up one after the other; after a long stall the loop begins anew from now.
-    due_ns += period_ns;
-    if (const std::int64_t behind = (began_ns - due_ns) / period_ns; behind > kCatchUp_ticks) {
+    due_ns += kPeriod_ns;
+    if (const std::int64_t behind = (began_ns - due_ns) / kPeriod_ns; behind > kCatchUp_ticks) {
       missed_.fetch_add(std::uint64_t(behind), std::memory_order_relaxed);
-      due_ns += behind * period_ns;
+      due_ns += behind * kPeriod_ns;
     }
   }
 }
 
 void ServoThread::tickOfDevice() noexcept {
-  const std::int64_t now_ns = monotonic_ns();
-  device_beat_ns_.store(now_ns, std::memory_order_release);
-  if (!stop_.load(std::memory_order_acquire)) beat(now_ns);
+  device_beat_ns_.store(monotonic_ns(), std::memory_order_release);
+  if (!stop_.load(std::memory_order_acquire)) beat(std::nullopt);
 }
 
-void ServoThread::beat(std::int64_t due_ns) noexcept {
+void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
   // Both clocks at once, which happens for a tick when one takes over from the other: the first one ticks.
   if (beating_.test_and_set(std::memory_order_acquire)) return;
   const std::int64_t began_ns = monotonic_ns();
@@ -96,6 +95,7 @@ void ServoThread::beat(std::int64_t due_ns) noexcept {
     if (recording_) recording_->begun = true;
   }
 
+  const std::int64_t late_ns = began_ns - due_ns.value_or(std::min(began_ns, last_ns_ + kPeriod_ns));
   time_.dt_s = double(began_ns - last_ns_) * 1e-9;
   last_ns_ = began_ns;
   const bool records = records_.load(std::memory_order_acquire) && recording_->begun;
@@ -114,7 +114,7 @@ void ServoThread::beat(std::int64_t due_ns) noexcept {
   const std::int64_t work_ns = monotonic_ns() - began_ns;
   time_.delay_s = double(work_ns) * 1e-9;
   sample.work_us = float(work_ns) * 1e-3f;
-  sample.late_us = float(began_ns - due_ns) * 1e-3f;
+  sample.late_us = float(late_ns) * 1e-3f;
   latest_.write(sample);
   samples_.push(sample);
   if (records) recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force, switch_->fallenBack(),

@@ -134,7 +134,7 @@ TEST_CASE("a recording with any of 200 bytes changed gives what is before the da
 
 TEST_CASE("what is no recording is told so: an empty file, a text, a folder, a missing file") {
   const auto file = scratch("none");
-  for (const std::string& bytes : {std::string(), std::string("ATOM      1  N   ALA"), std::string("MOLTRAC1"), std::string(100, '\xff')}) {
+  for (const std::string& bytes : {std::string(), std::string("ATOM      1  N   ALA"), std::string("MOLTRAC2"), std::string(100, '\xff')}) {
     write(file, bytes);
     CHECK_FALSE(readTrace(file));
   }
