@@ -150,7 +150,7 @@ std::optional<Problem> TraceWriter::add(const TraceTick& tick) {
 }
 
 std::optional<Problem> TraceWriter::writeBlock() {
-  if (ticks_in_block_ == 0) return std::nullopt;
+  if (ticks_in_block_ == 0) return broken_;
   std::string whole(kBlockMagic);
   Putter put{whole};
   put(ticks_in_block_);

@@ -48,11 +48,11 @@ std::vector<TraceTick> record(const std::filesystem::path& file) {
     if (k == 15'000) settings.panic = true;
     if (k == 15'100) settings.panic = false;
     const TickTime time{.dt_s = k % 1000 == 999 ? 0.004 : 0.001, .delay_s = 1e-5};
-    const DevicePose pose = devices.read(kTick_s, step);
+    DevicePose pose = devices.read(kTick_s, step);
+    pose.age_s = 1e-6f * float(k % 1000);
     const ServoSample s = step.tick(settings, tracker.get(), pose, time);
     devices.write(s.force);
     ticks.push_back({settings, pose, time, devices.info(), devices.other(), s.force});
-    ticks.back().pose.age_s = 1e-6f * float(k % 1000);
     ticks.back().fallen_back = devices.fallenBack();
     CHECK_FALSE(writer->add(ticks.back()));
   }
