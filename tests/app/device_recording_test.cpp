@@ -54,6 +54,7 @@ TEST_CASE("a recording knows its molecule whole: with waters, of another model o
     CAPTURE(how);
     const Run record = place.run(std::string("device record simulated own.pdb ") + how + " --seconds 0.3 --overwrite --out a.trace");
     REQUIRE_MESSAGE(record.status == 0, record.err);
+    CHECK(contains(record.out, "300 ticks (0.30 s)"));
     const Run replay = place.run("device replay ../a.trace", "cd elsewhere;");
     CHECK_MESSAGE(replay.status == 0, replay.err);
   }
