@@ -38,6 +38,15 @@ TEST_CASE("a recording knows its molecule whole: with waters, of another model o
   const auto write = [&](double x) {
     std::ofstream file(place.folder / "own.pdb");
     char line[100];
+    // Assembly 1: the chain and the chain turned round z and put 9 A aside.
+    file << "REMARK 350 BIOMOLECULE: 1\nREMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n";
+    for (int copy = 1; copy <= 2; ++copy)
+      for (int row = 1; row <= 3; ++row) {
+        const double turned = copy == 2 && row < 3 ? -1.0 : 1.0;
+        std::snprintf(line, sizeof line, "REMARK 350   BIOMT%d %3d %9.6f %9.6f %9.6f %14.5f\n", row, copy, row == 1 ? turned : 0.0, row == 2 ? turned : 0.0,
+                      row == 3 ? turned : 0.0, copy == 2 && row == 2 ? 9.0 : 0.0);
+        file << line;
+      }
     for (int model = 1; model <= 2; ++model) {
       file << "MODEL        " << model << '\n';
       for (int k = 0; k < 3; ++k) {
@@ -50,7 +59,7 @@ TEST_CASE("a recording knows its molecule whole: with waters, of another model o
     }
   };
   write(1.0);
-  for (const char* how : {"", "--waters", "--model 2", "--model 2 --waters"}) {
+  for (const char* how : {"", "--waters", "--model 2", "--model 2 --waters", "--assembly 1"}) {
     CAPTURE(how);
     const Run record = place.run(std::string("device record simulated own.pdb ") + how + " --seconds 0.3 --overwrite --out a.trace");
     REQUIRE_MESSAGE(record.status == 0, record.err);
