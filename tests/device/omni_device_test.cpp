@@ -443,7 +443,7 @@ TEST_CASE("a start initialises the device once: what the looks have opened is wh
   {
     const auto device = openDevice("omni");
     REQUIRE(device);
-    CHECK(findDevice("omni")->place == "in use here");
+    CHECK(findDevice("omni")->place == "serial number 42, in use here");
   }
   CHECK(omni.inits() == 1);
   CHECK_FALSE(omni.initialised());
