@@ -33,7 +33,7 @@ void DeviceLink::choose(Application& app, const std::string& name) {
   app.settings.device = name;
 }
 
-std::optional<Problem> DeviceLink::use(Application& app, const std::string& name) {
+std::optional<Problem> DeviceLink::use(Application& app, const std::string& name, std::unique_ptr<Device> opened) {
   stopTrying(app);
   ServoLink& servo = app.scene.servo();
   if (name == "mouse") {
@@ -41,7 +41,7 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
   } else {
     // The old one goes first: it may be the same.
     if (name == chosen_) return std::nullopt;
-    auto device = openDevice(name);
+    Expected<std::unique_ptr<Device>> device = opened ? std::move(opened) : openDevice(name);
     if (!device) return device.problem();
     servo.setDevice(std::move(*device));
   }
@@ -69,11 +69,15 @@ void DeviceLink::begin(Application& app) {
   app.messages.notice(awaited_title_ + " is not there" + (found && !found->why.empty() ? " (" + found->why + ")" : "") + ". Until it is, the mouse leads.");
 }
 
+// The search is not the window's: a driver may take seconds to find that there is no device. A script waits, for its clock is
+// not the search's.
 void DeviceLink::await(Application& app) {
-  if (awaited_.empty() || app.now_s() - looked_s_ < kLookAgain_s) return;
+  if (!search_ && !awaited_.empty() && app.now_s() - looked_s_ >= kLookAgain_s) search_ = std::make_unique<DeviceSearch>(awaited_);
+  if (!search_ || (!search_->done() && app.scene.servo().clock() == ServoClock::RealThread)) return;
+  auto device = search_->take();
+  search_.reset();
   looked_s_ = app.now_s();
-  const std::optional<FoundDevice> found = findDevice(awaited_);
-  if (!found || !found->usable || use(app, awaited_)) return;
+  if (!device || awaited_.empty() || use(app, awaited_, std::move(*device))) return;
   awaited_.clear();
   awaited_title_.clear();
   app.messages.notice(app.scene.servo().chosen()->info().name + " is there and leads.");

@@ -4,12 +4,13 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/ui/extension.h"
-#include "engine/device/driver.h"
+#include "engine/device/device_search.h"
 #include "engine/servo/safety_limits.h"
 
 namespace moltact {
@@ -55,7 +56,7 @@ class DeviceLink : public Extension {
   bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty(); }
 
  private:
-  std::optional<Problem> use(Application& app, const std::string& name);
+  std::optional<Problem> use(Application& app, const std::string& name, std::unique_ptr<Device> opened = nullptr);
   void begin(Application& app);
   void await(Application& app);
   void turnWithView(Application& app);
@@ -65,6 +66,7 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
+  std::unique_ptr<DeviceSearch> search_;  // for the awaited one
   bool begun_ = false;
   double looked_s_ = 0.0;
   DeviceStatus status_;
