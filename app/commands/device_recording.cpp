@@ -280,7 +280,7 @@ void addDeviceRecording(CLI::App& device) {
   records->add_option("--out", options->file, "the file to write")->required();
   records->add_flag("--overwrite", options->overwrite, "replace the file if it is there already");
   records->add_option("--method", options->method, "haptic method")->check(CLI::IsMember(names))->capture_default_str();
-  records->add_option("--seconds", options->seconds, "how long")->check(numberFrom(0.1, 36000.0))->capture_default_str();
+  records->add_option("--seconds", options->seconds, "how long; a replay takes 1.3 GB of memory for an hour")->check(numberFrom(0.1, 3600.0))->capture_default_str();
   records->add_option("--wait", options->wait_s, "how many seconds to wait until the device is ready")->check(numberFrom(0.0, 3600.0))->capture_default_str();
   records->callback([options] { recordHand(*options); });
 
