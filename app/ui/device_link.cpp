@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "app/ui/application.h"
 #include "app/ui/extensions.h"
-#include "engine/servo/plain_trackers.h"
 #include "engine/servo/safety_stage.h"
 #include "engine/servo/scale.h"
 
@@ -47,6 +47,7 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
   }
   chosen_ = name;
   status_ = DeviceStatus();
+  app.messages.takeBack(std::exchange(told_, {}));
   asked_s_ = -1.0;
   // A hand that is held has an edge to its room, and a button to reach beyond it.
   app.scene.servo_settings.clutch = name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
@@ -80,16 +81,12 @@ void DeviceLink::await(Application& app) {
 }
 
 void DeviceLink::tryForce(Application& app) {
-  const ServoSettings& s = app.scene.servo_settings;
-  if (!(s.stiffness_N_per_mm > 0.0)) return;
-  trying_s_ = kTry_s;
-  app.scene.servo().tryTracker(std::make_unique<PullTracker>(kTry_N / s.stiffness_N_per_mm * s.workspace.A_per_mm));
+  if (app.scene.tryForce(kTry_N)) trying_s_ = kTry_s;
 }
 
 void DeviceLink::stopTrying(Application& app) {
-  if (trying_s_ <= 0.0) return;
   trying_s_ = 0.0;
-  app.scene.useMethod(app.scene.method());
+  app.scene.endTry();
 }
 
 // The device's right is the screen's right. Where that changes the hand is placed anew, so that nothing is dragged along.
@@ -132,36 +129,50 @@ void DeviceLink::beforeTicks(Application& app) {
   if (chosen_ != "mouse")
     app.scene.servo_settings.clutch.buttons = app.extensions().task_stager.takesSecondButton() ? 0 : kClutchButton;
   for (double& left : limit_left_s_) left = std::max(0.0, left - app.dt_s());
-  if (trying_s_ > 0.0) {
-    trying_s_ -= app.dt_s();
-    if (trying_s_ <= 0.0) {
-      trying_s_ = app.dt_s();
-      stopTrying(app);
-    }
-  }
+  // The panic key, another scene and a hand that is played end a try by themselves.
+  trying_s_ = app.scene.trying() ? trying_s_ - app.dt_s() : 0.0;
+  if (trying_s_ <= 0.0) stopTrying(app);
+  ask(app);
+}
+
+// The device's own words, for as long as they hold, with what to do about it at hand.
+void DeviceLink::ask(Application& app) {
   Device* device = app.scene.servo().chosen();
   if (!device || (asked_s_ >= 0.0 && app.now_s() - asked_s_ < kAsk_s)) return;
   asked_s_ = app.now_s();
-  const bool was = status_.connected;
-  status_ = device->status();
-  if (was && !status_.connected) app.messages.warning(status_.text + " Until then the mouse leads.");
-  if (!was && status_.connected) app.messages.notice(device->info().name + " leads again.");
+  const DeviceStatus was = std::exchange(status_, device->status());
+  const std::string& name = device->info().name;
+  std::string now = status_.text;
+  if (!status_.connected) now += " Until then the mouse leads.";
+  else if (!status_.ready) now = name + " gives no force yet. " + now;
+  if (now == told_) return;
+  app.messages.takeBack(told_);
+  told_ = now;
+  if (wantsCalibration(app)) app.messages.ask(MessageKind::Warning, now, {"calibrate", "device"});
+  else if (!now.empty()) app.messages.ask(MessageKind::Warning, now, {"device"});
+  if (!was.connected && status_.connected && status_.ready) app.messages.notice(name + " leads again.");
+  else if (!was.ready && status_.ready) app.messages.notice(name + " is ready.");
 }
 
-void DeviceLink::ticks(Application&, const FeltTicks& felt) {
-  for (const FeltTick& t : felt.ticks) {
+bool DeviceLink::wantsCalibration(const Application& app) const {
+  return app.scene.servo().chosen() && status_.connected && !status_.ready;
+}
+
+void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {
+  for (const ServoSample& tick : ticks) {
     for (std::size_t k = 0; k < limitWords().size(); ++k)
-      if (t.sample.limits.has(limitWords()[k].limit)) limit_left_s_[k] = kShowLimit_s;
+      if (tick.limits.has(limitWords()[k].limit)) limit_left_s_[k] = kShowLimit_s;
+    soft_start_s_ = tick.limits.has(Limit::SoftStart) ? soft_start_s_ + kTick_s : 0.0;
     std::size_t at = 0;
-    while (at < kLate_us.size() && double(t.sample.late_us) > kLate_us[at]) ++at;
+    while (at < kLate_us.size() && double(tick.late_us) > kLate_us[at]) ++at;
     for (float& share : lateness_) share -= share * kForgetTick;
     lateness_[at] += kForgetTick;
   }
 }
 
 void DeviceLink::afterPanels(Application& app) {
-  // A scene that was opened meanwhile has its own tracker.
-  if (trying_s_ > 0.0 && !app.panels.device_page) stopTrying(app);
+  if (!app.panels.device_page) stopTrying(app);
+  watchTicks(app.scene.servo().everyTick());
 }
 
 DeviceLink::ScaleWords DeviceLink::scaleWords(const Application& app) const {
@@ -171,11 +182,21 @@ DeviceLink::ScaleWords DeviceLink::scaleWords(const Application& app) const {
   return {scaleSentence(s.workspace, felt), scaleReason(s.workspace, felt)};
 }
 
-std::vector<const LimitWords*> DeviceLink::shownLimits() const {
+std::vector<const LimitWords*> DeviceLink::actingLimits() const {
   std::vector<const LimitWords*> out;
-  for (std::size_t k = 0; k < limitWords().size(); ++k) {
-    const Limit limit = limitWords()[k].limit;
-    if (limit_left_s_[k] > 0.0 && limit != Limit::SoftStart && limit != Limit::Panic) out.push_back(&limitWords()[k]);
+  for (std::size_t k = 0; k < limitWords().size(); ++k)
+    if (limit_left_s_[k] > 0.0) out.push_back(&limitWords()[k]);
+  return out;
+}
+
+std::vector<std::string> DeviceLink::limitNotices(const Application& app) const {
+  std::vector<std::string> out;
+  for (const LimitWords* one : actingLimits()) {
+    if (one->limit == Limit::Panic || (one->limit == Limit::SoftStart && soft_start_s_ < kLongStart_s)) continue;
+    // The device knows better what is wrong; it is told once.
+    const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
+    if (!own_words) out.emplace_back(one->sentence);
+    else if (!app.messages.tells(told_)) out.push_back(told_);
   }
   return out;
 }

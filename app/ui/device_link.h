@@ -17,6 +17,7 @@ namespace moltact {
 class DeviceLink : public Extension {
  public:
   static constexpr double kShowLimit_s = 1.0;  ///< a limit that acted is shown for so long
+  static constexpr double kLongStart_s = 1.5;  ///< a soft start that lasts longer is told over the view
   static constexpr double kTry_s = 4.0;        ///< the gentle force is tried for so long
   static constexpr double kTry_N = 0.4;
   /// Ticks began no later than so many microseconds after their time, by class; the last class is the rest.
@@ -44,13 +45,18 @@ class DeviceLink : public Extension {
   };
   ScaleWords scaleWords(const Application& app) const;
 
-  /// The limits that acted within the last kShowLimit_s, but those of every start.
-  std::vector<const LimitWords*> shownLimits() const;
+  /// Whether it gives no force until the person has done what status() says.
+  bool wantsCalibration(const Application& app) const;
+
+  /// The limits that acted within the last kShowLimit_s, in whatever scene.
+  std::vector<const LimitWords*> actingLimits() const;
+  /// What of that is worth words over the view: a soft start, which every touch begins with, only where it does not end; the
+  /// panic key has words of its own.
+  std::vector<std::string> limitNotices(const Application& app) const;
   /// Of the last some thousand ticks, the share in each class of kLate_us and beyond.
   const std::array<float, kLate_us.size() + 1>& lateness() const { return lateness_; }
 
   void beforeTicks(Application& app) override;
-  void ticks(Application& app, const FeltTicks& felt) override;
   void afterPanels(Application& app) override;
   bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty(); }
 
@@ -61,6 +67,8 @@ class DeviceLink : public Extension {
   void turnWithView(Application& app);
   void leadView(Application& app);
   void stopTrying(Application& app);
+  void ask(Application& app);
+  void watchTicks(const std::vector<ServoSample>& ticks);
 
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
@@ -68,7 +76,8 @@ class DeviceLink : public Extension {
   bool begun_ = false;
   double looked_s_ = 0.0;
   DeviceStatus status_;
-  double asked_s_ = -1.0, trying_s_ = 0.0;
+  std::string told_;  // of the device's state, in a message
+  double asked_s_ = -1.0, trying_s_ = 0.0, soft_start_s_ = 0.0;
   std::array<double, 32> limit_left_s_{};
   std::array<float, kLate_us.size() + 1> lateness_{};
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace moltact {
 
@@ -11,8 +12,11 @@ constexpr std::uint32_t kNoScene = 0xFFFFFFFF;
 
 ServoLink::ServoLink(ServoClock clock) {
   ticks_.reserve(4096);
+  every_.reserve(4096);
   switch_.emplace(mouse_, nullptr);
-  if (clock == ServoClock::RealThread) thread_ = std::make_unique<ServoThread>(mouse_);
+  if (clock != ServoClock::RealThread) return;
+  thread_ = std::make_unique<ServoThread>(mouse_);
+  thread_->expectSettings();
 }
 
 void ServoLink::setSettings(const ServoSettings& settings) {
@@ -61,9 +65,11 @@ bool ServoLink::ofThisScene(const ServoSample& sample) const {
 
 const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   ticks_.clear();
+  every_.clear();
   if (thread_) {
     thread_->drain([this](const ServoSample& sample) {
       newest_ = sample;
+      every_.push_back(sample);
       if (ofThisScene(sample)) ticks_.push_back(sample);
     });
     return ticks_;
@@ -72,11 +78,13 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   for (; owed_s_ >= kTick_s; owed_s_ -= kTick_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
-    ServoSample sample = step_.tick(settings_, tracker_.get(), switch_->read(kTick_s, step_));
+    const TickTime time{.dt_s = kTick_s + std::exchange(stands_s_, 0.0)};
+    ServoSample sample = step_.tick(settings_, tracker_.get(), switch_->read(kTick_s, step_), time);
     sample.scene = trying_ ? kNoScene : scene_;
     switch_->write(sample.force);
     newest_ = sample;
     if (timed_) sample.work_us = std::chrono::duration<float, std::micro>(Clock::now() - began).count();
+    every_.push_back(sample);
     if (ofThisScene(sample)) ticks_.push_back(sample);
   }
   return ticks_;

@@ -35,6 +35,7 @@ class ServoLink {
   /// A tracker that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is
   /// taken up again by setTracker().
   void tryTracker(std::unique_ptr<Tracker> tracker);
+  bool trying() const { return trying_; }
   /// The newest tick of all, of whatever scene.
   const ServoSample& newest() const { return newest_; }
 
@@ -52,6 +53,10 @@ class ServoLink {
 
   /// Once a frame: gives every tick since the last call, oldest first. The reference holds until the next call.
   const std::vector<ServoSample>& advance(double dt_s);
+  /// Every tick of the last advance(), of whatever scene or try.
+  const std::vector<ServoSample>& everyTick() const { return every_; }
+  /// On the frames' clock: the loop stands for so long before its next tick, as a busy computer lets it.
+  void standStill(double s) { stands_s_ = s; }
 
   RealtimeStatus realtime() const;
   std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
@@ -61,7 +66,7 @@ class ServoLink {
   bool ofThisScene(const ServoSample& sample) const;
 
   MouseDevice mouse_;  // outlives the thread, which reads it
-  std::vector<ServoSample> ticks_;
+  std::vector<ServoSample> ticks_, every_;
   ServoSample newest_;
   bool trying_ = false;
   std::uint32_t scene_ = 0, first_placement_ = 0;
@@ -71,7 +76,7 @@ class ServoLink {
   ServoStep step_;
   ServoSettings settings_;
   std::unique_ptr<Tracker> tracker_;
-  double owed_s_ = 0.0;
+  double owed_s_ = 0.0, stands_s_ = 0.0;
   bool timed_ = false;
   std::unique_ptr<ServoThread> thread_;  // last, so that it ends first
 };

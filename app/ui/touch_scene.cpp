@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/haptics/sweep.h"
+#include "engine/servo/plain_trackers.h"
 
 namespace moltact {
 namespace {
@@ -11,6 +12,7 @@ constexpr double kLeftBehind_s = 0.4;   // contact without cause for so long is 
 constexpr double kProbeRoom = 2.0;      // so many radii of the probe are seen round the molecule
 constexpr double kByHand_A = 3.5;       // the radius of what is magnified round the probe
 constexpr double kAtLeast = 2.0;        // and at least so much more than the scene
+constexpr double kTry_N_per_mm = 0.2;  // the spring of a force that is tried
 constexpr double kStill_A = 2e-3;       // a hand slower than this in a frame is at rest
 
 }  // namespace
@@ -24,7 +26,7 @@ void TouchScene::show(Stage next, const std::filesystem::path& file, const Facin
   log_.clear();
   watch_.begin(stage_, servo_settings.probe_A);
   resetView(facing);
-  servo_.begin(servo_settings, freshTracker());
+  servo_.begin(handed(false), freshTracker());
 }
 
 std::unique_ptr<Tracker> TouchScene::freshTracker() const {
@@ -37,19 +39,52 @@ void TouchScene::play(const std::optional<ServoSample>& sample) {
   if (was == playing()) return;
   log_.clear();
   ++servo_settings.placements;
-  servo_.begin(servo_settings, freshTracker());
+  servo_.begin(handed(false), freshTracker());
+}
+
+// What the servo loop is to do now: as the panels set it, but without force where nobody looks or a hand is played. A force
+// that is tried does not depend on the scene.
+ServoSettings TouchScene::handed(bool trying) const {
+  ServoSettings out = servo_settings;
+  out.force_on = trying || (out.force_on && !resting_ && !played_);
+  if (trying) {
+    out.workspace = Workspace();
+    out.stiffness_N_per_mm = kTry_N_per_mm;
+    out.clutch = ClutchSettings();
+  }
+  return out;
+}
+
+void TouchScene::stopForce(bool stopped) {
+  servo_settings.panic = stopped;
+  if (stopped) endTry();
+  servo_.setSettings(handed(trying()));
+}
+
+bool TouchScene::tryForce(double force_N) {
+  if (played_ || servo_settings.panic) return false;
+  servo_.setSettings(handed(true));
+  servo_.tryTracker(std::make_unique<PullTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
+  return true;
+}
+
+void TouchScene::endTry() {
+  if (!trying()) return;
+  ++servo_settings.placements;
+  servo_.setSettings(handed(false));
+  servo_.setTracker(freshTracker());
 }
 
 void TouchScene::beginAgain(const Facing& facing) {
   log_.clear();
   resetView(facing);
-  servo_.beginAgain(servo_settings);
+  servo_.beginAgain(handed(trying()));
 }
 
 void TouchScene::startSoftly() {
   log_.clear();
   ++servo_settings.placements;
-  servo_.beginAgain(servo_settings);
+  servo_.beginAgain(handed(trying()));
 }
 
 void TouchScene::beginAgainAt(PointA place) {
@@ -113,13 +148,14 @@ double TouchScene::magnification() const { return stage_ ? stage_.workspace.A_pe
 void TouchScene::handBegins(PointA before) {
   ++servo_settings.placements;
   controls.begin(camera, before, servo_settings.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
-  servo_.setSettings(servo_settings);
+  servo_.setSettings(handed(trying()));
 }
 
 void TouchScene::useMethod(std::string_view name) {
   const Method* m = findMethod(name);
   if (!m) return;
   method_ = m->name;
+  if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
   if (!played_) servo_.setTracker(makeTracker(stage_, *m, servo_settings.probe_A, contact, log_.latest().hip));
@@ -129,23 +165,23 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
   const Method& m = *findMethod(method_);
   const PointA hand_before = log_.latest().hip;
   felt_.clear();
+  const std::vector<ServoSample>& ticks = servo_.advance(dt_s);
   if (played_) {
-    servo_.advance(dt_s);  // what the hand does meanwhile counts for nothing
+    // What the hand does meanwhile counts for nothing.
     for (played_owed_s_ += std::min(dt_s, 0.5); played_owed_s_ >= kTick_s; played_owed_s_ -= kTick_s) log_.add(*played_);
     hand_moved_ = false;
-    return {felt_, m};
+  } else {
+    for (const ServoSample& sample : ticks) {
+      log_.add(sample);
+      felt_.push_back({sample, watch_.add(sample, m)});
+    }
+    log_.measure(now_s);
+    servo_.timeTicks(timed);
+    hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
+    watchLeftBehind(dt_s);
   }
-  for (const ServoSample& sample : servo_.advance(dt_s)) {
-    log_.add(sample);
-    felt_.push_back({sample, watch_.add(sample, m)});
-  }
-  log_.measure(now_s);
-  servo_.timeTicks(timed);
-  hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
-  watchLeftBehind(dt_s);
-  ServoSettings handed = servo_settings;
-  handed.force_on = handed.force_on && !resting_;
-  servo_.setSettings(handed);
+  // Whatever is shown: the panic key is among the settings.
+  servo_.setSettings(handed(trying()));
   return {felt_, m};
 }
 

@@ -86,6 +86,15 @@ class TouchScene {
   /// until the next call.
   FeltTicks advance(double dt_s, double now_s, bool timed);
 
+  /// Panic: no force from the next tick on until false again. Handed over at once, whatever is shown.
+  void stopForce(bool stopped);
+  /// Pulls to the device's right with that force until endTry(), whatever is on the stage; the scene is not felt meanwhile.
+  /// Does nothing, and gives false, while a hand is played or all force is stopped.
+  bool tryForce(double force_N);
+  /// The scene is felt again, softly and from outside.
+  void endTry();
+  bool trying() const { return servo_.trying(); }
+
   /// What is shown in the place of what the hand feels: it stands in the log, no force is given and advance() gives no ticks.
   /// Nothing: the hand again, from outside.
   void play(const std::optional<ServoSample>& sample);
@@ -100,6 +109,7 @@ class TouchScene {
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
   std::unique_ptr<Tracker> freshTracker() const;
+  ServoSettings handed(bool trying) const;
 
   Stage stage_;
   std::filesystem::path file_;

@@ -94,7 +94,7 @@ void drawLive(Application& app, DeviceLink& link) {
   words("device/name", info.name, p.text);
   if (!link.awaited().empty()) words("device/awaited", link.awaited() + " leads as soon as it is plugged in.", p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (servo.chosen() && !link.status().ready && link.status().connected && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
+  if (link.wantsCalibration(app) && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
   std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y, now.hand.mm.z, glm::length(now.force.N));
   std::string line = text;
   for (int k = 0; k < 32; ++k)
@@ -110,9 +110,9 @@ void drawLive(Application& app, DeviceLink& link) {
     progressBar("device/heat", float(link.status().motor_heat), false);
   }
   const bool trying = link.tryingLeft_s() > 0.0;
-  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f, !trying && link.status().ready))
+  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f, !trying && link.status().ready && !app.scene.playing() && !app.scene.servo_settings.panic))
     link.tryForce(app);
-  tip("Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
+  tip(app.scene.playing() ? "Not while a recorded hand is shown or the device changes hands." : "Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
 }
 
 void drawLimits(Application& app, DeviceLink& link) {
@@ -121,17 +121,17 @@ void drawLimits(Application& app, DeviceLink& link) {
   sectionTitle("Safety");
   char text[320];
   if (info.gives_force)
-    std::snprintf(text, sizeof text, "At most %.1f N for a moment and %.2f N for good. With %.1f ms of delay the surface is at most %.2f N/mm stiff.",
-                  std::min(info.max_force_N, app.scene.servo_settings.max_force_N), info.continuous_force_N, 1e3 * info.delay_s,
-                  SafetyStage(info).stiffnessBound_N_per_mm());
+    std::snprintf(text, sizeof text, "At most %.1f N for a moment and %.2f N for good. With the delay as it is measured the surface is at most %.2f N/mm stiff.",
+                  std::min(info.max_force_N, app.scene.servo_settings.max_force_N), info.continuous_force_N,
+                  app.scene.servo().newest().stiffness_bound_N_per_mm);
   else
     std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.", app.scene.servo_settings.max_force_N);
   words("device/limits", localNumbers(text), p.quiet);
   std::string acted;
-  for (const LimitWords* one : link.shownLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
+  for (const LimitWords* one : link.actingLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
   words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);
-  bool& panic = app.scene.servo_settings.panic;
-  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) panic = !panic;
+  const bool panic = app.scene.servo_settings.panic;
+  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) app.scene.stopForce(!panic);
 }
 
 // A bar a class of lateness.
