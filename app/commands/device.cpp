@@ -11,6 +11,7 @@
 #include "engine/device/mouse_device.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/device_check.h"
+#include "engine/servo/fit_workspace.h"
 #include "engine/servo/scale.h"
 #include "engine/servo/servo_thread.h"
 #include "engine/servo/trace.h"
@@ -73,20 +74,20 @@ std::shared_ptr<const BallScene> sceneOf(const Options& options) {
   return std::make_shared<const BallScene>(options.molecule.load().balls());
 }
 
-// The molecule with its middle in the middle of the device's room.
-ServoSettings settingsFor(const BallScene& scene) {
+// The molecule before the hand, seen along its z-axis.
+ServoSettings settingsFor(const BallScene& scene, const DeviceFigures& device) {
   ServoSettings settings;
   settings.workspace.A_per_mm = kRoom_A_per_mm;
-  settings.workspace.centre_A = 0.5 * (scene.low_A() + scene.high_A());
+  settings.workspace = beforeHand(settings.workspace, scene, settings.probe_A, {0.5 * (scene.low_A() + scene.high_A())}, glm::dmat3(1.0), device);
   return settings;
 }
 
 void record(const Options& options) {
   const auto scene = sceneOf(options);
-  const ServoSettings settings = settingsFor(*scene);
   MouseDevice mouse;
   ServoThread servo(mouse);
   auto device = opened(options.name);
+  const ServoSettings settings = settingsFor(*scene, device->info());
   const std::map<std::string, std::string> labels{{"molecule", options.molecule.name}, {"method", options.method}, {"device", device->info().name}};
   servo.setSettings(settings);
   const double felt_N_per_mm = steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, device->info());

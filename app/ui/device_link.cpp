@@ -14,7 +14,6 @@ namespace {
 
 constexpr double kAsk_s = 0.25;             // between two questions for the device's state
 constexpr double kLookAgain_s = 2.0;        // for a device that is waited for
-constexpr double kTurned = 1e-9;            // a view that has turned by less has not
 constexpr double kTurn_rad_per_s = 1.5, kPan_heights_per_s = 0.5, kCloser_per_s = 2.2;  // of a view that a device leads fully
 constexpr float kForgetTick = 1.0f / 3000;  // so the classes stand for the last 3 s
 constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
@@ -89,19 +88,6 @@ void DeviceLink::stopTrying(Application& app) {
   app.scene.endTry();
 }
 
-// The device's right is the screen's right. Where that changes the hand is placed anew, so that nothing is dragged along.
-void DeviceLink::turnWithView(Application& app) {
-  const Camera& camera = app.scene.camera;
-  const bool leads = app.scene.servo().chosen() && !app.scene.servo().fallenBack();
-  const glm::dmat3 wanted = leads ? glm::dmat3(camera.right(), camera.up(), camera.back()) : glm::dmat3(1.0);
-  glm::dmat3& turn = app.scene.servo_settings.workspace.turn;
-  double off = 0;
-  for (int k = 0; k < 3; ++k) off = std::max(off, glm::distance(wanted[k], turn[k]));
-  if (off <= kTurned) return;
-  turn = wanted;
-  ++app.scene.servo_settings.placements;
-}
-
 // A cap or a stick that leads the view; not while a task keeps the screen dark.
 void DeviceLink::leadView(Application& app) {
   Device* device = app.scene.servo().chosen();
@@ -125,7 +111,7 @@ void DeviceLink::beforeTicks(Application& app) {
   if (!begun_) begin(app);
   await(app);
   leadView(app);
-  turnWithView(app);
+  app.scene.followView();
   if (chosen_ != "mouse")
     app.scene.servo_settings.clutch.buttons = app.extensions().task_stager.takesSecondButton() ? 0 : kClutchButton;
   for (double& left : limit_left_s_) left = std::max(0.0, left - app.dt_s());

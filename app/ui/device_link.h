@@ -64,7 +64,6 @@ class DeviceLink : public Extension {
   std::optional<Problem> use(Application& app, const std::string& name);
   void begin(Application& app);
   void await(Application& app);
-  void turnWithView(Application& app);
   void leadView(Application& app);
   void stopTrying(Application& app);
   void ask(Application& app);

@@ -30,8 +30,10 @@ class ServoLink {
   Device* chosen() const { return thread_ ? thread_->device() : chosen_.get(); }
   /// Whether the mouse stands in for a chosen device that is gone.
   bool fallenBack() const { return thread_ ? thread_->fallenBack() : switch_->fallenBack(); }
+  /// A chosen device leads.
+  bool held() const { return chosen() && !fallenBack(); }
   /// The one that leads.
-  const DeviceInfo& device() const { return chosen() && !fallenBack() ? chosen()->info() : mouse_.info(); }
+  const DeviceInfo& device() const { return held() ? chosen()->info() : mouse_.info(); }
   /// A tracker that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is
   /// taken up again by setTracker().
   void tryTracker(std::unique_ptr<Tracker> tracker);

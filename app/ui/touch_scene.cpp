@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/haptics/sweep.h"
+#include "engine/servo/fit_workspace.h"
 #include "engine/servo/plain_trackers.h"
 
 namespace moltact {
@@ -10,10 +11,21 @@ namespace {
 
 constexpr double kLeftBehind_s = 0.4;   // contact without cause for so long is let go
 constexpr double kProbeRoom = 2.0;      // so many radii of the probe are seen round the molecule
+constexpr double kTurned = 1e-9;         // a view that has turned or moved by less has not
+constexpr double kSettle_s = 0.5;        // in which a device that was just chosen tells where its hand is
 constexpr double kByHand_A = 3.5;       // the radius of what is magnified round the probe
 constexpr double kAtLeast = 2.0;        // and at least so much more than the scene
 constexpr double kTry_N_per_mm = 0.2;  // the spring of a force that is tried
 constexpr double kStill_A = 2e-3;       // a hand slower than this in a frame is at rest
+
+glm::dmat3 axes(const Camera& camera) { return {camera.right(), camera.up(), camera.back()}; }
+
+bool sameView(const Camera& a, const Camera& b) {
+  const glm::dmat3 of_a = axes(a), of_b = axes(b);
+  double off = glm::distance(a.target.A, b.target.A);
+  for (int k = 0; k < 3; ++k) off = std::max(off, glm::distance(of_a[k], of_b[k]));
+  return off <= kTurned;
+}
 
 }  // namespace
 
@@ -90,6 +102,7 @@ void TouchScene::startSoftly() {
 void TouchScene::beginAgainAt(PointA place) {
   beginAgain([&](Camera& turned, const Molecule&) { turned.face(place); });
   camera.target = place;
+  layBeforeHand(place);
   handBegins(place);
 }
 
@@ -103,10 +116,8 @@ void TouchScene::resetView(const Facing& facing) {
   // Another side of the molecule may be wider.
   fit();
   if (region_) camera.fit(region_->centre, region_->radius_A, view_aspect_);
-  const glm::dmat3 turn = servo_settings.workspace.turn;
-  servo_settings.workspace = sceneWorkspace();
-  servo_settings.workspace.turn = turn;
   by_hand_ = false;
+  layBeforeHand(camera.target);
   handBegins(region_ ? region_->centre : stage_.middle);
 }
 
@@ -128,19 +139,45 @@ void TouchScene::magnify(bool on) {
   // The probe stays where it is in the picture.
   camera.target.A = now.hip.A + (camera.target.A - now.hip.A) / closer;
   camera.distance_A /= closer;
+  fitted_ = camera;
   by_hand_ = on;
 }
 
 void TouchScene::fitToDevice() {
-  if (!stage_ || !(region_ || by_hand_)) return;
+  if (!stage_) return;
+  const PointA toward = by_hand_ ? log_.latest().hip : camera.target;
+  layBeforeHand(toward);
+  handBegins(toward);
+}
+
+void TouchScene::followView() {
+  if (!stage_ || (held_ == servo_.held() && (!held_ || sameView(camera, fitted_)))) return;
+  layBeforeHand(camera.target);
+  ++servo_settings.placements;
+  // The mouse stays where it is in the molecule.
+  if (!held_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
+}
+
+void TouchScene::layBeforeHand(PointA toward) {
   Workspace fitted = sceneWorkspace();
   if (by_hand_) {
     fitted.A_per_mm = byHand_A_per_mm();
-    fitted.centre_A = log_.latest().hip.A;
+    fitted.centre_A = toward.A;
   }
-  fitted.turn = servo_settings.workspace.turn;
+  held_ = servo_.held();
+  if (held_) fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
   servo_settings.workspace = fitted;
-  handBegins({fitted.centre_A});
+  fitted_ = camera;
+  fit_left_s_ = kSettle_s;
+}
+
+// Where the hand is shows only once its device has told it: a molecule that was put onto it goes back until it is free.
+void TouchScene::drawBack(double dt_s) {
+  const ServoSample& now = log_.latest();
+  fit_left_s_ -= dt_s;
+  if (!held_ || fit_left_s_ <= 0.0 || now.placements != servo_settings.placements || now.contact.fault != Fault::StartedInside) return;
+  servo_settings.workspace = drawnBack(servo_settings.workspace, *stage_.balls, now.probe_A, now.hand);
+  ++servo_settings.placements;
 }
 
 double TouchScene::magnification() const { return stage_ ? stage_.workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0; }
@@ -179,6 +216,7 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
     servo_.timeTicks(timed);
     hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
     watchLeftBehind(dt_s);
+    drawBack(dt_s);
   }
   // Whatever is shown: the panic key is among the settings.
   servo_.setSettings(handed(trying()));

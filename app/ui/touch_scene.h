@@ -68,8 +68,11 @@ class TouchScene {
   /// seen that much larger. Hand and probe stay, the force begins softly.
   void magnify(bool on);
   bool magnifiedByHand() const { return by_hand_; }
-  /// Another device leads: what is magnified fills its room, and the hand begins before it. Otherwise nothing changes.
+  /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
   void fitToDevice();
+  /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies behind the
+  /// middle of its room; where view or device have changed the hand is placed anew, so that nothing is dragged along.
+  void followView();
   /// How many times larger than the whole molecule's scale.
   double magnification() const;
   /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
@@ -105,6 +108,8 @@ class TouchScene {
 
  private:
   void handBegins(PointA before);
+  void layBeforeHand(PointA toward);
+  void drawBack(double dt_s);
   Workspace sceneWorkspace() const;
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
@@ -120,6 +125,9 @@ class TouchScene {
   std::vector<FeltTick> felt_;
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
+  bool held_ = false;          // a device in the hand leads, and the workspace is fitted to it
+  Camera fitted_;              // to this view
+  double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out
   double view_aspect_ = 1.0;
   std::optional<Region> region_;
   bool hand_moved_ = false, resting_ = false, by_hand_ = false;

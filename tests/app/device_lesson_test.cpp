@@ -22,6 +22,13 @@ bool told(Driver& d, const std::string& part) {
   return false;
 }
 
+// Which libHD.so is found, for as long as this stands: tests after it are without one.
+struct LibHd {
+  explicit LibHd(const char* file) { name(file); }
+  ~LibHd() { ::unsetenv("MOLTACT_LIBHD"); }
+  void name(const char* file) { ::setenv("MOLTACT_LIBHD", file, 1); }
+};
+
 const char* kLesson = R"(---
 title: Held
 minutes: 5
@@ -109,7 +116,7 @@ TEST_CASE("a device that was chosen is in use at the next start; the mouse that 
 TEST_CASE("a device that was chosen and is not there is told once, the mouse leads, and within some seconds of its coming it leads") {
   const Scratch scratch;
   const auto file = scratch.file("settings.json", R"({"device": "omni"})");
-  ::setenv("MOLTACT_LIBHD", "/nowhere/libHD.so", 1);
+  LibHd lib("/nowhere/libHD.so");
   auto d = startWith("1ubq", keeping(file));
   CHECK(d->text("status/device") == "Mouse");
   CHECK(told(*d, "Phantom Omni or Touch is not there"));
@@ -118,7 +125,7 @@ TEST_CASE("a device that was chosen and is not there is told once, the mouse lea
   d->frames(3);
   CHECK(d->text("device/awaited") == "Phantom Omni or Touch leads as soon as it is plugged in.");
   d->tap("Escape");
-  ::setenv("MOLTACT_LIBHD", MOLTACT_STAND_IN_LIBHD, 1);
+  lib.name(MOLTACT_STAND_IN_LIBHD);
   d->frames(150);
   CHECK(d->app().extensions().device.chosen() == "omni");
   CHECK(told(*d, " is there and leads."));

@@ -1,5 +1,7 @@
 // What stands between a device and a hand, through the window: the panic key and the gentle force whatever is shown, each
 // limit's words while it acts, and the device's own words. Oracle: what a device made for the test was given.
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "app/ui/device_link.h"
@@ -14,7 +16,8 @@ namespace {
 class Led final : public Device {
  public:
   using Path = std::function<DevicePose(double t_s)>;
-  explicit Led(Path path = {}) : path_(std::move(path)) {
+  /// First the hand goes so deep behind the middle of its room, in the second second; then it is led.
+  explicit Led(Path path = {}, double deep_mm = 0.0) : path_(std::move(path)), deep_mm_(deep_mm) {
     info_.name = "Led stylus";
     info_.gives_force = true;
     info_.continuous_force_N = 0.88;
@@ -22,7 +25,10 @@ class Led final : public Device {
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override {
     t_s_ += dt_s;
-    return path_ ? path_(t_s_) : DevicePose{};
+    const double led_s = deep_mm_ > 0.0 ? t_s_ - 2.0 : t_s_;
+    DevicePose pose = path_ && led_s >= 0.0 ? path_(led_s) : DevicePose{};
+    pose.position.mm.z -= deep_mm_ * std::clamp(t_s_ - 1.0, 0.0, 1.0);
+    return pose;
   }
   void write(ForceN force) noexcept override { given_N = force.N; }
   DeviceStatus status() override { return said; }
@@ -35,16 +41,19 @@ class Led final : public Device {
  private:
   DeviceInfo info_;
   Path path_;
-  double t_s_ = 0.0;
+  double deep_mm_, t_s_ = 0.0;
 };
 
-Led& lead(Driver& d, Led::Path path = {}) {
-  auto made = std::make_unique<Led>(std::move(path));
+Led& lead(Driver& d, Led::Path path = {}, double deep_mm = 0.0) {
+  auto made = std::make_unique<Led>(std::move(path), deep_mm);
   Led& led = *made;
   d.app().scene.servo().setDevice(std::move(made));
-  d.frames(3);
+  d.frames(deep_mm > 0.0 ? 119 : 3);
   return led;
 }
+
+// So deep that the hand is within the molecule and a method that pulls there is no contact left behind.
+constexpr double kDeep_mm = 80.0;
 
 // Pulls to the molecule's +x with so many newtons at the scene's own spring.
 std::unique_ptr<Tracker> pull(Driver& d, double N) {
@@ -132,7 +141,7 @@ TEST_CASE("F9 stops all force within two frames whatever is shown: the scene, a 
       {"a field", [](Driver& d) { d.app().panels.turns_page = true; d.frames(3); d.click("turns/names"); d.type("K"); }},
       {"a file dialog", [](Driver& d) { d.tap("Ctrl+Shift+S"); }},
       {"another step", [](Driver& d) { d.app().lesson.next(); }},
-      {"another molecule", [](Driver& d) { d.app().open("1crn"); }},
+      {"another molecule", [](Driver& d) { d.app().open("1hel"); }},
       {"another view", [](Driver& d) { d.tap("Home"); }},
   };
   for (const Case& c : cases) {
@@ -217,7 +226,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
     for (const bool page : {true, false}) {
       auto d = startWith();
       d->app().panels.device_page = page;
-      lead(*d, c.path);
+      lead(*d, c.path, kDeep_mm);
       c.set(*d);
       bool seen = false;
       for (int k = 0; k < int(c.for_s * 12) && !seen; ++k) {
@@ -233,7 +242,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
 
 TEST_CASE("a soft start that begins again and again for 1.5 s is told over the view") {
   auto d = startWith();
-  lead(*d);
+  lead(*d, {}, kDeep_mm);
   d->app().scene.servo().setTracker(pull(*d, 1.0));
   for (int k = 0; k < 30; ++k) {
     ++d->app().scene.servo_settings.placements;
@@ -266,7 +275,7 @@ TEST_CASE("the stiffness in force stands on the page: half of 2.2 N s/m over 1.5
 
 TEST_CASE("a device that wants to be calibrated says over the view what to do, with the button for it; ready again, that is told and the rest goes") {
   auto d = startWith();
-  Led& stylus = lead(*d, [](double t) { return DevicePose{.position = {}, .trouble = t < 2.0}; });
+  Led& stylus = lead(*d, [](double t) { return DevicePose{.position = {}, .trouble = t < 2.0}; }, kDeep_mm);
   d->app().scene.servo().setTracker(pull(*d, 1.0));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell."};
   d->frames(20);
