@@ -21,7 +21,7 @@ struct DeviceFigures {
   double max_stiffness_N_per_mm = 1.0;   ///< the stiffest wall it can show
   double max_damping_N_s_per_m = 5.0;    ///< the greatest damping it can show
   double damping_N_s_per_m = 0.2;        ///< its own, in the mechanism
-  double friction_N = 0.26;              ///< its own, Coulomb
+  double friction_N = 0.26;              ///< its own, Coulomb; 0: not known
   double resolution_mm = 0.055;          ///< the least step of the place that it tells
   double delay_s = 0.001;                ///< from a force written to its being felt, with the age of a place when it is read
   bool gives_force = false;              ///< false: the force is only shown on the screen, and moves no hand
@@ -40,6 +40,8 @@ struct DevicePose {
   bool connected = true;         ///< false: the device is gone
   bool trouble = false;          ///< the device itself reports a fault, or is not calibrated: no force
   float motor_heat = 0;          ///< 0 cold to 1 as warm as its motors may be, where it tells
+  float age_s = 0;               ///< how old the place is when it is read, with the wait of the force that answers it, as the driver measures
+                                 ///< them of its own thread: on top of DeviceFigures::delay_s
 };
 
 /// How fast a person wants the view to move and to turn, each -1 to 1 along and round the screen's axes (+x right, +y up,
@@ -74,6 +76,8 @@ class Device {
   virtual DevicePose read(double dt_s) noexcept = 0;
   /// The force to give until the next tick: always finite and within max_force_N.
   virtual void write(ForceN force) noexcept = 0;
+  /// In place of write(): no force, and the motors off where the device can, until the next write.
+  virtual void stop() noexcept { write(ForceN{}); }
 
   /// The window's thread, a few times a second: may take a while, and does what is not for the haptic thread.
   virtual DeviceStatus status() { return {}; }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "engine/device/device.h"
@@ -18,30 +19,46 @@ class Clutch {
  public:
   static constexpr double kEdge_mm = 10.0;
   static constexpr double kDrift_mm_per_s = 20.0;  ///< at the very edge
+  static constexpr double kStill_mm = 0.2, kLetGo_s = 1.5;  ///< a stylus that moved no farther for so long lies in its stand or hangs
 
   void restart() noexcept { offset_mm_ = Vec3(0.0), held_ = false; }
 
-  /// Where the probe is for that pose, in the device's space and beyond. Non-finite places pass as they are.
-  PointMm place(const DevicePose& pose, const ClutchSettings& settings, const Vec3& workspace_mm, double dt_s) noexcept {
-    if (!finite(pose.position.mm)) return pose.position;
+  /// Where the probe is for that pose, in the device's space and beyond. Non-finite places pass as they are. `push` is the way
+  /// in which a surface pushed the hand in the last tick (length 1, or none): at the edge the probe goes on along the surface
+  /// and off it, never deeper.
+  PointMm place(const DevicePose& pose, const ClutchSettings& settings, const Vec3& workspace_mm, const Vec3& push, double dt_s) noexcept {
+    const Vec3& now = pose.position.mm;
+    if (!finite(now)) return pose.position;
     const bool holds = pose.buttons & settings.buttons;
-    if (holds && held_) offset_mm_ += last_mm_ - pose.position.mm;
+    if (holds && held_) offset_mm_ += last_mm_ - now;
     held_ = holds;
-    last_mm_ = pose.position.mm;
-    if (settings.at_edge && !holds)
-      for (int k = 0; k < 3; ++k) {
-        const double inner = std::max(0.0, 0.5 * workspace_mm[k] - kEdge_mm), beyond = std::abs(pose.position.mm[k]) - inner;
-        if (beyond > 0.0)
-          offset_mm_[k] += (pose.position.mm[k] > 0 ? 1.0 : -1.0) * std::min(1.0, beyond / kEdge_mm) * kDrift_mm_per_s * dt_s;
-      }
-    return {pose.position.mm + offset_mm_};
+    last_mm_ = now;
+    const bool moves = glm::distance(now, rest_mm_) > kStill_mm;
+    still_s_ = moves ? 0.0 : still_s_ + dt_s;
+    if (moves) rest_mm_ = now;
+    if (settings.at_edge && !holds && !pose.trouble && still_s_ < kLetGo_s) {
+      const Vec3 onward = drift(now, workspace_mm) * (kDrift_mm_per_s * dt_s);
+      offset_mm_ += onward - push * std::min(0.0, glm::dot(onward, push));
+    }
+    return {now + offset_mm_};
   }
 
   /// Whether the hand moves without the probe: then there is to be no force, for the hand would carry it about.
   bool held() const noexcept { return held_; }
 
  private:
-  Vec3 offset_mm_{0.0}, last_mm_{0.0};
+  // How far beyond the inner room along each axis: 1 at its edge and farther.
+  static Vec3 drift(const Vec3& place_mm, const Vec3& workspace_mm) noexcept {
+    Vec3 out(0.0);
+    for (int k = 0; k < 3; ++k) {
+      const double beyond = std::abs(place_mm[k]) - std::max(0.0, 0.5 * workspace_mm[k] - kEdge_mm);
+      if (beyond > 0.0) out[k] = std::copysign(std::min(1.0, beyond / kEdge_mm), place_mm[k]);
+    }
+    return out;
+  }
+
+  Vec3 offset_mm_{0.0}, last_mm_{0.0}, rest_mm_{0.0};
+  double still_s_ = 0.0;
   bool held_ = false;
 };
 

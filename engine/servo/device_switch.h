@@ -29,8 +29,9 @@ class DeviceSwitch {
     return pose;
   }
 
-  void write(ForceN force) noexcept {
-    if (chosen_) chosen_->write(used_ == chosen_ ? force : ForceN{});
+  /// `stopped`: all force is stopped, and motors that can go off.
+  void write(ForceN force, bool stopped = false) noexcept {
+    if (chosen_) stopped ? chosen_->stop() : chosen_->write(used_ == chosen_ ? force : ForceN{});
     if (used_ != chosen_ || !chosen_) fallback_.write(force);
   }
 

@@ -23,6 +23,7 @@ inline constexpr double kFastest_m_per_s = 1.0;   ///< and from here on not at a
 inline constexpr double kHeat_s = 30.0;           ///< how fast the motors' windings warm and cool
 inline constexpr double kWarm = 0.8;              ///< of the heat borne for good: from here on the peak falls
 inline constexpr double kLightHand_N_s_per_m = 2.0;   ///< the damping of a hand that barely holds the stylus
+inline constexpr double kUnknownFriction_N = 0.01;    ///< of a device that tells none
 inline constexpr double kStiffnessMargin = 0.5;       ///< of the stiffness at which the loop would become unstable
 inline constexpr double kStiffening_N_per_mm_s = 1.0; ///< how fast the stiffness may change under a finger
 inline constexpr double kStillHand_m_per_s = 0.005;   ///< slower than this no damping is given: the speed is mostly rounding

@@ -17,11 +17,14 @@ void SafetyStage::setDevice(const DeviceFigures& device) noexcept {
   max_stiffness_ = usable(device.max_stiffness_N_per_mm);
   max_damping_ = usable(device.max_damping_N_s_per_m);
   damping_ = usable(device.damping_N_s_per_m);
-  friction_N_ = usable(device.friction_N);
+  friction_N_ = device.friction_N > 0.0 ? usable(device.friction_N) : safety::kUnknownFriction_N;
   resolution_m_ = 1e-3 * usable(device.resolution_mm);
   device_delay_s_ = usable(device.delay_s);
   closes_loop_ = device.gives_force;
-  heat_ = HeatBudget();
+  // Its motors give nothing yet. The heat stays: the device may be the one that was just gone, and its motors warm.
+  force_N_ = Vec3(0.0);
+  stretch_mm_ = stiffness_ = 0.0;
+  passivity_.restart();
   placed_ = false;
   restart();
 }
@@ -40,7 +43,8 @@ bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
   }
   dt_s_ = sane ? std::min(time.dt_s, kTick_s) : kTick_s;
   // The delay rises at once and falls within about a second, so that the bound does not flicker.
-  const double delay_s = std::isfinite(time.delay_s) ? std::clamp(time.delay_s, 0.0, safety::kOff_s) : safety::kOff_s;
+  const double measured_s = time.delay_s + pose.age_s;
+  const double delay_s = std::isfinite(measured_s) ? std::clamp(measured_s, 0.0, safety::kOff_s) : safety::kOff_s;
   delay_s_ = std::max(delay_s, delay_s_ + (delay_s - delay_s_) * std::min(1.0, dt_s_));
 
   const double elapsed_s = sane ? time.dt_s : safety::kStale_s;
@@ -86,7 +90,7 @@ bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
 double SafetyStage::stiffnessBound_N_per_mm() const noexcept {
   if (!closes_loop_) return safety::kHardest_N_per_mm;
   double bound = (damping_ + safety::kLightHand_N_s_per_m) / (kTick_s / 2 + device_delay_s_ + delay_s_);
-  if (resolution_m_ > 0 && friction_N_ > 0) bound = std::min(bound, 2 * friction_N_ / resolution_m_);
+  if (resolution_m_ > 0) bound = std::min(bound, 2 * friction_N_ / resolution_m_);
   return std::min({1e-3 * safety::kStiffnessMargin * bound, max_stiffness_, safety::kHardest_N_per_mm});
 }
 
@@ -156,7 +160,7 @@ Vec3 SafetyStage::slewed(const Vec3& force) noexcept {
 }
 
 ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
-  heat_.add(glm::length(force_N_), elapsed_s_);
+  heat_.add(closes_loop_ ? glm::length(force_N_) : 0.0, elapsed_s_);
 
   Vec3 force = wanted.force_N;
   double size = glm::length(force), stretch_mm = wanted.stretch_mm;
@@ -177,7 +181,8 @@ ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
   WantedForce known = wanted;
   known.stretch_mm = stretch_mm;
   force = braked(slowed(force), known);
-  if (const double braked_size = glm::length(force); braked_size > peak_N_) force *= peak_N_ / braked_size;
+  // Braking is a force like any other.
+  if (const double most = allowed_N(wanted.most_N), braked_size = glm::length(force); braked_size > most) force *= most / braked_size;
 
   // What follows only takes away: braking too ends where no force is to be.
   if (gain_ < 1.0 && size > 0.0) acted_.add(Limit::SoftStart);

@@ -10,15 +10,15 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   ServoSample out;
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
-  // A hand that is placed anew is where it is placed.
-  if (settings.placements != placements_ || pose.placements != hand_placements_) clutch_.restart();
-  out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, kTick_s);
+  const bool lost = safety_.look(pose, time);
+  // A hand that is placed anew, or leapt, is where it is.
+  if (lost || settings.placements != placements_ || pose.placements != hand_placements_) clutch_.restart();
+  out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, push_, kTick_s);
   out.buttons = pose.buttons;
   out.hip = settings.workspace.toMolecule(out.hand);
   out.has_tracker = tracker != nullptr;
   out.placements = settings.placements;
 
-  const bool lost = safety_.look(pose, time);
   // A new tracker comes as its maker left it: one that was led to the hand keeps the contact over a change of method.
   out.placed = std::exchange(other_device_, false) || lost || settings.placements != placements_ || pose.placements != hand_placements_;
   const bool changed = tracker != last_tracker_ || out.placed;
@@ -32,6 +32,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   safety_.stop(settings.panic);
 
   WantedForce wanted{.on = false};
+  push_ = Vec3(0.0);
   if (tracker) {
     // The surface swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
     if (std::isfinite(settings.probe_A)) {
@@ -56,6 +57,7 @@ WantedForce ServoStep::feel(const ServoSettings& settings, const ServoSample& sa
   if (!contact.touching()) return wanted;
   wanted.stiffness_N_per_mm = safety_.stiffness(settings.stiffness_N_per_mm);
   wanted.force_N = settings.workspace.spring(sample.hip, springEnd(contact, sample.hip), wanted.stiffness_N_per_mm).N;
+  if (const double size = glm::length(wanted.force_N); size > 0.0 && std::isfinite(size)) push_ = wanted.force_N / size;
   wanted.stretch_mm = glm::distance(contact.scp.A, sample.hip.A) / settings.workspace.A_per_mm;
   return wanted;
 }

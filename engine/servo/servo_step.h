@@ -77,6 +77,7 @@ class ServoStep {
   bool other_device_ = false;
   double A_per_mm_ = 0;
   Vec3 workspace_mm_;
+  Vec3 push_{0.0};  // the way of the surface's push in the last tick
   Clutch clutch_;
   SafetyStage safety_;
 };

@@ -32,7 +32,7 @@ void ServoThread::finish() {
   thread_.join();
   if (chosen_) {
     chosen_->stopClock();
-    chosen_->write(ForceN{});
+    chosen_->stop();
   }
   fallback_.write(ForceN{});
 }
@@ -61,8 +61,7 @@ void ServoThread::collect() { delete leaving_.exchange(nullptr, std::memory_orde
 
 void ServoThread::run() noexcept {
   realtime_.store(becomeRealtime(), std::memory_order_release);
-  constexpr std::int64_t period_ns = 1'000'000;
-  std::int64_t due_ns = monotonic_ns() + period_ns;
+  std::int64_t due_ns = monotonic_ns() + kPeriod_ns;
   while (!stop_.load(std::memory_order_acquire)) {
     sleepUntil(due_ns);
     const std::int64_t began_ns = monotonic_ns();
@@ -70,18 +69,17 @@ void ServoThread::run() noexcept {
     if (began_ns - device_beat_ns_.load(std::memory_order_acquire) > kOwnClock_ns) beat(due_ns);
 
     // A few missed ticks are caught up one after the other; after a long stall the loop begins anew from now.
-    due_ns += period_ns;
-    if (const std::int64_t behind = (began_ns - due_ns) / period_ns; behind > kCatchUp_ticks) {
+    due_ns += kPeriod_ns;
+    if (const std::int64_t behind = (began_ns - due_ns) / kPeriod_ns; behind > kCatchUp_ticks) {
       missed_.fetch_add(std::uint64_t(behind), std::memory_order_relaxed);
-      due_ns += behind * period_ns;
+      due_ns += behind * kPeriod_ns;
     }
   }
 }
 
 void ServoThread::tickOfDevice() noexcept {
-  const std::int64_t now_ns = monotonic_ns();
-  device_beat_ns_.store(now_ns, std::memory_order_release);
-  if (!stop_.load(std::memory_order_acquire)) beat(now_ns);
+  device_beat_ns_.store(monotonic_ns(), std::memory_order_release);
+  if (!stop_.load(std::memory_order_acquire)) beat(std::nullopt);
 }
 
 // The newest settings; without force where their owner stands still.
@@ -94,7 +92,7 @@ ServoSettings ServoThread::heardSettings(double dt_s) noexcept {
   return settings;
 }
 
-void ServoThread::beat(std::int64_t due_ns) noexcept {
+void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
   // Both clocks at once, which happens for a tick when one takes over from the other: the first one ticks.
   if (beating_.test_and_set(std::memory_order_acquire)) return;
   const std::int64_t began_ns = monotonic_ns();
@@ -107,6 +105,7 @@ void ServoThread::beat(std::int64_t due_ns) noexcept {
     if (recording_) recording_->begun = true;
   }
 
+  const std::int64_t late_ns = began_ns - due_ns.value_or(std::min(began_ns, last_ns_ + kPeriod_ns));
   time_.dt_s = double(began_ns - last_ns_) * 1e-9;
   last_ns_ = began_ns;
   const bool records = records_.load(std::memory_order_acquire) && recording_->begun;
@@ -120,12 +119,12 @@ void ServoThread::beat(std::int64_t due_ns) noexcept {
   ServoSample sample = step_->tick(settings, current_ ? current_->tracker.get() : nullptr, pose, time_);
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;
-  switch_->write(sample.force);
+  switch_->write(sample.force, sample.limits.has(Limit::Panic));
   fallen_back_.store(switch_->fallenBack(), std::memory_order_relaxed);
   const std::int64_t work_ns = monotonic_ns() - began_ns;
   time_.delay_s = double(work_ns) * 1e-9;
   sample.work_us = float(work_ns) * 1e-3f;
-  sample.late_us = float(began_ns - due_ns) * 1e-3f;
+  sample.late_us = float(late_ns) * 1e-3f;
   latest_.write(sample);
   samples_.push(sample);
   if (records) recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force});

@@ -86,6 +86,7 @@ class ServoThread final : private TickTarget {
   std::uint64_t missedTicks() const noexcept { return missed_.load(std::memory_order_relaxed); }
 
  private:
+  static constexpr std::int64_t kPeriod_ns = 1'000'000;
   static constexpr int kCatchUp_ticks = 5;
   // A device with its own clock is left to it while that ticks at least so often.
   static constexpr std::int64_t kOwnClock_ns = 10'000'000;
@@ -93,8 +94,9 @@ class ServoThread final : private TickTarget {
   void finish();
   void run() noexcept;
   void tickOfDevice() noexcept override;
-  void beat(std::int64_t due_ns) noexcept;
   ServoSettings heardSettings(double dt_s) noexcept;
+  // One tick, due at `due_ns`; without it a tick after the last, as a device's own clock counts.
+  void beat(std::optional<std::int64_t> due_ns) noexcept;
   void collect();
 
   Device& fallback_;

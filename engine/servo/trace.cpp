@@ -12,7 +12,7 @@ namespace {
 
 static_assert(std::is_trivially_copyable_v<ServoStep>, "its state is kept byte for byte");
 
-constexpr std::string_view kMagic = "MOLTRAC1";
+constexpr std::string_view kMagic = "MOLTRAC2";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kMostBytes = std::size_t{4} << 30;
@@ -67,7 +67,7 @@ void figuresFields(Each& each, Figures& f) {
 template <class Each, class Tick>
 void tickFields(Each& each, Tick& t) {
   eachOf(each, t.pose.position.mm);
-  each(t.pose.buttons), each(t.pose.placements), each(t.pose.motor_heat), each(t.time.dt_s), each(t.time.delay_s);
+  each(t.pose.buttons), each(t.pose.placements), each(t.pose.motor_heat), each(t.pose.age_s), each(t.time.dt_s), each(t.time.delay_s);
   eachOf(each, t.force.N);
 }
 

@@ -19,7 +19,7 @@ inline const MockedHid kDualShock{"054C", "09CC", "Sony Wireless Controller", hi
 
 inline MockedHid openLayout(const OpenFirmware& firmware) {
   const auto description = firmware.description();
-  return {"16C0", "0486", "Workshop Stylus", hidDescriptor(0xFF00, 1), Bytes(description.begin(), description.end())};
+  return {"1209", "0001", "Workshop Stylus", Bytes(std::begin(kOpenReportDescriptor), std::end(kOpenReportDescriptor)), Bytes(description.begin(), description.end())};
 }
 
 /// WoodenHaptics' report: the counts of its three encoders.

@@ -21,14 +21,19 @@ namespace {
 constexpr double kPeak_N = 3.3, kSlew_N = 1.0, kSoft_ticks = 500, kFadeTo_ticks = 44;
 constexpr double kRest_m_per_s = 0.03;  // half a step of the sensor a tick is what its rounding makes
 constexpr double kRounding_J = 1e-5;    // a step of the sensor at 0.5 N
+// What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm. The penalty method's
+// force is the slope of no energy where balls meet: there three hundredths.
+constexpr double kMade_J = 1e-4, kMadeByPenalty_J = 3e-4;
 
 enum class Fault : int {
   Late, Stall, LongStall, Doubled, ClockBack, ClockAhead, ClockNaN, Teleport, PlaceNaN, Stale, Unplug,
-  RendererStalls, SceneSwap, MethodSwap, BadSettings, ProbeJump, Panic, ForceOff, BadTracker, Rescaled, Count,
+  RendererStalls, SceneSwap, MethodSwap, BadSettings, ProbeJump, Panic, ForceOff, BadTracker, Rescaled,
+  FallBack, WeakDevice, PanicUnplugged, LessonSwap, Count,
 };
 constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{
     "late", "stall", "long stall", "doubled", "clock back", "clock ahead", "clock NaN", "teleport", "place NaN", "stale",
-    "unplug", "renderer stalls", "scene swap", "method swap", "bad settings", "probe jump", "panic", "force off", "bad tracker", "rescaled"};
+    "unplug", "renderer stalls", "scene swap", "method swap", "bad settings", "probe jump", "panic", "force off", "bad tracker", "rescaled",
+    "fall back", "weak device", "panic unplugged", "lesson swap"};
 
 // A method that answers with what no place is.
 class BadTracker final : public Tracker {
@@ -132,6 +137,7 @@ class Run {
     std::optional<Vec3> place_mm = {};  // instead of the device's
     bool fresh = true, connected = true;
     bool moves = true;             // false: no time passes for the device
+    bool to_model = true;          // false: the force is for another device
   };
 
   // One tick of the loop, judged; then one millisecond of the world.
@@ -149,7 +155,7 @@ class Run {
     const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
     felt_N_per_mm_ = told_mm > 0.0 && !cut ? glm::length(command_.N) / told_mm : -1.0;
     if (!cut) bent_mm_ = stretch_mm_;
-    if (how.moves) model_.tick(how.connected ? command_ : ForceN{}, {target_mm_});
+    if (how.moves) model_.tick(how.connected && how.to_model ? command_ : ForceN{}, {target_mm_});
   }
   void idle(int ms) {
     for (int k = 0; k < ms; ++k) model_.tick(command_, {target_mm_});
@@ -162,7 +168,7 @@ class Run {
     ++since_fault_;
     stale_ = how.fresh ? 0 : stale_ + 1;
     if (!finite(force)) return broken("the force is not finite");
-    if (size > kPeak_N + 1e-9) return broken("over the clamp");
+    if (size > peak_N_ + 1e-9) return broken("over the clamp");
     if (!settings_.panic && glm::length(force - command_.N) > kSlew_N + 1e-9) return broken("over the slew");
     if (settings_.panic && size > 0) return broken("force in a panic");
     // What is left of the force before the fault, and what a soft start may have given since.
@@ -290,30 +296,79 @@ class Run {
         for (int k = 0; k < some * 3; ++k) tick({});
         break;
       }
+      case Fault::FallBack: {  // the stylus goes, a mouse presses as deep as it likes, the stylus comes back
+        otherDevice(DeviceInfo{});
+        const Vec3 deep = sensed_.mm * random_.uniform(0.2, 1.0);
+        for (int k = 0; k < some * 20; ++k) tick({.place_mm = deep + (sensed_.mm - deep) * std::exp(-0.01 * k), .to_model = false});
+        otherDevice(infoOf());
+        for (int k = 0; k < some * 3; ++k) tick({});
+        break;
+      }
+      case Fault::WeakDevice: {  // a weaker one is plugged in, and the first one again
+        DeviceInfo weak = infoOf();
+        weak.max_force_N = 1.0;
+        otherDevice(weak);
+        for (int k = 0; k < some * 10; ++k) tick({});
+        otherDevice(infoOf());
+        for (int k = 0; k < some * 3; ++k) tick({});
+        break;
+      }
+      case Fault::PanicUnplugged:  // stopped, unplugged, allowed again while it is away
+        settings_.panic = true;
+        for (int k = 0; k < some; ++k) tick({});
+        expectSoft();
+        for (int k = 0; k < some; ++k) tick({.connected = false});
+        settings_.panic = false;
+        lasting(some * 5, {.connected = false});
+        break;
+      case Fault::LessonSwap:  // another molecule, spring, probe and scale in one tick
+        expectSoft();
+        settings_.probe_A = random_.uniform(0.5, 2.5);
+        settings_.stiffness_N_per_mm = random_.uniform(0.1, 2.0);
+        settings_.workspace.A_per_mm = random_.uniform(0.1, 0.4);
+        newScene();
+        ++settings_.placements;
+        for (int k = 0; k < some * 3; ++k) tick({});
+        break;
       case Fault::Count: break;
     }
+  }
+  // Nothing has been given to it yet.
+  void otherDevice(const DeviceInfo& info) {
+    step_.setDevice(info);
+    peak_N_ = info.max_force_N;
+    command_ = ForceN{};
+    expectSoft();
   }
   // The hand is held still: what moves the device comes to rest, or slides off on energy that was there. A stiffness that
   // comes back after late ticks stores more in the same stretch, and may.
   void restAfter() {
     for (int k = 0; k < 600; ++k) tick({});
     std::array<double, 2> fastest{}, energy{};
-    double softest = 1e9, stiffest = 0, stretched_mm = 0;
+    double softest = 1e9, stiffest = 0, stretched_mm = 0, least_J = 1e9, risen_J = 0;
     bool known = true;
     for (std::size_t w = 0; w < 2; ++w)
       for (int k = 0; k < 200; ++k) {
         tick({});
         known = known && felt_N_per_mm_ >= 0.0;
-        if (w == 0) softest = std::min(softest, felt_N_per_mm_);
-        else stiffest = std::max(stiffest, felt_N_per_mm_);
+        softest = std::min(softest, felt_N_per_mm_);
+        stiffest = std::max(stiffest, felt_N_per_mm_);
         stretched_mm = std::max(stretched_mm, stretch_mm_);
         fastest[w] = std::max(fastest[w], glm::length(model_.velocity_m_per_s()));
-        energy[w] = std::max(energy[w], energy_J());
+        const double now_J = energy_J();
+        energy[w] = std::max(energy[w], now_J);
+        least_J = std::min(least_J, now_J);
+        risen_J = std::max(risen_J, now_J - least_J);
       }
     const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
-    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + kRounding_J + stiffened_J;
-    if (!faster || grown) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
+    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
+    // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the speed is; what
+    // buzzes does neither.
+    const bool slides = (faster && !grown) || energy[0] - energy[1] > 0.5 * device_.mass_kg * fastest[1] * fastest[1];
+    if (!slides) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
     if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
+    // Tick by tick, where the spring's force is not cut and what it stores so is known.
+    if (known && risen_J > stiffened_J + (method_ == "penalty" ? kMadeByPenalty_J : kMade_J)) broken("energy is made while the hand is still", 1e3 * risen_J);
     since_fault_ = kSoft_ticks;
   }
 
@@ -345,7 +400,7 @@ class Run {
   PointMm sensed_;
   double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
   double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
-  double before_fault_N_ = 0;
+  double before_fault_N_ = 0, peak_N_ = kPeak_N;
   double since_fault_ = 0, stale_ = 0;
   bool lasting_ = false;
   FaultRunResult out_;

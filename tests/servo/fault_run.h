@@ -14,7 +14,7 @@ struct FaultRunResult {
   std::uint64_t contact = 0;   ///< in which it touched
   std::uint64_t faults = 0;    ///< that were done to it
   double greatest_N = 0;
-  double restless_m_per_s = 0; ///< greatest speed of the device a second after a fault, the hand held still, but where it slides off
+  double restless_m_per_s = 0; ///< greatest speed of the device a second after a fault, the hand held still, but where it slides off and its energy falls
 };
 
 /// Some 12 s of touching with `faults` faults.

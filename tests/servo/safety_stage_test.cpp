@@ -171,6 +171,32 @@ TEST_CASE("unplugged: no force within 4 ms, the contact forgotten when it goes a
   CHECK(stage.give(push(3)).N.z <= 3.0 / 500 + 1e-12);
 }
 
+TEST_CASE("another device: whatever the last one was given, it begins at nothing and softly, and the motors' heat is not forgotten") {
+  DeviceInfo weak = omni();
+  weak.max_force_N = 1.0;
+  DeviceInfo mouse;
+  for (const DeviceInfo* next : std::initializer_list<const DeviceInfo*>{&weak, &mouse}) {
+    SafetyStage stage = ready();
+    REQUIRE(after(stage, 1000, push(3.3)) == doctest::Approx(3.3));
+    const double warm = stage.heat();
+    REQUIRE(warm > 0.3);
+    stage.setDevice(*next);
+    double last_N = 0;
+    for (int k = 1; k <= 500; ++k) {
+      const double force_N = tick(stage, push(3.3)).N.z;
+      CHECK(force_N <= next->max_force_N * k / 500 + 1e-9);
+      CHECK(force_N >= last_N);
+      last_N = force_N;
+    }
+    CHECK(last_N == doctest::Approx(next->max_force_N));
+    // Behind a mouse no motor warms; the stylus comes back hardly cooler than it went.
+    stage.setDevice(omni());
+    stage.look({}, {});
+    if (next == &mouse) CHECK(stage.heat() == doctest::Approx(warm * std::exp(-0.5 / 30)).epsilon(0.01));
+    CHECK(glm::length(stage.give(push(3.3)).N) <= 3.3 / 500 + 1e-9);
+  }
+}
+
 TEST_CASE("speed: at 0.5 m/s the force stays, at 0.875 m/s half of what drives the hand, from 1 m/s nothing; what brakes stays") {
   for (const double speed : {0.5, 0.875, 1.0, 1.4}) {
     for (const double sign : {1.0, -1.0}) {
@@ -204,9 +230,16 @@ TEST_CASE("stiffness: with 2.2 N s/m and 1 ms of delay 0.73 N/mm are stable by h
   stage.look({}, {.delay_s = 0.002});
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5 - 0.001));
+  SafetyStage aged = ready();
+  aged.look({.position = {}, .age_s = 0.002f}, {});
+  CHECK(aged.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
+  aged.look({.position = {}, .age_s = std::nanf("")}, {});
+  CHECK(aged.stiffnessBound_N_per_mm() < 0.012);
   DeviceInfo coarse = omni();
   coarse.resolution_mm = 2.0;  // 2 x 0.26 N / 2 mm = 0.26 N/mm
   CHECK(ready(coarse).stiffnessBound_N_per_mm() == doctest::Approx(0.13));
+  coarse.friction_N = 0.0;  // not known: 2 x 0.01 N / 2 mm
+  CHECK(ready(coarse).stiffnessBound_N_per_mm() == doctest::Approx(0.005));
 }
 
 TEST_CASE("device: while it reports a fault there is no force after 4 ms, and its own heat of 0.9 halves what the peak has over the continuous force") {
@@ -257,6 +290,23 @@ TEST_CASE("damping: of a wall that pushes twice as hard on the way out as on the
     if (dishonest) CHECK(given_J < 2.0 / 3.0 * unlimited_J);
     else CHECK(given_J == doctest::Approx(unlimited_J));
   }
+}
+
+TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more") {
+  SafetyStage stage = ready();
+  bool braked = false;
+  double greatest_N = 0;
+  for (int k = 0; k < 4000; ++k) {
+    // To and fro at up to 0.5 m/s through a wall that pushes three times as hard on the way out.
+    const double phase = k * 0.01, z_mm = 50 * std::sin(phase), out = std::cos(phase) > 0 ? 0.3 : 0.1;
+    stage.look({.position = {{0, 0, z_mm}}}, {});
+    const double stretch_mm = std::max(0.0, -z_mm);
+    const ForceN force = stage.give({.force_N = {0, 0, out * stretch_mm}, .stretch_mm = stretch_mm, .stiffness_N_per_mm = 0.2, .most_N = 0.5});
+    braked = braked || stage.acted().has(Limit::Damping);
+    greatest_N = std::max(greatest_N, glm::length(force.N));
+  }
+  CHECK(braked);
+  CHECK(greatest_N <= 0.5 + 1e-9);
 }
 
 TEST_CASE("each limit has one bit, a name and a sentence") {

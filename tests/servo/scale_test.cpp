@@ -93,6 +93,11 @@ TEST_CASE("in contact a scale 2.5 times as fine keeps the contact and gives 2.5 
   CHECK(s.force.N.z == doctest::Approx(2.5 * coarse_N).epsilon(0.01));
 }
 
+namespace {
+// A hand that is never quite still: 1 mm to and fro, ten times a second.
+Vec3 alive(const Vec3& place_mm, int tick) { return place_mm + Vec3(0, std::sin(tick * 0.0628), 0); }
+}  // namespace
+
 TEST_CASE("clutch: with the button held the hand goes back 30 mm and the probe stays; let go, it goes on from there") {
   Clutch clutch;
   const ClutchSettings settings{.buttons = 2};
@@ -101,7 +106,7 @@ TEST_CASE("clutch: with the button held the hand goes back 30 mm and the probe s
     DevicePose pose;
     pose.position.mm.x = x;
     pose.buttons = buttons;
-    return clutch.place(pose, settings, room, 0.001).mm.x;
+    return clutch.place(pose, settings, room, Vec3(0.0), 0.001).mm.x;
   };
   CHECK(at(40, 0) == 40);
   for (int k = 0; k <= 30; ++k) CHECK(at(40 - k, 2) == 40);
@@ -116,13 +121,43 @@ TEST_CASE("edge: 5 mm from the edge of a room of 160 mm the probe goes on by 10 
   Clutch clutch;
   const ClutchSettings settings{.at_edge = true};
   DevicePose pose;
-  pose.position.mm.x = -75;
   double x = 0;
-  for (int k = 0; k < 1000; ++k) x = clutch.place(pose, settings, {160, 120, 70}, 0.001).mm.x;
+  for (int k = 0; k < 1000; ++k) pose.position.mm = alive({-75, 0, 0}, k), x = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.x;
   CHECK(x == doctest::Approx(-85));
-  pose.position.mm.x = 60;
-  for (int k = 0; k < 1000; ++k) x = clutch.place(pose, settings, {160, 120, 70}, 0.001).mm.x;
+  for (int k = 0; k < 1000; ++k) pose.position.mm = alive({60, 0, 0}, k), x = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.x;
   CHECK(x == doctest::Approx(50));
+}
+
+TEST_CASE("edge: a stylus that lies in its stand for a minute, 53 mm beyond the edge, takes the probe 30 mm on and no farther; one in trouble not at all") {
+  const ClutchSettings settings{.at_edge = true};
+  for (const bool trouble : {false, true}) {
+    Clutch clutch;
+    DevicePose pose;
+    pose.position.mm = {0, 0, -88};
+    pose.trouble = trouble;
+    double z = 0;
+    for (int k = 0; k < 60'000; ++k) {
+      pose.position.mm.x = k % 2 ? 0.055 : 0.0;  // a sensor between two steps
+      z = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.z;
+    }
+    CHECK(z == doctest::Approx(trouble ? -88 : -118).epsilon(0.001));
+  }
+}
+
+TEST_CASE("edge: against a surface that pushes up and to the left the probe goes on along it, never deeper") {
+  Clutch clutch;
+  const ClutchSettings settings{.at_edge = true};
+  const Vec3 push = glm::normalize(Vec3(-1, 0, 1));
+  DevicePose pose;
+  Vec3 first(0.0), last(0.0);
+  for (int k = 0; k <= 1000; ++k) {
+    pose.position.mm = alive({90, 0, 0}, k);
+    last = clutch.place(pose, settings, {160, 120, 70}, push, 0.001).mm - pose.position.mm;
+    if (k == 0) first = last;
+  }
+  CHECK(std::abs(glm::dot(last, push)) < 1e-9);
+  CHECK((last - first).x == doctest::Approx(10));  // half of 20 mm, for the surface leans by 45 degrees
+  CHECK((last - first).z == doctest::Approx(10));
 }
 
 TEST_CASE("a mouse that stands in for a device has no edge: 100 mm from the middle for 2 s its probe stays where it is") {

@@ -32,10 +32,11 @@ class StillDevice final : public Device {
 // A device that ticks the loop by a thread of its own.
 class ClockedDevice final : public Device {
  public:
+  explicit ClockedDevice(std::chrono::milliseconds pause = std::chrono::milliseconds(2)) : pause_(pause) {}
   ~ClockedDevice() override { stopClock(); }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return {.position = {{4, 5, 6}}}; }
-  void write(ForceN) noexcept override {}
+  void write(ForceN force) noexcept override { last_x_N.store(force.N.x); }
   bool startClock(TickTarget& target) override {
     ends_.store(false);
     clock_ = std::thread([this, &target] {
@@ -44,7 +45,7 @@ class ClockedDevice final : public Device {
           target.tickOfDevice();
           own_ticks.fetch_add(1);
         }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        std::this_thread::sleep_for(pause_);
       }
     });
     return true;
@@ -53,11 +54,13 @@ class ClockedDevice final : public Device {
     ends_.store(true);
     if (clock_.joinable()) clock_.join();
   }
+  std::atomic<double> last_x_N{-1};
   std::atomic<long> own_ticks{0};
   std::atomic<bool> stopped{false};
 
  private:
   DeviceInfo info_;
+  const std::chrono::milliseconds pause_;
   std::atomic<bool> ends_{false};
   std::thread clock_;
 };
@@ -201,6 +204,15 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   servo.setDevice(std::move(made));
   while (clocked->own_ticks.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
   CHECK(servo.latest().hand.mm == Vec3(4, 5, 6));
+  // It ticks every 2 ms: a millisecond late, at the least, but where the loop's own clock stood in.
+  std::size_t told = 0, late = 0;
+  servo.drain([&](const ServoSample& s) {
+    if (s.hand.mm != Vec3(4, 5, 6)) return;
+    ++told;
+    late += s.late_us >= 900.0f;
+  });
+  CHECK(told > 40);
+  CHECK(2 * late > told);
   clocked->stopped.store(true);
   const long then = clocked->own_ticks.load();
   waitForTicks(servo, 50);
@@ -208,6 +220,32 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   servo.setDevice(nullptr);
   waitForTicks(servo, 5);
   CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
+}
+
+TEST_CASE("nobody takes up a sample for 6000 ticks, as when the window stands: the loop goes on, the force too, and 4096 ticks wait whole") {
+  StillDevice fallback;
+  std::atomic<int> alive{0};
+  std::thread::id destroyed_on;
+  ServoThread servo(fallback);
+  servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+  auto made = std::make_unique<ClockedDevice>(std::chrono::milliseconds(0));
+  ClockedDevice* clocked = made.get();
+  servo.setDevice(std::move(made));
+  while (clocked->own_ticks.load() < 6000) std::this_thread::yield();
+  CHECK(servo.latest().tick >= 5900);
+  CHECK(servo.latest().contact.touching());
+  CHECK(clocked->last_x_N.load() >= 0.0);
+  std::uint64_t first = 0, last = 0;
+  std::size_t waiting = 0;
+  bool whole = true;
+  servo.drain([&](const ServoSample& s) {
+    if (waiting++ == 0) first = s.tick;
+    else whole = whole && s.tick > last;
+    last = s.tick;
+  });
+  CHECK(waiting >= 4096);
+  CHECK(whole);
+  CHECK(last > first);
 }
 
 TEST_CASE("values handed over 100 000 times arrive whole and never go back") {

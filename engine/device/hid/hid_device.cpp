@@ -92,11 +92,11 @@ void HidDevice::run() {
       asked_at = now;
     }
     const bool lonely = std::chrono::duration<double>(now - asked_at).count() > kLonelyForce_s;
-    if (const std::size_t length = protocol_->give(lonely ? ForceN{} : asked.force, out))
+    if (const std::size_t length = lonely || !asked.motors_on ? protocol_->stop(out) : protocol_->give(asked.force, out))
       if (!port_->write({out.data(), length})) lose();
   }
   if (!port_) return;
-  if (const std::size_t length = protocol_->give(ForceN{}, out)) port_->write({out.data(), length});
+  if (const std::size_t length = protocol_->stop(out)) port_->write({out.data(), length});
 }
 
 DevicePose HidDevice::read(double) noexcept {
@@ -108,8 +108,9 @@ DevicePose HidDevice::read(double) noexcept {
   return pose;
 }
 
-void HidDevice::write(ForceN force) noexcept {
+void HidDevice::ask(ForceN force, bool motors_on) noexcept {
   asking_.force = force;
+  asking_.motors_on = motors_on;
   ++asking_.count;
   asked_.write(asking_);
 }

@@ -31,6 +31,8 @@ class HidProtocol {
   virtual ViewWish viewWish() const noexcept { return {}; }
   /// The report that gives this force, its id first; its length, 0 for a device without force.
   virtual std::size_t give(ForceN, std::span<std::uint8_t, 64>) noexcept { return 0; }
+  /// The report that ends all force, with the motors off where they can be switched.
+  virtual std::size_t stop(std::span<std::uint8_t, 64> out) noexcept { return give(ForceN{}, out); }
 };
 
 class HidDevice final : public Device {
@@ -43,7 +45,8 @@ class HidDevice final : public Device {
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override;
-  void write(ForceN force) noexcept override;
+  void write(ForceN force) noexcept override { ask(force, true); }
+  void stop() noexcept override { ask({}, false); }
   DeviceStatus status() override;
   ViewWish viewWish() noexcept override { return wish_.read(); }
 
@@ -51,6 +54,7 @@ class HidDevice final : public Device {
   HidDevice() = default;
   void run();
   bool reopen();
+  void ask(ForceN force, bool motors_on) noexcept;
 
   Opener opener_;
   std::unique_ptr<HidProtocol> protocol_;
@@ -63,6 +67,7 @@ class HidDevice final : public Device {
   };
   struct Asked {
     ForceN force;
+    bool motors_on = false;
     std::uint32_t count = 0;
   };
   TripleBuffer<Told> told_;

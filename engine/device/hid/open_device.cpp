@@ -3,45 +3,79 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace moltact {
 namespace {
 
 using namespace open_layout;
 
-bool isOpenDevice(const HidEntry& entry) { return entry.usage_page == 0xFF00 && entry.usage == 1; }
+bool isOpenDevice(const HidEntry& entry) { return entry.usage_page == kUsagePage && entry.usage == kUsage; }
 
 constexpr std::array<std::uint8_t, 4> kMagic{'M', 'L', 'T', 'C'};
+
+// A cut is told for so long that the haptic thread cannot miss it: a loop that stood for longer begins softly anyway.
+constexpr double kCutTold_s = 0.020;
+constexpr double kMostPass_s = 0.002;  // a thread that stood lets no cut go by untold
+constexpr double kFarthest = 32767.0;  // of 16 bits with a sign
+
+std::string text(const char* format, auto... values) {
+  char out[200];
+  std::snprintf(out, sizeof out, format, values...);
+  return out;
+}
+
+Problem noneOfIt(const char* what) { return Problem{"", 0, 0, std::string("the device is none of the open layout: ") + what, "see docs/device-protocol.md"}; }
+
+// What a description cannot be used with, in words that name the field.
+std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
+  const auto refuse = [](const std::string& what, const std::string& remedy) {
+    return Problem{"", 0, 0, "the device's feature report 3 cannot be used: " + what, remedy};
+  };
+  const int unit_nm = uint16At(r, 6), peak_mN = uint16At(r, 8), lasting_mN = uint16At(r, 10);
+  if (unit_nm == 0) return refuse("its place's unit (byte 6) is 0", "tell the length of a place's step there, in nm");
+  int longest_mm = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const int room_mm = uint16At(r, 12 + 2 * axis);
+    if (room_mm == 0) return refuse(text("its room along %c (byte %d) is 0", int('x' + axis), int(12 + 2 * axis)), "tell it there, edge to edge, in mm");
+    longest_mm = std::max(longest_mm, room_mm);
+  }
+  if (const double reach_mm = 1e-6 * unit_nm * kFarthest; 0.5 * longest_mm > reach_mm)
+    return refuse(text("places in steps of %d nm (byte 6) reach %.1f mm from the middle, and its room of %d mm (bytes 12 to 17) needs %.1f mm", unit_nm,
+                       reach_mm, longest_mm, 0.5 * longest_mm),
+                  text("make the unit at least %d nm, or the room smaller", int(std::ceil(0.5e6 * longest_mm / kFarthest))));
+  if (peak_mN > int(kFarthest)) return refuse(text("its greatest force (byte 8) is %d mN", peak_mN), "a force report can ask for no more than 32767 mN: tell that at most");
+  if (peak_mN > 0 && lasting_mN == 0)
+    return refuse("its greatest force for good (byte 10) is 0, so that it could give none", "tell there what its motors bear for as long as you like, in mN");
+  return std::nullopt;
+}
 
 }  // namespace
 
 std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   std::array<std::uint8_t, 64> report{kDescription};
   const int size = port.feature(report);
-  const auto refuse = [](const char* what) {
-    return Problem{"", 0, 0, std::string("the device is none of the open layout: ") + what, "see docs/device-protocol.md"};
-  };
   if (size < int(kDescriptionBytes) || report[0] != kDescription || !std::equal(kMagic.begin(), kMagic.end(), report.begin() + 1))
-    return refuse("its feature report 3 does not begin with 'MLTC'");
-  if (report[5] != kVersion) return refuse("it speaks another version of the layout");
+    return noneOfIt("its feature report 3 does not begin with 'MLTC'");
+  if (report[5] != kVersion) return noneOfIt("it speaks another version of the layout");
   const std::span<const std::uint8_t> bytes(report);
+  if (auto problem = problemOf(bytes)) return problem;
+  const auto known = [&](std::size_t at, double unit, double otherwise) { return uint16At(bytes, at) ? unit * uint16At(bytes, at) : otherwise; };
   step_mm_ = 1e-6 * uint16At(bytes, 6);
-  const double max_N = 1e-3 * uint16At(bytes, 8), continuous_N = 1e-3 * uint16At(bytes, 10);
-  const Vec3 workspace(uint16At(bytes, 12), uint16At(bytes, 14), uint16At(bytes, 16));
-  if (!(step_mm_ > 0) || workspace.x * workspace.y * workspace.z <= 0) return refuse("its place has no unit or no room");
-  info.workspace_mm = workspace;
+  info.workspace_mm = Vec3(uint16At(bytes, 12), uint16At(bytes, 14), uint16At(bytes, 16));
   info.resolution_mm = step_mm_;
-  info.max_force_N = max_N;
-  info.continuous_force_N = std::min(max_N, continuous_N);
-  info.max_stiffness_N_per_mm = 1e-3 * uint16At(bytes, 18);
+  info.max_force_N = 1e-3 * uint16At(bytes, 8);
+  info.continuous_force_N = std::min(info.max_force_N, 1e-3 * uint16At(bytes, 10));
+  info.max_stiffness_N_per_mm = known(18, 1e-3, kUnknownStiffness_N_per_mm);
   info.damping_N_s_per_m = 1e-3 * uint16At(bytes, 20);
   info.max_damping_N_s_per_m = 1e-3 * uint16At(bytes, 22);
   info.friction_N = 1e-3 * uint16At(bytes, 24);
-  info.delay_s = 1e-6 * uint16At(bytes, 26);
+  info.delay_s = known(26, 1e-6, kUnknownDelay_s);
   info.dof_in = report[28] & 1 ? 6 : 3;
-  info.gives_force = gives_ = max_N > 0;
+  info.gives_force = gives_ = info.max_force_N > 0;
   info.dof_out = gives_ ? 3 : 0;
-  any_seen_ = false;
+  any_seen_ = faulty_ = false;
+  cut_s_ = 0;
   return std::nullopt;
 }
 
@@ -54,21 +88,33 @@ bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) 
   pose.position.mm = step_mm_ * Vec3(int16At(report, 7), int16At(report, 9), int16At(report, 11));
   pose.buttons = report[21];
   const std::uint8_t status = report[22];
-  pose.trouble = status & (kFault | kUncalibrated);
+  faulty_ = status & (kFault | kUncalibrated);
+  if (status & kWatchdogTripped) cut_s_ = kCutTold_s;
+  pose.trouble = troubled();
   pose.motor_heat = status & kHot ? 1.0f : 0.0f;
   return !again;
 }
 
-std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
+void OpenProtocol::pass(double dt_s, DevicePose& pose) noexcept {
+  pose.trouble = troubled();
+  cut_s_ = std::max(0.0, cut_s_ - std::min(dt_s, kMostPass_s));
+}
+
+std::size_t OpenProtocol::forceReport(ForceN force, bool motors_on, std::span<std::uint8_t, 64> out) noexcept {
   if (!gives_) return 0;
+  const bool on = motors_on && finite(force.N);
   out[0] = kForceReport;
   putInt16(out, 1, sent_++);
-  const bool sound = finite(force.N);
-  for (int k = 0; k < 3; ++k) putInt16(out, 3 + 2 * std::size_t(k), sound ? int(std::lround(std::clamp(1e3 * force.N[k], -32767.0, 32767.0))) : 0);
-  out[9] = sound;
+  for (int k = 0; k < 3; ++k)
+    putInt16(out, 3 + 2 * std::size_t(k), on ? int(std::lround(std::clamp(1e3 * force.N[k], -kFarthest, kFarthest))) : 0);
+  out[9] = on;
   out[10] = kWatchdog_ms;
   return kForceBytes;
 }
+
+std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept { return forceReport(force, !troubled(), out); }
+
+std::size_t OpenProtocol::stop(std::span<std::uint8_t, 64> out) noexcept { return forceReport({}, false, out); }
 
 extern const DeviceDriver kOpenDriver;
 const DeviceDriver kOpenDriver{

@@ -8,11 +8,15 @@ namespace moltact {
 
 namespace open_layout {
 
+inline constexpr std::uint16_t kUsagePage = 0xFF00, kUsage = 1;
 inline constexpr std::uint8_t kPlaceReport = 1, kForceReport = 2, kDescription = 3, kVersion = 1;
+/// With the id's byte.
 inline constexpr std::size_t kPlaceBytes = 25, kForceBytes = 11, kDescriptionBytes = 32;
 inline constexpr std::uint8_t kWatchdog_ms = 50;  ///< what the host asks for
 /// Bits of a place report's status.
 inline constexpr std::uint8_t kFault = 1, kHot = 2, kUncalibrated = 4, kWatchdogTripped = 8;
+/// What counts where a device does not know its own figures and tells 0: on the careful side.
+inline constexpr double kUnknownStiffness_N_per_mm = 0.3, kUnknownDelay_s = 0.002;
 
 }  // namespace open_layout
 
@@ -20,12 +24,19 @@ class OpenProtocol final : public HidProtocol {
  public:
   std::optional<Problem> begin(HidPort& port, DeviceInfo& info) override;
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
+  void pass(double dt_s, DevicePose& pose) noexcept override;
   std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
+  std::size_t stop(std::span<std::uint8_t, 64> out) noexcept override;
 
  private:
+  std::size_t forceReport(ForceN force, bool motors_on, std::span<std::uint8_t, 64> out) noexcept;
+  bool troubled() const { return faulty_ || cut_s_ > 0; }
+
   double step_mm_ = 0.005;
   std::uint16_t seen_ = 0, sent_ = 0;
   bool any_seen_ = false, gives_ = false;
+  bool faulty_ = false;  // the newest place's status allows no force
+  double cut_s_ = 0;     // for so long still the device's watchdog counts as having cut the motors
 };
 
 }  // namespace moltact
