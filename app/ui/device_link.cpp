@@ -13,14 +13,11 @@ namespace moltact {
 namespace {
 
 constexpr double kAsk_s = 0.25;             // between two questions for the device's state
-constexpr double kLookAgain_s = 2.0;        // for a device that is waited for
 constexpr double kTurn_rad_per_s = 1.5, kPan_heights_per_s = 0.5, kCloser_per_s = 2.2;  // of a view that a device leads fully
 constexpr float kForgetTick = 1.0f / 3000;  // so the classes stand for the last 3 s
 constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
 
 }  // namespace
-
-void DeviceLink::look() { found_ = findDevices(); }
 
 void DeviceLink::choose(Application& app, const std::string& name) {
   if (const std::optional<Problem> problem = use(app, name)) {
@@ -30,6 +27,7 @@ void DeviceLink::choose(Application& app, const std::string& name) {
   awaited_.clear();
   awaited_title_.clear();
   app.settings.device = name;
+  app.messages.takeBack(offer_);
 }
 
 std::optional<Problem> DeviceLink::use(Application& app, const std::string& name) {
@@ -56,9 +54,8 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
 
 void DeviceLink::begin(Application& app) {
   begun_ = true;
-  std::string name = app.settings.device;
-  // On a script's clock a device that happens to be plugged in is none of the script's business.
-  if (name.empty() && app.scene.servo().clock() == ServoClock::RealThread) name = defaultDevice(findDevices()).name;
+  const std::string& name = app.settings.device;
+  takes_default_ = name.empty() && app.options().devices_unasked;
   if (name.empty() || name == "mouse") return;
   const std::optional<FoundDevice> found = findDevice(name);
   if (found && found->usable && !use(app, name)) return;
@@ -69,14 +66,46 @@ void DeviceLink::begin(Application& app) {
   app.messages.notice(awaited_title_ + " is not there" + (found && !found->why.empty() ? " (" + found->why + ")" : "") + ". Until it is, the mouse leads.");
 }
 
-void DeviceLink::await(Application& app) {
-  if (awaited_.empty() || app.now_s() - looked_s_ < kLookAgain_s) return;
+double DeviceLink::lookEvery_s(const Application& app) const {
+  if (app.panels.device_page || !awaited_.empty()) return kLook_s;
+  return app.settings.device.empty() && app.options().devices_unasked ? kLookForOffer_s : 0.0;
+}
+
+void DeviceLink::look(Application& app) {
+  if (std::optional<std::vector<FoundDevice>> seen = looker_.take(); seen && !seen->empty()) {
+    found_ = std::move(*seen);
+    await(app);
+    offer(app);
+  }
+  const double every_s = lookEvery_s(app);
+  if (every_s == 0.0 || (looked_s_ >= 0.0 && app.now_s() - looked_s_ < every_s)) return;
   looked_s_ = app.now_s();
-  const std::optional<FoundDevice> found = findDevice(awaited_);
-  if (!found || !found->usable || use(app, awaited_)) return;
+  looker_.begin(app.scene.servo().clock() == ServoClock::Frames);
+}
+
+void DeviceLink::await(Application& app) {
+  const auto found = std::find_if(found_.begin(), found_.end(), [&](const FoundDevice& one) { return one.usable && one.name == awaited_; });
+  if (awaited_.empty() || found == found_.end() || use(app, awaited_)) return;
   awaited_.clear();
   awaited_title_.clear();
   app.messages.notice(app.scene.servo().chosen()->info().name + " is there and leads.");
+}
+
+// At the start what is there is taken. Later nothing changes under the hand by itself.
+void DeviceLink::offer(Application& app) {
+  if (!app.settings.device.empty() || !app.options().devices_unasked) return;
+  if (std::exchange(takes_default_, false)) {
+    const std::string name = defaultDevice(found_).name;
+    if (name != "mouse") use(app, name);
+    return;
+  }
+  if (app.scene.servo().chosen() && app.scene.servo().chosen()->info().gives_force) return;
+  const auto best = std::find_if(found_.begin(), found_.end(), [](const FoundDevice& one) { return one.usable && one.by_itself && one.gives_force; });
+  const std::string name = best == found_.end() ? "" : best->name;
+  if (name == offered_) return;
+  offered_ = name;
+  app.messages.takeBack(std::exchange(offer_, name.empty() ? "" : best->title + " is plugged in. Choose it on the device page to feel with it."));
+  if (!name.empty()) app.messages.ask(MessageKind::Notice, offer_, {"device"});
 }
 
 void DeviceLink::tryForce(Application& app) {
@@ -109,7 +138,7 @@ void DeviceLink::leadView(Application& app) {
 
 void DeviceLink::beforeTicks(Application& app) {
   if (!begun_) begin(app);
-  await(app);
+  look(app);
   leadView(app);
   app.scene.followView();
   if (chosen_ != "mouse")

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/device_looker.h"
 #include "app/ui/extension.h"
 #include "engine/device/driver.h"
 #include "engine/servo/safety_limits.h"
@@ -23,9 +24,12 @@ class DeviceLink : public Extension {
   /// Ticks began no later than so many microseconds after their time, by class; the last class is the rest.
   static constexpr std::array<double, 8> kLate_us{20, 50, 100, 200, 500, 1000, 2000, 5000};
 
-  /// Looks which devices there are: some tens of milliseconds.
-  void look();
+  /// What was there when it was looked for last: every kLook_s while the page is open or a device is waited for, and where
+  /// nobody ever chose one, every kLookForOffer_s.
   const std::vector<FoundDevice>& found() const { return found_; }
+  static constexpr double kLook_s = 2.0, kLookForOffer_s = 5.0;
+  /// Looks by `find` from now on.
+  void lookBy(DeviceLooker::Find find) { looker_ = DeviceLooker(std::move(find)); }
   /// Opens it and takes it into use, now and at the next start; "mouse" goes back to the mouse alone. What cannot be opened is
   /// told in a message and changes nothing.
   void choose(Application& app, const std::string& name);
@@ -63,7 +67,10 @@ class DeviceLink : public Extension {
  private:
   std::optional<Problem> use(Application& app, const std::string& name);
   void begin(Application& app);
+  void look(Application& app);
+  double lookEvery_s(const Application& app) const;
   void await(Application& app);
+  void offer(Application& app);
   void leadView(Application& app);
   void stopTrying(Application& app);
   void ask(Application& app);
@@ -72,8 +79,10 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
-  bool begun_ = false;
-  double looked_s_ = 0.0;
+  DeviceLooker looker_;
+  bool begun_ = false, takes_default_ = false;
+  double looked_s_ = -1.0;       // none yet: negative
+  std::string offered_, offer_;  // the device that nobody chose and could, and the message that offers it
   DeviceStatus status_;
   std::string told_;  // of the device's state, in a message
   double asked_s_ = -1.0, trying_s_ = 0.0, soft_start_s_ = 0.0;

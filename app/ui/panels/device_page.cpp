@@ -25,6 +25,7 @@ void words(const char* name, const std::string& text, ImU32 colour) {
 
 void drawUsable(Application& app, DeviceLink& link) {
   sectionTitle("Choose a device");
+  if (link.found().empty()) words("device/looking", "Looking …", look().palette.quiet);
   for (const FoundDevice& one : link.found()) {
     if (!one.usable) continue;
     const std::string name = "device/" + one.name;
@@ -35,7 +36,8 @@ void drawUsable(Application& app, DeviceLink& link) {
   }
 }
 
-void drawUnusable(DeviceLink& link) {
+void drawUnusable(const DeviceLink& link) {
+  if (std::none_of(link.found().begin(), link.found().end(), [](const FoundDevice& one) { return !one.usable; })) return;
   sectionTitle("Not to be used now");
   for (const FoundDevice& one : link.found()) {
     if (one.usable) continue;
@@ -44,7 +46,6 @@ void drawUnusable(DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/why").c_str(), one.why, look().palette.quiet);
   }
-  if (button("device/look", "Look again")) link.look();
 }
 
 // The device's room seen along one of its axes: the hand in it, and the force on it.
@@ -166,7 +167,6 @@ void drawLateness(const DeviceLink& link) {
 void drawDevicePage(Application& app) {
   DeviceLink& link = app.extensions().device;
   if (!beginPage("device page", "Device", app.panels.device_page, 560, 700)) return;
-  if (link.found().empty()) link.look();
   ImGui::BeginChild("list");
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
   drawUsable(app, link);
