@@ -4,11 +4,11 @@
 
 namespace moltact {
 
-extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kDualShockDriver, kSimulatedDriver, kMouseDriver;
+extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kDualShockDriver, kDualSenseDriver, kSimulatedDriver, kMouseDriver;
 
 std::span<const DeviceDriver> deviceDrivers() {
   static const DeviceDriver kAll[] = {kOmniDriver,       kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver,
-                                      kDualShockDriver, kSimulatedDriver,     kMouseDriver};
+                                      kDualShockDriver, kDualSenseDriver,     kSimulatedDriver, kMouseDriver};
   return kAll;
 }
 

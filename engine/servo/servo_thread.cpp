@@ -127,7 +127,8 @@ void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
   sample.late_us = float(late_ns) * 1e-3f;
   latest_.write(sample);
   samples_.push(sample);
-  if (records) recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force});
+  if (records) recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force, switch_->fallenBack(),
+                                      sample.contact.touching(), sample.limits});
   beating_.clear(std::memory_order_release);
 }
 

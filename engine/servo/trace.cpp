@@ -12,11 +12,11 @@ namespace {
 
 static_assert(std::is_trivially_copyable_v<ServoStep>, "its state is kept byte for byte");
 
-constexpr std::string_view kMagic = "MOLTRAC2";
+constexpr std::string_view kMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kMostBytes = std::size_t{4} << 30;
-constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kTrouble = 16;
+constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kTrouble = 16, kFallenBack = 32;
 
 // What must be the same for the bits to be the same: the state's layout and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
@@ -101,18 +101,24 @@ bool readTick(Getter& get, ServoSettings& settings, TraceTick& tick) {
   tick.pose.fresh = flags & kFresh;
   tick.pose.connected = flags & kConnected;
   tick.pose.trouble = flags & kTrouble;
+  tick.fallen_back = flags & kFallenBack;
   tick.settings = settings;
   return get.ok;
 }
 
 }  // namespace
 
-Expected<TraceWriter> TraceWriter::create(const std::filesystem::path& file, const std::map<std::string, std::string>& labels,
-                                          const ServoStep& start) {
-  TraceWriter writer;
-  writer.file_ = file;
-  writer.out_.open(file, std::ios::binary | std::ios::trunc);
-  if (!writer.out_) return Problem{file.string(), 0, 0, "the recording cannot be written", "check the folder and that you may write there"};
+Expected<TraceWriter> TraceWriter::create(const std::filesystem::path& file, bool replace) {
+  std::error_code error;
+  const bool there = replace && std::filesystem::exists(file, error);
+  auto opened = AppendFile::open(file, there ? AppendFile::Begin::Continue : AppendFile::Begin::New);
+  if (!opened) return opened.problem();
+  if (std::filesystem::is_regular_file(file, error))
+    if (auto problem = opened->cut(0)) return *problem;
+  return TraceWriter(*std::move(opened));
+}
+
+std::optional<Problem> TraceWriter::begin(const std::map<std::string, std::string>& labels, const ServoStep& start) {
   std::string text;
   for (const auto& [key, value] : labels) text += key + '=' + value + '\n';
   std::string head(kMagic);
@@ -124,53 +130,53 @@ Expected<TraceWriter> TraceWriter::create(const std::filesystem::path& file, con
   head += text + build;
   head.append(reinterpret_cast<const char*>(&start), sizeof start);
   put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(head.data()), uInt(head.size()))));
-  writer.out_.write(head.data(), std::streamsize(head.size()));
-  writer.out_.flush();
-  return Expected<TraceWriter>(std::move(writer));
+  return broken_ = file_.append(head);
 }
 
-void TraceWriter::add(const TraceTick& tick) {
+std::optional<Problem> TraceWriter::add(const TraceTick& tick) {
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
-  const bool device = tick.other_device;
+  const DevicePose& pose = tick.pose;
   Putter put{block_};
-  put(std::uint8_t((other_settings ? kSettings : 0) | (tick.pose.fresh ? kFresh : 0) | (tick.pose.connected ? kConnected : 0) | (tick.pose.trouble ? kTrouble : 0) |
-                   (device ? kOtherDevice : 0)));
+  put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) | (pose.trouble ? kTrouble : 0) |
+                   (tick.other_device ? kOtherDevice : 0) | (tick.fallen_back ? kFallenBack : 0)));
   if (other_settings) block_ += bytesOf(tick.settings);
-  if (device) {
+  if (tick.other_device) {
     figuresFields(put, tick.device);
     put(std::uint8_t(tick.device.gives_force));
   }
   tickFields(put, tick);
   last_ = tick.settings;
-  if (++ticks_in_block_ == kTicksInBlock) writeBlock();
+  return ++ticks_in_block_ == kTicksInBlock ? writeBlock() : std::nullopt;
 }
 
-void TraceWriter::writeBlock() {
-  if (ticks_in_block_ == 0) return;
-  std::string head(kBlockMagic);
-  Putter put{head};
+std::optional<Problem> TraceWriter::writeBlock() {
+  if (ticks_in_block_ == 0) return broken_;
+  std::string whole(kBlockMagic);
+  Putter put{whole};
   put(ticks_in_block_);
   put(std::uint32_t(block_.size()));
   put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(block_.data()), uInt(block_.size()))));
-  out_ << head << block_;
-  out_.flush();
+  whole += block_;
+  if (!broken_) broken_ = file_.append(whole);
+  if (!broken_) kept_ += ticks_in_block_;
   block_.clear();
   ticks_in_block_ = 0;
+  return broken_;
 }
 
 std::optional<Problem> TraceWriter::finish() {
-  writeBlock();
-  out_.close();
-  if (!out_) return Problem{file_.string(), 0, 0, "the recording could not be written to its end", "free some space on the disk"};
-  return std::nullopt;
+  if (auto problem = writeBlock()) return problem;
+  return file_.sync();
 }
 
 Expected<DeviceTrace> readTrace(const std::filesystem::path& file) {
-  const auto bytes = readFile(file, kMostBytes, "a recording is 77 bytes a tick: is this one?");
+  const auto bytes = readFile(file, kMostBytes, "a recording is 81 bytes a tick: is this one?");
   if (!bytes) return bytes.problem();
   const char* data = bytes->data();
   const Problem none{file.string(), 0, 0, "this is no recording of a device", "recordings are made by `moltact device record`"};
   const std::size_t fixed = kMagic.size() + 12;
+  if (std::string_view(*bytes).starts_with(kOldMagic))
+    return Problem{file.string(), 0, 0, "this recording is of an earlier version, whose ticks hold less", "record it anew"};
   if (bytes->size() < fixed || std::string_view(*bytes).substr(0, kMagic.size()) != kMagic) return none;
   Getter get{data + kMagic.size(), data + bytes->size()};
   std::uint32_t text_size = 0, build_size = 0, state_size = 0, crc = 0;

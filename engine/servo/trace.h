@@ -5,13 +5,13 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/problem.h"
+#include "engine/platform/append_file.h"
 #include "engine/servo/servo_step.h"
 
 namespace moltact {
@@ -24,6 +24,10 @@ struct TraceTick {
   DeviceFigures device;       ///< of the one that leads
   bool other_device = false;  ///< that is another than in the last tick
   ForceN force;
+  // What came of it, for who watches a recording grow; the file holds the first of these only.
+  bool fallen_back = false;   ///< the fallback led, for the chosen device was gone
+  bool touching = false;
+  Limits limits = {};
 };
 
 struct DeviceTrace {
@@ -33,23 +37,29 @@ struct DeviceTrace {
   std::string torn;                           ///< why the rest could not be read; empty: it is whole
 };
 
-/// Writes a trace as it comes. Each block of 256 ticks is whole on the disk before the next, so that a crash costs no more.
+/// Writes a trace as it comes. Each block of 256 ticks is handed to the system whole before the next is begun, so that a
+/// crash of the program costs no more than one. After a Problem nothing more is written; what was kept stays readable.
 class TraceWriter {
  public:
-  /// Labels: no line ends in keys or values, no '=' in keys. A Problem where the file cannot be written.
-  static Expected<TraceWriter> create(const std::filesystem::path& file, const std::map<std::string, std::string>& labels,
-                                      const ServoStep& start);
-  void add(const TraceTick& tick);
-  /// Writes what is left. A Problem where anything could not be written since the start.
+  /// Opens the file, so that what stands in its way is known before anybody holds a device. What is there already is a
+  /// Problem unless it may be replaced.
+  static Expected<TraceWriter> create(const std::filesystem::path& file, bool replace = false);
+  /// Before the first tick. Labels: no line ends in keys or values, no '=' in keys.
+  std::optional<Problem> begin(const std::map<std::string, std::string>& labels, const ServoStep& start);
+  std::optional<Problem> add(const TraceTick& tick);
+  /// Writes what is left, and waits until the disk has it.
   std::optional<Problem> finish();
+  /// Ticks that are in the file.
+  std::uint64_t kept() const { return kept_; }
 
  private:
-  TraceWriter() = default;
-  void writeBlock();
-  std::filesystem::path file_;
-  std::ofstream out_;
+  explicit TraceWriter(AppendFile file) : file_(std::move(file)) {}
+  std::optional<Problem> writeBlock();
+  AppendFile file_;
   std::string block_;
   std::uint32_t ticks_in_block_ = 0;
+  std::uint64_t kept_ = 0;
+  std::optional<Problem> broken_;
   std::optional<ServoSettings> last_;
 };
 

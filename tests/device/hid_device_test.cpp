@@ -11,7 +11,7 @@
 
 #include "engine/bench/scenes.h"
 #include "engine/device/device_model.h"
-#include "engine/device/hid/dual_shock.h"
+#include "engine/device/hid/play_station.h"
 #include "engine/device/hid/open_device.h"
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
@@ -162,7 +162,7 @@ TEST_CASE("SpaceMouse: a turn that is stronger than the push turns the view and 
 }
 
 TEST_CASE("DualShock 4: left stick right and up, right trigger in, right stick the view; sticks that rest beside their middle move nothing") {
-  DualShockProtocol pad;
+  PlayStationProtocol pad;
   DevicePose pose;
   Report report(64);
   report[0] = 1, report[1] = 120, report[2] = 133, report[3] = 128, report[4] = 128, report[5] = 8;
@@ -192,8 +192,29 @@ TEST_CASE("DualShock 4: left stick right and up, right trigger in, right stick t
   CHECK_FALSE(pad.take(Report(63), pose));
 }
 
+TEST_CASE("DualSense: triggers, buttons and motors stand elsewhere by USB, by Bluetooth where the DualShock 4 has them") {
+  PlayStationProtocol pad(kDualSense);
+  DevicePose pose;
+  Report usb(64), bluetooth(10);
+  for (Report* one : {&usb, &bluetooth}) (*one)[0] = 1, (*one)[1] = (*one)[2] = (*one)[3] = (*one)[4] = 128;
+  usb[6] = 255, usb[8] = 0x20 | 8;  // right trigger, cross
+  CHECK(pad.take(usb, pose));
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z == doctest::Approx(-6.0));
+  CHECK(pose.buttons == 1);
+  std::array<std::uint8_t, 64> out{};
+  CHECK(pad.give({Vec3(0, 3.3, 0)}, out) == 48);
+  CHECK((out[0] == 2 && out[1] == 3 && out[2] == 0 && out[3] == 255 && out[4] == 255));
+  bluetooth[8] = 255, bluetooth[5] = 0x40 | 8;  // left trigger, circle
+  CHECK(pad.take(bluetooth, pose));
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z == doctest::Approx(0.0));
+  CHECK(pose.buttons == 2);
+  CHECK(pad.give({Vec3(0.1, 0, 0)}, out) == 0);
+}
+
 TEST_CASE("DualShock 4: it rumbles by the force over USB, a report where the strength changes; at 3.3 N both motors fully, at none not, over Bluetooth never") {
-  DualShockProtocol pad;
+  PlayStationProtocol pad;
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
   Report usb(64), bluetooth(10);
@@ -223,7 +244,7 @@ TEST_CASE("10 000 reports of random length and bytes leave every protocol's plac
   SpaceMouseProtocol mouse;
   WoodenHapticsProtocol wood;
   OpenProtocol open;
-  DualShockProtocol pad;
+  PlayStationProtocol pad;
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
   for (int k = 0; k < 10'000; ++k) {

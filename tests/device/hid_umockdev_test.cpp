@@ -120,6 +120,27 @@ TEST_CASE("a DualShock 4 is found by its ids and usage, its stick moves the hand
   CHECK(motorsSay(0));
 }
 
+TEST_CASE("a DualSense is found by its ids and usage, and rumbles by a report of its own") {
+  HidTestbed bed;
+  bed.plug(kDualSensePad);
+  const auto device = opened("dualsense");
+  Bytes right(64);
+  right[0] = 1, right[1] = 255, right[2] = right[3] = right[4] = 128;
+  bool rumbled = false;
+  const auto rumbles = [&] {
+    const Bytes all = bed.written();
+    rumbled = rumbled || (all.size() >= 48 && all[all.size() - 48] == 2 && all[all.size() - 45] == 255);
+    return rumbled;
+  };
+  waitFor([&] {
+    bed.send(right);
+    device->write({Vec3(0, 0, 3.3)});
+    return device->read(0.001).position.mm.x > 1.0 && rumbles();
+  });
+  CHECK(device->read(0.001).position.mm.x > 1.0);
+  CHECK(rumbled);
+}
+
 TEST_CASE("a device of another maker is none of ours") {
   HidTestbed bed;
   bed.plug({"046D", "C077", "Logitech Mouse", hidDescriptor(1, 2)});

@@ -15,6 +15,7 @@ namespace moltact::test {
 inline const MockedHid kSpaceMouse{"256F", "C635", "3Dconnexion SpaceMouse Compact", hidDescriptor(1, 8)};
 inline const MockedHid kWoodenHaptics{"1234", "0006", "Forsslund WoodenHaptics", hidDescriptor(0xFF00, 2)};
 
+inline const MockedHid kDualSensePad{"054C", "0CE6", "Sony DualSense Wireless Controller", hidDescriptor(1, 5)};
 inline const MockedHid kDualShock{"054C", "09CC", "Sony Wireless Controller", hidDescriptor(1, 5)};
 
 inline MockedHid openLayout(const OpenFirmware& firmware) {

@@ -37,8 +37,9 @@ std::vector<TraceTick> record(const std::filesystem::path& file) {
   ServoStep step;
   const auto tracker = newTracker();
   ServoSettings settings;
-  auto writer = TraceWriter::create(file, {{"molecule", "cluster 20"}, {"method", "exact"}}, step);
+  auto writer = TraceWriter::create(file, true);
   REQUIRE(writer);
+  CHECK_FALSE(writer->begin({{"molecule", "cluster 20"}, {"method", "exact"}}, step));
   std::vector<TraceTick> ticks;
   for (int k = 0; k < 20'000; ++k) {
     if (k == 7000) settings.stiffness_N_per_mm = 0.3;
@@ -47,13 +48,16 @@ std::vector<TraceTick> record(const std::filesystem::path& file) {
     if (k == 15'000) settings.panic = true;
     if (k == 15'100) settings.panic = false;
     const TickTime time{.dt_s = k % 1000 == 999 ? 0.004 : 0.001, .delay_s = 1e-5};
-    const DevicePose pose = devices.read(kTick_s, step);
+    DevicePose pose = devices.read(kTick_s, step);
+    pose.age_s = 1e-6f * float(k % 1000);
     const ServoSample s = step.tick(settings, tracker.get(), pose, time);
     devices.write(s.force);
     ticks.push_back({settings, pose, time, devices.info(), devices.other(), s.force});
-    writer->add(ticks.back());
+    ticks.back().fallen_back = devices.fallenBack();
+    CHECK_FALSE(writer->add(ticks.back()));
   }
   CHECK_FALSE(writer->finish());
+  CHECK(writer->kept() == ticks.size());
   return ticks;
 }
 
@@ -77,6 +81,8 @@ TEST_CASE("20 000 recorded ticks, unplugged and stopped on the way, come back wh
   double greatest = 0;
   for (std::size_t k = 0; k < ticks.size(); ++k) {
     REQUIRE(std::memcmp(&trace->ticks[k].force, &ticks[k].force, sizeof(ForceN)) == 0);
+    REQUIRE(trace->ticks[k].pose.age_s == ticks[k].pose.age_s);
+    REQUIRE(trace->ticks[k].fallen_back == ticks[k].fallen_back);
     greatest = std::max(greatest, glm::length(ticks[k].force.N));
   }
   CHECK(greatest > 0.8);
@@ -134,6 +140,8 @@ TEST_CASE("what is no recording is told so: an empty file, a text, a folder, a m
   }
   write(file, "ATOM");
   CHECK(readTrace(file).problem().message == "this is no recording of a device");
+  write(file, "MOLTRAC1" + std::string(100, '\0'));
+  CHECK(readTrace(file).problem().message == "this recording is of an earlier version, whose ticks hold less");
   std::filesystem::remove(file);
   CHECK_FALSE(readTrace(file));
   CHECK_FALSE(readTrace(std::filesystem::temp_directory_path()));
@@ -166,4 +174,39 @@ TEST_CASE("what the haptic thread itself records in 1500 ticks of its own clock 
   CHECK(servo.lostOfRecording() == 0);
   const auto tracker = newTracker();
   CHECK_FALSE(replay(trace, tracker.get()).first_difference);
+}
+
+TEST_CASE("a recording that is there stays as it is, unless it may be replaced; then the file holds the new one alone") {
+  const auto file = scratch("there");
+  write(file, std::string(100'000, 'x'));
+  const auto refused = TraceWriter::create(file);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.problem().message == "it is already there");
+  CHECK(bytesOf(file) == std::string(100'000, 'x'));
+  auto writer = TraceWriter::create(file, true);
+  REQUIRE(writer);
+  CHECK_FALSE(writer->begin({}, ServoStep()));
+  for (int k = 0; k < 300; ++k) CHECK_FALSE(writer->add({}));
+  CHECK(writer->kept() == 256);
+  CHECK_FALSE(TraceWriter::create(file, true));  // another one is writing it
+  CHECK_FALSE(writer->finish());
+  CHECK(writer->kept() == 300);
+  const auto trace = readTrace(file);
+  REQUIRE(trace);
+  CHECK(trace->ticks.size() == 300);
+  CHECK(trace->torn.empty());
+  std::filesystem::remove(file);
+  CHECK_FALSE(TraceWriter::create(file / "no folder"));
+}
+
+TEST_CASE("a full disk is told in the first tick that it does not take, not at the end") {
+  auto writer = TraceWriter::create("/dev/full", true);
+  REQUIRE(writer);
+  const auto problem = writer->begin({}, ServoStep());
+  REQUIRE(problem);
+  CHECK(problem->text() == "/dev/full: the disk is full; free some space on it");
+  for (int k = 1; k < 256; ++k) CHECK_FALSE(writer->add({}));
+  CHECK(writer->add({}));
+  CHECK(writer->finish());
+  CHECK(writer->kept() == 0);
 }

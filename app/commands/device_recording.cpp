@@ -1,0 +1,252 @@
+#include "app/commands/device_recording.h"
+
+#include <bit>
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+#include <thread>
+
+#include "app/commands/command.h"
+#include "app/commands/molecule_argument.h"
+#include "app/commands/number_range.h"
+#include "engine/device/driver.h"
+#include "engine/device/mouse_device.h"
+#include "engine/haptics/methods.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/servo/fit_workspace.h"
+#include "engine/servo/scale.h"
+#include "engine/servo/servo_thread.h"
+#include "engine/servo/trace.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+using Labels = std::map<std::string, std::string>;
+
+constexpr double kRecordedRoom_A_per_mm = 0.25;
+constexpr int kAsk_ms = 250;  // between two questions for the device's state
+
+struct RecordOptions {
+  std::string device, file, method = "exact";
+  MoleculeArgument molecule;
+  double seconds = 10.0;
+  bool overwrite = false;
+};
+
+std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) { return std::make_shared<const BallScene>(molecule.load().balls()); }
+
+// The molecule before the hand, seen along its z-axis.
+ServoSettings settingsFor(const BallScene& scene, const DeviceFigures& device) {
+  ServoSettings settings;
+  settings.workspace.A_per_mm = kRecordedRoom_A_per_mm;
+  settings.workspace = beforeHand(settings.workspace, scene, settings.probe_A, {0.5 * (scene.low_A() + scene.high_A())}, glm::dmat3(1.0), device);
+  return settings;
+}
+
+// By its name where it is the library's own, else by a path that holds in every folder.
+std::string lastingName(const MoleculeArgument& molecule) {
+  const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
+  const auto file = findMolecule(molecule.name, folders);
+  if (!file) throw CommandError{file.problem().text()};
+  std::error_code error;
+  const bool library = *file != molecule.name && fs::equivalent(file->parent_path(), folders.library, error);
+  return library ? molecule.name : fs::absolute(*file).lexically_normal().string();
+}
+
+// The balls in one number, so that a molecule that has changed meanwhile is told (FNV-1a).
+std::string fingerprint(const BallScene& scene) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const Ball& ball : scene.balls())
+    for (const double value : {ball.centre_A.x, ball.centre_A.y, ball.centre_A.z, ball.radius_A})
+      for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8) hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
+  char text[40];
+  std::snprintf(text, sizeof text, "%zu %016llx", scene.size(), static_cast<unsigned long long>(hash));
+  return text;
+}
+
+Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std::string& device) {
+  const ReadOptions& reading = options.molecule.reading;
+  return {{"molecule", lastingName(options.molecule)}, {"model", std::to_string(reading.model)}, {"waters", reading.waters ? "yes" : "no"},
+          {"assembly", reading.assembly}, {"balls", fingerprint(scene)}, {"method", options.method}, {"device", device}};
+}
+
+// For how long the device did not lead as it should.
+class DeviceWatch {
+ public:
+  void add(const TraceTick& tick) {
+    gone_ += tick.fallen_back;
+    for (std::size_t k = 0; k < std::size(kTold); ++k) acted_[k] += !tick.fallen_back && tick.limits.has(kTold[k]);
+    led_ = led_ || (tick.pose.fresh && !tick.pose.trouble && !tick.fallen_back);
+    touching_ += tick.touching;
+  }
+  bool led() const { return led_; }
+  std::size_t touching() const { return touching_; }
+
+  /// A line for each limit; nothing where all went well.
+  std::string told() const {
+    std::string out;
+    const auto line = [&](std::size_t ticks, std::string_view words) {
+      char time[32];
+      std::snprintf(time, sizeof time, "%.2f s: ", double(ticks) * kTick_s);
+      if (ticks) out.append(time).append(words) += '\n';
+    };
+    line(gone_, "The device was gone, and the mouse stood in for it.");
+    for (std::size_t k = 0; k < std::size(kTold); ++k)
+      for (const LimitWords& words : limitWords())
+        if (words.limit == kTold[k]) line(acted_[k], words.sentence);
+    return out;
+  }
+
+ private:
+  static constexpr Limit kTold[] = {Limit::StalePlace, Limit::DeviceFault, Limit::NotFinite, Limit::LateLoop, Limit::Jump, Limit::EnergyCut};
+  bool led_ = false;
+  std::size_t gone_ = 0, touching_ = 0, acted_[std::size(kTold)] = {};
+};
+
+// One recording from the first tick to the last.
+class Recorder {
+ public:
+  Recorder(const RecordOptions& options, TraceWriter writer, Labels labels) : options_(options), writer_(std::move(writer)), labels_(std::move(labels)) {}
+
+  void run(ServoThread& servo) {
+    const auto wanted = std::uint64_t(options_.seconds / kTick_s);
+    ServoStep start;
+    for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording(); ++look) {
+      if (look % (kAsk_ms / 10) == 0) ask(servo);
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      servo.drainRecording(start, [&](const TraceTick& tick) {
+        if (ticks_ == 0 && !problem_) problem_ = writer_.begin(labels_, start);
+        if (problem_ || ticks_ == wanted) return;
+        ++ticks_;
+        watch_.add(tick);
+        problem_ = writer_.add(tick);
+      });
+      servo.drain([](const ServoSample&) {});
+    }
+    const std::size_t lost = servo.lostOfRecording();
+    servo.setDevice(nullptr);  // no force from here on, whatever is told
+    if (!problem_) problem_ = writer_.finish();
+    tell(lost);
+  }
+
+ private:
+  // What the device asks of the person, each time that it is another.
+  void ask(ServoThread& servo) {
+    const std::string text = servo.device()->status().text;
+    if (text != said_ && !text.empty()) std::cout << text << '\n' << std::flush;
+    if (!text.empty()) last_said_ = text;
+    said_ = text;
+  }
+
+  void tell(std::size_t lost) const {
+    char kept[80];
+    std::snprintf(kept, sizeof kept, "%llu ticks (%.2f s)", static_cast<unsigned long long>(writer_.kept()), double(writer_.kept()) * kTick_s);
+    if (problem_) throw CommandError{problem_->text() + "; the force is off, and " + kept + " are kept in the file"};
+    if (lost)
+      throw CommandError{Problem{options_.file, 0, 0, "the computer was too slow: " + std::to_string(lost) + " ticks are missing, so the recording cannot be replayed",
+                                 "end other programs, or write to another disk"}.text()};
+    std::cout << kept << " in " << options_.file << ", " << watch_.touching() << " of them in contact\n" << watch_.told();
+    if (watch_.led()) return;
+    throw CommandError{Problem{options_.file, 0, 0, "the device led no tick of this recording", last_said_.empty() ? "see `moltact devices`" : last_said_}.text()};
+  }
+
+  const RecordOptions& options_;
+  TraceWriter writer_;
+  Labels labels_;
+  DeviceWatch watch_;
+  std::uint64_t ticks_ = 0;
+  std::optional<Problem> problem_;
+  std::string said_, last_said_;
+};
+
+TraceWriter openedFile(const RecordOptions& options) {
+  auto writer = TraceWriter::create(options.file, options.overwrite);
+  if (writer) return *std::move(writer);
+  std::error_code error;
+  if (!options.overwrite && fs::exists(options.file, error))
+    throw CommandError{options.file + " is there already and stays as it is; choose another name, or replace it with --overwrite"};
+  throw CommandError{writer.problem().text()};
+}
+
+void recordHand(const RecordOptions& options) {
+  const auto scene = sceneOf(options.molecule);
+  auto device = openDevice(options.device);
+  if (!device) throw CommandError{device.problem().text()};
+  const DeviceInfo info = (*device)->info();
+  const ServoSettings settings = settingsFor(*scene, info);
+  Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
+  auto tracker = findMethod(options.method)->make(scene, settings.probe_A);
+  MouseDevice mouse;
+  ServoThread servo(mouse);
+  servo.setSettings(settings);
+  servo.setDevice(std::move(*device));
+  servo.record(true);
+  std::cout << "Recording " << options.seconds << " s. "
+            << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n' << std::flush;
+  servo.setTracker(std::move(tracker));
+  recorder.run(servo);
+}
+
+// The molecule as it was read for the recording.
+MoleculeArgument moleculeOf(const Labels& labels) {
+  const auto label = [&](const char* key) {
+    const auto found = labels.find(key);
+    return found == labels.end() ? std::string() : found->second;
+  };
+  MoleculeArgument out;
+  out.name = label("molecule");
+  out.reading.model = std::max(1, std::atoi(label("model").c_str()));
+  out.reading.waters = label("waters") == "yes";
+  out.reading.assembly = label("assembly");
+  return out;
+}
+
+void replayHand(const std::string& file) {
+  const auto trace = readTrace(file);
+  if (!trace) throw CommandError{trace.problem().text()};
+  const auto fail = [&](const std::string& what, const char* remedy) { throw CommandError{Problem{file, 0, 0, what, remedy}.text()}; };
+  if (trace->ticks.empty()) fail(trace->torn.empty() ? "the recording holds no ticks" : trace->torn, "record it anew");
+  const auto label = [&](const char* key) { return trace->labels.contains(key) ? trace->labels.at(key) : std::string(); };
+  const Method* method = findMethod(label("method"));
+  if (!method) fail("it was recorded with a method \"" + label("method") + "\" that is not known here", "record it anew");
+  const auto scene = sceneOf(moleculeOf(trace->labels));
+  if (!label("balls").empty() && label("balls") != fingerprint(*scene))
+    fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on", "put the old file back, or record it anew");
+
+  const auto tracker = method->make(scene, trace->ticks.front().settings.probe_A);
+  const ReplayResult result = replay(*trace, tracker.get());
+  char text[200];
+  if (result.first_difference) {
+    std::snprintf(text, sizeof text, "%llu ticks: the forces differ from tick %llu on, by at most %.3g N%s", static_cast<unsigned long long>(result.ticks),
+                  static_cast<unsigned long long>(*result.first_difference), result.greatest_difference_N,
+                  trace->start ? "" : "; another build made the recording");
+    fail(text + (trace->torn.empty() ? std::string() : "; " + trace->torn), "");
+  }
+  std::cout << result.ticks << " ticks: the same forces to the last bit\n";
+  if (!trace->torn.empty()) fail(trace->torn, "");
+}
+
+}  // namespace
+
+void addDeviceRecording(CLI::App& device) {
+  const auto options = std::make_shared<RecordOptions>();
+  std::vector<std::string> names;
+  for (const Method& m : methods()) names.emplace_back(m.name);
+
+  CLI::App* records = device.add_subcommand("record", "Record a hand on a molecule: every place and every force");
+  records->add_option("NAME", options->device, "as `moltact devices` lists it")->required();
+  options->molecule.addTo(*records);
+  records->add_option("--out", options->file, "the file to write")->required();
+  records->add_flag("--overwrite", options->overwrite, "replace the file if it is there already");
+  records->add_option("--method", options->method, "haptic method")->check(CLI::IsMember(names))->capture_default_str();
+  records->add_option("--seconds", options->seconds, "how long")->check(numberFrom(0.1, 36000.0))->capture_default_str();
+  records->callback([options] { recordHand(*options); });
+
+  const auto file = std::make_shared<std::string>();
+  CLI::App* replays = device.add_subcommand("replay", "Step a recording again and compare the forces to the last bit");
+  replays->add_option("FILE", *file, "a recording")->required();
+  replays->callback([file] { replayHand(*file); });
+}
+
+}  // namespace moltact

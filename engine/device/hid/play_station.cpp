@@ -1,0 +1,96 @@
+#include "engine/device/hid/play_station.h"
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "engine/device/hid/rate_control.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::uint8_t kState = 1;
+constexpr std::size_t kUsbBytes = 64, kBluetoothBytes = 10;
+constexpr double kStickDead = 0.12;  // sticks do not come back to their middle
+constexpr int kSteps = 15;           // of rumble: a report is sent where the step changes
+
+bool isPad(const HidEntry& entry, std::initializer_list<std::uint16_t> products) {
+  return entry.vendor == 0x054c && std::find(products.begin(), products.end(), entry.product) != products.end() &&
+         (entry.usage_page == 0 || (entry.usage_page == 1 && entry.usage == 5));
+}
+bool isDualShock4(const HidEntry& entry) { return isPad(entry, {0x05c4, 0x09cc}); }
+bool isDualSense(const HidEntry& entry) { return isPad(entry, {0x0ce6, 0x0df2}); }  // the second: Edge
+
+// A stick's axis rests at 128.
+double stick(std::uint8_t byte) {
+  const double part = std::clamp((byte - 128.0) / 127.0, -1.0, 1.0);
+  return std::abs(part) < kStickDead ? 0.0 : part;
+}
+
+}  // namespace
+
+std::optional<Problem> PlayStationProtocol::begin(HidPort&, DeviceInfo&) {
+  *this = PlayStationProtocol(usb_);
+  return std::nullopt;
+}
+
+bool PlayStationProtocol::take(std::span<const std::uint8_t> r, DevicePose& pose) noexcept {
+  if ((r.size() != kUsbBytes && r.size() != kBluetoothBytes) || r[0] != kState) return false;
+  by_usb_ = r.size() == kUsbBytes;
+  const PadLayout& at = by_usb_ ? usb_ : kDualShock4;
+  push_ = {stick(r[1]), -stick(r[2]), (r[at.left_trigger] - r[at.right_trigger]) / 255.0};
+  turn_ = {stick(r[4]), stick(r[3]), 0.0};
+  // Square, cross, circle, triangle: the cross is the first button, the circle the second.
+  const unsigned face = r[at.buttons] >> 4;
+  pose.buttons = (face >> 1 & 3u) | (face & 1u) << 2 | (face & 8u);
+  silent_s_ = 0;
+  return true;
+}
+
+void PlayStationProtocol::pass(double dt_s, DevicePose& pose) noexcept {
+  if ((silent_s_ += dt_s) > rate_control::kSilence_s) push_ = turn_ = Vec3(0.0);
+  rate_control::move(pose, push_, dt_s);
+  wish_.turn = rate_control::shaped(turn_);
+}
+
+std::size_t PlayStationProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
+  if (!by_usb_) return 0;
+  const double part = finite(force.N) ? std::min(1.0, glm::length(force.N) / kFullRumble_N) : 0.0;
+  const int step = static_cast<int>(std::ceil(part * kSteps - 1e-9));
+  if (step == told_) return 0;
+  told_ = step;
+  std::fill(out.begin(), out.end(), std::uint8_t{0});
+  out[0] = usb_.report;
+  out[1] = usb_.sets_motors;
+  // The weak motor trembles at a touch, the strong one comes in above a third.
+  out[usb_.weak_motor] = static_cast<std::uint8_t>(step * 255 / kSteps);
+  out[usb_.strong_motor] = static_cast<std::uint8_t>(std::max(0, step - kSteps / 3) * 255 / (kSteps - kSteps / 3));
+  return usb_.bytes;
+}
+
+namespace {
+
+Expected<std::unique_ptr<Device>> openPad(bool (*isThis)(const HidEntry&), const PadLayout& usb, const FoundDevice& found) {
+  DeviceInfo info;
+  info.name = found.title;
+  info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
+  return HidDevice::open(hidOpener(isThis, found), std::make_unique<PlayStationProtocol>(usb), info);
+}
+
+}  // namespace
+
+extern const DeviceDriver kDualShockDriver, kDualSenseDriver;
+const DeviceDriver kDualShockDriver{
+    .name = "gamepad",
+    .sentence = "Sony DualShock 4: its sticks lead the hand and turn the view, its rumble stands for the force.",
+    .find = [] { return findHid(isDualShock4, false, "Game pad (DualShock 4)"); },
+    .open = [](const FoundDevice& found) { return openPad(isDualShock4, kDualShock4, found); },
+};
+const DeviceDriver kDualSenseDriver{
+    .name = "dualsense",
+    .sentence = "Sony DualSense: its sticks lead the hand and turn the view, its rumble stands for the force.",
+    .find = [] { return findHid(isDualSense, false, "Game pad (DualSense)"); },
+    .open = [](const FoundDevice& found) { return openPad(isDualSense, kDualSense, found); },
+};
+
+}  // namespace moltact
