@@ -15,6 +15,7 @@ namespace {
 constexpr double kAsk_s = 0.25;             // between two questions for the device's state
 constexpr double kTurn_rad_per_s = 1.5, kPan_heights_per_s = 0.5, kCloser_per_s = 2.2;  // of a view that a device leads fully
 constexpr float kForgetTick = 1.0f / 3000;  // so the classes stand for the last 3 s
+constexpr const char* kLent = "";           // the name of a device that no driver has
 constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
 
 }  // namespace
@@ -42,14 +43,31 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
     if (!device) return device.problem();
     servo.setDevice(std::move(*device));
   }
-  chosen_ = name;
-  status_ = DeviceStatus();
-  app.messages.takeBack(std::exchange(told_, {}));
-  asked_s_ = -1.0;
+  taken(app, name);
   // A hand that is held has an edge to its room, and a button to reach beyond it.
   app.scene.servo_settings.clutch = name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
   app.scene.fitToDevice();
   return std::nullopt;
+}
+
+void DeviceLink::taken(Application& app, const std::string& name) {
+  chosen_ = name;
+  status_ = DeviceStatus();
+  app.messages.takeBack(std::exchange(told_, {}));
+  asked_s_ = -1.0;
+}
+
+void DeviceLink::lend(Application& app, std::unique_ptr<Device> device) {
+  stopTrying(app);
+  app.scene.servo().setDevice(std::move(device));
+  taken(app, kLent);
+}
+
+void DeviceLink::giveBack(Application& app, const std::string& before) {
+  if (!use(app, before)) return;
+  // It has gone meanwhile.
+  use(app, "mouse");
+  awaited_ = awaited_title_ = before;
 }
 
 void DeviceLink::begin(Application& app) {

@@ -34,6 +34,10 @@ class DeviceLink : public Extension {
   /// told in a message and changes nothing.
   void choose(Application& app, const std::string& name);
   const std::string& chosen() const { return chosen_; }
+  /// A device that is none of those found leads until another is chosen, or until what led before gets it back. It is not
+  /// remembered for the next start.
+  void lend(Application& app, std::unique_ptr<Device> device);
+  void giveBack(Application& app, const std::string& before);
   /// What is written on the device that was chosen earlier and is not there; empty: none is waited for.
   const std::string& awaited() const { return awaited_title_; }
   const DeviceStatus& status() const { return status_; }
@@ -66,6 +70,7 @@ class DeviceLink : public Extension {
 
  private:
   std::optional<Problem> use(Application& app, const std::string& name);
+  void taken(Application& app, const std::string& name);
   void begin(Application& app);
   void look(Application& app);
   double lookEvery_s(const Application& app) const;

@@ -37,14 +37,27 @@ void ServoLink::setDevice(std::unique_ptr<Device> device) {
 
 void ServoLink::tryTracker(std::unique_ptr<Tracker> tracker) {
   trying_ = true;
-  if (thread_) thread_->setTracker(std::move(tracker), kNoScene);
-  else tracker_ = std::move(tracker);
+  handOver(std::move(tracker), kNoScene);
 }
 
 void ServoLink::setTracker(std::unique_ptr<Tracker> tracker) {
   trying_ = false;
-  if (thread_) thread_->setTracker(std::move(tracker), scene_);
+  handOver(std::move(tracker), scene_);
+}
+
+void ServoLink::handOver(std::unique_ptr<Tracker> tracker, std::uint32_t scene) {
+  ++trackers_;
+  if (thread_) thread_->setTracker(std::move(tracker), scene);
   else tracker_ = std::move(tracker);
+}
+
+void ServoLink::record(bool on) {
+  if (thread_) return thread_->record(on);
+  records_ = on;
+  recorded_.clear();
+  if (!on) return;
+  step_.forgetTracker();
+  record_start_ = step_;
 }
 
 void ServoLink::begin(const ServoSettings& settings, std::unique_ptr<Tracker> tracker) {
@@ -79,9 +92,12 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
     const TickTime time{.dt_s = kTick_s + std::exchange(stands_s_, 0.0)};
-    ServoSample sample = step_.tick(settings_, tracker_.get(), switch_->read(kTick_s, step_), time);
+    const DevicePose pose = switch_->read(kTick_s, step_);
+    ServoSample sample = step_.tick(settings_, tracker_.get(), pose, time);
     sample.scene = trying_ ? kNoScene : scene_;
     switch_->write(sample.force);
+    if (records_)
+      recorded_.push_back({settings_, pose, time, switch_->info(), switch_->other(), sample.force, switch_->fallenBack(), sample.contact.touching(), sample.limits});
     newest_ = sample;
     if (timed_) sample.work_us = std::chrono::duration<float, std::micro>(Clock::now() - began).count();
     every_.push_back(sample);

@@ -131,7 +131,7 @@ double TouchScene::byHand_A_per_mm() const {
 }
 
 void TouchScene::magnify(bool on) {
-  if (!stage_ || played_ || on == by_hand_) return;
+  if (!stage_ || played_ || recorded_ || on == by_hand_) return;
   const ServoSample& now = log_.latest();
   const double wanted = on ? byHand_A_per_mm() : sceneWorkspace().A_per_mm;
   const double closer = servo_settings.workspace.A_per_mm / wanted;
@@ -151,7 +151,7 @@ void TouchScene::fitToDevice() {
 }
 
 void TouchScene::followView() {
-  if (!stage_ || (held_ == servo_.held() && (!held_ || sameView(camera, fitted_)))) return;
+  if (!stage_ || recorded_ || (held_ == servo_.held() && (!held_ || sameView(camera, fitted_)))) return;
   layBeforeHand(camera.target);
   ++servo_settings.placements;
   // The mouse stays where it is in the molecule.
@@ -175,7 +175,7 @@ void TouchScene::layBeforeHand(PointA toward) {
 void TouchScene::drawBack(double dt_s) {
   const ServoSample& now = log_.latest();
   fit_left_s_ -= dt_s;
-  if (!held_ || fit_left_s_ <= 0.0 || now.placements != servo_settings.placements || now.contact.fault != Fault::StartedInside) return;
+  if (!held_ || recorded_ || fit_left_s_ <= 0.0 || now.placements != servo_settings.placements || now.contact.fault != Fault::StartedInside) return;
   servo_settings.workspace = drawnBack(servo_settings.workspace, *stage_.balls, now.probe_A, now.hand);
   ++servo_settings.placements;
 }
@@ -196,6 +196,37 @@ void TouchScene::useMethod(std::string_view name) {
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
   if (!played_) servo_.setTracker(makeTracker(stage_, *m, servo_settings.probe_A, contact, log_.latest().hip));
+}
+
+void TouchScene::leadBy(const ServoSettings* recorded) {
+  const auto take = [&](const ServoSettings& from) {
+    servo_settings.probe_A = from.probe_A;
+    servo_settings.stiffness_N_per_mm = from.stiffness_N_per_mm;
+  };
+  if (recorded && !recorded_) before_recorded_ = servo_settings;
+  const bool anew = !recorded || !recorded_ || recorded_->placements != recorded->placements;
+  if (recorded) {
+    // Seen as it was felt.
+    if (anew || recorded_->workspace.turn != recorded->workspace.turn) camera.orientation = glm::normalize(glm::quat_cast(recorded->workspace.turn));
+    take(*recorded);
+    servo_settings.workspace = recorded->workspace;
+    servo_settings.clutch = recorded->clutch;
+    recorded_ = *recorded;
+  } else if (recorded_) {
+    take(*before_recorded_);
+    recorded_.reset();
+    fitToDevice();
+  }
+  if (anew) ++servo_settings.placements;
+}
+
+bool TouchScene::beginRecording() {
+  if (!stage_ || played_ || trying() || recorded_) return false;
+  ++servo_settings.placements;
+  servo_.setSettings(handed(false));
+  servo_.record(true);
+  servo_.setTracker(freshTracker());
+  return true;
 }
 
 FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {

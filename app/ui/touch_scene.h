@@ -98,6 +98,12 @@ class TouchScene {
   void endTry();
   bool trying() const { return servo_.trying(); }
 
+  /// What a recorded hand was led with: workspace, probe, surface and clutch stand in for the scene's own until null; the
+  /// clutch is then its next device's.
+  void leadBy(const ServoSettings* recorded);
+  /// Records from a new contact on; false where there is nothing to be felt.
+  bool beginRecording();
+
   /// What is shown in the place of what the hand feels: it stands in the log, no force is given and advance() gives no ticks.
   /// Nothing: the hand again, from outside.
   void play(const std::optional<ServoSample>& sample);
@@ -125,6 +131,7 @@ class TouchScene {
   std::vector<FeltTick> felt_;
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
+  std::optional<ServoSettings> recorded_, before_recorded_;
   bool held_ = false;          // a device in the hand leads, and the workspace is fitted to it
   Camera fitted_;              // to this view
   double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out

@@ -135,6 +135,30 @@ void drawLimits(Application& app, DeviceLink& link) {
   if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) app.scene.stopForce(!panic);
 }
 
+// A hand as a file: recorded here, played by opening it.
+void drawRecording(Application& app) {
+  HandRecorder& recorder = app.extensions().hand_recorder;
+  const Palette& p = look().palette;
+  sectionTitle("Recording of the hand");
+  char text[80];
+  if (recorder.recording()) {
+    std::snprintf(text, sizeof text, "%.1f s recorded in ", recorder.recorded_s());
+    words("device/recording", localNumbers(text) + recorder.name(), p.text);
+    if (button("device/record", "Stop recording", ButtonLook::Primary)) recorder.stop(app);
+  } else if (recorder.playing()) {
+    std::snprintf(text, sizeof text, "%.1f of %.1f s of ", recorder.at_s(), recorder.length_s());
+    words("device/recording", localNumbers(text) + recorder.name() + ". No force is given meanwhile.", p.text);
+    if (button("device/record", "Stop playing", ButtonLook::Primary)) recorder.endPlay(app);
+  } else {
+    const bool may = app.scene.stage() && !app.scene.playing() && !app.scene.trying();
+    if (button("device/record", "Record …", ButtonLook::Plain, 0.0f, may)) recorder.askToRecord(app);
+    tip("Every place and force, 1000 a second, as long as molecule and method stay.");
+    ImGui::SameLine(0, look().px(8));
+    if (button("device/play", "Play one …")) app.panels.device_page = false, app.panels.open_page = true;
+    tip("Leads the hand on its molecule as it was recorded. No force is given meanwhile.");
+  }
+}
+
 // A bar a class of lateness.
 void drawLateness(const DeviceLink& link) {
   const Look& l = look();
@@ -174,6 +198,8 @@ void drawDevicePage(Application& app) {
   drawLive(app, link);
   part();
   drawLimits(app, link);
+  part();
+  drawRecording(app);
   part();
   if (app.scene.servo().clock() == ServoClock::RealThread) {
     drawLateness(link);
