@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <thread>
@@ -34,7 +35,9 @@ struct RecordOptions {
   bool overwrite = false;
 };
 
-std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) { return std::make_shared<const BallScene>(molecule.load().balls()); }
+std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) {
+  return std::make_shared<const BallScene>(molecule.load().balls());
+}
 
 // The molecule before the hand, seen along its z-axis.
 ServoSettings settingsFor(const BallScene& scene, const DeviceFigures& device) {
@@ -59,7 +62,8 @@ std::string fingerprint(const BallScene& scene) {
   std::uint64_t hash = 14695981039346656037u;
   for (const Ball& ball : scene.balls())
     for (const double value : {ball.centre_A.x, ball.centre_A.y, ball.centre_A.z, ball.radius_A})
-      for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8) hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
+      for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8)
+        hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
   char text[40];
   std::snprintf(text, sizeof text, "%zu %016llx", scene.size(), static_cast<unsigned long long>(hash));
   return text;
@@ -99,7 +103,8 @@ class DeviceWatch {
   }
 
  private:
-  static constexpr Limit kTold[] = {Limit::StalePlace, Limit::DeviceFault, Limit::NotFinite, Limit::LateLoop, Limit::Jump, Limit::EnergyCut};
+  static constexpr Limit kTold[] = {Limit::StalePlace, Limit::DeviceFault, Limit::NotFinite,
+                                    Limit::LateLoop,   Limit::Jump,        Limit::EnergyCut};
   bool led_ = false;
   std::size_t gone_ = 0, touching_ = 0, acted_[std::size(kTold)] = {};
 };
@@ -107,10 +112,11 @@ class DeviceWatch {
 // One recording from the first tick to the last.
 class Recorder {
  public:
-  Recorder(const RecordOptions& options, TraceWriter writer, Labels labels) : options_(options), writer_(std::move(writer)), labels_(std::move(labels)) {}
+  Recorder(const RecordOptions& options, TraceWriter writer, Labels labels)
+      : options_(options), writer_(std::move(writer)), labels_(std::move(labels)) {}
 
   void run(ServoThread& servo) {
-    const auto wanted = std::uint64_t(options_.seconds / kTick_s);
+    const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
     for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording(); ++look) {
       if (look % (kAsk_ms / 10) == 0) ask(servo);
@@ -141,14 +147,18 @@ class Recorder {
 
   void tell(std::size_t lost) const {
     char kept[80];
-    std::snprintf(kept, sizeof kept, "%llu ticks (%.2f s)", static_cast<unsigned long long>(writer_.kept()), double(writer_.kept()) * kTick_s);
+    const auto ticks = static_cast<unsigned long long>(writer_.kept());
+    std::snprintf(kept, sizeof kept, "%llu ticks (%.2f s)", ticks, double(ticks) * kTick_s);
     if (problem_) throw CommandError{problem_->text() + "; the force is off, and " + kept + " are kept in the file"};
+    const auto fail = [&](const std::string& what, const std::string& remedy) {
+      throw CommandError{Problem{options_.file, 0, 0, what, remedy}.text()};
+    };
     if (lost)
-      throw CommandError{Problem{options_.file, 0, 0, "the computer was too slow: " + std::to_string(lost) + " ticks are missing, so the recording cannot be replayed",
-                                 "end other programs, or write to another disk"}.text()};
+      fail("the computer was too slow: " + std::to_string(lost) + " ticks are missing, so the recording cannot be replayed",
+           "end other programs, or write to another disk");
     std::cout << kept << " in " << options_.file << ", " << watch_.touching() << " of them in contact\n" << watch_.told();
     if (watch_.led()) return;
-    throw CommandError{Problem{options_.file, 0, 0, "the device led no tick of this recording", last_said_.empty() ? "see `moltact devices`" : last_said_}.text()};
+    fail("the device led no tick of this recording", last_said_.empty() ? "see `moltact devices`" : last_said_);
   }
 
   const RecordOptions& options_;
@@ -205,7 +215,9 @@ MoleculeArgument moleculeOf(const Labels& labels) {
 void replayHand(const std::string& file) {
   const auto trace = readTrace(file);
   if (!trace) throw CommandError{trace.problem().text()};
-  const auto fail = [&](const std::string& what, const char* remedy) { throw CommandError{Problem{file, 0, 0, what, remedy}.text()}; };
+  const auto fail = [&](const std::string& what, const char* remedy) {
+    throw CommandError{Problem{file, 0, 0, what, remedy}.text()};
+  };
   if (trace->ticks.empty()) fail(trace->torn.empty() ? "the recording holds no ticks" : trace->torn, "record it anew");
   const auto label = [&](const char* key) { return trace->labels.contains(key) ? trace->labels.at(key) : std::string(); };
   const Method* method = findMethod(label("method"));
@@ -218,9 +230,9 @@ void replayHand(const std::string& file) {
   const ReplayResult result = replay(*trace, tracker.get());
   char text[200];
   if (result.first_difference) {
-    std::snprintf(text, sizeof text, "%llu ticks: the forces differ from tick %llu on, by at most %.3g N%s", static_cast<unsigned long long>(result.ticks),
-                  static_cast<unsigned long long>(*result.first_difference), result.greatest_difference_N,
-                  trace->start ? "" : "; another build made the recording");
+    std::snprintf(text, sizeof text, "%llu ticks: the forces differ from tick %llu on, by at most %.3g N%s",
+                  static_cast<unsigned long long>(result.ticks), static_cast<unsigned long long>(*result.first_difference),
+                  result.greatest_difference_N, trace->start ? "" : "; another build made the recording");
     fail(text + (trace->torn.empty() ? std::string() : "; " + trace->torn), "");
   }
   std::cout << result.ticks << " ticks: the same forces to the last bit\n";

@@ -5,16 +5,21 @@
 namespace moltact {
 
 Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names) {
-  std::string why;
+  std::string why, missing;
   for (const std::string& name : names) {
     // Lazily: what the library lacks and nobody calls does not matter.
     if (void* handle = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL)) return SharedLibrary(handle);
     const char* reason = dlerror();
-    // The first reason that is more than "no such file" says most: a library that is there but cannot be loaded.
-    const std::string text = reason ? reason : "";
-    if (why.empty() || text.find("No such file") == std::string::npos) why = text;
+    const std::string text = reason ? reason : name + " cannot be loaded";
+    // A library that is there and cannot be loaded says more than those that are not: the first such one is told. That
+    // no file is there may also be said of another one that it needs.
+    if (text.starts_with(name + ": cannot open shared object file: No such file")) {
+      if (missing.empty()) missing = text;
+    } else if (why.empty()) {
+      why = text.starts_with(name) ? text : name + " cannot be loaded: " + text;
+    }
   }
-  return Problem{names.empty() ? "" : names.front(), 0, 0, why, ""};
+  return Problem{names.empty() ? "" : names.front(), 0, 0, why.empty() ? missing : why, ""};
 }
 
 void* SharedLibrary::symbol(const char* name) const { return dlsym(handle_, name); }

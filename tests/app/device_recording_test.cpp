@@ -1,44 +1,17 @@
 // `moltact device record` and `moltact device replay` as a person calls them.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include <cstdint>
-#include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <string>
+
+#include "tests/app/command_place.h"
 
 namespace {
 
 namespace fs = std::filesystem;
+using namespace moltact::test;
 
-struct Run {
-  int status = -1;
-  std::string out, err;
-};
-
-std::string contents(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
 bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
-
-// A folder to record in, gone at the end; commands run in it.
-struct Place {
-  fs::path folder = fs::temp_directory_path() / ("moltact-recording-" + std::to_string(::getpid()));
-  Place() { fs::create_directories(folder); }
-  ~Place() { fs::remove_all(folder); }
-
-  // `before`: shell commands that the program's surroundings are made by.
-  Run run(const std::string& arguments, const std::string& before = "") const {
-    const fs::path out = folder / "out", err = folder / "err";
-    const std::string line = "cd '" + folder.string() + "'; " + before + " '" MOLTACT_BINARY "' device " + arguments + " </dev/null >out 2>err";
-    const int status = std::system(line.c_str());
-    return {WEXITSTATUS(status), contents(out), contents(err)};
-  }
-};
 
 // The bytes before the first block: magic, three lengths, what they count, checksum.
 std::size_t headBytes(const std::string& file) {
@@ -50,21 +23,30 @@ std::size_t headBytes(const std::string& file) {
 }  // namespace
 
 TEST_CASE("a hand of 1 s recorded on ubiquitin replays to the last bit") {
-  const Place place;
-  const Run record = place.run("record simulated 1ubq --seconds 1 --out a.trace");
+  const CommandPlace place;
+  const Run record = place.run("device record simulated 1ubq --seconds 1 --out a.trace");
   REQUIRE_MESSAGE(record.status == 0, record.err);
   CHECK(contains(record.out, "1000 ticks (1.00 s) in a.trace"));
-  const Run replay = place.run("replay a.trace");
+  const Run replay = place.run("device replay a.trace");
   CHECK_MESSAGE(replay.status == 0, replay.err);
   CHECK(contains(replay.out, "1000 ticks: the same forces to the last bit"));
 }
 
 TEST_CASE("a recording knows its molecule whole: with waters, of another model or assembly, from another folder; and tells when it has changed") {
-  const Place place;
+  const CommandPlace place;
   fs::create_directories(place.folder / "elsewhere");
   const auto write = [&](double x) {
     std::ofstream file(place.folder / "own.pdb");
     char line[100];
+    // Assembly 1: the chain and the chain turned round z and put 9 A aside.
+    file << "REMARK 350 BIOMOLECULE: 1\nREMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n";
+    for (int copy = 1; copy <= 2; ++copy)
+      for (int row = 1; row <= 3; ++row) {
+        const double turned = copy == 2 && row < 3 ? -1.0 : 1.0;
+        std::snprintf(line, sizeof line, "REMARK 350   BIOMT%d %3d %9.6f %9.6f %9.6f %14.5f\n", row, copy, row == 1 ? turned : 0.0, row == 2 ? turned : 0.0,
+                      row == 3 ? turned : 0.0, copy == 2 && row == 2 ? 9.0 : 0.0);
+        file << line;
+      }
     for (int model = 1; model <= 2; ++model) {
       file << "MODEL        " << model << '\n';
       for (int k = 0; k < 3; ++k) {
@@ -77,77 +59,78 @@ TEST_CASE("a recording knows its molecule whole: with waters, of another model o
     }
   };
   write(1.0);
-  for (const char* how : {"", "--waters", "--model 2", "--model 2 --waters"}) {
+  for (const char* how : {"", "--waters", "--model 2", "--model 2 --waters", "--assembly 1"}) {
     CAPTURE(how);
-    const Run record = place.run(std::string("record simulated own.pdb ") + how + " --seconds 0.3 --overwrite --out a.trace");
+    const Run record = place.run(std::string("device record simulated own.pdb ") + how + " --seconds 0.3 --overwrite --out a.trace");
     REQUIRE_MESSAGE(record.status == 0, record.err);
-    const Run replay = place.run("replay ../a.trace", "cd elsewhere;");
-    CHECK_MESSAGE(replay.status == 0, contents(place.folder / "elsewhere" / "err"));
+    CHECK(contains(record.out, "300 ticks (0.30 s)"));
+    const Run replay = place.run("device replay ../a.trace", "cd elsewhere;");
+    CHECK_MESSAGE(replay.status == 0, replay.err);
   }
-  const Run record = place.run("record simulated 1hpv --waters --seconds 0.3 --overwrite --out a.trace");
+  const Run record = place.run("device record simulated 1hpv --waters --seconds 0.3 --overwrite --out a.trace");
   REQUIRE_MESSAGE(record.status == 0, record.err);
-  CHECK(place.run("replay a.trace").status == 0);
+  CHECK(place.run("device replay a.trace").status == 0);
   CHECK(contains(contents(place.folder / "a.trace"), "molecule=1hpv\n"));
 
-  CHECK(place.run("record simulated own.pdb --seconds 0.3 --overwrite --out a.trace").status == 0);
+  CHECK(place.run("device record simulated own.pdb --seconds 0.3 --overwrite --out a.trace").status == 0);
   write(1.5);
-  const Run other = place.run("replay a.trace");
+  const Run other = place.run("device replay a.trace");
   CHECK(other.status == 1);
   CHECK(contains(other.err, "a.trace: the molecule"));
   CHECK(contains(other.err, "own.pdb\" is not the one any more that it was recorded on"));
 }
 
 TEST_CASE("half of a recording is replayed as far as it goes, and it is told of which file that is not all, with status 1; one without ticks and a text fail") {
-  const Place place;
-  REQUIRE(place.run("record simulated 1ubq --seconds 1 --out a.trace").status == 0);
+  const CommandPlace place;
+  REQUIRE(place.run("device record simulated 1ubq --seconds 1 --out a.trace").status == 0);
   const fs::path file = place.folder / "a.trace";
   fs::resize_file(file, fs::file_size(file) / 2);
-  const Run half = place.run("replay a.trace");
+  const Run half = place.run("device replay a.trace");
   CHECK(half.status == 1);
   CHECK(contains(half.out, " ticks: the same forces to the last bit"));
   CHECK(contains(half.err, "a.trace: the recording breaks off after 0."));
   fs::resize_file(file, headBytes(contents(file)));
-  const Run empty = place.run("replay a.trace");
+  const Run empty = place.run("device replay a.trace");
   CHECK(empty.status == 1);
   CHECK(empty.out.empty());
   CHECK(contains(empty.err, "a.trace: the recording holds no ticks; record it anew"));
   std::ofstream(file) << "no recording";
-  const Run text = place.run("replay a.trace");
+  const Run text = place.run("device replay a.trace");
   CHECK(text.status == 1);
   CHECK(contains(text.err, "a.trace: this is no recording of a device"));
 }
 
 TEST_CASE("a file that is there stays as it is without --overwrite; a folder that is not there is told before the hand is asked") {
-  const Place place;
+  const CommandPlace place;
   std::ofstream(place.folder / "a.trace") << "dear";
-  const Run kept = place.run("record simulated 1ubq --seconds 0.2 --out a.trace");
+  const Run kept = place.run("device record simulated 1ubq --seconds 0.2 --out a.trace");
   CHECK(kept.status == 1);
   CHECK(contains(kept.err, "a.trace is there already and stays as it is; choose another name, or replace it with --overwrite"));
   CHECK_FALSE(contains(kept.out, "Recording"));
   CHECK(contents(place.folder / "a.trace") == "dear");
-  CHECK(place.run("record simulated 1ubq --seconds 0.2 --overwrite --out a.trace").status == 0);
-  CHECK(place.run("replay a.trace").status == 0);
-  const Run nowhere = place.run("record simulated 1ubq --seconds 0.2 --out nowhere/a.trace");
+  CHECK(place.run("device record simulated 1ubq --seconds 0.2 --overwrite --out a.trace").status == 0);
+  CHECK(place.run("device replay a.trace").status == 0);
+  const Run nowhere = place.run("device record simulated 1ubq --seconds 0.2 --out nowhere/a.trace");
   CHECK(nowhere.status == 1);
   CHECK(contains(nowhere.err, "nowhere/a.trace: its folder is not there"));
   CHECK_FALSE(contains(nowhere.out, "Recording"));
 }
 
 TEST_CASE("a recording of an hour ends when the file cannot grow any more, says so, and what is kept replays") {
-  const Place place;
-  const Run full = place.run("record simulated 1ubq --seconds 3600 --out a.trace", "trap '' XFSZ; ulimit -f 200;");
+  const CommandPlace place;
+  const Run full = place.run("device record simulated 1ubq --seconds 3600 --out a.trace", "trap '' XFSZ; ulimit -f 200;");
   CHECK(full.status == 1);
   CHECK(contains(full.err, "a.trace: it cannot be written (File too large)"));
   CHECK(contains(full.err, " s) are kept in the file"));
-  const Run replay = place.run("replay a.trace");
+  const Run replay = place.run("device replay a.trace");
   CHECK(replay.status == 0);
   CHECK(contains(replay.out, " ticks: the same forces to the last bit"));
 }
 
 TEST_CASE("a device that is silent for the whole recording: it is told for how long, and the recording fails") {
-  const Place place;
+  const CommandPlace place;
   // The stand-in's clock stands until a test lets it run.
-  const Run silent = place.run("record omni 1ubq --seconds 0.5 --out a.trace", "MOLTACT_LIBHD='" MOLTACT_STAND_IN_LIBHD "'");
+  const Run silent = place.run("device record omni 1ubq --seconds 0.5 --out a.trace", "env MOLTACT_LIBHD='" MOLTACT_STAND_IN_LIBHD "'");
   CHECK(silent.status == 1);
   CHECK(contains(silent.out, " s: The device was gone, and the mouse stood in for it."));
   CHECK(contains(silent.err, "the device led no tick of this recording"));

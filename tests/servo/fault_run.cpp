@@ -53,7 +53,9 @@ class Run {
  public:
   explicit Run(std::uint64_t seed)
       : random_(seed), seed_(seed), device_(deviceOf()), hand_(handOf()), model_(device_, hand_, {{40, 0, 0}}), step_(infoOf()) {
-    settings_.stiffness_N_per_mm = random_.uniform(0, 1) < 0.5 ? 0.5 : 2.0;  // as a lesson has it, or the stiffest that the panel offers
+    // As a lesson has it, the stiffest that the panel offers, and the stiffest that a setting may ask.
+    const double which = random_.uniform(0, 3);
+    settings_.stiffness_N_per_mm = which < 1 ? 0.5 : which < 2 ? 2.0 : 5.0;
     newScene();
   }
 
@@ -147,6 +149,7 @@ class Run {
     const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time);
     ++out_.ticks;
     out_.contact += sample.contact.touching();
+    cuts_ += sample.limits.has(Limit::EnergyCut);
     judge(sample, how);
     command_ = sample.force;
     const auto stretch = [&](PointA hip) { return sample.contact.touching() ? glm::distance(sample.contact.scp.A, hip.A) / settings_.workspace.A_per_mm : 0.0; };
@@ -344,6 +347,7 @@ class Run {
   // comes back after late ticks stores more in the same stretch, and may.
   void restAfter() {
     for (int k = 0; k < 600; ++k) tick({});
+    cuts_ = 0;
     std::array<double, 2> fastest{}, energy{};
     double softest = 1e9, stiffest = 0, stretched_mm = 0, least_J = 1e9, risen_J = 0;
     bool known = true;
@@ -362,6 +366,7 @@ class Run {
       }
     const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
     const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
+    out_.cuts += cuts_;
     // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the speed is; what
     // buzzes does neither.
     const bool slides = (faster && !grown) || energy[0] - energy[1] > 0.5 * device_.mass_kg * fastest[1] * fastest[1];
@@ -403,6 +408,7 @@ class Run {
   double before_fault_N_ = 0, peak_N_ = kPeak_N;
   double since_fault_ = 0, stale_ = 0;
   bool lasting_ = false;
+  std::uint64_t cuts_ = 0;
   FaultRunResult out_;
 };
 

@@ -29,15 +29,17 @@ TEST_CASE("100 seeds of 8 faults in contact: finite, within 3.3 N and 1 N a tick
     all.ticks += one.ticks;
     all.contact += one.contact;
     all.faults += one.faults;
+    all.cuts += one.cuts;
     all.greatest_N = std::max(all.greatest_N, one.greatest_N);
     all.restless_m_per_s = std::max(all.restless_m_per_s, one.restless_m_per_s);
   }
   MESSAGE(seeds << " seeds, " << all.faults << " faults, " << all.ticks << " ticks, " << all.contact << " in contact, at most "
-                << all.greatest_N << " N; a second after a fault at most " << all.restless_m_per_s << " m/s");
+                << all.greatest_N << " N; a second after a fault at most " << all.restless_m_per_s << " m/s, " << all.cuts << " cuts");
   // The runs must press, or they prove nothing.
   CHECK(all.contact > all.ticks / 4);
   CHECK(all.greatest_N > 1.5);
   CHECK(all.restless_m_per_s < 0.03);
+  CHECK(all.cuts == 0);
 }
 
 TEST_CASE("the same seed of faults gives the same run") {

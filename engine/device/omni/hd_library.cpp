@@ -13,11 +13,15 @@ namespace {
 
 Expected<Library> load() {
   std::vector<std::string> names{"libHD.so", "libHD.so.3", "/usr/lib/libHD.so", "/usr/lib64/libHD.so"};
-  if (const char* named = std::getenv("MOLTACT_LIBHD")) names = {named};
+  const char* variable = std::getenv("MOLTACT_LIBHD");
+  const std::string named = variable ? variable : "";  // empty is as good as unset
+  if (!named.empty()) names = {named};
   const auto library = SharedLibrary::open(names);
   if (!library)
     return Problem{"", 0, 0, "OpenHaptics' libHD.so could not be loaded (" + library.problem().message + ')',
-                   "install 3D Systems' \"OpenHaptics for Linux\" and the driver of the device, both from their support pages"};
+                   named.empty() ? "install 3D Systems' \"OpenHaptics for Linux\" and the driver of the device, both from their support pages, "
+                                   "or name the library with MOLTACT_LIBHD=/path/libHD.so"
+                                 : "correct or unset MOLTACT_LIBHD, which names it; the library comes with 3D Systems' \"OpenHaptics for Linux\""};
   Library hd{};
   const char* missing = nullptr;
   const auto find = [&](auto& function, const char* name) {
@@ -43,7 +47,9 @@ Expected<Library> load() {
   find(hd.scheduleAsynchronous, "hdScheduleAsynchronous");
   find(hd.unschedule, "hdUnschedule");
   if (missing)
-    return Problem{"", 0, 0, std::string("libHD.so has no function ") + missing, "install OpenHaptics 3.0 or later for Linux"};
+    return Problem{"", 0, 0, (named.empty() ? "libHD.so" : named) + " has no function " + missing,
+                   named.empty() ? "install OpenHaptics 3.0 or later for Linux, or name its libHD.so with MOLTACT_LIBHD=/path/libHD.so"
+                                 : "MOLTACT_LIBHD is to name the libHD.so of OpenHaptics 3.0 or later; correct or unset it"};
   return hd;
 }
 
