@@ -56,6 +56,8 @@ void ServoLink::record(bool on) {
   records_ = on;
   recorded_.clear();
   if (!on) return;
+  // The first tick says which device leads, as on the thread.
+  switch_.emplace(mouse_, chosen_.get());
   step_.forgetTracker();
   record_start_ = step_;
 }

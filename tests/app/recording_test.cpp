@@ -4,6 +4,7 @@
 #include "app/ui/device_link.h"
 #include "app/ui/extensions.h"
 #include "engine/haptics/methods.h"
+#include "engine/molecule/reader.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
