@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
     return run(argc, argv);
   } catch (const moltact::CommandError& e) {
     std::cerr << "moltact: " << e.text << '\n';
+    return e.status;
   } catch (const moltact::CommandFailed&) {
     return 1;
   } catch (const std::bad_alloc&) {

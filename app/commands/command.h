@@ -5,9 +5,10 @@
 
 namespace moltact {
 
-/// What ends a command with exit status 1: its text goes to stderr. A command's callback throws it.
+/// What ends a command: its text goes to stderr. A command's callback throws it.
 struct CommandError {
   std::string text;
+  int status = 1;  ///< the program's exit status
 };
 
 /// Ends a command with exit status 1 where it has told by itself what is wrong.

@@ -1,4 +1,5 @@
 // `moltact device check | record | replay`: a device in the hand, without the window.
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 
@@ -6,6 +7,8 @@
 #include "app/commands/device_recording.h"
 #include "app/commands/number_range.h"
 #include "engine/device/driver.h"
+#include "engine/platform/interrupt.h"
+#include "engine/platform/terminal.h"
 #include "engine/servo/device_check.h"
 
 namespace moltact {
@@ -24,38 +27,75 @@ std::unique_ptr<Device> opened(const std::string& name) {
 }
 
 void describe(const DeviceInfo& info) {
-  char text[360], room[80] = "without an edge", force[200] = "it gives no force, which is only shown on the screen";
+  char text[480], room[80] = "without an edge", force[320] = "it gives no force, which is only shown on the screen", limits[120] = "";
+  if (std::isfinite(info.speed_limit_m_per_s) || std::isfinite(info.slew_limit_N_per_s))
+    std::snprintf(limits, sizeof limits, ";\nits driver gives no force beyond %.2f m/s or %.0f N/s", info.speed_limit_m_per_s, info.slew_limit_N_per_s);
   if (finite(info.workspace_mm))
     std::snprintf(room, sizeof room, "%.0f x %.0f x %.0f mm", info.workspace_mm.x, info.workspace_mm.y, info.workspace_mm.z);
   if (info.gives_force)
-    std::snprintf(force, sizeof force, "%.1f N for a moment, %.2f N for good;\nstiffness up to %.2f N/mm, damping up to %.1f N s/m, steps of %.3f mm, %.1f ms of delay",
-                  info.max_force_N, info.continuous_force_N, info.max_stiffness_N_per_mm, info.max_damping_N_s_per_m, info.resolution_mm, 1e3 * info.delay_s);
+    std::snprintf(force, sizeof force, "%.1f N for a moment, %.2f N for good;\nstiffness up to %.2f N/mm, damping up to %.1f N s/m, steps of %.3f mm, %.1f ms of delay%s",
+                  info.max_force_N, info.continuous_force_N, info.max_stiffness_N_per_mm, info.max_damping_N_s_per_m, info.resolution_mm, 1e3 * info.delay_s, limits);
   std::snprintf(text, sizeof text, "%s: %d degrees of freedom in, %d out; room %s; %s\n", info.name.c_str(), info.dof_in, info.dof_out, room, force);
   std::cout << text;
 }
 
+constexpr int kNothingChecked = 3, kInterrupted = 130;  // exit statuses
+constexpr double kWaitReady_s = 120.0, kWaitPlug_s = 60.0;
+
 // No answer, as from a script without one, counts as no.
-bool askOnTerminal(const std::string& question) {
+bool askOnTerminal(const std::string& question, const InterruptWatch& interrupt) {
   std::cout << question << " Go on? [y/N] " << std::flush;
   std::string answer;
-  if (!std::getline(std::cin, answer)) std::cout << '\n';
-  return answer == "y" || answer == "Y" || answer == "yes";
+  while (!interrupt.seen()) {
+    const Typed typed = typedLine(answer, 100);
+    if (typed == Typed::Line) return answer == "y" || answer == "Y" || answer == "yes";
+    if (typed == Typed::End) break;
+  }
+  std::cout << '\n';
+  return false;
 }
 
+// Shows what the device asks of the person, whenever that changes, and takes Enter for "it is so".
+class GuideOnTerminal {
+ public:
+  bool operator()(const DeviceStatus& status) {
+    if (status.text != told_) {
+      told_ = status.text;
+      std::cout << told_ << (status.asks_calibrate ? " Then press Enter." : "") << '\n' << std::flush;
+    }
+    std::string line;
+    return typedLine(line, 0) == Typed::Line && status.asks_calibrate;
+  }
+
+ private:
+  std::string told_;
+};
+
 void check(const Options& options) {
+  const InterruptWatch interrupt;
   auto device = opened(options.name);
+  const bool gives_force = device->info().gives_force;
   describe(device->info());
-  if (const std::string text = device->status().text; !text.empty()) std::cout << text << '\n';
   DeviceCheckOptions how;
-  how.ask = options.yes ? [](const std::string& question) { return std::cout << question << '\n', true; } : askOnTerminal;
-  how.tell = [](const std::string& what) { std::cout << what << '\n'; };
+  if (options.yes) how.ask = [](const std::string& question) { return std::cout << question << '\n' << std::flush, true; };
+  else how.ask = [&](const std::string& question) { return askOnTerminal(question, interrupt); };
+  how.tell = [](const std::string& what) { std::cout << what << '\n' << std::flush; };
+  how.guide = GuideOnTerminal();
+  how.interrupted = [&] { return interrupt.seen(); };
   how.part_s = options.seconds;
-  bool failed = false;
+  how.ready_s = kWaitReady_s;
+  how.unplug_s = options.yes ? 0.0 : kWaitPlug_s;  // nobody may be there
+  bool failed = false, anything = false, force = false;
   for (const CheckedPart& part : checkDevice(std::move(device), how)) {
     failed = failed || (part.done && !part.passed);
+    anything = anything || part.done;
+    force = force || (part.done && part.forces);
     std::cout << (part.done ? part.passed ? "passed   " : "FAILED   " : "left out ") << part.name << ": " << part.found << '\n';
   }
+  if (interrupt.seen()) throw CommandError{"broken off; the device was closed without force", kInterrupted};
   if (failed) throw CommandError{"the device did not pass"};
+  if (!anything) throw CommandError{"nothing was checked", kNothingChecked};
+  if (gives_force && !force) throw CommandError{"the device's force was not checked", kNothingChecked};
 }
 
 }  // namespace
@@ -65,7 +105,7 @@ void addDevice(CLI::App& app) {
   command->require_subcommand(1);
   auto options = std::make_shared<Options>();
 
-  CLI::App* checks = command->add_subcommand("check", "Try a device in your hand: its places, a gentle pull, a wall, the panic key");
+  CLI::App* checks = command->add_subcommand("check", "Try a device in your hand: its places, a gentle pull, a wall, and every way in which force must end");
   checks->add_option("NAME", options->name, "as `moltact devices` lists it")->required();
   checks->add_flag("--yes", options->yes, "do not ask before the device moves");
   checks->add_option("--seconds", options->seconds, "how long each part lasts")->check(numberFrom(0.2, 600.0))->capture_default_str();

@@ -14,6 +14,8 @@
 #include "engine/device/mouse_device.h"
 #include "engine/haptics/methods.h"
 #include "engine/molecule/catalogue.h"
+#include "engine/platform/interrupt.h"
+#include "engine/platform/terminal.h"
 #include "engine/servo/fit_workspace.h"
 #include "engine/servo/scale.h"
 #include "engine/servo/servo_thread.h"
@@ -118,7 +120,7 @@ class Recorder {
   void run(ServoThread& servo) {
     const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
-    for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording(); ++look) {
+    for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording() && !interrupt_.seen(); ++look) {
       if (look % (kAsk_ms / 10) == 0) ask(servo);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
       servo.drainRecording(start, [&](const TraceTick& tick) {
@@ -139,8 +141,11 @@ class Recorder {
  private:
   // What the device asks of the person, each time that it is another.
   void ask(ServoThread& servo) {
-    const std::string text = servo.device()->status().text;
-    if (text != said_ && !text.empty()) std::cout << text << '\n' << std::flush;
+    const DeviceStatus status = servo.device()->status();
+    const std::string& text = status.text;
+    if (text != said_ && !text.empty()) std::cout << text << (status.asks_calibrate ? " Then press Enter." : "") << '\n' << std::flush;
+    std::string line;
+    if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.device()->calibrate();
     if (!text.empty()) last_said_ = text;
     said_ = text;
   }
@@ -162,6 +167,7 @@ class Recorder {
   }
 
   const RecordOptions& options_;
+  const InterruptWatch interrupt_;  // what was recorded until then is kept, and the device closed in order
   TraceWriter writer_;
   Labels labels_;
   DeviceWatch watch_;

@@ -31,7 +31,7 @@ void DeviceLink::choose(Application& app, const std::string& name) {
   app.messages.takeBack(offer_);
 }
 
-std::optional<Problem> DeviceLink::use(Application& app, const std::string& name) {
+std::optional<Problem> DeviceLink::use(Application& app, const std::string& name, std::unique_ptr<Device> opened) {
   stopTrying(app);
   ServoLink& servo = app.scene.servo();
   if (name == "mouse") {
@@ -39,7 +39,7 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
   } else {
     // The old one goes first: it may be the same.
     if (name == chosen_) return std::nullopt;
-    auto device = openDevice(name);
+    Expected<std::unique_ptr<Device>> device = opened ? std::move(opened) : openDevice(name);
     if (!device) return device.problem();
     servo.setDevice(std::move(*device));
   }
@@ -85,14 +85,13 @@ void DeviceLink::begin(Application& app) {
 }
 
 double DeviceLink::lookEvery_s(const Application& app) const {
-  if (app.panels.device_page || !awaited_.empty()) return kLook_s;
+  if (app.panels.device_page) return kLook_s;
   return app.settings.device.empty() && app.options().devices_unasked ? kLookForOffer_s : 0.0;
 }
 
 void DeviceLink::look(Application& app) {
   if (std::optional<std::vector<FoundDevice>> seen = looker_.take(); seen && !seen->empty()) {
     found_ = std::move(*seen);
-    await(app);
     offer(app);
   }
   const double every_s = lookEvery_s(app);
@@ -101,9 +100,15 @@ void DeviceLink::look(Application& app) {
   looker_.begin(app.scene.servo().clock() == ServoClock::Frames);
 }
 
+// The search is not the window's: a driver may take seconds to find that there is no device. A script waits, for its clock is
+// not the search's.
 void DeviceLink::await(Application& app) {
-  const auto found = std::find_if(found_.begin(), found_.end(), [&](const FoundDevice& one) { return one.usable && one.name == awaited_; });
-  if (awaited_.empty() || found == found_.end() || use(app, awaited_)) return;
+  if (!search_ && !awaited_.empty() && app.now_s() - searched_s_ >= kLook_s) search_ = std::make_unique<DeviceSearch>(awaited_);
+  if (!search_ || (!search_->done() && app.scene.servo().clock() == ServoClock::RealThread)) return;
+  auto device = search_->take();
+  search_.reset();
+  searched_s_ = app.now_s();
+  if (!device || awaited_.empty() || use(app, awaited_, std::move(*device))) return;
   awaited_.clear();
   awaited_title_.clear();
   app.messages.notice(app.scene.servo().chosen()->info().name + " is there and leads.");
@@ -157,6 +162,7 @@ void DeviceLink::leadView(Application& app) {
 void DeviceLink::beforeTicks(Application& app) {
   if (!begun_) begin(app);
   look(app);
+  await(app);
   leadView(app);
   app.scene.followView();
   if (chosen_ != "mouse")
@@ -188,7 +194,7 @@ void DeviceLink::ask(Application& app) {
 }
 
 bool DeviceLink::wantsCalibration(const Application& app) const {
-  return app.scene.servo().chosen() && status_.connected && !status_.ready;
+  return app.scene.servo().chosen() && status_.connected && status_.asks_calibrate;
 }
 
 void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {

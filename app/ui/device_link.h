@@ -4,13 +4,14 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "app/ui/device_looker.h"
 #include "app/ui/extension.h"
-#include "engine/device/driver.h"
+#include "engine/device/device_search.h"
 #include "engine/servo/safety_limits.h"
 
 namespace moltact {
@@ -53,7 +54,7 @@ class DeviceLink : public Extension {
   };
   ScaleWords scaleWords(const Application& app) const;
 
-  /// Whether it gives no force until the person has done what status() says.
+  /// Whether it waits for its calibrate(), when the person has done what status() says.
   bool wantsCalibration(const Application& app) const;
 
   /// The limits that acted within the last kShowLimit_s, in whatever scene.
@@ -69,7 +70,7 @@ class DeviceLink : public Extension {
   bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty(); }
 
  private:
-  std::optional<Problem> use(Application& app, const std::string& name);
+  std::optional<Problem> use(Application& app, const std::string& name, std::unique_ptr<Device> opened = nullptr);
   void taken(Application& app, const std::string& name);
   void begin(Application& app);
   void look(Application& app);
@@ -84,6 +85,8 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
+  std::unique_ptr<DeviceSearch> search_;  // for the awaited one
+  double searched_s_ = 0.0;
   DeviceLooker looker_;
   bool begun_ = false, takes_default_ = false;
   double looked_s_ = -1.0;       // none yet: negative

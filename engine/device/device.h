@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <string>
 
 #include "engine/core/units.h"
@@ -14,7 +15,7 @@ namespace moltact {
 /// literature; docs/devices.md says which is which.
 struct DeviceFigures {
   Vec3 workspace_mm{160.0, 120.0, 70.0}; ///< the reach of the hand, edge to edge
-  int dof_in = 3;                        ///< degrees of freedom that are read: 3 place, 6 place and turn
+  int dof_in = 3;                        ///< degrees of freedom that are read and used: 3 place, 6 place and turn
   int dof_out = 0;                       ///< degrees of freedom that are driven: 0 none, 3 force
   double max_force_N = 3.3;              ///< the greatest force for a moment
   double continuous_force_N = 3.3;       ///< the greatest force for good, by the motors' heat
@@ -23,17 +24,23 @@ struct DeviceFigures {
   double damping_N_s_per_m = 0.2;        ///< its own, in the mechanism
   double friction_N = 0.26;              ///< its own, Coulomb; 0: not known
   double resolution_mm = 0.055;          ///< the least step of the place that it tells
-  double delay_s = 0.001;                ///< from a force written to its being felt, with the age of a place when it is read
+  double delay_s = 0.001;                ///< from the encoders to the driver and from there to the motors, together
+  double speed_limit_m_per_s = kNoLimit; ///< faster than this it gives no force
+  double slew_limit_N_per_s = kNoLimit;  ///< and a force that changes faster it cuts
   bool gives_force = false;              ///< false: the force is only shown on the screen, and moves no hand
+
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  friend bool operator==(const DeviceFigures&, const DeviceFigures&) = default;
 };
 
 /// A device, described once, before it is used.
 struct DeviceInfo : DeviceFigures {
   std::string name;  ///< as the status bar says it
+  friend bool operator==(const DeviceInfo&, const DeviceInfo&) = default;
 };
 
 struct DevicePose {
-  PointMm position;
+  PointMm position;                ///< from the middle of workspace_mm
   std::uint32_t buttons = 0;     ///< a bit a button, the first in bit 0
   std::uint32_t placements = 0;  ///< raised by one when the hand was put elsewhere without a way between; a held device never does
   bool fresh = true;             ///< false: nothing new has come from the device since the last read; the place is the last one
@@ -55,6 +62,7 @@ struct DeviceStatus {
   bool connected = true;
   bool ready = true;        ///< false: it gives no force yet, or its places are not to be trusted; `text` says what to do
   std::string text;         ///< what is wrong, or what the person is to do; empty: nothing
+  bool asks_calibrate = false; ///< it waits for calibrate(), when what `text` says has been done
   double motor_heat = -1.0; ///< 0 cold to 1 as warm as its motors may be, as the device tells it; -1: it does not tell
 };
 

@@ -7,16 +7,22 @@
 #include <thread>
 
 #include "engine/device/mouse_device.h"
+#include "engine/servo/faulty_device.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/servo/servo_thread.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kPull_N = 0.4, kWall_N_per_mm = 0.4;
-constexpr double kStill_mm = 0.5;      // a place at rest wanders by no more
-constexpr double kSlewATick_N = safety::kSlew_N_per_s * kTick_s;
-constexpr double kRounding = 1e-9;
+using Clock = std::chrono::steady_clock;
+using Fault = FaultyDevice::Fault;
+
+constexpr double kPull_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
+constexpr double kStill_mm = 0.5;  // a place at rest wanders by no more
+constexpr double kStaleShare = 0.05;  // of the ticks: a computer that is busy with other things has some
+constexpr double kBack_s = 8.0;    // by then the force is back after a fault; a loop that stood stays soft for some seconds
+constexpr double kOver_s = 1.0;    // by then a fault is over
+constexpr auto kStep = std::chrono::milliseconds(10);
 
 std::string text(const char* format, auto... values) {
   char out[240];
@@ -26,51 +32,94 @@ std::string text(const char* format, auto... values) {
 
 class Check {
  public:
-  Check(std::unique_ptr<Device> device, const DeviceCheckOptions& options) : options_(options), gives_(device->info().gives_force), peak_N_(device->info().max_force_N) {
+  Check(std::unique_ptr<Device> device, const DeviceCheckOptions& options) : options_(options), gives_(device->info().gives_force) {
     settings_.workspace.A_per_mm = 1.0;
     settings_.stiffness_N_per_mm = kWall_N_per_mm;
-    settings_.max_force_N = std::min(2.0, peak_N_);
+    settings_.max_force_N = std::min(kMost_N, device->info().max_force_N);
     servo_.setSettings(settings_);
-    servo_.setDevice(std::move(device));
+    auto faulty = std::make_unique<FaultyDevice>(std::move(device));
+    device_ = faulty.get();
+    servo_.setDevice(std::move(faulty));
   }
 
   std::vector<CheckedPart> run() {
-    still();
-    if (gives_) {
-      part("gentle pull", text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kPull_N), [this] { pull(); });
-      part("stopped by the panic key", "It will pull again and be stopped in between.", [this] { panic(); });
-      part("wall", "There will be a wall in the middle, facing you. Press on it and let go, a few times.", [this] { wall(); });
-    }
+    if (!ready()) stop_ = stopped() ? "left out" : "left out: " + notReady();
+    quiet("places at rest", [this] { still(); });
+    if (!gives_) return out_;
+    part("gentle pull", text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kPull_N), [this] { pull(); });
+    part("stopped by the panic key", "It will pull again and be stopped in between.", [this] { panic(); });
+    part("late, lost and doubled ticks", "It will pull while the program ticks badly: the force goes and comes back softly.", [this] { badTicks(); });
+    part("misread places", "It will pull while its places are misread: the force goes and comes back softly.", [this] { badPlaces(); });
+    part("a window that stands", "It will pull while the window stands: you feel nothing of that.", [this] { standingWindow(); });
+    part("another scene in contact", "It will pull to the right and to the left by turns, softly each time.", [this] { swaps(); });
+    part("wall", "There will be a wall in the middle, facing you. Press on it and let go, a few times.", [this] { wall(); });
+    if (options_.unplug_s > 0.0) part("unplugged and plugged in", "It will pull, and you will be asked to pull out its plug.", [this] { unplug(); });
     return out_;
   }
 
  private:
   struct Seen {
+    FaultyDevice::Given given;
     std::vector<ServoSample> ticks;
-    double greatest_N = 0, greatest_step_N = 0, latest_ms = 0;
-    bool finite = true, connected = true;
+    double latest_ms = 0;
+    bool connected = true;
   };
 
+  bool stopped() {
+    if (!stop_.empty() || !options_.interrupted || !options_.interrupted()) return !stop_.empty();
+    settings_.panic = true;
+    servo_.setSettings(settings_);
+    stop_ = "left out";
+    return true;
+  }
+
+  // Until it is ready to give force and tells fresh places; guides the person to that.
+  bool ready() {
+    const auto end = Clock::now() + std::chrono::duration<double>(options_.ready_s);
+    device_->given();
+    for (std::uint64_t fresh = 0; Clock::now() < end && !stopped();) {
+      std::this_thread::sleep_for(kStep);
+      servo_.drain([](const ServoSample&) {});
+      fresh += device_->given().fresh;
+      status_ = device_->status();
+      if (status_.ready && status_.connected && fresh > 0) return true;
+      if (!status_.ready && options_.guide && options_.guide(status_)) device_->calibrate();
+    }
+    return false;
+  }
+  std::string notReady() const {
+    return status_.ready ? "no place has come from the device" : "the device is not ready. " + status_.text;
+  }
+
+  // What the device is given in that time, and every tick of it.
   Seen watch(double seconds) {
     Seen seen;
-    servo_.drain([](const ServoSample&) {});
-    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(seconds);
-    Vec3 last(0.0);
-    bool first = true;
-    while (std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      if (Device* device = servo_.device()) seen.connected = seen.connected && device->status().connected;
+    const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+    while (Clock::now() < end && !stopped()) {
+      std::this_thread::sleep_for(kStep);
+      status_ = device_->status();
+      seen.connected = seen.connected && status_.connected;
       servo_.drain([&](const ServoSample& s) {
         seen.ticks.push_back(s);
-        seen.finite = seen.finite && finite(s.force.N);
-        seen.greatest_N = std::max(seen.greatest_N, glm::length(s.force.N));
-        if (!first && !s.limits.has(Limit::Panic)) seen.greatest_step_N = std::max(seen.greatest_step_N, glm::distance(s.force.N, last));
-        last = s.force.N;
-        first = false;
         seen.latest_ms = std::max(seen.latest_ms, double(s.late_us) * 1e-3);
       });
     }
+    seen.given = device_->given();
+    all_.ticks += seen.given.ticks;
+    all_.greatest_N = std::max(all_.greatest_N, seen.given.greatest_N);
+    if (!all_.broken) all_.broken = seen.given.broken;
     return seen;
+  }
+
+  template <class Done>
+  bool watchUntil(double most_s, Done done) {
+    const auto end = Clock::now() + std::chrono::duration<double>(most_s);
+    while (!done(watch(0.02)))
+      if (Clock::now() >= end || stopped()) return false;
+    return true;
+  }
+  bool feltAgain() {
+    return watchUntil(kBack_s, [](const Seen& seen) { return seen.given.last_N > 0.5 * kPull_N; });
   }
 
   void feel(std::unique_ptr<Tracker> tracker) {
@@ -78,75 +127,136 @@ class Check {
     servo_.setSettings(settings_);
     servo_.setTracker(std::move(tracker));
   }
+  void feelPull(double sign = 1.0) { feel(std::make_unique<PullTracker>(sign * kPull_N / kWall_N_per_mm)); }
 
   template <class Body>
-  void part(const char* name, const std::string& question, Body body) {
+  void quiet(const char* name, Body body) {
     out_.push_back({.name = name});
-    if (failed_) {
-      out_.back().found = "left out, for an earlier part failed";
-      return;
-    }
-    if (options_.ask && !options_.ask(question)) {
-      out_.back().found = "left out";
+    if (stopped()) {
+      out_.back().found = stop_;
       return;
     }
     out_.back().done = true;
+    all_ = {};
+    device_->given();
+    servo_.drain([](const ServoSample&) {});
     body();
     feel(nullptr);
-    failed_ = failed_ || !out_.back().passed;
+    if (stopped()) found(false, "broken off");
+    else if (!out_.back().passed && !status_.text.empty()) out_.back().found += ". " + status_.text;
+    if (!out_.back().passed && stop_.empty()) stop_ = "left out, for an earlier part failed";
+  }
+  template <class Body>
+  void part(const char* name, const std::string& question, Body body) {
+    if (stopped() || (options_.ask && !options_.ask(question)) || stopped())
+      out_.push_back({.name = name, .found = stop_.empty() ? "left out" : stop_});
+    else
+      quiet(name, body);
+    out_.back().forces = true;
   }
   void found(bool passed, std::string words) {
     out_.back().passed = passed;
     out_.back().found = std::move(words);
   }
-  // What holds of every tick.
-  bool sound(const Seen& seen) const {
-    return !seen.ticks.empty() && seen.finite && seen.connected && seen.greatest_N <= settings_.max_force_N + kRounding &&
-           seen.greatest_step_N <= kSlewATick_N + kRounding;
+  // What holds of every tick that the device was given, and that it was given some force.
+  void foundSound(bool as_wanted, const std::string& words) {
+    const bool sound = !all_.broken && all_.ticks > 0 && all_.greatest_N <= settings_.max_force_N + 1e-9;
+    found(sound && as_wanted, words + text("; %llu ticks, at most %.2f N", static_cast<unsigned long long>(all_.ticks), all_.greatest_N) +
+                                  (all_.broken ? std::string("; ") + all_.broken : ""));
   }
 
   void still() {
-    out_.push_back({.name = "places at rest"});
-    out_.back().done = true;
     if (options_.tell) options_.tell("Lay the stylus down, or hold it still.");
     const Seen seen = watch(options_.part_s);
     Vec3 low(1e300), high(-1e300);
-    std::size_t strange = 0;
+    std::size_t strange = 0, stale = 0;
     for (const ServoSample& s : seen.ticks) {
       if (!finite(s.hand.mm)) ++strange;
       low = glm::min(low, s.hand.mm);
       high = glm::max(high, s.hand.mm);
-      strange += s.limits.has(Limit::Jump) || s.limits.has(Limit::StalePlace);
+      strange += s.limits.has(Limit::Jump);
+      stale += s.limits.has(Limit::StalePlace);
     }
     const double wandered = seen.ticks.empty() ? 0 : glm::length(high - low);
     // A hand that moves on its own, as a simulated one does, is no fault of the places.
     const std::string rest = wandered <= kStill_mm ? "" : " (more than a device at rest: was it held still?)";
-    found(!seen.ticks.empty() && strange == 0 && seen.connected && seen.greatest_N == 0,
-          text("%zu ticks, wandered %.3f mm%s, %zu places strange or stale, latest tick %.1f ms late", seen.ticks.size(), wandered, rest.c_str(), strange, seen.latest_ms));
-    failed_ = !out_.back().passed;
+    found(!seen.ticks.empty() && strange == 0 && double(stale) <= kStaleShare * double(seen.ticks.size()) && seen.connected && status_.ready && seen.given.greatest_N == 0.0,
+          text("%zu ticks, wandered %.3f mm%s, %zu places strange, %zu stale, latest tick %.1f ms late", seen.ticks.size(), wandered, rest.c_str(), strange, stale,
+               seen.latest_ms));
   }
 
   void pull() {
-    feel(std::make_unique<PullTracker>(kPull_N / kWall_N_per_mm));
+    feelPull();
     const Seen seen = watch(options_.part_s);
-    found(sound(seen) && seen.greatest_N > 0.5 * kPull_N, text("at most %.2f N, at most %.3f N more from tick to tick", seen.greatest_N, seen.greatest_step_N));
+    foundSound(seen.connected && seen.given.greatest_N > 0.5 * kPull_N, "it pulled");
   }
 
   void panic() {
-    feel(std::make_unique<PullTracker>(kPull_N / kWall_N_per_mm));
+    feelPull();
     watch(0.5 * options_.part_s);
     settings_.panic = true;
     servo_.setSettings(settings_);
-    Seen seen = watch(0.5 * options_.part_s);
+    const Seen seen = watch(0.5 * options_.part_s);
     settings_.panic = false;
     servo_.setSettings(settings_);
     // The ticks before the key was seen may still have force; from the first stopped one on there is none.
-    std::size_t forced = 0, stopped = 0;
+    std::size_t forced = 0, stopped_ticks = 0;
     for (const ServoSample& s : seen.ticks) {
-      stopped += s.limits.has(Limit::Panic);
+      stopped_ticks += s.limits.has(Limit::Panic);
       forced += s.limits.has(Limit::Panic) && s.force.N != Vec3(0.0);
     }
-    found(stopped > 0 && forced == 0, text("%zu ticks stopped, %zu of them with force", stopped, forced));
+    foundSound(stopped_ticks > 0 && forced == 0, text("%zu ticks stopped, %zu of them with force", stopped_ticks, forced));
+  }
+
+  // One after the other, each from full force.
+  struct Injected {
+    Fault fault;
+    int ticks;
+  };
+  void suffer(std::initializer_list<Injected> faults) {
+    feelPull();
+    std::size_t felt = 0, over = 0;
+    for (const Injected& one : faults) {
+      felt += feltAgain();
+      device_->inject(one.fault, one.ticks);
+      over += watchUntil(kOver_s, [this](const Seen&) { return device_->faultIsOver(); });
+    }
+    const bool back = feltAgain();
+    foundSound(felt == faults.size() && over == faults.size() && back,
+               text("%zu of %zu faults met its force, which %s after the last", felt, faults.size(), back ? "came back" : "did not come back"));
+  }
+  void badTicks() {
+    suffer({{Fault::Late, 15}, {Fault::Doubled, 50}, {Fault::Lost, 60}, {Fault::Stands, 60}});
+  }
+  void badPlaces() {
+    suffer({{Fault::Leaps, 1}, {Fault::NotANumber, 50}, {Fault::Leaps, 5}, {Fault::Frozen, 100}, {Fault::NotANumber, 1}});
+  }
+
+  void standingWindow() {
+    feelPull();
+    feltAgain();
+    const auto end = Clock::now() + std::chrono::duration<double>(options_.part_s);
+    while (Clock::now() < end && !stopped()) std::this_thread::sleep_for(kStep);  // nobody asks the device nor takes the ticks
+    const Seen seen = watch(0.1);
+    foundSound(seen.given.last_N > 0.5 * kPull_N, text("the window stood for %.1f s", options_.part_s));
+  }
+
+  void swaps() {
+    std::vector<ServoSample> ticks;
+    for (int k = 0; k < 6; ++k) {
+      feelPull(k % 2 ? -1.0 : 1.0);
+      const Seen seen = watch(0.2 + 0.05 * k);
+      ticks.insert(ticks.end(), seen.ticks.begin(), seen.ticks.end());
+    }
+    // From each tick on in which the contact was placed anew, softly from what there was.
+    ForceJudge judge(settings_.max_force_N);
+    std::size_t placed = 0;
+    const char* broken = nullptr;
+    for (const ServoSample& s : ticks) {
+      if (s.placed) judge.expectSoft(), ++placed;
+      if (const char* now = judge.judge(s.force.N, {}); now && !broken) broken = now;
+    }
+    foundSound(placed >= 6 && !broken, text("%zu times placed anew", placed) + (broken ? std::string(", ") + broken : ""));
   }
 
   void wall() {
@@ -157,18 +267,43 @@ class Check {
       touching += s.contact.touching();
       damped += s.limits.has(Limit::Damping) || s.limits.has(Limit::EnergyCut);
     }
-    found(sound(seen), text("%zu of %zu ticks in contact, at most %.2f N, %zu ticks in which made energy was braked away", touching, seen.ticks.size(), seen.greatest_N, damped));
-    if (touching == 0) out_.back().found += "; nobody pressed on it";
+    foundSound(seen.connected, text("%zu of %zu ticks in contact, %zu in which made energy was braked away%s", touching, seen.ticks.size(), damped,
+                                    touching ? "" : "; nobody pressed on it"));
+  }
+
+  void unplug() {
+    feelPull();
+    feltAgain();
+    if (options_.tell) options_.tell("Pull the device's plug out now.");
+    if (!waitForPlug(false)) return notDone("it was not unplugged");
+    const Seen away = watch(0.5);
+    const bool silent = away.given.last_N == 0.0;
+    if (options_.tell) options_.tell("Now plug it in again, and hold it lightly.");
+    if (!waitForPlug(true)) return notDone("it was not plugged in again");
+    const bool back = feltAgain();
+    foundSound(silent && back, (silent ? "no force" : text("%.2f N", away.given.last_N)) + " while it was away, " + (back ? "and softly back" : "and none after it"));
+  }
+  bool waitForPlug(bool in) {
+    return watchUntil(options_.unplug_s, [&](const Seen&) {
+      if (in && status_.connected && !status_.ready && options_.guide && options_.guide(status_)) device_->calibrate();
+      return in ? status_.connected && status_.ready : !status_.connected;
+    });
+  }
+  void notDone(const char* why) {
+    out_.back().done = false;
+    found(true, std::string("left out: ") + why);
   }
 
   const DeviceCheckOptions& options_;
   bool gives_;
-  double peak_N_;
   MouseDevice mouse_;
   ServoSettings settings_;
   ServoThread servo_{mouse_};
+  FaultyDevice* device_ = nullptr;  // the loop's, which closes it
+  DeviceStatus status_;
+  FaultyDevice::Given all_;  // of the part
+  std::string stop_;         // why nothing more is checked
   std::vector<CheckedPart> out_;
-  bool failed_ = false;
 };
 
 }  // namespace

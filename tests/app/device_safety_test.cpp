@@ -277,7 +277,7 @@ TEST_CASE("a device that wants to be calibrated says over the view what to do, w
   auto d = startWith();
   Led& stylus = lead(*d, [](double t) { return DevicePose{.position = {}, .trouble = t < 2.0}; }, kDeep_mm);
   d->app().scene.servo().setTracker(pull(*d, 1.0));
-  stylus.said = {.ready = false, .text = "Put the stylus into the inkwell."};
+  stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
   CHECK(told(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));
   // Once, not in the notice below as well.
@@ -297,7 +297,7 @@ TEST_CASE("a device that wants to be calibrated says over the view what to do, w
   d->frames(150);
   CHECK_FALSE(told(*d, "inkwell"));
   CHECK_FALSE(d->shows("limits"));
-  stylus.said = {.ready = false, .text = "Put the stylus into the inkwell."};
+  stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
   stylus.said = {};
   d->frames(20);

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <deque>
@@ -29,6 +30,7 @@ struct Wire {
   std::deque<Report> to_host;
   std::vector<Report> from_host;
   bool plugged = true;
+  std::atomic<int> write_ms{0};  // how long a report out blocks
   Report feature;
 
   void send(Report report) {
@@ -67,6 +69,7 @@ class WirePort final : public HidPort {
     return 0;
   }
   bool write(std::span<const std::uint8_t> report) override {
+    std::this_thread::sleep_for(std::chrono::milliseconds(wire_->write_ms));
     const std::lock_guard lock(wire_->mutex);
     if (!wire_->plugged) return false;
     wire_->from_host.emplace_back(report.begin(), report.end());
@@ -84,10 +87,14 @@ class WirePort final : public HidPort {
 };
 
 HidDevice::Opener over(std::shared_ptr<Wire> wire) {
-  return [wire]() -> Expected<std::unique_ptr<HidPort>> {
-    const std::lock_guard lock(wire->mutex);
-    if (!wire->plugged) return Problem{"", 0, 0, "not there", ""};
-    return std::unique_ptr<HidPort>(std::make_unique<WirePort>(wire));
+  return [wire](const HidDevice::Accept& accept) -> Expected<std::unique_ptr<HidPort>> {
+    {
+      const std::lock_guard lock(wire->mutex);
+      if (!wire->plugged) return Problem{"", 0, 0, "not there", ""};
+    }
+    std::unique_ptr<HidPort> port = std::make_unique<WirePort>(wire);
+    if (const auto problem = accept(*port)) return *problem;
+    return port;
   };
 }
 
@@ -291,6 +298,132 @@ TEST_CASE("WoodenHaptics: 2000 counts turn a motor once, no motor gets more than
   CHECK(int16At(out, 3) == 3000);  // lifts the link: the body's torque is negative, and the motor turns against it
   wood.give({Vec3(std::nan(""), 0, 0)}, out);
   for (std::size_t k = 1; k < 7; ++k) CHECK(out[k] == 0);
+}
+
+TEST_CASE("WoodenHaptics: no force until the links were held upright and the person said so; where they were then is the place at rest, and it is "
+          "asked again when it was opened anew") {
+  const auto wire = std::make_shared<Wire>();
+  auto opened = HidDevice::open(over(wire), std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo());
+  REQUIRE(opened);
+  Device& device = **opened;
+  const Vec3 rest = WoodenHapticsProtocol::place(Vec3(0)).mm;
+  CHECK(device.read(0.001).trouble);
+  for (int time = 0; time < 2; ++time) {
+    CAPTURE(time);
+    CHECK_FALSE(device.status().ready);
+    CHECK(device.status().asks_calibrate);
+    CHECK(device.status().text.find("Hold both links of the device upright") == 0);
+    // It was switched on somewhere else: upright it counts 3000, -32000 and 500.
+    Report upright(8);
+    putInt16(upright, 0, 3000);
+    putInt16(upright, 2, -32000);
+    putInt16(upright, 4, 500);
+    wire->send(upright);
+    waitFor([&] { return device.read(0.001).fresh; });
+    CHECK(device.read(0.001).trouble);
+    const std::uint32_t placements = device.read(0.001).placements;
+    device.calibrate();
+    waitFor([&] { return !device.read(0.001).trouble; });
+    CHECK_FALSE(device.read(0.001).trouble);
+    CHECK(device.read(0.001).placements == placements + 1);
+    CHECK(device.status().ready);
+    wire->send(upright);
+    waitFor([&] { return glm::distance(device.read(0.001).position.mm, rest) < 1e-9; });
+    CHECK(glm::distance(device.read(0.001).position.mm, rest) < 1e-9);
+    // A quarter of a turn of the second link from there, over the end of what 16 bits count.
+    Report turned = upright;
+    putInt16(turned, 2, -32000 - 6000);
+    wire->send(turned);
+    waitFor([&] { return std::abs(device.read(0.001).position.mm.z + 15.0) < 1e-6; });
+    CHECK(device.read(0.001).position.mm.z == doctest::Approx(205 - 220));
+    wire->plug(false);
+    waitFor([&] { return !device.read(0.001).connected; });
+    wire->plug(true);
+    waitFor([&] { return device.read(0.001).connected; });
+    CHECK(device.read(0.001).trouble);
+  }
+}
+
+TEST_CASE("another device of the open layout is plugged in than the one that was pulled out: its own figures hold, and the room is its own") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  wire->feature = of(firmware.description());
+  DeviceInfo known;
+  known.name = "Built";
+  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), known);
+  REQUIRE(opened);
+  Device& device = **opened;
+  const DeviceInfo& first = device.info();
+  CHECK(first.max_force_N == 4.0);
+  wire->plug(false);
+  waitFor([&] { return !device.read(0.001).connected; });
+  Report weaker = wire->feature;
+  putInt16(weaker, 8, 900);    // 0.9 N
+  putInt16(weaker, 10, 300);
+  putInt16(weaker, 12, 60);    // 60 mm wide
+  wire->feature = weaker;
+  wire->plug(true);
+  waitFor([&] { return device.read(0.001).connected; });
+  CHECK(device.info().max_force_N == 0.9);
+  CHECK(device.info().continuous_force_N == 0.3);
+  CHECK(device.info().workspace_mm.x == 60);
+  CHECK(device.info().name == "Built");
+  CHECK(first.max_force_N == 4.0);  // who still reads the old ones reads them whole
+}
+
+TEST_CASE("open layout: a fault and a missing calibration are told in words, and the device is not ready meanwhile") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  wire->feature = of(firmware.description());
+  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), DeviceInfo());
+  REQUIRE(opened);
+  Device& device = **opened;
+  CHECK(device.status().ready);
+  firmware.fault = true;
+  wire->send(of(firmware.tick({})));
+  waitFor([&] { return !device.status().ready; });
+  CHECK(device.status().text.find("reports a fault") != std::string::npos);
+  CHECK_FALSE(device.status().asks_calibrate);
+  CHECK(device.read(0.001).trouble);
+}
+
+TEST_CASE("the age of a place grows from when it came, and holds the time that a force waits to be written, 5 ms here; a device without force has none") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  wire->feature = of(firmware.description());
+  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), DeviceInfo());
+  REQUIRE(opened);
+  Device& device = **opened;
+  CHECK(device.read(0.001).age_s == 0.0f);  // no place yet
+  wire->send(of(firmware.tick({1, 0, 0})));
+  waitFor([&] { return device.read(0.001).position.mm.x == 1; });
+  const float first = device.read(0.001).age_s;
+  std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  CHECK(device.read(0.001).age_s >= first + 0.02f);
+  wire->write_ms = 5;
+  waitFor([&] {
+    device.write({Vec3(1, 0, 0)});
+    wire->send(of(firmware.tick({1, 0, 0})));
+    const bool waited = device.read(0.001).age_s >= 0.005f && device.read(0.001).fresh;
+    return waited;
+  });
+  // Ages of places that have just come are small; what is left of 5 ms or more is the wait.
+  double least = 1;
+  for (int k = 0; k < 200; ++k) {
+    device.write({Vec3(1, 0, 0)});
+    wire->send(of(firmware.tick({1, 0, 0})));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    least = std::min(least, double(device.read(0.001).age_s));
+  }
+  CHECK(least >= 0.005);
+
+  const auto cap = std::make_shared<Wire>();
+  auto mouse = HidDevice::open(over(cap), std::make_unique<SpaceMouseProtocol>(), DeviceInfo());
+  REQUIRE(mouse);
+  cap->send({3, 2});
+  waitFor([&] { return (*mouse)->read(0.001).buttons == 2; });
+  std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  CHECK((*mouse)->read(0.001).age_s == 0.0f);
 }
 
 TEST_CASE("open layout: figures come out of the feature report; one that is short, of another version or without a unit is refused") {

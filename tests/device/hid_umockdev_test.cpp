@@ -45,6 +45,7 @@ TEST_CASE("WoodenHaptics is found by its ids, read, and its currents are written
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
   CHECK(device->info().gives_force);
+  holdUpright(bed, *device);
   DevicePose pose;
   Bytes last;
   waitFor([&] {
@@ -91,9 +92,23 @@ TEST_CASE("a device of the open layout is opened by its feature report; one that
     bed.plug(mute);
     const auto refused = openDevice("open");
     REQUIRE_FALSE(refused);
-    CHECK(refused.problem().message.find("its feature report 3 does not begin with 'MLTC'") != std::string::npos);
-    CHECK(refused.problem().remedy == "see docs/device-protocol.md");
+    CHECK(refused.problem().remedy.find("Workshop Stylus: ") != std::string::npos);
+    CHECK(refused.problem().remedy.find("its feature report 3 does not begin with 'MLTC'") != std::string::npos);
   }
+}
+
+TEST_CASE("a receiver of another maker that has the vendor's usage too is listed by nobody and never the default; with a device of the open "
+          "layout beside it that one is") {
+  const MockedHid receiver{"046D", "C52B", "Logitech USB Receiver", hidDescriptor(0xFF00, 1)};
+  HidTestbed bed;
+  bed.plug(receiver);
+  CHECK(defaultDevice(findDevices()).name == "mouse");
+  const auto one = findDevice("open");
+  REQUIRE(one);
+  CHECK_FALSE(one->usable);
+  CHECK(one->why.find("none is plugged in; ") == 0);
+  CHECK(one->why.find("Receiver") != std::string::npos);
+  CHECK_FALSE(findDevice("open:2"));
 }
 
 TEST_CASE("a DualShock 4 is found by its ids and usage, its stick moves the hand, and the force is written to its motors until the loop is silent") {

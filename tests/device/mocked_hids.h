@@ -44,4 +44,12 @@ void waitFor(Done done) {
   for (int k = 0; k < 5000 && !done(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
+/// What the person does with WoodenHaptics before it gives force: its links, upright, count 0 here.
+inline void holdUpright(HidTestbed& bed, Device& device) {
+  waitFor([&] { return (bed.send(counts(0, 0, 0)), device.read(0.001).position.mm.z < -219); });
+  device.calibrate();
+  waitFor([&] { return device.status().ready; });
+  CHECK(device.status().ready);
+}
+
 }  // namespace moltact::test

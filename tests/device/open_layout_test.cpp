@@ -254,8 +254,12 @@ TEST_CASE("in the haptic thread: motors on while it leads, off by the panic key,
   end.sends = true;
   MouseDevice mouse;
   ServoThread servo(mouse);
-  auto device = HidDevice::open([&]() -> Expected<std::unique_ptr<HidPort>> { return std::unique_ptr<HidPort>(std::make_unique<FarEndPort>(end)); },
-                                std::make_unique<OpenProtocol>(), {});
+  const auto opener = [&](const HidDevice::Accept& accept) -> Expected<std::unique_ptr<HidPort>> {
+    std::unique_ptr<HidPort> port = std::make_unique<FarEndPort>(end);
+    if (const auto problem = accept(*port)) return *problem;
+    return port;
+  };
+  auto device = HidDevice::open(opener, std::make_unique<OpenProtocol>(), {});
   REQUIRE(device);
   servo.setDevice(std::move(*device));
   const auto motors = [&] {

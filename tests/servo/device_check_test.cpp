@@ -4,8 +4,11 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 
 #include "engine/device/simulated_device.h"
+#include "engine/servo/faulty_device.h"
+#include "engine/servo/safety_limits.h"
 
 using namespace moltact;
 
@@ -29,30 +32,186 @@ class LoseableDevice final : public Device {
 
 }  // namespace
 
-TEST_CASE("the simulated stylus passes all four parts of the check, each asked for but the first") {
+namespace {
+
+constexpr std::size_t kParts = 8;  // without the plug
+
+// A stylus that asks for a calibration first, and whose hand then pulls its plug when it is told to and puts it back.
+class AskingDevice final : public Device {
+ public:
+  const DeviceInfo& info() const noexcept override { return inner_.info(); }
+  DevicePose read(double dt_s) noexcept override {
+    DevicePose pose = inner_.read(dt_s);
+    pose.trouble = !calibrated_;
+    return pose;
+  }
+  void write(ForceN force) noexcept override { inner_.write(force); }
+  DeviceStatus status() override {
+    DeviceStatus status = inner_.status();
+    if (!calibrated_) status.ready = false, status.asks_calibrate = true, status.text = "Hold it upright.";
+    return status;
+  }
+  void calibrate() override { calibrated_ = true; }
+  void plug(bool in) { inner_.plug(in); }
+
+ private:
+  SimulatedDevice inner_;
+  std::atomic<bool> calibrated_{false};
+};
+
+}  // namespace
+
+TEST_CASE("the simulated stylus passes every part of the check, each asked for but the first: late, lost and doubled ticks, a loop and a window that "
+          "stand, places that leap, are none or are old, scenes that are swapped") {
   int asked = 0;
-  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [&](const std::string&) { ++asked; return true; }, .tell = {}, .part_s = 0.6});
-  REQUIRE(parts.size() == 4);
+  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [&](const std::string&) { ++asked; return true; }, .part_s = 0.6});
+  REQUIRE(parts.size() == kParts);
   for (const CheckedPart& part : parts) {
     CAPTURE(part.name);
     CHECK(part.done);
     CHECK_MESSAGE(part.passed, part.found);
   }
-  CHECK(asked == 3);
+  CHECK(asked == int(kParts) - 1);
 }
 
 TEST_CASE("a part that the person does not want is left out and gives no force") {
-  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [](const std::string&) { return false; }, .tell = {}, .part_s = 0.1});
-  REQUIRE(parts.size() == 4);
+  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [](const std::string&) { return false; }, .part_s = 0.1});
+  REQUIRE(parts.size() == kParts);
   CHECK(parts.front().passed);
-  for (std::size_t k = 1; k < 4; ++k) {
+  CHECK_FALSE(parts.front().forces);
+  for (std::size_t k = 1; k < kParts; ++k) {
     CHECK_FALSE(parts[k].done);
+    CHECK(parts[k].forces);
     CHECK(parts[k].found == "left out");
   }
 }
 
 TEST_CASE("a device that is unplugged in the first part fails it, and the parts with force are left out") {
-  const auto parts = checkDevice(std::make_unique<LoseableDevice>(), {.ask = [](const std::string&) { return true; }, .tell = {}, .part_s = 0.4});
+  const auto parts = checkDevice(std::make_unique<LoseableDevice>(), {.ask = [](const std::string&) { return true; }, .part_s = 0.4});
   CHECK_FALSE(parts.front().passed);
+  CHECK(parts.front().found.find("unplugged") != std::string::npos);
   for (std::size_t k = 1; k < parts.size(); ++k) CHECK_FALSE(parts[k].done);
+}
+
+TEST_CASE("a device that is not ready is guided to it first: the person is shown its words, says so, and it is calibrated; who never does so is told why "
+          "nothing was checked") {
+  int shown = 0, asked = 0;
+  const auto no = [&](const std::string&) { return ++asked, false; };
+  const auto third = [&](const DeviceStatus& status) {
+    CHECK(status.text == "Hold it upright.");
+    return ++shown == 3;
+  };
+  auto parts = checkDevice(std::make_unique<AskingDevice>(), {.ask = no, .guide = third, .part_s = 0.1});
+  CHECK(shown >= 3);
+  CHECK(parts.front().done);
+  CHECK(parts.front().passed);
+  CHECK(asked == int(kParts) - 1);
+  asked = 0;
+  parts = checkDevice(std::make_unique<AskingDevice>(), {.ask = no, .guide = [](const DeviceStatus&) { return false; }, .part_s = 0.1, .ready_s = 0.2});
+  CHECK(asked == 0);
+  for (const CheckedPart& part : parts) {
+    CHECK_FALSE(part.done);
+    CHECK(part.found == "left out: the device is not ready. Hold it upright.");
+  }
+}
+
+TEST_CASE("interrupted in a pull: no force in the next ticks, and all that is left is left out") {
+  int asked = 0;
+  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [&](const std::string&) { return ++asked, true; },
+                                                                       .interrupted = [&] { return asked > 0; }, .part_s = 5.0});
+  CHECK(asked == 1);
+  CHECK(parts.front().passed);
+  for (std::size_t k = 1; k < parts.size(); ++k) CHECK_FALSE(parts[k].passed);
+}
+
+TEST_CASE("the plug: pulled out when that is asked, no force while it is away, softly back when it is in again; where nobody pulls it it is left out") {
+  auto device = std::make_unique<AskingDevice>();
+  AskingDevice* const raw = device.get();
+  raw->calibrate();
+  const auto only = [](const char* part) { return [part](const std::string& question) { return question.find(part) != std::string::npos; }; };
+  const auto hand = [raw](const std::string& what) {
+    if (what.find("Pull") == 0) raw->plug(false);
+    if (what.find("Now plug") == 0) raw->plug(true);
+  };
+  auto parts = checkDevice(std::move(device), {.ask = only("plug"), .tell = hand, .part_s = 0.1, .unplug_s = 5.0});
+  REQUIRE(parts.size() == kParts + 1);
+  CHECK(parts.back().done);
+  CHECK_MESSAGE(parts.back().passed, parts.back().found);
+  CHECK(parts.back().found.find("no force while it was away, and softly back") == 0);
+  parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = only("plug"), .part_s = 0.1, .unplug_s = 0.2});
+  CHECK_FALSE(parts.back().done);
+  CHECK(parts.back().found == "left out: it was not unplugged");
+}
+
+namespace {
+
+// The loop without its safety stage: what the tracker wants is what the device is given, at once.
+struct Careless final : TickTarget {
+  explicit Careless(FaultyDevice& on) : device(on) {}
+  void tickOfDevice() noexcept override {
+    const DevicePose pose = device.read(kTick_s);
+    const Vec3 wanted = pose.position.mm - at_mm;
+    device.write({pose.connected ? Vec3(wanted * stiffness_N_per_mm) : Vec3(0.0)});
+  }
+  FaultyDevice& device;
+  Vec3 at_mm{0.0};
+  double stiffness_N_per_mm = 0.0;
+};
+
+// A device that is where it was put, whose clock the test is.
+class PutDevice final : public Device {
+ public:
+  PutDevice() {
+    info_.gives_force = true;
+    info_.max_force_N = 3.3;
+  }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePose read(double) noexcept override { return pose; }
+  void write(ForceN) noexcept override {}
+  bool startClock(TickTarget& target) override {
+    clock = &target;
+    return true;
+  }
+  DevicePose pose;
+  TickTarget* clock = nullptr;
+
+ private:
+  DeviceInfo info_;
+};
+
+}  // namespace
+
+TEST_CASE("the judge of the check finds what a loop without safety does: a leap, no number, an old place, a gone device and what follows a stand") {
+  using Fault = FaultyDevice::Fault;
+  struct Case {
+    Fault fault;
+    int ticks;
+    double at_mm;
+    const char* broken;
+  };
+  for (const Case& one : {Case{Fault::None, 0, 2.0, nullptr}, Case{Fault::Leaps, 3, 2.0, "over the greatest force"}, Case{Fault::NotANumber, 1, 2.0, "the force is not finite"},
+                          Case{Fault::Frozen, 60, 2.0, "force at a stale place"}, Case{Fault::Stands, 1, 2.0, "more force than softly after a fault"}}) {
+    CAPTURE(int(one.fault));
+    auto put = std::make_unique<PutDevice>();
+    PutDevice& raw = *put;
+    FaultyDevice device(std::move(put));
+    Careless loop(device);
+    device.startClock(loop);
+    raw.pose.position.mm = {one.at_mm, 0, 0};
+    for (int k = 0; k < 600; ++k) {  // slowly to 1 N
+      loop.stiffness_N_per_mm = std::min(0.5, 0.001 * k);
+      raw.clock->tickOfDevice();
+    }
+    CHECK(device.given().broken == nullptr);
+    device.inject(one.fault, one.ticks);
+    for (int k = 0; k < 100; ++k) raw.clock->tickOfDevice();
+    const char* const broken = device.given().broken;
+    if (one.broken) {
+      REQUIRE(broken);
+      CHECK(std::string(broken) == one.broken);
+    } else {
+      CHECK(broken == nullptr);
+    }
+    device.stopClock();
+  }
 }

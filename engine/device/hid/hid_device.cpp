@@ -7,7 +7,6 @@
 namespace moltact {
 namespace {
 
-using Clock = std::chrono::steady_clock;
 constexpr int kWait_ms = 2;            // for a report, before the force is given all the same
 constexpr int kMostReports = 64;       // read at once: the newest is what counts
 constexpr double kLonelyForce_s = 0.1; // without a word from the haptic thread: no force
@@ -16,15 +15,17 @@ constexpr auto kNap = std::chrono::milliseconds(20);
 
 }  // namespace
 
-Expected<std::unique_ptr<Device>> HidDevice::open(Opener opener, std::unique_ptr<HidProtocol> protocol, DeviceInfo info) {
-  std::unique_ptr<HidDevice> device(new HidDevice);
+Expected<std::unique_ptr<Device>> HidDevice::open(Opener opener, std::unique_ptr<HidProtocol> protocol, DeviceInfo known) {
+  std::unique_ptr<HidDevice> device(new HidDevice(std::move(known)));
   device->opener_ = std::move(opener);
   device->protocol_ = std::move(protocol);
-  device->info_ = std::move(info);
-  auto port = device->opener_();
-  if (!port) return port.problem();
-  device->port_ = std::move(*port);
-  if (auto problem = device->protocol_->begin(*device->port_, device->info_)) return *problem;
+  if (auto problem = device->openPort()) return *problem;
+  const HidGuidance guidance = device->protocol_->guidance();
+  Told first;
+  first.pose.fresh = false;
+  first.pose.trouble = guidance.text != nullptr;
+  device->told_.write(first);
+  device->guidance_.write(guidance);
   device->thread_ = std::thread([raw = device.get()] { raw->run(); });
   return std::unique_ptr<Device>(std::move(device));
 }
@@ -34,22 +35,55 @@ HidDevice::~HidDevice() {
   if (thread_.joinable()) thread_.join();
 }
 
-bool HidDevice::reopen() {
-  auto port = opener_();
-  if (!port) return false;
-  // Another device of the kind may have come: its figures are not those that the loop knows, but it must be of the kind.
-  DeviceInfo info = info_;
-  if (protocol_->begin(**port, info)) return false;
+// Another device of the kind may have come than the one that was: its own figures are asked for each time.
+std::optional<Problem> HidDevice::openPort() {
+  DeviceInfo info = known_;
+  auto port = opener_([&](HidPort& candidate) {
+    info = known_;
+    return protocol_->begin(candidate, info);
+  });
+  if (!port) return port.problem();
   port_ = std::move(*port);
+  info_.set(std::move(info));
+  return std::nullopt;
+}
+
+bool HidDevice::revive(Told& told) {
+  if (openPort()) return false;
+  told.pose.connected = true;
+  told.pose.buttons = 0;
+  ++told.pose.placements;  // nobody knows where it was meanwhile
+  told.taken = Clock::now();
+  guidance_.write(protocol_->guidance());
+  gone_.store(false);
   return true;
+}
+
+// Everything that has come, the newest counts; -1: the device is gone.
+int HidDevice::take(Told& told) {
+  std::array<std::uint8_t, 64> in{};
+  int size = port_->read(in, kWait_ms);
+  for (int k = 0; k < kMostReports && size > 0; ++k) {
+    if (protocol_->take({in.data(), std::min<std::size_t>(std::size_t(size), in.size())}, told.pose)) {
+      ++told.count;
+      told.taken = Clock::now();
+    }
+    size = port_->read(in, 0);
+  }
+  if (calibrate_.exchange(false, std::memory_order_acq_rel) && protocol_->calibrate()) ++told.pose.placements;
+  const HidGuidance guidance = protocol_->guidance();
+  told.pose.trouble = guidance.text != nullptr;
+  guidance_.write(guidance);
+  return size;
 }
 
 void HidDevice::run() {
   Told told;
   told.pose.fresh = false;
-  std::array<std::uint8_t, 64> in{}, out{};
-  Clock::time_point last = Clock::now(), asked_at = last, look_again = last;
-  std::uint32_t asked_count = 0;
+  std::array<std::uint8_t, 64> out{};
+  Clock::time_point last = Clock::now(), look_again = last;
+  Asked asked;
+  asked.at = last;
   const auto lose = [&] {
     port_.reset();
     gone_.store(true);
@@ -62,21 +96,13 @@ void HidDevice::run() {
     if (!port_) {
       std::this_thread::sleep_for(kNap);
       if (Clock::now() < look_again) continue;
-      if (!reopen()) {
+      if (!revive(told)) {
         look_again = Clock::now() + kLookAgain;
         continue;
       }
-      gone_.store(false);
-      told.pose.connected = true;
-      ++told.pose.placements;  // nobody knows where it was meanwhile
       last = Clock::now();
     }
-    int size = port_->read(in, kWait_ms);
-    for (int k = 0; k < kMostReports && size > 0; ++k) {
-      if (protocol_->take({in.data(), std::min<std::size_t>(std::size_t(size), in.size())}, told.pose)) ++told.count;
-      size = port_->read(in, 0);
-    }
-    if (size < 0) {
+    if (take(told) < 0) {
       lose();
       continue;
     }
@@ -86,14 +112,14 @@ void HidDevice::run() {
     told_.write(told);
     wish_.write(protocol_->viewWish());
 
-    const Asked& asked = asked_.read();
-    if (asked.count != asked_count) {
-      asked_count = asked.count;
-      asked_at = now;
-    }
-    const bool lonely = std::chrono::duration<double>(now - asked_at).count() > kLonelyForce_s;
-    if (const std::size_t length = lonely || !asked.motors_on ? protocol_->stop(out) : protocol_->give(asked.force, out))
+    const Asked newest = asked_.read();
+    const bool anew = newest.count != asked.count;
+    if (anew) asked = newest;
+    const bool lonely = std::chrono::duration<double>(now - asked.at).count() > kLonelyForce_s;
+    if (const std::size_t length = lonely || !asked.motors_on ? protocol_->stop(out) : protocol_->give(asked.force, out)) {
       if (!port_->write({out.data(), length})) lose();
+      else if (anew) told.wait_s = std::chrono::duration<double>(Clock::now() - asked.at).count();
+    }
   }
   if (!port_) return;
   if (const std::size_t length = protocol_->stop(out)) port_->write({out.data(), length});
@@ -103,7 +129,9 @@ DevicePose HidDevice::read(double) noexcept {
   const Told& told = told_.read();
   DevicePose pose = told.pose;
   // A device without force may be silent while nobody moves it.
-  pose.fresh = !info_.gives_force || told.count != last_told_;
+  const bool gives_force = info().gives_force;
+  pose.fresh = !gives_force || told.count != last_told_;
+  if (gives_force && told.count > 0) pose.age_s = float(std::chrono::duration<double>(Clock::now() - told.taken).count() + told.wait_s);
   last_told_ = told.count;
   return pose;
 }
@@ -111,45 +139,78 @@ DevicePose HidDevice::read(double) noexcept {
 void HidDevice::ask(ForceN force, bool motors_on) noexcept {
   asking_.force = force;
   asking_.motors_on = motors_on;
+  asking_.at = Clock::now();
   ++asking_.count;
   asked_.write(asking_);
 }
 
 DeviceStatus HidDevice::status() {
   DeviceStatus status;
-  status.connected = status.ready = !gone_.load();
-  if (!status.connected) status.text = info_.name + " is unplugged: plug it in again.";
+  status.connected = !gone_.load();
+  if (!status.connected) {
+    status.ready = false;
+    status.text = info().name + " is unplugged: plug it in again.";
+  } else if (const HidGuidance guidance = guidance_.read(); guidance.text) {
+    status.ready = false;
+    status.text = guidance.text;
+    status.asks_calibrate = guidance.asks_calibrate;
+  }
   return status;
 }
 
-std::vector<FoundDevice> findHid(bool (*is)(const HidEntry&), bool gives_force, std::string_view title) {
-  std::vector<FoundDevice> out;
+std::vector<FoundDevice> findHid(const HidKind& kind) {
+  std::vector<FoundDevice> out, closed;
+  std::string strangers;
   for (const HidEntry& entry : listHid()) {
-    if (!is(entry)) continue;
-    FoundDevice one{.title = entry.title.empty() ? std::string(title) : entry.title, .place = entry.path, .gives_force = gives_force,
-                    .by_itself = gives_force};
+    if (!kind.is(entry)) continue;
+    FoundDevice one{.title = entry.title.empty() ? std::string(kind.title) : entry.title, .place = entry.path};
+    DeviceInfo info = kind.known;
     const auto port = openHid(entry);
-    one.usable = bool(port);
-    if (!port) one.why = port.problem().text();
-    out.push_back(std::move(one));
+    const auto protocol = kind.protocol();
+    const std::optional<Problem> problem = port ? protocol->begin(**port, info) : port.problem();
+    one.gives_force = info.gives_force;
+    if (!problem) {
+      one.usable = true;
+      one.by_itself = info.gives_force;
+      out.push_back(std::move(one));
+    } else if (protocol->ofKind()) {
+      one.why = problem->text();
+      closed.push_back(std::move(one));
+    } else {
+      strangers += "; " + one.title + ": " + problem->message;
+    }
   }
+  out.insert(out.end(), closed.begin(), closed.end());
   if (out.empty()) {
-    FoundDevice none{.title = std::string(title), .gives_force = gives_force};
-    none.why = "none is plugged in";
+    FoundDevice none{.title = std::string(kind.title), .gives_force = kind.known.gives_force};
+    none.why = "none is plugged in" + strangers;
     out.push_back(std::move(none));
   }
   return out;
 }
 
-HidDevice::Opener hidOpener(bool (*is)(const HidEntry&), const FoundDevice& found) {
-  return [is, path = found.place]() -> Expected<std::unique_ptr<HidPort>> {
-    const std::vector<HidEntry> all = listHid();
-    const HidEntry* best = nullptr;
-    for (const HidEntry& entry : all)
-      if (is(entry) && (!best || entry.path == path)) best = &entry;
-    if (!best) return Problem{"", 0, 0, "the device is not plugged in", "plug it in"};
-    return openHid(*best);
+Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice& found) {
+  DeviceInfo known = kind.known;
+  if (known.name.empty()) known.name = found.title;
+  // The one that was found first; others of the kind only where that is not there, or no longer one.
+  const auto opener = [is = kind.is, path = found.place](const HidDevice::Accept& accept) -> Expected<std::unique_ptr<HidPort>> {
+    std::vector<HidEntry> all = listHid();
+    std::erase_if(all, [&](const HidEntry& entry) { return !is(entry); });
+    std::stable_partition(all.begin(), all.end(), [&](const HidEntry& entry) { return entry.path == path; });
+    Problem why{"", 0, 0, "the device is not plugged in", "plug it in"};
+    for (const HidEntry& entry : all) {
+      auto port = openHid(entry);
+      if (!port) {
+        why = port.problem();
+        continue;
+      }
+      const auto problem = accept(**port);
+      if (!problem) return port;
+      why = *problem;
+    }
+    return why;
   };
+  return HidDevice::open(opener, kind.protocol(), std::move(known));
 }
 
 }  // namespace moltact

@@ -1,12 +1,14 @@
 // A device that speaks in HID reports. A thread of its own waits for them and hands the newest place over; it gives the
 // newest force after each report, no force when the haptic thread has stopped writing for 100 ms, and opens the device
-// anew when it was unplugged. What the reports mean is a protocol's, one file a kind of device.
+// anew when it was unplugged. It measures its own share of the delay: how old a place is when it is read, and how long a force
+// waits for the thread. What the reports mean is a protocol's, one file a kind of device.
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <functional>
-#include <optional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <thread>
 
@@ -14,15 +16,27 @@
 #include "engine/device/device.h"
 #include "engine/device/driver.h"
 #include "engine/device/hid/hid_port.h"
+#include "engine/device/kept_info.h"
 
 namespace moltact {
+
+/// What stands between a device and its force, in words for the person. While there is a text there is no force.
+struct HidGuidance {
+  const char* text = nullptr;   ///< lives as long as the program
+  bool asks_calibrate = false;  ///< calibrate() is waited for
+};
 
 /// What a kind of device's reports mean. Used by one thread at a time.
 class HidProtocol {
  public:
   virtual ~HidProtocol() = default;
-  /// Asks the device what it is, when it is opened or opened anew. A Problem where it is not of this kind.
+  /// Asks the device what it is, when it is looked at, opened or opened anew. A Problem where it is not of this kind.
   virtual std::optional<Problem> begin(HidPort&, DeviceInfo&) { return std::nullopt; }
+  /// After begin() gave a Problem: false where it is something else altogether.
+  virtual bool ofKind() const noexcept { return true; }
+  virtual HidGuidance guidance() const noexcept { return {}; }
+  /// The person holds the device as guidance() asked. True: its places are others from now on.
+  virtual bool calibrate() noexcept { return false; }
   /// One report as it came, of any length and content. True: it held a new place, which is in `pose`.
   virtual bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept = 0;
   /// Time passes: for devices that tell a speed and not a place.
@@ -37,52 +51,72 @@ class HidProtocol {
 
 class HidDevice final : public Device {
  public:
-  using Opener = std::function<Expected<std::unique_ptr<HidPort>>()>;
+  /// A Problem where the port leads to no device of the kind.
+  using Accept = std::function<std::optional<Problem>(HidPort&)>;
+  /// Opens the first device that is accepted.
+  using Opener = std::function<Expected<std::unique_ptr<HidPort>>(const Accept&)>;
 
-  /// Opens it. `info`: what is known of it beforehand. `opener` is kept and called again when the device was unplugged.
-  static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<HidProtocol> protocol, DeviceInfo info);
+  /// Opens it. `known`: what is known of it beforehand. `opener` is kept and called again when the device was unplugged.
+  static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<HidProtocol> protocol, DeviceInfo known);
   ~HidDevice() override;
 
-  const DeviceInfo& info() const noexcept override { return info_; }
+  const DeviceInfo& info() const noexcept override { return info_.get(); }
   DevicePose read(double dt_s) noexcept override;
   void write(ForceN force) noexcept override { ask(force, true); }
   void stop() noexcept override { ask({}, false); }
   DeviceStatus status() override;
+  void calibrate() override { calibrate_.store(true, std::memory_order_release); }
   ViewWish viewWish() noexcept override { return wish_.read(); }
 
  private:
-  HidDevice() = default;
-  void run();
-  bool reopen();
-  void ask(ForceN force, bool motors_on) noexcept;
-
-  Opener opener_;
-  std::unique_ptr<HidProtocol> protocol_;
-  DeviceInfo info_;
-  std::unique_ptr<HidPort> port_;
-
+  using Clock = std::chrono::steady_clock;
   struct Told {
     DevicePose pose;
     std::uint32_t count = 0;
+    Clock::time_point taken{};  // the newest place
+    double wait_s = 0;          // of the newest force, until it was written
   };
   struct Asked {
     ForceN force;
     bool motors_on = false;
     std::uint32_t count = 0;
+    Clock::time_point at{};
   };
+
+  explicit HidDevice(DeviceInfo known) : known_(known), info_(std::move(known)) {}
+  std::optional<Problem> openPort();
+  void run();
+  bool revive(Told& told);
+  int take(Told& told);
+  void ask(ForceN force, bool motors_on) noexcept;
+
+  Opener opener_;
+  std::unique_ptr<HidProtocol> protocol_;
+  DeviceInfo known_;
+  KeptInfo info_;
+  std::unique_ptr<HidPort> port_;
+
   TripleBuffer<Told> told_;
   TripleBuffer<Asked> asked_;
   TripleBuffer<ViewWish> wish_;
+  TripleBuffer<HidGuidance> guidance_;
   std::uint32_t last_told_ = 0;  // the haptic thread's
   Asked asking_;                 // the haptic thread's
-  std::atomic<bool> ends_{false}, gone_{false};
+  std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false};
   std::thread thread_;
 };
 
-/// One entry for each interface that `is` accepts: what a driver's find() gives. Those that cannot be opened say why.
-std::vector<FoundDevice> findHid(bool (*is)(const HidEntry&), bool gives_force, std::string_view title);
-/// An opener for the interface that `found` stands for; after an unplugging it looks for one of the same kind again.
-HidDevice::Opener hidOpener(bool (*is)(const HidEntry&), const FoundDevice& found);
+/// A kind of HID device, as its driver knows it.
+struct HidKind {
+  std::string_view title;                       ///< where the device does not tell its own
+  bool (*is)(const HidEntry&);                  ///< by what the system lists of it: it may be one
+  std::unique_ptr<HidProtocol> (*protocol)();
+  DeviceInfo known;                             ///< its name is the found one's
+};
+/// One entry for each device of the kind: each is asked what it is. Those that cannot be opened say why and come last.
+std::vector<FoundDevice> findHid(const HidKind& kind);
+/// Opens the one that `found` stands for; after an unplugging it looks for one of the same kind again.
+Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice& found);
 
 /// Little-endian numbers out of and into a report.
 inline std::int16_t int16At(std::span<const std::uint8_t> bytes, std::size_t at) {

@@ -55,8 +55,8 @@ std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
 std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   std::array<std::uint8_t, 64> report{kDescription};
   const int size = port.feature(report);
-  if (size < int(kDescriptionBytes) || report[0] != kDescription || !std::equal(kMagic.begin(), kMagic.end(), report.begin() + 1))
-    return noneOfIt("its feature report 3 does not begin with 'MLTC'");
+  of_kind_ = size >= int(kDescriptionBytes) && report[0] == kDescription && std::equal(kMagic.begin(), kMagic.end(), report.begin() + 1);
+  if (!of_kind_) return noneOfIt("its feature report 3 does not begin with 'MLTC'");
   if (report[5] != kVersion) return noneOfIt("it speaks another version of the layout");
   const std::span<const std::uint8_t> bytes(report);
   if (auto problem = problemOf(bytes)) return problem;
@@ -71,10 +71,11 @@ std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   info.max_damping_N_s_per_m = 1e-3 * uint16At(bytes, 22);
   info.friction_N = 1e-3 * uint16At(bytes, 24);
   info.delay_s = known(26, 1e-6, kUnknownDelay_s);
-  info.dof_in = report[28] & 1 ? 6 : 3;
+  info.dof_in = 3;  // the turn, where it is measured, is not used
   info.gives_force = gives_ = info.max_force_N > 0;
   info.dof_out = gives_ ? 3 : 0;
-  any_seen_ = faulty_ = false;
+  any_seen_ = false;
+  status_ = 0;
   cut_s_ = 0;
   return std::nullopt;
 }
@@ -87,12 +88,17 @@ bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) 
   any_seen_ = true;
   pose.position.mm = step_mm_ * Vec3(int16At(report, 7), int16At(report, 9), int16At(report, 11));
   pose.buttons = report[21];
-  const std::uint8_t status = report[22];
-  faulty_ = status & (kFault | kUncalibrated);
-  if (status & kWatchdogTripped) cut_s_ = kCutTold_s;
+  status_ = report[22];
+  if (status_ & kWatchdogTripped) cut_s_ = kCutTold_s;
   pose.trouble = troubled();
-  pose.motor_heat = status & kHot ? 1.0f : 0.0f;
+  pose.motor_heat = status_ & kHot ? 1.0f : 0.0f;
   return !again;
+}
+
+HidGuidance OpenProtocol::guidance() const noexcept {
+  if (status_ & kFault) return {"The device reports a fault: look at it and at its power, then plug it in again."};
+  if (status_ & kUncalibrated) return {"The device is not calibrated: do with it what its maker says for that."};
+  return {};
 }
 
 void OpenProtocol::pass(double dt_s, DevicePose& pose) noexcept {
@@ -116,16 +122,25 @@ std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) no
 
 std::size_t OpenProtocol::stop(std::span<std::uint8_t, 64> out) noexcept { return forceReport({}, false, out); }
 
+namespace {
+
+const HidKind& openLayout() {
+  static const HidKind kind{"Device of the open layout", isOpenDevice, [] { return std::unique_ptr<HidProtocol>(new OpenProtocol); }, [] {
+                              DeviceInfo info;
+                              info.gives_force = true;  // most do; each tells it itself
+                              return info;
+                            }()};
+  return kind;
+}
+
+}  // namespace
+
 extern const DeviceDriver kOpenDriver;
 const DeviceDriver kOpenDriver{
     .name = "open",
     .sentence = "A device that you build: any that speaks the reports of docs/device-protocol.md.",
-    .find = [] { return findHid(isOpenDevice, true, "Device of the open layout"); },
-    .open = [](const FoundDevice& found) {
-      DeviceInfo info;
-      info.name = found.title;
-      return HidDevice::open(hidOpener(isOpenDevice, found), std::make_unique<OpenProtocol>(), info);
-    },
+    .find = [] { return findHid(openLayout()); },
+    .open = [](const FoundDevice& found) { return openHid(openLayout(), found); },
 };
 
 }  // namespace moltact

@@ -23,6 +23,8 @@ inline constexpr double kUnknownStiffness_N_per_mm = 0.3, kUnknownDelay_s = 0.00
 class OpenProtocol final : public HidProtocol {
  public:
   std::optional<Problem> begin(HidPort& port, DeviceInfo& info) override;
+  bool ofKind() const noexcept override { return of_kind_; }
+  HidGuidance guidance() const noexcept override;
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void pass(double dt_s, DevicePose& pose) noexcept override;
   std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
@@ -30,12 +32,12 @@ class OpenProtocol final : public HidProtocol {
 
  private:
   std::size_t forceReport(ForceN force, bool motors_on, std::span<std::uint8_t, 64> out) noexcept;
-  bool troubled() const { return faulty_ || cut_s_ > 0; }
+  bool troubled() const { return (status_ & (open_layout::kFault | open_layout::kUncalibrated)) || cut_s_ > 0; }
 
   double step_mm_ = 0.005;
   std::uint16_t seen_ = 0, sent_ = 0;
-  bool any_seen_ = false, gives_ = false;
-  bool faulty_ = false;  // the newest place's status allows no force
+  std::uint8_t status_ = 0;  // of the newest place
+  bool any_seen_ = false, gives_ = false, of_kind_ = true;
   double cut_s_ = 0;     // for so long still the device's watchdog counts as having cut the motors
 };
 

@@ -70,11 +70,18 @@ std::size_t PlayStationProtocol::give(ForceN force, std::span<std::uint8_t, 64> 
 
 namespace {
 
-Expected<std::unique_ptr<Device>> openPad(bool (*isThis)(const HidEntry&), const PadLayout& usb, const FoundDevice& found) {
+DeviceInfo padInfo() {
   DeviceInfo info;
-  info.name = found.title;
   info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
-  return HidDevice::open(hidOpener(isThis, found), std::make_unique<PlayStationProtocol>(usb), info);
+  return info;
+}
+const HidKind& dualShock() {
+  static const HidKind kind{"Game pad (DualShock 4)", isDualShock4, [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualShock4)); }, padInfo()};
+  return kind;
+}
+const HidKind& dualSense() {
+  static const HidKind kind{"Game pad (DualSense)", isDualSense, [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualSense)); }, padInfo()};
+  return kind;
 }
 
 }  // namespace
@@ -83,14 +90,14 @@ extern const DeviceDriver kDualShockDriver, kDualSenseDriver;
 const DeviceDriver kDualShockDriver{
     .name = "gamepad",
     .sentence = "Sony DualShock 4: its sticks lead the hand and turn the view, its rumble stands for the force.",
-    .find = [] { return findHid(isDualShock4, false, "Game pad (DualShock 4)"); },
-    .open = [](const FoundDevice& found) { return openPad(isDualShock4, kDualShock4, found); },
+    .find = [] { return findHid(dualShock()); },
+    .open = [](const FoundDevice& found) { return openHid(dualShock(), found); },
 };
 const DeviceDriver kDualSenseDriver{
     .name = "dualsense",
     .sentence = "Sony DualSense: its sticks lead the hand and turn the view, its rumble stands for the force.",
-    .find = [] { return findHid(isDualSense, false, "Game pad (DualSense)"); },
-    .open = [](const FoundDevice& found) { return openPad(isDualSense, kDualSense, found); },
+    .find = [] { return findHid(dualSense()); },
+    .open = [](const FoundDevice& found) { return openHid(dualSense(), found); },
 };
 
 }  // namespace moltact

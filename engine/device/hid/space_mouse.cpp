@@ -64,18 +64,26 @@ void SpaceMouseProtocol::pass(double dt_s, DevicePose& pose) noexcept {
   else rate_control::move(pose, axes_.push, dt_s);
 }
 
+namespace {
+
+const HidKind& spaceMouse() {
+  static const HidKind kind{"3Dconnexion SpaceMouse", isSpaceMouse, [] { return std::unique_ptr<HidProtocol>(new SpaceMouseProtocol); }, [] {
+                              DeviceInfo info;
+                              info.dof_in = 6;
+                              info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
+                              return info;
+                            }()};
+  return kind;
+}
+
+}  // namespace
+
 extern const DeviceDriver kSpaceMouseDriver;
 const DeviceDriver kSpaceMouseDriver{
     .name = "spacemouse",
     .sentence = "3Dconnexion SpaceMouse: leads the hand and turns the view, gives no force.",
-    .find = [] { return findHid(isSpaceMouse, false, "3Dconnexion SpaceMouse"); },
-    .open = [](const FoundDevice& found) {
-      DeviceInfo info;
-      info.name = found.title;
-      info.dof_in = 6;
-      info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
-      return HidDevice::open(hidOpener(isSpaceMouse, found), std::make_unique<SpaceMouseProtocol>(), info);
-    },
+    .find = [] { return findHid(spaceMouse()); },
+    .open = [](const FoundDevice& found) { return openHid(spaceMouse(), found); },
 };
 
 }  // namespace moltact

@@ -31,10 +31,31 @@ Vec3 WoodenHapticsProtocol::torques(const Vec3& a, ForceN force) {
           kFore_m * (std::cos(a.z) * (c * fx + s * fy) + std::sin(a.z) * fz)};
 }
 
+std::optional<Problem> WoodenHapticsProtocol::begin(HidPort&, DeviceInfo&) {
+  any_seen_ = calibrated_ = false;  // its encoders count from where it was switched on, and nobody knows where that was
+  return std::nullopt;
+}
+
+HidGuidance WoodenHapticsProtocol::guidance() const noexcept {
+  if (calibrated_) return {};
+  return {"Hold both links of the device upright: its encoders count from there.", true};
+}
+
+bool WoodenHapticsProtocol::calibrate() noexcept {
+  if (!any_seen_) return false;
+  std::copy(std::begin(counts_), std::end(counts_), std::begin(upright_));
+  angles_ = Vec3(0.0);
+  return calibrated_ = true;
+}
+
 bool WoodenHapticsProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.size() != kReport) return false;
-  for (int k = 0; k < 3; ++k)  // the bodies turn against their motors
-    angles_[k] = -kGear[k] * 2.0 * std::numbers::pi * int16At(report, 2 * std::size_t(k)) / kCountsATurn;
+  any_seen_ = true;
+  for (int k = 0; k < 3; ++k) {
+    counts_[k] = int16At(report, 2 * std::size_t(k));
+    const auto turned = static_cast<std::int16_t>(counts_[k] - upright_[k]);
+    angles_[k] = -kGear[k] * 2.0 * std::numbers::pi * turned / kCountsATurn;  // the bodies turn against their motors
+  }
   pose.position = place(angles_);
   return true;
 }
@@ -71,14 +92,21 @@ DeviceInfo woodenHapticsInfo() {
   return info;
 }
 
+namespace {
+
+const HidKind& woodenHaptics() {
+  static const HidKind kind{"WoodenHaptics", isWoodenHaptics, [] { return std::unique_ptr<HidProtocol>(new WoodenHapticsProtocol); }, woodenHapticsInfo()};
+  return kind;
+}
+
+}  // namespace
+
 extern const DeviceDriver kWoodenHapticsDriver;
 const DeviceDriver kWoodenHapticsDriver{
     .name = "woodenhaptics",
-    .sentence = "WoodenHaptics, the open stylus of 2015; switch it on with both links upright.",
-    .find = [] { return findHid(isWoodenHaptics, true, "WoodenHaptics"); },
-    .open = [](const FoundDevice& found) {
-      return HidDevice::open(hidOpener(isWoodenHaptics, found), std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo());
-    },
+    .sentence = "WoodenHaptics, the open stylus of 2015; it is calibrated with both links held upright.",
+    .find = [] { return findHid(woodenHaptics()); },
+    .open = [](const FoundDevice& found) { return openHid(woodenHaptics(), found); },
 };
 
 }  // namespace moltact

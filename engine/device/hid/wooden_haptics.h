@@ -1,6 +1,7 @@
 // WoodenHaptics (the 2015 design): an open stylus of three driven joints on USB. Reports are 8 bytes without an id: in, three
 // encoder counts and a counter; out, three motor currents in mA and a number. Its firmware cuts the motors 500 ms after
-// the last report. It counts from where it was switched on: then the arm must be in its resting place, both links upright.
+// the last report. It counts from where it was switched on, or from anywhere after it was plugged in again: so there is no force
+// until the person has held both links upright and said so.
 #pragma once
 
 #include "engine/device/hid/hid_device.h"
@@ -9,6 +10,9 @@ namespace moltact {
 
 class WoodenHapticsProtocol final : public HidProtocol {
  public:
+  std::optional<Problem> begin(HidPort& port, DeviceInfo& info) override;
+  HidGuidance guidance() const noexcept override;
+  bool calibrate() noexcept override;
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
 
@@ -21,6 +25,8 @@ class WoodenHapticsProtocol final : public HidProtocol {
 
  private:
   Vec3 angles_{0.0};
+  std::int16_t counts_[3] = {}, upright_[3] = {};
+  bool any_seen_ = false, calibrated_ = false;
   std::uint16_t sent_ = 0;
 };
 

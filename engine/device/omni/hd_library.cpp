@@ -1,8 +1,9 @@
 #include "engine/device/omni/hd_library.h"
 
-#include <optional>
 #include <cstdio>
 #include <cstdlib>
+#include <mutex>
+#include <optional>
 #include <type_traits>
 #include <vector>
 
@@ -35,6 +36,7 @@ Expected<Library> load() {
   find(hd.endFrame, "hdEndFrame");
   find(hd.getError, "hdGetError");
   find(hd.enable, "hdEnable");
+  find(hd.getBooleanv, "hdGetBooleanv");
   find(hd.getIntegerv, "hdGetIntegerv");
   find(hd.getDoublev, "hdGetDoublev");
   find(hd.setDoublev, "hdSetDoublev");
@@ -57,6 +59,8 @@ Expected<Library> load() {
 
 Expected<const Library*> Library::get() {
   // Once found it stays; until then it is looked for anew, for it may be installed while the program runs.
+  static std::mutex mutex;
+  const std::lock_guard lock(mutex);
   static std::optional<Library> found;
   if (!found) {
     const auto loaded = load();
@@ -84,9 +88,18 @@ ErrorWords errorWords(std::uint32_t code) {
     default: {
       char text[64];
       std::snprintf(text, sizeof text, "The driver reports error 0x%04X.", code);
+      if (errorWeight(code) == 1) return {text, "The program has asked it wrongly: nothing is to be done at the device; please report the number."};
       return {text, "Plug the device in again; if that does not help, start the program anew."};
     }
   }
+}
+
+int errorWeight(std::uint32_t code) noexcept {
+  if (code == kNoError) return 0;
+  if ((code >= kDeviceFault && code <= kTimerError) || code == kBadHandle || code == kSchedulerFull || code == kInvalidPriority) return 4;
+  if (code >= kWarmMotors && code <= kForceError) return 3;
+  const std::uint32_t group = code >> 8;
+  return group == 1 || group == 4 ? 1 : 2;
 }
 
 }  // namespace moltact::hd

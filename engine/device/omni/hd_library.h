@@ -13,6 +13,7 @@ namespace moltact::hd {
 using Handle = std::uint32_t;           // HHD
 using SchedulerHandle = unsigned long;  // HDSchedulerHandle
 using CallbackCode = std::uint32_t;
+using Boolean = unsigned char;          // HDboolean
 using Callback = CallbackCode (*)(void*);
 
 struct ErrorInfo {
@@ -35,6 +36,7 @@ enum Name : std::uint32_t {
   kModel = 0x2501, kDriverVersion = 0x2502, kVendor = 0x2503, kSerial = 0x2504, kFirmware = 0x2505,
   kUsableWorkspace = 0x2551, kInputDof = 0x2553, kOutputDof = 0x2554, kCalibrationStyle = 0x2555,
   kMaxStiffness = 0x2602, kMaxForce = 0x2603, kMaxContinuousForce = 0x2604, kMotorTemperature = 0x2605, kMaxDamping = 0x2609,
+  kVelocityLimit = 0x2606, kForceImpulseLimit = 0x2607,
 };
 
 enum Calibration : std::uint32_t { kCalibrated = 0x5000, kNeedsUpdate = 0x5001, kNeedsManualInput = 0x5002 };
@@ -56,6 +58,14 @@ struct ErrorWords {
 };
 ErrorWords errorWords(std::uint32_t code);
 
+/// How much an error matters, where only one can be told: 0 none, then what was asked wrongly, licence, force, and at the top
+/// what ends the connection.
+int errorWeight(std::uint32_t code) noexcept;
+/// True where the device or its clock is lost.
+inline bool endsConnection(std::uint32_t code) noexcept { return errorWeight(code) == 4; }
+/// True where the device has cut a force.
+inline bool cutsForce(std::uint32_t code) noexcept { return code > kWarmMotors && code <= kForceError; }
+
 struct Library {
   Handle (*initDevice)(const char*);
   void (*disableDevice)(Handle);
@@ -64,6 +74,7 @@ struct Library {
   void (*endFrame)(Handle);
   ErrorInfo (*getError)();
   void (*enable)(std::uint32_t);
+  void (*getBooleanv)(std::uint32_t, Boolean*);
   void (*getIntegerv)(std::uint32_t, int*);
   void (*getDoublev)(std::uint32_t, double*);
   void (*setDoublev)(std::uint32_t, const double*);

@@ -2,112 +2,90 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "engine/device/omni/omni_kept.h"
 
 namespace moltact {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr int kStaleReads = 100;     // reads from outside the callback until the device counts as gone
+constexpr int kTellStanding = 500;   // until it is told, and opened anew
+constexpr int kTellNoFrame = 2000;   // the same where the clock was started and has not ticked yet
 constexpr int kTroubleTicks = 500;   // without force after the driver cut one
 constexpr int kWarmTicks = 5000;     // with small force after the driver found the motors warm
 constexpr int kLookTicks = 100;      // between two looks at calibration and temperature
+constexpr int kLookSoonTicks = 10;   // the same at the calibration while there is none
+constexpr int kResetTicks = 3000;    // so long the encoders' reset is tried
 constexpr auto kShowError = std::chrono::seconds(5);
 constexpr auto kTryAgain = std::chrono::seconds(2);
 constexpr auto kLastFrame = std::chrono::milliseconds(100);
-constexpr int kMostErrors = 64;      // drained at once; the stack is short
-
-// One device of this kind in a process: the driver has one default device.
-std::atomic<bool> in_use{false};
 
 std::string words(std::uint32_t code) {
   const hd::ErrorWords text = hd::errorWords(code);
   return text.message + ' ' + text.remedy;
 }
 
+// Errors of a stack and of several frames are kept as one, until the window asks: the one that matters most.
+void keepWorst(std::atomic<std::uint32_t>& worst, std::uint32_t code) noexcept {
+  std::uint32_t kept = worst.load(std::memory_order_relaxed);
+  while (hd::errorWeight(code) > hd::errorWeight(kept) && !worst.compare_exchange_weak(kept, code, std::memory_order_relaxed)) {}
+}
+
 }  // namespace
 
-bool OmniDevice::inUse() { return in_use.load(); }
+bool OmniDevice::inUse() { return KeptOmni::get().taken(); }
+void OmniDevice::letGo() { KeptOmni::get().letGo(); }
 
 Expected<std::unique_ptr<OmniDevice>> OmniDevice::open() {
   const auto library = hd::Library::get();
   if (!library) return library.problem();
-  if (in_use.exchange(true)) return Problem{"", 0, 0, "the device is open already", "close it first"};
-  std::unique_ptr<OmniDevice> device(new OmniDevice(**library));
-  if (auto problem = device->initialise()) return *problem;
-  return Expected<std::unique_ptr<OmniDevice>>(std::move(device));
+  auto session = KeptOmni::get().take(**library);
+  if (!session) return session.problem();
+  return std::unique_ptr<OmniDevice>(new OmniDevice(**library, std::move(*session)));
 }
+
+Expected<OmniDevice::Seen> OmniDevice::look() {
+  const auto library = hd::Library::get();
+  if (!library) return library.problem();
+  const auto seen = KeptOmni::get().look(**library);
+  if (!seen) return seen.problem();
+  return Seen{seen->model, seen->serial};
+}
+
+OmniDevice::OmniDevice(const hd::Library& library, OmniSession session) : hd_(library), info_(session.info), session_(std::move(session)) {}
 
 OmniDevice::~OmniDevice() {
   stopClock();
-  if (device_ != hd::kInvalidHandle) hd_.disableDevice(device_);
-  in_use.store(false);
-}
-
-std::optional<Problem> OmniDevice::initialise() {
-  while (hd_.getError().code != hd::kNoError) {}
-  device_ = hd_.initDevice(nullptr);
-  const std::uint32_t error = hd_.getError().code;
-  if (device_ == hd::kInvalidHandle || error != hd::kNoError) {
-    device_ = hd::kInvalidHandle;
-    const hd::ErrorWords text = hd::errorWords(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
-    return Problem{"", 0, 0, "no Omni or Touch could be opened: " + text.message, text.remedy};
-  }
-  hd_.makeCurrentDevice(device_);
-  const auto text = [&](std::uint32_t name) {
-    const char* found = hd_.getString(name);
-    return std::string(found ? found : "");
-  };
-  model_ = text(hd::kModel);
-  serial_ = text(hd::kSerial);
-  info_ = DeviceInfo();
-  info_.name = model_.empty() ? "Omni" : model_;
-  info_.gives_force = true;
-  // What the driver does not tell, or tells as 0, stays the Omni's published figure.
-  const auto figure = [&](std::uint32_t name, double& to, double scale) {
-    double value = 0;
-    hd_.getDoublev(name, &value);
-    if (std::isfinite(value) && value > 0) to = value * scale;
-  };
-  info_.continuous_force_N = 0.88;
-  figure(hd::kMaxForce, info_.max_force_N, 1.0);
-  figure(hd::kMaxContinuousForce, info_.continuous_force_N, 1.0);
-  figure(hd::kMaxStiffness, info_.max_stiffness_N_per_mm, 1.0);
-  figure(hd::kMaxDamping, info_.max_damping_N_s_per_m, 1e3);  // the driver tells N s/mm
-  double box[6] = {};
-  hd_.getDoublev(hd::kUsableWorkspace, box);
-  const Vec3 size(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
-  if (finite(size) && size.x > 0 && size.y > 0 && size.z > 0) info_.workspace_mm = size;
-  info_.dof_in = 6;
-  info_.dof_out = 3;
-  hd_.getIntegerv(hd::kInputDof, &info_.dof_in);
-  hd_.getIntegerv(hd::kOutputDof, &info_.dof_out);
-  int style = 0;
-  hd_.getIntegerv(hd::kCalibrationStyle, &style);
-  calibration_style_ = std::uint32_t(style);
-  hd_.enable(hd::kForceOutput);
-  hd_.enable(hd::kMaxForceClamping);
-  hd_.enable(hd::kForceRamping);
-  while (hd_.getError().code != hd::kNoError) {}
-  gone_.store(false);
-  pose_ = {};
-  return std::nullopt;
+  closeOmni(hd_, session_);
+  KeptOmni::get().giveBack();
 }
 
 bool OmniDevice::startClock(TickTarget& target) {
-  target_ = &target;
+  settle();
+  target_.store(&target);
   schedule();
   return true;
 }
 
 void OmniDevice::schedule() {
-  if (device_ == hd::kInvalidHandle) return;
+  if (session_.device == hd::kInvalidHandle) return;
+  handle_.store(session_.device);
+  calibration_style_.store(session_.calibration_style);
+  room_middle_mm_ = session_.room_middle_mm;
+  calibrate_.store(false);
+  framed_.store(false);
+  stood_reads_.store(0);
   ends_.store(false);
+  anew_.store(true);
   ended_.store(false);
-  stale_reads_ = frames_ = 0;
   scheduled_ = hd_.scheduleAsynchronous(&OmniDevice::callback, this, hd::kHighestPriority);
   hd_.setSchedulerRate(1000);
   hd_.startScheduler();
   scheduling_ = true;
-  if (drainErrors()) gone_.store(true);
+  note(drainErrors(hd_));
 }
 
 void OmniDevice::unschedule() {
@@ -115,60 +93,98 @@ void OmniDevice::unschedule() {
   scheduling_ = false;
   // The callback's last frame gives no force; where the scheduler has died there is none to wait for.
   ends_.store(true, std::memory_order_release);
-  const auto until = std::chrono::steady_clock::now() + kLastFrame;
-  while (!ended_.load(std::memory_order_acquire) && std::chrono::steady_clock::now() < until)
-    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto until = Clock::now() + kLastFrame;
+  while (!ended_.load(std::memory_order_acquire) && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  ended_.store(true, std::memory_order_release);
   hd_.stopScheduler();
   hd_.unschedule(scheduled_);
-  while (hd_.getError().code != hd::kNoError) {}
+  drainErrors(hd_);
 }
 
 void OmniDevice::stopClock() {
+  settle();
   unschedule();
-  target_ = nullptr;
+  target_.store(nullptr);
+}
+
+void OmniDevice::revive() {
+  revival_ = std::async(std::launch::async, [this]() -> Expected<OmniSession> {
+    unschedule();
+    closeOmni(hd_, session_);
+    return openOmni(hd_);
+  });
+}
+
+void OmniDevice::takeRevived() {
+  Expected<OmniSession> session = revival_.get();
+  if (!session) {
+    why_not_ = session.problem().text();
+    gone_.store(true);
+    return;
+  }
+  why_not_.clear();
+  session_ = std::move(*session);
+  info_.set(session_.info);
+  gone_.store(false);
+}
+
+// Waits for a revival that is under way.
+void OmniDevice::settle() {
+  if (revival_.valid()) takeRevived();
 }
 
 hd::CallbackCode OmniDevice::callback(void* self) { return static_cast<OmniDevice*>(self)->frame(); }
 
-hd::CallbackCode OmniDevice::frame() noexcept {
-  if (ended_.load(std::memory_order_relaxed)) return hd::kDone;
-  const bool look = frames_++ % kLookTicks == 0;
-  if (look || calibrate_.load(std::memory_order_acquire)) checkCalibration();  // before the frame begins, as the interface asks
+// The first frame after the clock was started: nobody knows what the hand did meanwhile.
+void OmniDevice::begin() noexcept {
+  const std::uint32_t placements = own_.pose.placements;
+  own_ = {};
+  own_.pose.placements = placements + 1;
+}
 
-  hd_.beginFrame(device_);
+hd::CallbackCode OmniDevice::frame() noexcept {
+  if (ended_.load(std::memory_order_acquire)) return hd::kDone;
+  if (anew_.exchange(false, std::memory_order_acq_rel)) begin();
+  look(own_.frames++ % kLookTicks == 0);  // before the frame begins, as the interface asks
+
+  const hd::Handle device = handle_.load(std::memory_order_relaxed);
+  hd_.beginFrame(device);
   double position[3] = {};
-  int buttons = 0, inkwell = 0;
+  int buttons = 0;
   hd_.getDoublev(hd::kPosition, position);
   hd_.getIntegerv(hd::kButtons, &buttons);
-  hd_.getIntegerv(hd::kInkwellSwitch, &inkwell);
-  if (look) {
-    double heat[6] = {};
-    hd_.getDoublev(hd::kMotorTemperature, heat);
-    motor_heat_.store(std::clamp(*std::max_element(heat, heat + 6), 0.0, 1.0), std::memory_order_relaxed);
+  if (calibration_style_.load(std::memory_order_relaxed) & hd::kInkwell) {
+    hd::Boolean out_of_inkwell = 1;  // the switch is on while nothing presses it
+    hd_.getBooleanv(hd::kInkwellSwitch, &out_of_inkwell);
+    in_inkwell_.store(!out_of_inkwell, std::memory_order_relaxed);
   }
-  in_inkwell_.store(inkwell != 0, std::memory_order_relaxed);
-  pose_.position.mm = {position[0], position[1], position[2]};
-  pose_.buttons = std::uint32_t(buttons);
-  pose_.fresh = true;
-  pose_.connected = !gone_.load(std::memory_order_relaxed);
+  DevicePose& pose = own_.pose;
+  pose.position.mm = Vec3(position[0], position[1], position[2]) - room_middle_mm_;
+  pose.buttons = std::uint32_t(buttons);
+  pose.connected = !gone_.load(std::memory_order_relaxed);
   const double heat = motor_heat_.load(std::memory_order_relaxed);
-  pose_.motor_heat = warm_ticks_ > 0 ? 1.0f : float(std::isfinite(heat) ? std::max(0.0, heat) : 1.0);
-  pose_.trouble = troubled_ticks_ > 0 || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
-  if (troubled_ticks_ > 0) --troubled_ticks_;
-  if (warm_ticks_ > 0) --warm_ticks_;
+  pose.motor_heat = own_.warm_ticks > 0 ? 1.0f : float(std::max(0.0, heat));
+  pose.trouble = own_.troubled_ticks > 0 || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
+  own_.troubled_ticks = std::max(0, own_.troubled_ticks - 1);
+  own_.warm_ticks = std::max(0, own_.warm_ticks - 1);
+  told_.write(pose);
+  framed_.store(true, std::memory_order_release);
+  stood_reads_.store(0, std::memory_order_relaxed);
 
   const bool ends = ends_.load(std::memory_order_acquire);
-  force_N_ = Vec3(0.0);
-  if (!ends && target_) {
+  own_.force_N = Vec3(0.0);
+  if (TickTarget* const target = target_.load(std::memory_order_acquire); target && !ends) {
     frame_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
-    stale_reads_ = 0;
-    target_->tickOfDevice();
+    target->tickOfDevice();
     frame_thread_.store(std::thread::id(), std::memory_order_relaxed);
   }
-  const double force[3] = {force_N_.x, force_N_.y, force_N_.z};
+  const double force[3] = {own_.force_N.x, own_.force_N.y, own_.force_N.z};
   hd_.setDoublev(hd::kCurrentForce, force);
-  hd_.endFrame(device_);
-  const bool broken = drainErrors();
+  hd_.endFrame(device);
+  const bool broken = note(drainErrors(hd_, [this](std::uint32_t code) {
+    if (code == hd::kWarmMotors) own_.warm_ticks = kWarmTicks;
+    else if (hd::cutsForce(code)) own_.troubled_ticks = kTroubleTicks;
+  }));
   if (ends || broken) {
     ended_.store(true, std::memory_order_release);
     return hd::kDone;
@@ -176,92 +192,109 @@ hd::CallbackCode OmniDevice::frame() noexcept {
   return hd::kContinue;
 }
 
+void OmniDevice::look(bool now) noexcept {
+  const bool calibrated = calibration_.load(std::memory_order_relaxed) == hd::kCalibrated;
+  if (calibrate_.exchange(false, std::memory_order_acq_rel)) own_.resetting_ticks = kResetTicks;
+  if (now || (!calibrated && own_.frames % kLookSoonTicks == 0)) checkCalibration();
+  if (own_.resetting_ticks > 0 && --own_.resetting_ticks == 0) reset_failed_.store(true, std::memory_order_relaxed);
+  resetting_.store(own_.resetting_ticks > 0, std::memory_order_relaxed);
+  if (!now) return;
+  double heat[6] = {};
+  hd_.getDoublev(hd::kMotorTemperature, heat);
+  const double most = *std::max_element(heat, heat + 6);
+  motor_heat_.store(std::isfinite(most) ? std::clamp(most, 0.0, 1.0) : 1.0, std::memory_order_relaxed);
+}
+
 void OmniDevice::checkCalibration() noexcept {
+  const std::uint32_t style = calibration_style_.load(std::memory_order_relaxed);
   std::uint32_t state = hd_.checkCalibration();
-  const bool asked = calibrate_.exchange(false, std::memory_order_acq_rel);
-  // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so.
-  if (calibration_style_ & hd::kInkwell || calibration_style_ & hd::kAuto) {
-    if (state == hd::kNeedsUpdate) {
-      hd_.updateCalibration(calibration_style_ & hd::kInkwell ? hd::kInkwell : hd::kAuto);
-      state = hd_.checkCalibration();
-    }
-  } else if (state != hd::kCalibrated && asked) {
-    hd_.updateCalibration(hd::kEncoderReset);
+  // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so, and then
+  // until the driver has taken it.
+  const bool by_itself = style & (hd::kInkwell | hd::kAuto);
+  const bool update = by_itself ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0;
+  if (update) {
+    hd_.updateCalibration(style & hd::kInkwell ? hd::kInkwell : style & hd::kAuto ? hd::kAuto : hd::kEncoderReset);
     state = hd_.checkCalibration();
+  }
+  if (state == hd::kCalibrated) {
+    own_.resetting_ticks = 0;
+    reset_failed_.store(false, std::memory_order_relaxed);
   }
   calibration_.store(state, std::memory_order_relaxed);
 }
 
-// True where the device or its clock is lost.
-bool OmniDevice::drainErrors() noexcept {
-  bool lost = false;
-  for (int k = 0; k < kMostErrors; ++k) {
-    const hd::ErrorInfo error = hd_.getError();
-    if (error.code == hd::kNoError) break;
-    last_error_.store(error.code, std::memory_order_relaxed);
-    errors_.fetch_add(1, std::memory_order_release);
-    if (error.code == hd::kWarmMotors) warm_ticks_ = kWarmTicks;
-    else if (error.code > hd::kWarmMotors && error.code <= hd::kForceError) troubled_ticks_ = kTroubleTicks;
-    else if ((error.code >= hd::kDeviceFault && error.code <= hd::kTimerError) || error.code == hd::kBadHandle ||
-             error.code == hd::kSchedulerFull || error.code == hd::kInvalidPriority)
-      lost = true;
-  }
-  if (lost) gone_.store(true, std::memory_order_relaxed);
-  return lost;
+// Any thread. True where the device or its clock is lost.
+bool OmniDevice::note(std::uint32_t worst) noexcept {
+  if (worst == hd::kNoError) return false;
+  keepWorst(worst_error_, worst);
+  if (!hd::endsConnection(worst)) return false;
+  lost_by_.store(worst, std::memory_order_relaxed);
+  gone_.store(true, std::memory_order_release);
+  return true;
 }
 
 DevicePose OmniDevice::read(double) noexcept {
-  if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) return pose_;
+  if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) return own_.pose;
   // The maker's clock stands and the loop's own has taken over.
-  DevicePose stale = pose_;
+  DevicePose stale = told_.read();
+  const int stood = stood_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
   stale.fresh = false;
-  stale.connected = ++stale_reads_ <= kStaleReads && !gone_.load(std::memory_order_relaxed);
+  stale.age_s = 0.001f * float(stood);
+  stale.connected = framed_.load(std::memory_order_acquire) && stood <= kStaleReads && !gone_.load(std::memory_order_acquire);
   return stale;
 }
 
 void OmniDevice::write(ForceN force) noexcept {
-  if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) force_N_ = force.N;
+  if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) own_.force_N = force.N;
+}
+
+bool OmniDevice::lost() const noexcept {
+  return gone_.load(std::memory_order_acquire) || stood_reads_.load() > (framed_.load() ? kTellStanding : kTellNoFrame);
 }
 
 DeviceStatus OmniDevice::status() {
-  const auto now = std::chrono::steady_clock::now();
+  const auto now = Clock::now();
+  if (revival_.valid() && revival_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+    takeRevived();
+    if (!gone_.load() && target_.load()) schedule();
+    try_again_ = now + kTryAgain;
+  }
   DeviceStatus status;
   status.motor_heat = motor_heat_.load(std::memory_order_relaxed);
-
-  if (gone_.load() && now >= try_again_) {
-    try_again_ = now + kTryAgain;
-    unschedule();
-    if (device_ != hd::kInvalidHandle) hd_.disableDevice(device_);
-    device_ = hd::kInvalidHandle;
-    if (!initialise() && target_) schedule();
-  }
-  if (gone_.load()) {
+  if (revival_.valid() || lost()) {
+    if (!revival_.valid() && now >= try_again_) revive();
     status.connected = status.ready = false;
-    const std::uint32_t error = last_error_.load(std::memory_order_relaxed);
-    status.text = words(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
+    const std::uint32_t error = lost_by_.load(std::memory_order_relaxed);
+    if (!why_not_.empty()) status.text = why_not_;
+    else if (!gone_.load()) status.text = "The driver of the device no longer answers. It is opened anew.";
+    else status.text = words(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
     return status;
   }
 
-  if (const std::uint32_t count = errors_.load(std::memory_order_acquire); count != errors_told_) {
-    errors_told_ = count;
-    error_shown_ = last_error_.load(std::memory_order_relaxed);
-    shown_until_ = now + kShowError;
-  }
-  switch (calibration_.load(std::memory_order_relaxed)) {
-    case hd::kCalibrated: break;
-    case hd::kNeedsUpdate: status.text = "The device is being calibrated: leave the stylus where it is."; break;
-    default:
-      if (calibration_style_ & hd::kInkwell)
-        status.text = in_inkwell_.load() ? "Calibrating: leave the stylus in the inkwell."
-                                         : "Put the stylus's tip into the inkwell, the dark hole in the device, and leave it there until this goes away.";
-      else if (calibration_style_ & hd::kAuto)
-        status.text = "Move the stylus slowly to and fro, as far as it goes on every side, until this goes away.";
-      else
-        status.text = "Hold the arm in its resting place, all joints at right angles as in the maker's picture, and press Calibrate.";
-  }
+  if (const std::uint32_t error = worst_error_.exchange(hd::kNoError, std::memory_order_relaxed); error != hd::kNoError)
+    if (now >= shown_until_ || hd::errorWeight(error) >= hd::errorWeight(error_shown_)) {
+      error_shown_ = error;
+      shown_until_ = now + kShowError;
+    }
+  if (framed_.load(std::memory_order_acquire)) status.text = guidance(status);  // before it nothing is known
   status.ready = status.text.empty();
   if (status.text.empty() && now < shown_until_) status.text = words(error_shown_);
   return status;
+}
+
+// What the person is to do for the calibration; nothing where it is done.
+std::string OmniDevice::guidance(DeviceStatus& status) const {
+  const std::uint32_t state = calibration_.load(std::memory_order_relaxed), style = calibration_style_.load(std::memory_order_relaxed);
+  if (state == hd::kCalibrated) return "";
+  const bool updating = style & (hd::kInkwell | hd::kAuto) ? state == hd::kNeedsUpdate : resetting_.load(std::memory_order_relaxed);
+  if (updating) return "The device is being calibrated: leave the stylus where it is.";
+  if (style & hd::kInkwell)
+    return in_inkwell_.load() ? "Calibrating: leave the stylus in the inkwell."
+                              : "Put the stylus's tip into the inkwell, the dark hole in the device, and leave it there until this goes away.";
+  if (style & hd::kAuto) return "Move the stylus slowly to and fro, as far as it goes on every side, until this goes away.";
+  status.asks_calibrate = true;
+  return std::string(reset_failed_.load(std::memory_order_relaxed) ? "The device did not take that place. " : "") +
+         "Hold the arm in its resting place, all joints at right angles as in the maker's picture.";
 }
 
 }  // namespace moltact

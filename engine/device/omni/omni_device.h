@@ -1,77 +1,107 @@
 // Phantom Omni, Geomagic Touch and 3D Systems Touch through OpenHaptics' HD interface (hd_library.h). The maker's
 // scheduler is the servo loop's clock: read() and write() run inside its callback, between the frame's begin and end;
 // whenever that clock stands, a read from elsewhere gives the last place as stale, and after 100 of them a device that is
-// gone. Units: millimetre, newton; the device's axes are the program's.
+// gone. A device that is lost, or whose clock stands, is opened anew on a thread of its own.
+// Units: millimetre, newton; the device's axes are the program's.
 #pragma once
 
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <thread>
 
+#include "engine/core/triple_buffer.h"
 #include "engine/device/device.h"
-#include "engine/device/omni/hd_library.h"
+#include "engine/device/kept_info.h"
+#include "engine/device/omni/omni_session.h"
 
 namespace moltact {
 
 class OmniDevice final : public Device {
  public:
-  /// Window's thread. Initialises the default device. A Problem in words where there is none or it is in use.
+  /// Initialises the default device, or takes the one that look() has just opened. A Problem in words where there is none or
+  /// it is in use. Not for the haptic thread; may take a while.
   static Expected<std::unique_ptr<OmniDevice>> open();
+  /// What is written on the device that open() would give. It shows only once it is open, and so stays open for a moment.
+  struct Seen {
+    std::string model, serial;
+  };
+  static Expected<Seen> look();
   ~OmniDevice() override;
 
-  const DeviceInfo& info() const noexcept override { return info_; }
+  const DeviceInfo& info() const noexcept override { return info_.get(); }
   DevicePose read(double dt_s) noexcept override;
   void write(ForceN force) noexcept override;
 
-  /// Says what calibration asks of the person and what the driver reported; tries to open a device anew that was lost.
+  /// Says what calibration asks of the person and what the driver reported; begins to open a device anew that was lost.
+  /// Never waits.
   DeviceStatus status() override;
   void calibrate() override { calibrate_.store(true, std::memory_order_release); }
   bool startClock(TickTarget& target) override;
   void stopClock() override;
 
-  const std::string& model() const { return model_; }
-  const std::string& serial() const { return serial_; }
-  /// True while a device of this process is open.
+  const std::string& model() const { return session_.model; }
+  const std::string& serial() const { return session_.serial; }
+  /// True while a device of this process is open and taken.
   static bool inUse();
+  /// Closes at once what look() has opened, for another program.
+  static void letGo();
 
  private:
-  explicit OmniDevice(const hd::Library& library) : hd_(library) {}
-  std::optional<Problem> initialise();
+  OmniDevice(const hd::Library& library, OmniSession session);
   void schedule();
   void unschedule();
+  void revive();
+  void takeRevived();
+  void settle();
+  bool lost() const noexcept;
+  std::string guidance(DeviceStatus& status) const;
   static hd::CallbackCode callback(void* self);
   hd::CallbackCode frame() noexcept;
+  void begin() noexcept;
+  void look(bool now) noexcept;
   void checkCalibration() noexcept;
-  bool drainErrors() noexcept;
+  bool note(std::uint32_t worst) noexcept;
 
   const hd::Library& hd_;
-  DeviceInfo info_;
-  std::string model_, serial_;
-  hd::Handle device_ = hd::kInvalidHandle;
-  std::uint32_t calibration_style_ = 0;
-
-  // Of the clock.
-  TickTarget* target_ = nullptr;
+  KeptInfo info_;
+  // The window's thread; while revival_ is there its thread has them, and nobody else.
+  OmniSession session_;
   hd::SchedulerHandle scheduled_ = 0;
   bool scheduling_ = false;
-  std::atomic<bool> ends_{false}, ended_{true};
-  std::atomic<std::thread::id> frame_thread_{};
+  std::future<Expected<OmniSession>> revival_;
 
-  // Of the callback.
-  DevicePose pose_;
-  Vec3 force_N_{0.0};
-  int frames_ = 0, stale_reads_ = 0, troubled_ticks_ = 0, warm_ticks_ = 0;
+  // From the window to the callback. The style and the handle change only while there is no callback.
+  std::atomic<TickTarget*> target_{nullptr};
+  std::atomic<hd::Handle> handle_{hd::kInvalidHandle};
+  std::atomic<std::uint32_t> calibration_style_{0};
+  Vec3 room_middle_mm_{0.0};  // written while no frame runs
+  std::atomic<bool> anew_{false}, ends_{false}, ended_{true}, calibrate_{false};
+
+  // The callback's alone.
+  struct OfCallback {
+    DevicePose pose;
+    Vec3 force_N{0.0};
+    int frames = 0, troubled_ticks = 0, warm_ticks = 0, resetting_ticks = 0;
+  } own_;
+
+  // From the callback to the loop's own clock.
+  TripleBuffer<DevicePose> told_;
+  std::atomic<std::thread::id> frame_thread_{};
+  std::atomic<int> stood_reads_{0};  // reads from elsewhere since the last frame
+  std::atomic<bool> framed_{false};  // a frame has come since the clock was started
 
   // From the callback to the window.
-  std::atomic<std::uint32_t> calibration_{hd::kNeedsManualInput}, last_error_{0}, errors_{0};
+  std::atomic<std::uint32_t> calibration_{hd::kNeedsManualInput}, worst_error_{hd::kNoError}, lost_by_{hd::kNoError};
   std::atomic<double> motor_heat_{-1.0};
-  std::atomic<bool> gone_{false}, calibrate_{false}, in_inkwell_{false};
+  std::atomic<bool> gone_{false}, in_inkwell_{false}, resetting_{false}, reset_failed_{false};
 
   // The window's.
-  std::uint32_t errors_told_ = 0, error_shown_ = 0;
+  std::uint32_t error_shown_ = hd::kNoError;
+  std::string why_not_;  // the last revival failed
   std::chrono::steady_clock::time_point shown_until_{}, try_again_{};
 };
 

@@ -4,7 +4,6 @@
 namespace moltact {
 namespace {
 
-// Whether one is plugged in shows only when it is opened: it is opened for the look and closed again.
 std::vector<FoundDevice> find() {
   FoundDevice one{.title = "Phantom Omni or Touch", .gives_force = true, .by_itself = true};
   if (OmniDevice::inUse()) {
@@ -12,12 +11,12 @@ std::vector<FoundDevice> find() {
     one.place = "in use here";
     return {one};
   }
-  if (const auto device = OmniDevice::open()) {
+  if (const auto seen = OmniDevice::look()) {
     one.usable = true;
-    if (!(*device)->model().empty()) one.title = (*device)->model();
-    one.place = (*device)->serial().empty() ? "" : "serial number " + (*device)->serial();
+    if (!seen->model.empty()) one.title = seen->model;
+    one.place = seen->serial.empty() ? "" : "serial number " + seen->serial;
   } else {
-    one.why = device.problem().text();
+    one.why = seen.problem().text();
   }
   return {one};
 }

@@ -1,13 +1,15 @@
 // A stand-in for OpenHaptics' libHD.so, built from its published documentation, with the device model in the scripted hand
-// behind it. It is strict where the documentation is: what is asked outside a frame, a second begin, a bad handle end
-// as errors on the stack, newest first. The functions standIn… are for the tests: they step its clock by hand or let it run
-// at 1 kHz, and do to it what a device does.
+// behind it. It is strict where the documentation is: what is asked outside a frame or by the getter of another type, a second
+// begin, a bad handle end as errors on the stack, newest first. The callback runs without its lock. The functions standIn… are for the tests: they step its clock by hand or let it run
+// at 1 kHz, and do to it what a device does. In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks
+// for the calibration style STAND_IN_STYLE if that is set, and writes how the device was closed.
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <cstdlib>
+#include <fstream>
 #include <mutex>
 #include <thread>
 #include <vector>
@@ -22,11 +24,15 @@ namespace {
 
 struct State {
   std::recursive_mutex mutex;
+  std::mutex ticking;  // held while the callback runs; taken before `mutex`
   std::vector<hd::ErrorInfo> errors;
   bool attached = true, initialised = false, in_frame = false, forces_on = false, running = false, manual = true, licensed = true;
   std::uint32_t calibration = hd::kCalibrated, style = hd::kInkwell, updates = 0;
-  int buttons = 0, inkwell = 0, silent_frames = 0, unsent_frames = 0;
+  bool docked = false;
+  int buttons = 0, inits = 0, init_ms = 0, updates_needed = 1;
+  std::uint32_t init_error = hd::kNoError;
   double heat = 0.1, force[3] = {}, biggest_N = 0, at_stop_N = -1;
+  Vec3 room_middle_mm{0.0};
   hd::Callback callback = nullptr;
   void* data = nullptr;
   hd::SchedulerHandle scheduled = 0;
@@ -35,6 +41,13 @@ struct State {
   std::atomic<bool> ends{false};
   std::thread clock;
 
+  State() {
+    if (std::getenv("STAND_IN_LOG")) manual = false;
+    if (const char* named = std::getenv("STAND_IN_STYLE")) {
+      style = std::uint32_t(std::atoi(named));
+      calibration = hd::kNeedsManualInput;
+    }
+  }
   ~State() {
     ends = true;
     if (clock.joinable()) clock.join();
@@ -47,6 +60,34 @@ State& state() {
 using Lock = std::lock_guard<std::recursive_mutex>;
 
 void push(std::uint32_t code) { state().errors.push_back({code, 0, 0}); }
+
+enum class Type { None, Boolean, Integer, Double };
+Type typeOf(std::uint32_t what) {
+  switch (what) {
+    case hd::kInkwellSwitch: return Type::Boolean;
+    case hd::kButtons:
+    case hd::kInputDof:
+    case hd::kOutputDof:
+    case hd::kCalibrationStyle: return Type::Integer;
+    case hd::kPosition:
+    case hd::kMotorTemperature:
+    case hd::kMaxForce:
+    case hd::kMaxContinuousForce:
+    case hd::kMaxStiffness:
+    case hd::kMaxDamping:
+    case hd::kVelocityLimit:
+    case hd::kForceImpulseLimit:
+    case hd::kUsableWorkspace: return Type::Double;
+    default: return Type::None;
+  }
+}
+// Whether `what` is there and of the type that it is asked by.
+bool isOf(Type type, std::uint32_t what) {
+  const Type is = typeOf(what);
+  if (is != type) push(is == Type::None ? hd::kInvalidEnum : hd::kInvalidInputType);
+  return is == type;
+}
+
 bool inFrame() {
   if (!state().in_frame) push(hd::kInvalidOperation);
   return state().in_frame;
@@ -55,15 +96,19 @@ bool inFrame() {
 // One tick of the scheduler and of the world.
 void step() {
   State& s = state();
-  const Lock lock(s.mutex);
-  if (s.callback && s.running) {
-    if (!s.attached) push(hd::kCommError);
-    const hd::CallbackCode code = s.callback(s.data);
-    if (s.in_frame) push(hd::kFrameError), s.in_frame = false;
-    if (code == hd::kDone) s.callback = nullptr;
-  } else {
-    std::fill(s.force, s.force + 3, 0.0);
+  const std::lock_guard ticking(s.ticking);
+  hd::Callback callback = nullptr;
+  void* data = nullptr;
+  {
+    const Lock lock(s.mutex);
+    if (s.running) callback = s.callback, data = s.data;
+    if (callback && !s.attached) push(hd::kCommError);
   }
+  const hd::CallbackCode code = callback ? callback(data) : hd::kContinue;
+  const Lock lock(s.mutex);
+  if (s.in_frame) push(hd::kFrameError), s.in_frame = false;
+  if (code == hd::kDone) s.callback = nullptr;
+  if (!callback) std::fill(s.force, s.force + 3, 0.0);
   const bool driven = s.forces_on && s.calibration == hd::kCalibrated && s.attached;
   const Vec3 force = driven ? Vec3(s.force[0], s.force[1], s.force[2]) : Vec3(0.0);
   s.model.tick({force}, s.hand.lead(0.001, s.model.held()));
@@ -74,17 +119,27 @@ void step() {
 extern "C" {
 
 hd::Handle hdInitDevice(const char*) {
+  int wait_ms = 0;
+  {
+    const Lock lock(state().mutex);
+    ++state().inits;
+    wait_ms = state().init_ms;
+  }
+  std::this_thread::sleep_for(std::chrono::milliseconds(wait_ms));
   const Lock lock(state().mutex);
   if (!state().licensed) return push(hd::kInvalidLicense), hd::kInvalidHandle;
   if (!state().attached) return push(hd::kCommError), hd::kInvalidHandle;
   if (state().initialised) return push(hd::kAlreadyInitiated), hd::kInvalidHandle;
   state().initialised = true;
+  if (state().init_error != hd::kNoError) push(state().init_error);
   return 0;
 }
 void hdDisableDevice(hd::Handle) {
   const Lock lock(state().mutex);
   if (!state().initialised || state().running) push(hd::kInvalidOperation);
   state().initialised = state().forces_on = false;
+  if (const char* log = std::getenv("STAND_IN_LOG"))
+    std::ofstream(log, std::ios::app) << "closed, " << state().biggest_N << " N at most, " << state().at_stop_N << " N at the stop, " << state().errors.size() << " errors\n";
 }
 void hdMakeCurrentDevice(hd::Handle device) {
   const Lock lock(state().mutex);
@@ -94,7 +149,6 @@ void hdBeginFrame(hd::Handle) {
   const Lock lock(state().mutex);
   if (state().in_frame) push(hd::kIllegalBegin);
   state().in_frame = true;
-  ++state().unsent_frames;
 }
 void hdEndFrame(hd::Handle) {
   const Lock lock(state().mutex);
@@ -113,19 +167,24 @@ void hdEnable(std::uint32_t what) {
   if (what < 0x4000 || what > 0x4004) return push(hd::kInvalidEnum);
   if (what == hd::kForceOutput) state().forces_on = true;
 }
+void hdGetBooleanv(std::uint32_t what, hd::Boolean* out) {
+  const Lock lock(state().mutex);
+  // The switch opens when the stylus presses it.
+  if (isOf(Type::Boolean, what) && inFrame()) *out = !state().docked;
+}
 void hdGetIntegerv(std::uint32_t what, int* out) {
   const Lock lock(state().mutex);
+  if (!isOf(Type::Integer, what)) return;
   switch (what) {
     case hd::kButtons: if (inFrame()) *out = state().buttons; break;
-    case hd::kInkwellSwitch: if (inFrame()) *out = state().inkwell; break;
     case hd::kInputDof: *out = 6; break;
     case hd::kOutputDof: *out = 3; break;
-    case hd::kCalibrationStyle: *out = int(state().style); break;
-    default: push(hd::kInvalidEnum);
+    default: *out = int(state().style);
   }
 }
 void hdGetDoublev(std::uint32_t what, double* out) {
   const Lock lock(state().mutex);
+  if (!isOf(Type::Double, what)) return;
   switch (what) {
     case hd::kPosition: {
       if (!inFrame()) break;
@@ -138,12 +197,13 @@ void hdGetDoublev(std::uint32_t what, double* out) {
     case hd::kMaxContinuousForce: *out = 0.88; break;
     case hd::kMaxStiffness: *out = 0.5; break;
     case hd::kMaxDamping: *out = 0.003; break;
-    case hd::kUsableWorkspace: {
-      const double box[6] = {-80, -60, -35, 80, 60, 35};
+    case hd::kVelocityLimit: *out = 1200; break;
+    case hd::kForceImpulseLimit: *out = 4; break;
+    default: {
+      const Vec3& m = state().room_middle_mm;
+      const double box[6] = {m.x - 80, m.y - 60, m.z - 35, m.x + 80, m.y + 60, m.z + 35};
       std::copy(box, box + 6, out);
-      break;
     }
-    default: push(hd::kInvalidEnum);
   }
 }
 void hdSetDoublev(std::uint32_t what, const double* in) {
@@ -172,7 +232,7 @@ void hdUpdateCalibration(std::uint32_t style) {
   ++state().updates;
   if (style != state().style) return push(hd::kInvalidValue);
   if (state().in_frame) return push(hd::kInvalidOperation);
-  state().calibration = hd::kCalibrated;
+  if (--state().updates_needed <= 0) state().calibration = hd::kCalibrated;
 }
 void hdStartScheduler() {
   State& s = state();
@@ -193,6 +253,7 @@ void hdStartScheduler() {
 void hdStopScheduler() {
   State& s = state();
   {
+    const std::lock_guard ticking(s.ticking);
     const Lock lock(s.mutex);
     s.at_stop_N = std::sqrt(s.force[0] * s.force[0] + s.force[1] * s.force[1] + s.force[2] * s.force[2]);
     s.running = false;
@@ -210,6 +271,7 @@ hd::SchedulerHandle hdScheduleAsynchronous(hd::Callback callback, void* data, st
   return ++state().scheduled;
 }
 void hdUnschedule(hd::SchedulerHandle handle) {
+  const std::lock_guard ticking(state().ticking);
   const Lock lock(state().mutex);
   if (handle != state().scheduled) push(hd::kInvalidValue);
   state().callback = nullptr;
@@ -226,8 +288,12 @@ void standInReset(bool manual) {
   s.calibration = hd::kCalibrated;
   s.style = hd::kInkwell;
   s.updates = 0;
-  s.buttons = s.inkwell = 0;
+  s.updates_needed = 1;
+  s.buttons = s.inits = s.init_ms = 0;
+  s.init_error = hd::kNoError;
+  s.docked = false;
   s.heat = 0.1;
+  s.room_middle_mm = Vec3(0.0);
   s.biggest_N = 0;
   s.at_stop_N = -1;
   s.callback = nullptr;
@@ -245,6 +311,10 @@ void standInError(std::uint32_t code) {
   const Lock lock(state().mutex);
   push(code);
 }
+void standInRoom(double x_mm, double y_mm, double z_mm) {
+  const Lock lock(state().mutex);
+  state().room_middle_mm = {x_mm, y_mm, z_mm};
+}
 void standInCalibration(std::uint32_t calibration, std::uint32_t style) {
   const Lock lock(state().mutex);
   state().calibration = calibration;
@@ -254,10 +324,28 @@ void standInHeat(double heat) {
   const Lock lock(state().mutex);
   state().heat = heat;
 }
-void standInButtons(int buttons, int inkwell) {
+void standInButtons(int buttons) {
   const Lock lock(state().mutex);
   state().buttons = buttons;
-  state().inkwell = inkwell;
+}
+void standInDock(bool docked) {
+  const Lock lock(state().mutex);
+  state().docked = docked;
+}
+// How often an update of the calibration is asked for until it is done.
+void standInUpdatesNeeded(int times) {
+  const Lock lock(state().mutex);
+  state().updates_needed = times;
+}
+// An opening takes so long and leaves this error, though it is a success.
+void standInInit(int ms, std::uint32_t error) {
+  const Lock lock(state().mutex);
+  state().init_ms = ms;
+  state().init_error = error;
+}
+int standInInits() {
+  const Lock lock(state().mutex);
+  return state().inits;
 }
 void standInStopClock(bool stopped) {
   const Lock lock(state().mutex);
@@ -268,9 +356,21 @@ double standInForce() {
   const double* f = state().force;
   return std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
 }
-double standInForceAtStop() { return state().at_stop_N; }
-std::uint32_t standInUpdates() { return state().updates; }
-int standInErrorsLeft() { return int(state().errors.size()); }
-bool standInInitialised() { return state().initialised; }
+double standInForceAtStop() {
+  const Lock lock(state().mutex);
+  return state().at_stop_N;
+}
+std::uint32_t standInUpdates() {
+  const Lock lock(state().mutex);
+  return state().updates;
+}
+int standInErrorsLeft() {
+  const Lock lock(state().mutex);
+  return int(state().errors.size());
+}
+bool standInInitialised() {
+  const Lock lock(state().mutex);
+  return state().initialised;
+}
 
 }  // extern "C"

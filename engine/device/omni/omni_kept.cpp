@@ -1,0 +1,80 @@
+#include "engine/device/omni/omni_kept.h"
+
+#include <utility>
+
+namespace moltact {
+
+KeptOmni& KeptOmni::get() {
+  static KeptOmni one;
+  return one;
+}
+
+KeptOmni::~KeptOmni() {
+  letGo();
+  {
+    const std::lock_guard lock(mutex_);
+    ends_ = true;
+  }
+  changed_.notify_all();
+  if (closer_.joinable()) closer_.join();
+}
+
+Expected<OmniSession> KeptOmni::opened(const hd::Library& hd) {
+  hd_ = &hd;
+  if (taken_) return Problem{"", 0, 0, "the device is open already", "close it first"};
+  if (session_) return *session_;
+  return openOmni(hd);
+}
+
+Expected<OmniSession> KeptOmni::look(const hd::Library& hd) {
+  const std::lock_guard lock(mutex_);
+  auto session = opened(hd);
+  if (!session) return session;
+  session_ = *session;
+  until_ = std::chrono::steady_clock::now() + kKept;
+  if (!closer_.joinable()) closer_ = std::thread([this] { run(); });
+  changed_.notify_all();
+  return session;
+}
+
+Expected<OmniSession> KeptOmni::take(const hd::Library& hd) {
+  const std::lock_guard lock(mutex_);
+  auto session = opened(hd);
+  if (!session) return session;
+  session_.reset();
+  taken_ = true;
+  return session;
+}
+
+void KeptOmni::giveBack() {
+  const std::lock_guard lock(mutex_);
+  taken_ = false;
+}
+
+bool KeptOmni::taken() {
+  const std::lock_guard lock(mutex_);
+  return taken_;
+}
+
+void KeptOmni::letGo() {
+  const std::lock_guard lock(mutex_);
+  if (session_) closeOmni(*hd_, *session_);
+  session_.reset();
+}
+
+// Closes in time what nobody took.
+void KeptOmni::run() {
+  std::unique_lock lock(mutex_);
+  while (!ends_) {
+    if (!session_) {
+      changed_.wait(lock);
+    } else if (std::chrono::steady_clock::now() < until_) {
+      changed_.wait_until(lock, until_);
+    } else {
+      closeOmni(*hd_, *session_);
+      session_.reset();
+    }
+  }
+}
+
+}  // namespace moltact

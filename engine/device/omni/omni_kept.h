@@ -1,0 +1,45 @@
+// The one device that the maker's driver has for this process. Whether it is there shows only when it is opened, and that
+// may take a while: so what a look has opened is kept for the opening that mostly follows, and closed where none does.
+// Any thread but the haptic one.
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <thread>
+
+#include "engine/device/omni/omni_session.h"
+
+namespace moltact {
+
+class KeptOmni {
+ public:
+  static constexpr std::chrono::seconds kKept{2};
+
+  static KeptOmni& get();
+  ~KeptOmni();
+
+  /// What is there; it stays open for kKept.
+  Expected<OmniSession> look(const hd::Library& hd);
+  /// Opens it, or gives the one that a look has opened. It is taken from now on.
+  Expected<OmniSession> take(const hd::Library& hd);
+  void giveBack();
+  bool taken();
+  /// Closes what a look has opened, at once.
+  void letGo();
+
+ private:
+  Expected<OmniSession> opened(const hd::Library& hd);
+  void run();
+
+  std::mutex mutex_;
+  std::condition_variable changed_;
+  const hd::Library* hd_ = nullptr;
+  std::optional<OmniSession> session_;
+  std::chrono::steady_clock::time_point until_{};
+  bool taken_ = false, ends_ = false;
+  std::thread closer_;
+};
+
+}  // namespace moltact

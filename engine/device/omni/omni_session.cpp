@@ -1,0 +1,74 @@
+#include "engine/device/omni/omni_session.h"
+
+#include <cmath>
+#include <utility>
+
+namespace moltact {
+namespace {
+
+// What the driver does not tell, or tells as 0, stays as it is.
+void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale = 1.0) {
+  double value = 0;
+  hd.getDoublev(name, &value);
+  if (std::isfinite(value) && value > 0) to = value * scale;
+}
+
+void readFigures(const hd::Library& hd, OmniSession& session) {
+  DeviceInfo& info = session.info;  // as made: the Omni's published figures
+  info.gives_force = true;
+  info.dof_in = info.dof_out = 3;  // the turn of the stylus is not used
+  info.continuous_force_N = 0.88;
+  figure(hd, hd::kMaxForce, info.max_force_N);
+  figure(hd, hd::kMaxContinuousForce, info.continuous_force_N);
+  figure(hd, hd::kMaxStiffness, info.max_stiffness_N_per_mm);
+  figure(hd, hd::kMaxDamping, info.max_damping_N_s_per_m, 1e3);        // the driver tells N s/mm
+  figure(hd, hd::kVelocityLimit, info.speed_limit_m_per_s, 1e-3);      // mm/s
+  figure(hd, hd::kForceImpulseLimit, info.slew_limit_N_per_s, 1000.0); // N from tick to tick, at 1 kHz
+  double box[6] = {};
+  hd.getDoublev(hd::kUsableWorkspace, box);
+  const Vec3 size(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
+  if (finite(size) && size.x > 0 && size.y > 0 && size.z > 0) {
+    info.workspace_mm = size;
+    session.room_middle_mm = Vec3(box[0], box[1], box[2]) + 0.5 * size;
+  }
+}
+
+std::string text(const hd::Library& hd, std::uint32_t name) {
+  const char* found = hd.getString(name);
+  return found ? found : "";
+}
+
+}  // namespace
+
+Expected<OmniSession> openOmni(const hd::Library& hd) {
+  drainErrors(hd);
+  OmniSession session;
+  session.device = hd.initDevice(nullptr);
+  const std::uint32_t error = drainErrors(hd);
+  // Warm motors and the like are no reason against a device that is open.
+  if (session.device == hd::kInvalidHandle || hd::endsConnection(error) || error == hd::kInvalidLicense) {
+    closeOmni(hd, session);
+    const hd::ErrorWords words = hd::errorWords(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
+    return Problem{"", 0, 0, "no Omni or Touch could be opened: " + words.message, words.remedy};
+  }
+  hd.makeCurrentDevice(session.device);
+  session.model = text(hd, hd::kModel);
+  session.serial = text(hd, hd::kSerial);
+  readFigures(hd, session);
+  session.info.name = session.model.empty() ? "Omni" : session.model;
+  int style = 0;
+  hd.getIntegerv(hd::kCalibrationStyle, &style);
+  session.calibration_style = std::uint32_t(style);
+  hd.enable(hd::kForceOutput);
+  hd.enable(hd::kMaxForceClamping);
+  hd.enable(hd::kForceRamping);
+  drainErrors(hd);  // a figure that this model does not have is none of the person's business
+  return session;
+}
+
+void closeOmni(const hd::Library& hd, OmniSession& session) {
+  if (session.device != hd::kInvalidHandle) hd.disableDevice(std::exchange(session.device, hd::kInvalidHandle));
+  drainErrors(hd);
+}
+
+}  // namespace moltact

@@ -1,0 +1,40 @@
+// The opening of an Omni or Touch and what it then tells of itself. Slow: the driver may look for a device on a network.
+// Any thread but the haptic one, one at a time.
+#pragma once
+
+#include "engine/device/device.h"
+#include "engine/device/omni/hd_library.h"
+
+namespace moltact {
+
+struct OmniSession {
+  hd::Handle device = hd::kInvalidHandle;
+  DeviceInfo info;
+  std::string model, serial;
+  std::uint32_t calibration_style = 0;
+  Vec3 room_middle_mm{0.0};  ///< of the usable room, from the driver's own origin
+};
+
+/// Initialises the maker's default device. A Problem in words where there is none or it is in use; nothing stays open then.
+Expected<OmniSession> openOmni(const hd::Library& hd);
+void closeOmni(const hd::Library& hd, OmniSession& session);
+
+/// Empties the driver's stack of errors, newest first, each to `each`; tells the one that matters most, of several alike the
+/// newest. Any thread, also the haptic one.
+template <class Each>
+std::uint32_t drainErrors(const hd::Library& hd, Each&& each) noexcept {
+  constexpr int kMostErrors = 64;  // taken at once; the stack is short
+  std::uint32_t worst = hd::kNoError;
+  for (int k = 0; k < kMostErrors; ++k) {
+    const std::uint32_t code = hd.getError().code;
+    if (code == hd::kNoError) break;
+    each(code);
+    if (hd::errorWeight(code) > hd::errorWeight(worst)) worst = code;
+  }
+  return worst;
+}
+inline std::uint32_t drainErrors(const hd::Library& hd) noexcept {
+  return drainErrors(hd, [](std::uint32_t) {});
+}
+
+}  // namespace moltact

@@ -1,0 +1,86 @@
+// A device with faults put between it and the loop: ticks that come late, twice or not at all, a loop that stands, places that
+// were misread. Everything that is then given to the device is judged (force_judge.h). It brings a clock where the device has
+// none, so that the ticks are its own. Faults are asked for by one thread and done on the loop's. Units: millimetre, newton.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <thread>
+
+#include "engine/device/device.h"
+#include "engine/servo/force_judge.h"
+
+namespace moltact {
+
+class FaultyDevice final : public Device, private TickTarget {
+ public:
+  enum class Fault : int {
+    None,
+    Late,        ///< each tick comes 0 to 14 ms late
+    Lost,        ///< no ticks come
+    Doubled,     ///< each tick comes twice
+    Stands,      ///< the loop stands so long, in its tick
+    Leaps,       ///< places 20 mm off
+    NotANumber,  ///< places that are none
+    Frozen,      ///< nothing new comes from the device
+  };
+
+  explicit FaultyDevice(std::unique_ptr<Device> device);
+  ~FaultyDevice() override { stopClock(); }
+
+  /// For so many ticks; of Stands milliseconds. One at a time.
+  void inject(Fault fault, int ticks);
+  bool faultIsOver() const { return fault_.load() == Fault::None; }
+
+  /// What was given to the device since the last call.
+  struct Given {
+    const char* broken = nullptr;  ///< the first promise that was broken
+    std::uint64_t ticks = 0;
+    std::uint64_t fresh = 0;       ///< with a fresh place of the device itself
+    double greatest_N = 0;
+    double last_N = 0;             ///< the newest
+  };
+  Given given();
+
+  const DeviceInfo& info() const noexcept override { return device_->info(); }
+  DevicePose read(double dt_s) noexcept override;
+  void write(ForceN force) noexcept override;
+  void stop() noexcept override;
+  DeviceStatus status() override { return device_->status(); }
+  ViewWish viewWish() noexcept override { return device_->viewWish(); }
+  void calibrate() override { device_->calibrate(); }
+  bool startClock(TickTarget& target) override;
+  void stopClock() override;
+
+ private:
+  void tickOfDevice() noexcept override;
+  void run() noexcept;
+  void tick() noexcept;
+  bool misread(DevicePose& pose) noexcept;
+  void note(const Vec3& force_N, bool stopped) noexcept;
+  void passed() noexcept;
+
+  std::unique_ptr<Device> device_;
+  std::atomic<Fault> fault_{Fault::None};
+  std::atomic<int> left_{0};
+
+  // The clock's.
+  std::atomic<TickTarget*> target_{nullptr};
+  std::atomic<bool> ends_{false};
+  bool lent_ = false;  // the device's own clock ticks
+  std::thread clock_;
+  int late_ = 0;
+
+  // The tick's.
+  ForceJudge judge_;
+  ForceJudge::Tick now_;
+  const DeviceInfo* judged_ = nullptr;
+  bool was_connected_ = true, was_bad_ = false, stood_ = false;
+
+  std::atomic<const char*> broken_{nullptr};
+  std::atomic<std::uint64_t> ticks_{0}, fresh_{0};
+  std::atomic<double> greatest_N_{0.0}, last_N_{0.0};
+};
+
+}  // namespace moltact
