@@ -23,6 +23,19 @@ void words(const char* name, const std::string& text, ImU32 colour) {
   recordItem(name, text);
 }
 
+// Above all that scrolls.
+void drawStop(Application& app, DeviceLink& link) {
+  const Palette& p = look().palette;
+  const bool panic = app.scene.servo_settings.panic;
+  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) app.scene.stopForce(!panic);
+  std::string acted;
+  for (const LimitWords* one : link.actingLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
+  ImGui::SameLine(0, look().px(12));
+  ImGui::AlignTextToFramePadding();
+  words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);
+  ImGui::Dummy({0, look().px(2)});
+}
+
 void drawUsable(Application& app, DeviceLink& link) {
   sectionTitle("Choose a device");
   if (link.found().empty()) words("device/looking", "Looking …", look().palette.quiet);
@@ -48,13 +61,12 @@ void drawUnusable(const DeviceLink& link) {
   }
 }
 
-// The device's room seen along one of its axes: the hand in it, and the force on it.
-void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, glm::dvec2 room_mm, glm::dvec2 hand_mm, glm::dvec2 force_N) {
+// The device's room seen along one of its axes, `scale` pixels a millimetre: the hand in it, and the force on it.
+void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, float scale, glm::dvec2 room_mm, glm::dvec2 hand_mm, glm::dvec2 force_N) {
   constexpr float kForce_px_per_N = 14.0f;
   const Look& l = look();
   const Palette& p = l.palette;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const float scale = float(std::min(double(size.x) / room_mm.x, double(size.y) / room_mm.y));
   const ImVec2 middle{low.x + 0.5f * size.x, low.y + 0.5f * size.y}, half{0.5f * scale * float(room_mm.x), 0.5f * scale * float(room_mm.y)};
   const ImVec2 a{middle.x - half.x, middle.y - half.y}, b{middle.x + half.x, middle.y + half.y};
   draw->AddRectFilled(a, b, p.raised, l.px(6));
@@ -77,10 +89,11 @@ void drawRooms(const ServoSample& now, const DeviceInfo& info) {
   if (!finite(room) || !(room.x > 0 && room.y > 0 && room.z > 0)) return;
   const float gap = l.px(16), width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   const float height = std::min(l.px(88), width * float(std::max(room.y, room.z) / room.x));
+  const float scale = std::min(width / float(room.x), height / float(std::max(room.y, room.z)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Vec3 &hand = now.hand.mm, &force = now.force.N;
-  drawRoom("device/front", "from the front", at, {width, height}, {room.x, room.y}, {hand.x, hand.y}, {force.x, force.y});
-  drawRoom("device/above", "from above", {at.x + width + gap, at.y}, {width, height}, {room.x, room.z}, {hand.x, -hand.z}, {force.x, -force.z});
+  drawRoom("device/front", "from the front", at, {width, height}, scale, {room.x, room.y}, {hand.x, hand.y}, {force.x, force.y});
+  drawRoom("device/above", "from above", {at.x + width + gap, at.y}, {width, height}, scale, {room.x, room.z}, {hand.x, -hand.z}, {force.x, -force.z});
   const WithFont small(Font::Small);
   ImGui::Dummy({2 * width + gap, height + l.px(4) + ImGui::GetFontSize()});
 }
@@ -116,7 +129,7 @@ void drawLive(Application& app, DeviceLink& link) {
   tip(app.scene.playing() ? "Not while a recorded hand is shown or the device changes hands." : "Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
 }
 
-void drawLimits(Application& app, DeviceLink& link) {
+void drawLimits(Application& app) {
   const Palette& p = look().palette;
   const DeviceInfo& info = app.scene.servo().device();
   sectionTitle("Safety");
@@ -128,11 +141,6 @@ void drawLimits(Application& app, DeviceLink& link) {
   else
     std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.", app.scene.servo_settings.max_force_N);
   words("device/limits", localNumbers(text), p.quiet);
-  std::string acted;
-  for (const LimitWords* one : link.actingLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
-  words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);
-  const bool panic = app.scene.servo_settings.panic;
-  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) app.scene.stopForce(!panic);
 }
 
 // A hand as a file: recorded here, played by opening it.
@@ -191,13 +199,14 @@ void drawLateness(const DeviceLink& link) {
 void drawDevicePage(Application& app) {
   DeviceLink& link = app.extensions().device;
   if (!beginPage("device page", "Device", app.panels.device_page, 560, 700)) return;
+  drawStop(app, link);
   ImGui::BeginChild("list");
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
   drawUsable(app, link);
   part();
   drawLive(app, link);
   part();
-  drawLimits(app, link);
+  drawLimits(app);
   part();
   drawRecording(app);
   part();

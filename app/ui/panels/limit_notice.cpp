@@ -13,12 +13,13 @@
 namespace moltact {
 
 void drawLimitNotice(Application& app) {
+  if (app.panels.device_page) return;  // which tells them itself
   const Rectangle& view = app.layout().view;
   const bool stopped = app.scene.servo_settings.panic;
   std::string text;
   if (stopped) {
     text = "All force is stopped. F9 allows it again.";
-  } else if (app.scene.servo().device().gives_force && !app.panels.device_page) {  // the page tells them itself
+  } else if (app.scene.servo().device().gives_force) {
     for (const std::string& words : app.extensions().device.limitNotices(app)) text += (text.empty() ? "" : "\n") + words;
   }
   if (text.empty() || view.empty() || app.panels.welcome) return;
