@@ -149,7 +149,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     const std::string& line = app.extensions().state_text.line();
     const bool told = line.starts_with("touching");
     pill("view/state", localNumbers(told ? line : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N())), {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
-  } else if (const float hint = float(app.scene.controls.hintStrength()); hint > 0.0f && !app.scene.playing()) {
+  } else if (const float hint = float(app.scene.controls.hintStrength()); hint > 0.0f && !app.scene.playing() && !app.scene.servo().held()) {
     pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
