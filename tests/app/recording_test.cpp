@@ -91,7 +91,7 @@ TEST_CASE("a recording that is opened brings its molecule, leads the hand over i
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
   CHECK(d->app().scene.file().stem() == "1ubq");
-  CHECK(d->text("status/device") == "Recording");
+  CHECK(d->text("status/device") == "Recorded hand");
   CHECK_FALSE(d->app().scene.servo().device().gives_force);
   CHECK(player.length_s() == doctest::Approx(double(trace.ticks.size()) * kTick_s));
   int compared = 0, touching = 0;
