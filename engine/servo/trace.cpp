@@ -63,6 +63,7 @@ void figuresFields(Each& each, Figures& f) {
   eachOf(each, f.workspace_mm);
   each(f.dof_in), each(f.dof_out), each(f.max_force_N), each(f.continuous_force_N), each(f.max_stiffness_N_per_mm);
   each(f.max_damping_N_s_per_m), each(f.damping_N_s_per_m), each(f.friction_N), each(f.resolution_mm), each(f.delay_s);
+  each(f.speed_limit_m_per_s), each(f.slew_limit_N_per_s);
 }
 template <class Each, class Tick>
 void tickFields(Each& each, Tick& t) {
