@@ -1,0 +1,155 @@
+// What the reports of SpaceMouse and game pads mean.
+#include <doctest/doctest.h>
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "engine/device/hid/play_station.h"
+#include "engine/device/hid/space_mouse.h"
+
+using namespace moltact;
+
+namespace {
+
+using Report = std::vector<std::uint8_t>;
+
+}  // namespace
+
+TEST_CASE("SpaceMouse: two reports of 7 bytes and one of 13 mean the same axes; x right, up against z, toward the person y") {
+  // Half a push to the right (175), none away, a full one up (-350); turned by a quarter round y.
+  const Report push{1, 175, 0, 0, 0, 0xA2, 0xFE}, turn{2, 0, 0, 0, 0, 87, 0}, both{1, 175, 0, 0, 0, 0xA2, 0xFE, 0, 0, 0, 0, 87, 0};
+  SpaceMouseProtocol old, newer;
+  DevicePose pose;
+  CHECK(old.take(push, pose));
+  CHECK(old.take(turn, pose));
+  CHECK(newer.take(both, pose));
+  for (const SpaceMouseProtocol* one : {&old, &newer}) {
+    CHECK(one->axes().push.x == doctest::Approx(0.5));
+    CHECK(one->axes().push.y == doctest::Approx(1.0));
+    CHECK(one->axes().push.z == 0.0);
+    CHECK(one->axes().turn.y == doctest::Approx(-87.0 / 350));
+  }
+  CHECK(old.take(Report{3, 0x05, 0x01}, pose));
+  CHECK(pose.buttons == 0x0104u);  // the first switches between hand and view
+}
+
+TEST_CASE("SpaceMouse: a full push moves the hand by 60 mm a second, a breath of one not at all, and 80 mm is the end of the way") {
+  SpaceMouseProtocol mouse;
+  DevicePose pose;
+  mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+  for (int k = 0; k < 100; ++k) mouse.pass(0.002, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(12.0));
+  for (int k = 0; k < 2000; ++k) {
+    mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+    mouse.pass(0.002, pose);
+  }
+  CHECK(pose.position.mm.x == 80.0);
+  mouse.take(Report{1, 0xEF, 0xFF, 0, 0, 0, 0}, pose);  // -17 of 350
+  mouse.pass(0.1, pose);
+  CHECK(pose.position.mm.x == 80.0);
+}
+
+TEST_CASE("SpaceMouse: a turn that is stronger than the push turns the view and leaves the hand; the first button gives the push to the view, too") {
+  SpaceMouseProtocol mouse;
+  DevicePose pose;
+  // Pushed right by 100 of 350, turned round the axis that points down by -350: seen from above to the left.
+  const Report both{1, 100, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xA2, 0xFE}, push{1, 0x5E, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
+  mouse.take(both, pose);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm == Vec3(0));
+  CHECK(mouse.viewWish().turn.y == doctest::Approx(1.0));
+  CHECK(mouse.viewWish().move == Vec3(0));
+  mouse.take(push, pose);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(0.6));
+  CHECK(mouse.viewWish().turn == Vec3(0));
+  mouse.take(Report{3, 1}, pose);
+  mouse.take(Report{3, 0}, pose);
+  CHECK(pose.buttons == 0);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(0.6));
+  CHECK(mouse.viewWish().move.x == doctest::Approx(1.0));
+  mouse.take(Report{3, 1}, pose);
+  mouse.pass(0.01, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(1.2));
+  CHECK(mouse.viewWish().move == Vec3(0));
+}
+
+TEST_CASE("DualShock 4: left stick right and up, right trigger in, right stick the view; sticks that rest beside their middle move nothing") {
+  PlayStationProtocol pad;
+  DevicePose pose;
+  Report report(64);
+  report[0] = 1, report[1] = 120, report[2] = 133, report[3] = 128, report[4] = 128, report[5] = 8;
+  CHECK(pad.take(report, pose));
+  for (int k = 0; k < 100; ++k) pad.pass(0.01, pose), pad.take(report, pose);
+  CHECK(pose.position.mm == Vec3(0));
+  CHECK(pose.buttons == 0);
+  report[1] = 255, report[2] = 128, report[5] = 0x20 | 8;  // right, with the cross
+  pad.take(report, pose);
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.x == doctest::Approx(6.0));
+  CHECK(pose.buttons == 1);
+  report[1] = 128, report[2] = 0, report[5] = 0x40 | 8;  // up, with the circle
+  pad.take(report, pose);
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.y == doctest::Approx(6.0));
+  CHECK(pose.buttons == 2);
+  report[2] = 128, report[9] = 255, report[3] = 255;
+  pad.take(report, pose);
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z == doctest::Approx(-6.0));
+  CHECK(pad.viewWish().turn.y == doctest::Approx(1.0));
+  pad.pass(0.3, pose);  // the report of letting go was lost
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z > -30.0);
+  CHECK(pad.viewWish().turn == Vec3(0));
+  CHECK_FALSE(pad.take(Report(63), pose));
+}
+
+TEST_CASE("DualSense: triggers, buttons and motors stand elsewhere by USB, by Bluetooth where the DualShock 4 has them") {
+  PlayStationProtocol pad(kDualSense);
+  DevicePose pose;
+  Report usb(64), bluetooth(10);
+  for (Report* one : {&usb, &bluetooth}) (*one)[0] = 1, (*one)[1] = (*one)[2] = (*one)[3] = (*one)[4] = 128;
+  usb[6] = 255, usb[8] = 0x20 | 8;  // right trigger, cross
+  CHECK(pad.take(usb, pose));
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z == doctest::Approx(-6.0));
+  CHECK(pose.buttons == 1);
+  std::array<std::uint8_t, 64> out{};
+  CHECK(pad.give({Vec3(0, 3.3, 0)}, out) == 48);
+  CHECK((out[0] == 2 && out[1] == 3 && out[2] == 0 && out[3] == 255 && out[4] == 255));
+  bluetooth[8] = 255, bluetooth[5] = 0x40 | 8;  // left trigger, circle
+  CHECK(pad.take(bluetooth, pose));
+  pad.pass(0.1, pose);
+  CHECK(pose.position.mm.z == doctest::Approx(0.0));
+  CHECK(pose.buttons == 2);
+  CHECK(pad.give({Vec3(0.1, 0, 0)}, out) == 0);
+}
+
+TEST_CASE("DualShock 4: it rumbles by the force over USB, a report where the strength changes; at 3.3 N both motors fully, at none not, over Bluetooth never") {
+  PlayStationProtocol pad;
+  DevicePose pose;
+  std::array<std::uint8_t, 64> out{};
+  Report usb(64), bluetooth(10);
+  usb[0] = bluetooth[0] = 1;
+  pad.take(bluetooth, pose);
+  CHECK(pad.give({Vec3(3.3, 0, 0)}, out) == 0);
+  pad.take(usb, pose);
+  CHECK(pad.give({Vec3(0, 3.3, 0)}, out) == 32);
+  CHECK((out[0] == 5 && out[1] == 1 && out[4] == 255 && out[5] == 255));
+  CHECK(pad.give({Vec3(0, 0, 3.3)}, out) == 0);
+  CHECK(pad.give({Vec3(0.5, 0, 0)}, out) == 32);
+  CHECK((out[4] > 0 && out[4] < 80 && out[5] == 0));
+  CHECK(pad.give({Vec3(std::nan(""), 0, 0)}, out) == 32);
+  CHECK((out[4] == 0 && out[5] == 0));
+}
+
+TEST_CASE("SpaceMouse: when the report of letting go is lost the hand stands after a quarter of a second") {
+  SpaceMouseProtocol mouse;
+  DevicePose pose;
+  mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+  for (int k = 0; k < 1000; ++k) mouse.pass(0.002, pose);
+  CHECK(pose.position.mm.x < 60 * 0.26);
+}
