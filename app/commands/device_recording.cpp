@@ -26,13 +26,15 @@ namespace {
 namespace fs = std::filesystem;
 using Labels = std::map<std::string, std::string>;
 
+constexpr int kBrokenOff = 130;  // exit status
 constexpr double kRecordedRoom_A_per_mm = 0.25;
 constexpr int kAsk_ms = 250;  // between two questions for the device's state
+constexpr int kReadyLooks = 2;  // in a row: at the first a device may not know yet what it lacks
 
 struct RecordOptions {
   std::string device, file, method = "exact";
   MoleculeArgument molecule;
-  double seconds = 10.0;
+  double seconds = 10.0, wait_s = 60.0;
   bool overwrite = false;
 };
 
@@ -116,7 +118,11 @@ class Recorder {
   Recorder(const RecordOptions& options, TraceWriter writer, Labels labels)
       : options_(options), writer_(std::move(writer)), labels_(std::move(labels)) {}
 
-  void run(ServoThread& servo) {
+  /// Waits until the device is ready, as it asks of the person; then the hand feels `tracker` and is recorded.
+  void run(ServoThread& servo, std::unique_ptr<Tracker> tracker) {
+    awaitReady(servo);
+    std::cout << "Recording " << options_.seconds << " s.\n" << std::flush;
+    servo.setTracker(std::move(tracker));
     const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
     for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording() && !interrupt_.seen(); ++look) {
@@ -138,8 +144,26 @@ class Recorder {
   }
 
  private:
-  // What the device asks of the person, each time that it is another.
-  void ask(ServoThread& servo) {
+  void awaitReady(ServoThread& servo) {
+    int ready = 0;
+    for (int look = 0; ready < kReadyLooks; ++look) {
+      ready = ask(servo) ? ready + 1 : 0;
+      const bool late = ready == 0 && 1e-3 * kAsk_ms * look >= options_.wait_s;
+      if (late || interrupt_.seen()) {
+        servo.setDevice(nullptr);
+        std::error_code error;
+        if (fs::is_regular_file(options_.file, error)) fs::remove(options_.file, error);
+        if (!late) throw CommandError{"broken off before the first tick; nothing was recorded", kBrokenOff};
+        char text[80];
+        std::snprintf(text, sizeof text, "it was not ready within %g s, and nothing was recorded", options_.wait_s);
+        throw CommandError{Problem{options_.device, 0, 0, text, last_said_}.text()};
+      }
+      if (ready < kReadyLooks) std::this_thread::sleep_for(std::chrono::milliseconds(kAsk_ms));
+    }
+  }
+
+  // What the device asks of the person, each time that it is another; true where it is ready.
+  bool ask(ServoThread& servo) {
     const DeviceStatus status = servo.device()->status();
     const std::string& text = status.text;
     if (text != said_ && !text.empty()) std::cout << text << (status.asks_calibrate ? " Then press Enter." : "") << '\n' << std::flush;
@@ -147,6 +171,7 @@ class Recorder {
     if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.device()->calibrate();
     if (!text.empty()) last_said_ = text;
     said_ = text;
+    return status.ready;
   }
 
   void tell(std::size_t lost) const {
@@ -197,10 +222,8 @@ void recordHand(const RecordOptions& options) {
   servo.setSettings(settings);
   servo.setDevice(std::move(*device));
   servo.record(true);
-  std::cout << "Recording " << options.seconds << " s. "
-            << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n' << std::flush;
-  servo.setTracker(std::move(tracker));
-  recorder.run(servo);
+  std::cout << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n' << std::flush;
+  recorder.run(servo, std::move(tracker));
 }
 
 // The molecule as it was read for the recording.
@@ -258,6 +281,7 @@ void addDeviceRecording(CLI::App& device) {
   records->add_flag("--overwrite", options->overwrite, "replace the file if it is there already");
   records->add_option("--method", options->method, "haptic method")->check(CLI::IsMember(names))->capture_default_str();
   records->add_option("--seconds", options->seconds, "how long")->check(numberFrom(0.1, 36000.0))->capture_default_str();
+  records->add_option("--wait", options->wait_s, "how many seconds to wait until the device is ready")->check(numberFrom(0.0, 3600.0))->capture_default_str();
   records->callback([options] { recordHand(*options); });
 
   const auto file = std::make_shared<std::string>();

@@ -11,6 +11,8 @@ namespace moltact {
 namespace {
 
 static_assert(std::is_trivially_copyable_v<ServoStep>, "its state is kept byte for byte");
+static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 48 && sizeof(DeviceFigures) == 120 && sizeof(TickTime) == 16,
+              "a field more is to be recorded below, or a replay is not the same");
 
 constexpr std::string_view kMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";

@@ -28,10 +28,11 @@ struct CommandPlace {
   CommandPlace(const CommandPlace&) = delete;
   CommandPlace& operator=(const CommandPlace&) = delete;
 
-  /// Without input. `before`: what the shell is told before, as "ulimit -f 200;" or "NAME=value".
-  Run run(const std::string& arguments, const std::string& before = "") const {
+  /// `before`: what the shell is told before, as "ulimit -f 200;" or "env NAME=value". `input`: what is typed.
+  Run run(const std::string& arguments, const std::string& before = "", const std::string& input = "") const {
     const std::filesystem::path out = folder / "run.out", err = folder / "run.err";
-    const std::string line = "cd '" + folder.string() + "'; " + before + " '" MOLTACT_BINARY "' " + arguments + " </dev/null >'" + out.string() +
+    std::ofstream(folder / "run.in") << input;
+    const std::string line = "cd '" + folder.string() + "'; " + before + " '" MOLTACT_BINARY "' " + arguments + " <'" + (folder / "run.in").string() + "' >'" + out.string() +
                              "' 2>'" + err.string() + "'";
     const int status = std::system(line.c_str());
     return {WEXITSTATUS(status), contents(out), contents(err)};

@@ -135,3 +135,19 @@ TEST_CASE("a device that is silent for the whole recording: it is told for how l
   CHECK(contains(silent.out, " s: The device was gone, and the mouse stood in for it."));
   CHECK(contains(silent.err, "the device led no tick of this recording"));
 }
+
+TEST_CASE("a device that wants to be calibrated: the recording begins when it is, and where it is not in time nothing is recorded and no file is left") {
+  const CommandPlace place;
+  const std::string omni = "env MOLTACT_LIBHD='" MOLTACT_STAND_IN_LIBHD "' STAND_IN_LOG='" + (place.folder / "log").string() + "' STAND_IN_STYLE=1";
+  const std::string record = "device record omni 1ubq --seconds 0.5 --out a.trace";
+  const Run never = place.run(record + " --wait 1", omni);
+  CHECK(never.status == 1);
+  CHECK(contains(never.out, "Then press Enter."));
+  CHECK_FALSE(contains(never.out, "Recording"));
+  CHECK(contains(never.err, "omni: it was not ready within 1 s, and nothing was recorded; Hold the arm in its resting place"));
+  CHECK_FALSE(fs::exists(place.folder / "a.trace"));
+  const Run entered = place.run(record + " --wait 20", omni, "\n");
+  CHECK_MESSAGE(entered.status == 0, entered.err);
+  CHECK(contains(entered.out, "500 ticks (0.50 s) in a.trace"));
+  CHECK(place.run("device replay a.trace").status == 0);
+}

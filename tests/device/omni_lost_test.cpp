@@ -91,7 +91,28 @@ TEST_CASE("no device, another program's device and no licence are told apart") {
   CHECK(defaultDevice(findDevices()).name == "omni");
   OmniDevice::letGo();
   omni.call<unsigned(const char*)>("hdInitDevice")(nullptr);
-  CHECK(OmniDevice::open().problem().text().find("Another program") != std::string::npos);
+  CHECK(OmniDevice::open().problem().text().find("another program uses the device; end that program") != std::string::npos);
+}
+
+TEST_CASE("an error that stands in the way of something is told in one sentence, whatever it is") {
+  for (std::uint32_t code = 0x0100; code <= 0x0600; ++code) {
+    const std::string text = hd::problemOf("it could not be opened", hd::errorWords(code)).text();
+    CAPTURE(text);
+    REQUIRE(text.find(".;") == std::string::npos);
+    REQUIRE_FALSE(text.ends_with('.'));
+  }
+  CHECK(hd::problemOf("it could not be opened", hd::errorWords(hd::kDeviceFault)).text() ==
+        "it could not be opened: the device reports a fault; look at its power supply and its cable, then plug it in again");
+  CHECK(hd::problemOf("it could not be opened", hd::errorWords(hd::kInvalidLicense)).message == "it could not be opened: OpenHaptics has no valid licence");
+}
+
+TEST_CASE("a device that is in use here is listed with its model and serial number all the same") {
+  const StandIn omni;
+  const auto device = opened();
+  const FoundDevice one = findDevices().front();
+  CHECK(one.usable);
+  CHECK(one.title == "Stand-in Omni");
+  CHECK(one.place == "serial number 42, in use here");
 }
 
 TEST_CASE("a start initialises the device once: what the looks have opened is what is opened then; what nobody takes is closed after 2 s") {
@@ -102,7 +123,7 @@ TEST_CASE("a start initialises the device once: what the looks have opened is wh
   {
     const auto device = openDevice("omni");
     REQUIRE(device);
-    CHECK(findDevice("omni")->place == "in use here");
+    CHECK(findDevice("omni")->place == "serial number 42, in use here");
   }
   CHECK(omni.inits() == 1);
   CHECK_FALSE(omni.initialised());
@@ -199,6 +220,6 @@ TEST_CASE("in the haptic thread, by the stand-in's own clock of 1 kHz, it leads 
   CHECK_FALSE(servo.fallenBack());
   CHECK(servo.latest().hand.mm != Vec3(0));
   servo.setDevice(nullptr);
-  CHECK_FALSE(OmniDevice::inUse());
+  CHECK_FALSE(OmniDevice::taken());
   CHECK(omni.call<double()>("standInForceAtStop")() == 0.0);
 }

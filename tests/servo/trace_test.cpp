@@ -199,6 +199,31 @@ TEST_CASE("a recording that is there stays as it is, unless it may be replaced; 
   CHECK_FALSE(TraceWriter::create(file / "no folder"));
 }
 
+TEST_CASE("every figure of a device that comes in the middle is in the recording") {
+  const auto file = scratch("figures");
+  DeviceFigures figures;
+  figures.workspace_mm = Vec3(1, 2, 3);
+  figures.dof_in = 4, figures.dof_out = 5;
+  figures.max_force_N = 6, figures.continuous_force_N = 7, figures.max_stiffness_N_per_mm = 8, figures.max_damping_N_s_per_m = 9;
+  figures.damping_N_s_per_m = 10, figures.friction_N = 11, figures.resolution_mm = 12, figures.delay_s = 13;
+  figures.speed_limit_m_per_s = 14, figures.slew_limit_N_per_s = 15;
+  figures.gives_force = true;
+  auto writer = TraceWriter::create(file, true);
+  REQUIRE(writer);
+  CHECK_FALSE(writer->begin({}, ServoStep()));
+  CHECK_FALSE(writer->add({}));
+  TraceTick tick;
+  tick.device = figures;
+  tick.other_device = true;
+  CHECK_FALSE(writer->add(tick));
+  CHECK_FALSE(writer->finish());
+  const auto trace = readTrace(file);
+  REQUIRE(trace);
+  REQUIRE(trace->ticks.size() == 2);
+  CHECK(trace->ticks[1].device == figures);
+  std::filesystem::remove(file);
+}
+
 TEST_CASE("a full disk is told in the first tick that it does not take, not at the end") {
   auto writer = TraceWriter::create("/dev/full", true);
   REQUIRE(writer);

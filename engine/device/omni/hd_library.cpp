@@ -1,5 +1,6 @@
 #include "engine/device/omni/hd_library.h"
 
+#include <cctype>
 #include <cstdio>
 #include <cstdlib>
 #include <mutex>
@@ -55,6 +56,13 @@ Expected<Library> load() {
   return hd;
 }
 
+// A sentence as a part of another one; a name keeps its capital.
+std::string asPart(std::string sentence) {
+  if (sentence.ends_with('.')) sentence.pop_back();
+  if (!sentence.starts_with("OpenHaptics") && !sentence.empty()) sentence.front() = static_cast<char>(std::tolower(sentence.front()));
+  return sentence;
+}
+
 }  // namespace
 
 Expected<const Library*> Library::get() {
@@ -94,6 +102,8 @@ ErrorWords errorWords(std::uint32_t code) {
     }
   }
 }
+
+Problem problemOf(const std::string& what, const ErrorWords& words) { return Problem{"", 0, 0, what + ": " + asPart(words.message), asPart(words.remedy)}; }
 
 int errorWeight(std::uint32_t code) noexcept {
   if (code == kNoError) return 0;

@@ -57,6 +57,8 @@ struct ErrorWords {
   std::string message, remedy;
 };
 ErrorWords errorWords(std::uint32_t code);
+/// The same where it stood in the way of `what`: one sentence.
+Problem problemOf(const std::string& what, const ErrorWords& words);
 
 /// How much an error matters, where only one can be told: 0 none, then what was asked wrongly, licence, force, and at the top
 /// what ends the connection.

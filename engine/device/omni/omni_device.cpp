@@ -36,7 +36,11 @@ void keepWorst(std::atomic<std::uint32_t>& worst, std::uint32_t code) noexcept {
 
 }  // namespace
 
-bool OmniDevice::inUse() { return KeptOmni::get().taken(); }
+std::optional<OmniDevice::Seen> OmniDevice::taken() {
+  const auto session = KeptOmni::get().taken();
+  if (!session) return std::nullopt;
+  return Seen{session->model, session->serial};
+}
 void OmniDevice::letGo() { KeptOmni::get().letGo(); }
 
 Expected<std::unique_ptr<OmniDevice>> OmniDevice::open() {
@@ -124,6 +128,7 @@ void OmniDevice::takeRevived() {
   why_not_.clear();
   session_ = std::move(*session);
   info_.set(session_.info);
+  KeptOmni::get().renewed(session_);
   gone_.store(false);
 }
 

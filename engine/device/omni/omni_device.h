@@ -30,6 +30,8 @@ class OmniDevice final : public Device {
     std::string model, serial;
   };
   static Expected<Seen> look();
+  /// The same of the one that is open and taken in this process, if any.
+  static std::optional<Seen> taken();
   ~OmniDevice() override;
 
   const DeviceInfo& info() const noexcept override { return info_.get(); }
@@ -45,8 +47,6 @@ class OmniDevice final : public Device {
 
   const std::string& model() const { return session_.model; }
   const std::string& serial() const { return session_.serial; }
-  /// True while a device of this process is open and taken.
-  static bool inUse();
   /// Closes at once what look() has opened, for another program.
   static void letGo();
 

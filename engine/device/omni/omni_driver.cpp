@@ -4,17 +4,19 @@
 namespace moltact {
 namespace {
 
+void describe(FoundDevice& one, const OmniDevice::Seen& seen) {
+  one.usable = true;
+  if (!seen.model.empty()) one.title = seen.model;
+  if (!seen.serial.empty()) one.place = "serial number " + seen.serial;
+}
+
 std::vector<FoundDevice> find() {
   FoundDevice one{.title = "Phantom Omni or Touch", .gives_force = true, .by_itself = true};
-  if (OmniDevice::inUse()) {
-    one.usable = true;
-    one.place = "in use here";
-    return {one};
-  }
-  if (const auto seen = OmniDevice::look()) {
-    one.usable = true;
-    if (!seen->model.empty()) one.title = seen->model;
-    one.place = seen->serial.empty() ? "" : "serial number " + seen->serial;
+  if (const auto taken = OmniDevice::taken()) {
+    describe(one, *taken);
+    one.place += one.place.empty() ? "in use here" : ", in use here";
+  } else if (const auto seen = OmniDevice::look()) {
+    describe(one, *seen);
   } else {
     one.why = seen.problem().text();
   }

@@ -42,18 +42,23 @@ Expected<OmniSession> KeptOmni::take(const hd::Library& hd) {
   auto session = opened(hd);
   if (!session) return session;
   session_.reset();
-  taken_ = true;
+  taken_ = *session;
   return session;
 }
 
 void KeptOmni::giveBack() {
   const std::lock_guard lock(mutex_);
-  taken_ = false;
+  taken_.reset();
 }
 
-bool KeptOmni::taken() {
+std::optional<OmniSession> KeptOmni::taken() {
   const std::lock_guard lock(mutex_);
   return taken_;
+}
+
+void KeptOmni::renewed(const OmniSession& session) {
+  const std::lock_guard lock(mutex_);
+  taken_ = session;
 }
 
 void KeptOmni::letGo() {

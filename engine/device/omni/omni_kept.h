@@ -25,7 +25,10 @@ class KeptOmni {
   /// Opens it, or gives the one that a look has opened. It is taken from now on.
   Expected<OmniSession> take(const hd::Library& hd);
   void giveBack();
-  bool taken();
+  /// The one that is taken, as it was opened last.
+  std::optional<OmniSession> taken();
+  /// It was opened anew, and may be another one.
+  void renewed(const OmniSession& session);
   /// Closes what a look has opened, at once.
   void letGo();
 
@@ -36,9 +39,9 @@ class KeptOmni {
   std::mutex mutex_;
   std::condition_variable changed_;
   const hd::Library* hd_ = nullptr;
-  std::optional<OmniSession> session_;
+  std::optional<OmniSession> session_, taken_;
   std::chrono::steady_clock::time_point until_{};
-  bool taken_ = false, ends_ = false;
+  bool ends_ = false;
   std::thread closer_;
 };
 

@@ -47,7 +47,7 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
   if (session.device == hd::kInvalidHandle || hd::endsConnection(error) || error == hd::kInvalidLicense) {
     closeOmni(hd, session);
     const hd::ErrorWords words = hd::errorWords(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
-    return Problem{"", 0, 0, "no Omni or Touch could be opened: " + words.message, words.remedy};
+    return hd::problemOf("no Omni or Touch could be opened", words);
   }
   hd.makeCurrentDevice(session.device);
   session.model = text(hd, hd::kModel);
