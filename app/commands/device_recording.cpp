@@ -16,6 +16,7 @@
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
+#include "engine/servo/fit_workspace.h"
 #include "engine/servo/scale.h"
 #include "engine/servo/servo_thread.h"
 #include "engine/servo/trace.h"
@@ -42,11 +43,11 @@ std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) {
   return std::make_shared<const BallScene>(molecule.load().balls());
 }
 
-// The molecule with its middle in the middle of the device's room.
-ServoSettings settingsFor(const BallScene& scene) {
+// The molecule before the hand, seen along its z-axis.
+ServoSettings settingsFor(const BallScene& scene, const DeviceFigures& device) {
   ServoSettings settings;
   settings.workspace.A_per_mm = kRecordedRoom_A_per_mm;
-  settings.workspace.centre_A = 0.5 * (scene.low_A() + scene.high_A());
+  settings.workspace = beforeHand(settings.workspace, scene, settings.probe_A, {0.5 * (scene.low_A() + scene.high_A())}, glm::dmat3(1.0), device);
   return settings;
 }
 
@@ -211,10 +212,10 @@ TraceWriter openedFile(const RecordOptions& options) {
 
 void recordHand(const RecordOptions& options) {
   const auto scene = sceneOf(options.molecule);
-  const ServoSettings settings = settingsFor(*scene);
   auto device = openDevice(options.device);
   if (!device) throw CommandError{device.problem().text()};
   const DeviceInfo info = (*device)->info();
+  const ServoSettings settings = settingsFor(*scene, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
   auto tracker = findMethod(options.method)->make(scene, settings.probe_A);
   MouseDevice mouse;

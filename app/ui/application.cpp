@@ -31,6 +31,8 @@ Application::~Application() {
 void Application::open(const std::filesystem::path& file) {
   if (looksLikeAttempt(file)) return extensions_->playback.open(*this, file);
   extensions_->playback.close(*this, false);
+  extensions_->hand_recorder.endPlay(*this);
+  if (looksLikeRecording(file)) return extensions_->hand_recorder.play(*this, file);
   if (looksLikeLesson(file)) {
     if (!lesson.open(file)) {
       extensions_->lesson_watch.refused(*this, file);

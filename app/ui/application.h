@@ -26,6 +26,7 @@ class ViewPicture;
 
 struct ApplicationOptions {
   ServoClock clock = ServoClock::RealThread;
+  bool devices_unasked = true;          ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
   std::filesystem::path settings_file;  ///< empty: settings are neither read nor kept
   std::filesystem::path attempts_folder; ///< where attempts at lessons are kept; empty: nowhere
   std::filesystem::path cache_folder;   ///< for what can be made again; empty: nothing is kept

@@ -18,6 +18,7 @@ struct Driver::Target {
 ApplicationOptions Driver::framesClock() {
   ApplicationOptions options;
   options.clock = ServoClock::Frames;
+  options.devices_unasked = false;  // what happens to be plugged in is none of a script's business
   return options;
 }
 

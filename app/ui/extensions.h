@@ -8,6 +8,7 @@
 #include "app/ui/class_turns.h"
 #include "app/ui/device_link.h"
 #include "app/ui/hand_model.h"
+#include "app/ui/hand_recorder.h"
 #include "app/ui/lesson_locks.h"
 #include "app/ui/lesson_shelf.h"
 #include "app/ui/lesson_watch.h"
@@ -37,6 +38,7 @@ struct Extensions {
   StateText state_text;
   TouchSound touch_sound;
   DeviceLink device;
+  HandRecorder hand_recorder;  // after the device, whose clutch and scale a recording replaces by its own
 
   /// What stands under the view (unit: pixel at 96 dpi); 0 where nothing does.
   float stripHeight() const;
@@ -44,7 +46,7 @@ struct Extensions {
   /// Every one of them, in the order in which they are called.
   std::vector<Extension*> all() {
     return {&settings_keeper, &lesson_watch, &lesson_locks, &recorder, &turns, &playback, &history, &scene_change, &hand_model, &shelf,
-            &card_pictures, &task_stager, &state_text, &touch_sound, &device};
+            &card_pictures, &task_stager, &state_text, &touch_sound, &device, &hand_recorder};
   }
 };
 

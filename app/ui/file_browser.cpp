@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
+#include "app/ui/hand_recorder.h"
 #include "app/ui/lesson_guide.h"
 #include "app/ui/loader.h"
 #include "app/ui/playback.h"
@@ -28,7 +29,7 @@ void FileBrowser::look(const fs::path& where) {
     const std::string name = it->path().filename().string();
     if (name.starts_with('.')) continue;
     const bool is_folder = it->is_directory(ignored);
-    const bool wanted = accept_ ? accept_(it->path()) : looksLikeMolecule(it->path()) || looksLikeLesson(it->path()) || looksLikeAttempt(it->path());
+    const bool wanted = accept_ ? accept_(it->path()) : looksLikeMolecule(it->path()) || looksLikeLesson(it->path()) || looksLikeAttempt(it->path()) || looksLikeRecording(it->path());
     if (is_folder || wanted) entries_.push_back({name, is_folder});
   }
   std::sort(entries_.begin(), entries_.end(), [](const FileEntry& a, const FileEntry& b) {

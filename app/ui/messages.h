@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace moltact {
@@ -13,6 +14,7 @@ struct Message {
   MessageKind kind = MessageKind::Notice;
   std::string text;
   double left_s = -1.0;  ///< goes by itself after so long; negative: stays until dismissed
+  std::vector<std::string_view> actions = {};  ///< names of actions (actions.h) that are offered with it
 };
 
 class Messages {
@@ -22,6 +24,15 @@ class Messages {
 
   void notice(std::string text) { add({MessageKind::Notice, std::move(text), kNotice_s}); }
   void warning(std::string text) { add({MessageKind::Warning, std::move(text)}); }
+  /// Stays until dismissed or taken back, with actions at hand.
+  void ask(MessageKind kind, std::string text, std::vector<std::string_view> actions) { add({kind, std::move(text), -1.0, std::move(actions)}); }
+  /// What it says is so no more.
+  void takeBack(std::string_view text) {
+    std::erase_if(all_, [&](const Message& m) { return m.text == text; });
+  }
+  bool tells(std::string_view text) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Message& m) { return m.text == text; });
+  }
   void error(std::string text) { add({MessageKind::Error, std::move(text)}); }
 
   const std::vector<Message>& all() const { return all_; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace moltact {
 
@@ -11,8 +12,11 @@ constexpr std::uint32_t kNoScene = 0xFFFFFFFF;
 
 ServoLink::ServoLink(ServoClock clock) {
   ticks_.reserve(4096);
+  every_.reserve(4096);
   switch_.emplace(mouse_, nullptr);
-  if (clock == ServoClock::RealThread) thread_ = std::make_unique<ServoThread>(mouse_);
+  if (clock != ServoClock::RealThread) return;
+  thread_ = std::make_unique<ServoThread>(mouse_);
+  thread_->expectSettings();
 }
 
 void ServoLink::setSettings(const ServoSettings& settings) {
@@ -33,14 +37,29 @@ void ServoLink::setDevice(std::unique_ptr<Device> device) {
 
 void ServoLink::tryTracker(std::unique_ptr<Tracker> tracker) {
   trying_ = true;
-  if (thread_) thread_->setTracker(std::move(tracker), kNoScene);
-  else tracker_ = std::move(tracker);
+  handOver(std::move(tracker), kNoScene);
 }
 
 void ServoLink::setTracker(std::unique_ptr<Tracker> tracker) {
   trying_ = false;
-  if (thread_) thread_->setTracker(std::move(tracker), scene_);
+  handOver(std::move(tracker), scene_);
+}
+
+void ServoLink::handOver(std::unique_ptr<Tracker> tracker, std::uint32_t scene) {
+  ++trackers_;
+  if (thread_) thread_->setTracker(std::move(tracker), scene);
   else tracker_ = std::move(tracker);
+}
+
+void ServoLink::record(bool on) {
+  if (thread_) return thread_->record(on);
+  records_ = on;
+  recorded_.clear();
+  if (!on) return;
+  // The first tick says which device leads, as on the thread.
+  switch_.emplace(mouse_, chosen_.get());
+  step_.forgetTracker();
+  record_start_ = step_;
 }
 
 void ServoLink::begin(const ServoSettings& settings, std::unique_ptr<Tracker> tracker) {
@@ -61,9 +80,11 @@ bool ServoLink::ofThisScene(const ServoSample& sample) const {
 
 const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   ticks_.clear();
+  every_.clear();
   if (thread_) {
     thread_->drain([this](const ServoSample& sample) {
       newest_ = sample;
+      every_.push_back(sample);
       if (ofThisScene(sample)) ticks_.push_back(sample);
     });
     return ticks_;
@@ -72,11 +93,16 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   for (; owed_s_ >= kTick_s; owed_s_ -= kTick_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
-    ServoSample sample = step_.tick(settings_, tracker_.get(), switch_->read(kTick_s, step_));
+    const TickTime time{.dt_s = kTick_s + std::exchange(stands_s_, 0.0)};
+    const DevicePose pose = switch_->read(kTick_s, step_);
+    ServoSample sample = step_.tick(settings_, tracker_.get(), pose, time);
     sample.scene = trying_ ? kNoScene : scene_;
     switch_->write(sample.force);
+    if (records_)
+      recorded_.push_back({settings_, pose, time, switch_->info(), switch_->other(), sample.force, switch_->fallenBack(), sample.contact.touching(), sample.limits});
     newest_ = sample;
     if (timed_) sample.work_us = std::chrono::duration<float, std::micro>(Clock::now() - began).count();
+    every_.push_back(sample);
     if (ofThisScene(sample)) ticks_.push_back(sample);
   }
   return ticks_;

@@ -30,11 +30,14 @@ class ServoLink {
   Device* chosen() const { return thread_ ? thread_->device() : chosen_.get(); }
   /// Whether the mouse stands in for a chosen device that is gone.
   bool fallenBack() const { return thread_ ? thread_->fallenBack() : switch_->fallenBack(); }
+  /// A chosen device leads.
+  bool held() const { return chosen() && !fallenBack(); }
   /// The one that leads.
-  const DeviceInfo& device() const { return chosen() && !fallenBack() ? chosen()->info() : mouse_.info(); }
+  const DeviceInfo& device() const { return held() ? chosen()->info() : mouse_.info(); }
   /// A tracker that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is
   /// taken up again by setTracker().
   void tryTracker(std::unique_ptr<Tracker> tracker);
+  bool trying() const { return trying_; }
   /// The newest tick of all, of whatever scene.
   const ServoSample& newest() const { return newest_; }
 
@@ -47,11 +50,30 @@ class ServoLink {
   void beginAgain(const ServoSettings& settings);
   std::uint32_t scene() const { return scene_; }
 
+  /// Records every tick from the next tracker on, until false.
+  void record(bool on);
+  /// Calls take(tick) for each recorded tick since the last call, and tells the state that the first began from.
+  template <class Take>
+  void drainRecording(ServoStep& start, Take&& take) {
+    if (thread_) return thread_->drainRecording(start, take);
+    start = record_start_;
+    for (const TraceTick& tick : recorded_) take(tick);
+    recorded_.clear();
+  }
+  /// Ticks that were not recorded because nobody drained them in time.
+  std::size_t lostOfRecording() const { return thread_ ? thread_->lostOfRecording() : 0; }
+  /// How many trackers were handed over so far.
+  std::uint32_t trackers() const { return trackers_; }
+
   /// On the frames' clock ticks take no time, unless they are timed for someone who looks at it.
   void timeTicks(bool on) { timed_ = on; }
 
   /// Once a frame: gives every tick since the last call, oldest first. The reference holds until the next call.
   const std::vector<ServoSample>& advance(double dt_s);
+  /// Every tick of the last advance(), of whatever scene or try.
+  const std::vector<ServoSample>& everyTick() const { return every_; }
+  /// On the frames' clock: the loop stands for so long before its next tick, as a busy computer lets it.
+  void standStill(double s) { stands_s_ = s; }
 
   RealtimeStatus realtime() const;
   std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
@@ -59,19 +81,23 @@ class ServoLink {
 
  private:
   bool ofThisScene(const ServoSample& sample) const;
+  void handOver(std::unique_ptr<Tracker> tracker, std::uint32_t scene);
 
   MouseDevice mouse_;  // outlives the thread, which reads it
-  std::vector<ServoSample> ticks_;
+  std::vector<ServoSample> ticks_, every_;
   ServoSample newest_;
   bool trying_ = false;
-  std::uint32_t scene_ = 0, first_placement_ = 0;
+  std::uint32_t scene_ = 0, first_placement_ = 0, trackers_ = 0;
   // Of the frames' clock:
   std::unique_ptr<Device> chosen_;
   std::optional<DeviceSwitch> switch_;
   ServoStep step_;
   ServoSettings settings_;
   std::unique_ptr<Tracker> tracker_;
-  double owed_s_ = 0.0;
+  bool records_ = false;
+  ServoStep record_start_;
+  std::vector<TraceTick> recorded_;
+  double owed_s_ = 0.0, stands_s_ = 0.0;
   bool timed_ = false;
   std::unique_ptr<ServoThread> thread_;  // last, so that it ends first
 };

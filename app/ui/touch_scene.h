@@ -68,8 +68,11 @@ class TouchScene {
   /// seen that much larger. Hand and probe stay, the force begins softly.
   void magnify(bool on);
   bool magnifiedByHand() const { return by_hand_; }
-  /// Another device leads: what is magnified fills its room, and the hand begins before it. Otherwise nothing changes.
+  /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
   void fitToDevice();
+  /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies behind the
+  /// middle of its room; where view or device have changed the hand is placed anew, so that nothing is dragged along.
+  void followView();
   /// How many times larger than the whole molecule's scale.
   double magnification() const;
   /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
@@ -86,6 +89,21 @@ class TouchScene {
   /// until the next call.
   FeltTicks advance(double dt_s, double now_s, bool timed);
 
+  /// Panic: no force from the next tick on until false again. Handed over at once, whatever is shown.
+  void stopForce(bool stopped);
+  /// Pulls to the device's right with that force until endTry(), whatever is on the stage; the scene is not felt meanwhile.
+  /// Does nothing, and gives false, while a hand is played or all force is stopped.
+  bool tryForce(double force_N);
+  /// The scene is felt again, softly and from outside.
+  void endTry();
+  bool trying() const { return servo_.trying(); }
+
+  /// What a recorded hand was led with: workspace, probe, surface and clutch stand in for the scene's own until null; the
+  /// clutch is then its next device's.
+  void leadBy(const ServoSettings* recorded);
+  /// Records from a new contact on; false where there is nothing to be felt.
+  bool beginRecording();
+
   /// What is shown in the place of what the hand feels: it stands in the log, no force is given and advance() gives no ticks.
   /// Nothing: the hand again, from outside.
   void play(const std::optional<ServoSample>& sample);
@@ -96,10 +114,13 @@ class TouchScene {
 
  private:
   void handBegins(PointA before);
+  void layBeforeHand(PointA toward);
+  void drawBack(double dt_s);
   Workspace sceneWorkspace() const;
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
   std::unique_ptr<Tracker> freshTracker() const;
+  ServoSettings handed(bool trying) const;
 
   Stage stage_;
   std::filesystem::path file_;
@@ -110,6 +131,10 @@ class TouchScene {
   std::vector<FeltTick> felt_;
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
+  std::optional<ServoSettings> recorded_, before_recorded_;
+  bool held_ = false;          // a device in the hand leads, and the workspace is fitted to it
+  Camera fitted_;              // to this view
+  double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out
   double view_aspect_ = 1.0;
   std::optional<Region> region_;
   bool hand_moved_ = false, resting_ = false, by_hand_ = false;

@@ -40,7 +40,7 @@ struct DeviceInfo : DeviceFigures {
 };
 
 struct DevicePose {
-  PointMm position;
+  PointMm position;                ///< from the middle of workspace_mm
   std::uint32_t buttons = 0;     ///< a bit a button, the first in bit 0
   std::uint32_t placements = 0;  ///< raised by one when the hand was put elsewhere without a way between; a held device never does
   bool fresh = true;             ///< false: nothing new has come from the device since the last read; the place is the last one

@@ -23,7 +23,7 @@ SimulatedDevice::SimulatedDevice(const DeviceParameters& device, const HandParam
     : info_(describe(device)), model_(device, hand, ScriptedHand().place()) {}
 
 DevicePose SimulatedDevice::read(double) noexcept {
-  return {.position = model_.sensed(), .connected = plugged_.load(std::memory_order_acquire)};
+  return {.position = {model_.sensed().mm - Vec3(0, 0, kBehind_mm)}, .connected = plugged_.load(std::memory_order_acquire)};
 }
 
 void SimulatedDevice::write(ForceN force) noexcept {

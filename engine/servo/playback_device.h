@@ -1,5 +1,7 @@
-// A recorded hand as a device: it moves as the recording did, whatever force it is given. Haptic thread.
+// A recorded hand as a device: it moves as the recording did, whatever force it is given. Haptic thread but where said.
 #pragma once
+
+#include <atomic>
 
 #include "engine/servo/trace.h"
 
@@ -17,17 +19,23 @@ class PlaybackDevice final : public Device {
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override {
     if (trace_.ticks.empty()) return {};
-    const DevicePose pose = trace_.ticks[next_].pose;
-    if (next_ + 1 < trace_.ticks.size()) ++next_;
-    return pose;
+    const std::size_t now = next_.load(std::memory_order_relaxed);
+    if (now + 1 < trace_.ticks.size()) next_.store(now + 1, std::memory_order_relaxed);
+    else ended_.store(true, std::memory_order_relaxed);
+    return trace_.ticks[now].pose;
   }
   void write(ForceN) noexcept override {}
-  DeviceStatus status() override { return {}; }
+
+  /// Any thread: the tick that is read next, what it was recorded with, and whether the last has been read.
+  std::size_t at() const noexcept { return next_.load(std::memory_order_relaxed); }
+  const DeviceTrace& trace() const noexcept { return trace_; }
+  bool ended() const noexcept { return trace_.ticks.empty() || ended_.load(std::memory_order_relaxed); }
 
  private:
   DeviceTrace trace_;
   DeviceInfo info_;
-  std::size_t next_ = 0;
+  std::atomic<std::size_t> next_{0};
+  std::atomic<bool> ended_{false};
 };
 
 }  // namespace moltact

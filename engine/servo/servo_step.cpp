@@ -47,6 +47,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   }
   out.force = safety_.give(wanted);
   out.limits = safety_.acted();
+  out.stiffness_bound_N_per_mm = safety_.stiffnessBound_N_per_mm();
   return out;
 }
 

@@ -40,6 +40,7 @@ struct ServoSample {
   std::uint32_t buttons = 0;
   float work_us = 0;       ///< how long the tick took (0 on a virtual clock)
   float late_us = 0;       ///< how long after its due time it began (0 on a virtual clock)
+  double stiffness_bound_N_per_mm = 0;  ///< the stiffest spring that is given, for the device and the delay as measured of late
   bool has_tracker = false;
   std::uint32_t scene = 0;       ///< the number that the tracker was handed over with (0 from tick() itself)
   std::uint32_t placements = 0;  ///< of the settings in force at this tick

@@ -82,6 +82,16 @@ void ServoThread::tickOfDevice() noexcept {
   if (!stop_.load(std::memory_order_acquire)) beat(std::nullopt);
 }
 
+// The newest settings; without force where their owner stands still.
+ServoSettings ServoThread::heardSettings(double dt_s) noexcept {
+  ServoSettings settings = settings_.read();
+  const std::uint32_t heard = heard_.load(std::memory_order_relaxed);
+  unheard_s_ = heard != heard_last_ ? 0.0 : unheard_s_ + std::max(0.0, dt_s);
+  heard_last_ = heard;
+  if (expects_.load(std::memory_order_relaxed) && unheard_s_ > kUnheard_s) settings.force_on = false;
+  return settings;
+}
+
 void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
   // Both clocks at once, which happens for a tick when one takes over from the other: the first one ticks.
   if (beating_.test_and_set(std::memory_order_acquire)) return;
@@ -104,7 +114,7 @@ void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
     recording_->start = *step_;
     recording_->started = true;
   }
-  const ServoSettings& settings = settings_.read();
+  const ServoSettings settings = heardSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, *step_);
   ServoSample sample = step_->tick(settings, current_ ? current_->tracker.get() : nullptr, pose, time_);
   const TickTime time_was = time_;

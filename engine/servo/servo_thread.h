@@ -29,7 +29,15 @@ class ServoThread final : private TickTarget {
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
 
-  void setSettings(const ServoSettings& settings) noexcept { settings_.write(settings); }
+  void setSettings(const ServoSettings& settings) noexcept {
+    settings_.write(settings);
+    heard_.fetch_add(1, std::memory_order_relaxed);
+  }
+
+  /// From now on the owner hands settings over at least every kUnheard_s. While it does not, its panic key is not heard
+  /// either, and no force is given.
+  void expectSettings() noexcept { expects_.store(true, std::memory_order_relaxed); }
+  static constexpr double kUnheard_s = 1.0;
 
   /// Hands over the tracker of a scene (null: none), whose number comes back in every sample that this tracker makes.
   /// Settings set before are in force when it is first stepped. The old one comes back and is destroyed here, never on the
@@ -86,6 +94,7 @@ class ServoThread final : private TickTarget {
   void finish();
   void run() noexcept;
   void tickOfDevice() noexcept override;
+  ServoSettings heardSettings(double dt_s) noexcept;
   // One tick, due at `due_ns`; without it a tick after the last, as a device's own clock counts.
   void beat(std::optional<std::int64_t> due_ns) noexcept;
   void collect();
@@ -93,6 +102,8 @@ class ServoThread final : private TickTarget {
   Device& fallback_;
   std::unique_ptr<Device> chosen_;
   TripleBuffer<ServoSettings> settings_;
+  std::atomic<std::uint32_t> heard_{0};  // how often settings were handed over
+  std::atomic<bool> expects_{false};
   TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
   // A tracker on its way, with its scene's number; no tracker in it: none is wanted.
@@ -120,6 +131,8 @@ class ServoThread final : private TickTarget {
   std::optional<ServoStep> step_;
   std::optional<DeviceSwitch> switch_;
   TickTime time_;
+  std::uint32_t heard_last_ = 0;
+  double unheard_s_ = 0;
   std::int64_t last_ns_ = 0;
   std::atomic<std::int64_t> device_beat_ns_{0};
   std::thread thread_;

@@ -1,6 +1,9 @@
 // A device over a lesson and over two starts: it is unplugged in a step and comes back in it; the one that was chosen is
 // remembered, waited for, and leads when it is there.
+#include <chrono>
 #include <cstdlib>
+#include <future>
+#include <thread>
 
 #include "app/ui/device_link.h"
 #include "app/ui/extensions.h"
@@ -21,6 +24,13 @@ bool told(Driver& d, const std::string& part) {
     if (contains(m.text, part)) return true;
   return false;
 }
+
+// Which libHD.so is found, for as long as this stands: tests after it are without one.
+struct LibHd {
+  explicit LibHd(const char* file) { name(file); }
+  ~LibHd() { ::unsetenv("MOLTACT_LIBHD"); }
+  void name(const char* file) { ::setenv("MOLTACT_LIBHD", file, 1); }
+};
 
 const char* kLesson = R"(---
 title: Held
@@ -109,7 +119,7 @@ TEST_CASE("a device that was chosen is in use at the next start; the mouse that 
 TEST_CASE("a device that was chosen and is not there is told once, the mouse leads, and within some seconds of its coming it leads") {
   const Scratch scratch;
   const auto file = scratch.file("settings.json", R"({"device": "omni"})");
-  ::setenv("MOLTACT_LIBHD", "/nowhere/libHD.so", 1);
+  LibHd lib("/nowhere/libHD.so");
   auto d = startWith("1ubq", keeping(file));
   CHECK(d->text("status/device") == "Mouse");
   CHECK(told(*d, "Phantom Omni or Touch is not there"));
@@ -118,7 +128,7 @@ TEST_CASE("a device that was chosen and is not there is told once, the mouse lea
   d->frames(3);
   CHECK(d->text("device/awaited") == "Phantom Omni or Touch leads as soon as it is plugged in.");
   d->tap("Escape");
-  ::setenv("MOLTACT_LIBHD", MOLTACT_STAND_IN_LIBHD, 1);
+  lib.name(MOLTACT_STAND_IN_LIBHD);
   d->frames(150);
   CHECK(d->app().extensions().device.chosen() == "omni");
   CHECK(told(*d, " is there and leads."));
@@ -139,6 +149,87 @@ TEST_CASE("who chooses another device while one is waited for is asked no more f
   CHECK(d->app().extensions().device.awaited().empty());
   CHECK_FALSE(told(*d, "is not there"));
   CHECK(d->text("status/device") == "Mouse");
+}
+
+TEST_CASE("the open device page shows within two seconds what was plugged in, and what was unplugged") {
+  auto d = startWith();
+  bool there = false;
+  d->app().extensions().device.lookBy([&] {
+    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    if (there) found.insert(found.begin(), {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+    return found;
+  });
+  d->tap("Ctrl+D");
+  d->frames(3);
+  CHECK(d->shows("device/mouse"));
+  CHECK_FALSE(d->shows("device/omni"));
+  there = true;
+  d->frames(125);
+  CHECK(d->shows("device/omni"));
+  there = false;
+  d->frames(125);
+  CHECK_FALSE(d->shows("device/omni"));
+  // A script's window takes and offers nothing by itself.
+  CHECK(d->text("status/device") == "Mouse");
+  CHECK_FALSE(told(*d, "plugged in"));
+}
+
+TEST_CASE("where nobody chose, a device that gives force and is plugged in later is offered and does not lead by itself; chosen, the offer goes, and so it does when "
+          "the device is gone") {
+  const LibHd lib(MOLTACT_STAND_IN_LIBHD);
+  Driver::Options options;
+  options.application.devices_unasked = true;
+  auto d = startWith("1ubq", options);
+  d->frames(10);
+  // What there is on this computer was taken at the start: begin with nothing.
+  d->app().extensions().device.choose(d->app(), "mouse");
+  d->app().settings.device.clear();
+  bool there = false;
+  d->app().extensions().device.lookBy([&] {
+    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    if (there) found.insert(found.begin(), {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+    return found;
+  });
+  d->frames(320);
+  CHECK_FALSE(told(*d, "plugged in"));
+  there = true;
+  d->frames(320);
+  CHECK(told(*d, "Touch is plugged in. Choose it on the device page to feel with it."));
+  CHECK(d->text("status/device") == "Mouse");
+  there = false;
+  d->frames(320);
+  CHECK_FALSE(told(*d, "plugged in"));
+  there = true;
+  d->frames(320);
+  REQUIRE(told(*d, "plugged in"));
+  for (std::size_t k = 0; k < d->app().messages.all().size(); ++k)
+    if (contains(d->app().messages.all()[k].text, "plugged in")) CHECK(d->click("message/" + std::to_string(k) + "/device"));
+  d->frames(3);
+  CHECK(d->click("device/omni"));
+  d->frames(3);
+  CHECK(d->app().extensions().device.chosen() == "omni");
+  CHECK_FALSE(told(*d, "plugged in"));
+}
+
+TEST_CASE("a look that takes as long as it likes stops no frame") {
+  Driver::Options options;
+  options.application.clock = ServoClock::RealThread;
+  auto d = startWith("argon-pair", options);
+  std::promise<void> gate;
+  const std::shared_future<void> open = gate.get_future().share();
+  d->app().extensions().device.lookBy([open] {
+    open.wait();
+    return std::vector<FoundDevice>{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+  });
+  d->tap("Ctrl+D");
+  d->frames(300);  // would never end
+  CHECK(d->text("device/looking") == "Looking …");
+  gate.set_value();
+  for (int k = 0; k < 500 && !d->shows("device/mouse"); ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    d->frames(1);
+  }
+  CHECK(d->shows("device/mouse"));
 }
 
 }  // namespace moltact

@@ -38,6 +38,20 @@ TEST_CASE("the device's figures are read from the driver: 3.3 N, 0.88 N, 0.5 N/m
   CHECK_FALSE(OmniDevice::open());  // there is one default device
 }
 
+TEST_CASE("a place is told from the middle of the usable room, wherever the driver has its origin") {
+  Vec3 hand[2];
+  for (const bool aside : {false, true}) {
+    const StandIn omni;
+    if (aside) omni.call<void(double, double, double)>("standInRoom")(10.0, 20.0, -5.0);
+    const auto device = opened();
+    CHECK(device->info().workspace_mm == Vec3(160, 120, 70));
+    Loop loop(*device);
+    omni.step(100);
+    hand[aside] = loop.last.hand.mm;
+  }
+  CHECK(glm::distance(hand[0] - hand[1], Vec3(10, 20, -5)) < 1e-9);
+}
+
 TEST_CASE("30 s in the loop through the C interface: touched and pressed with about 1 N, no error left, and no force at the end") {
   const StandIn omni;
   {

@@ -282,3 +282,23 @@ TEST_CASE("a ring of 4 takes 4 samples, drops and counts the fifth, and gives th
   }
   CHECK_FALSE(ring.pop(value));
 }
+
+TEST_CASE("an owner that hands nothing over any more, as a window that stands, cannot stop the force: after 1 s there is none, and with the next settings it "
+          "comes back") {
+  std::atomic<int> alive{0};
+  std::thread::id destroyed_on;
+  StillDevice device;
+  ServoThread servo(device);
+  servo.expectSettings();
+  servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+  const auto until = [&](auto&& holds) {
+    for (int k = 0; k < 3000 && !holds(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    return holds();
+  };
+  CHECK(until([&] { return servo.setSettings({}), device.last_x_N.load() > 0.1; }));
+  CHECK(until([&] { return device.last_x_N.load() == 0.0; }));
+  const long ticks = device.writes.load();
+  CHECK(until([&] { return device.writes.load() > ticks + 200; }));
+  CHECK(device.last_x_N.load() == 0.0);
+  CHECK(until([&] { return servo.setSettings({}), device.last_x_N.load() > 0.1; }));
+}

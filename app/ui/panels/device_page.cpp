@@ -25,6 +25,7 @@ void words(const char* name, const std::string& text, ImU32 colour) {
 
 void drawUsable(Application& app, DeviceLink& link) {
   sectionTitle("Choose a device");
+  if (link.found().empty()) words("device/looking", "Looking …", look().palette.quiet);
   for (const FoundDevice& one : link.found()) {
     if (!one.usable) continue;
     const std::string name = "device/" + one.name;
@@ -35,7 +36,8 @@ void drawUsable(Application& app, DeviceLink& link) {
   }
 }
 
-void drawUnusable(DeviceLink& link) {
+void drawUnusable(const DeviceLink& link) {
+  if (std::none_of(link.found().begin(), link.found().end(), [](const FoundDevice& one) { return !one.usable; })) return;
   sectionTitle("Not to be used now");
   for (const FoundDevice& one : link.found()) {
     if (one.usable) continue;
@@ -44,7 +46,6 @@ void drawUnusable(DeviceLink& link) {
     WithFont small(Font::Small);
     words((name + "/why").c_str(), one.why, look().palette.quiet);
   }
-  if (button("device/look", "Look again")) link.look();
 }
 
 // The device's room seen along one of its axes: the hand in it, and the force on it.
@@ -94,7 +95,7 @@ void drawLive(Application& app, DeviceLink& link) {
   words("device/name", info.name, p.text);
   if (!link.awaited().empty()) words("device/awaited", link.awaited() + " leads as soon as it is plugged in.", p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (servo.chosen() && !link.status().ready && link.status().connected && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
+  if (link.wantsCalibration(app) && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
   std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y, now.hand.mm.z, glm::length(now.force.N));
   std::string line = text;
   for (int k = 0; k < 32; ++k)
@@ -110,9 +111,9 @@ void drawLive(Application& app, DeviceLink& link) {
     progressBar("device/heat", float(link.status().motor_heat), false);
   }
   const bool trying = link.tryingLeft_s() > 0.0;
-  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f, !trying && link.status().ready))
+  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f, !trying && link.status().ready && !app.scene.playing() && !app.scene.servo_settings.panic))
     link.tryForce(app);
-  tip("Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
+  tip(app.scene.playing() ? "Not while a recorded hand is shown or the device changes hands." : "Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
 }
 
 void drawLimits(Application& app, DeviceLink& link) {
@@ -121,17 +122,41 @@ void drawLimits(Application& app, DeviceLink& link) {
   sectionTitle("Safety");
   char text[320];
   if (info.gives_force)
-    std::snprintf(text, sizeof text, "At most %.1f N for a moment and %.2f N for good. With %.1f ms of delay the surface is at most %.2f N/mm stiff.",
-                  std::min(info.max_force_N, app.scene.servo_settings.max_force_N), info.continuous_force_N, 1e3 * info.delay_s,
-                  SafetyStage(info).stiffnessBound_N_per_mm());
+    std::snprintf(text, sizeof text, "At most %.1f N for a moment and %.2f N for good. With the delay as it is measured the surface is at most %.2f N/mm stiff.",
+                  std::min(info.max_force_N, app.scene.servo_settings.max_force_N), info.continuous_force_N,
+                  app.scene.servo().newest().stiffness_bound_N_per_mm);
   else
     std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.", app.scene.servo_settings.max_force_N);
   words("device/limits", localNumbers(text), p.quiet);
   std::string acted;
-  for (const LimitWords* one : link.shownLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
+  for (const LimitWords* one : link.actingLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
   words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);
-  bool& panic = app.scene.servo_settings.panic;
-  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) panic = !panic;
+  const bool panic = app.scene.servo_settings.panic;
+  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) app.scene.stopForce(!panic);
+}
+
+// A hand as a file: recorded here, played by opening it.
+void drawRecording(Application& app) {
+  HandRecorder& recorder = app.extensions().hand_recorder;
+  const Palette& p = look().palette;
+  sectionTitle("Recording of the hand");
+  char text[80];
+  if (recorder.recording()) {
+    std::snprintf(text, sizeof text, "%.1f s recorded in ", recorder.recorded_s());
+    words("device/recording", localNumbers(text) + recorder.name(), p.text);
+    if (button("device/record", "Stop recording", ButtonLook::Primary)) recorder.stop(app);
+  } else if (recorder.playing()) {
+    std::snprintf(text, sizeof text, "%.1f of %.1f s of ", recorder.at_s(), recorder.length_s());
+    words("device/recording", localNumbers(text) + recorder.name() + ". No force is given meanwhile.", p.text);
+    if (button("device/record", "Stop playing", ButtonLook::Primary)) recorder.endPlay(app);
+  } else {
+    const bool may = app.scene.stage() && !app.scene.playing() && !app.scene.trying();
+    if (button("device/record", "Record …", ButtonLook::Plain, 0.0f, may)) recorder.askToRecord(app);
+    tip("Every place and force, 1000 a second, as long as molecule and method stay.");
+    ImGui::SameLine(0, look().px(8));
+    if (button("device/play", "Play one …")) app.panels.device_page = false, app.panels.open_page = true;
+    tip("Leads the hand on its molecule as it was recorded. No force is given meanwhile.");
+  }
 }
 
 // A bar a class of lateness.
@@ -166,7 +191,6 @@ void drawLateness(const DeviceLink& link) {
 void drawDevicePage(Application& app) {
   DeviceLink& link = app.extensions().device;
   if (!beginPage("device page", "Device", app.panels.device_page, 560, 700)) return;
-  if (link.found().empty()) link.look();
   ImGui::BeginChild("list");
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
   drawUsable(app, link);
@@ -174,6 +198,8 @@ void drawDevicePage(Application& app) {
   drawLive(app, link);
   part();
   drawLimits(app, link);
+  part();
+  drawRecording(app);
   part();
   if (app.scene.servo().clock() == ServoClock::RealThread) {
     drawLateness(link);

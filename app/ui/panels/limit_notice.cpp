@@ -19,7 +19,7 @@ void drawLimitNotice(Application& app) {
   if (stopped) {
     text = "All force is stopped. F9 allows it again.";
   } else if (app.scene.servo().device().gives_force && !app.panels.device_page) {  // the page tells them itself
-    for (const LimitWords* words : app.extensions().device.shownLimits()) text += (text.empty() ? "" : "\n") + std::string(words->sentence);
+    for (const std::string& words : app.extensions().device.limitNotices(app)) text += (text.empty() ? "" : "\n") + words;
   }
   if (text.empty() || view.empty() || app.panels.welcome) return;
 

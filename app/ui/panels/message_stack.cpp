@@ -1,12 +1,27 @@
 // Messages over the view's upper edge, each with a cross to dismiss it.
 #include <optional>
 
+#include "app/ui/actions.h"
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
 
 namespace moltact {
+namespace {
+
+// Buttons in a row below the text; what cannot be done now is greyed.
+void drawActions(Application& app, const Message& message, const std::string& name) {
+  for (std::size_t k = 0; k < message.actions.size(); ++k) {
+    const Action* action = findAction(message.actions[k]);
+    if (!action) continue;
+    if (k > 0) ImGui::SameLine(0, look().px(8));
+    if (button((name + "/" + std::string(action->name)).c_str(), std::string(action->label).c_str(), ButtonLook::Plain, 0.0f, enabled(*action, app)))
+      action->run(app);
+  }
+}
+
+}  // namespace
 
 void drawMessageStack(Application& app) {
   const Look& l = look();
@@ -23,7 +38,8 @@ void drawMessageStack(Application& app) {
     const ImU32 edge = m.kind == MessageKind::Error ? p.bad : m.kind == MessageKind::Warning ? p.warn : p.good;
     const float pad = l.px(12), text_w = width - 2 * pad - l.px(40);
     const float text_h = ImGui::CalcTextSize(m.text.c_str(), nullptr, false, text_w).y;
-    const float height = std::min(std::max(text_h, l.tx(22)) + 2 * pad, room.high.y - y - margin);
+    const float actions_h = m.actions.empty() ? 0.0f : l.px(8) + l.tx(34);
+    const float height = std::min(std::max(text_h, l.tx(22)) + actions_h + 2 * pad, room.high.y - y - margin);
     if (height < l.px(30)) break;
     const std::string name = "message/" + std::to_string(k);
     ImGui::SetNextWindowPos({0.5f * (room.low.x + room.high.x - width), y});
@@ -39,6 +55,10 @@ void drawMessageStack(Application& app) {
     ImGui::TextUnformatted(m.text.c_str());
     recordItem(name, m.text);
     ImGui::PopTextWrapPos();
+    if (!m.actions.empty()) {
+      ImGui::SetCursorPos({pad, pad + std::max(text_h, l.tx(22)) + l.px(8)});
+      drawActions(app, m, name);
+    }
     ImGui::SetCursorPos({width - pad - l.px(24), pad - l.px(5)});
     if (iconButton((name + "/dismiss").c_str(), Icon::Close, "Dismiss")) dismissed = k;
     ImGui::End();

@@ -78,6 +78,7 @@ void OmniDevice::schedule() {
   if (session_.device == hd::kInvalidHandle) return;
   handle_.store(session_.device);
   calibration_style_.store(session_.calibration_style);
+  room_middle_mm_ = session_.room_middle_mm;
   calibrate_.store(false);
   framed_.store(false);
   stood_reads_.store(0);
@@ -163,7 +164,7 @@ hd::CallbackCode OmniDevice::frame() noexcept {
     in_inkwell_.store(!out_of_inkwell, std::memory_order_relaxed);
   }
   DevicePose& pose = own_.pose;
-  pose.position.mm = {position[0], position[1], position[2]};
+  pose.position.mm = Vec3(position[0], position[1], position[2]) - room_middle_mm_;
   pose.buttons = std::uint32_t(buttons);
   pose.connected = !gone_.load(std::memory_order_relaxed);
   const double heat = motor_heat_.load(std::memory_order_relaxed);

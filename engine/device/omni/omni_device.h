@@ -78,6 +78,7 @@ class OmniDevice final : public Device {
   std::atomic<TickTarget*> target_{nullptr};
   std::atomic<hd::Handle> handle_{hd::kInvalidHandle};
   std::atomic<std::uint32_t> calibration_style_{0};
+  Vec3 room_middle_mm_{0.0};  // written while no frame runs
   std::atomic<bool> anew_{false}, ends_{false}, ended_{true}, calibrate_{false};
 
   // The callback's alone.

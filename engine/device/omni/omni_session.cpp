@@ -13,8 +13,8 @@ void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale 
   if (std::isfinite(value) && value > 0) to = value * scale;
 }
 
-DeviceInfo figuresOf(const hd::Library& hd) {
-  DeviceInfo info;  // the Omni's published figures
+void readFigures(const hd::Library& hd, OmniSession& session) {
+  DeviceInfo& info = session.info;  // as made: the Omni's published figures
   info.gives_force = true;
   info.dof_in = info.dof_out = 3;  // the turn of the stylus is not used
   info.continuous_force_N = 0.88;
@@ -27,8 +27,10 @@ DeviceInfo figuresOf(const hd::Library& hd) {
   double box[6] = {};
   hd.getDoublev(hd::kUsableWorkspace, box);
   const Vec3 size(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
-  if (finite(size) && size.x > 0 && size.y > 0 && size.z > 0) info.workspace_mm = size;
-  return info;
+  if (finite(size) && size.x > 0 && size.y > 0 && size.z > 0) {
+    info.workspace_mm = size;
+    session.room_middle_mm = Vec3(box[0], box[1], box[2]) + 0.5 * size;
+  }
 }
 
 std::string text(const hd::Library& hd, std::uint32_t name) {
@@ -52,7 +54,7 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
   hd.makeCurrentDevice(session.device);
   session.model = text(hd, hd::kModel);
   session.serial = text(hd, hd::kSerial);
-  session.info = figuresOf(hd);
+  readFigures(hd, session);
   session.info.name = session.model.empty() ? "Omni" : session.model;
   int style = 0;
   hd.getIntegerv(hd::kCalibrationStyle, &style);

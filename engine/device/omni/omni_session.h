@@ -12,6 +12,7 @@ struct OmniSession {
   DeviceInfo info;
   std::string model, serial;
   std::uint32_t calibration_style = 0;
+  Vec3 room_middle_mm{0.0};  ///< of the usable room, from the driver's own origin
 };
 
 /// Initialises the maker's default device. A Problem in words where there is none or it is in use; nothing stays open then.

@@ -32,6 +32,7 @@ struct State {
   int buttons = 0, inits = 0, init_ms = 0, updates_needed = 1;
   std::uint32_t init_error = hd::kNoError;
   double heat = 0.1, force[3] = {}, biggest_N = 0, at_stop_N = -1;
+  Vec3 room_middle_mm{0.0};
   hd::Callback callback = nullptr;
   void* data = nullptr;
   hd::SchedulerHandle scheduled = 0;
@@ -199,7 +200,8 @@ void hdGetDoublev(std::uint32_t what, double* out) {
     case hd::kVelocityLimit: *out = 1200; break;
     case hd::kForceImpulseLimit: *out = 4; break;
     default: {
-      const double box[6] = {-80, -60, -35, 80, 60, 35};
+      const Vec3& m = state().room_middle_mm;
+      const double box[6] = {m.x - 80, m.y - 60, m.z - 35, m.x + 80, m.y + 60, m.z + 35};
       std::copy(box, box + 6, out);
     }
   }
@@ -291,6 +293,7 @@ void standInReset(bool manual) {
   s.init_error = hd::kNoError;
   s.docked = false;
   s.heat = 0.1;
+  s.room_middle_mm = Vec3(0.0);
   s.biggest_N = 0;
   s.at_stop_N = -1;
   s.callback = nullptr;
@@ -307,6 +310,10 @@ void standInAttach(bool attached) {
 void standInError(std::uint32_t code) {
   const Lock lock(state().mutex);
   push(code);
+}
+void standInRoom(double x_mm, double y_mm, double z_mm) {
+  const Lock lock(state().mutex);
+  state().room_middle_mm = {x_mm, y_mm, z_mm};
 }
 void standInCalibration(std::uint32_t calibration, std::uint32_t style) {
   const Lock lock(state().mutex);

@@ -1,0 +1,124 @@
+// A hand recorded in the window and played back in it. Oracle: the file's own ticks, and the replay to the last bit.
+#include <cmath>
+
+#include "app/ui/device_link.h"
+#include "app/ui/extensions.h"
+#include "engine/haptics/methods.h"
+#include "engine/molecule/reader.h"
+#include "tests/app/driver_fixture.h"
+
+namespace moltact {
+namespace {
+
+bool told(Driver& d, const std::string& part) {
+  for (const Message& m : d.app().messages.all())
+    if (contains(m.text, part)) return true;
+  return false;
+}
+
+// The simulated stylus on ubiquitin for 6 s.
+std::filesystem::path recorded(const Scratch& scratch) {
+  const std::filesystem::path file = scratch.folder / "hand.trace";
+  auto d = startWith("1ubq");
+  d->app().extensions().device.choose(d->app(), "simulated");
+  d->frames(10);
+  d->app().extensions().hand_recorder.record(d->app(), file);
+  d->tap("Ctrl+D");
+  d->frames(180);
+  CHECK(contains(d->text("device/recording"), "s recorded in hand.trace"));
+  d->frames(180);
+  CHECK(d->click("device/record"));
+  CHECK(told(*d, "of the hand are in"));
+  return file;
+}
+
+}  // namespace
+
+TEST_CASE("what the device page records replays to the last bit, and touches") {
+  const Scratch scratch;
+  const Expected<DeviceTrace> trace = readTrace(recorded(scratch));
+  REQUIRE(trace);
+  CHECK(trace->labels.at("molecule") == "1ubq");
+  CHECK(trace->labels.at("method") == "exact");
+  CHECK(trace->ticks.size() > 5900);
+  double greatest = 0;
+  for (const TraceTick& tick : trace->ticks) greatest = std::max(greatest, glm::length(tick.force.N));
+  CHECK(greatest > 0.5);
+  const Expected<Molecule> molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/1ubq.pdb");
+  REQUIRE(molecule);
+  const auto tracker = findMethod("exact")->make(std::make_shared<const BallScene>(molecule->balls()), trace->ticks.front().settings.probe_A);
+  const ReplayResult result = replay(*trace, tracker.get());
+  CHECK(result.ticks == trace->ticks.size());
+  CHECK_FALSE(result.first_difference);
+}
+
+TEST_CASE("a recording that is opened brings its molecule, leads the hand over it as it was led, with no device open, and gives back what led before") {
+  const Scratch scratch;
+  const std::filesystem::path file = recorded(scratch);
+  const DeviceTrace trace = *readTrace(file);
+  auto d = startWith("1hel");
+  d->app().extensions().device.choose(d->app(), "simulated");
+  d->frames(10);
+  const double stiffness = d->app().scene.servo_settings.stiffness_N_per_mm;
+  d->app().open(file);
+  d->frames(3);
+  HandRecorder& player = d->app().extensions().hand_recorder;
+  REQUIRE(player.playing());
+  CHECK(d->app().scene.file().stem() == "1ubq");
+  CHECK(d->text("status/device") == "Recording");
+  CHECK_FALSE(d->app().scene.servo().device().gives_force);
+  CHECK(player.length_s() == doctest::Approx(double(trace.ticks.size()) * kTick_s));
+  int compared = 0, touching = 0;
+  for (int k = 0; k < 300; ++k) {
+    d->frames(1);
+    const ServoSample& now = d->app().scene.log().latest();
+    if (now.placements != d->app().scene.servo_settings.placements) continue;
+    const std::size_t at = std::size_t(std::lround(player.at_s() / kTick_s)) - 1;
+    REQUIRE(at < trace.ticks.size());
+    const TraceTick& tick = trace.ticks[at];
+    CHECK(glm::distance(now.hip.A, tick.settings.workspace.toMolecule(tick.pose.position).A) < 1e-9);
+    ++compared;
+    touching += now.contact.touching();
+  }
+  CHECK(compared > 250);
+  CHECK(touching > 60);
+  d->tap("Ctrl+D");
+  d->frames(3);
+  CHECK(contains(d->text("device/recording"), "hand.trace. No force is given meanwhile."));
+  d->frames(120);
+  CHECK_FALSE(player.playing());
+  CHECK(told(*d, "hand.trace has been played to its end"));
+  CHECK(d->text("status/device") == "Simulated stylus");
+  CHECK(d->app().scene.servo_settings.stiffness_N_per_mm == stiffness);
+  CHECK(d->app().scene.servo_settings.clutch.at_edge);
+}
+
+TEST_CASE("another device that is chosen while a recording plays ends it; a text is told and changes nothing; another method ends a recording") {
+  const Scratch scratch;
+  const std::filesystem::path file = recorded(scratch);
+  auto d = startWith("1ubq");
+  d->app().open(file);
+  d->frames(10);
+  HandRecorder& recorder = d->app().extensions().hand_recorder;
+  REQUIRE(recorder.playing());
+  d->app().extensions().device.choose(d->app(), "simulated");
+  d->frames(3);
+  CHECK_FALSE(recorder.playing());
+  CHECK(d->text("status/device") == "Simulated stylus");
+  CHECK(d->app().scene.servo_settings.clutch.at_edge);
+  d->app().open(scratch.file("text.trace", "no recording"));
+  d->frames(3);
+  CHECK(told(*d, "no recording of a device"));
+  CHECK_FALSE(recorder.playing());
+  CHECK(d->text("status/device") == "Simulated stylus");
+
+  recorder.record(d->app(), scratch.folder / "second.trace");
+  d->frames(60);
+  CHECK(recorder.recording());
+  d->app().scene.useMethod("penalty");
+  d->frames(3);
+  CHECK_FALSE(recorder.recording());
+  CHECK(readTrace(scratch.folder / "second.trace")->ticks.size() > 900);
+}
+
+}  // namespace moltact
