@@ -133,6 +133,14 @@ TEST_CASE("a start initialises the device once: what the looks have opened is wh
   CHECK_FALSE(omni.initialised());
 }
 
+TEST_CASE("a device that is unplugged while it is looked at again and again is missed in the end: no look keeps it for longer") {
+  const StandIn omni;
+  CHECK(findDevice("omni")->usable);
+  omni.attach(false);
+  for (int k = 0; k < 200 && findDevice("omni")->usable; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  CHECK_FALSE(findDevice("omni")->usable);
+}
+
 TEST_CASE("a device that opens with warm motors is opened, and one that opens with a fault is closed again: neither is left behind") {
   const StandIn omni;
   omni.init(0, hd::kWarmMotors);
