@@ -47,8 +47,8 @@ struct DevicePose {
   bool connected = true;         ///< false: the device is gone
   bool trouble = false;          ///< the device itself reports a fault, or is not calibrated: no force
   float motor_heat = 0;          ///< 0 cold to 1 as warm as its motors may be, where it tells
-  float age_s = 0;               ///< how old the place is when it is read, with the wait of the force that answers it, as the driver measures
-                                 ///< them of its own thread: on top of DeviceFigures::delay_s
+  float age_s = 0;               ///< how old the place is when it is read, with the wait of the force that answers it, as the
+                                 ///< driver measures them of its own thread: on top of DeviceFigures::delay_s
 };
 
 /// How fast a person wants the view to move and to turn, each -1 to 1 along and round the screen's axes (+x right, +y up,

@@ -43,17 +43,21 @@ class Check {
   }
 
   std::vector<CheckedPart> run() {
-    if (!ready()) stop_ = stopped() ? "left out" : "left out: " + notReady();
+    if (!ready()) stop_ = stopped() ? "broken off" : notReady();
     quiet("places at rest", [this] { still(); });
     if (!gives_) return out_;
-    part("gentle pull", text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kPull_N), [this] { pull(); });
+    part("gentle pull", text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kPull_N),
+         [this] { pull(); });
     part("stopped by the panic key", "It will pull again and be stopped in between.", [this] { panic(); });
-    part("late, lost and doubled ticks", "It will pull while the program ticks badly: the force goes and comes back softly.", [this] { badTicks(); });
-    part("misread places", "It will pull while its places are misread: the force goes and comes back softly.", [this] { badPlaces(); });
+    part("late, lost and doubled ticks", "It will pull while the program ticks badly: the force goes and comes back softly.",
+         [this] { badTicks(); });
+    part("misread places", "It will pull while its places are misread: the force goes and comes back softly.",
+         [this] { badPlaces(); });
     part("a window that stands", "It will pull while the window stands: you feel nothing of that.", [this] { standingWindow(); });
     part("another scene in contact", "It will pull to the right and to the left by turns, softly each time.", [this] { swaps(); });
     part("wall", "There will be a wall in the middle, facing you. Press on it and let go, a few times.", [this] { wall(); });
-    if (options_.unplug_s > 0.0) part("unplugged and plugged in", "It will pull, and you will be asked to pull out its plug.", [this] { unplug(); });
+    if (options_.unplug_s > 0.0)
+      part("unplugged and plugged in", "It will pull, and you will be asked to pull out its plug.", [this] { unplug(); });
     return out_;
   }
 
@@ -69,7 +73,7 @@ class Check {
     if (!stop_.empty() || !options_.interrupted || !options_.interrupted()) return !stop_.empty();
     settings_.panic = true;
     servo_.setSettings(settings_);
-    stop_ = "left out";
+    stop_ = "broken off";
     return true;
   }
 
@@ -132,10 +136,19 @@ class Check {
   template <class Body>
   void quiet(const char* name, Body body) {
     out_.push_back({.name = name});
-    if (stopped()) {
-      out_.back().found = stop_;
-      return;
-    }
+    if (stopped()) out_.back().found = stop_;
+    else doPart(body);
+    if (options_.checked) options_.checked(out_.back());
+  }
+  template <class Body>
+  void part(const char* name, const std::string& question, Body body) {
+    out_.push_back({.name = name, .forces = true});
+    if (stopped() || (options_.ask && !options_.ask(question)) || stopped()) out_.back().found = stop_.empty() ? "not wanted" : stop_;
+    else doPart(body);
+    if (options_.checked) options_.checked(out_.back());
+  }
+  template <class Body>
+  void doPart(Body body) {
     out_.back().done = true;
     all_ = {};
     device_->given();
@@ -144,15 +157,7 @@ class Check {
     feel(nullptr);
     if (stopped()) found(false, "broken off");
     else if (!out_.back().passed && !status_.text.empty()) out_.back().found += ". " + status_.text;
-    if (!out_.back().passed && stop_.empty()) stop_ = "left out, for an earlier part failed";
-  }
-  template <class Body>
-  void part(const char* name, const std::string& question, Body body) {
-    if (stopped() || (options_.ask && !options_.ask(question)) || stopped())
-      out_.push_back({.name = name, .found = stop_.empty() ? "left out" : stop_});
-    else
-      quiet(name, body);
-    out_.back().forces = true;
+    if (!out_.back().passed && stop_.empty()) stop_ = "an earlier part failed";
   }
   void found(bool passed, std::string words) {
     out_.back().passed = passed;
@@ -180,9 +185,10 @@ class Check {
     const double wandered = seen.ticks.empty() ? 0 : glm::length(high - low);
     // A hand that moves on its own, as a simulated one does, is no fault of the places.
     const std::string rest = wandered <= kStill_mm ? "" : " (more than a device at rest: was it held still?)";
-    found(!seen.ticks.empty() && strange == 0 && double(stale) <= kStaleShare * double(seen.ticks.size()) && seen.connected && status_.ready && seen.given.greatest_N == 0.0,
-          text("%zu ticks, wandered %.3f mm%s, %zu places strange, %zu stale, latest tick %.1f ms late", seen.ticks.size(), wandered, rest.c_str(), strange, stale,
-               seen.latest_ms));
+    const bool fresh = !seen.ticks.empty() && double(stale) <= kStaleShare * double(seen.ticks.size());
+    found(fresh && strange == 0 && seen.connected && status_.ready && seen.given.greatest_N == 0.0,
+          text("%zu ticks, wandered %.3f mm%s, %zu places strange, %zu stale, latest tick %.1f ms late", seen.ticks.size(),
+               wandered, rest.c_str(), strange, stale, seen.latest_ms));
   }
 
   void pull() {
@@ -223,7 +229,8 @@ class Check {
     }
     const bool back = feltAgain();
     foundSound(felt == faults.size() && over == faults.size() && back,
-               text("%zu of %zu faults met its force, which %s after the last", felt, faults.size(), back ? "came back" : "did not come back"));
+               text("%zu of %zu faults met its force, which %s after the last", felt, faults.size(),
+                    back ? "came back" : "did not come back"));
   }
   void badTicks() {
     suffer({{Fault::Late, 15}, {Fault::Doubled, 50}, {Fault::Lost, 60}, {Fault::Stands, 60}});
@@ -291,7 +298,7 @@ class Check {
   }
   void notDone(const char* why) {
     out_.back().done = false;
-    found(true, std::string("left out: ") + why);
+    found(true, why);
   }
 
   const DeviceCheckOptions& options_;

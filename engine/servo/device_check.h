@@ -26,6 +26,7 @@ struct DeviceCheckOptions {
   std::function<void(const std::string&)> tell = {}; ///< what the person is to do now
   /// Some times a second while the device is not ready. True: the person holds it as its text asked for the calibration.
   std::function<bool(const DeviceStatus&)> guide = {};
+  std::function<void(const CheckedPart&)> checked = {}; ///< each part, when it is over
   std::function<bool()> interrupted = {};       ///< true: no force from now on, and all that is left is left out
   double part_s = 5.0;   ///< how long each part lasts
   double ready_s = 2.0;  ///< how long the device is waited for

@@ -72,14 +72,14 @@ void FaultyDevice::passed() noexcept {
 DevicePose FaultyDevice::read(double dt_s) noexcept {
   DevicePose pose = device_->read(dt_s);
   const DeviceInfo& info = device_->info();
-  if (std::exchange(judged_, &info) != &info) judge_.setPeak(info.max_force_N);
+  if (std::exchange(judged_, &info) != &info) judge_.otherDevice(info.max_force_N);
   if (pose.connected && pose.fresh) fresh_.fetch_add(1, std::memory_order_relaxed);
   // What the device does by itself is a fault like those that are put here.
   const bool stood = std::exchange(stood_, false), came_or_went = std::exchange(was_connected_, pose.connected) != pose.connected;
-  const bool bad = misread(pose) || pose.trouble || !finite(pose.position.mm);
+  const bool bad = misread(pose) || pose.trouble || !pose.connected || !finite(pose.position.mm);
   if (stood || came_or_went || std::exchange(was_bad_, bad) || bad) judge_.expectSoft();
   judge_.lasting(bad);
-  now_ = {.fresh = pose.fresh, .connected = pose.connected};
+  now_ = {.fresh = pose.fresh, .at_once = !pose.connected};
   return pose;
 }
 

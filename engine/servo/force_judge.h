@@ -14,19 +14,22 @@ class ForceJudge {
   static constexpr int kSoft_ticks = 500;  ///< from nothing to the peak
   static constexpr int kFadeTo_ticks = 44; ///< after the last fresh place there is none: 40 ms, and a way down of 4
 
-  explicit ForceJudge(double peak_N) : peak_N_(peak_N) {}
+  /// A soft start goes up to `peak_N` in kSoft_ticks.
+  explicit ForceJudge(double peak_N) : peak_N_(peak_N), soft_N_(peak_N) {}
 
-  /// Another device's peak: nothing has been given to it.
-  void setPeak(double peak_N) { peak_N_ = peak_N, last_N_ = Vec3(0.0); }
+  /// Another device is given force from now on, of which it bears so much: nothing has been given to it.
+  void otherDevice(double peak_N) { peak_N_ = peak_N, last_N_ = Vec3(0.0), expectSoft(); }
   /// A fault, or what begins anew: what is left of the force goes away along the slew, and comes back no faster than softly.
   void expectSoft() { before_N_ = glm::length(last_N_), since_ = 0; }
   /// While a fault lasts nothing comes back.
   void lasting(bool on) { lasting_ = on; }
+  /// What came back is at rest: from here on any force within the rest of the promises.
+  void expectAny() { since_ = kSoft_ticks; }
 
   struct Tick {
-    bool fresh = true;      ///< the place was
-    bool connected = true;  ///< the device was
-    bool stopped = false;   ///< by the panic key
+    bool fresh = true;    ///< the place was
+    bool at_once = false; ///< the force may end in this tick: the device is gone
+    bool stopped = false; ///< the same, and has to: by the panic key
   };
   /// The promise that this tick's force breaks; null: none.
   const char* judge(const Vec3& force_N, const Tick& tick) {
@@ -37,21 +40,25 @@ class ForceJudge {
     stale_ = tick.fresh ? 0 : stale_ + 1;
     if (!finite(force_N)) return "the force is not finite";
     if (size > peak_N_ + kRounding) return "over the greatest force";
-    if ((tick.stopped || !tick.connected) && size > 0.0) return tick.stopped ? "force after the panic key" : "force for a device that is gone";
-    if (!tick.stopped && tick.connected && glm::distance(force_N, was_N) > kSlew_N + kRounding) return "the force changed too fast";
-    const double soft_N = lasting_ ? 0.0 : peak_N_ * since_ / kSoft_ticks;
+    if (tick.stopped && size > 0.0) return "force after the panic key";
+    const bool ends = (tick.stopped || tick.at_once) && size == 0.0;
+    if (!ends && glm::distance(force_N, was_N) > kSlew_N + kRounding) return "the force changed too fast";
+    const double soft_N = lasting_ ? 0.0 : soft_N_ * since_ / kSoft_ticks;
     if (size > std::max(0.0, before_N_ - kSlew_N * since_) + soft_N + kRounding) return "more force than softly after a fault";
     if (stale_ > kFadeTo_ticks && size > 0.0) return "force at a stale place";
     return nullptr;
   }
 
+  double beforeFault_N() const { return before_N_; }  ///< what there was at the last fault
+  double sinceFault_ticks() const { return since_; }
+
  private:
   static constexpr double kRounding = 1e-9;
 
-  double peak_N_;
+  double peak_N_, soft_N_;
   Vec3 last_N_{0.0};
-  double before_N_ = 0.0;
-  double since_ = 0.0, stale_ = 0.0;
+  double before_N_ = 0.0, since_ = 0.0;
+  int stale_ = 0;
   bool lasting_ = false;
 };
 

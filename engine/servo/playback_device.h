@@ -13,7 +13,7 @@ class PlaybackDevice final : public Device {
   explicit PlaybackDevice(DeviceTrace trace) : trace_(std::move(trace)) {
     if (!trace_.ticks.empty()) static_cast<DeviceFigures&>(info_) = trace_.ticks.front().device;
     info_.gives_force = false;
-    info_.name = "Recording";
+    info_.name = "Recorded hand";
   }
 
   const DeviceInfo& info() const noexcept override { return info_; }

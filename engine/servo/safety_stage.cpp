@@ -9,6 +9,9 @@ namespace {
 // A device's figure as far as it can be used: what is no number or negative counts as 0.
 double usable(double figure) { return std::isfinite(figure) ? std::max(0.0, figure) : 0.0; }
 
+// Ours, or what keeps clear of the device's own limit; one that is none counts as none.
+double within(double ours, double of_device) { return of_device > 0.0 ? std::min(ours, safety::kOfOwnLimit * of_device) : ours; }
+
 }  // namespace
 
 void SafetyStage::setDevice(const DeviceFigures& device) noexcept {
@@ -21,6 +24,8 @@ void SafetyStage::setDevice(const DeviceFigures& device) noexcept {
   resolution_m_ = 1e-3 * usable(device.resolution_mm);
   device_delay_s_ = usable(device.delay_s);
   closes_loop_ = device.gives_force;
+  fastest_m_per_s_ = within(safety::kFastest_m_per_s, device.speed_limit_m_per_s);
+  rise_N_per_s_ = within(safety::kSlew_N_per_s, device.slew_limit_N_per_s);
   // Its motors give nothing yet. The heat stays: the device may be the one that was just gone, and its motors warm.
   force_N_ = Vec3(0.0);
   stretch_mm_ = stiffness_ = 0.0;
@@ -115,16 +120,17 @@ double SafetyStage::stored_J(double stretch_mm, double stiffness_N_per_mm, doubl
   return k * s <= most_N ? 0.5 * k * s * s : most_N * s - 0.5 * most_N * most_N / k;
 }
 
-// Above kSlowing_m_per_s the part of the force that drives the hand on falls, at kFastest_m_per_s it is nothing. What
+// Above kSlowing of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing. What
 // brakes the hand stays.
 Vec3 SafetyStage::slowed(Vec3 force) noexcept {
   const Vec3 speed = speed_.m_per_s();
   const double fast = glm::length(speed);
-  if (fast <= safety::kSlowing_m_per_s) return force;
+  const double slowing = safety::kSlowing * fastest_m_per_s_;
+  if (fast <= slowing) return force;
   const double driving = glm::dot(force, speed) / fast;
   if (driving <= 0.0) return force;
   acted_.add(Limit::Speed);
-  const double part = std::min(1.0, (fast - safety::kSlowing_m_per_s) / (safety::kFastest_m_per_s - safety::kSlowing_m_per_s));
+  const double part = std::min(1.0, (fast - slowing) / (fastest_m_per_s_ - slowing));
   return force - speed * (part * driving / fast);
 }
 
@@ -153,7 +159,9 @@ Vec3 SafetyStage::braked(Vec3 force, const WantedForce& wanted) noexcept {
 
 Vec3 SafetyStage::slewed(const Vec3& force) noexcept {
   const Vec3 change = force - force_N_;
-  const double size = glm::length(change), most = safety::kSlew_N_per_s * dt_s_;
+  // A device that bears no quick rise may still be let go of at once.
+  const bool rises = glm::length(force) > glm::length(force_N_);
+  const double size = glm::length(change), most = (rises ? rise_N_per_s_ : safety::kSlew_N_per_s) * dt_s_;
   if (size <= most) return force;
   acted_.add(Limit::Slew);
   return force_N_ + change * (most / size);

@@ -61,7 +61,7 @@ class SafetyStage {
 
   // The device's figures.
   double peak_N_ = 0, continuous_N_ = 0, max_stiffness_ = 0, max_damping_ = 0, damping_ = 0, friction_N_ = 0;
-  double resolution_m_ = 0, device_delay_s_ = 0;
+  double resolution_m_ = 0, device_delay_s_ = 0, fastest_m_per_s_ = 0, rise_N_per_s_ = 0;
   bool closes_loop_ = false;
 
   // What is known of the hand.

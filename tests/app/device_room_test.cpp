@@ -63,7 +63,7 @@ void go(Driver& d, Held& stylus, Vec3 to_mm) {
 TEST_CASE("a stylus in the middle of an Omni's room is free before the molecule, as far as its surface lies behind; 35 mm farther it touches, with the scale of the "
           "mouse, and drawn back to the person's edge it is free again: for molecules of 2 to 4600 atoms") {
   for (const char* molecule : {"argon-pair", "benzene", "b-dna", "1ubq", "1hel", "2hhb"}) {
-    CAPTURE(molecule);
+    CAPTURE(std::string(molecule));
     auto d = startWith(molecule);
     const double by_mouse_A_per_mm = d->app().scene.servo_settings.workspace.A_per_mm;
     Held& stylus = hold(*d);

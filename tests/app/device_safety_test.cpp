@@ -145,7 +145,7 @@ TEST_CASE("F9 stops all force within two frames whatever is shown: the scene, a 
       {"another view", [](Driver& d) { d.tap("Home"); }},
   };
   for (const Case& c : cases) {
-    CAPTURE(c.name);
+    CAPTURE(std::string(c.name));
     auto d = startWith(MOLTACT_SOURCE_DIR "/lessons/first-touch.md");
     Led& stylus = lead(*d);
     d->app().panels.device_page = std::string(c.name) == "a try";

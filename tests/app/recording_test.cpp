@@ -52,6 +52,32 @@ TEST_CASE("what the device page records replays to the last bit, and touches") {
   CHECK_FALSE(result.first_difference);
 }
 
+TEST_CASE("Record on the device page asks for a file and records into it; the words over the view lead back to the page, where it is stopped") {
+  const Scratch scratch;
+  Driver::Options options;
+  options.height = 1300;  // the whole page
+  options.application.picture_folder = scratch.folder;
+  auto d = startWith("1ubq", options);
+  d->tap("Ctrl+D");
+  d->frames(3);
+  REQUIRE(d->click("device/simulated"));
+  d->frames(5);
+  CHECK(d->click("device/record"));
+  d->frames(5);
+  CHECK(d->text("file/name") == "1ubq.trace");
+  CHECK(d->click("file/choose"));
+  d->frames(60);
+  CHECK(d->app().extensions().hand_recorder.recording());
+  std::string message;
+  for (std::size_t k = 0; k < d->app().messages.all().size(); ++k)
+    if (contains(d->app().messages.all()[k].text, "The hand is recorded in 1ubq.trace.")) message = "message/" + std::to_string(k);
+  CHECK(d->click(message + "/device"));
+  d->frames(5);
+  CHECK(d->click("device/record"));
+  CHECK_FALSE(d->app().extensions().hand_recorder.recording());
+  CHECK(readTrace(scratch.folder / "1ubq.trace")->ticks.size() > 900);
+}
+
 TEST_CASE("a recording that is opened brings its molecule, leads the hand over it as it was led, with no device open, and gives back what led before") {
   const Scratch scratch;
   const std::filesystem::path file = recorded(scratch);
@@ -65,7 +91,7 @@ TEST_CASE("a recording that is opened brings its molecule, leads the hand over i
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
   CHECK(d->app().scene.file().stem() == "1ubq");
-  CHECK(d->text("status/device") == "Recording");
+  CHECK(d->text("status/device") == "Recorded hand");
   CHECK_FALSE(d->app().scene.servo().device().gives_force);
   CHECK(player.length_s() == doctest::Approx(double(trace.ticks.size()) * kTick_s));
   int compared = 0, touching = 0;

@@ -10,6 +10,7 @@
 #include "engine/device/device_model.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
+#include "engine/servo/force_judge.h"
 #include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
 #include "tests/haptics/walk.h"
@@ -18,7 +19,7 @@ namespace moltact::test {
 namespace {
 
 // The promises, as docs/safety.md makes them.
-constexpr double kPeak_N = 3.3, kSlew_N = 1.0, kSoft_ticks = 500, kFadeTo_ticks = 44;
+constexpr double kPeak_N = 3.3;
 constexpr double kRest_m_per_s = 0.03;  // half a step of the sensor a tick is what its rounding makes
 constexpr double kRounding_J = 1e-5;    // a step of the sensor at 0.5 N
 // What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm. The penalty method's
@@ -165,38 +166,25 @@ class Run {
   }
 
   void judge(const ServoSample& sample, const How& how) {
-    const Vec3 force = sample.force.N;
-    const double size = glm::length(force);
+    const double size = glm::length(sample.force.N);
     out_.greatest_N = std::max(out_.greatest_N, size);
-    ++since_fault_;
-    stale_ = how.fresh ? 0 : stale_ + 1;
-    if (!finite(force)) return broken("the force is not finite");
-    if (size > peak_N_ + 1e-9) return broken("over the clamp");
-    if (!settings_.panic && glm::length(force - command_.N) > kSlew_N + 1e-9) return broken("over the slew");
-    if (settings_.panic && size > 0) return broken("force in a panic");
-    // What is left of the force before the fault, and what a soft start may have given since.
-    const double soft = lasting_ ? 0.0 : kPeak_N * since_fault_ / kSoft_ticks;
-    if (size > std::max(0.0, before_fault_N_ - kSlew_N * since_fault_) + soft + 1e-9) return broken("force after a fault", size);
-    if (stale_ > kFadeTo_ticks && size > 0) return broken("force at a stale place");
+    if (const char* promise = judge_.judge(sample.force.N, {.fresh = how.fresh, .stopped = settings_.panic})) broken(promise, size);
   }
   void broken(const char* promise, double size_N = 0) {
     if (!out_.broken.empty()) return;
     char text[320];
     std::snprintf(text, sizeof text, "seed %llu, tick %llu, %s %.0f ticks ago from %.3f N, method %.*s: %s (%.3f N)", static_cast<unsigned long long>(seed_),
-                  static_cast<unsigned long long>(out_.ticks), doing_, since_fault_, before_fault_N_, int(method_.size()), method_.data(), promise, size_N);
+                  static_cast<unsigned long long>(out_.ticks), doing_, judge_.sinceFault_ticks(), judge_.beforeFault_N(), int(method_.size()), method_.data(), promise, size_N);
     out_.broken = text;
   }
 
   // From the next tick on no more than a soft start is allowed.
-  void expectSoft() {
-    before_fault_N_ = glm::length(command_.N);
-    since_fault_ = 0;
-  }
+  void expectSoft() { judge_.expectSoft(); }
   void lasting(int ticks, const How& how) {
     expectSoft();
-    lasting_ = true;
+    judge_.lasting(true);
     for (int k = 0; k < ticks; ++k) tick(how);
-    lasting_ = false;
+    judge_.lasting(false);
     expectSoft();
   }
 
@@ -339,9 +327,8 @@ class Run {
   // Nothing has been given to it yet.
   void otherDevice(const DeviceInfo& info) {
     step_.setDevice(info);
-    peak_N_ = info.max_force_N;
+    judge_.otherDevice(info.max_force_N);
     command_ = ForceN{};
-    expectSoft();
   }
   // The hand is held still: what moves the device comes to rest, or slides off on energy that was there. A stiffness that
   // comes back after late ticks stores more in the same stretch, and may.
@@ -374,7 +361,7 @@ class Run {
     if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
     // Tick by tick, where the spring's force is not cut and what it stores so is known.
     if (known && risen_J > stiffened_J + (method_ == "penalty" ? kMadeByPenalty_J : kMade_J)) broken("energy is made while the hand is still", 1e3 * risen_J);
-    since_fault_ = kSoft_ticks;
+    judge_.expectAny();
   }
 
   // Of the device's motion, of the hand that holds it, and of the surface's spring.
@@ -405,9 +392,7 @@ class Run {
   PointMm sensed_;
   double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
   double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
-  double before_fault_N_ = 0, peak_N_ = kPeak_N;
-  double since_fault_ = 0, stale_ = 0;
-  bool lasting_ = false;
+  ForceJudge judge_{kPeak_N};
   std::uint64_t cuts_ = 0;
   FaultRunResult out_;
 };

@@ -219,6 +219,34 @@ TEST_CASE("speed: at 0.5 m/s the force stays, at 0.875 m/s half of what drives t
   }
 }
 
+TEST_CASE("a device's own limits are kept clear of by a tenth: of 0.5 m/s, nothing drives the hand from 0.45 m/s on; of 200 N/s, the force rises by "
+          "0.18 N a tick and ends as fast as ever; without them, or where they are none, ours hold") {
+  DeviceInfo slow = omni();
+  slow.gives_force = false;  // no braking on top
+  slow.speed_limit_m_per_s = 0.5;
+  slow.slew_limit_N_per_s = 200;
+  SafetyStage stage = ready(slow);
+  CHECK(tick(stage, push(3)).N.z == doctest::Approx(0.18));
+  CHECK(tick(stage, push(3)).N.z == doctest::Approx(0.36));
+  CHECK(after(stage, 20, push(3)) == doctest::Approx(3.0));
+  for (const double want : {2.0, 1.0, 0.0}) CHECK(tick(stage, push(0)).N.z == doctest::Approx(want));
+  after(stage, 20, push(2));
+  Vec3 at(0.0);
+  ForceN force;
+  for (int k = 0; k < 20; ++k) force = tick(stage, push(2), {.position = {at += Vec3(0, 0, 0.45)}});
+  CHECK(force.N.z == doctest::Approx(0.0));
+  CHECK(stage.acted().has(Limit::Speed));
+  for (int k = 0; k < 20; ++k) force = tick(stage, push(2), {.position = {at += Vec3(0, 0, 0.3)}});
+  CHECK(force.N.z == doctest::Approx(2.0));
+  for (const double none : {0.0, -1.0, std::nan(""), DeviceFigures::kNoLimit}) {
+    CAPTURE(none);
+    DeviceInfo figures = omni();
+    figures.speed_limit_m_per_s = figures.slew_limit_N_per_s = none;
+    SafetyStage ours = ready(figures);
+    CHECK(tick(ours, push(3)).N.z == doctest::Approx(1.0));
+  }
+}
+
 TEST_CASE("stiffness: with 2.2 N s/m and 1 ms of delay 0.73 N/mm are stable by half, with 3 ms 0.31, and it is reached slowly") {
   SafetyStage stage = ready();
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 1.5));

@@ -159,7 +159,10 @@ void drawRecording(Application& app) {
     if (button("device/record", "Stop playing", ButtonLook::Primary)) recorder.endPlay(app);
   } else {
     const bool may = app.scene.stage() && !app.scene.playing() && !app.scene.trying();
-    if (button("device/record", "Record …", ButtonLook::Plain, 0.0f, may)) recorder.askToRecord(app);
+    if (button("device/record", "Record …", ButtonLook::Plain, 0.0f, may)) {
+      app.panels.device_page = false;  // one page at a time
+      recorder.askToRecord(app);
+    }
     tip("Every place and force, 1000 a second, as long as molecule and method stay.");
     ImGui::SameLine(0, look().px(8));
     if (button("device/play", "Play one …")) app.panels.device_page = false, app.panels.open_page = true;

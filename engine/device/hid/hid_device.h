@@ -110,7 +110,7 @@ class HidDevice final : public Device {
 struct HidKind {
   std::string_view title;                       ///< where the device does not tell its own
   bool (*is)(const HidEntry&);                  ///< by what the system lists of it: it may be one
-  std::unique_ptr<HidProtocol> (*protocol)();
+  std::unique_ptr<HidProtocol> (*protocol)();   ///< a new one
   DeviceInfo known;                             ///< its name is the found one's
 };
 /// One entry for each device of the kind: each is asked what it is. Those that cannot be opened say why and come last.

@@ -125,11 +125,10 @@ std::size_t OpenProtocol::stop(std::span<std::uint8_t, 64> out) noexcept { retur
 namespace {
 
 const HidKind& openLayout() {
-  static const HidKind kind{"Device of the open layout", isOpenDevice, [] { return std::unique_ptr<HidProtocol>(new OpenProtocol); }, [] {
-                              DeviceInfo info;
-                              info.gives_force = true;  // most do; each tells it itself
-                              return info;
-                            }()};
+  DeviceInfo info;
+  info.gives_force = true;  // most do; each tells it itself
+  static const HidKind kind{"Device of the open layout", isOpenDevice,
+                            [] { return std::unique_ptr<HidProtocol>(new OpenProtocol); }, info};
   return kind;
 }
 

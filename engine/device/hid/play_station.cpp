@@ -76,11 +76,13 @@ DeviceInfo padInfo() {
   return info;
 }
 const HidKind& dualShock() {
-  static const HidKind kind{"Game pad (DualShock 4)", isDualShock4, [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualShock4)); }, padInfo()};
+  static const HidKind kind{"Game pad (DualShock 4)", isDualShock4,
+                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualShock4)); }, padInfo()};
   return kind;
 }
 const HidKind& dualSense() {
-  static const HidKind kind{"Game pad (DualSense)", isDualSense, [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualSense)); }, padInfo()};
+  static const HidKind kind{"Game pad (DualSense)", isDualSense,
+                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualSense)); }, padInfo()};
   return kind;
 }
 

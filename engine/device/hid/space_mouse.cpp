@@ -67,12 +67,11 @@ void SpaceMouseProtocol::pass(double dt_s, DevicePose& pose) noexcept {
 namespace {
 
 const HidKind& spaceMouse() {
-  static const HidKind kind{"3Dconnexion SpaceMouse", isSpaceMouse, [] { return std::unique_ptr<HidProtocol>(new SpaceMouseProtocol); }, [] {
-                              DeviceInfo info;
-                              info.dof_in = 6;
-                              info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
-                              return info;
-                            }()};
+  DeviceInfo info;
+  info.dof_in = 6;
+  info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
+  static const HidKind kind{"3Dconnexion SpaceMouse", isSpaceMouse,
+                            [] { return std::unique_ptr<HidProtocol>(new SpaceMouseProtocol); }, info};
   return kind;
 }
 

@@ -95,7 +95,8 @@ DeviceInfo woodenHapticsInfo() {
 namespace {
 
 const HidKind& woodenHaptics() {
-  static const HidKind kind{"WoodenHaptics", isWoodenHaptics, [] { return std::unique_ptr<HidProtocol>(new WoodenHapticsProtocol); }, woodenHapticsInfo()};
+  static const HidKind kind{"WoodenHaptics", isWoodenHaptics,
+                            [] { return std::unique_ptr<HidProtocol>(new WoodenHapticsProtocol); }, woodenHapticsInfo()};
   return kind;
 }
 

@@ -96,7 +96,8 @@ ErrorWords errorWords(std::uint32_t code) {
     default: {
       char text[64];
       std::snprintf(text, sizeof text, "The driver reports error 0x%04X.", code);
-      if (errorWeight(code) == 1) return {text, "The program has asked it wrongly: nothing is to be done at the device; please report the number."};
+      if (errorWeight(code) == 1)
+        return {text, "The program has asked it wrongly: nothing is to be done at the device; please report the number."};
       return {text, "Plug the device in again; if that does not help, start the program anew."};
     }
   }

@@ -295,7 +295,8 @@ std::string OmniDevice::guidance(DeviceStatus& status) const {
   if (updating) return "The device is being calibrated: leave the stylus where it is.";
   if (style & hd::kInkwell)
     return in_inkwell_.load() ? "Calibrating: leave the stylus in the inkwell."
-                              : "Put the stylus's tip into the inkwell, the dark hole in the device, and leave it there until this goes away.";
+                              : "Put the stylus's tip into the inkwell, the dark hole in the device, and leave it there until this "
+                                "goes away.";
   if (style & hd::kAuto) return "Move the stylus slowly to and fro, as far as it goes on every side, until this goes away.";
   status.asks_calibrate = true;
   return std::string(reset_failed_.load(std::memory_order_relaxed) ? "The device did not take that place. " : "") +

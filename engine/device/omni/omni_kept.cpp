@@ -28,8 +28,9 @@ Expected<OmniSession> KeptOmni::opened(const hd::Library& hd) {
 
 Expected<OmniSession> KeptOmni::look(const hd::Library& hd) {
   const std::lock_guard lock(mutex_);
+  const bool kept = session_.has_value();
   auto session = opened(hd);
-  if (!session) return session;
+  if (!session || kept) return session;  // not kept for longer: it may have been unplugged meanwhile
   session_ = *session;
   until_ = std::chrono::steady_clock::now() + kKept;
   if (!closer_.joinable()) closer_ = std::thread([this] { run(); });

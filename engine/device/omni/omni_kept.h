@@ -20,7 +20,7 @@ class KeptOmni {
   static KeptOmni& get();
   ~KeptOmni();
 
-  /// What is there; it stays open for kKept.
+  /// What is there, or was when it was last opened; it stays open for kKept.
   Expected<OmniSession> look(const hd::Library& hd);
   /// Opens it, or gives the one that a look has opened. It is taken from now on.
   Expected<OmniSession> take(const hd::Library& hd);

@@ -1,0 +1,103 @@
+// The stand-in libHD.so for the tests of the Omni's driver, and the servo loop over it whose clock a test steps by hand.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "engine/device/mouse_device.h"
+#include "engine/device/omni/omni_device.h"
+#include "engine/haptics/methods.h"
+#include "engine/platform/shared_library.h"
+#include "engine/servo/device_switch.h"
+
+namespace moltact::test {
+
+// The stand-in, as the driver will load it, and the test's own functions in it.
+struct StandIn {
+  explicit StandIn(bool manual = true) {
+    setenv("MOLTACT_LIBHD", MOLTACT_STAND_IN_LIBHD, 1);
+    const std::string name = MOLTACT_STAND_IN_LIBHD;
+    const auto opened = SharedLibrary::open({&name, 1});
+    REQUIRE(opened);
+    library = new SharedLibrary(*opened);
+    OmniDevice::letGo();
+    call<void(bool)>("standInReset")(manual);
+  }
+  ~StandIn() {
+    OmniDevice::letGo();
+    delete library;
+  }
+  template <class F>
+  F* call(const char* name) const {
+    return reinterpret_cast<F*>(library->symbol(name));
+  }
+  void step(int ticks) const { call<void(int)>("standInStep")(ticks); }
+  void attach(bool on) const { call<void(bool)>("standInAttach")(on); }
+  void error(std::uint32_t code) const { call<void(std::uint32_t)>("standInError")(code); }
+  void calibration(std::uint32_t state, std::uint32_t style) const { call<void(std::uint32_t, std::uint32_t)>("standInCalibration")(state, style); }
+  void buttons(int bits) const { call<void(int)>("standInButtons")(bits); }
+  void dock(bool on) const { call<void(bool)>("standInDock")(on); }
+  void updatesNeeded(int times) const { call<void(int)>("standInUpdatesNeeded")(times); }
+  void init(int ms, std::uint32_t error) const { call<void(int, std::uint32_t)>("standInInit")(ms, error); }
+  int inits() const { return call<int()>("standInInits")(); }
+  void stopClock(bool stopped) const { call<void(bool)>("standInStopClock")(stopped); }
+  int errorsLeft() const { return call<int()>("standInErrorsLeft")(); }
+  bool initialised() const { return call<bool()>("standInInitialised")(); }
+  double force() const { return call<double()>("standInForce")(); }
+  std::uint32_t updates() const { return call<std::uint32_t()>("standInUpdates")(); }
+  SharedLibrary* library = nullptr;
+};
+
+// What the haptic thread does with a device that brings its clock, without the thread.
+struct Loop final : TickTarget {
+  explicit Loop(Device& device) : stylus(device), devices(mouse, &device) {
+    std::vector<Ball> balls;
+    for (int k = 0; k < 27; ++k) balls.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
+    tracker = methods().front().make(std::make_shared<const BallScene>(std::move(balls)), kWaterProbe_A);
+    CHECK(stylus.startClock(*this));
+  }
+  ~Loop() { stylus.stopClock(); }
+  void tickOfDevice() noexcept override {
+    const DevicePose pose = devices.read(kTick_s, step);
+    last = step.tick(settings, tracker.get(), pose);
+    devices.write(last.force);
+    ++ticks;
+    greatest_N = std::max(greatest_N, glm::length(last.force.N));
+  }
+  Device& stylus;
+  MouseDevice mouse;
+  DeviceSwitch devices;
+  ServoStep step;
+  ServoSettings settings;
+  std::unique_ptr<Tracker> tracker;
+  ServoSample last;
+  long ticks = 0;
+  double greatest_N = 0;
+};
+
+inline std::unique_ptr<OmniDevice> opened() {
+  auto device = OmniDevice::open();
+  REQUIRE(device);
+  return std::move(*device);
+}
+
+// Steps until the hand presses with some force.
+inline void press(const StandIn& omni, Loop& loop) {
+  for (int k = 0; k < 20'000 && glm::length(loop.last.force.N) < 0.7; ++k) omni.step(1);
+  REQUIRE(glm::length(loop.last.force.N) >= 0.7);
+}
+
+// Asks until it is there, at most some seconds; what it waits for is checked afterwards.
+inline void untilThere(Device& device) {
+  for (int k = 0; k < 1000 && !device.status().connected; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  CHECK(device.status().connected);
+}
+
+}  // namespace moltact::test
