@@ -185,7 +185,9 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   for (Extension* e : extensions) e->beforeTicks(*this);
   scene.rest(panels.welcome);
   const FeltTicks felt = scene.advance(dt_s, now_s_, panels.methodsInFront());
-  for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
+  // A recorded hand does nobody's task.
+  if (!extensions_->hand_recorder.playing())
+    for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
   if (!felt.ticks.empty())
     for (Extension* e : extensions) e->ticks(*this, felt);
   messages.age(dt_s);

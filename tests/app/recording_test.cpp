@@ -119,6 +119,48 @@ TEST_CASE("a recording that is opened brings its molecule, leads the hand over i
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
 }
 
+TEST_CASE("a recorded hand that presses on a lesson's molecule does not do the lesson's task") {
+  const Scratch scratch;
+  const std::filesystem::path file = recorded(scratch);
+  auto d = startWith("");
+  d->app().open(scratch.file("press.md", R"(---
+title: Press
+minutes: 5
+goals: Press.
+molecules: 1ubq
+author: A
+licence: CC0
+---
+
+## Press
+
+```scene
+molecule: 1ubq
+```
+
+```touch
+press: anywhere
+until: 0.3 N
+say: Press.
+```
+
+Press.
+)"));
+  d->app().finishLoading();
+  d->frames(10);
+  REQUIRE(d->app().lesson.session());
+  d->app().open(file);
+  d->frames(3);
+  REQUIRE(d->app().extensions().hand_recorder.playing());
+  double greatest_N = 0;
+  while (d->app().extensions().hand_recorder.playing()) {
+    d->frames(1);
+    greatest_N = std::max(greatest_N, d->app().scene.log().force_N());
+  }
+  CHECK(greatest_N > 0.5);
+  CHECK_FALSE(d->app().lesson.session()->task(0).done);
+}
+
 TEST_CASE("another device that is chosen while a recording plays ends it; a text is told and changes nothing; another method ends a recording") {
   const Scratch scratch;
   const std::filesystem::path file = recorded(scratch);
