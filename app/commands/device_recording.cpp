@@ -1,6 +1,5 @@
 #include "app/commands/device_recording.h"
 
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -59,18 +58,6 @@ std::string lastingName(const MoleculeArgument& molecule) {
   std::error_code error;
   const bool library = *file != molecule.name && fs::equivalent(file->parent_path(), folders.library, error);
   return library ? molecule.name : fs::absolute(*file).lexically_normal().string();
-}
-
-// The balls in one number, so that a molecule that has changed meanwhile is told (FNV-1a).
-std::string fingerprint(const BallScene& scene) {
-  std::uint64_t hash = 14695981039346656037u;
-  for (const Ball& ball : scene.balls())
-    for (const double value : {ball.centre_A.x, ball.centre_A.y, ball.centre_A.z, ball.radius_A})
-      for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8)
-        hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
-  char text[40];
-  std::snprintf(text, sizeof text, "%zu %016llx", scene.size(), static_cast<unsigned long long>(hash));
-  return text;
 }
 
 Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std::string& device) {

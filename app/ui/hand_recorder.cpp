@@ -61,7 +61,8 @@ void HandRecorder::drain(Application& app) {
   servo.drainRecording(start, [&](const TraceTick& tick) {
     if (problem) return;
     if (ticks_ == 0)
-      problem = writer_->begin({{"molecule", moleculeName(app.scene.file())}, {"method", app.scene.method()}, {"device", servo.device().name}}, start);
+      problem = writer_->begin({{"molecule", moleculeName(app.scene.file())}, {"balls", fingerprint(*app.scene.stage().balls)}, {"method", app.scene.method()},
+                                 {"device", servo.device().name}}, start);
     if (!problem) problem = writer_->add(tick);
     ++ticks_;
   });
@@ -115,6 +116,8 @@ std::string HandRecorder::label(const char* key) const {
 
 void HandRecorder::begin(Application& app) {
   app.panels.welcome = false;
+  if (const std::string balls = label("balls"); !balls.empty() && balls != fingerprint(*app.scene.stage().balls))
+    app.messages.warning("What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else.");
   app.scene.useMethod(label("method"));
   before_ = app.extensions().device.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));

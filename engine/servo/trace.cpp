@@ -2,6 +2,8 @@
 
 #include <zlib.h>
 
+#include <bit>
+#include <cstdio>
 #include <cstring>
 #include <type_traits>
 
@@ -250,6 +252,17 @@ ReplayResult replay(const DeviceTrace& trace, Tracker* tracker) {
     ++out.ticks;
   }
   return out;
+}
+
+std::string fingerprint(const BallScene& scene) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const Ball& ball : scene.balls())
+    for (const double value : {ball.centre_A.x, ball.centre_A.y, ball.centre_A.z, ball.radius_A})
+      for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8)
+        hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
+  char text[40];
+  std::snprintf(text, sizeof text, "%zu %016llx", scene.size(), static_cast<unsigned long long>(hash));
+  return text;
 }
 
 }  // namespace moltact

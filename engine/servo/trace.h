@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "engine/core/problem.h"
+#include "engine/haptics/ball_scene.h"
 #include "engine/platform/append_file.h"
 #include "engine/servo/servo_step.h"
 
@@ -75,5 +76,9 @@ struct ReplayResult {
 
 /// Steps the recorded ticks with a tracker as it was newly made for the recording (null: none), and compares the forces.
 ReplayResult replay(const DeviceTrace& trace, Tracker* tracker);
+
+/// How many balls and all of them in one number (FNV-1a): a recording's label "balls", by which it is told that its molecule has
+/// changed meanwhile.
+std::string fingerprint(const BallScene& scene);
 
 }  // namespace moltact

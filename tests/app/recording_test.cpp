@@ -40,6 +40,7 @@ TEST_CASE("what the device page records replays to the last bit, and touches") {
   REQUIRE(trace);
   CHECK(trace->labels.at("molecule") == "1ubq");
   CHECK(trace->labels.at("method") == "exact");
+  CHECK(trace->labels.at("balls").starts_with("602 "));
   CHECK(trace->ticks.size() > 5900);
   double greatest = 0;
   for (const TraceTick& tick : trace->ticks) greatest = std::max(greatest, glm::length(tick.force.N));
@@ -91,6 +92,7 @@ TEST_CASE("a recording that is opened brings its molecule, leads the hand over i
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
   CHECK(d->app().scene.file().stem() == "1ubq");
+  CHECK_FALSE(told(*d, "is not what the hand was recorded on"));
   CHECK(d->text("status/device") == "Recorded hand");
   CHECK_FALSE(d->app().scene.servo().device().gives_force);
   CHECK(player.length_s() == doctest::Approx(double(trace.ticks.size()) * kTick_s));
@@ -159,6 +161,25 @@ Press.
   }
   CHECK(greatest_N > 0.5);
   CHECK_FALSE(d->app().lesson.session()->task(0).done);
+}
+
+TEST_CASE("a recording whose molecule has changed since says so, and is played all the same") {
+  const Scratch scratch;
+  DeviceTrace trace = *readTrace(recorded(scratch));
+  trace.labels["balls"] = "601 0000000000000000";
+  const std::filesystem::path other = scratch.folder / "other.trace";
+  {
+    auto writer = TraceWriter::create(other);
+    REQUIRE(writer);
+    REQUIRE_FALSE(writer->begin(trace.labels, *trace.start));
+    for (const TraceTick& tick : trace.ticks) REQUIRE_FALSE(writer->add(tick));
+    REQUIRE_FALSE(writer->finish());
+  }
+  auto d = startWith("1ubq");
+  d->app().open(other);
+  d->frames(3);
+  CHECK(told(*d, "is not what the hand was recorded on"));
+  CHECK(d->app().extensions().hand_recorder.playing());
 }
 
 TEST_CASE("another device that is chosen while a recording plays ends it; a text is told and changes nothing; another method ends a recording") {
