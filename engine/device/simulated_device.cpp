@@ -20,15 +20,15 @@ DeviceInfo describe(const DeviceParameters& device) {
 }
 
 SimulatedDevice::SimulatedDevice(const DeviceParameters& device, const HandParameters& hand)
-    : info_(describe(device)), model_(device, hand, ScriptedHand().place()) {}
+    : info_(describe(device)), model_(std::make_shared<DeviceModel>(device, hand, ScriptedHand().place())) {}
 
 DevicePose SimulatedDevice::read(double) noexcept {
-  return {.position = {model_.sensed().mm - Vec3(0, 0, kBehind_mm)}, .connected = plugged_.load(std::memory_order_acquire)};
+  return {.position = {model_->sensed().mm - Vec3(0, 0, kBehind_mm)}, .connected = plugged_.load(std::memory_order_acquire)};
 }
 
 void SimulatedDevice::write(ForceN force) noexcept {
   if (!plugged_.load(std::memory_order_acquire)) force = {};
-  model_.tick(force, hand_.lead(0.001, model_.held()));
+  model_->tick(force, hand_.lead(0.001, model_->held()));
 }
 
 DeviceStatus SimulatedDevice::status() {

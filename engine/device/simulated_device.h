@@ -3,6 +3,7 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 
 #include "engine/device/device.h"
 #include "engine/device/device_model.h"
@@ -16,6 +17,7 @@ inline constexpr double kBehind_mm = 45.0;
 class SimulatedDevice final : public Device {
  public:
   explicit SimulatedDevice(const DeviceParameters& device = {}, const HandParameters& hand = {});
+  ~SimulatedDevice() override { write(ForceN{}); }
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override;
@@ -23,12 +25,15 @@ class SimulatedDevice final : public Device {
   void write(ForceN force) noexcept override;
   DeviceStatus status() override;
 
+  /// What is led and driven; it outlives the device for whoever holds it, to be looked at when nothing ticks.
+  std::shared_ptr<const DeviceModel> model() const { return model_; }
+
   /// Any thread: pulls the plug, or puts it back. The hand goes on meanwhile, without force.
   void plug(bool in) noexcept { plugged_.store(in, std::memory_order_release); }
 
  private:
   DeviceInfo info_;
-  DeviceModel model_;
+  std::shared_ptr<DeviceModel> model_;
   ScriptedHand hand_;
   std::atomic<bool> plugged_{true};
 };

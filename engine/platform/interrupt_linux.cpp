@@ -3,6 +3,7 @@
 #include <array>
 #include <atomic>
 
+#include "engine/platform/force_hold.h"
 #include "engine/platform/interrupt.h"
 
 namespace moltact {
@@ -21,13 +22,18 @@ struct InterruptWatch::Before {
 InterruptWatch::InterruptWatch() : before_(std::make_unique<Before>()) {
   wished.store(false);
   struct sigaction action {};
-  action.sa_handler = [](int) { wished.store(true); };
+  // The force ends here and now; whoever watches closes the device when it comes to that.
+  action.sa_handler = [](int) {
+    holdForce(Hold::Interrupted);
+    wished.store(true);
+  };
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // and no SA_RESTART: who waits for the person is woken
   for (std::size_t k = 0; k < kWishes.size(); ++k) sigaction(kWishes[k], &action, &before_->actions[k]);
 }
 
 InterruptWatch::~InterruptWatch() {
   for (std::size_t k = 0; k < kWishes.size(); ++k) sigaction(kWishes[k], &before_->actions[k], nullptr);
+  letForce(Hold::Interrupted);
 }
 
 bool InterruptWatch::seen() const noexcept { return wished.load(); }

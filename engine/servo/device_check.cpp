@@ -261,7 +261,7 @@ class Check {
     const char* broken = nullptr;
     for (const ServoSample& s : ticks) {
       if (s.placed) judge.expectSoft(), ++placed;
-      if (const char* now = judge.judge(s.force.N, {}); now && !broken) broken = now;
+      if (const char* now = judge.judge(s.force.N, {.at_once = s.limits.has(Limit::LateLoop)}); now && !broken) broken = now;
     }
     foundSound(placed >= 6 && !broken, text("%zu times placed anew", placed) + (broken ? std::string(", ") + broken : ""));
   }

@@ -79,7 +79,8 @@ DevicePose FaultyDevice::read(double dt_s) noexcept {
   const bool bad = misread(pose) || pose.trouble || !pose.connected || !finite(pose.position.mm);
   if (stood || came_or_went || std::exchange(was_bad_, bad) || bad) judge_.expectSoft();
   judge_.lasting(bad);
-  now_ = {.fresh = pose.fresh, .at_once = !pose.connected};
+  // What else is wrong, such as a loop that is late by itself, is not known here.
+  now_ = {.fresh = pose.fresh, .at_once = true};
   return pose;
 }
 

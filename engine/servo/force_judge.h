@@ -28,8 +28,8 @@ class ForceJudge {
 
   struct Tick {
     bool fresh = true;    ///< the place was
-    bool at_once = false; ///< the force may end in this tick: the device is gone
-    bool stopped = false; ///< the same, and has to: by the panic key
+    bool at_once = false; ///< the force may end in this tick, for something is wrong; then it comes back softly
+    bool stopped = false; ///< the same, and has to: by the panic key, or where it is known that something is wrong
   };
   /// The promise that this tick's force breaks; null: none.
   const char* judge(const Vec3& force_N, const Tick& tick) {
@@ -40,9 +40,12 @@ class ForceJudge {
     stale_ = tick.fresh ? 0 : stale_ + 1;
     if (!finite(force_N)) return "the force is not finite";
     if (size > peak_N_ + kRounding) return "over the greatest force";
-    if (tick.stopped && size > 0.0) return "force after the panic key";
+    if (tick.stopped && size > 0.0) return "force where it had to end at once";
     const bool ends = (tick.stopped || tick.at_once) && size == 0.0;
-    if (!ends && glm::distance(force_N, was_N) > kSlew_N + kRounding) return "the force changed too fast";
+    if (glm::distance(force_N, was_N) > kSlew_N + kRounding) {
+      if (!ends) return "the force changed too fast";
+      before_N_ = since_ = 0.0;
+    }
     const double soft_N = lasting_ ? 0.0 : soft_N_ * since_ / kSoft_ticks;
     if (size > std::max(0.0, before_N_ - kSlew_N * since_) + soft_N + kRounding) return "more force than softly after a fault";
     if (stale_ > kFadeTo_ticks && size > 0.0) return "force at a stale place";

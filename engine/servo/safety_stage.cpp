@@ -148,7 +148,7 @@ Vec3 SafetyStage::braked(Vec3 force, const WantedForce& wanted) noexcept {
   if (passivity_.debt_J() > safety::kEnergyCut_J) {
     acted_.add(Limit::EnergyCut);
     passivity_.restart();
-    restart();
+    fault_ = true;
     return Vec3(0.0);
   }
   if (force == Vec3(0.0)) return force;
@@ -199,11 +199,13 @@ ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
     acted_.add(Limit::StalePlace);
     force *= std::max(0.0, (safety::kFaded_s - stale_s_) / (safety::kFaded_s - safety::kStale_s));
   }
-  force = slewed(force);
-  if (stopped_) {
-    acted_.add(Limit::Panic);
+  // What is not right ends at once; all other changes go along the slew.
+  if (stopped_) acted_.add(Limit::Panic);
+  if (stopped_ || fault_) {
     restart();
     force = Vec3(0.0);
+  } else {
+    force = slewed(force);
   }
   stretch_mm_ = stretch_mm;
   force_N_ = force;

@@ -40,7 +40,7 @@ class SafetyStage {
   /// slowly. Non-finite: none.
   double stiffness(double asked_N_per_mm) noexcept;
 
-  /// Last: the force to give in this tick. Always finite and within the device's greatest.
+  /// Last: the force to give in this tick. Always finite and within the device's greatest; none at all in a tick with a fault.
   ForceN give(const WantedForce& wanted) noexcept;
 
   /// A new tracker, a hand that was placed anew, a tracker's fault: full force is to be reached softly from nothing.

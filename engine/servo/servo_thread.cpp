@@ -1,7 +1,10 @@
 #include "engine/servo/servo_thread.h"
 
 #include <algorithm>
+#include <chrono>
 #include <utility>
+
+#include "engine/platform/force_hold.h"
 
 namespace moltact {
 
@@ -27,7 +30,21 @@ void ServoThread::start() {
   thread_ = std::thread([this] { run(); });
 }
 
+void ServoThread::endForce() {
+  for_good_ = true;
+  release();
+}
+
+void ServoThread::release() {
+  released_.store(true, std::memory_order_release);
+  const std::int64_t until_ns = monotonic_ns() + kRelease_ms * std::int64_t{1'000'000};
+  // One tick more than the one that gave none: it may have begun before.
+  for (int none = 0; chosen_ && none < 2 && monotonic_ns() < until_ns; none = gives_.load(std::memory_order_acquire) ? 0 : none + 1)
+    std::this_thread::sleep_for(std::chrono::nanoseconds(kPeriod_ns));
+}
+
 void ServoThread::finish() {
+  release();
   stop_.store(true, std::memory_order_release);
   thread_.join();
   if (chosen_) {
@@ -35,6 +52,7 @@ void ServoThread::finish() {
     chosen_->stop();
   }
   fallback_.write(ForceN{});
+  released_.store(for_good_, std::memory_order_release);
 }
 
 void ServoThread::setDevice(std::unique_ptr<Device> device) {
@@ -82,13 +100,15 @@ void ServoThread::tickOfDevice() noexcept {
   if (!stop_.load(std::memory_order_acquire)) beat(std::nullopt);
 }
 
-// The newest settings; without force where their owner stands still.
+// The newest settings; without force where their owner stands still or lets it go, or the process ends.
 ServoSettings ServoThread::heardSettings(double dt_s) noexcept {
   ServoSettings settings = settings_.read();
   const std::uint32_t heard = heard_.load(std::memory_order_relaxed);
   unheard_s_ = heard != heard_last_ ? 0.0 : unheard_s_ + std::max(0.0, dt_s);
   heard_last_ = heard;
   if (expects_.load(std::memory_order_relaxed) && unheard_s_ > kUnheard_s) settings.force_on = false;
+  if (released_.load(std::memory_order_acquire)) settings.force_on = false;
+  if (forceHeld()) settings.panic = true;
   return settings;
 }
 
@@ -121,6 +141,7 @@ void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
   sample.scene = current_ ? current_->scene : 0;
   switch_->write(sample.force, sample.limits.has(Limit::Panic));
   fallen_back_.store(switch_->fallenBack(), std::memory_order_relaxed);
+  gives_.store(!switch_->fallenBack() && sample.force.N != Vec3(0.0), std::memory_order_release);
   const std::int64_t work_ns = monotonic_ns() - began_ns;
   time_.delay_s = double(work_ns) * 1e-9;
   sample.work_us = float(work_ns) * 1e-3f;

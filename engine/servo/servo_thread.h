@@ -24,7 +24,7 @@ class ServoThread final : private TickTarget {
   /// Starts the loop at once. `fallback` is read while no other device is chosen or the chosen one is gone; it must outlive
   /// the thread.
   explicit ServoThread(Device& fallback);
-  /// Gives zero force, ends the loop and waits for it (at most about a tick).
+  /// Lets the force go along the slew, ends the loop and waits for it (some ticks, at most about kRelease_ms).
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
@@ -44,13 +44,18 @@ class ServoThread final : private TickTarget {
   /// loop.
   void setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene = 0);
 
-  /// The device to be felt with from now on; null: the fallback. The loop stands for some ticks, without force, and the old
-  /// device is closed here.
+  /// The device to be felt with from now on; null: the fallback. The old one's force goes along the slew, then the loop stands
+  /// for some ticks, without force, and the old device is closed here.
   void setDevice(std::unique_ptr<Device> device);
   /// The chosen device, for its info() and status(); null where none is.
   Device* device() const noexcept { return chosen_.get(); }
   /// Whether the fallback stands in, at the newest tick, for a chosen device that is gone.
   bool fallenBack() const noexcept { return fallen_back_.load(std::memory_order_relaxed); }
+
+  /// Lets the force go, along the slew, and gives none from then on; returns when there is none, after kRelease_ms at the
+  /// latest. For the program's end, before anything else is done there.
+  void endForce();
+  static constexpr int kRelease_ms = 50;
 
   /// The newest tick.
   const ServoSample& latest() noexcept { return latest_.read(); }
@@ -91,6 +96,7 @@ class ServoThread final : private TickTarget {
   // A device with its own clock is left to it while that ticks at least so often.
   static constexpr std::int64_t kOwnClock_ns = 10'000'000;
   void start();
+  void release();
   void finish();
   void run() noexcept;
   void tickOfDevice() noexcept override;
@@ -126,6 +132,9 @@ class ServoThread final : private TickTarget {
   std::atomic<bool> records_{false};
   std::atomic<bool> fallen_back_{false};
   std::atomic<bool> stop_{false};
+  std::atomic<bool> released_{false};  // no force is wanted: the device is put away
+  bool for_good_ = false;              // and no other is to have any
+  std::atomic<bool> gives_{false};     // the newest tick gave the chosen device some
   // A tick's own, taken by whoever ticks: the loop's clock or the device's.
   std::atomic_flag beating_ = ATOMIC_FLAG_INIT;
   std::optional<ServoStep> step_;

@@ -141,6 +141,13 @@ class Run {
     bool fresh = true, connected = true;
     bool moves = true;             // false: no time passes for the device
     bool to_model = true;          // false: the force is for another device
+    bool leaps = false;            // the place is far from the one before
+
+    // Something is wrong that no force may outlast, not even for a tick.
+    bool wrong() const {
+      const bool on_time = time.dt_s >= 0.0 && time.dt_s <= 0.020;
+      return !on_time || !connected || leaps || (place_mm && !finite(*place_mm));
+    }
   };
 
   // One tick of the loop, judged; then one millisecond of the world.
@@ -168,7 +175,7 @@ class Run {
   void judge(const ServoSample& sample, const How& how) {
     const double size = glm::length(sample.force.N);
     out_.greatest_N = std::max(out_.greatest_N, size);
-    if (const char* promise = judge_.judge(sample.force.N, {.fresh = how.fresh, .stopped = settings_.panic})) broken(promise, size);
+    if (const char* promise = judge_.judge(sample.force.N, {.fresh = how.fresh, .at_once = bad_ != nullptr || sample.limits.has(Limit::EnergyCut), .stopped = settings_.panic || how.wrong()})) broken(promise, size);
   }
   void broken(const char* promise, double size_N = 0) {
     if (!out_.broken.empty()) return;
@@ -218,7 +225,7 @@ class Run {
       case Fault::ClockNaN: expectSoft(); tick({.time = {.dt_s = some % 2 ? nan : inf, .delay_s = nan}}); break;
       case Fault::Teleport:
         expectSoft();
-        for (int k = 0; k < some % 5 + 1; ++k) tick({.place_mm = model_.sensed().mm + random_.direction() * random_.uniform(8, 200)});
+        for (int k = 0; k < some % 5 + 1; ++k) tick({.place_mm = model_.sensed().mm + random_.direction() * random_.uniform(8, 200), .leaps = k == 0});
         expectSoft();
         break;
       case Fault::PlaceNaN: lasting(some * 4, {.place_mm = some % 3 ? Vec3(nan, 0, 0) : Vec3(0, inf, -inf)}); break;

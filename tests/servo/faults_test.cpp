@@ -19,7 +19,7 @@ std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise) {
 
 }  // namespace
 
-TEST_CASE("100 seeds of 8 faults in contact: finite, within 3.3 N and 1 N a tick, gone within 4 ms of a fault, never growing") {
+TEST_CASE("100 seeds of 8 faults in contact: finite, within 3.3 N and 1 N a tick, gone in the tick in which something is wrong, never growing") {
   const std::uint64_t seeds = fromEnvironment("MOLTACT_FAULT_SEEDS", 100);
   FaultRunResult all;
   const std::uint64_t first = fromEnvironment("MOLTACT_FAULT_FIRST", 1);

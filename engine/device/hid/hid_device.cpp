@@ -4,12 +4,14 @@
 #include <array>
 #include <chrono>
 
+#include "engine/platform/force_hold.h"
+
 namespace moltact {
 namespace {
 
-constexpr int kWait_ms = 2;            // for a report, before the force is given all the same
+constexpr int kWait_ms = 1;            // for a report, before the force is given all the same
 constexpr int kMostReports = 64;       // read at once: the newest is what counts
-constexpr double kLonelyForce_s = 0.1; // without a word from the haptic thread: no force
+constexpr double kLonelyForce_s = 0.02; // without a word from the haptic thread: no force, as for a tick that is so late
 constexpr auto kLookAgain = std::chrono::milliseconds(500);
 constexpr auto kNap = std::chrono::milliseconds(20);
 
@@ -77,52 +79,79 @@ int HidDevice::take(Told& told) {
   return size;
 }
 
+// The newest force, or none; false: the device took nothing.
+bool HidDevice::giveNewest(Told& told) {
+  std::array<std::uint8_t, 64> out{};
+  if (!last_report_told_) {
+    if (const std::size_t length = protocol_->end(out)) {
+      port_->lastReport({out.data(), length});
+      last_report_told_ = true;
+    }
+  }
+  const Asked newest = asked_.read();
+  const bool anew = newest.count != taken_.count;
+  if (anew) taken_ = newest;
+  const bool lonely = std::chrono::duration<double>(Clock::now() - taken_.at).count() > kLonelyForce_s;
+  const bool none = lonely || !taken_.motors_on || forceHeld();
+  const std::size_t length = none ? protocol_->stop(out) : protocol_->give(taken_.force, out);
+  if (length == 0) return true;
+  if (!port_->write({out.data(), length})) return false;
+  if (anew) told.wait_s = std::chrono::duration<double>(Clock::now() - taken_.at).count();
+  return true;
+}
+
+// One that reads or writes no more may still listen: the last that is tried is to end its force.
+void HidDevice::lose(Told& told) noexcept {
+  endForce();
+  port_.reset();
+  last_report_told_ = false;
+  gone_.store(true);
+  told.pose.connected = false;
+  told_.write(told);
+  wish_.write({});
+  look_again_ = Clock::now() + kLookAgain;
+}
+
+void HidDevice::endForce() noexcept {
+  if (!port_) return;
+  std::array<std::uint8_t, 64> out{};
+  try {
+    if (const std::size_t length = protocol_->end(out)) port_->write({out.data(), length});
+  } catch (...) {  // the port fails altogether
+  }
+}
+
 void HidDevice::run() {
   Told told;
   told.pose.fresh = false;
-  std::array<std::uint8_t, 64> out{};
-  Clock::time_point last = Clock::now(), look_again = last;
-  Asked asked;
-  asked.at = last;
-  const auto lose = [&] {
-    port_.reset();
-    gone_.store(true);
-    told.pose.connected = false;
-    told_.write(told);
-    wish_.write({});
-    look_again = Clock::now() + kLookAgain;
-  };
+  Clock::time_point last = Clock::now();
+  look_again_ = taken_.at = last;
   while (!ends_.load()) {
-    if (!port_) {
-      std::this_thread::sleep_for(kNap);
-      if (Clock::now() < look_again) continue;
-      if (!revive(told)) {
-        look_again = Clock::now() + kLookAgain;
+    try {
+      if (!port_) {
+        std::this_thread::sleep_for(kNap);
+        if (Clock::now() < look_again_) continue;
+        if (!revive(told)) {
+          look_again_ = Clock::now() + kLookAgain;
+          continue;
+        }
+        last = Clock::now();
+      }
+      if (take(told) < 0) {
+        lose(told);
         continue;
       }
-      last = Clock::now();
-    }
-    if (take(told) < 0) {
-      lose();
-      continue;
-    }
-    const Clock::time_point now = Clock::now();
-    protocol_->pass(std::min(0.05, std::chrono::duration<double>(now - last).count()), told.pose);
-    last = now;
-    told_.write(told);
-    wish_.write(protocol_->viewWish());
-
-    const Asked newest = asked_.read();
-    const bool anew = newest.count != asked.count;
-    if (anew) asked = newest;
-    const bool lonely = std::chrono::duration<double>(now - asked.at).count() > kLonelyForce_s;
-    if (const std::size_t length = lonely || !asked.motors_on ? protocol_->stop(out) : protocol_->give(asked.force, out)) {
-      if (!port_->write({out.data(), length})) lose();
-      else if (anew) told.wait_s = std::chrono::duration<double>(Clock::now() - asked.at).count();
+      const Clock::time_point now = Clock::now();
+      protocol_->pass(std::min(0.05, std::chrono::duration<double>(now - last).count()), told.pose);
+      last = now;
+      told_.write(told);
+      wish_.write(protocol_->viewWish());
+      if (!giveNewest(told)) lose(told);
+    } catch (...) {  // memory is out, or a port throws: the device is opened anew
+      lose(told);
     }
   }
-  if (!port_) return;
-  if (const std::size_t length = protocol_->stop(out)) port_->write({out.data(), length});
+  endForce();
 }
 
 DevicePose HidDevice::read(double) noexcept {

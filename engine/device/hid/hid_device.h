@@ -1,6 +1,7 @@
 // A device that speaks in HID reports. A thread of its own waits for them and hands the newest place over; it gives the
-// newest force after each report, no force when the haptic thread has stopped writing for 100 ms, and opens the device
-// anew when it was unplugged. It measures its own share of the delay: how old a place is when it is read, and how long a force
+// newest force after each report, no force when the haptic thread has stopped writing for 20 ms, and opens the device
+// anew when it was unplugged. The last report that it writes is one without force, whatever ends it: a read or a write that
+// fails, an exception, the destructor, a signal. It measures its own share of the delay: how old a place is when it is read, and how long a force
 // waits for the thread. What the reports mean is a protocol's, one file a kind of device.
 #pragma once
 
@@ -47,6 +48,9 @@ class HidProtocol {
   virtual std::size_t give(ForceN, std::span<std::uint8_t, 64>) noexcept { return 0; }
   /// The report that ends all force, with the motors off where they can be switched.
   virtual std::size_t stop(std::span<std::uint8_t, 64> out) noexcept { return give(ForceN{}, out); }
+  /// The same for good: a report in any case, for it may be that the one before did not arrive; 0 only where none with a
+  /// force can have been given.
+  virtual std::size_t end(std::span<std::uint8_t, 64> out) noexcept { return stop(out); }
 };
 
 class HidDevice final : public Device {
@@ -88,6 +92,9 @@ class HidDevice final : public Device {
   void run();
   bool revive(Told& told);
   int take(Told& told);
+  bool giveNewest(Told& told);
+  void lose(Told& told) noexcept;
+  void endForce() noexcept;
   void ask(ForceN force, bool motors_on) noexcept;
 
   Opener opener_;
@@ -95,6 +102,10 @@ class HidDevice final : public Device {
   DeviceInfo known_;
   KeptInfo info_;
   std::unique_ptr<HidPort> port_;
+  // The device's own thread's.
+  Asked taken_;                    // the newest that was asked
+  bool last_report_told_ = false;  // to the port, before the first force
+  Clock::time_point look_again_{};
 
   TripleBuffer<Told> told_;
   TripleBuffer<Asked> asked_;

@@ -3,6 +3,9 @@
 #include <hidapi/hidapi.h>
 
 #include <mutex>
+#include <utility>
+
+#include "engine/platform/force_hold.h"
 
 namespace moltact {
 namespace {
@@ -22,14 +25,18 @@ std::string plain(const wchar_t* text) {
 
 class RealPort final : public HidPort {
  public:
-  explicit RealPort(hid_device* device) : device_(device) {}
+  RealPort(hid_device* device, std::string path) : device_(device), path_(std::move(path)) {}
   ~RealPort() override { hid_close(device_); }
   int read(std::span<std::uint8_t> report, int wait_ms) override { return hid_read_timeout(device_, report.data(), report.size(), wait_ms); }
   bool write(std::span<const std::uint8_t> report) override { return hid_write(device_, report.data(), report.size()) >= 0; }
   int feature(std::span<std::uint8_t> report) override { return hid_get_feature_report(device_, report.data(), report.size()); }
+  // A hidraw node takes a report as hidapi does.
+  void lastReport(std::span<const std::uint8_t> report) override { last_report_.arm(path_.c_str(), report); }
 
  private:
   hid_device* device_;
+  std::string path_;
+  LastReport last_report_;
 };
 
 }  // namespace
@@ -60,7 +67,7 @@ Expected<std::unique_ptr<HidPort>> openHid(const HidEntry& entry) {
   if (!device)
     return Problem{"", 0, 0, entry.path + " cannot be opened (" + plain(hid_error(nullptr)) + ')',
                    "give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again"};
-  return std::unique_ptr<HidPort>(std::make_unique<RealPort>(device));
+  return std::unique_ptr<HidPort>(std::make_unique<RealPort>(device, entry.path));
 }
 
 }  // namespace moltact

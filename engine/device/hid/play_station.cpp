@@ -68,6 +68,13 @@ std::size_t PlayStationProtocol::give(ForceN force, std::span<std::uint8_t, 64> 
   return usb_.bytes;
 }
 
+std::size_t PlayStationProtocol::end(std::span<std::uint8_t, 64> out) noexcept {
+  told_ = -1;
+  const std::size_t length = give(ForceN{}, out);
+  told_ = -1;  // whatever comes next is a change
+  return length;
+}
+
 namespace {
 
 DeviceInfo padInfo() {

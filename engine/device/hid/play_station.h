@@ -29,6 +29,7 @@ class PlayStationProtocol final : public HidProtocol {
   void pass(double dt_s, DevicePose& pose) noexcept override;
   ViewWish viewWish() const noexcept override { return wish_; }
   std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
+  std::size_t end(std::span<std::uint8_t, 64> out) noexcept override;
 
  private:
   PadLayout usb_;

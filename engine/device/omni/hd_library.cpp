@@ -37,6 +37,7 @@ Expected<Library> load() {
   find(hd.endFrame, "hdEndFrame");
   find(hd.getError, "hdGetError");
   find(hd.enable, "hdEnable");
+  hd.disable = reinterpret_cast<decltype(hd.disable)>(library->symbol("hdDisable"));
   find(hd.getBooleanv, "hdGetBooleanv");
   find(hd.getIntegerv, "hdGetIntegerv");
   find(hd.getDoublev, "hdGetDoublev");

@@ -76,6 +76,7 @@ struct Library {
   void (*endFrame)(Handle);
   ErrorInfo (*getError)();
   void (*enable)(std::uint32_t);
+  void (*disable)(std::uint32_t);  ///< null where a library has none; then a force of nothing is all that ends one
   void (*getBooleanv)(std::uint32_t, Boolean*);
   void (*getIntegerv)(std::uint32_t, int*);
   void (*getDoublev)(std::uint32_t, double*);
@@ -93,5 +94,11 @@ struct Library {
   /// get it, or what is missing in it.
   static Expected<const Library*> get();
 };
+
+/// The motors on or off, whatever force was written last. Any thread, in a frame or outside.
+inline void switchForce(const Library& hd, bool on) noexcept {
+  if (on) hd.enable(kForceOutput);
+  else if (hd.disable) hd.disable(kForceOutput);
+}
 
 }  // namespace moltact::hd

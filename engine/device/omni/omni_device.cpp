@@ -12,12 +12,12 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int kStaleReads = 100;     // reads from outside the callback until the device counts as gone
-constexpr int kTellStanding = 500;   // until it is told, and opened anew
+constexpr int kTellStanding = 250;   // until it is told, and opened anew
 constexpr int kTellNoFrame = 2000;   // the same where the clock was started and has not ticked yet
 constexpr int kTroubleTicks = 500;   // without force after the driver cut one
 constexpr int kWarmTicks = 5000;     // with small force after the driver found the motors warm
-constexpr int kLookTicks = 100;      // between two looks at calibration and temperature
-constexpr int kLookSoonTicks = 10;   // the same at the calibration while there is none
+constexpr int kLookTicks = 100;      // between two looks at the temperature
+constexpr int kUpdateTicks = 10;     // between two updates of the calibration while there is none
 constexpr int kResetTicks = 3000;    // so long the encoders' reset is tried
 constexpr auto kShowError = std::chrono::seconds(5);
 constexpr auto kTryAgain = std::chrono::seconds(2);
@@ -59,7 +59,7 @@ Expected<OmniDevice::Seen> OmniDevice::look() {
   return Seen{seen->model, seen->serial};
 }
 
-OmniDevice::OmniDevice(const hd::Library& library, OmniSession session) : hd_(library), info_(session.info), session_(std::move(session)) {}
+OmniDevice::OmniDevice(const hd::Library& library, OmniSession session) : hd_(library), info_(session.info), session_(std::move(session)), guard_(library) {}
 
 OmniDevice::~OmniDevice() {
   stopClock();
@@ -84,7 +84,10 @@ void OmniDevice::schedule() {
   stood_reads_.store(0);
   ends_.store(false);
   anew_.store(true);
+  none_given_.store(true);
   ended_.store(false);
+  guard_.start();
+  last_act_.arm(&OmniDevice::lastAct, this);
   scheduled_ = hd_.scheduleAsynchronous(&OmniDevice::callback, this, hd::kHighestPriority);
   hd_.setSchedulerRate(1000);
   hd_.startScheduler();
@@ -99,9 +102,13 @@ void OmniDevice::unschedule() {
   ends_.store(true, std::memory_order_release);
   const auto until = Clock::now() + kLastFrame;
   while (!ended_.load(std::memory_order_acquire) && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  ended_.store(true, std::memory_order_release);
+  const bool last_frame_came = ended_.exchange(true, std::memory_order_acq_rel);
+  guard_.stop();
+  if (!last_frame_came) hd::switchForce(hd_, false);
   hd_.stopScheduler();
+  if (!last_frame_came) give(Vec3(0.0));  // no callback runs any more
   hd_.unschedule(scheduled_);
+  last_act_.disarm();
   drainErrors(hd_);
 }
 
@@ -150,6 +157,34 @@ void OmniDevice::begin() noexcept {
 hd::CallbackCode OmniDevice::frame() noexcept {
   if (ended_.load(std::memory_order_acquire)) return hd::kDone;
   if (anew_.exchange(false, std::memory_order_acq_rel)) begin();
+  guard_.frame();
+  const bool ends = ends_.load(std::memory_order_acquire);
+  if (own_.broken) give(Vec3(0.0)), drain();
+  else tickFrame(ends);
+  if (!ends) return hd::kContinue;
+  ended_.store(true, std::memory_order_release);
+  return hd::kDone;
+}
+
+// A whole frame; what is given of a force is written at its end.
+void OmniDevice::give(const Vec3& force_N) noexcept {
+  const hd::Handle device = handle_.load(std::memory_order_relaxed);
+  const double force[3] = {force_N.x, force_N.y, force_N.z};
+  hd_.beginFrame(device);
+  hd_.setDoublev(hd::kCurrentForce, force);
+  hd_.endFrame(device);
+  none_given_.store(force_N == Vec3(0.0), std::memory_order_release);
+}
+
+// True where the errors say that the device or its clock is lost.
+bool OmniDevice::drain() noexcept {
+  return note(drainErrors(hd_, [this](std::uint32_t code) {
+    if (code == hd::kWarmMotors) own_.warm_ticks = kWarmTicks;
+    else if (hd::cutsForce(code)) own_.troubled_ticks = kTroubleTicks;
+  }));
+}
+
+void OmniDevice::tickFrame(bool ends) noexcept {
   look(own_.frames++ % kLookTicks == 0);  // before the frame begins, as the interface asks
 
   const hd::Handle device = handle_.load(std::memory_order_relaxed);
@@ -163,44 +198,62 @@ hd::CallbackCode OmniDevice::frame() noexcept {
     hd_.getBooleanv(hd::kInkwellSwitch, &out_of_inkwell);
     in_inkwell_.store(!out_of_inkwell, std::memory_order_relaxed);
   }
+  // Asked before the force is written: what is wrong by now ends it in this frame.
+  bool broken = drain();
   DevicePose& pose = own_.pose;
   pose.position.mm = Vec3(position[0], position[1], position[2]) - room_middle_mm_;
   pose.buttons = std::uint32_t(buttons);
   pose.connected = !gone_.load(std::memory_order_relaxed);
   const double heat = motor_heat_.load(std::memory_order_relaxed);
   pose.motor_heat = own_.warm_ticks > 0 ? 1.0f : float(std::max(0.0, heat));
-  pose.trouble = own_.troubled_ticks > 0 || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
+  pose.trouble = own_.troubled_ticks > 0 || guard_.cut() || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
   own_.troubled_ticks = std::max(0, own_.troubled_ticks - 1);
   own_.warm_ticks = std::max(0, own_.warm_ticks - 1);
   told_.write(pose);
   framed_.store(true, std::memory_order_release);
   stood_reads_.store(0, std::memory_order_relaxed);
 
-  const bool ends = ends_.load(std::memory_order_acquire);
   own_.force_N = Vec3(0.0);
-  if (TickTarget* const target = target_.load(std::memory_order_acquire); target && !ends) {
-    frame_thread_.store(std::this_thread::get_id(), std::memory_order_relaxed);
+  if (TickTarget* const target = target_.load(std::memory_order_acquire); target && !ends && !broken) {
+    frame_thread_.store(std::this_thread::get_id(), std::memory_order_release);
     target->tickOfDevice();
-    frame_thread_.store(std::thread::id(), std::memory_order_relaxed);
+    frame_thread_.store(std::thread::id(), std::memory_order_release);
   }
+  if (forceHeld()) own_.force_N = Vec3(0.0);
   const double force[3] = {own_.force_N.x, own_.force_N.y, own_.force_N.z};
   hd_.setDoublev(hd::kCurrentForce, force);
   hd_.endFrame(device);
-  const bool broken = note(drainErrors(hd_, [this](std::uint32_t code) {
-    if (code == hd::kWarmMotors) own_.warm_ticks = kWarmTicks;
-    else if (hd::cutsForce(code)) own_.troubled_ticks = kTroubleTicks;
-  }));
-  if (ends || broken) {
-    ended_.store(true, std::memory_order_release);
-    return hd::kDone;
+  none_given_.store(own_.force_N == Vec3(0.0), std::memory_order_release);
+  broken = drain() || broken;
+  if (!broken) return;
+  // This very tick, for there may be no other; where the driver takes one frame a tick and no more, the output is off all the
+  // same. And no force again in each frame that still comes.
+  own_.broken = true;
+  hd::switchForce(hd_, false);
+  give(Vec3(0.0));
+  drain();
+}
+
+// In a signal's handler.
+bool OmniDevice::lastAct(void* data) noexcept {
+  OmniDevice& self = *static_cast<OmniDevice*>(data);
+  if (self.ended_.load(std::memory_order_acquire)) return true;
+  if (self.frame_thread_.load(std::memory_order_acquire) == std::this_thread::get_id()) {
+    // The tick itself was broken off, in a frame that this thread has open: what is interrupted is our own, which holds no
+    // lock of the driver's, so the frame can be ended here.
+    self.frame_thread_.store(std::thread::id(), std::memory_order_release);
+    const double none[3] = {};
+    self.hd_.setDoublev(hd::kCurrentForce, none);
+    self.hd_.endFrame(self.handle_.load(std::memory_order_relaxed));
+    self.none_given_.store(true, std::memory_order_release);
   }
-  return hd::kContinue;
+  return self.none_given_.load(std::memory_order_acquire) || self.guard_.cut();
 }
 
 void OmniDevice::look(bool now) noexcept {
-  const bool calibrated = calibration_.load(std::memory_order_relaxed) == hd::kCalibrated;
   if (calibrate_.exchange(false, std::memory_order_acq_rel)) own_.resetting_ticks = kResetTicks;
-  if (now || (!calibrated && own_.frames % kLookSoonTicks == 0)) checkCalibration();
+  // In each tick, so that no force answers a place that means nothing any more.
+  checkCalibration(now || own_.frames % kUpdateTicks == 0);
   if (own_.resetting_ticks > 0 && --own_.resetting_ticks == 0) reset_failed_.store(true, std::memory_order_relaxed);
   resetting_.store(own_.resetting_ticks > 0, std::memory_order_relaxed);
   if (!now) return;
@@ -210,13 +263,13 @@ void OmniDevice::look(bool now) noexcept {
   motor_heat_.store(std::isfinite(most) ? std::clamp(most, 0.0, 1.0) : 1.0, std::memory_order_relaxed);
 }
 
-void OmniDevice::checkCalibration() noexcept {
+void OmniDevice::checkCalibration(bool may_update) noexcept {
   const std::uint32_t style = calibration_style_.load(std::memory_order_relaxed);
   std::uint32_t state = hd_.checkCalibration();
   // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so, and then
   // until the driver has taken it.
   const bool by_itself = style & (hd::kInkwell | hd::kAuto);
-  const bool update = by_itself ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0;
+  const bool update = may_update && (by_itself ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
   if (update) {
     hd_.updateCalibration(style & hd::kInkwell ? hd::kInkwell : style & hd::kAuto ? hd::kAuto : hd::kEncoderReset);
     state = hd_.checkCalibration();

@@ -1,7 +1,8 @@
 // Phantom Omni, Geomagic Touch and 3D Systems Touch through OpenHaptics' HD interface (hd_library.h). The maker's
 // scheduler is the servo loop's clock: read() and write() run inside its callback, between the frame's begin and end;
 // whenever that clock stands, a read from elsewhere gives the last place as stale, and after 100 of them a device that is
-// gone. A device that is lost, or whose clock stands, is opened anew on a thread of its own.
+// gone. A device that is lost, or whose clock stands, is opened anew on a thread of its own. Its last frames give no force,
+// whatever ends them: an error, the clock's end, a signal; where no frame comes a guard switches the output off (omni_guard.h).
 // Units: millimetre, newton; the device's axes are the program's.
 #pragma once
 
@@ -16,7 +17,9 @@
 #include "engine/core/triple_buffer.h"
 #include "engine/device/device.h"
 #include "engine/device/kept_info.h"
+#include "engine/device/omni/omni_guard.h"
 #include "engine/device/omni/omni_session.h"
+#include "engine/platform/force_hold.h"
 
 namespace moltact {
 
@@ -61,9 +64,13 @@ class OmniDevice final : public Device {
   std::string guidance(DeviceStatus& status) const;
   static hd::CallbackCode callback(void* self);
   hd::CallbackCode frame() noexcept;
+  void tickFrame(bool ends) noexcept;
+  void give(const Vec3& force_N) noexcept;
+  bool drain() noexcept;
+  static bool lastAct(void* self) noexcept;
   void begin() noexcept;
   void look(bool now) noexcept;
-  void checkCalibration() noexcept;
+  void checkCalibration(bool may_update) noexcept;
   bool note(std::uint32_t worst) noexcept;
 
   const hd::Library& hd_;
@@ -86,6 +93,7 @@ class OmniDevice final : public Device {
     DevicePose pose;
     Vec3 force_N{0.0};
     int frames = 0, troubled_ticks = 0, warm_ticks = 0, resetting_ticks = 0;
+    bool broken = false;  // the device is lost: only frames without force, until the window puts it away
   } own_;
 
   // From the callback to the loop's own clock.
@@ -103,6 +111,10 @@ class OmniDevice final : public Device {
   std::uint32_t error_shown_ = hd::kNoError;
   std::string why_not_;  // the last revival failed
   std::chrono::steady_clock::time_point shown_until_{}, try_again_{};
+
+  std::atomic<bool> none_given_{true};  // by the newest frame
+  OmniGuard guard_;
+  LastAct last_act_;  // last, so that it ends first
 };
 
 }  // namespace moltact

@@ -59,7 +59,7 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
   int style = 0;
   hd.getIntegerv(hd::kCalibrationStyle, &style);
   session.calibration_style = std::uint32_t(style);
-  hd.enable(hd::kForceOutput);
+  hd::switchForce(hd, true);
   hd.enable(hd::kMaxForceClamping);
   hd.enable(hd::kForceRamping);
   drainErrors(hd);  // a figure that this model does not have is none of the person's business
@@ -67,7 +67,10 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
 }
 
 void closeOmni(const hd::Library& hd, OmniSession& session) {
-  if (session.device != hd::kInvalidHandle) hd.disableDevice(std::exchange(session.device, hd::kInvalidHandle));
+  if (session.device != hd::kInvalidHandle) {
+    hd::switchForce(hd, false);
+    hd.disableDevice(std::exchange(session.device, hd::kInvalidHandle));
+  }
   drainErrors(hd);
 }
 

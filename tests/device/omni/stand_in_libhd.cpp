@@ -167,6 +167,11 @@ void hdEnable(std::uint32_t what) {
   if (what < 0x4000 || what > 0x4004) return push(hd::kInvalidEnum);
   if (what == hd::kForceOutput) state().forces_on = true;
 }
+void hdDisable(std::uint32_t what) {
+  const Lock lock(state().mutex);
+  if (what < 0x4000 || what > 0x4004) return push(hd::kInvalidEnum);
+  if (what == hd::kForceOutput) state().forces_on = false;
+}
 void hdGetBooleanv(std::uint32_t what, hd::Boolean* out) {
   const Lock lock(state().mutex);
   // The switch opens when the stylus presses it.

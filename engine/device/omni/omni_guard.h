@@ -1,0 +1,43 @@
+// Ends the force of an Omni where its callback cannot: a thread of its own, awake 250 times a second, sees whether frames come,
+// and switches the driver's force output off where none has come for kStands_ms, and on again, to begin softly, when they do.
+// While all force is held (platform/force_hold.h) it waits for kStandsHeld_ms only.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <thread>
+
+#include "engine/device/omni/hd_library.h"
+
+namespace moltact {
+
+class OmniGuard {
+ public:
+  static constexpr int kStands_ms = 20;  ///< as late as the safety stage lets a tick be
+  static constexpr int kStandsHeld_ms = 5;
+
+  explicit OmniGuard(const hd::Library& library) : hd_(library) {}
+  ~OmniGuard() { stop(); }
+
+  /// The thread that schedules. Frames may come from now on.
+  void start();
+  /// The same: nothing is asked of the driver after it returns.
+  void stop();
+  /// The callback: a frame begins.
+  void frame() noexcept;
+  /// Any thread: the output is off, or was on for less than two frames, so that only no force is to be written.
+  bool cut() const noexcept { return cut_.load(std::memory_order_acquire); }
+
+ private:
+  void run() noexcept;
+  void look() noexcept;
+
+  const hd::Library& hd_;
+  std::atomic<std::int64_t> last_ns_{0};
+  std::atomic<std::uint32_t> frames_{0};
+  std::atomic<bool> cut_{false}, ends_{false};
+  std::uint32_t frames_at_cut_ = 0;  // the thread's
+  std::thread thread_;
+};
+
+}  // namespace moltact
