@@ -7,7 +7,9 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <new>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/device/hid/hid_device.h"
@@ -21,7 +23,10 @@ struct Wire {
   std::mutex mutex;
   std::deque<Report> to_host;
   std::vector<Report> from_host;
+  std::vector<std::chrono::steady_clock::time_point> came;  // of each of them
   bool plugged = true;
+  // What fails while the device still listens.
+  bool no_read = false, no_write_once = false, throws_once = false;
   std::atomic<int> write_ms{0};  // how long a report out blocks
   Report feature;
 
@@ -49,7 +54,8 @@ class WirePort final : public HidPort {
   int read(std::span<std::uint8_t> report, int wait_ms) override {
     {
       const std::lock_guard lock(wire_->mutex);
-      if (!wire_->plugged) return -1;
+      if (!wire_->plugged || wire_->no_read) return -1;
+      if (std::exchange(wire_->throws_once, false)) throw std::bad_alloc();
       if (!wire_->to_host.empty()) {
         const Report next = wire_->to_host.front();
         wire_->to_host.pop_front();
@@ -63,8 +69,9 @@ class WirePort final : public HidPort {
   bool write(std::span<const std::uint8_t> report) override {
     std::this_thread::sleep_for(std::chrono::milliseconds(wire_->write_ms));
     const std::lock_guard lock(wire_->mutex);
-    if (!wire_->plugged) return false;
+    if (!wire_->plugged || std::exchange(wire_->no_write_once, false)) return false;
     wire_->from_host.emplace_back(report.begin(), report.end());
+    wire_->came.push_back(std::chrono::steady_clock::now());
     return true;
   }
   int feature(std::span<std::uint8_t> report) override {

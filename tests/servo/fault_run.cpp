@@ -175,7 +175,7 @@ class Run {
   void judge(const ServoSample& sample, const How& how) {
     const double size = glm::length(sample.force.N);
     out_.greatest_N = std::max(out_.greatest_N, size);
-    if (const char* promise = judge_.judge(sample.force.N, {.fresh = how.fresh, .at_once = bad_ != nullptr || sample.limits.has(Limit::EnergyCut), .stopped = settings_.panic || how.wrong()})) broken(promise, size);
+    if (const char* promise = judge_.judge(sample.force.N, {.fresh = how.fresh, .at_once = bad_ != nullptr || unsound_settings_ || sample.limits.has(Limit::EnergyCut), .stopped = settings_.panic || how.wrong()})) broken(promise, size);
   }
   void broken(const char* promise, double size_N = 0) {
     if (!out_.broken.empty()) return;
@@ -256,7 +256,9 @@ class Run {
         settings_.max_force_N = pick();
         settings_.probe_A = pick();
         if (some % 3 == 0) settings_.workspace.A_per_mm = some % 2 ? nan : 0.0;
+        unsound_settings_ = true;
         for (int k = 0; k < some * 3; ++k) tick({});
+        unsound_settings_ = false;
         settings_ = kept;
         break;
       }
@@ -394,6 +396,7 @@ class Run {
   std::unique_ptr<Tracker> tracker_, bad_;
   std::string_view method_;
   const char* doing_ = "none";
+  bool unsound_settings_ = false;
   Vec3 target_mm_{40, 0, 0};
   ForceN command_;
   PointMm sensed_;

@@ -51,6 +51,8 @@ struct StandIn {
   int errorsLeft() const { return call<int()>("standInErrorsLeft")(); }
   bool initialised() const { return call<bool()>("standInInitialised")(); }
   double force() const { return call<double()>("standInForce")(); }
+  double driven() const { return call<double()>("standInDriven")(); }
+  void errorAtEnd(std::uint32_t code) const { call<void(std::uint32_t)>("standInErrorAtEnd")(code); }
   std::uint32_t updates() const { return call<std::uint32_t()>("standInUpdates")(); }
   SharedLibrary* library = nullptr;
 };

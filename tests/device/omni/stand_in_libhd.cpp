@@ -1,17 +1,25 @@
 // A stand-in for OpenHaptics' libHD.so, built from its published documentation, with the device model in the scripted hand
 // behind it. It is strict where the documentation is: what is asked outside a frame or by the getter of another type, a second
-// begin, a bad handle end as errors on the stack, newest first. The callback runs without its lock. The functions standIn… are for the tests: they step its clock by hand or let it run
-// at 1 kHz, and do to it what a device does. In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks
-// for the calibration style STAND_IN_STYLE if that is set, and writes how the device was closed.
+// begin, a second frame in a tick, a bad handle end as errors on the stack, newest first. The callback runs without its lock.
+// The functions standIn… are for the tests: they step its clock by hand or let it run at 1 kHz, and do to it what a device does.
+// In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks for the calibration style STAND_IN_STYLE
+// if that is set, and writes how the device was closed. Into the file STAND_IN_FORCES it writes each force that it is given, in
+// N, and "off" and "on" for its output, each in one line behind the monotonic time in ns: they are there however the process ends.
+#include <fcntl.h>
+#include <time.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/device/device_model.h"
@@ -27,6 +35,8 @@ struct State {
   std::mutex ticking;  // held while the callback runs; taken before `mutex`
   std::vector<hd::ErrorInfo> errors;
   bool attached = true, initialised = false, in_frame = false, forces_on = false, running = false, manual = true, licensed = true;
+  bool framed = false, ticks = false;  // a frame was in this tick; a tick is under way
+  std::uint32_t error_at_end = hd::kNoError;
   std::uint32_t calibration = hd::kCalibrated, style = hd::kInkwell, updates = 0;
   bool docked = false;
   int buttons = 0, inits = 0, init_ms = 0, updates_needed = 1;
@@ -60,6 +70,26 @@ State& state() {
 using Lock = std::lock_guard<std::recursive_mutex>;
 
 void push(std::uint32_t code) { state().errors.push_back({code, 0, 0}); }
+
+void note(const char* what) {
+  static const int file = [] {
+    const char* name = std::getenv("STAND_IN_FORCES");
+    return name ? ::open(name, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600) : -1;
+  }();
+  if (file < 0) return;
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  char line[80];
+  const int size = std::snprintf(line, sizeof line, "%lld %s\n", static_cast<long long>(t.tv_sec) * 1'000'000'000 + t.tv_nsec, what);
+  (void)!::write(file, line, std::size_t(size));
+}
+void noteForce(double force_N) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.4f", force_N);
+  note(text);
+}
+
+double norm(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2]); }
 
 enum class Type { None, Boolean, Integer, Double };
 Type typeOf(std::uint32_t what) {
@@ -103,12 +133,14 @@ void step() {
     const Lock lock(s.mutex);
     if (s.running) callback = s.callback, data = s.data;
     if (callback && !s.attached) push(hd::kCommError);
+    s.framed = false;
+    s.ticks = true;
   }
   const hd::CallbackCode code = callback ? callback(data) : hd::kContinue;
   const Lock lock(s.mutex);
+  s.ticks = false;
   if (s.in_frame) push(hd::kFrameError), s.in_frame = false;
   if (code == hd::kDone) s.callback = nullptr;
-  if (!callback) std::fill(s.force, s.force + 3, 0.0);
   const bool driven = s.forces_on && s.calibration == hd::kCalibrated && s.attached;
   const Vec3 force = driven ? Vec3(s.force[0], s.force[1], s.force[2]) : Vec3(0.0);
   s.model.tick({force}, s.hand.lead(0.001, s.model.held()));
@@ -148,12 +180,14 @@ void hdMakeCurrentDevice(hd::Handle device) {
 void hdBeginFrame(hd::Handle) {
   const Lock lock(state().mutex);
   if (state().in_frame) push(hd::kIllegalBegin);
+  if (state().ticks && std::exchange(state().framed, true)) return push(hd::kFrameError);
   state().in_frame = true;
 }
 void hdEndFrame(hd::Handle) {
   const Lock lock(state().mutex);
   if (!state().in_frame) push(hd::kIllegalEnd);
   state().in_frame = false;
+  if (const std::uint32_t error = std::exchange(state().error_at_end, hd::kNoError); error != hd::kNoError) push(error);
 }
 hd::ErrorInfo hdGetError() {
   const Lock lock(state().mutex);
@@ -165,12 +199,16 @@ hd::ErrorInfo hdGetError() {
 void hdEnable(std::uint32_t what) {
   const Lock lock(state().mutex);
   if (what < 0x4000 || what > 0x4004) return push(hd::kInvalidEnum);
-  if (what == hd::kForceOutput) state().forces_on = true;
+  if (what != hd::kForceOutput) return;
+  state().forces_on = true;
+  note("on");
 }
 void hdDisable(std::uint32_t what) {
   const Lock lock(state().mutex);
   if (what < 0x4000 || what > 0x4004) return push(hd::kInvalidEnum);
-  if (what == hd::kForceOutput) state().forces_on = false;
+  if (what != hd::kForceOutput) return;
+  state().forces_on = false;
+  note("off");
 }
 void hdGetBooleanv(std::uint32_t what, hd::Boolean* out) {
   const Lock lock(state().mutex);
@@ -215,11 +253,12 @@ void hdSetDoublev(std::uint32_t what, const double* in) {
   const Lock lock(state().mutex);
   if (what != hd::kCurrentForce) return push(hd::kInvalidEnum);
   if (!inFrame()) return;
-  const double size = std::sqrt(in[0] * in[0] + in[1] * in[1] + in[2] * in[2]);
+  const double size = norm(in);
   if (!std::isfinite(size)) return push(hd::kForceError);
   if (size > 3.3 + 1e-9) push(hd::kExceededMaxForce);
   std::copy(in, in + 3, state().force);
   state().biggest_N = std::max(state().biggest_N, size);
+  noteForce(size);
 }
 const char* hdGetString(std::uint32_t what) {
   switch (what) {
@@ -260,7 +299,7 @@ void hdStopScheduler() {
   {
     const std::lock_guard ticking(s.ticking);
     const Lock lock(s.mutex);
-    s.at_stop_N = std::sqrt(s.force[0] * s.force[0] + s.force[1] * s.force[1] + s.force[2] * s.force[2]);
+    s.at_stop_N = norm(s.force);
     s.running = false;
   }
   s.ends = true;
@@ -299,8 +338,11 @@ void standInReset(bool manual) {
   s.docked = false;
   s.heat = 0.1;
   s.room_middle_mm = Vec3(0.0);
+  s.framed = s.ticks = false;
+  s.error_at_end = hd::kNoError;
   s.biggest_N = 0;
   s.at_stop_N = -1;
+  std::fill(s.force, s.force + 3, 0.0);
   s.callback = nullptr;
   s.hand = ScriptedHand();
   s.model = DeviceModel(DeviceParameters{}, HandParameters{}, s.hand.place());
@@ -358,8 +400,21 @@ void standInStopClock(bool stopped) {
 }
 double standInForce() {
   const Lock lock(state().mutex);
-  const double* f = state().force;
-  return std::sqrt(f[0] * f[0] + f[1] * f[1] + f[2] * f[2]);
+  return norm(state().force);
+}
+// What the motors are driven with: the force that was written last, while the output is on.
+double standInDriven() {
+  const Lock lock(state().mutex);
+  return state().forces_on ? norm(state().force) : 0.0;
+}
+bool standInForcesOn() {
+  const Lock lock(state().mutex);
+  return state().forces_on;
+}
+// The end of the next frame leaves this error.
+void standInErrorAtEnd(std::uint32_t code) {
+  const Lock lock(state().mutex);
+  state().error_at_end = code;
 }
 double standInForceAtStop() {
   const Lock lock(state().mutex);

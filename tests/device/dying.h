@@ -1,0 +1,100 @@
+// A dying_hand (dying_hand.cpp) as a child of the test: started, waited for, killed. Linux.
+#pragma once
+
+#include <doctest/doctest.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+#include "engine/platform/realtime.h"
+
+extern char** environ;
+
+namespace moltact::test {
+
+class Dying {
+ public:
+  Dying(const std::string& device, const std::string& way) {
+    int ends[2];
+    REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
+    posix_spawn_file_actions_t actions;
+    posix_spawn_file_actions_init(&actions);
+    posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    std::string program = MOLTACT_DYING_HAND, name = device, how = way;
+    char* arguments[] = {program.data(), name.data(), how.data(), nullptr};
+    REQUIRE(::posix_spawn(&pid_, program.c_str(), &actions, nullptr, arguments, environ) == 0);
+    posix_spawn_file_actions_destroy(&actions);
+    ::close(ends[1]);
+    out_ = ends[0];
+  }
+  ~Dying() {
+    ::close(out_);
+    if (pid_ > 0) ::kill(pid_, SIGKILL), ::waitpid(pid_, nullptr, 0);
+  }
+  Dying(const Dying&) = delete;
+  Dying& operator=(const Dying&) = delete;
+
+  /// The next line that it wrote, if there is one within `wait_ms`; empty otherwise.
+  std::string line(int wait_ms) {
+    for (;;) {
+      if (const auto end = text_.find('\n'); end != std::string::npos) {
+        const std::string one = text_.substr(0, end);
+        text_.erase(0, end + 1);
+        return one;
+      }
+      pollfd input{out_, POLLIN, 0};
+      char some[256];
+      if (::poll(&input, 1, wait_ms) <= 0) return "";
+      const ssize_t size = ::read(out_, some, sizeof some);
+      if (size <= 0) return "";
+      text_.append(some, std::size_t(size));
+    }
+  }
+  void send(int signal) {
+    at_ns_ = monotonic_ns();
+    REQUIRE(::kill(pid_, signal) == 0);
+  }
+  /// Whether it has ended; its status then as of waitpid.
+  bool over() {
+    if (pid_ <= 0) return true;
+    if (::waitpid(pid_, &status_, WNOHANG) != pid_) return false;
+    pid_ = -1;
+    if (at_ns_ == 0) at_ns_ = std::strtoll(line(0).c_str(), nullptr, 10);
+    return true;
+  }
+  bool killedBy(int signal) const { return WIFSIGNALED(status_) && WTERMSIG(status_) == signal; }
+  bool exitedWith(int status) const { return WIFEXITED(status_) && WEXITSTATUS(status_) == status; }
+  int status() const { return status_; }
+  int pid() const { return pid_; }
+  /// When it was sent its signal, or began to end itself.
+  std::int64_t at_ns() const { return at_ns_; }
+
+ private:
+  pid_t pid_ = -1;
+  int out_ = -1, status_ = 0;
+  std::int64_t at_ns_ = 0;
+  std::string text_;
+};
+
+/// A way to end, and how the process is seen to have ended.
+struct WayToDie {
+  const char* way;   ///< of dying_hand; "wait": by the signal
+  int signal;        ///< that it is sent, or dies of; 0: it exits with status 7
+};
+inline constexpr WayToDie kWaysToDie[] = {
+    {"wait", SIGINT}, {"wait", SIGTERM}, {"wait", SIGHUP}, {"wait", SIGQUIT}, {"wait", SIGPIPE}, {"wait", SIGUSR1}, {"wait", SIGALRM}, {"wait", SIGXCPU},
+    {"wait", SIGXFSZ}, {"wait", SIGSEGV}, {"wait", SIGBUS}, {"wait", SIGFPE}, {"wait", SIGILL}, {"wait", SIGABRT}, {"wait", SIGTRAP}, {"wait", SIGSYS},
+    {"segv", SIGSEGV}, {"abort", SIGABRT}, {"terminate", SIGABRT}, {"stack", SIGSEGV}, {"segv elsewhere", SIGSEGV}, {"throw elsewhere", SIGABRT},
+    {"tick", SIGABRT}, {"exit", 0}, {"exit elsewhere", 0}, {"throw", 0},
+};
+/// What a busy machine may take until the last word, or the filling of a stack; what it takes on an idle one: docs/safety.md.
+inline constexpr double kBusy_ms = 500;
+
+}  // namespace moltact::test

@@ -1,0 +1,103 @@
+// A program that feels with a device until it ends in the way that it is told: dying_hand DEVICE WAY. It writes "pressing" when
+// the device is given force, and the monotonic time in ns just before it does to itself what the way says; "wait" leaves it to
+// a signal from outside.
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdlib>
+#include <exception>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <thread>
+
+#include "engine/device/driver.h"
+#include "engine/device/mouse_device.h"
+#include "engine/platform/force_hold.h"
+#include "engine/platform/realtime.h"
+#include "engine/servo/plain_trackers.h"
+#include "engine/servo/servo_thread.h"
+
+using namespace moltact;
+
+namespace {
+
+std::atomic<bool> tick_crashes{false};
+
+// Pulls, until it is told to break off in the middle of a tick.
+class CrashingTracker final : public PlainTracker {
+ public:
+  Contact step(PointA hip) noexcept override {
+    if (tick_crashes.load()) std::abort();
+    return pull_.step(hip);
+  }
+
+ private:
+  PullTracker pull_{40.0};
+};
+
+void tell(const std::string& line) { (void)!::write(STDOUT_FILENO, (line + '\n').c_str(), line.size() + 1); }
+
+// Fills the stack: each call keeps its own page until the one below has come back.
+[[gnu::noinline]] int deeper(volatile char* above, long calls) {
+  if (calls == 0) return 0;
+  volatile char page[4096];
+  page[0] = *above;
+  return deeper(page, calls - 1) + page[0];
+}
+
+void end(const std::string& way) {
+  if (way == "wait") std::this_thread::sleep_for(std::chrono::seconds(30));
+  tell(std::to_string(monotonic_ns()));
+  if (way == "segv") *static_cast<volatile int*>(nullptr) = 1;
+  if (way == "abort") std::abort();
+  if (way == "terminate") std::terminate();
+  if (volatile char first = 1; way == "stack") std::exit(deeper(&first, 1'000'000'000));
+  if (way == "segv elsewhere") std::thread([] { *static_cast<volatile int*>(nullptr) = 1; }).join();
+  if (way == "throw elsewhere") std::thread([] { throw std::runtime_error("nobody takes it"); }).join();
+  if (way == "tick") tick_crashes = true, std::this_thread::sleep_for(std::chrono::seconds(30));
+  if (way == "exit") std::exit(7);
+  if (way == "exit elsewhere") std::thread([] { std::exit(7); }).join();
+  if (way == "throw") throw std::runtime_error("taken in main");
+}
+
+int run(const std::string& name, const std::string& way) {
+  const CrashStack stack;
+  rlimit no_core{0, 0};
+  setrlimit(RLIMIT_CORE, &no_core);
+  auto device = openDevice(name);
+  if (!device) return std::cerr << device.problem().text() << '\n', 2;
+  MouseDevice mouse;
+  ServoThread servo(mouse);
+  ServoSettings settings;
+  settings.workspace.A_per_mm = 1.0;
+  servo.setSettings(settings);
+  servo.setDevice(std::move(*device));
+  servo.setTracker(std::make_unique<CrashingTracker>());
+  for (int k = 0; k < 20'000; ++k) {
+    if (servo.device()->status().asks_calibrate) servo.device()->calibrate();
+    servo.drain([](const ServoSample&) {});
+    if (!servo.fallenBack() && glm::length(servo.latest().force.N) > 0.3) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      tell("pressing");
+      end(way);
+      return 0;
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  return std::cerr << "it never pressed\n", 3;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
+  try {
+    return run(argv[1], argv[2]);
+  } catch (const std::exception&) {
+    return 7;
+  }
+}

@@ -1,0 +1,105 @@
+// A process that ends while it gives force, in every way but SIGKILL: the last that its device was given is no force. The stand-in
+// for libHD.so writes each force down with its time as it comes (STAND_IN_FORCES).
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <thread>
+
+#include "tests/device/dying.h"
+#include "tests/device/omni/stand_in.h"
+
+using namespace moltact;
+using namespace moltact::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+// What the stand-in was given: forces, and whether its output was on, in the order of their times.
+struct ForceLog {
+  double last_N = -1;     // what drives the motors at the end
+  double forced_ms = 0;   // from then on a force was still there for so long
+  double greatest_N = 0;
+};
+ForceLog readForces(const fs::path& file, std::int64_t from_ns) {
+  ForceLog out;
+  std::ifstream in(file);
+  long long at_ns = 0;
+  std::string what;
+  bool on = false;
+  double force_N = 0;
+  while (in >> at_ns >> what) {
+    const double before_N = on ? force_N : 0.0;
+    if (what == "on") on = true;
+    else if (what == "off") on = false;
+    else force_N = std::strtod(what.c_str(), nullptr);
+    out.last_N = on ? force_N : 0.0;
+    out.greatest_N = std::max(out.greatest_N, out.last_N);
+    if (before_N > 0.0 && at_ns > from_ns) out.forced_ms = 1e-6 * double(at_ns - from_ns);
+  }
+  return out;
+}
+
+struct StandInProcess {
+  StandInProcess() : folder(fs::temp_directory_path() / ("moltact_dying_" + std::to_string(::getpid()))), forces(folder / "forces") {
+    fs::create_directories(folder);
+    setenv("MOLTACT_LIBHD", MOLTACT_STAND_IN_LIBHD, 1);
+    setenv("STAND_IN_LOG", (folder / "log").c_str(), 1);
+    setenv("STAND_IN_FORCES", forces.c_str(), 1);
+  }
+  ~StandInProcess() {
+    unsetenv("STAND_IN_LOG");
+    unsetenv("STAND_IN_FORCES");
+    std::error_code error;
+    fs::remove_all(folder, error);
+  }
+  fs::path folder, forces;
+};
+
+}  // namespace
+
+TEST_CASE("Omni: a process that gives force and is killed by any signal that can be seen, crashes on any thread, in its tick or by a full "
+          "stack, exits or throws: the last is no force, and it ends as it would have") {
+  const StandInProcess omni;
+  double worst_ms = 0;
+  for (const WayToDie& one : kWaysToDie) {
+    CAPTURE(std::string(one.way));
+    CAPTURE(one.signal);
+    fs::remove(omni.forces);
+    Dying child("omni", one.way);
+    REQUIRE(child.line(20'000) == "pressing");
+    if (std::string(one.way) == "wait") child.send(one.signal);
+    for (int k = 0; k < 20'000 && !child.over(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
+    const ForceLog log = readForces(omni.forces, child.at_ns());
+    CHECK(log.greatest_N > 0.3);
+    CHECK(log.last_N == 0.0);
+    CHECK(log.forced_ms < kBusy_ms);
+    if (std::string(one.way) != "stack") worst_ms = std::max(worst_ms, log.forced_ms);  // filling it takes time
+    if (std::getenv("MOLTACT_TELL_MS")) MESSAGE(std::string(one.way) << ' ' << one.signal << ": " << log.forced_ms << " ms");
+  }
+  MESSAGE(std::size(kWaysToDie) << " ways, at most " << worst_ms << " ms");
+}
+
+TEST_CASE("Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it goes on") {
+  const StandInProcess omni;
+  Dying child("omni", "wait");
+  REQUIRE(child.line(20'000) == "pressing");
+  child.send(SIGTSTP);
+  int status = 0;
+  for (int k = 0; k < 5000 && ::waitpid(child.pid(), &status, WUNTRACED | WNOHANG) == 0; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  REQUIRE(WIFSTOPPED(status));
+  const ForceLog stopped = readForces(omni.forces, child.at_ns());
+  CHECK(stopped.greatest_N > 0.3);
+  CHECK(stopped.last_N == 0.0);
+  CHECK(stopped.forced_ms < kBusy_ms);
+  child.send(SIGCONT);
+  double back_N = 0;
+  for (int k = 0; k < 10'000 && back_N < 0.3; ++k) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    back_N = readForces(omni.forces, child.at_ns()).last_N;
+  }
+  CHECK(back_N >= 0.3);
+}
