@@ -1,6 +1,7 @@
 #include "app/ui/application.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/ui/actions.h"
 #include "app/ui/extensions.h"
@@ -24,7 +25,11 @@ Application::Application(ApplicationOptions given)
   if (!loaded.trouble.empty()) messages.warning(loaded.trouble);
 }
 
-Application::~Application() {
+Application::~Application() { end(); }
+
+void Application::end() {
+  if (std::exchange(ended_, true)) return;
+  scene.servo().endForce();
   for (Extension* e : extensions_->all()) e->atEnd(*this);
 }
 

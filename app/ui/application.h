@@ -38,6 +38,10 @@ class Application {
   explicit Application(ApplicationOptions options = {});
   ~Application();
 
+  /// The program's end, whatever it comes by: lets the force go, then has everything saved that is to be. Once; the destructor does
+  /// it too.
+  void end();
+
   /// Opens a molecule (a file, or a name of the library), a lesson or an attempt to be played back, by its name's ending. What cannot be opened is told in a message and changes nothing.
   void open(const std::filesystem::path& file);
   /// Files were dropped on the window: the first is opened.
@@ -108,7 +112,7 @@ class Application {
   std::size_t told_opening_ = 0, told_step_ = 0;
   bool aspect_guessed_ = true;   // the view's shape is known once the first frame has been laid out
   bool step_scene_ = false;      // what is being read belongs to a lesson's step
-  bool leaving_ = false;
+  bool leaving_ = false, ended_ = false;
   std::optional<std::filesystem::path> picture_asked_;
 };
 

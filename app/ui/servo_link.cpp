@@ -19,6 +19,30 @@ ServoLink::ServoLink(ServoClock clock) {
   thread_->expectSettings();
 }
 
+ServoLink::~ServoLink() {
+  if (!thread_) release();
+}
+
+// On the frames' clock: ticks without a wish for force until there is none.
+void ServoLink::release() {
+  constexpr int kMost_ticks = 50;
+  ServoSettings off = settings_;
+  off.force_on = false;
+  for (int k = 0; chosen_ && k < kMost_ticks; ++k) {
+    const DevicePose pose = switch_->read(kTick_s, step_);
+    const ServoSample sample = step_.tick(off, tracker_.get(), pose, {});
+    switch_->write(sample.force);
+    if (sample.force.N == Vec3(0.0)) break;
+  }
+  switch_->write(ForceN{});
+}
+
+void ServoLink::endForce() {
+  if (thread_) return thread_->endForce();
+  release();
+  ended_ = true;
+}
+
 void ServoLink::setSettings(const ServoSettings& settings) {
   if (thread_) thread_->setSettings(settings);
   else settings_ = settings;
@@ -29,7 +53,7 @@ void ServoLink::setDevice(std::unique_ptr<Device> device) {
     thread_->setDevice(std::move(device));
     return;
   }
-  switch_->write(ForceN{});
+  release();
   switch_.reset();
   chosen_ = std::move(device);
   switch_.emplace(mouse_, chosen_.get());
@@ -94,6 +118,7 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
     const TickTime time{.dt_s = kTick_s + std::exchange(stands_s_, 0.0)};
+    if (ended_) settings_.force_on = false;
     const DevicePose pose = switch_->read(kTick_s, step_);
     ServoSample sample = step_.tick(settings_, tracker_.get(), pose, time);
     sample.scene = trying_ ? kNoScene : scene_;

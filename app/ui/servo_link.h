@@ -21,10 +21,11 @@ enum class ServoClock {
 class ServoLink {
  public:
   explicit ServoLink(ServoClock clock);
+  ~ServoLink();
 
   /// The stand-in device, which the hand leads.
   MouseDevice& mouse() { return mouse_; }
-  /// The device to be felt with from now on; null: the mouse alone. The old one is closed.
+  /// The device to be felt with from now on; null: the mouse alone. The old one's force goes along the slew, then it is closed.
   void setDevice(std::unique_ptr<Device> device);
   /// The chosen device, for its status; null where the mouse leads alone.
   Device* chosen() const { return thread_ ? thread_->device() : chosen_.get(); }
@@ -34,6 +35,8 @@ class ServoLink {
   bool held() const { return chosen() && !fallenBack(); }
   /// The one that leads.
   const DeviceInfo& device() const { return held() ? chosen()->info() : mouse_.info(); }
+  /// Lets the force go along the slew, for good; there is none when it returns.
+  void endForce();
   /// A tracker that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is
   /// taken up again by setTracker().
   void tryTracker(std::unique_ptr<Tracker> tracker);
@@ -82,6 +85,7 @@ class ServoLink {
  private:
   bool ofThisScene(const ServoSample& sample) const;
   void handOver(std::unique_ptr<Tracker> tracker, std::uint32_t scene);
+  void release();
 
   MouseDevice mouse_;  // outlives the thread, which reads it
   std::vector<ServoSample> ticks_, every_;
@@ -98,7 +102,7 @@ class ServoLink {
   ServoStep record_start_;
   std::vector<TraceTick> recorded_;
   double owed_s_ = 0.0, stands_s_ = 0.0;
-  bool timed_ = false;
+  bool timed_ = false, ended_ = false;
   std::unique_ptr<ServoThread> thread_;  // last, so that it ends first
 };
 

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include <epoxy/gl.h>
@@ -19,6 +21,7 @@
 #include "app/ui/shell.h"
 #include "app/ui/user_folders.h"
 #include "engine/platform/folders.h"
+#include "engine/platform/interrupt.h"
 #include "engine/render/picture.h"
 #include "engine/results/attempt_file.h"
 
@@ -166,6 +169,24 @@ const char* lastGlfwError() {
   return why ? why : "the display server gives no reason";
 }
 
+// The application that runs, for exit(): a display server that dies makes its library call that in the middle of a frame.
+class AtExit {
+ public:
+  explicit AtExit(Application& app) {
+    running = &app;
+    static const bool once = std::atexit([] {
+      if (running) std::exchange(running, nullptr)->end();
+    }) == 0;
+    (void)once;
+  }
+  ~AtExit() { running = nullptr; }
+  AtExit(const AtExit&) = delete;
+  AtExit& operator=(const AtExit&) = delete;
+
+ private:
+  static inline Application* running = nullptr;
+};
+
 }  // namespace
 
 int runWindow(const WindowOptions& options) {
@@ -181,9 +202,11 @@ int runWindow(const WindowOptions& options) {
   glfwSwapInterval(1);
   FrameStats stats;
   {
+    const InterruptWatch interrupt;  // outlives the device
     Shell shell;
     Application app({.settings_file = settingsFile(), .attempts_folder = attemptsFolder(), .cache_folder = cacheFolder(),
                      .picture_folder = pictureFolder()});
+    const AtExit at_exit(app);
     Link link{shell, app};
     Cursors cursors;
     glfwSetWindowUserPointer(window, &link);
@@ -200,7 +223,7 @@ int runWindow(const WindowOptions& options) {
     using Clock = std::chrono::steady_clock;
     Clock::time_point before = Clock::now();
     FullScreen full_screen;
-    while (!app.leaving() && !glfwWindowShouldClose(window)) {
+    while (!app.leaving() && !glfwWindowShouldClose(window) && !interrupt.seen()) {
       const bool busy = app.live() || link.settle > 0 || !shell.input().empty();
       if (busy) glfwPollEvents();
       else glfwWaitEventsTimeout(kIdle_s);
@@ -222,6 +245,7 @@ int runWindow(const WindowOptions& options) {
       }
       if (busy) stats.add(std::chrono::duration<double, std::milli>(Clock::now() - now).count());
     }
+    app.end();  // before anything that may take its time
     glfwSetWindowUserPointer(window, nullptr);
     glfwHideWindow(window);
   }

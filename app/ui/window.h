@@ -12,7 +12,7 @@ struct WindowOptions {
   std::string state_text;      ///< the state in words goes to this file, or to the terminal for "-"; empty: nowhere
 };
 
-/// Runs until the person leaves. Returns the program's exit status; where there is no display, 1 and a message on stderr
+/// Runs until the person leaves, or the system wants it to end (SIGINT, SIGTERM, SIGHUP), which is the same. Returns the program's exit status; where there is no display, 1 and a message on stderr
 /// that names what can be done without one.
 int runWindow(const WindowOptions& options);
 

@@ -22,20 +22,33 @@ namespace moltact::test {
 class Dying {
  public:
   Dying(const std::string& device, const std::string& way) {
-    int ends[2];
+    int ends[2], in[2];
     REQUIRE(::pipe2(ends, O_CLOEXEC) == 0);
+    REQUIRE(::pipe2(in, O_CLOEXEC) == 0);
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
     posix_spawn_file_actions_adddup2(&actions, ends[1], STDOUT_FILENO);
+    posix_spawn_file_actions_adddup2(&actions, in[0], STDIN_FILENO);
+    // What the test's own process ignores the child does not.
+    posix_spawnattr_t attributes;
+    posix_spawnattr_init(&attributes);
+    posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
+    sigset_t all;
+    sigfillset(&all);
+    posix_spawnattr_setsigdefault(&attributes, &all);
     std::string program = MOLTACT_DYING_HAND, name = device, how = way;
     char* arguments[] = {program.data(), name.data(), how.data(), nullptr};
-    REQUIRE(::posix_spawn(&pid_, program.c_str(), &actions, nullptr, arguments, environ) == 0);
+    REQUIRE(::posix_spawn(&pid_, program.c_str(), &actions, &attributes, arguments, environ) == 0);
     posix_spawn_file_actions_destroy(&actions);
+    posix_spawnattr_destroy(&attributes);
     ::close(ends[1]);
+    ::close(in[0]);
     out_ = ends[0];
+    in_ = in[1];
   }
   ~Dying() {
     ::close(out_);
+    ::close(in_);
     if (pid_ > 0) ::kill(pid_, SIGKILL), ::waitpid(pid_, nullptr, 0);
   }
   Dying(const Dying&) = delete;
@@ -57,6 +70,8 @@ class Dying {
       text_.append(some, std::size_t(size));
     }
   }
+  /// It may do to itself what it is to do.
+  void go() { REQUIRE(::write(in_, "\n", 1) == 1); }
   void send(int signal) {
     at_ns_ = monotonic_ns();
     REQUIRE(::kill(pid_, signal) == 0);
@@ -78,7 +93,7 @@ class Dying {
 
  private:
   pid_t pid_ = -1;
-  int out_ = -1, status_ = 0;
+  int out_ = -1, in_ = -1, status_ = 0;
   std::int64_t at_ns_ = 0;
   std::string text_;
 };

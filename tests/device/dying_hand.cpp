@@ -1,6 +1,6 @@
 // A program that feels with a device until it ends in the way that it is told: dying_hand DEVICE WAY. It writes "pressing" when
-// the device is given force, and the monotonic time in ns just before it does to itself what the way says; "wait" leaves it to
-// a signal from outside.
+// force is given, and when a line has come from its standard input the monotonic time in ns, and does to itself what the way says;
+// "wait" leaves it to a signal from outside.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -51,6 +51,8 @@ void tell(const std::string& line) { (void)!::write(STDOUT_FILENO, (line + '\n')
 
 void end(const std::string& way) {
   if (way == "wait") std::this_thread::sleep_for(std::chrono::seconds(30));
+  std::string go;
+  std::getline(std::cin, go);
   tell(std::to_string(monotonic_ns()));
   if (way == "segv") *static_cast<volatile int*>(nullptr) = 1;
   if (way == "abort") std::abort();

@@ -71,6 +71,7 @@ TEST_CASE("Omni: a process that gives force and is killed by any signal that can
     Dying child("omni", one.way);
     REQUIRE(child.line(20'000) == "pressing");
     if (std::string(one.way) == "wait") child.send(one.signal);
+    else child.go();
     for (int k = 0; k < 20'000 && !child.over(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
     const ForceLog log = readForces(omni.forces, child.at_ns());
