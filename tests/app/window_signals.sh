@@ -6,7 +6,7 @@ set -eu
 program=$1 lesson=$2 stand_in=$3
 work=$(mktemp -d)
 server= pid=
-trap 'kill $pid $server 2>/dev/null || true; rm -rf "$work"' EXIT
+trap 'kill $pid $server 2>/dev/null || true; [ -n "${KEEP-}" ] || rm -rf "$work"' EXIT
 fail() { echo "$1: $2"; exit 1; }
 
 # What drives the motors at the end, and for how many ms it was not 0 after the time $2 (ns).
@@ -23,15 +23,16 @@ for way in INT TERM HUP server SEGV; do
   for attempt in $(seq 100); do [ -s "$place/display" ] && break; sleep 0.1; done
   [ -s "$place/display" ] || fail "$way" "no display"
   env DISPLAY=":$(cat "$place/display")" XDG_CONFIG_HOME="$place/config" XDG_DATA_HOME="$place/data" HOME="$place" MOLTACT_LIBHD="$stand_in" \
-    STAND_IN_LOG="$place/closed" STAND_IN_FORCES="$place/forces" "$program" "$lesson" >"$place/out" 2>&1 & pid=$!
+    STAND_IN_ROOM_Z=45 STAND_IN_LOG="$place/closed" STAND_IN_FORCES="$place/forces" "$program" "$lesson" >"$place/out" 2>&1 & pid=$!
   pressed=
   for attempt in $(seq 600); do
     kill -0 $pid 2>/dev/null || fail "$way" "the program ended before it pressed: $(cat "$place/out")"
-    if [ -s "$place/forces" ] && tail -n 1 "$place/forces" | awk '{ exit !($2 > 0.3) }'; then pressed=yes; break; fi
+    if [ -s "$place/forces" ] && tail -n 1 "$place/forces" | awk '{ exit !($2 + 0 > 0.3) }'; then pressed=yes; break; fi
     sleep 0.1
   done
   [ -n "$pressed" ] || fail "$way" "it never pressed"
-  began=$(awk '{ printf "%.0f", $1 * 1e9 }' /proc/uptime)
+  began=$(tail -n 1 "$place/forces")
+  began=${began%% *}
   case $way in
     server) kill -KILL $server ;;
     *) kill -"$way" $pid ;;

@@ -1,6 +1,7 @@
 // A program that feels with a device until it ends in the way that it is told: dying_hand DEVICE WAY. It writes "pressing" when
 // force is given, and when a line has come from its standard input the monotonic time in ns, and does to itself what the way says;
-// "wait" leaves it to a signal from outside.
+// "wait" leaves it to a signal from outside. "close" and "leave" close the device, or end the force as the program's end does,
+// from full force.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -85,6 +86,13 @@ int run(const std::string& name, const std::string& way) {
     if (!servo.fallenBack() && glm::length(servo.latest().force.N) > 0.3) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       tell("pressing");
+      if (way == "close" || way == "leave") {  // from full force
+        for (int tries = 0; tries < 10'000 && glm::length(servo.latest().force.N) < 2.2; ++tries)
+          std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        tell(std::to_string(monotonic_ns()));
+        way == "close" ? servo.setDevice(nullptr) : servo.endForce();
+        return 0;
+      }
       end(way);
       return 0;
     }

@@ -22,11 +22,15 @@ struct ForceLog {
   double last_N = -1;     // what drives the motors at the end
   double forced_ms = 0;   // from then on a force was still there for so long
   double greatest_N = 0;
+  double before_N = 0;    // what there was then
+  double steepest_N = 0;  // the greatest change from then on, of forces that came within kLate_ns of each other
+  int falling = 0;        // forces from then on that are smaller than the one before, and not 0
 };
+constexpr long long kLate_ns = 15'000'000;
 ForceLog readForces(const fs::path& file, std::int64_t from_ns) {
   ForceLog out;
   std::ifstream in(file);
-  long long at_ns = 0;
+  long long at_ns = 0, before_ns = 0;
   std::string what;
   bool on = false;
   double force_N = 0;
@@ -37,6 +41,10 @@ ForceLog readForces(const fs::path& file, std::int64_t from_ns) {
     else force_N = std::strtod(what.c_str(), nullptr);
     out.last_N = on ? force_N : 0.0;
     out.greatest_N = std::max(out.greatest_N, out.last_N);
+    if (at_ns <= from_ns) out.before_N = out.last_N;
+    else if (at_ns - before_ns < kLate_ns) out.steepest_N = std::max(out.steepest_N, std::abs(out.last_N - before_N));
+    out.falling += at_ns > from_ns && out.last_N > 0.0 && out.last_N < before_N - 0.5;
+    before_ns = at_ns;
     if (before_N > 0.0 && at_ns > from_ns) out.forced_ms = 1e-6 * double(at_ns - from_ns);
   }
   return out;
@@ -82,6 +90,28 @@ TEST_CASE("Omni: a process that gives force and is killed by any signal that can
     if (std::getenv("MOLTACT_TELL_MS")) MESSAGE(std::string(one.way) << ' ' << one.signal << ": " << log.forced_ms << " ms");
   }
   MESSAGE(std::size(kWaysToDie) << " ways, at most " << worst_ms << " ms");
+}
+
+TEST_CASE("Omni: a device that is closed, and a program that is left, under 2 N or more: the force goes by no more than 1 N a tick, and the last is none") {
+  const StandInProcess omni;
+  for (const char* way : {"close", "leave"}) {
+    CAPTURE(std::string(way));
+    // A machine that stands for 20 ms in that moment ends the force at once, as it has to: then once more.
+    bool gently = false;
+    for (int tries = 0; tries < 8 && !gently; ++tries) {
+      fs::remove(omni.forces);
+      Dying child("omni", way);
+      REQUIRE(child.line(20'000) == "pressing");
+      for (int k = 0; k < 20'000 && !child.over(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      CHECK(child.exitedWith(0));
+      const ForceLog log = readForces(omni.forces, child.at_ns());
+      CHECK(log.last_N == 0.0);
+      CHECK(log.forced_ms < kBusy_ms);
+      gently = log.before_N > 2.0 && log.steepest_N <= 1.0 + 1e-3 && log.falling >= 1;
+      if (gently) MESSAGE(std::string(way) << ": from " << log.before_N << " N in " << log.forced_ms << " ms");
+    }
+    CHECK(gently);
+  }
 }
 
 TEST_CASE("Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it goes on") {

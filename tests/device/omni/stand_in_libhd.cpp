@@ -3,7 +3,7 @@
 // begin, a second frame in a tick, a bad handle end as errors on the stack, newest first. The callback runs without its lock.
 // The functions standIn… are for the tests: they step its clock by hand or let it run at 1 kHz, and do to it what a device does.
 // In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks for the calibration style STAND_IN_STYLE
-// if that is set, and writes how the device was closed. Into the file STAND_IN_FORCES it writes each force that it is given, in
+// if that is set, has the middle of its room STAND_IN_ROOM_Z mm before its hand's, and writes how the device was closed. Into the file STAND_IN_FORCES it writes each force that it is given, in
 // N, and "off" and "on" for its output, each in one line behind the monotonic time in ns: they are there however the process ends.
 #include <fcntl.h>
 #include <time.h>
@@ -53,6 +53,7 @@ struct State {
 
   State() {
     if (std::getenv("STAND_IN_LOG")) manual = false;
+    if (const char* z_mm = std::getenv("STAND_IN_ROOM_Z")) room_middle_mm.z = std::atof(z_mm);
     if (const char* named = std::getenv("STAND_IN_STYLE")) {
       style = std::uint32_t(std::atoi(named));
       calibration = hd::kNeedsManualInput;
