@@ -5,6 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/window_options.h"
+#include "engine/platform/force_hold.h"
 
 namespace {
 
@@ -26,6 +27,7 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  const moltact::CrashStack crash_stack;
   try {
     return run(argc, argv);
   } catch (const moltact::CommandError& e) {

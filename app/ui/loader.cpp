@@ -9,12 +9,14 @@
 #include <system_error>
 
 #include "engine/molecule/reader.h"
+#include "engine/platform/force_hold.h"
 
 namespace moltact {
 namespace {
 
 // What the thread runs: nothing that goes wrong in it ends the program.
 Loaded guarded(const Loader::Read& read, const std::filesystem::path& file) {
+  const CrashStack crash_stack;  // a force ends even then
   try {
     return read(file);
   } catch (const std::bad_alloc&) {
