@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
@@ -24,7 +25,17 @@
 
 using namespace moltact;
 
+// In a build with sanitizers the process is to end as others do.
+extern "C" const char* __asan_default_options() { return "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:handle_abort=0:detect_leaks=0"; }
+extern "C" const char* __tsan_default_options() { return "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:handle_abort=0"; }
+
 namespace {
+
+// What no process may write to.
+volatile int& nowhere() {
+  static volatile std::uintptr_t address = 16;
+  return *reinterpret_cast<volatile int*>(address);
+}
 
 std::atomic<bool> tick_crashes{false};
 
@@ -55,11 +66,11 @@ void end(const std::string& way) {
   std::string go;
   std::getline(std::cin, go);
   tell(std::to_string(monotonic_ns()));
-  if (way == "segv") *static_cast<volatile int*>(nullptr) = 1;
+  if (way == "segv") nowhere() = 1;
   if (way == "abort") std::abort();
   if (way == "terminate") std::terminate();
   if (volatile char first = 1; way == "stack") std::exit(deeper(&first, 1'000'000'000));
-  if (way == "segv elsewhere") std::thread([] { *static_cast<volatile int*>(nullptr) = 1; }).join();
+  if (way == "segv elsewhere") std::thread([] { nowhere() = 1; }).join();
   if (way == "throw elsewhere") std::thread([] { throw std::runtime_error("nobody takes it"); }).join();
   if (way == "tick") tick_crashes = true, std::this_thread::sleep_for(std::chrono::seconds(30));
   if (way == "exit") std::exit(7);
