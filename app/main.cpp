@@ -1,10 +1,11 @@
 // The program's entry: a command on the line runs without a window; none opens the window.
 #include <exception>
-#include <iostream>
 #include <new>
 
 #include "app/commands/command.h"
 #include "app/window_options.h"
+#include "engine/platform/terminal.h"
+#include "engine/platform/write_file.h"
 
 namespace {
 
@@ -17,26 +18,35 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return app.exit(e, moltact::cleanOut(), moltact::cleanErr()) == 0 ? 0 : 2;
   }
   if (app.get_subcommands().empty()) return moltact::runWindowArguments(window);
   return 0;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+// What a command threw becomes a message and an exit status.
+int told(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const moltact::CommandError& e) {
-    std::cerr << "moltact: " << e.text << '\n';
+    moltact::err() << "moltact: " << e.text << '\n';
     return e.status;
   } catch (const moltact::CommandFailed&) {
     return 1;
   } catch (const std::bad_alloc&) {
-    std::cerr << "moltact: not enough memory for this; close other programs, or take a smaller file\n";
+    moltact::err() << "moltact: not enough memory for this; close other programs, or take a smaller file\n";
   } catch (const std::exception& e) {
-    std::cerr << "moltact: it could not go on: " << e.what() << '\n';
+    moltact::err() << "moltact: it could not go on: " << e.what() << '\n';
   }
   return 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  moltact::takeSizeLimitsAsErrors();
+  const int status = told(argc, argv);
+  if (moltact::terminalWritten()) return status;
+  moltact::err() << "moltact: not all of this could be printed; is there room on the disk that it goes to?\n";
+  return status ? status : 1;
 }
