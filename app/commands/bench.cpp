@@ -171,15 +171,17 @@ void addStability(const BenchArguments& arguments, const std::vector<const Metho
 
 // Writes the tables between their markers in every page of the folder that has such markers.
 void updatePages(const fs::path& folder, const Report& report) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() != ".md") continue;
-    std::ifstream in(entry.path(), std::ios::binary);
+  std::vector<fs::path> pages;  // listed before any is written
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  for (const fs::path& page : pages) {
+    std::ifstream in(page, std::ios::binary);
     const std::string before{std::istreambuf_iterator<char>(in), {}};
     std::string after = before;
     for (const auto* tables : {&report.tables, &report.excerpts})
       for (const ReportTable& t : *tables)
         after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
-    if (after != before) write(entry.path(), after);
+    if (after != before) write(page, after);
   }
   for (const auto& [name, svg] : report.pictures) write(folder / "pictures" / name, svg);
 }

@@ -126,11 +126,20 @@ nlohmann::json written(const Settings& s) {
 
 }  // namespace
 
-std::string saveSettings(const Settings& settings, const fs::path& file) {
+std::string saveSettings(const Settings& settings, const fs::path& file, const Settings& before) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
   // Paths may hold bytes that are no UTF-8; they are replaced and not thrown over.
-  const auto problem = writeWhole(file, written(settings).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+  nlohmann::json kept;
+  if (std::ifstream in(file, std::ios::binary); in) kept = nlohmann::json::parse(in, nullptr, false);
+  nlohmann::json json = written(settings);
+  if (kept.is_object()) {
+    const nlohmann::json was = written(before);
+    for (const auto& [key, value] : json.items())
+      if (!kept.contains(key) || value != was[key]) kept[key] = value;
+    json = std::move(kept);
+  }
+  const auto problem = writeWhole(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
   return problem ? "Your settings could not be saved: " + problem->text() + "." : std::string();
 }
 

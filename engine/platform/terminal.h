@@ -37,7 +37,12 @@ class TerminalText {
     return *this;
   }
   TerminalText& operator<<(const std::string& value) { return *this << std::string_view(value); }
-  TerminalText& operator<<(const char* value) { return *this << std::string_view(value); }
+  // Not for arrays: a literal would be taken for a pointer.
+  template <class Pointer>
+    requires std::is_same_v<Pointer, const char*>
+  TerminalText& operator<<(const Pointer& value) {
+    return *this << std::string_view(value);
+  }
   TerminalText& operator<<(Lines value) {
     to_ << value.text;
     return *this;
