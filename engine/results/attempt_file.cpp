@@ -65,8 +65,7 @@ bool beginsAsAttempt(const fs::path& file) {
   std::string line(kLongestLine + 1, '\0');
   in.read(line.data(), static_cast<std::streamsize>(line.size()));
   line.resize(static_cast<std::size_t>(in.gcount()));
-  const std::size_t end = line.find('\n');
-  return end != std::string::npos && bool(readHeaderLine(std::string_view(line).substr(0, end)));
+  return bool(readHeaderLine(std::string_view(line).substr(0, line.find('\n'))));
 }
 
 // Earlier versions counted the times within a line (when a touch began, the samples of the trace) from when the attempt was

@@ -1,5 +1,6 @@
 #include "engine/results/attempt_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>

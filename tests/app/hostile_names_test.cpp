@@ -73,7 +73,7 @@ TEST_CASE("every command, fed hostile names and files, prints nothing that steer
   put(kName + " folder/README.md", "nothing");
   const std::string evil = quoted(kName);
   const auto file = [&](const char* ending) { return quoted(kName + ending); };
-  int tried = 0;
+  int tried = 0, replaced = 0;
   for (const std::string& arguments : std::vector<std::string>{
            evil, "--" + evil, evil + " --screenshot /none/" + file(".png"), "--screenshot x.png --script " + file(".script"), "--screenshot x.png --script " + evil,
            "--screenshot x.png --size " + evil, file(".md") + " --screenshot x.png --state-text -", "--screenshot x.png --state-text /none/" + evil,
@@ -101,8 +101,11 @@ TEST_CASE("every command, fed hostile names and files, prints nothing that steer
     CHECK((run.status >= 0 && run.status < 126));
     if (arguments.find("--json ") != std::string::npos && run.status == 0 && !run.out.empty()) CHECK(nlohmann::json::accept(run.out));
     ++tried;
+    replaced += (run.out + run.err).find(kReplacement) != std::string::npos;
   }
+  MESSAGE(tried << " commands, " << replaced << " of them printed hostile text");
   CHECK(tried > 60);
+  CHECK(replaced > 40);
   // What could not be shown is in the JSON all the same.
   const Run info = place.run("info --json " + file(".cif"));
   REQUIRE(info.status == 0);
