@@ -50,6 +50,7 @@ TEST_CASE("each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets 
         else CHECK(read.problem().message.find("'" + key + "'") != std::string::npos);
         ++numbers;
       });
+  MESSAGE(numbers << " lines");
   CHECK(numbers > 300);
   for (const AttemptEvent& event : sampleEvents()) CHECK(bool(readEventLine(lineOf(event))));
 }
