@@ -1,11 +1,12 @@
 // The program's entry: a command on the line runs without a window; none opens the window.
 #include <exception>
-#include <iostream>
 #include <new>
 
 #include "app/commands/command.h"
 #include "app/window_options.h"
 #include "engine/platform/force_hold.h"
+#include "engine/platform/terminal.h"
+#include "engine/platform/write_file.h"
 
 namespace {
 
@@ -15,30 +16,41 @@ int run(int argc, char** argv) {
   moltact::WindowArguments window;
   moltact::addWindowArguments(app, window);
   moltact::addAllCommands(app);
+  // What was typed stands in what is told of it.
+  app.failure_message([](const CLI::App*, const CLI::Error& e) { return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n"; });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    return app.exit(e) == 0 ? 0 : 2;
+    return app.exit(e, moltact::cleanOut(), moltact::cleanErr()) == 0 ? 0 : 2;
   }
   if (app.get_subcommands().empty()) return moltact::runWindowArguments(window);
   return 0;
+}
+
+// What a command threw becomes a message and an exit status.
+int told(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const moltact::CommandError& e) {
+    moltact::err() << "moltact: " << e.text << '\n';
+    return e.status;
+  } catch (const moltact::CommandFailed&) {
+    return 1;
+  } catch (const std::bad_alloc&) {
+    moltact::err() << "moltact: not enough memory for this; close other programs, or take a smaller file\n";
+  } catch (const std::exception& e) {
+    moltact::err() << "moltact: it could not go on: " << e.what() << '\n';
+  }
+  return 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   const moltact::CrashStack crash_stack;
-  try {
-    return run(argc, argv);
-  } catch (const moltact::CommandError& e) {
-    std::cerr << "moltact: " << e.text << '\n';
-    return e.status;
-  } catch (const moltact::CommandFailed&) {
-    return 1;
-  } catch (const std::bad_alloc&) {
-    std::cerr << "moltact: not enough memory for this; close other programs, or take a smaller file\n";
-  } catch (const std::exception& e) {
-    std::cerr << "moltact: it could not go on: " << e.what() << '\n';
-  }
-  return 1;
+  moltact::takeSizeLimitsAsErrors();
+  const int status = told(argc, argv);
+  if (moltact::terminalWritten()) return status;
+  moltact::err() << "moltact: not all of this could be printed; is there room on the disk that it goes to?\n";
+  return status ? status : 1;
 }

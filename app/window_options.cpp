@@ -1,7 +1,8 @@
 #include "app/window_options.h"
 
 #include <cstdio>
-#include <iostream>
+
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
@@ -27,13 +28,13 @@ int runWindowArguments(const WindowArguments& a) {
   OffscreenOptions options{.file = a.file, .screenshot = a.screenshot, .script = a.script, .content_scale = a.scale,
                            .frame_stats = a.frame_stats, .state_text = a.state_text, .attempts = a.attempts};
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {  // false for what is not a number, too
-    std::cerr << "moltact: --content-scale " << a.scale << " is out of range; give 0.5 to 8\n";
+    err() << "moltact: --content-scale " << a.scale << " is out of range; give 0.5 to 8\n";
     return 2;
   }
   char end = 0;
   if (!a.size.empty() && (std::sscanf(a.size.c_str(), "%dx%d%c", &options.width, &options.height, &end) != 2 ||
                           options.width < 64 || options.height < 64 || options.width > 8192 || options.height > 8192)) {
-    std::cerr << "moltact: --size " << a.size << " is no size; write it as 1280x800 (64 to 8192 each)\n";
+    err() << "moltact: --size " << a.size << " is no size; write it as 1280x800 (64 to 8192 each)\n";
     return 2;
   }
   return runOffscreen(options);

@@ -2,7 +2,6 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <memory>
 
 #include "app/commands/command.h"
@@ -14,6 +13,7 @@
 #include "engine/bench/trade_off.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/terminal.h"
+#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace {
@@ -37,49 +37,36 @@ struct Report {
 
 class ProgressBar {
  public:
-  explicit ProgressBar(std::string part) : part_(std::move(part)), shown_(standardErrorIsTerminal()) {}
-  ~ProgressBar() {
-    if (shown_) std::cerr << "\r\033[K" << std::flush;
-  }
+  explicit ProgressBar(std::string part) : part_(std::move(part)) {}
+  ~ProgressBar() { showStatus({}); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
   void operator()(double share, std::string_view what) const {
-    if (!shown_) return;
     constexpr int kWidth = 30;
     const int full = static_cast<int>(share * kWidth);
-    std::cerr << "\r\033[K" << part_ << " [" << std::string(std::size_t(full), '#')
-              << std::string(std::size_t(kWidth - full), '.') << "] " << static_cast<int>(100 * share)
-              << " %  " << what << std::flush;
+    showStatus(part_ + " [" + std::string(std::size_t(full), '#') + std::string(std::size_t(kWidth - full), '.') + "] " +
+               std::to_string(static_cast<int>(100 * share)) + " %  " + std::string(what));
   }
 
  private:
   std::string part_;
-  bool shown_;
 };
 
-[[noreturn]] void cannotWrite(const fs::path& file) {
-  throw CommandError{Problem{file.string(), 0, 0, "the file cannot be written",
-                             "check the folder, its permissions and the space left"}
-                         .text()};
+void makeFolderOf(const fs::path& file) {
+  std::error_code error;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
 }
 
 void write(const fs::path& file, const std::string& text) {
-  std::error_code error;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.flush();
-  if (!out) cannotWrite(file);
+  makeFolderOf(file);
+  if (const auto problem = writeWhole(file, text)) throw CommandError{problem->text()};
 }
 
 // Fails where write() would fail for want of a folder or a right; what is there stays as it is.
 void tryWriting(const fs::path& file) {
-  std::error_code error;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  const bool was_there = fs::exists(file, error);
-  if (!std::ofstream(file, std::ios::binary | std::ios::app)) cannotWrite(file);
-  if (!was_there) fs::remove(file, error);
+  makeFolderOf(file);
+  if (const auto draft = Draft::begin(file); !draft) throw CommandError{draft.problem().text()};
 }
 
 void checkPages(const fs::path& folder) {
@@ -184,15 +171,17 @@ void addStability(const BenchArguments& arguments, const std::vector<const Metho
 
 // Writes the tables between their markers in every page of the folder that has such markers.
 void updatePages(const fs::path& folder, const Report& report) {
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() != ".md") continue;
-    std::ifstream in(entry.path(), std::ios::binary);
+  std::vector<fs::path> pages;  // listed before any is written
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".md") pages.push_back(entry.path());
+  for (const fs::path& page : pages) {
+    std::ifstream in(page, std::ios::binary);
     const std::string before{std::istreambuf_iterator<char>(in), {}};
     std::string after = before;
     for (const auto* tables : {&report.tables, &report.excerpts})
       for (const ReportTable& t : *tables)
         after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
-    if (after != before) write(entry.path(), after);
+    if (after != before) write(page, after);
   }
   for (const auto& [name, svg] : report.pictures) write(folder / "pictures" / name, svg);
 }
@@ -209,7 +198,7 @@ void run(const BenchArguments& arguments) {
   if (all || arguments.part == "stability") addStability(arguments, methods, report);
 
   for (const ReportTable& t : report.tables)
-    if (t.name != "stability_figures" || !all) std::cout << toConsole(t) << '\n';
+    if (t.name != "stability_figures" || !all) out() << Lines{toConsole(t)} << '\n';
   const std::string command = "moltact bench " + arguments.part + (arguments.quick ? " --quick" : "") +
                               " --seed " + std::to_string(arguments.seed);
   if (!arguments.json.empty()) write(arguments.json, toJson(report.tables, command));
@@ -224,9 +213,7 @@ void run(const BenchArguments& arguments) {
     write(arguments.markdown, page);
   }
   if (!arguments.docs.empty()) updatePages(arguments.docs, report);
-  std::cerr << command << ": "
-            << readable(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count())
-            << " s\n";
+  err() << command << ": " << readable(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()) << " s\n";
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
 // moltact check FILE|FOLDER…: every error of lessons at its place, with its line and a caret under it.
 #include <algorithm>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
+#include "app/commands/print_json.h"
 #include "app/commands/source_excerpt.h"
 #include "engine/lesson/check.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/source_text.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
@@ -64,10 +64,10 @@ void printText(const Checked& checked) {
   const SourceText source(checked.file, checked.text);
   for (const Row& row : rowsOf(checked)) {
     const Problem& p = *row.problem;
-    std::cout << p.file;
-    if (p.line) std::cout << ':' << p.line << ':' << p.column;
-    std::cout << ": " << row.severity << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy << '\n';
-    if (p.line) std::cout << sourceExcerpt(source.line(p.line), p.column);
+    out() << p.file;
+    if (p.line) out() << ':' << p.line << ':' << p.column;
+    out() << ": " << row.severity << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy << '\n';
+    if (p.line) out() << Lines{sourceExcerpt(source.line(p.line), p.column)};
   }
 }
 
@@ -108,12 +108,12 @@ void run(const CheckArguments& arguments) {
                                        {"errors", errors}, {"warnings", warnings}};
     for (const Checked& c : all)
       for (auto& problem : jsonOf(c)) document["problems"].push_back(std::move(problem));
-    std::cout << document.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    printDocument(document);
   } else {
     for (const Checked& c : all) printText(c);
-    for (const fs::path& file : passed_over) std::cout << file.string() << ": no lesson, passed over\n";
-    std::cout << counted(lessons, "lesson") << " checked: " << (errors ? counted(errors, "error") : "no errors")
-              << (warnings ? ", " + counted(warnings, "warning") : "") << '\n';
+    for (const fs::path& file : passed_over) out() << file.string() << ": no lesson, passed over\n";
+    out() << counted(lessons, "lesson") << " checked: " << (errors ? counted(errors, "error") : "no errors")
+          << (warnings ? ", " + counted(warnings, "warning") : "") << '\n';
   }
   // What is wrong has been told.
   if (errors) throw CommandFailed{};

@@ -5,7 +5,7 @@
 
 namespace moltact {
 
-/// What ends a command: its text goes to stderr. A command's callback throws it.
+/// What ends a command: its text goes to stderr, on one line. A command's callback throws it.
 struct CommandError {
   std::string text;
   int status = 1;  ///< the program's exit status

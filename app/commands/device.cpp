@@ -1,7 +1,6 @@
 // `moltact device check | record | replay`: a device in the hand, without the window.
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 
 #include "app/commands/command.h"
 #include "app/commands/device_recording.h"
@@ -39,24 +38,30 @@ void describe(const DeviceInfo& info) {
                   "stiffness up to %.2f N/mm, damping up to %.1f N s/m, steps of %.3f mm, %.1f ms of delay%s",
                   info.max_force_N, info.continuous_force_N, info.max_stiffness_N_per_mm, info.max_damping_N_s_per_m, info.resolution_mm,
                   1e3 * info.delay_s, limits);
-  std::snprintf(text, sizeof text, "%s: %d degrees of freedom in, %d out; room %s; %s\n", info.name.c_str(), info.dof_in, info.dof_out,
-                room, force);
-  std::cout << text;
+  std::snprintf(text, sizeof text, ": %d degrees of freedom in, %d out; room %s; %s\n", info.dof_in, info.dof_out, room, force);
+  out() << info.name << Lines{text};
 }
 
 constexpr int kNothingChecked = 3, kInterrupted = 130;  // exit statuses
 constexpr double kWaitReady_s = 120.0, kWaitPlug_s = 60.0;
 
+// At once: a person follows it.
+void tell(const std::string& line) {
+  out() << line << '\n';
+  out().flush();
+}
+
 // No answer, as from a script without one, counts as no.
 bool askOnTerminal(const std::string& question, const InterruptWatch& interrupt) {
-  std::cout << question << " Go on? [y/N] " << std::flush;
+  out() << question << " Go on? [y/N] ";
+  out().flush();
   std::string answer;
   while (!interrupt.seen()) {
     const Typed typed = typedLine(answer, 100);
     if (typed == Typed::Line) return answer == "y" || answer == "Y" || answer == "yes";
     if (typed == Typed::End) break;
   }
-  std::cout << '\n';
+  out() << '\n';
   return false;
 }
 
@@ -66,7 +71,7 @@ class GuideOnTerminal {
   bool operator()(const DeviceStatus& status) {
     if (status.text != told_) {
       told_ = status.text;
-      std::cout << told_ << (status.asks_calibrate ? " Then press Enter." : "") << '\n' << std::flush;
+      tell(told_ + (status.asks_calibrate ? " Then press Enter." : ""));
     }
     std::string line;
     return typedLine(line, 0) == Typed::Line && status.asks_calibrate;
@@ -82,16 +87,16 @@ void check(const Options& options) {
   const bool gives_force = device->info().gives_force;
   describe(device->info());
   DeviceCheckOptions how;
-  if (options.yes) how.ask = [](const std::string& question) { return std::cout << question << '\n' << std::flush, true; };
+  if (options.yes) how.ask = [](const std::string& question) { return tell(question), true; };
   else how.ask = [&](const std::string& question) { return askOnTerminal(question, interrupt); };
-  how.tell = [](const std::string& what) { std::cout << what << '\n' << std::flush; };
+  how.tell = tell;
   how.guide = GuideOnTerminal();
   how.interrupted = [&] { return interrupt.seen(); };
   how.part_s = options.seconds;
   how.ready_s = kWaitReady_s;
   how.unplug_s = options.yes ? 0.0 : kWaitPlug_s;  // nobody may be there
   how.checked = [](const CheckedPart& part) {
-    std::cout << (part.done ? part.passed ? "passed   " : "FAILED   " : "left out ") << part.name << ": " << part.found << '\n' << std::flush;
+    tell((part.done ? part.passed ? "passed   " : "FAILED   " : "left out ") + part.name + ": " + part.found);
   };
   bool failed = false, anything = false, force = false;
   for (const CheckedPart& part : checkDevice(std::move(device), how)) {

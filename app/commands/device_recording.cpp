@@ -3,7 +3,6 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
 #include <thread>
 
 #include "app/commands/command.h"
@@ -109,7 +108,8 @@ class Recorder {
   /// Waits until the device is ready, as it asks of the person; then the hand feels `tracker` and is recorded.
   void run(ServoThread& servo, std::unique_ptr<Tracker> tracker) {
     awaitReady(servo);
-    std::cout << "Recording " << options_.seconds << " s.\n" << std::flush;
+    out() << "Recording " << options_.seconds << " s.\n";
+    out().flush();
     servo.setTracker(std::move(tracker));
     const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
@@ -139,8 +139,6 @@ class Recorder {
       const bool late = ready == 0 && 1e-3 * kAsk_ms * look >= options_.wait_s;
       if (late || interrupt_.seen()) {
         servo.setDevice(nullptr);
-        std::error_code error;
-        if (fs::is_regular_file(options_.file, error)) fs::remove(options_.file, error);
         if (!late) throw CommandError{"broken off before the first tick; nothing was recorded", kBrokenOff};
         char text[80];
         std::snprintf(text, sizeof text, "it was not ready within %g s, and nothing was recorded", options_.wait_s);
@@ -154,7 +152,10 @@ class Recorder {
   bool ask(ServoThread& servo) {
     const DeviceStatus status = servo.device()->status();
     const std::string& text = status.text;
-    if (text != said_ && !text.empty()) std::cout << text << (status.asks_calibrate ? " Then press Enter." : "") << '\n' << std::flush;
+    if (text != said_ && !text.empty()) {
+      out() << text << (status.asks_calibrate ? " Then press Enter." : "") << '\n';
+      out().flush();
+    }
     std::string line;
     if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.device()->calibrate();
     if (!text.empty()) last_said_ = text;
@@ -166,14 +167,14 @@ class Recorder {
     char kept[80];
     const auto ticks = static_cast<unsigned long long>(writer_.kept());
     std::snprintf(kept, sizeof kept, "%llu ticks (%.2f s)", ticks, double(ticks) * kTick_s);
-    if (problem_) throw CommandError{problem_->text() + "; the force is off, and " + kept + " are kept in the file"};
+    if (problem_) throw CommandError{problem_->text() + "; the force is off, and " + (ticks ? std::string(kept) + " are kept in the file" : "nothing was recorded")};
     const auto fail = [&](const std::string& what, const std::string& remedy) {
       throw CommandError{Problem{options_.file, 0, 0, what, remedy}.text()};
     };
     if (lost)
       fail("the computer was too slow: " + std::to_string(lost) + " ticks are missing, so the recording cannot be replayed",
            "end other programs, or write to another disk");
-    std::cout << kept << " in " << options_.file << ", " << watch_.touching() << " of them in contact\n" << watch_.told();
+    out() << kept << " in " << options_.file << ", " << watch_.touching() << " of them in contact\n" << Lines{watch_.told()};
     if (watch_.led()) return;
     fail("the device led no tick of this recording", last_said_.empty() ? "see `moltact devices`" : last_said_);
   }
@@ -210,7 +211,8 @@ void recordHand(const RecordOptions& options) {
   servo.setSettings(settings);
   servo.setDevice(std::move(*device));
   servo.record(true);
-  std::cout << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n' << std::flush;
+  out() << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n';
+  out().flush();
   recorder.run(servo, std::move(tracker));
 }
 
@@ -251,7 +253,7 @@ void replayHand(const std::string& file) {
                   result.greatest_difference_N, trace->start ? "" : "; another build made the recording");
     fail(text + (trace->torn.empty() ? std::string() : "; " + trace->torn), "");
   }
-  std::cout << result.ticks << " ticks: the same forces to the last bit\n";
+  out() << result.ticks << " ticks: the same forces to the last bit\n";
   if (!trace->torn.empty()) fail(trace->torn, "");
 }
 

@@ -1,10 +1,10 @@
 // `moltact devices`: which devices there are, and why one that is there cannot be used.
-#include <cstdio>
-#include <iostream>
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
 #include "app/commands/command.h"
+#include "app/commands/print_json.h"
 #include "engine/device/driver.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
@@ -14,19 +14,19 @@ void printJson(const std::vector<FoundDevice>& found) {
   for (const FoundDevice& one : found)
     all.push_back({{"name", one.name}, {"title", one.title}, {"place", one.place}, {"usable", one.usable}, {"why_not", one.why},
                    {"gives_force", one.gives_force}, {"default", &one == &defaultDevice(found)}});
-  std::cout << all.dump(2) << '\n';
+  printDocument(all);
 }
 
 void printText(const std::vector<FoundDevice>& found) {
   std::size_t width = 0;
   for (const FoundDevice& one : found) width = std::max(width, one.name.size());
   for (const FoundDevice& one : found) {
-    std::cout << one.name << std::string(width - one.name.size() + 2, ' ') << one.title;
-    if (!one.place.empty()) std::cout << ", " << one.place;
-    std::cout << (one.usable ? one.gives_force ? ": ready, gives force" : ": ready, gives no force" : ": not usable");
-    if (&one == &defaultDevice(found)) std::cout << " (the default)";
-    std::cout << '\n';
-    if (!one.why.empty()) std::cout << std::string(width + 2, ' ') << one.why << '\n';
+    out() << one.name << std::string(width - one.name.size() + 2, ' ') << one.title;
+    if (!one.place.empty()) out() << ", " << one.place;
+    out() << (one.usable ? one.gives_force ? ": ready, gives force" : ": ready, gives no force" : ": not usable");
+    if (&one == &defaultDevice(found)) out() << " (the default)";
+    out() << '\n';
+    if (!one.why.empty()) out() << std::string(width + 2, ' ') << one.why << '\n';
   }
 }
 

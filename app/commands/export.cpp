@@ -1,10 +1,9 @@
 // moltact export: a molecule as a glTF file for slides, web pages and printing.
-#include <cstdio>
-
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "engine/haptics/tracker.h"
+#include "engine/platform/terminal.h"
 #include "engine/render/gltf_export.h"
 
 namespace moltact {
@@ -27,7 +26,7 @@ void exportGltf(ExportArguments& a) {
   for (const GltfNode& node : scene->nodes)
     if (node.mesh != GltfNode::kNone)
       for (const GltfPart& part : scene->meshes[node.mesh].parts) triangles += part.indices.size() / 3;
-  std::printf("%s: %zu triangles, %zu colours, 1 unit is %g nm\n", a.out.c_str(), triangles, scene->materials.size(), 1.0 / a.options.units_per_nm);
+  out() << a.out << ": " << triangles << " triangles, " << scene->materials.size() << " colours, 1 unit is " << 1.0 / a.options.units_per_nm << " nm\n";
 }
 
 }  // namespace

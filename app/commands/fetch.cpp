@@ -1,11 +1,12 @@
 // moltact fetch ID: downloads an entry of the Protein Data Bank into the user's data folder.
-#include <iostream>
 #include <memory>
 
 #include "app/commands/command.h"
 #include "engine/molecule/fetch_entry.h"
 #include "engine/molecule/pdb_id.h"
 #include "engine/platform/folders.h"
+#include "engine/platform/interrupt.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
@@ -16,11 +17,12 @@ struct FetchArguments {
 };
 
 void run(const FetchArguments& arguments) {
-  const auto entry = fetchEntry(arguments.id, userMoleculesFolder(), arguments.url, arguments.again);
-  if (!entry) throw CommandError{entry.problem().text()};
-  std::cout << entry->file.string() << ": " << entry->atoms << " atoms"
-            << (entry->was_there ? ", here already" : "") << "\nOpen it by its name: moltact info "
-            << pdbId(arguments.id) << '\n';
+  const InterruptWatch interrupt;
+  const auto entry = fetchEntry(arguments.id, userMoleculesFolder(), arguments.url, arguments.again, [&] { return interrupt.seen(); });
+  if (!entry) throw CommandError{entry.problem().text(), interrupt.seen() ? 130 : 1};
+  out() << entry->file.string() << ": " << entry->atoms << " atoms"
+        << (entry->was_there ? ", here already" : "") << "\nOpen it by its name: moltact info "
+        << pdbId(arguments.id) << '\n';
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // moltact info MOLECULE: what a molecule holds, as text or JSON.
 #include <algorithm>
 #include <cstdio>
-#include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
+#include "app/commands/print_json.h"
 #include "engine/molecule/summary.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
@@ -34,17 +34,17 @@ std::string named(const std::vector<std::string>& chains) {
 
 void printText(const Molecule& molecule, const MoleculeSummary& s) {
   const Vec3 size = s.high_A - s.low_A;
-  std::cout << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
-  std::cout << "atoms     " << s.atoms << '\n';
-  std::cout << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "")
-            << '\n';
-  std::cout << "chains    " << s.chains << (s.chains ? " (" + named(s.chain_names) + ")" : "") << '\n';
-  std::cout << "elements  " << listed(s.elements) << '\n';
-  std::cout << "ligands   " << listed(s.ligands) << '\n';
+  out() << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
+  out() << "atoms     " << s.atoms << '\n';
+  out() << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "")
+        << '\n';
+  out() << "chains    " << s.chains << (s.chains ? " (" + named(s.chain_names) + ")" : "") << '\n';
+  out() << "elements  " << listed(s.elements) << '\n';
+  out() << "ligands   " << listed(s.ligands) << '\n';
   char text[80];
-  std::snprintf(text, sizeof text, "size      %.1f x %.1f x %.1f A\n", size.x, size.y, size.z);
-  std::cout << text;
-  for (const std::string& warning : molecule.warnings) std::cout << "note      " << warning << '\n';
+  std::snprintf(text, sizeof text, "%.1f x %.1f x %.1f A", size.x, size.y, size.z);
+  out() << "size      " << text << '\n';
+  for (const std::string& warning : molecule.warnings) out() << "note      " << warning << '\n';
 }
 
 std::vector<double> list(Vec3 v) { return {v.x, v.y, v.z}; }
@@ -68,8 +68,7 @@ void printJson(const Molecule& molecule, const MoleculeSummary& s) {
       {"high_A", list(s.high_A)},
       {"warnings", molecule.warnings},
   };
-  // A file may hold bytes that are no UTF-8; they are replaced.
-  std::cout << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  printDocument(json);
 }
 
 void run(const InfoArguments& arguments) {

@@ -1,13 +1,12 @@
 // moltact lesson-reference: the page docs/lesson-reference.md, from the tables with which lessons are read.
-#include <iostream>
-
 #include "app/commands/command.h"
 #include "engine/lesson/reference.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 
 void addLessonReference(CLI::App& app) {
-  app.add_subcommand("lesson-reference", "Print every key of a lesson as a Markdown page")->callback([] { std::cout << lessonReference(); });
+  app.add_subcommand("lesson-reference", "Print every key of a lesson as a Markdown page")->callback([] { out() << Lines{lessonReference()}; });
 }
 
 }  // namespace moltact

@@ -1,14 +1,12 @@
 // moltact new-lesson NAME: a small working lesson to start from.
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <iostream>
 #include <memory>
 
 #include "app/commands/command.h"
 #include "engine/lesson/new_lesson.h"
 #include "engine/lesson/source_text.h"
+#include "engine/platform/terminal.h"
+#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace {
@@ -21,12 +19,10 @@ struct NewLessonArguments {
 
 /// Writes a file that must not exist yet.
 void writeNew(const fs::path& file, const std::string& text) {
-  // "x": the file is made here or not at all, so that no other program's file can be overwritten in between.
-  std::FILE* out = std::fopen(file.c_str(), "wx");
-  if (!out && errno == EEXIST) throw CommandError{file.string() + " is there already and stays as it is; choose another name"};
-  if (!out) throw CommandError{file.string() + " cannot be written: " + std::strerror(errno) + "; choose another folder with --folder"};
-  const bool whole = std::fwrite(text.data(), 1, text.size(), out) == text.size();
-  if (std::fclose(out) != 0 || !whole) throw CommandError{file.string() + " could not be written to its end; check that the disk has room"};
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(file, error))) throw CommandError{file.string() + " is there already and stays as it is; choose another name"};
+  const auto problem = writeWhole(file, text, IfThere::Refuse);
+  if (problem) throw CommandError{problem->text() + ", or choose another folder with --folder"};
 }
 
 /// A file's name as a shell takes it.
@@ -47,11 +43,11 @@ void run(const NewLessonArguments& arguments) {
   const fs::path file = arguments.folder == "." ? fs::path(name) : fs::path(arguments.folder) / name;
   writeNew(file, newLessonText(lessonTitle(arguments.name)));
   const std::string word = shellWord(file.string());
-  std::cout << file.string() << " is written. What to do now:\n"
-            << "  moltact " << word << "          see it; it is read again each time you save it\n"
-            << "  moltact check " << word << "    what is wrong with it, and what would mend it\n"
-            << "  moltact info MOLECULE" << std::string(word.size() > 8 ? word.size() - 8 : 0, ' ') << "    the chains, residues and ligands that you can name\n"
-            << "How lessons are written is told in docs/write-a-lesson.md.\n";
+  out() << file.string() << " is written. What to do now:\n"
+        << "  moltact " << word << "          see it; it is read again each time you save it\n"
+        << "  moltact check " << word << "    what is wrong with it, and what would mend it\n"
+        << "  moltact info MOLECULE" << std::string(word.size() > 8 ? word.size() - 8 : 0, ' ') << "    the chains, residues and ligands that you can name\n"
+        << "How lessons are written is told in docs/write-a-lesson.md.\n";
 }
 
 }  // namespace

@@ -1,15 +1,15 @@
 // `moltact play`: a student made of code goes through a lesson, without a window and on a virtual clock.
 #include <cmath>
 #include <cstdio>
-#include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "app/commands/number_range.h"
+#include "app/commands/print_json.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/student/answers_file.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/read_file.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
@@ -38,20 +38,20 @@ void print(const Lesson& lesson, const StudentEvent& e) {
   using Kind = StudentEvent::Kind;
   switch (e.kind) {
     case Kind::Step:
-      std::cout << "step " << e.index + 1 << " of " << lesson.steps.size() << ": " << e.text << " (" << e.note << ")\n";
+      out() << "step " << e.index + 1 << " of " << lesson.steps.size() << ": " << e.text << " (" << e.note << ")\n";
       break;
     case Kind::Task:
     case Kind::GaveUp:
-      std::cout << "  task " << e.index + 1 << ": " << e.text << '\n';
-      std::cout << "    " << (e.kind == Kind::Task ? "done: " : "NOT DONE: " + lineOf(lesson, e)) << e.note << '\n';
-      std::cout << "    " << figuresText(e.figures) << '\n';
+      out() << "  task " << e.index + 1 << ": " << e.text << '\n';
+      out() << "    " << (e.kind == Kind::Task ? "done: " : "NOT DONE: " + lineOf(lesson, e)) << e.note << '\n';
+      out() << "    " << figuresText(e.figures) << '\n';
       break;
     case Kind::Question:
-      std::cout << "  question " << e.index + 1 << ": " << e.text << '\n';
-      std::cout << "    " << (e.right ? "right: " : "wrong: ") << e.answer << '\n';
-      if (!e.note.empty()) std::cout << "    told: " << e.note << '\n';
+      out() << "  question " << e.index + 1 << ": " << e.text << '\n';
+      out() << "    " << (e.right ? "right: " : "wrong: ") << e.answer << '\n';
+      if (!e.note.empty()) out() << "    told: " << e.note << '\n';
       break;
-    case Kind::Trouble: std::cout << "  " << lineOf(lesson, e) << e.note << '\n'; break;
+    case Kind::Trouble: out() << "  " << lineOf(lesson, e) << e.note << '\n'; break;
   }
 }
 
@@ -91,13 +91,9 @@ MoleculeByName library(const std::filesystem::path& lesson) {
   };
 }
 
-std::string lines(const std::vector<Problem>& problems) {
-  std::string all;
-  for (const Problem& p : problems) {
-    if (!all.empty()) all += '\n';
-    all += p.text();
-  }
-  return all;
+[[noreturn]] void fail(const std::vector<Problem>& problems) {
+  for (std::size_t k = 0; k < problems.size(); ++k) err() << (k ? "" : "moltact: ") << problems[k].text() << '\n';
+  throw CommandFailed{};
 }
 
 std::vector<StudentAct> actsOf(const std::string& file) {
@@ -105,12 +101,12 @@ std::vector<StudentAct> actsOf(const std::string& file) {
   if (!text) throw CommandError{text.problem().text()};
   AnswersReading read = readAnswers(file, *text);
   if (read.problems.empty()) return std::move(read.acts);
-  throw CommandError{lines(read.problems)};
+  fail(read.problems);
 }
 
 void run(const PlayOptions& options) {
   LessonReading reading = readLesson(options.lesson);
-  if (!reading.lesson) throw CommandError{lines(reading.errors)};
+  if (!reading.lesson) fail(reading.errors);
   const auto lesson = std::make_shared<const Lesson>(*std::move(reading.lesson));
   const std::vector<StudentAct> acts = options.demonstrate ? std::vector<StudentAct>() : actsOf(options.answers);
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
@@ -128,19 +124,19 @@ void run(const PlayOptions& options) {
   for (std::size_t k = 0; k < lesson->steps.size(); ++k)
     if (!session.stepDone(k)) left += (left.empty() ? "" : ", ") + lesson->steps[k].id;
   if (options.json) {
-    nlohmann::ordered_json out{{"lesson", lesson->file}, {"finished", session.finished()}, {"progress", session.progress()}, {"time_s", student.time_s()}};
-    out["events"] = std::move(events);
-    out["problems"] = nlohmann::ordered_json::array();
-    for (const Problem& p : problems) out["problems"].push_back(p.text());
-    std::cout << out.dump(2) << '\n';
+    nlohmann::ordered_json all{{"lesson", lesson->file}, {"finished", session.finished()}, {"progress", session.progress()}, {"time_s", student.time_s()}};
+    all["events"] = std::move(events);
+    all["problems"] = nlohmann::ordered_json::array();
+    for (const Problem& p : problems) all["problems"].push_back(p.text());
+    printDocument(all);
   } else {
-    std::printf("%s after %.1f s on the virtual clock\n", session.finished() ? "lesson finished" : "lesson not finished", student.time_s());
-    std::fflush(stdout);
+    char time[32];
+    std::snprintf(time, sizeof time, "%.1f s", student.time_s());
+    out() << (session.finished() ? "lesson finished" : "lesson not finished") << " after " << time << " on the virtual clock\n";
   }
   if (session.finished() && problems.empty()) return;
   if (!session.finished()) problems.push_back({{}, 0, 0, "the lesson was not finished; left in: " + left, {}});
-  std::cout.flush();
-  throw CommandError{lines(problems)};
+  fail(problems);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "app/commands/number_range.h"
 #include "engine/haptics/methods.h"
 #include "engine/platform/offscreen_gl.h"
+#include "engine/platform/terminal.h"
 #include "engine/render/renderer.h"
 
 namespace moltact {
@@ -76,10 +77,12 @@ void printTimes(Renderer& renderer, const ViewScene& scene, int width, int heigh
     return ms;
   };
   const auto turning = run(true), touching = run(false);
-  std::printf("{\"atoms\": %zu, \"atoms_drawn\": %zu, \"turning_ms_p50\": %.2f, \"turning_ms_max\": %.2f, "
-              "\"touching_ms_p50\": %.2f, \"touching_ms_max\": %.2f}\n",
+  char text[400];
+  std::snprintf(text, sizeof text, "{\"atoms\": %zu, \"atoms_drawn\": %zu, \"turning_ms_p50\": %.2f, \"turning_ms_max\": %.2f, "
+              "\"touching_ms_p50\": %.2f, \"touching_ms_max\": %.2f}",
               renderer.count().atoms, renderer.count().atoms_drawn, turning[turning.size() / 2], turning.back(),
               touching[touching.size() / 2], touching.back());
+  out() << text << '\n';
 }
 
 void render(const RenderArguments& arguments) {

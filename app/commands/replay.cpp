@@ -2,15 +2,16 @@
 #include <algorithm>
 #include <charconv>
 #include <chrono>
-#include <fstream>
-#include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/commands/command.h"
 #include "app/commands/hip_path_file.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/print_json.h"
 #include "engine/haptics/methods.h"
+#include "engine/platform/terminal.h"
+#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace {
@@ -41,10 +42,13 @@ void append(std::string& row, const Vec3& v) {
 }
 
 void writeTrace(const ReplayOptions& options, const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
-  std::ofstream out(options.out, std::ios::binary);
-  if (!out) throw CommandError{Problem{options.out, 0, 0, "the trace cannot be written", "check the folder and that you may write there"}.text()};
-  out << "tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n";
-  std::string row;
+  const auto checked = [](const std::optional<Problem>& problem) {
+    if (problem) throw CommandError{problem->text()};
+  };
+  Expected<Draft> out = Draft::begin(options.out);
+  if (!out) throw CommandError{out.problem().text()};
+  std::string row = "tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n";
+  checked(out->append(row));
   for (std::size_t k = 0; k < path.size(); ++k) {
     const Contact& c = contacts[k];
     row = std::to_string(k);
@@ -56,10 +60,9 @@ void writeTrace(const ReplayOptions& options, const std::vector<PointA>& path, c
     row += nameOf(c.feature);
     for (const std::int32_t atom : c.atoms) row += ',' + std::to_string(atom);
     row += '\n';
-    out << row;
+    checked(out->append(row));
   }
-  out.flush();
-  if (!out) throw CommandError{Problem{options.out, 0, 0, "the trace could not be written to its end", "free some space on the disk"}.text()};
+  checked(out->commit());
 }
 
 nlohmann::ordered_json summary(std::vector<double> ns) {
@@ -126,10 +129,10 @@ void run(const ReplayOptions& options) {
     refused += contacts.back().fault == Fault::NotFinite;
   }
   if (inside)
-    std::cerr << "moltact: the HIP starts inside the molecule: no force for the first " << inside << " ticks, until it has been outside\n";
-  if (refused) std::cerr << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
+    err() << "moltact: the HIP starts inside the molecule: no force for the first " << inside << " ticks, until it has been outside\n";
+  if (refused) err() << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
   if (!options.out.empty()) writeTrace(options, *path, contacts);
-  if (options.time) std::cout << timePath(method, scene, options.probe_A, *path, contacts).dump(2) << '\n';
+  if (options.time) printDocument(timePath(method, scene, options.probe_A, *path, contacts));
 }
 
 }  // namespace

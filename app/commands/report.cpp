@@ -1,10 +1,10 @@
 // `moltact report`: what a class did, from its attempts, as a table for spreadsheets and as a page.
-#include <fstream>
-#include <iostream>
-#include <memory>
 #include <chrono>
+#include <memory>
 
 #include "app/commands/command.h"
+#include "engine/platform/terminal.h"
+#include "engine/platform/write_file.h"
 #include "engine/results/class_csv.h"
 #include "engine/results/class_page.h"
 
@@ -18,11 +18,7 @@ struct Arguments {
 };
 
 void write(const std::string& file, const std::string& bytes) {
-  std::ofstream out(file, std::ios::binary);
-  if (!out) throw CommandError{Problem{file, 0, 0, "the report cannot be written", "check the folder and that you may write there"}.text()};
-  out << bytes;
-  out.flush();
-  if (!out) throw CommandError{Problem{file, 0, 0, "the report could not be written to its end", "free some space on the disk"}.text()};
+  if (const auto problem = writeWhole(file, bytes)) throw CommandError{problem->text()};
 }
 
 void run(const Arguments& arguments) {
@@ -45,7 +41,7 @@ void run(const Arguments& arguments) {
       attempts.push_back(*std::move(attempt));
     }
   }
-  for (const Problem& p : problems) std::cerr << "moltact: passed over: " << p.text() << '\n';
+  for (const Problem& p : problems) err() << "moltact: passed over: " << p.text() << '\n';
   if (attempts.empty()) throw CommandError{"there are no attempts to report on in what was named"};
   const ClassSummary summary = summarise(std::move(attempts), arguments.anonymous);
   if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));
@@ -53,8 +49,8 @@ void run(const Arguments& arguments) {
     const std::string now = utcText(std::chrono::system_clock::now());
     write(arguments.html, classPage(summary, problems, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
-  std::cout << summary.people.size() << (summary.people.size() == 1 ? " student, " : " students, ") << summary.lessons.size()
-            << (summary.lessons.size() == 1 ? " lesson, " : " lessons, ") << summary.attempts << (summary.attempts == 1 ? " attempt" : " attempts") << '\n';
+  out() << summary.people.size() << (summary.people.size() == 1 ? " student, " : " students, ") << summary.lessons.size()
+        << (summary.lessons.size() == 1 ? " lesson, " : " lessons, ") << summary.attempts << (summary.attempts == 1 ? " attempt" : " attempts") << '\n';
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ void AttemptRecorder::ticks(Application& app, const FeltTicks& felt) {
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& s = tick.sample;
     if (!s.has_tracker) continue;
-    const double t_s = std::max(now_s_ - app.dt_s(), now_s_ - (last_s - s.time_s));
+    const double t_s = std::max({0.0, now_s_ - app.dt_s(), now_s_ - (last_s - s.time_s)});
     TouchSample sample;
     sample.time_s = s.time_s;
     sample.hip = s.hip;
@@ -222,6 +222,7 @@ void AttemptRecorder::afterPanels(Application& app) {
   if (app.panels.hints && !hints_) add(HintOpened{session->step().id});
   hints_ = app.panels.hints;
   if (further) add(SessionWatch::progressOf(*session));
+  log_->beat(now_s_);
 }
 
 void AttemptRecorder::tell(Application& app) {

@@ -1,17 +1,17 @@
 #include "app/ui/offscreen_run.h"
 
 #include <fstream>
-#include <iostream>
 #include <sstream>
 
 #include "app/ui/driver.h"
 #include "app/ui/extensions.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
 
 int fail(const Problem& problem) {
-  std::cerr << "moltact: " << problem.text() << '\n';
+  err() << "moltact: " << problem.text() << '\n';
   return 1;
 }
 
@@ -41,7 +41,7 @@ int runOffscreen(const OffscreenOptions& options) {
     if (!in) return fail({options.script.string(), 0, 0, "the script cannot be read", "check its name"});
     if (const std::optional<Problem> problem = driver.run(text.str(), options.script.string())) return fail(*problem);
   }
-  if (options.frame_stats) std::cout << driver.stats().json() << '\n';
+  if (options.frame_stats) out() << driver.stats().json() << '\n';
   if (!options.screenshot.empty())
     if (const std::optional<Problem> problem = writePng(options.screenshot, driver.picture())) return fail(*problem);
   return 0;

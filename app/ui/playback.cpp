@@ -19,7 +19,11 @@ void Playback::open(Application& app, const fs::path& file) {
     return;
   }
   const std::size_t passed_over = attempt->problems.size();
-  if (!on()) before_ = app.scene.file();
+  const std::string first_problem = passed_over ? "line " + std::to_string(attempt->problems.front().line) + ", " + attempt->problems.front().message : "";
+  if (!on()) {
+    before_ = app.scene.file();
+    seen_before_ = app.scene.camera;
+  }
   timeline_.emplace(*std::move(attempt));
   file_ = file;
   shown_stage_.clear();
@@ -33,7 +37,7 @@ void Playback::open(Application& app, const fs::path& file) {
   app.panels.welcome = false;
   if (passed_over)
     app.messages.notice(std::to_string(passed_over) + (passed_over == 1 ? " line" : " lines") + " of " + file.filename().string() + " could not be read and " +
-                        (passed_over == 1 ? "is" : "are") + " left out.");
+                        (passed_over == 1 ? "is" : "are") + " left out. The first: " + first_problem + ".");
   if (!timeline_->stage(timeline_->length_s())) app.messages.notice("This attempt has no touches to show; its steps and answers are on the bar.");
 }
 
@@ -44,8 +48,11 @@ void Playback::close(Application& app, bool back) {
   app.scene.play(std::nullopt);
   app.extensions().recorder.pause(false);
   if (!back) return;
+  // The view is where the attempt's last moment had it, which may be anywhere.
   if (app.lesson.session()) app.lesson.askForScene();
   else if (!before_.empty() && before_ != app.scene.file()) app.showMolecule(before_);
+  else if (!before_.empty()) app.scene.camera = seen_before_;
+  else if (app.scene.stage()) app.resetView();
 }
 
 void Playback::setRunning(bool run) {

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/ui/extension.h"
+#include "engine/render/camera.h"
 #include "engine/results/timeline.h"
 
 namespace moltact {
@@ -52,6 +53,7 @@ class Playback : public Extension {
 
   std::optional<Timeline> timeline_;
   std::filesystem::path file_, before_;   // the attempt; the molecule that was on the stage
+  Camera seen_before_;                    // how that was looked at
   std::string shown_stage_, missing_;     // names of molecule files: asked for, and told as missing
   const ViewTurned* shown_view_ = nullptr;
   double at_s_ = 0.0;

@@ -47,7 +47,7 @@ void plot(const char* name, const Trace& trace, double newest, const PlotLook& h
   draw->AddRectFilled(a, b, p.raised, l.px(6));
   float top = how.least_top;
   for (std::size_t k = 0; k < trace.size(); ++k) top = std::max(top, trace.ago(k));
-  top = roundUp(top * 1.02f);
+  top = roundUp(std::min(top, 1e30f) * 1.02f);
   const float inset = l.px(6), y0 = b.y - inset, y1 = a.y + inset;
   const auto y = [&](float v) { return y0 - (y0 - y1) * std::clamp(v / top, 0.0f, 1.0f); };
   for (const float part : {0.5f, 1.0f}) draw->AddLine({a.x, y(part * top)}, {b.x, y(part * top)}, p.line, 1.0f);

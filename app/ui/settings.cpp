@@ -9,6 +9,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/platform/write_file.h"
+
 namespace moltact {
 namespace {
 
@@ -101,35 +103,44 @@ LoadedSettings loadSettings(const fs::path& file) {
   return out;
 }
 
-std::string saveSettings(const Settings& s, const fs::path& file) {
-  const nlohmann::json json = {{"theme", themeName(s.theme)},
-                               {"scale", s.scale},
-                               {"text_size", s.text_size},
-                               {"lesson_width", s.lesson_width},
-                               {"touch_width", s.touch_width},
-                               {"legend", s.legend},
-                               {"colour_blind_safe", s.colour_blind_safe},
-                               {"left_handed", s.left_handed},
-                               {"decimal_comma", s.decimal_comma},
-                               {"lesson_folder", s.lesson_folder},
-                               {"probe_look", probeLookName(s.probe_look)},
-                               {"device", s.device},
-                               {"sound", s.sound},
-                               {"reduced_motion", s.reduced_motion},
-                               {"large_state_text", s.large_state_text},
-                               {"recent", s.recent}};
+namespace {
+
+nlohmann::json written(const Settings& s) {
+  return {{"theme", themeName(s.theme)},
+          {"scale", s.scale},
+          {"text_size", s.text_size},
+          {"lesson_width", s.lesson_width},
+          {"touch_width", s.touch_width},
+          {"legend", s.legend},
+          {"colour_blind_safe", s.colour_blind_safe},
+          {"left_handed", s.left_handed},
+          {"decimal_comma", s.decimal_comma},
+          {"lesson_folder", s.lesson_folder},
+          {"probe_look", probeLookName(s.probe_look)},
+          {"device", s.device},
+          {"sound", s.sound},
+          {"reduced_motion", s.reduced_motion},
+          {"large_state_text", s.large_state_text},
+          {"recent", s.recent}};
+}
+
+}  // namespace
+
+std::string saveSettings(const Settings& settings, const fs::path& file, const Settings& before) {
   std::error_code error;
   fs::create_directories(file.parent_path(), error);
-  const fs::path draft = file.string() + ".new";
-  {
-    std::ofstream out(draft, std::ios::binary | std::ios::trunc);
-    // Paths may hold bytes that are no UTF-8; they are replaced and not thrown over.
-    out << json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
-    if (!out.flush()) return "Your settings could not be saved to " + file.string() + ".";
+  // Paths may hold bytes that are no UTF-8; they are replaced and not thrown over.
+  nlohmann::json kept;
+  if (std::ifstream in(file, std::ios::binary); in) kept = nlohmann::json::parse(in, nullptr, false);
+  nlohmann::json json = written(settings);
+  if (kept.is_object()) {
+    const nlohmann::json was = written(before);
+    for (const auto& [key, value] : json.items())
+      if (!kept.contains(key) || value != was[key]) kept[key] = value;
+    json = std::move(kept);
   }
-  fs::rename(draft, file, error);
-  if (error) return "Your settings could not be saved to " + file.string() + ": " + error.message() + ".";
-  return {};
+  const auto problem = writeWhole(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
+  return problem ? "Your settings could not be saved: " + problem->text() + "." : std::string();
 }
 
 }  // namespace moltact

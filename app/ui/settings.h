@@ -56,7 +56,9 @@ struct LoadedSettings {
 /// A missing file gives the defaults without trouble.
 LoadedSettings loadSettings(const std::filesystem::path& file);
 
-/// Writes the file whole or not at all, making its folder. Returns what went wrong, empty when nothing did.
-std::string saveSettings(const Settings& settings, const std::filesystem::path& file);
+/// Writes the file whole or not at all, making its folder. Only what differs from `before` (what this program has read or written
+/// last) changes in a sound file that is there: what another window, or a newer version, has set in it stays. Returns what
+/// went wrong, empty when nothing did.
+std::string saveSettings(const Settings& settings, const std::filesystem::path& file, const Settings& before = Settings());
 
 }  // namespace moltact

@@ -13,13 +13,13 @@ void SettingsKeeper::afterPanels(Application& app) {
   rested_s_ = app.settings == changing_ ? rested_s_ + app.dt_s() : 0.0;
   changing_ = app.settings;
   if (rested_s_ < kSaveAfter_s) return;
-  if (const std::string trouble = saveSettings(app.settings, file); !trouble.empty()) app.messages.warning(trouble);
+  if (const std::string trouble = saveSettings(app.settings, file, kept_); !trouble.empty()) app.messages.warning(trouble);
   kept_ = app.settings;
 }
 
 void SettingsKeeper::atEnd(Application& app) {
   const std::filesystem::path& file = app.options().settings_file;
-  if (!file.empty() && !(app.settings == kept_)) saveSettings(app.settings, file);
+  if (!file.empty() && !(app.settings == kept_)) saveSettings(app.settings, file, kept_);
 }
 
 }  // namespace moltact

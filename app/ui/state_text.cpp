@@ -1,10 +1,9 @@
 #include "app/ui/state_text.h"
 
-#include <iostream>
-
 #include "app/ui/application.h"
 #include "app/ui/contact_text.h"
 #include "app/ui/extensions.h"
+#include "engine/platform/terminal.h"
 
 namespace moltact {
 namespace {
@@ -19,15 +18,24 @@ std::string whatOf(const Molecule* molecule, const Contact& contact) {
 std::optional<Problem> StateText::writeTo(const std::filesystem::path& file) {
   to_terminal_ = file == "-";
   if (to_terminal_) return std::nullopt;
-  file_.open(file, std::ios::trunc);
-  if (file_) return std::nullopt;
-  return Problem{.file = file.string(), .message = "the state text cannot be written there", .remedy = "name a file in a folder that you may write to, or - for the terminal"};
+  std::error_code error;
+  // Not put in its place by a rename as other files are: who follows it has it open.
+  const bool there = std::filesystem::exists(file, error);
+  Expected<AppendFile> opened = AppendFile::open(file, there ? AppendFile::Begin::Continue : AppendFile::Begin::New);
+  if (!opened) return opened.problem();
+  if (std::filesystem::is_regular_file(file, error))
+    if (const auto problem = opened->cut(0)) return problem;
+  file_.emplace(*std::move(opened));
+  return std::nullopt;
 }
 
 // Each line at once: whoever follows it waits for it.
 void StateText::write(const std::string& line) {
-  if (to_terminal_) std::cout << line << std::endl;
-  if (file_.is_open()) file_ << line << std::endl;
+  if (to_terminal_) {
+    out() << line << '\n';
+    out().flush();
+  }
+  if (file_) file_->append(oneLine(line) + '\n');  // a full disk loses a line and not the window
 }
 
 void StateText::stepChanged(Application& app) {
@@ -50,7 +58,7 @@ void StateText::afterPanels(Application& app) {
   const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
   reading_.update(what, whole, force_N, app.now_s());
   if (speaking_.update(what, whole, force_N, app.now_s())) write(whole);
-  owing_ = reading_.owes(what) || ((to_terminal_ || file_.is_open()) && speaking_.owes(what));
+  owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
 }
 
 }  // namespace moltact

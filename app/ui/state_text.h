@@ -4,13 +4,13 @@
 #pragma once
 
 #include <filesystem>
-#include <fstream>
 #include <optional>
 #include <string>
 
 #include "app/ui/extension.h"
 #include "app/ui/state_line.h"
 #include "engine/core/problem.h"
+#include "engine/platform/append_file.h"
 
 namespace moltact {
 
@@ -31,7 +31,7 @@ class StateText : public Extension {
   void write(const std::string& line);
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
-  std::ofstream file_;
+  std::optional<AppendFile> file_;
   bool to_terminal_ = false;
   bool owing_ = false;  // there is news that has not been told
 };

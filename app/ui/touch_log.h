@@ -2,6 +2,7 @@
 // time and lateness. Window's thread. Units: newton, second, microsecond.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -13,8 +14,9 @@ namespace moltact {
 class Trace {
  public:
   explicit Trace(std::size_t length) : values_(length, 0.0f) {}
+  /// What is not finite counts as 0.
   void add(float value) {
-    values_[next_] = value;
+    values_[next_] = std::isfinite(value) ? value : 0.0f;
     next_ = (next_ + 1) % values_.size();
     if (count_ < values_.size()) ++count_;
   }

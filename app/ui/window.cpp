@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
-#include <iostream>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -22,6 +21,7 @@
 #include "app/ui/user_folders.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/interrupt.h"
+#include "engine/platform/terminal.h"
 #include "engine/render/picture.h"
 #include "engine/results/attempt_file.h"
 
@@ -158,8 +158,8 @@ void setIcon(GLFWwindow* window) {
 }
 
 int noDisplay(const char* why) {
-  std::cerr << "moltact: no window can be opened (" << why << ")\n"
-            << "Without a display the commands work that moltact --help lists, such as info, render, check, play, report and bench.\n";
+  err() << "moltact: no window can be opened (" << why << ")\n"
+        << "Without a display the commands work that moltact --help lists, such as info, render, check, play, report and bench.\n";
   return 1;
 }
 
@@ -249,7 +249,7 @@ int runWindow(const WindowOptions& options) {
     glfwSetWindowUserPointer(window, nullptr);
     glfwHideWindow(window);
   }
-  if (options.frame_stats) std::cout << stats.json() << '\n';
+  if (options.frame_stats) out() << stats.json() << '\n';
   glfwDestroyWindow(window);
   glfwTerminate();
   return 0;

@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "engine/core/printable.h"
+
 namespace moltact {
 
 /// One fault in a user's input. `line` and `column` count from 1; 0 means that there is no such place.
@@ -17,14 +19,15 @@ struct Problem {
   std::string message;  ///< what is wrong, in words of the person's world
   std::string remedy;   ///< what would mend it; may be empty
 
-  /// "file:line:column: message; remedy", leaving out what is not known.
+  /// "file:line:column: message; remedy" on one line, leaving out what is not known. Names and what a message quotes may hold
+  /// anything; what would steer a terminal is replaced.
   std::string text() const {
-    std::string out = file;
+    std::string out = oneLine(file);
     if (line) out += ':' + std::to_string(line);
     if (line && column) out += ':' + std::to_string(column);
     if (!out.empty()) out += ": ";
-    out += message;
-    if (!remedy.empty()) out += "; " + remedy;
+    out += oneLine(message);
+    if (!remedy.empty()) out += "; " + oneLine(remedy);
     return out;
   }
 };

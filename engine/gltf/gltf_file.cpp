@@ -5,12 +5,15 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
+#include <sstream>
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
 // A system header, so that its warnings are not ours.
 #include <tiny_gltf.h>
+
+#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace {
@@ -300,10 +303,11 @@ Expected<SolidModel> readGltf(const std::filesystem::path& file) {
 
 std::optional<Problem> writeGlb(const std::filesystem::path& file, const GltfScene& scene) {
   Writer writer(scene);
-  std::ofstream out(file, std::ios::binary | std::ios::trunc);
+  std::ostringstream out;
   tinygltf::TinyGLTF saver;
-  if (out && saver.WriteGltfSceneToStream(&writer.model(), out, false, true) && out.flush()) return std::nullopt;
-  return Problem{.file = file.string(), .message = "the scene cannot be written", .remedy = "is there room on the disk, and is it not a folder?"};
+  if (!saver.WriteGltfSceneToStream(&writer.model(), out, false, true) || !out)
+    return Problem{.file = file.string(), .message = "the scene is too large for a glTF file", .remedy = "take a smaller molecule, or a coarser surface"};
+  return writeWhole(file, out.view());
 }
 
 }  // namespace moltact

@@ -71,7 +71,7 @@ class BallScene {
 
   std::int64_t cellOf(double x, double low) const {
     const double c = std::floor((x - low) / cell_);
-    return static_cast<std::int64_t>(c < 0 ? 0 : (c > 2 * kHalfCells - 1 ? 2 * kHalfCells - 1 : c));
+    return static_cast<std::int64_t>(!(c > 0) ? 0 : (c > 2 * kHalfCells - 1 ? 2 * kHalfCells - 1 : c));
   }
   static std::uint64_t key(std::int64_t x, std::int64_t y, std::int64_t z) {
     return static_cast<std::uint64_t>(x) | static_cast<std::uint64_t>(y) << 21 | static_cast<std::uint64_t>(z) << 42;

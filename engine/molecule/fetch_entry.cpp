@@ -1,10 +1,9 @@
 #include "engine/molecule/fetch_entry.h"
 
-#include <unistd.h>
-
 #include "engine/molecule/pdb_id.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/download.h"
+#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
@@ -12,24 +11,14 @@ namespace {
 
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 
-/// Removes the temporary file unless it took its place.
-struct Temporary {
-  fs::path path;
-  ~Temporary() {
-    std::error_code ignored;
-    fs::remove(path, ignored);
-  }
-};
-
 Problem downloadProblem(const DownloadResult& result, const std::string& id, const std::string& url,
                         const fs::path& file) {
   switch (result.failure) {
     case DownloadFailure::NotFound:
       return {id, 0, 0, "the Protein Data Bank has no such entry (tried " + url + ")",
               "check the id at www.rcsb.org"};
-    case DownloadFailure::CannotWrite:
-      return {file.string(), 0, 0, "it cannot be written: " + result.detail,
-              "free some space, or set XDG_DATA_HOME to another folder"};
+    case DownloadFailure::BrokenOff:
+      return {id, 0, 0, "broken off; nothing was kept of it", ""};
     case DownloadFailure::TooLarge:
       return {id, 0, 0, "the entry is larger than 1 GiB (" + url + ")", "take a smaller entry"};
     case DownloadFailure::Refused:
@@ -49,7 +38,7 @@ std::string entryUrl(const std::string& pdb_id) {
 }
 
 Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folder, const std::string& mirror,
-                                  bool again) {
+                                  bool again, const std::function<bool()>& broken_off) {
   const std::string id = pdbId(text);
   if (id.empty())
     return Problem{text, 0, 0, "it is not an id of the Protein Data Bank",
@@ -64,19 +53,25 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   if (error)
     return Problem{folder.string(), 0, 0, "the folder cannot be created: " + error.message(),
                    "set XDG_DATA_HOME to a folder that can be written"};
-  // The name ends as the final one does, because the reader goes by it.
-  const Temporary temporary{folder / (".fetching-" + std::to_string(::getpid()) + '-' + id + ".cif.gz")};
+  const auto unwritten = [](Problem problem) {
+    problem.remedy += ", or set XDG_DATA_HOME to another folder";
+    return problem;
+  };
+  Expected<Draft> draft = Draft::begin(file);
+  if (!draft) return unwritten(draft.problem());
   const std::string url = mirror.empty() ? entryUrl(id) : mirror;
-  const DownloadResult result = download(url, temporary.path, kMostBytes);
+  std::optional<Problem> problem;
+  const auto take = [&](std::string_view bytes) { return !(problem = draft->append(bytes)); };
+  const DownloadResult result = download(url, kMostBytes, take, broken_off);
+  if (result.failure == DownloadFailure::None) problem = draft->flush();
+  if (problem) return unwritten(*problem);
   if (result.failure != DownloadFailure::None) return downloadProblem(result, id, url, file);
-  auto molecule = readMolecule(temporary.path);
+  // The draft's name ends as the final one does, because the reader goes by it.
+  auto molecule = readMolecule(draft->path());
   if (!molecule)
     return Problem{id, 0, 0, "what came from " + url + " cannot be read: " + molecule.problem().message,
                    "try again later"};
-  fs::rename(temporary.path, file, error);
-  if (error)
-    return Problem{file.string(), 0, 0, "it cannot be put in place: " + error.message(),
-                   "check the folder's permissions"};
+  if ((problem = draft->commit())) return unwritten(*problem);
   return FetchedEntry{file, molecule->atoms.size(), false};
 }
 

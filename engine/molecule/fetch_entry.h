@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "engine/core/problem.h"
@@ -21,8 +22,8 @@ std::string entryUrl(const std::string& pdb_id);
 /// Downloads the entry `id` (see pdb_id.h) to `folder`/ID.cif.gz, which is created where missing. The
 /// download goes to a temporary name, is read as a molecule, and only then takes its place. A sound file that
 /// lies there already is kept unless `again`. `url`, where not empty, takes the place of the archive's
-/// address (a mirror).
+/// address (a mirror). Ends with a Problem soon after `broken_off` (may be empty) gives true; nothing is left then.
 Expected<FetchedEntry> fetchEntry(const std::string& id, const std::filesystem::path& folder,
-                                  const std::string& url = {}, bool again = false);
+                                  const std::string& url = {}, bool again = false, const std::function<bool()>& broken_off = {});
 
 }  // namespace moltact

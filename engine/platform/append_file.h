@@ -14,8 +14,9 @@ namespace moltact {
 class AppendFile {
  public:
   enum class Begin {
-    New,       ///< the file must not be there yet
+    New,       ///< the file must not be there yet; it goes again where nothing was ever appended
     Continue,  ///< the file is there; what is appended comes after it
+    Replace,   ///< what is there stays until the first piece has been appended, which takes its place (write_file.h)
   };
 
   /// Opens for appending and keeps other programs of this kind from doing so. A Problem that a person can act on where
@@ -37,11 +38,12 @@ class AppendFile {
   std::optional<Problem> cut(std::uintmax_t bytes);
 
  private:
-  AppendFile(std::filesystem::path path, int handle, bool made) : path_(std::move(path)), handle_(handle), made_(made) {}
+  AppendFile(std::filesystem::path path, int handle) : path_(std::move(path)), handle_(handle) {}
 
   std::filesystem::path path_;
   int handle_ = -1;
-  bool made_ = false;  // its folder's entry has not been synchronised yet
+  std::filesystem::path empty_;  // the file while nothing is in it: as named, or a draft; none where it was there before
+  bool unsynced_name_ = false;   // its folder's entry has not been synchronised yet
 };
 
 }  // namespace moltact

@@ -2,32 +2,39 @@
 
 #include <curl/curl.h>
 
-#include <fstream>
 #include <memory>
 
 namespace moltact {
 namespace {
 
 struct Sink {
-  std::ofstream out;
-  std::size_t written = 0, most = 0;
-  bool too_large = false;
+  const std::function<bool(std::string_view)>& take;
+  const std::function<bool()>& broken_off;
+  std::size_t most = 0, taken = 0;
+  bool too_large = false, not_taken = false, ended = false;
 };
 
 std::size_t receive(char* data, std::size_t one, std::size_t count, void* to) {
   Sink& sink = *static_cast<Sink*>(to);
   const std::size_t bytes = one * count;
-  sink.written += bytes;
-  if (sink.written > sink.most) {
-    sink.too_large = true;
-    return 0;
-  }
-  return sink.out.write(data, static_cast<std::streamsize>(bytes)) ? bytes : 0;
+  sink.taken += bytes;
+  sink.too_large = sink.taken > sink.most;
+  if (sink.too_large) return 0;
+  sink.not_taken = !sink.take({data, bytes});
+  return sink.not_taken ? 0 : bytes;
+}
+
+// Called at least once a second, also while nothing comes; other than 0 ends the transfer.
+int goesOn(void* to, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
+  Sink& sink = *static_cast<Sink*>(to);
+  sink.ended = sink.ended || (sink.broken_off && sink.broken_off());
+  return sink.ended ? 1 : 0;
 }
 
 DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
   if (sink.too_large) return DownloadFailure::TooLarge;
-  if (code == CURLE_WRITE_ERROR) return DownloadFailure::CannotWrite;
+  if (sink.ended) return DownloadFailure::BrokenOff;
+  if (sink.not_taken) return DownloadFailure::NotTaken;
   if (status == 404 || status == 410 || code == CURLE_FILE_COULDNT_READ_FILE)
     return DownloadFailure::NotFound;
   if (code == CURLE_HTTP_RETURNED_ERROR || code == CURLE_URL_MALFORMAT || code == CURLE_UNSUPPORTED_PROTOCOL)
@@ -37,15 +44,13 @@ DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
 
 }  // namespace
 
-DownloadResult download(const std::string& url, const std::filesystem::path& file, std::size_t most_bytes) {
+DownloadResult download(const std::string& url, std::size_t most_bytes, const std::function<bool(std::string_view)>& take,
+                        const std::function<bool()>& broken_off) {
   static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
   const std::unique_ptr<CURL, void (*)(CURL*)> curl(started == CURLE_OK ? curl_easy_init() : nullptr,
                                                     curl_easy_cleanup);
   if (!curl) return {DownloadFailure::Refused, "libcurl cannot be started"};
-  Sink sink;
-  sink.most = most_bytes;
-  sink.out.open(file, std::ios::binary | std::ios::trunc);
-  if (!sink.out) return {DownloadFailure::CannotWrite, "the file cannot be created"};
+  Sink sink{take, broken_off, most_bytes};
   char words[CURL_ERROR_SIZE] = "";
   curl_easy_setopt(curl.get(), CURLOPT_URL, url.c_str());
   curl_easy_setopt(curl.get(), CURLOPT_PROTOCOLS_STR, "https,http,file");
@@ -61,12 +66,13 @@ DownloadResult download(const std::string& url, const std::filesystem::path& fil
   curl_easy_setopt(curl.get(), CURLOPT_ERRORBUFFER, words);
   curl_easy_setopt(curl.get(), CURLOPT_WRITEFUNCTION, receive);
   curl_easy_setopt(curl.get(), CURLOPT_WRITEDATA, &sink);
+  curl_easy_setopt(curl.get(), CURLOPT_XFERINFOFUNCTION, goesOn);
+  curl_easy_setopt(curl.get(), CURLOPT_XFERINFODATA, &sink);
+  curl_easy_setopt(curl.get(), CURLOPT_NOPROGRESS, 0L);
   const CURLcode code = curl_easy_perform(curl.get());
   long status = 0;
   curl_easy_getinfo(curl.get(), CURLINFO_RESPONSE_CODE, &status);
-  sink.out.close();
-  if (code == CURLE_OK && sink.out) return {};
-  if (code == CURLE_OK) return {DownloadFailure::CannotWrite, "the disk may be full"};
+  if (code == CURLE_OK) return {};
   return {kindOf(code, status, sink), words[0] ? words : curl_easy_strerror(code)};
 }
 

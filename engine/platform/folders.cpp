@@ -6,11 +6,6 @@ namespace moltact {
 namespace fs = std::filesystem;
 namespace {
 
-fs::path fromEnvironment(const char* name) {
-  const char* value = std::getenv(name);
-  return value ? fs::path(value) : fs::path();
-}
-
 bool holdsMolecules(const fs::path& folder) {
   std::error_code error;
   return fs::is_regular_file(folder / "molecules" / "catalogue.json", error);
@@ -18,9 +13,16 @@ bool holdsMolecules(const fs::path& folder) {
 
 }  // namespace
 
+fs::path folderFromEnvironment(const char* name) {
+  const char* value = std::getenv(name);
+  const fs::path folder = value ? fs::path(value) : fs::path();
+  return folder.is_absolute() ? folder : fs::path();
+}
+
 fs::path homeFolder() {
-  const fs::path set = fromEnvironment("MOLTACT_HOME");
-  if (!set.empty()) return set;
+  std::error_code ignored;
+  // Only the program's own data: a relative one is that of the folder in which it was started.
+  if (const char* set = std::getenv("MOLTACT_HOME"); set && *set) return fs::absolute(set, ignored);
   std::error_code error;
   const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path();
   if (!error)
@@ -34,10 +36,9 @@ fs::path lessonsFolder() { return homeFolder() / "lessons"; }
 fs::path assetsFolder() { return homeFolder() / "assets"; }
 
 fs::path userDataFolder() {
-  // The XDG base directory specification says that a relative path is to be ignored.
-  const fs::path data = fromEnvironment("XDG_DATA_HOME");
-  if (data.is_absolute()) return data / "moltact";
-  const fs::path home = fromEnvironment("HOME");
+  const fs::path data = folderFromEnvironment("XDG_DATA_HOME");
+  if (!data.empty()) return data / "moltact";
+  const fs::path home = folderFromEnvironment("HOME");
   return home.empty() ? fs::path() : home / ".local" / "share" / "moltact";
 }
 

@@ -4,9 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/core/saturated.h"
+
 namespace moltact {
 namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
+
+// The cell in which a place from -1 to 1 lies. A ball close before the eye reaches as far beyond the picture as one likes.
+int cellAt(float place, float cell) { return wholeOf<int>((place + 1) / cell); }
 
 // The slopes (sideways over ahead) of the two tangents from the eye to a disc; `side` and `depth` are its centre.
 glm::vec2 tangents(float side, float depth, float radius) {
@@ -61,7 +66,7 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
 
   // About eight cells across a ball: finer costs more than the drawing that it saves.
   const double mean_px = seen_.empty() ? 0 : wide / double(seen_.size()) * 0.5 * projection.width_px;
-  cell_px_ = std::clamp(int(mean_px / 8), 3, 24);
+  cell_px_ = std::clamp(wholeOf<int>(mean_px / 8), 3, 24);
   cells_x_ = (projection.width_px + cell_px_ - 1) / cell_px_;
   cells_y_ = (projection.height_px + cell_px_ - 1) / cell_px_;
   cell_x_ = 2.0f * float(cell_px_) / float(projection.width_px);
@@ -86,7 +91,7 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
 SphereCull::Span SphereCull::inSight(const DrawnSphere& s, int row) const {
   const float nearest = -s.centre.z - s.radius;
   const float* cells = covered_.data() + std::size_t(row) * cells_x_;
-  int first = std::max(0, int((s.low.x + 1) / cell_x_)), last = std::min(cells_x_ - 1, int((s.high.x + 1) / cell_x_));
+  int first = std::max(0, cellAt(s.low.x, cell_x_)), last = std::min(cells_x_ - 1, cellAt(s.high.x, cell_x_));
   while (first <= last && cells[first] < nearest) ++first;
   while (first <= last && cells[last] < nearest) --last;
   return {first, last};
@@ -94,7 +99,7 @@ SphereCull::Span SphereCull::inSight(const DrawnSphere& s, int row) const {
 
 // Rows of cells are put together into boxes as long as little is drawn in vain.
 void SphereCull::emitBoxes(const DrawnSphere& s) {
-  const int y0 = std::max(0, int((s.low.y + 1) / cell_y_)), y1 = std::min(cells_y_ - 1, int((s.high.y + 1) / cell_y_));
+  const int y0 = std::max(0, cellAt(s.low.y, cell_y_)), y1 = std::min(cells_y_ - 1, cellAt(s.high.y, cell_y_));
   int from = 0, to = -1, needed = 0;
   Span box{0, -1};
   const auto close = [&] {
@@ -127,7 +132,7 @@ void SphereCull::emitBoxes(const DrawnSphere& s) {
 }
 
 bool SphereCull::hidden(const DrawnSphere& s) const {
-  const int y0 = std::max(0, int((s.low.y + 1) / cell_y_)), y1 = std::min(cells_y_ - 1, int((s.high.y + 1) / cell_y_));
+  const int y0 = std::max(0, cellAt(s.low.y, cell_y_)), y1 = std::min(cells_y_ - 1, cellAt(s.high.y, cell_y_));
   for (int y = y0; y <= y1; ++y)
     if (const Span span = inSight(s, y); span.first <= span.last) return false;
   return true;
@@ -136,8 +141,8 @@ bool SphereCull::hidden(const DrawnSphere& s) const {
 // A cell is covered where the rays through its four corners all hit the ball, since the image of a ball is convex. Over
 // such a cell the front is nowhere deeper than at the deepest corner: 1 / depth of a convex front is concave.
 void SphereCull::cover(const DrawnSphere& s) {
-  const int x0 = std::max(0, int(std::ceil((s.low.x + 1) / cell_x_))), x1 = std::min(cells_x_, int((s.high.x + 1) / cell_x_));
-  const int y0 = std::max(0, int(std::ceil((s.low.y + 1) / cell_y_))), y1 = std::min(cells_y_, int((s.high.y + 1) / cell_y_));
+  const int x0 = std::max(0, wholeOf<int>(std::ceil((s.low.x + 1) / cell_x_))), x1 = std::min(cells_x_, cellAt(s.high.x, cell_x_));
+  const int y0 = std::max(0, wholeOf<int>(std::ceil((s.low.y + 1) / cell_y_))), y1 = std::min(cells_y_, cellAt(s.high.y, cell_y_));
   if (x1 <= x0) return;
   const float r2 = s.radius * s.radius, depth = -s.centre.z;
   for (int y = y0; y <= y1; ++y) {

@@ -124,6 +124,14 @@ struct TouchEnded {
   double path_A = 0.0;              ///< of the SCP
   InputWay by = InputWay::Mouse;
 };
+/// A touch that goes on, as it is so far: what is left of it where the program is killed. A TouchEnded with the same `from_s`
+/// takes its place.
+struct TouchSoFar {
+  double from_s = 0.0;
+  std::size_t crossings = 0;
+  double peak_N = 0.0, mean_N = 0.0, path_A = 0.0;
+  InputWay by = InputWay::Mouse;
+};
 inline constexpr double kTouchGap_s = 0.1;
 inline constexpr std::size_t kMostTouched = 256;
 
@@ -184,8 +192,13 @@ struct Left {
   std::string at;           ///< UTC
 };
 
+/// The lesson is open and looked at: told where nothing else has told the time for kHeartbeat_s.
+struct StillHere {};
+/// What is killed is known to so much of its end (unit: second of use).
+inline constexpr double kHeartbeat_s = 0.9;
+
 using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan, TouchEnded, InputChanged,
-                                 StageSet, ViewTurned, TraceChunk, LessonReread, Resumed, ProgressMade, Predicted, Left>;
+                                 StageSet, ViewTurned, TraceChunk, LessonReread, Resumed, ProgressMade, Predicted, Left, TouchSoFar, StillHere>;
 
 struct AttemptEvent {
   double t_s = 0.0;

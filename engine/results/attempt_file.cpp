@@ -1,6 +1,7 @@
 #include "engine/results/attempt_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -18,8 +19,7 @@ constexpr const char* kTooLarge = "attempts are far smaller: check what file it 
 
 // The last line where no line end follows it: whole (it reads as an object), or cut off.
 bool reads(std::string_view line) {
-  if (line.starts_with(kHeaderBegins)) return bool(readHeaderLine(line));
-  return bool(readEventLine(line));
+  return bool(readEventLine(line)) || bool(readHeaderLine(line));
 }
 
 // The bytes after the last line end, and where they begin; read from the end, for most of a file need not be looked at.
@@ -51,16 +51,54 @@ std::optional<Tail> lastLine(const fs::path& file) {
   return tail;
 }
 
-// Whether the file is one that this program began: its first line's start, or as much of it as there is.
+// Whether the file is one that this program began: by its first line, or as much of it as there is.
 bool beginsAsAttempt(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
-  std::string start(kHeaderBegins.size(), '\0');
+  std::string start(256, '\0');
   in.read(start.data(), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(in.gcount()));
-  return kHeaderBegins.starts_with(start);
+  if (mayBeginAttempt(start)) return true;
+  if (!start.starts_with('{')) return false;
+  // Another program may have put its keys into another order.
+  in.clear();
+  in.seekg(0);
+  std::string line(kLongestLine + 1, '\0');
+  in.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(static_cast<std::size_t>(in.gcount()));
+  return bool(readHeaderLine(std::string_view(line).substr(0, line.find('\n'))));
 }
 
+// Earlier versions counted the times within a line (when a touch began, the samples of the trace) from when the attempt was
+// taken up again, and the line's own time from its beginning. Each can be told from the other: a touch began when its `touch` line
+// says, and a line of the trace has the time of its last sample.
+class TimesWithin {
+ public:
+  void mend(AttemptEvent& event) {
+    constexpr double kSame_s = 0.01;
+    const auto differ = [](double a, double b) { return std::abs(a - b) > kSame_s; };
+    if (std::holds_alternative<Resumed>(event.what)) resumed_s_ = event.t_s;
+    if (std::holds_alternative<TouchBegan>(event.what)) began_s_ = event.t_s;
+    if (auto* touch = std::get_if<TouchEnded>(&event.what); touch && resumed_s_ > 0.0 && !differ(touch->from_s + resumed_s_, began_s_)) touch->from_s = began_s_;
+    if (auto* chunk = std::get_if<TraceChunk>(&event.what); chunk && !chunk->samples.empty()) {
+      const double off_s = event.t_s - chunk->samples.back().t_s;
+      if (differ(off_s, 0.0) && !differ(off_s, resumed_s_))
+        for (TraceSample& s : chunk->samples) s.t_s += off_s;
+    }
+  }
+
+ private:
+  double resumed_s_ = 0.0, began_s_ = -1.0;
+};
+
 }  // namespace
+
+bool endsWithLine(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary | std::ios::ate);
+  const std::streamoff size = in.tellg();
+  if (!in || size <= 0) return true;
+  in.seekg(size - 1);
+  return in.get() == '\n';
+}
 
 bool mendAttempt(const fs::path& file) {
   if (!beginsAsAttempt(file)) return false;
@@ -96,6 +134,7 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
   out.file = file;
   bool begun = false;
   std::size_t number = 0;
+  TimesWithin within;
   for (std::size_t at = 0; at < all.size();) {
     const std::size_t end = std::min(all.find('\n', at), all.size());
     std::string_view line = all.substr(at, end - at);
@@ -111,7 +150,7 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
       begun = true;
       continue;
     }
-    if (depth == ReadDepth::NoTrace && isTraceLine(line)) continue;
+    if (depth == ReadDepth::NoTrace && leadingKind(line) == "trace") continue;
     Expected<std::optional<AttemptEvent>> event = readEventLine(line);
     if (!event) {
       if (last) out.torn = true;
@@ -120,7 +159,8 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
     }
     if (!*event) continue;
     if (const auto* again = std::get_if<LessonReread>(&(*event)->what)) out.header.lesson = again->lesson;
-    if (depth == ReadDepth::NoTrace && std::holds_alternative<ViewTurned>((*event)->what)) continue;
+    if (depth == ReadDepth::NoTrace && (std::holds_alternative<ViewTurned>((*event)->what) || std::holds_alternative<TraceChunk>((*event)->what))) continue;
+    within.mend(**event);
     out.events.push_back(**std::move(event));
   }
   if (!begun) return Problem{file.string(), 0, 0, "it is empty", "attempts are the .jsonl files that Moltact writes"};

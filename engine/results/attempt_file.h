@@ -42,6 +42,9 @@ std::vector<std::filesystem::path> mendAttempts(const std::filesystem::path& fol
 /// The same for one file; true where it was mended.
 bool mendAttempt(const std::filesystem::path& file);
 
+/// Whether what is appended to the file begins a line. True of what is empty or not there.
+bool endsWithLine(const std::filesystem::path& file);
+
 /// Larger files are refused (unit: byte): days of touching.
 inline constexpr std::size_t kLargestAttempt = std::size_t{1} << 30;
 

@@ -1,8 +1,11 @@
 #include "engine/results/attempt_lines.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+
+#include "engine/results/attempt_ranges.h"
 
 namespace moltact {
 namespace {
@@ -161,12 +164,21 @@ struct FactWriter {
     out["text"] = e.text;
   }
   void operator()(const Left& e) { out["at"] = e.at; }
+  void operator()(const TouchSoFar& e) {
+    out["from"] = rounded(e.from_s);
+    out["crossings"] = e.crossings;
+    out["peak_N"] = rounded(e.peak_N);
+    out["mean_N"] = rounded(e.mean_N);
+    out["path_A"] = rounded(e.path_A);
+    out["by"] = nameOf(e.by);
+  }
+  void operator()(const StillHere&) {}
 };
 
 std::string_view kindOf(const AttemptFact& fact) {
   constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> kKinds{
       "step", "answer", "hint", "task", "done", "curve", "touch", "released", "input", "stage", "view", "trace", "lesson", "resumed",
-      "progress", "prediction", "left"};
+      "progress", "prediction", "left", "touching", "still"};
   return kKinds[fact.index()];
 }
 
@@ -188,37 +200,36 @@ std::string text(const Json& from, const char* key, bool needed) {
   return text(need(from, key), key);
 }
 
+// Every number of the format has a range (attempt_ranges.h).
 double number(const Json& value, const char* key) {
   if (!value.is_number()) throw Lacking{std::string("'") + key + "' is no number"};
-  return value.get<double>();
+  const double number = value.get<double>();
+  const AttemptRange* range = attemptRange(key);
+  if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number))) return number;
+  if (range && range->whole) throw Lacking{std::string("'") + key + "' is no whole number that fits"};
+  throw Lacking{std::string("'") + key + "' is a number that no Moltact writes"};
 }
 double numberAt(const Json& from, const char* key) { return number(need(from, key), key); }
 double numberOr(const Json& from, const char* key, double otherwise) {
   return from.contains(key) ? numberAt(from, key) : otherwise;
 }
 
-// A whole number from `least` on; JSON numbers may be any double.
-std::int64_t whole(const Json& value, const char* key, std::int64_t least) {
-  const double d = number(value, key);
-  if (!(d >= static_cast<double>(least) && d <= 9e15) || d != std::floor(d)) throw Lacking{std::string("'") + key + "' is no whole number that fits"};
-  return static_cast<std::int64_t>(d);
-}
-std::size_t count(const Json& from, const char* key) { return static_cast<std::size_t>(whole(need(from, key), key, 0)); }
+std::size_t count(const Json& value, const char* key) { return static_cast<std::size_t>(std::max(0.0, number(value, key))); }
+std::size_t countAt(const Json& from, const char* key) { return count(need(from, key), key); }
 
-const Json& list(const Json& from, const char* key) {
+const Json& list(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
   const Json& value = need(from, key);
   if (!value.is_array()) throw Lacking{std::string("'") + key + "' is no list"};
+  if (value.size() > most) throw Lacking{std::string("'") + key + "' is longer than any that Moltact writes"};
   return value;
 }
-const Json& listOrNone(const Json& from, const char* key) {
+const Json& listOrNone(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
   static const Json kNone = Json::array();
-  return from.contains(key) ? list(from, key) : kNone;
+  return from.contains(key) ? list(from, key, most) : kNone;
 }
 
 std::int32_t atom(const Json& value) {
-  const std::int64_t a = whole(value, "atoms", -1);
-  if (a > INT32_MAX) throw Lacking{"'atoms' holds a number that is too large"};
-  return static_cast<std::int32_t>(a);
+  return static_cast<std::int32_t>(number(value, "atoms"));
 }
 
 bool flag(const Json& from, const char* key) {
@@ -255,13 +266,13 @@ const Json& object(const Json& value, const char* what) {
 LessonOutline outline(const Json& from) {
   object(from, "lesson");
   LessonOutline out{text(from, "file", true), text(from, "title", true), text(from, "hash", false), {}};
-  for (const Json& step : list(from, "steps")) {
+  for (const Json& step : list(from, "steps", kMostSteps)) {
     StepOutline& s = out.steps.emplace_back(StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
     for (const Json& task : listOrNone(step, "tasks")) s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false)});
     for (const Json& question : listOrNone(step, "questions")) {
       QuestionOutline& q = s.questions.emplace_back(QuestionOutline{text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}});
       for (const Json& choice : listOrNone(question, "choices")) q.choices.push_back(text(choice, "choices"));
-      for (const Json& right : listOrNone(question, "right")) q.right.push_back(static_cast<std::size_t>(whole(right, "right", 0)));
+      for (const Json& right : listOrNone(question, "right")) q.right.push_back(count(right, "right"));
     }
   }
   return out;
@@ -296,7 +307,7 @@ TraceChunk trace(const Json& from) {
       s.force.N = {force[k], force[k + 1], force[k + 2]};
       k += 3;
       if (change < changes.size() && changes[change].is_array() && !changes[change].empty() &&
-          whole(changes[change][0], "atoms", 0) == static_cast<std::int64_t>(i)) {
+          count(changes[change][0], "atoms") == i) {
         held = {-1, -1, -1};
         for (std::size_t a = 1; a < std::min<std::size_t>(4, changes[change].size()); ++a) held[a - 1] = atom(changes[change][a]);
         ++change;
@@ -310,7 +321,7 @@ TraceChunk trace(const Json& from) {
 
 std::vector<std::int32_t> atoms(const Json& from) {
   std::vector<std::int32_t> out;
-  for (const Json& a : list(from, "atoms")) out.push_back(atom(a));
+  for (const Json& a : list(from, "atoms", kMostTouched)) out.push_back(atom(a));
   return out;
 }
 
@@ -318,48 +329,55 @@ std::vector<std::int32_t> atoms(const Json& from) {
 std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "step") return StepEntered{text(j, "step", true)};
   if (kind == "answer") {
-    Answered a{text(j, "step", true), text(j, "question", true), static_cast<int>(std::min<std::int64_t>(whole(need(j, "attempt"), "attempt", 1), 1'000'000)),
+    Answered a{text(j, "step", true), text(j, "question", true), static_cast<int>(numberAt(j, "attempt")),
                {}, text(j, "written", false), flag(j, "right"), way(j)};
-    for (const Json& c : listOrNone(j, "chosen")) a.chosen.push_back(static_cast<std::size_t>(whole(c, "chosen", 0)));
+    for (const Json& c : listOrNone(j, "chosen")) a.chosen.push_back(count(c, "chosen"));
     return a;
   }
   if (kind == "hint") return HintOpened{text(j, "step", true)};
-  if (kind == "task") return TaskBegun{text(j, "step", true), count(j, "task")};
+  if (kind == "task") return TaskBegun{text(j, "step", true), countAt(j, "task")};
   if (kind == "done") {
-    TaskDone d{text(j, "step", true), count(j, "task"), numberOr(j, "took_s", 0.0), way(j), {}};
-    for (const Json& f : listOrNone(j, "figures"))
+    TaskDone d{text(j, "step", true), countAt(j, "task"), numberOr(j, "took_s", 0.0), way(j), {}};
+    for (const Json& f : listOrNone(j, "figures", kMostFigures))
       d.figures.push_back({text(object(f, "figures"), "name", true), numberAt(f, "value"), text(f, "unit", false)});
     return d;
   }
   if (kind == "curve") {
-    CurveKept c{text(j, "step", true), count(j, "task"), text(j, "of", true) == "felt", text(j, "axis", false), numberAt(j, "to_A"), numberAt(j, "most_N"), {}};
-    for (const Json& f : list(j, "force_N")) c.force_N.push_back(f.is_null() ? std::nan("") : number(f, "force_N"));
+    CurveKept c{text(j, "step", true), countAt(j, "task"), text(j, "of", true) == "felt", text(j, "axis", false), numberAt(j, "to_A"), numberAt(j, "most_N"), {}};
+    for (const Json& f : list(j, "force_N", kMostCurveValues)) c.force_N.push_back(f.is_null() ? std::nan("") : number(f, "force_N"));
     return c;
   }
   if (kind == "touch") return TouchBegan{atoms(j)};
   if (kind == "released")
-    return TouchEnded{numberAt(j, "from"), atoms(j), j.contains("crossings") ? count(j, "crossings") : 0, numberAt(j, "peak_N"),
+    return TouchEnded{numberAt(j, "from"), atoms(j), j.contains("crossings") ? countAt(j, "crossings") : 0, numberAt(j, "peak_N"),
                       numberOr(j, "mean_N", 0.0), numberOr(j, "path_A", 0.0), way(j)};
   if (kind == "input") return InputChanged{way(j), text(j, "device", false), flag(j, "gives_force")};
   if (kind == "stage") {
-    StageSet s{text(j, "molecule", true), text(j, "file", true), count(j, "atoms"), {}, numberAt(j, "probe_A"),
+    StageSet s{text(j, "molecule", true), text(j, "file", true), countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
                numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
     s.workspace.A_per_mm = numberAt(j, "A_per_mm");
-    if (!(s.workspace.A_per_mm > 0.0)) throw Lacking{"'A_per_mm' is not greater than 0"};
     s.workspace.centre_A = vector(j, "centre_A");
     const std::vector<double> turn = numbers(j, "turn", 9);
     for (int k = 0; k < 9; ++k) s.workspace.turn[k / 3][k % 3] = turn[static_cast<std::size_t>(k)];
+    constexpr double kOff = 1e-3;
+    const glm::dmat3 product = glm::transpose(s.workspace.turn) * s.workspace.turn;
+    for (int k = 0; k < 9; ++k)
+      if (std::abs(product[k / 3][k % 3] - (k % 4 == 0)) > kOff || glm::determinant(s.workspace.turn) < 0.0) throw Lacking{"'turn' is no rotation"};
     return s;
   }
   if (kind == "view") {
     const std::vector<double> q = numbers(j, "orientation", 4);
+    if (const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); std::abs(length - 1.0) > 1e-2) throw Lacking{"'orientation' is no rotation"};
     return ViewTurned{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
   }
   if (kind == "trace") return trace(j);
   if (kind == "lesson") return LessonReread{outline(need(j, "lesson"))};
   if (kind == "resumed") return Resumed{text(j, "at", true), text(j, "program", false), text(j, "device", false), flag(j, "gives_force")};
-  if (kind == "progress") return ProgressMade{text(j, "step", true), count(j, "done"), count(j, "of")};
+  if (kind == "progress") return ProgressMade{text(j, "step", true), countAt(j, "done"), countAt(j, "of")};
   if (kind == "prediction") return Predicted{text(j, "student", true), text(j, "step", false), text(j, "question", true), text(j, "text", true)};
+  if (kind == "touching")
+    return TouchSoFar{numberAt(j, "from"), countAt(j, "crossings"), numberAt(j, "peak_N"), numberAt(j, "mean_N"), numberAt(j, "path_A"), way(j)};
+  if (kind == "still") return StillHere{};
   if (kind == "left") return Left{text(j, "at", true)};
   return std::nullopt;
 }
@@ -390,7 +408,26 @@ std::string lineOf(const AttemptEvent& event) {
   return closed(out);
 }
 
-bool isTraceLine(std::string_view line) { return line.starts_with(R"({"kind":"trace")"); }
+std::string_view leadingKind(std::string_view line) {
+  // One piece of JSON after the other, with the blanks that JSON allows between them.
+  const auto take = [&](std::string_view piece) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t\r\n"), line.size()));
+    if (!line.starts_with(piece)) return false;
+    line.remove_prefix(piece.size());
+    return true;
+  };
+  if (!take("{") || !take("\"kind\"") || !take(":") || !take("\"")) return {};
+  return line.substr(0, line.find('"'));
+}
+
+bool mayBeginAttempt(std::string_view line) {
+  const std::size_t end = line.find('\n');
+  std::string dense;
+  for (const char c : line.substr(0, std::min(end, 4 * kHeaderBegins.size())))
+    if (c != ' ' && c != '\t' && c != '\r') dense += c;
+  if (dense.starts_with(kHeaderBegins) || line.empty()) return true;
+  return end == std::string_view::npos && !dense.empty() && kHeaderBegins.starts_with(dense);
+}
 
 Expected<AttemptHeader> readHeaderLine(std::string_view line) {
   const Json j = parsed(line);
@@ -398,7 +435,7 @@ Expected<AttemptHeader> readHeaderLine(std::string_view line) {
   if (!j.is_object() || !j.contains("kind") || j["kind"] != "attempt") return none;
   try {
     AttemptHeader h;
-    h.format = static_cast<int>(std::min<std::int64_t>(whole(need(j, "format"), "format", 1), INT32_MAX));
+    h.format = static_cast<int>(numberAt(j, "format"));
     h.program = text(j, "program", false);
     h.began = text(j, "began", true);
     h.student = text(j, "student", false);

@@ -16,11 +16,14 @@ namespace moltact {
 std::string lineOf(const AttemptHeader& header);
 std::string lineOf(const AttemptEvent& event);
 
-/// How every first line begins.
+/// How every first line begins, but for the blanks that another program may have put between.
 inline constexpr std::string_view kHeaderBegins = R"({"kind":"attempt")";
+/// Whether a first line, or the part of it that there is, begins so.
+bool mayBeginAttempt(std::string_view line);
 
-/// Whether a line is one of the trace, without parsing it: most bytes of a file are.
-bool isTraceLine(std::string_view line);
+/// The kind of a line without parsing it, whatever blanks stand in it: most bytes of a file are of the kind "trace". Empty where its first
+/// key is another, as a program that sorts keys writes it: then only reading the line tells.
+std::string_view leadingKind(std::string_view line);
 
 /// The first line of a file. A Problem (without file and line) where it is none. Unknown keys are passed over.
 Expected<AttemptHeader> readHeaderLine(std::string_view line);

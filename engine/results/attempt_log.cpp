@@ -1,5 +1,6 @@
 #include "engine/results/attempt_log.h"
 
+#include <algorithm>
 #include <cctype>
 #include <utility>
 
@@ -22,6 +23,15 @@ std::string fileName(const AttemptHeader& header) {
   return out;
 }
 
+// An event's time, and every time within it.
+void moveBy(double s, AttemptEvent& event) {
+  event.t_s += s;
+  if (auto* touch = std::get_if<TouchEnded>(&event.what)) touch->from_s += s;
+  if (auto* touch = std::get_if<TouchSoFar>(&event.what)) touch->from_s += s;
+  if (auto* chunk = std::get_if<TraceChunk>(&event.what))
+    for (TraceSample& sample : chunk->samples) sample.t_s += s;
+}
+
 bool isDeed(const AttemptFact& fact) {
   return std::holds_alternative<TouchBegan>(fact) || std::holds_alternative<Answered>(fact) || std::holds_alternative<HintOpened>(fact) ||
          std::holds_alternative<TaskDone>(fact) || std::holds_alternative<Predicted>(fact);
@@ -33,7 +43,7 @@ AttemptLog::AttemptLog(std::filesystem::path folder, AttemptHeader header)
     : folder_(std::move(folder)), name_(fileName(header)), before_(lineOf(header)) {}
 
 AttemptLog::AttemptLog(std::filesystem::path file, double end_s, const Resumed& resumed)
-    : from_s_(end_s), writer_(AttemptWriter::goOn(std::move(file))) {
+    : from_s_(end_s), told_s_(end_s), writer_(AttemptWriter::goOn(std::move(file))) {
   write(lineOf(AttemptEvent{from_s_, resumed}));
 }
 
@@ -42,10 +52,15 @@ void AttemptLog::write(std::string line) {
   writer_->append(std::move(line));
 }
 
+void AttemptLog::beat(double t_s) {
+  if (writer_ && t_s + from_s_ - told_s_ >= kHeartbeat_s) add({t_s, StillHere{}});
+}
+
 void AttemptLog::add(AttemptEvent event) {
   if (!writer_ && folder_.empty()) return;
-  event.t_s += from_s_;
-  const bool step = std::holds_alternative<StepEntered>(event.what), gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;
+  moveBy(from_s_, event);
+  if (!std::holds_alternative<TraceChunk>(event.what) && !std::holds_alternative<ViewTurned>(event.what)) told_s_ = std::max(told_s_, event.t_s);
+  const bool step = std::holds_alternative<StepEntered>(event.what), gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;  // of our own lines
   if (!writer_ && (gone_on || isDeed(event.what))) {
     writer_.emplace(AttemptWriter::startNew(folder_, name_));
     write(std::exchange(before_, {}));

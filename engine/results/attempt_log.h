@@ -21,6 +21,9 @@ class AttemptLog {
 
   /// `event.t_s` is the time of use since this object was made.
   void add(AttemptEvent event);
+  /// Once a frame: tells the time where nothing else has for kHeartbeat_s, so that what is killed is known almost to its end. Views and the hand's
+  /// way do not count, for a report passes over them.
+  void beat(double t_s);
 
   /// The file has been begun.
   bool begun() const { return writer_.has_value(); }
@@ -41,6 +44,7 @@ class AttemptLog {
   std::string name_;       // of the new file
   std::string before_;     // lines of which none is a deed
   double from_s_ = 0.0;
+  double told_s_ = 0.0;    // the latest time that a report reads, from_s_ counted in
   std::size_t since_progress_ = 0;
   std::optional<AttemptEvent> progress_;
   std::optional<AttemptWriter> writer_;

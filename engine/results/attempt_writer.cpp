@@ -46,6 +46,13 @@ std::optional<Problem> AttemptWriter::Works::open() {
     Expected<AppendFile> again = AppendFile::open(wanted, AppendFile::Begin::Continue);
     if (!again) return again.problem();
     file.emplace(std::move(*again));
+    // Whatever could not be mended stays a line of its own, which readers pass over and name.
+    std::error_code error;
+    if (fs::is_regular_file(wanted, error) && !endsWithLine(wanted))
+      if (std::optional<Problem> problem = file->append("\n")) {
+        file.reset();
+        return problem;
+      }
   } else {
     if (folder.empty()) return Problem{{}, 0, 0, "this computer tells no folder to keep results in", "set HOME or XDG_DATA_HOME"};
     std::error_code error;

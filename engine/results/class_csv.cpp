@@ -1,14 +1,55 @@
 #include "engine/results/class_csv.h"
 
+#include <cstdint>
 #include <cstdio>
+#include <string_view>
 #include <vector>
+
+#include "engine/core/printable.h"
 
 namespace moltact {
 namespace {
 
+// What a spreadsheet begins a formula with, also as full-width and small forms, which some fold into the plain ones.
+bool beginsFormula(std::uint32_t c) {
+  constexpr std::u32string_view kSigns = U"=+-@\uFF1D\uFF0B\uFF0D\uFF20\uFE66\uFE62\uFE63\uFE6B";
+  return kSigns.find(char32_t(c)) != kSigns.npos;
+}
+
+// What a spreadsheet may cut off before it looks whether a cell is a formula: blanks of every width, marks without one, and what
+// stands for a control character.
+bool mayBeCutOff(std::uint32_t c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == 0xA0 || c == 0xAD || c == 0x34F || c == 0x61C || c == 0x1680 || c == 0x180E || (c >= 0x2000 && c <= 0x200F) ||
+         c == 0x2028 || c == 0x2029 || c == 0x202F || (c >= 0x205F && c <= 0x2065) || c == 0x3000 || c == 0x3164 || c == 0xFEFF || c == 0xFFA0 || c == 0xFFFD;
+}
+
+// A cell may begin anew after these where a spreadsheet parts by another sign than the comma, as it does in many countries.
+bool maySeparate(std::uint32_t c) { return c == ';' || c == '\t' || c == '\n'; }
+
+// An apostrophe before all that a spreadsheet could take for a formula.
+std::string harmless(std::string_view text) {
+  std::string out;
+  bool at_begin = true;
+  std::size_t begin = 0;  // of what would be the cell, in `out`
+  while (!text.empty()) {
+    const CodePoint c = firstCodePoint(text);
+    const bool odd = out.empty() && (c.code == '\t' || c.code == '\n' || c.code == 0xFFFD);  // no text of a person begins so
+    if (odd || (at_begin && beginsFormula(c.code))) out.insert(begin, "'");
+    at_begin = at_begin && mayBeCutOff(c.code);
+    out += text.substr(0, c.bytes);
+    text.remove_prefix(c.bytes);
+    if (maySeparate(c.code)) {
+      at_begin = true;
+      begin = out.size();
+    }
+  }
+  return out;
+}
+
 std::string quoted(std::string text) {
-  if (!text.empty() && std::string_view("=+-@\t\r\n").find(text[0]) != std::string_view::npos) text.insert(0, "'");
-  if (text.find_first_of(",\"\r\n;") == std::string::npos) return text;
+  for (std::size_t at = 0; (at = text.find("\r\n", at)) != std::string::npos;) text.erase(at, 1);
+  text = harmless(printable(text));
+  if (text.find_first_of(",\"\n;\t") == std::string::npos) return text;
   std::string out = "\"";
   for (const char c : text) {
     if (c == '"') out += '"';

@@ -8,8 +8,9 @@
 
 namespace moltact {
 
-/// The whole file. Text that a spreadsheet would take for a formula (it begins with = + - @, a tab or a line end) gets an
-/// apostrophe before it, so that nothing written by a student is ever computed.
+/// The whole file. Text that a spreadsheet could take for a formula gets an apostrophe before it, so that nothing written by a student is
+/// ever computed: text that begins with = + - or @ in any width, after whatever blanks or invisible signs, also after a
+/// semicolon, a tab or a line end within. Control characters are replaced.
 std::string classCsv(const ClassSummary& summary);
 
 }  // namespace moltact

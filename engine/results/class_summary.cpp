@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 namespace moltact {
 namespace {
@@ -32,6 +33,7 @@ class Counting {
       t_s_ = event.t_s;
       std::visit(*this, event.what);
     }
+    endOpenTouch();
     leaveStep();
     if (p_.of == 0) p_.of = std::max<std::size_t>(1, attempt.header.lesson.parts());
     p_.time_s += attempt.end_s();
@@ -68,15 +70,15 @@ class Counting {
     if (e.felt) task.felt = e;
     else if (!task.drawn) task.drawn = e;
   }
+  void operator()(const TouchBegan&) { endOpenTouch(); }
+  void operator()(const TouchSoFar& e) {
+    if (open_ && open_->from_s != e.from_s) endOpenTouch();
+    open_ = e;
+    open_at_s_ = t_s_;
+  }
   void operator()(const TouchEnded& e) {
-    const double lasted_s = std::max(0.0, t_s_ - e.from_s);
-    ++p_.touches;
-    p_.crossings += e.crossings;
-    p_.mean_N = p_.touch_s + lasted_s > 0.0 ? (p_.mean_N * p_.touch_s + e.mean_N * lasted_s) / (p_.touch_s + lasted_s) : 0.0;
-    p_.touch_s += lasted_s;
-    p_.peak_N = std::max(p_.peak_N, e.peak_N);
-    p_.path_A += e.path_A;
-    p_.touch_ways_s[static_cast<std::size_t>(e.by)] += lasted_s;
+    if (open_ && open_->from_s == e.from_s) open_.reset();
+    count(e, t_s_);
   }
   void operator()(const ProgressMade& e) {
     if (e.of == 0 || (p_.of > 0 && double(e.done) * double(p_.of) < double(p_.done) * double(e.of))) return;
@@ -85,12 +87,28 @@ class Counting {
   }
   void operator()(const Predicted& e) { p_.predictions.push_back(e); }
   void operator()(const Resumed& e) {
+    endOpenTouch();
     p_.device = e.device;
     p_.gives_force = e.gives_force;
   }
   void operator()(const auto&) {}
 
  private:
+  template <class TouchTold>
+  void count(const TouchTold& e, double until_s) {
+    const double lasted_s = std::max(0.0, until_s - e.from_s);
+    ++p_.touches;
+    p_.crossings += e.crossings;
+    p_.mean_N = p_.touch_s + lasted_s > 0.0 ? (p_.mean_N * p_.touch_s + e.mean_N * lasted_s) / (p_.touch_s + lasted_s) : 0.0;
+    p_.touch_s += lasted_s;
+    p_.peak_N = std::max(p_.peak_N, e.peak_N);
+    p_.path_A += e.path_A;
+    p_.touch_ways_s[static_cast<std::size_t>(e.by)] += lasted_s;
+  }
+  // A touch whose end was never written: the program was killed.
+  void endOpenTouch() {
+    if (open_) count(*std::exchange(open_, std::nullopt), open_at_s_);
+  }
   void leaveStep() {
     if (!step_.empty()) p_.step_s[step_] += std::max(0.0, t_s_ - entered_s_);
     step_.clear();
@@ -99,6 +117,8 @@ class Counting {
   PersonScore& p_;
   std::string step_, at_;  // the step whose time runs, and the one met last
   double t_s_ = 0.0, entered_s_ = 0.0;
+  std::optional<TouchSoFar> open_;  // the touch whose end has not been met, and when it was told last
+  double open_at_s_ = 0.0;
 };
 
 std::size_t distinctHashes(const std::vector<const Attempt*>& attempts) {

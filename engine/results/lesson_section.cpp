@@ -198,10 +198,11 @@ void tasks(std::string& out, const LessonSummary& lesson) {
     for (std::size_t t = 0; t < s.tasks.size(); ++t) {
       std::size_t begun = 0, done = 0;
       std::vector<std::pair<std::string, std::vector<Measured>>> figures;  // by "name, unit", in the order met
+      std::map<std::string, std::size_t> places;
       const auto figure = [&](const std::string& name) -> std::vector<Measured>& {
-        for (auto& [known, values] : figures)
-          if (known == name) return values;
-        return figures.emplace_back(name, std::vector<Measured>()).second;
+        const auto [place, made] = places.try_emplace(name, figures.size());
+        if (made) figures.emplace_back(name, std::vector<Measured>());
+        return figures[place->second].second;
       };
       for (const PersonScore& p : lesson.people) {
         const auto score = p.tasks.find({s.id, t});

@@ -4,13 +4,20 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/core/printable.h"
+
 namespace moltact::page {
 namespace {
 
 constexpr std::array kWayOrder{InputWay::Device, InputWay::Mouse, InputWay::Keyboard};
 
+// What scales are made for: attempts hold no greater figure (attempt_ranges.h), and sums of them stay below.
+constexpr double kGreatest = 1e15, kLeast = 1e-12;
+double onScale(double value) { return std::isfinite(value) ? std::clamp(value, -kGreatest, kGreatest) : 0.0; }
+
 // 1, 2 or 5 times a power of ten, not below `least`.
 double roundStep(double least) {
+  least = std::clamp(onScale(least), kLeast, kGreatest);
   const double power = std::pow(10.0, std::floor(std::log10(least)));
   for (const double m : {1.0, 2.0, 5.0})
     if (m * power >= least * (1.0 - 1e-12)) return m * power;
@@ -28,7 +35,7 @@ std::string format(const char* how, Parts... parts) {
 
 std::vector<double> sortedValues(const std::vector<Measured>& values) {
   std::vector<double> out;
-  for (const Measured& m : values) out.push_back(m.value);
+  for (const Measured& m : values) out.push_back(onScale(m.value));
   std::sort(out.begin(), out.end());
   return out;
 }
@@ -45,13 +52,13 @@ std::string mark(InputWay way, double x, double y) {
 
 std::string escaped(std::string_view text) {
   std::string out;
-  for (const char c : text) switch (c) {
+  for (const char c : printable(text)) switch (c) {
       case '&': out += "&amp;"; break;
       case '<': out += "&lt;"; break;
       case '>': out += "&gt;"; break;
       case '"': out += "&quot;"; break;
       case '\'': out += "&#39;"; break;
-      default: out += static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t' ? ' ' : c;
+      default: out += c;
     }
   return out;
 }
@@ -83,13 +90,14 @@ std::string waysText(const PersonScore& person) {
 }
 
 double roundAbove(double value) {
-  if (!(value > 0.0)) return 1.0;
+  value = onScale(value);
+  if (!(value > kLeast)) return 1.0;
   const double step = roundStep(value / 5.0);
   return std::ceil(value / step - 1e-9) * step;
 }
 
 std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values) {
-  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0; });
+  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0 || m.value > kGreatest; });
   if (values.empty()) return {};
   const std::vector<double> sorted = sortedValues(values);
   // Counts have a bar each, which stands over its number.
@@ -134,7 +142,10 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
 
 namespace {
 constexpr double kStripWide = 420, kStripEdge = 6;
-double stripX(double value, double most) { return kStripEdge + (kStripWide - 2 * kStripEdge) * std::clamp(value / most, 0.0, 1.0); }
+double stripX(double value, double most) {
+  const double share = std::isfinite(value / most) ? std::clamp(value / most, 0.0, 1.0) : 0.0;
+  return kStripEdge + (kStripWide - 2 * kStripEdge) * share;
+}
 }  // namespace
 
 std::string strip(const std::vector<Measured>& values, double most) {
@@ -162,9 +173,12 @@ std::string strip(const std::vector<Measured>& values, double most) {
 
 std::string stripScale(double most, const std::string& unit) {
   std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 16\" aria-hidden=\"true\">";
+  most = std::clamp(onScale(most), kLeast, kGreatest);
   const double step = roundStep(most / 4.0);
-  for (double v = 0; v <= most * (1 + 1e-9); v += step) {
-    const bool last = v + step > most * (1 + 1e-9);
+  const int steps = static_cast<int>(most / step + 1e-9);  // 1 to 4
+  for (int k = 0; k <= steps; ++k) {
+    const double v = step * k;
+    const bool last = k == steps;
     svg += format("<text class=\"axis\" x=\"%.1f\" y=\"12\" text-anchor=\"%s\">%.*f%s</text>", stripX(v, most), v == 0 ? "start" : v > most * 0.999 ? "end" : "middle",
                   digitsFor(step), v, last ? (" " + escaped(unit)).c_str() : "");
   }

@@ -24,10 +24,13 @@ bool lastProgress(std::string_view bytes, ProgressMade& into) {
     const std::size_t begin = before == std::string_view::npos ? 0 : before + 1;
     const std::string_view line = bytes.substr(begin, end - begin);
     end = begin;
-    if (!line.starts_with(R"({"kind":"progress")")) continue;
+    const std::string_view kind = leadingKind(line);
+    if (kind != "progress" && !kind.empty()) continue;
     const Expected<std::optional<AttemptEvent>> event = readEventLine(line.substr(0, line.find('\n')));
     if (!event || !*event) continue;
-    into = std::get<ProgressMade>((*event)->what);
+    const auto* made = std::get_if<ProgressMade>(&(*event)->what);
+    if (!made) continue;
+    into = *made;
     return true;
   }
   return false;

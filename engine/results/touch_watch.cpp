@@ -23,7 +23,7 @@ void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
   if (!touching_) {
     touching_ = true;
     touch_ = Touch();
-    touch_.told.from_s = t_s;
+    touch_.told.from_s = touch_.told_s = t_s;
     touch_.scp_A = s.contact.scp.A;
     touch_.atoms = s.contact.atoms;
     TouchBegan began;
@@ -48,9 +48,11 @@ void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
   touch_.last_s = t_s;
 }
 
+double TouchWatch::mean_N() const { return touch_.force_sum_N / double(std::max<std::size_t>(1, touch_.ticks)); }
+
 void TouchWatch::end() {
   touching_ = false;
-  touch_.told.mean_N = touch_.force_sum_N / double(std::max<std::size_t>(1, touch_.ticks));
+  touch_.told.mean_N = mean_N();
   ready_.push_back({touch_.last_s, std::move(touch_.told)});
 }
 
@@ -82,6 +84,11 @@ void TouchWatch::breakOff() {
 std::vector<AttemptEvent> TouchWatch::take(double t_s) {
   if (!trace_.empty() && t_s - trace_.front().t_s >= kTraceChunk_s)
     ready_.push_back({trace_.back().t_s, TraceChunk{std::exchange(trace_, {})}});
+  if (touching_ && touch_.last_s - touch_.told_s >= kHeartbeat_s) {
+    const TouchEnded& now = touch_.told;
+    ready_.push_back({touch_.last_s, TouchSoFar{now.from_s, now.crossings, now.peak_N, mean_N(), now.path_A, now.by}});
+    touch_.told_s = touch_.last_s;
+  }
   return std::exchange(ready_, {});
 }
 

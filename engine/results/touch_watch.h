@@ -16,7 +16,8 @@ class TouchWatch {
   /// The stage or the attempt changes: a touch under way ends here.
   void breakOff();
 
-  /// What has become whole since the last call: touches at once, the trace at least every kTraceChunk_s.
+  /// What has become whole since the last call: touches at once, the trace at least every kTraceChunk_s; and of a touch that
+  /// goes on, every kHeartbeat_s, what it is so far.
   std::vector<AttemptEvent> take(double t_s);
 
   static constexpr double kSample_s = 1.0 / 60.0;    ///< the trace has a sample at most so often
@@ -29,12 +30,13 @@ class TouchWatch {
     TouchEnded told;
     std::array<std::int32_t, 3> atoms{-1, -1, -1};
     Vec3 scp_A{0.0};
-    double last_s = 0.0, force_sum_N = 0.0;
+    double last_s = 0.0, told_s = 0.0, force_sum_N = 0.0;
     std::size_t ticks = 0;
   };
   void follow(const TouchSample& sample, double t_s, InputWay by);
   void trace(const TouchSample& sample, double t_s);
   void end();
+  double mean_N() const;
 
   bool touching_ = false;
   Touch touch_;

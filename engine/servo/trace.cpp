@@ -114,12 +114,8 @@ bool readTick(Getter& get, ServoSettings& settings, TraceTick& tick) {
 }  // namespace
 
 Expected<TraceWriter> TraceWriter::create(const std::filesystem::path& file, bool replace) {
-  std::error_code error;
-  const bool there = replace && std::filesystem::exists(file, error);
-  auto opened = AppendFile::open(file, there ? AppendFile::Begin::Continue : AppendFile::Begin::New);
+  auto opened = AppendFile::open(file, replace ? AppendFile::Begin::Replace : AppendFile::Begin::New);
   if (!opened) return opened.problem();
-  if (std::filesystem::is_regular_file(file, error))
-    if (auto problem = opened->cut(0)) return *problem;
   return TraceWriter(*std::move(opened));
 }
 

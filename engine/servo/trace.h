@@ -43,7 +43,7 @@ struct DeviceTrace {
 class TraceWriter {
  public:
   /// Opens the file, so that what stands in its way is known before anybody holds a device. What is there already is a
-  /// Problem unless it may be replaced.
+  /// Problem unless it may be replaced; it then stays until begin() has written. A file that was never begun goes.
   static Expected<TraceWriter> create(const std::filesystem::path& file, bool replace = false);
   /// Before the first tick. Labels: no line ends in keys or values, no '=' in keys.
   std::optional<Problem> begin(const std::map<std::string, std::string>& labels, const ServoStep& start);

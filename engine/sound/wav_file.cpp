@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <fstream>
 #include <string>
+
+#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace {
@@ -32,10 +33,7 @@ std::optional<Problem> writeWav(const std::filesystem::path& file, std::span<con
   number(out, bytes, 4);
   for (const float sample : samples)
     number(out, std::uint32_t(std::int32_t(std::lround(32767.0f * std::clamp(sample, -1.0f, 1.0f)))), 2);
-  std::ofstream to(file, std::ios::binary | std::ios::trunc);
-  to.write(out.data(), std::streamsize(out.size()));
-  if (to.flush()) return std::nullopt;
-  return Problem{.file = file.string(), .message = "the sound cannot be written", .remedy = "is there room on the disk, and is it not a folder?"};
+  return writeWhole(file, out);
 }
 
 }  // namespace moltact

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/ui/extensions.h"
+#include "engine/results/class_summary.h"
 #include "engine/results/progress.h"
 #include "tests/app/driver_fixture.h"
 #include "tests/results/sample_attempt.h"
@@ -113,6 +114,43 @@ TEST_CASE("a program that ends in the middle goes on where it was: same file, sa
   CHECK(all<Resumed>(after).size() == 1);
   CHECK(after.end_s() > before.end_s());
   for (std::size_t k = 0; k < before.events.size(); ++k) REQUIRE(lineOf(after.events[k]) == lineOf(before.events[k]));
+}
+
+TEST_CASE("a window killed while it presses, and while it is read in, leaves a report right to 1 s") {
+  const ScratchFolder scratch;
+  const auto driver = startWith(kLesson, keeping(scratch.path));
+  AttemptRecorder& recorder = driver->app().extensions().recorder;
+  driver->point("view", 0.5, 0.5);
+  driver->press();
+  driver->frames(40);
+  REQUIRE(driver->app().scene.log().touching());
+  const double begin_s = driver->app().now_s();
+  const auto figures = [&] {
+    REQUIRE(recorder.flush());
+    fs::copy_file(recorder.file(), scratch.path / "killed", fs::copy_options::overwrite_existing);
+    const ClassSummary summary = summarise({*readAttempt(scratch.path / "killed", ReadDepth::NoTrace)});
+    return summary.lessons.at(0).people.at(0);
+  };
+  const PersonScore first = figures();
+  for (int second = 1; second <= 4; ++second) {
+    driver->frames(60);
+    const double pressed_s = driver->app().now_s() - begin_s;
+    const PersonScore now = figures();
+    CHECK(now.touch_s >= pressed_s - 1.0);
+    CHECK(now.touch_s <= pressed_s + 1.0);
+    CHECK(now.peak_N > 0.1);
+  }
+  driver->release();
+  driver->frames(30);
+  const double at_s = driver->app().now_s();
+  const PersonScore touched = figures();
+  driver->frames(4 * 60);
+  const PersonScore after = figures();
+  CHECK(after.touches == touched.touches);
+  CHECK(after.touch_s == touched.touch_s);
+  CHECK(after.time_s - touched.time_s >= driver->app().now_s() - at_s - 1.0);
+  CHECK(after.time_s - touched.time_s <= driver->app().now_s() - at_s + 1.0);
+  CHECK(first.time_s < after.time_s);
 }
 
 TEST_CASE("a disk that is full is told once in words to act on, and the lesson goes on") {

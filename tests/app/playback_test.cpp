@@ -124,5 +124,47 @@ TEST_CASE("files that are no attempts, and a molecule that is not there, are tol
   CHECK(contains(driver->text("message/0"), "nowhere.pdb, is not on this computer"));
 }
 
+TEST_CASE("an attempt with a force of 1e37 N, a year's gap and a view from 1e9 A away plays, and once it is closed the molecule is seen as before") {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.path / "far.jsonl";
+  StageSet stage = std::get<StageSet>(sampleEvents()[1].what);
+  std::string bytes = lineOf(sampleHeader()) + lineOf({0.0, stage});
+  TraceChunk chunk;
+  for (int k = 0; k < 5; ++k) {
+    TraceSample s;
+    s.t_s = 0.1 * k;
+    s.hip.A = s.scp.A = {k == 3 ? 2e9 : 30.0, 29.0, k == 4 ? -2e9 : 14.0};
+    s.force.N = {1000.0, -1000.0, 1000.0};
+    s.feature = k ? Feature::Sphere : Feature::Free;
+    s.atoms = {k == 2 ? 2147483647 : 5, -1, -1};
+    chunk.samples.push_back(s);
+  }
+  bytes += lineOf({0.4, chunk}) + lineOf({0.5, ViewTurned{{0.5, 0.5, 0.5, 0.5}, {2e9, -2e9, 2e9}, 1e8}}) + lineOf({3e7, ViewTurned{{1, 0, 0, 0}, {2e9, 0, 0}, 0.1}});
+  bytes += R"({"kind":"trace","t":0.6,"from":0.6,"ms":[0],"feature":"S","hip":[30,29,14],"scp":[30,29,14],"force":[1e37,0,0],"atoms":[[0,5]]})" "\n";
+  bytes += R"({"kind":"view","t":0.7,"orientation":[0,0,0,0],"target_A":[1e300,0,0],"distance_A":1e-300})" "\n";
+  writeFile(file, bytes);
+  const auto driver = startWith("1ubq", small());
+  Application& app = driver->app();
+  const Camera seen = app.scene.camera;
+  app.open(file.string());
+  app.finishLoading();
+  Playback& playback = app.extensions().playback;
+  REQUIRE(playback.on());
+  const auto told = [&](const std::string& part) {
+    return std::any_of(app.messages.all().begin(), app.messages.all().end(), [&](const Message& m) { return contains(m.text, part); });
+  };
+  CHECK(told("2 lines of far.jsonl could not be read and are left out. The first: line 6, 'force' is a number that no Moltact writes."));
+  playback.skips_rests = false;
+  for (const double t_s : {0.0, 0.15, 0.25, 0.31, 0.4, 0.45, 0.55, 0.65, 1e7, 3e7}) {
+    playback.seek(t_s);
+    driver->frames(3);
+    (void)driver->picture();
+  }
+  CHECK_FALSE(app.scene.camera == seen);
+  CHECK(driver->click("playback/close"));
+  driver->frames(5);
+  CHECK(app.scene.camera == seen);
+}
+
 }  // namespace
 }  // namespace moltact

@@ -56,7 +56,7 @@ TEST_CASE("without attempts, without a place to write, or with a full disk the c
   CHECK(report("--csv /dev/null").status == 2);
   const Ended full = report(good + " --csv /dev/full");
   CHECK(full.status == 1);
-  CHECK(full.said.find("free some space on the disk") != std::string::npos);
+  CHECK(full.said.find("the disk is full; free some space on it") != std::string::npos);
   CHECK(report(good + " --html " + (scratch.path / "no" / "folder.html").string()).status == 1);
 }
 

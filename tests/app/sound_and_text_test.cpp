@@ -78,7 +78,7 @@ TEST_CASE("the state text tells the step, its task and what is touched, one line
   const auto file = std::filesystem::temp_directory_path() / "moltact_state_text.txt";
   auto d = startWith("");
   StateText& text = d->app().extensions().state_text;
-  CHECK(text.writeTo("/no/such/folder/text").value().text().find("cannot be written") != std::string::npos);
+  CHECK(text.writeTo("/no/such/folder/text").value().text().find("its folder is not there") != std::string::npos);
   REQUIRE_FALSE(text.writeTo(file));
   openFirst(*d);
   d->app().finishLoading();

@@ -215,6 +215,25 @@ TEST_CASE("Ctrl+Q leaves") {
   CHECK(d->app().leaving());
 }
 
+TEST_CASE("two windows that change different settings keep both, and what a newer version has set stays") {
+  Scratch scratch;
+  const fs::path file = scratch.file("settings.json", R"({"theme": "dark", "scale": 1.25, "of a newer one": [1, 2]})");
+  const Settings read = loadSettings(file).settings;
+  Settings one = read, two = read;
+  one.sound = true;
+  two.scale = 2.0;
+  REQUIRE(saveSettings(one, file, read).empty());
+  REQUIRE(saveSettings(two, file, read).empty());
+  const Settings now = loadSettings(file).settings;
+  CHECK(now.sound);
+  CHECK(now.scale == 2.0);
+  CHECK(now.theme == ThemeChoice::Dark);
+  std::ifstream in(file);
+  CHECK(contains({std::istreambuf_iterator<char>(in), {}}, "of a newer one"));
+  // What cannot be written is told.
+  CHECK(contains(saveSettings(two, scratch.folder / "settings.json" / "x" / "settings.json"), "could not be saved"));
+}
+
 TEST_CASE("settings come back as they were kept, and a broken file gives the defaults and says so") {
   Scratch scratch;
   const fs::path file = scratch.folder / "deep" / "settings.json";

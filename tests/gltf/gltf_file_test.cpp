@@ -120,7 +120,7 @@ TEST_CASE("no atoms, too fine a surface, a folder that is not there: each is tol
   const auto fine = exportMolecule(library("1ubq.pdb"), {.style = ExportStyle::Surface, .step_A = 0.01});
   REQUIRE_FALSE(bool(fine));
   CHECK(fine.problem().remedy.find("coarser") != std::string::npos);
-  CHECK(writeGlb("/no/such/folder/x.glb", exported(library("water.pdb"), {})).value().text().find("cannot be written") != std::string::npos);
+  CHECK(writeGlb("/no/such/folder/x.glb", exported(library("water.pdb"), {})).value().text().find("its folder is not there") != std::string::npos);
 }
 
 TEST_CASE("a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are told, not drawn") {

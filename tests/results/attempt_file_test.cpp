@@ -3,7 +3,11 @@
 
 #include <algorithm>
 
+#include <nlohmann/json.hpp>
+
 #include "engine/results/attempt_file.h"
+#include "engine/results/attempt_writer.h"
+#include "engine/results/progress.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -35,6 +39,69 @@ TEST_CASE("a file cut off at any byte gives every line that ends before the cut,
     REQUIRE(mended.ends_with('\n'));
     REQUIRE(whole.starts_with(mended));
     REQUIRE(static_cast<std::size_t>(std::count(mended.begin(), mended.end(), '\n')) == good);
+  }
+}
+
+// The same attempt as other programs write JSON: with blanks after the signs, with blanks everywhere, with sorted keys.
+std::vector<std::string> respaced(const std::string& lines) {
+  std::string loose, wide, sorted;
+  for (std::size_t at = 0; at < lines.size();) {
+    const std::size_t end = lines.find('\n', at);
+    const auto json = nlohmann::ordered_json::parse(lines.substr(at, end - at));
+    std::string text = json.dump(1);  // line ends stand between signs only
+    std::erase(text, '\n');
+    loose += text + '\n';
+    std::string indented = json.dump(2, '\t');
+    std::erase(indented, '\n');
+    wide += "\t" + indented + " \n";
+    sorted += nlohmann::json(json).dump() + '\n';
+    at = end + 1;
+  }
+  return {loose, wide, sorted};
+}
+
+TEST_CASE("an attempt whose lines have other blanks or another order of keys is read, mended and gone on with like our own") {
+  for (const std::string& whole : respaced(sampleFile())) {
+    CAPTURE(whole.substr(0, 60));
+    const ScratchFolder scratch;
+    const fs::path file = scratch.path / "a.jsonl";
+    writeFile(file, whole);
+    const Expected<Attempt> read = readAttempt(file);
+    REQUIRE(bool(read));
+    CHECK(read->events.size() == sampleEvents().size());
+    CHECK(readAttempt(file, ReadDepth::NoTrace)->events.size() == sampleEvents().size() - 2);
+    const auto progress = readProgress(scratch.path);
+    REQUIRE(progress.size() == 1);
+    CHECK(progress[0].done == 3);
+    const std::size_t first = whole.find('\n') + 1, last = whole.rfind('\n', whole.size() - 2) + 1;
+    for (const std::size_t cut : {whole.size() - 1, whole.size() - 5, last + 1, first + 20, first - 1}) {
+      CAPTURE(cut);
+      writeFile(file, whole.substr(0, cut));
+      mendAttempts(scratch.path);
+      const std::string mended = bytesOf(file);
+      CHECK(mended.ends_with('\n'));
+      CHECK((whole.starts_with(mended) || mended == whole.substr(0, cut) + '\n'));
+      CHECK(readAttempt(file)->problems.empty());
+    }
+  }
+}
+
+TEST_CASE("whatever a file ends with, what goes on with it begins a line of its own") {
+  const ScratchFolder scratch;
+  const fs::path file = scratch.path / "a.jsonl";
+  const std::string hint = lineOf({60.0, HintOpened{"one"}});
+  std::vector<std::string> begins{sampleFile(), "no attempt", "{\"x\":1}\n{\"y", "\n\n \t"};
+  for (const std::string& spaced : respaced(sampleFile())) begins.push_back(spaced.substr(0, spaced.size() - 9));
+  for (const std::string& before : begins) {
+    CAPTURE(before);
+    writeFile(file, before);
+    {
+      AttemptWriter writer = AttemptWriter::goOn(file);
+      writer.append(hint);
+      CHECK(writer.flush());
+    }
+    const std::string now = bytesOf(file);
+    CHECK(now.ends_with("\n" + hint));
   }
 }
 

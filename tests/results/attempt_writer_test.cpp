@@ -131,7 +131,7 @@ TEST_CASE("a folder that cannot be made or written is told, and what waited is w
     AttemptWriter refused = AttemptWriter::startNew(locked, "a");
     refused.append(lineOf(sampleHeader()));
     CHECK_FALSE(refused.flush());
-    CHECK(refused.takeTrouble()->remedy == "allow writing to its folder");
+    CHECK(refused.takeTrouble()->remedy == "allow writing to it and to its folder");
     fs::permissions(locked, fs::perms::owner_all);
   }
   AttemptWriter nowhere = AttemptWriter::startNew({}, "a");

@@ -64,7 +64,7 @@ TEST_CASE("one student's attempt of 9.5 s gives its figures, cell by cell") {
   const auto rows = readCsv(classCsv(summary));
   REQUIRE(rows.size() == 2);
   CHECK(rows[1].size() == rows[0].size());
-  CHECK(cell(rows, 1, "student") == sampleHeader().student);
+  CHECK(cell(rows, 1, "student") == "A. \"Quote\", Ünlü\n'=1+1");
   CHECK(cell(rows, 1, "done_percent") == "100.0");
   CHECK(cell(rows, 1, "finished") == "yes");
   CHECK(cell(rows, 1, "minutes") == "0.16");
@@ -116,13 +116,56 @@ TEST_CASE("a second attempt adds its time, keeps the first answers and never low
   CHECK(p.last_step == "One");
 }
 
+std::string cellOf(const std::string& name) {
+  Attempt a = sampleAttempt();
+  a.header.student = name;
+  return cell(readCsv(classCsv(summarise({a}))), 1, "student");
+}
+
 TEST_CASE("cells that a spreadsheet would compute are defused: = + - @ tab and line ends") {
-  for (const std::string name : {"=1+1", "+1", "-1", "@SUM(A1)", "\tx", "\rx", "\nx", "=cmd|' /C calc'!A0"}) {
-    Attempt a = sampleAttempt();
-    a.header.student = name;
-    const auto rows = readCsv(classCsv(summarise({a})));
-    CHECK(cell(rows, 1, "student") == "'" + name);
+  for (const std::string name : {"=1+1", "+1", "-1", "@SUM(A1)", "\tx", "\nx", "=cmd|' /C calc'!A0"}) CHECK(cellOf(name) == "'" + name);
+  CHECK(cellOf("\rx") == "'\xEF\xBF\xBDx");
+}
+
+// What a spreadsheet may do before it looks for a formula, in its rudest form: cut off all that cannot be seen, fold what is wide or
+// small, and part by the signs that other countries use.
+bool mightCompute(std::string text) {
+  const auto replaceAll = [&](const std::string& a, const std::string& b) {
+    for (std::size_t at = 0; (at = text.find(a, at)) != std::string::npos; at += b.size()) text.replace(at, a.size(), b);
+  };
+  for (const char* sign : {"\uFF1D", "\uFE66"}) replaceAll(sign, "=");
+  for (const char* sign : {"\uFF0B", "\uFE62"}) replaceAll(sign, "+");
+  for (const char* sign : {"\uFF0D", "\uFE63"}) replaceAll(sign, "-");
+  for (const char* sign : {"\uFF20", "\uFE6B"}) replaceAll(sign, "@");
+  for (const char* none : {"\u00A0", "\u00AD", "\u1680", "\u180E", "\u2000", "\u2003", "\u2007", "\u2009", "\u200B", "\u200E", "\u200F", "\u2028", "\u202F", "\u205F", "\u2060", "\u3000",
+                           "\uFEFF", "\uFFFD", " "})
+    replaceAll(none, "");
+  std::erase(text, '\0');
+  bool begin = true;
+  for (const char c : text) {
+    if (begin && std::string_view("=+-@").find(c) != std::string_view::npos) return true;
+    begin = c == ';' || c == '\t' || c == '\n' || c == '\r';
   }
+  return false;
+}
+
+TEST_CASE("no blank, invisible or control sign before a formula, no wide or small form of its sign, and no other separator gets it computed") {
+  int tried = 0;
+  for (const std::string before : {"", " ", "  ", "\t", "\n", "\r", "\r\n", "\v", "\x1f", "\x7f", "\u00A0", "\u00AD", "\u0085", "\u1680", "\u180E", "\u2003", "\u200B", "\u200E", "\u2028",
+                                   "\u202E", "\u2066", "\u3000", "\uFEFF", "a;", "a; ", "a\t", "a\n\u00A0"})
+    for (const std::string sign : {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20", "\uFE66", "\uFE62", "\uFE63", "\uFE6B"}) {
+      CAPTURE(before);
+      CAPTURE(sign);
+      CHECK_FALSE(mightCompute(cellOf(before + sign + "1+1")));
+      ++tried;
+    }
+  CHECK_FALSE(mightCompute(cellOf(std::string("\0=1", 3))));
+  CHECK_FALSE(mightCompute(cellOf(std::string(" \0 \0\u00A0=1", 9))));
+  CHECK(tried == 27 * 12);
+  CHECK(cellOf("a-b = c + d @ home; 5") == "a-b = c + d @ home; 5");
+}
+
+TEST_CASE("a quoted text stays as it was but for that") {
   Attempt a = sampleAttempt();
   a.header.student = "a;b \"c\", d\ne";
   CHECK(cell(readCsv(classCsv(summarise({a}))), 1, "student") == "a;b \"c\", d\ne");

@@ -78,6 +78,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {2.0, HintOpened{"one"}},
       {3.0, TouchBegan{{7}}},
       {3.085, chunk},
+      {3.09, TouchSoFar{3.0, 1, 1.0, 0.5, 3.125, InputWay::Keyboard}},
       {3.1, TouchEnded{3.0, {7, 9, 12}, 2, 1.25, 0.75, 6.25, InputWay::Keyboard}},
       {3.1, CurveKept{"one", 0, false, "depth", 0.8, 3.3, {0.0, 1.5, 3.0}}},
       {3.2, CurveKept{"one", 0, true, "depth", 0.8, 3.3, {0.0, 1.25, 2.5}}},
@@ -92,6 +93,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {9.0, ProgressMade{"two", 3, 3}},
       {9.5, Left{"2026-11-21T10:59:00Z"}},
       {9.5, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Omni", true}},
+      {9.5, StillHere{}},
   };
 }
 

@@ -215,5 +215,5 @@ TEST_CASE("a WAV file holds its 44 bytes of header and 16-bit samples: 0, 1, -1 
   std::array<std::int16_t, 4> values{};
   std::memcpy(values.data(), bytes.data() + 44, 8);
   CHECK(values == std::array<std::int16_t, 4>{0, 32767, -32767, 32767});
-  CHECK(writeWav("/nonexistent/folder/x.wav", samples, 48000).value().text().find("cannot be written") != std::string::npos);
+  CHECK(writeWav("/nonexistent/folder/x.wav", samples, 48000).value().text().find("its folder is not there") != std::string::npos);
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 
 #define GLFW_INCLUDE_NONE
@@ -13,14 +14,15 @@
 #include "app/ui/key_focus.h"
 #include "app/ui/theme.h"
 #include "app/ui/widget_map.h"
+#include "engine/core/saturated.h"
 
 namespace moltact {
 namespace {
 
 std::string clockText(double t_s) {
   char text[24];
-  const int whole = int(t_s);
-  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
+  const int whole = wholeOf<int>(t_s);
+  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, std::abs(whole % 60));
   return text;
 }
 
@@ -60,7 +62,7 @@ void drawScrubber(Playback& playback, float width) {
   const ImVec2 low = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
   const double length_s = std::max(1e-9, playback.timeline().length_s());
   const float edge = l.px(6), from = low.x + edge, to = end.x - edge, middle = 0.5f * (low.y + end.y), half = l.px(9);
-  const auto place = [&](double t_s) { return from + (to - from) * float(t_s / length_s); };
+  const auto place = [&](double t_s) { return from + (to - from) * std::clamp(floatOf(t_s / length_s), 0.0f, 1.0f); };
   const float pointer = ImGui::GetIO().MousePos.x;
   const TimelineMark* near = nullptr;
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {

@@ -1,0 +1,88 @@
+// Text that came from outside (names, titles, paths, messages that quote them) made safe to be shown: no sequence of it
+// steers a terminal, reorders what stands beside it, or begins a line of its own. Usable on every thread but the haptic one.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace moltact {
+
+inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD, in the place of what is not shown
+
+/// One code point at the front of a text: `bytes` long. Bytes that are no UTF-8 give `valid` false and a length of 1;
+/// `cut`: more bytes could still make a code point of it.
+struct CodePoint {
+  std::uint32_t code = 0;
+  std::size_t bytes = 1;
+  bool valid = false, cut = false;
+};
+
+inline CodePoint firstCodePoint(std::string_view text) {
+  const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
+  const std::uint32_t first = at(0);
+  if (first < 0x80) return {first, 1, true, false};
+  const std::size_t length = first >> 5 == 6 ? 2 : first >> 4 == 14 ? 3 : first >> 3 == 30 ? 4 : 0;
+  if (length == 0) return {first, 1, false, false};
+  std::uint32_t code = first & (0x7Fu >> length);
+  for (std::size_t k = 1; k < length; ++k) {
+    if (k == text.size()) return {first, 1, false, true};
+    if ((at(k) & 0xC0u) != 0x80u) return {first, 1, false, false};
+    code = code << 6 | (at(k) & 0x3Fu);
+  }
+  constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool sound = code >= kSmallest[length] && code <= 0x10FFFF && (code < 0xD800 || code >= 0xE000);
+  return sound ? CodePoint{code, length, true, false} : CodePoint{first, 1, false, false};
+}
+
+/// Whether a code point steers what shows it: C0 and C1 controls but tab and line end, DEL, and what turns the direction of the
+/// text round it (embeddings, overrides, isolates).
+constexpr bool steersTerminal(std::uint32_t code) {
+  return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0) || (code >= 0x202A && code <= 0x202E) ||
+         (code >= 0x2066 && code <= 0x2069);
+}
+
+/// Calls keep(bytes) and harmful(code, valid) in turn for every piece of the text; `also` says which other code points
+/// are harmful.
+template <class Keep, class Harmful, class Also>
+void sortOut(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also) {
+  std::size_t kept = 0, at = 0;
+  const auto keepUpToHere = [&] {
+    if (at > kept) keep(text.substr(kept, at - kept));
+  };
+  while (at < text.size()) {
+    const CodePoint c = firstCodePoint(text.substr(at));
+    if (c.valid && !steersTerminal(c.code) && !also(c.code)) {
+      at += c.bytes;
+      continue;
+    }
+    keepUpToHere();
+    harmful(c.code, c.valid);
+    kept = at += c.bytes;
+  }
+  keepUpToHere();
+}
+
+/// The text with U+FFFD for each code point that steers a terminal and each byte that is no UTF-8. Line ends and tabs stay.
+inline std::string printable(std::string_view text) {
+  std::string out;
+  sortOut(
+      text, [&](std::string_view piece) { out += piece; }, [&](std::uint32_t, bool) { out += kReplacement; }, [](std::uint32_t) { return false; });
+  return out;
+}
+
+/// The same on one line: a line end or a tab within becomes a space.
+inline std::string oneLine(std::string_view text) {
+  std::string out;
+  sortOut(
+      text, [&](std::string_view piece) { out += piece; },
+      [&](std::uint32_t code, bool valid) {
+        if (valid && (code == '\n' || code == '\t' || code == '\r')) out += ' ';
+        else out += kReplacement;
+      },
+      [](std::uint32_t code) { return code == '\n' || code == '\t'; });
+  return out;
+}
+
+}  // namespace moltact

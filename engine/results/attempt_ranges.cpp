@@ -1,0 +1,62 @@
+#include "engine/results/attempt_ranges.h"
+
+#include <array>
+
+#include "engine/haptics/tracker.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kYear_s = 366.0 * 86400.0;
+constexpr double kBeyond_A = 2.0 * kFarthest_A;  // what lies beside the farthest place of a hand
+constexpr double kMost_N = 1000.0;               // many times the strongest device
+constexpr double kMostAtoms = 2147483647.0;
+
+constexpr std::array kRanges{
+    // time
+    AttemptRange{"t", -60.0, kYear_s},  // a tick may be a frame older than the attempt
+    AttemptRange{"from", -60.0, kYear_s},
+    AttemptRange{"took_s", 0.0, kYear_s},
+    AttemptRange{"ms", 0.0, 1000.0 * kYear_s},
+    // force
+    AttemptRange{"peak_N", 0.0, kMost_N},
+    AttemptRange{"mean_N", 0.0, kMost_N},
+    AttemptRange{"most_N", 0.0, kMost_N},
+    AttemptRange{"force_N", -kMost_N, kMost_N},
+    AttemptRange{"force", -kMost_N, kMost_N},
+    AttemptRange{"stiffness_N_per_mm", 0.0, kMost_N},
+    // place
+    AttemptRange{"hip", -kBeyond_A, kBeyond_A},
+    AttemptRange{"scp", -kBeyond_A, kBeyond_A},
+    AttemptRange{"centre_A", -kBeyond_A, kBeyond_A},
+    AttemptRange{"target_A", -kBeyond_A, kBeyond_A},
+    AttemptRange{"distance_A", 0.1, 1e8},
+    AttemptRange{"path_A", 0.0, 1e10},
+    AttemptRange{"to_A", 0.0, 1e6},
+    AttemptRange{"probe_A", 0.0, kLargestProbe_A},
+    AttemptRange{"A_per_mm", 1e-4, 1e4},
+    AttemptRange{"turn", -1.001, 1.001},
+    AttemptRange{"orientation", -1.001, 1.001},
+    // counts and indices
+    AttemptRange{"format", 1.0, kMostAtoms, true},
+    AttemptRange{"attempt", 1.0, 1e6, true},
+    AttemptRange{"task", 0.0, 1e6, true},
+    AttemptRange{"chosen", 0.0, 1e6, true},
+    AttemptRange{"right", 0.0, 1e6, true},
+    AttemptRange{"done", 0.0, 1e6, true},
+    AttemptRange{"of", 0.0, 1e6, true},
+    AttemptRange{"crossings", 0.0, 1e10, true},
+    AttemptRange{"atoms", -1.0, kMostAtoms, true},
+    // whatever a task measures
+    AttemptRange{"value", -1e9, 1e9},
+};
+
+}  // namespace
+
+const AttemptRange* attemptRange(std::string_view key) {
+  for (const AttemptRange& range : kRanges)
+    if (range.key == key) return &range;
+  return nullptr;
+}
+
+}  // namespace moltact
