@@ -48,12 +48,12 @@ std::size_t dropWaters(GrowingMolecule& grown) {
 
 }  // namespace
 
-MoleculeBuilder::MoleculeBuilder(const TextSource& text, std::size_t bytes_an_atom, const ReadOptions& options)
+AtomSieve::AtomSieve(const TextSource& text, std::size_t bytes_an_atom, const ReadOptions& options)
     : options_(options), file_(text.file()) {
   out_.expect(text.expectedBytes() / bytes_an_atom);
 }
 
-std::int32_t MoleculeBuilder::unknownElement(const ParsedAtom& atom) {
+std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
   if (element(atom.atomic_number).source != RadiusSource::Default) return -1;
   constexpr std::size_t kLongestShown = 25;
   const std::string_view symbol =
@@ -69,7 +69,7 @@ std::int32_t MoleculeBuilder::unknownElement(const ParsedAtom& atom) {
   return index;
 }
 
-std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
+std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
   for (int k = 0; k < 3; ++k)
     if (!(std::abs(from.position_A[k]) <= kMaxCoordinate_A))
       return Problem{file_, from.line, 0, "the atom " + inQuotes(from.name) + " lies farther out than 1e9 A", "correct its coordinates"};
@@ -106,7 +106,7 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
 }
 
 /// Of the atoms at the place with one name, the likeliest are kept.
-void MoleculeBuilder::keepLikeliest() {
+void AtomSieve::keepLikeliest() {
   std::vector<char> keep(waiting_.size(), 1);
   std::unordered_map<std::uint64_t, std::size_t> best;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
@@ -128,7 +128,7 @@ void MoleculeBuilder::keepLikeliest() {
 }
 
 /// Leaves out the alternate locations that the rules do not keep.
-void MoleculeBuilder::dropAlternates() {
+void AtomSieve::dropAlternates() {
   const auto alternate = [](const Waiting& w) { return w.alternate != ' '; };
   if (std::none_of(waiting_.begin(), waiting_.end(), alternate)) return;
   const std::size_t before = waiting_.size();
@@ -145,7 +145,7 @@ void MoleculeBuilder::dropAlternates() {
   alternates_left_out_ += before - waiting_.size();
 }
 
-void MoleculeBuilder::endPlace() {
+void AtomSieve::endPlace() {
   dropAlternates();
   for (const Waiting& w : waiting_) {
     const std::string& residue = residues_[w.residue];
@@ -160,7 +160,7 @@ void MoleculeBuilder::endPlace() {
 }
 
 /// One sentence for each element without a published radius, and for each that is not known.
-void MoleculeBuilder::warnOfElements(std::vector<std::string>& warnings) const {
+void AtomSieve::warnOfElements(std::vector<std::string>& warnings) const {
   const bool waters = out_.molecule.waters_left_out == 0;
   constexpr std::size_t kMostNamed = 50;
   std::size_t named = 0, rest = 0;
@@ -181,7 +181,7 @@ void MoleculeBuilder::warnOfElements(std::vector<std::string>& warnings) const {
   if (rest) warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") + " of further unknown elements.");
 }
 
-Expected<Molecule> MoleculeBuilder::finish(ParsedHead head) {
+Expected<Molecule> AtomSieve::finish(ParsedHead head) {
   endPlace();
   out_.close();
   Molecule& out = out_.molecule;

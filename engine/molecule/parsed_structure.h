@@ -88,10 +88,10 @@ class GrowingMolecule {
 };
 
 /// Takes the atoms of one model and keeps what the rules of reader.h keep.
-class MoleculeBuilder {
+class AtomSieve {
  public:
   /// `text` gives the file's name, and how many atoms to expect at `bytes_an_atom`.
-  MoleculeBuilder(const TextSource& text, std::size_t bytes_an_atom, const ReadOptions& options);
+  AtomSieve(const TextSource& text, std::size_t bytes_an_atom, const ReadOptions& options);
   std::optional<Problem> add(const ParsedAtom& atom);
   Expected<Molecule> finish(ParsedHead head);
 

@@ -134,9 +134,9 @@ std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Opera
     } else {
       std::vector<ParsedOperator> product;
       for (const ParsedOperator& p : out) {
-        if (product.size() >= kMostOperators) break;
+        if (product.size() > kMostCopies) break;  // too many, which is told of the whole
         for (const ParsedOperator& q : bracket) {
-          if (product.size() >= kMostOperators) break;
+          if (product.size() > kMostCopies) break;
           product.push_back({p.turn * q.turn, p.turn * q.shift_A + p.shift_A});
         }
       }
@@ -385,7 +385,7 @@ class Reader {
   const std::string& file_;
   const ReadOptions& options_;
   CifWords words_;
-  MoleculeBuilder builder_;
+  AtomSieve builder_;
   ParsedHead head_;
   std::array<Row, std::size(kTables)> single_;  // of this block's pairs
   Operators operators_;

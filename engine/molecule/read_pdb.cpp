@@ -84,7 +84,7 @@ gemmi::Element elementOf(const char* line, bool has_element) {
 }
 
 /// Checks one ATOM or HETATM line and adds its atom; a problem where it cannot be read.
-std::optional<Problem> addAtom(MoleculeBuilder& builder, Sieve& sieve, std::string_view line, const std::string& file, std::size_t number) {
+std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_view line, const std::string& file, std::size_t number) {
   constexpr const char* kRemedy =
       "the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF";
   if (line.size() < 54)
@@ -160,7 +160,7 @@ void warnOfCut(Sieve& sieve) {
 
 /// Walks over the lines: keeps the atoms of the model asked for and the records that name, describe and copy
 /// them.
-std::optional<Problem> sift(Sieve& sieve, MoleculeBuilder& builder, TextSource& text, int wanted) {
+std::optional<Problem> sift(Sieve& sieve, AtomSieve& builder, TextSource& text, int wanted) {
   bool in_model = false;
   for (std::string_view line; text.next(line);) {
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
@@ -228,7 +228,7 @@ std::string information(const gemmi::Structure& st, const char* key) {
 Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
   const std::string& file = text.file();
   Sieve sieve;
-  MoleculeBuilder builder(text, kBytesAnAtom, options);
+  AtomSieve builder(text, kBytesAnAtom, options);
   if (auto problem = sift(sieve, builder, text, options.model)) return *problem;
   if (sieve.models == 0)
     return Problem{file, 0, 0, "there is no ATOM or HETATM line in it",
