@@ -156,8 +156,10 @@ bool TextSource::fill() {
     end_ -= at_;
     at_ = 0;
   }
-  if (buffer_.size() - end_ < kPiece) buffer_.resize(std::max(buffer_.size() + buffer_.size() / 2, end_ + kPiece));
-  const std::size_t n = bytes_->read(buffer_.data() + end_, kPiece);
+  // Small files need no large buffer.
+  const std::size_t piece = std::clamp(expected_, std::size_t{4096}, kPiece);
+  if (buffer_.size() - end_ < piece) buffer_.resize(std::max(buffer_.size() + buffer_.size() / 2, end_ + piece));
+  const std::size_t n = bytes_->read(buffer_.data() + end_, piece);
   if (bytes_->problem()) problem_ = bytes_->problem();
   ended_ = n == 0;
   end_ += n;
