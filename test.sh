@@ -2,12 +2,14 @@
 # Installs what is missing, builds Moltact and runs every test.
 #   ./test.sh                   the release build
 #   ./test.sh release asan tsan the builds of CMakePresets.json that are named
+#   ./test.sh fuzz              every reader of files under libFuzzer, 20 s each (tests/fuzz)
 set -eu
 cd "$(dirname "$0")"
 . .ci/setup.sh
 install_missing
 for preset in "${@:-release}"; do
   echo "== $preset"
+  [ "$preset" != fuzz ] || install_missing .ci/packages-fuzz
   build_preset "$preset"
   ctest --preset "$preset"
 done

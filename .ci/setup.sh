@@ -1,13 +1,14 @@
 # Functions of run.sh and test.sh: what is missing is installed, what has changed is built. Run from the project's root.
 
-# Installs the Debian packages of .ci/packages that are not there.
+# install_missing [LIST]: installs the Debian packages of .ci/packages, or of another list, that are not there.
 install_missing() {
+  list=${1:-.ci/packages}
   command -v dpkg-query >/dev/null || {
-    echo "This is not a Debian system: install what .ci/packages lists in your system's way, then run this again." >&2
+    echo "This is not a Debian system: install what $list lists in your system's way, then run this again." >&2
     return 0
   }
   missing=
-  for package in $(sed 's/#.*//' .ci/packages); do
+  for package in $(sed 's/#.*//' "$list"); do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || missing="$missing $package"
   done
   [ -z "$missing" ] && return 0

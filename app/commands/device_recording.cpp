@@ -1,5 +1,6 @@
 #include "app/commands/device_recording.h"
 
+#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -224,7 +225,8 @@ MoleculeArgument moleculeOf(const Labels& labels) {
   };
   MoleculeArgument out;
   out.name = label("molecule");
-  out.reading.model = std::max(1, std::atoi(label("model").c_str()));
+  const std::string model = label("model");
+  std::from_chars(model.data(), model.data() + model.size(), out.reading.model);
   out.reading.waters = label("waters") == "yes";
   out.reading.assembly = label("assembly");
   return out;

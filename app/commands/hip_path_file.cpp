@@ -15,6 +15,7 @@ constexpr std::string_view kHeader = "x,y,z";
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // some spreadsheets begin a CSV file with it
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
+constexpr std::size_t kMostPlaces = 25'000'000;  // seven hours of ticks
 
 bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
@@ -66,6 +67,7 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
       if (k < 2) ++next;
     }
     if (next != stop) return Problem{name, line_number, column(next), "there is more than x,y,z in this row", "remove what follows the third number"};
+    if (path.size() == kMostPlaces) return Problem{name, line_number, 1, "more than 25 million rows", "split it into shorter paths"};
     path.push_back(place);
   }
   if (path.empty()) return Problem{name, 0, 0, "there is no row in this file", "write the header x,y,z and then a row a tick"};

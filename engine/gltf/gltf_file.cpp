@@ -13,6 +13,7 @@
 // A system header, so that its warnings are not ours.
 #include <tiny_gltf.h>
 
+#include "engine/core/file_bytes.h"
 #include "engine/platform/write_file.h"
 
 namespace moltact {
@@ -95,17 +96,14 @@ class Reader {
   }
 
   static glm::vec3 vectorAt(const Elements& e, std::size_t i) {
-    glm::vec3 v;
-    std::memcpy(&v, e.data + i * e.stride, sizeof v);
-    return v;
+    const unsigned char* at = e.data + i * e.stride;
+    return {numberAt<float>(at), numberAt<float>(at + sizeof(float)), numberAt<float>(at + 2 * sizeof(float))};
   }
   static std::size_t indexAt(const Elements& e, std::size_t i) {
     const unsigned char* at = e.data + i * e.stride;
     if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return *at;
-    std::uint16_t two = 0;
-    std::uint32_t four = 0;
-    if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return std::memcpy(&two, at, 2), two;
-    if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return std::memcpy(&four, at, 4), four;
+    if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return numberAt<std::uint16_t>(at);
+    if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return numberAt<std::uint32_t>(at);
     throw Broken{"holds numbers of the wrong kind"};
   }
 

@@ -80,7 +80,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.molecule = values["molecule"].text;
     scene.molecule_place = values["molecule"].place;
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
-    if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule) == known.end())
+    if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule) == known.end() && !reading.enough())
       reading.error(scene.molecule_place, "'" + scene.molecule + "' is not among the lesson's molecules",
                     suggest(scene.molecule, known, "add it to the front matter or take one of") );
   } else if (!before && std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {

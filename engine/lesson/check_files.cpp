@@ -1,5 +1,6 @@
 // Links to files, and pictures.
 #include <algorithm>
+#include <map>
 #include <system_error>
 
 #include "engine/lesson/checks.h"
@@ -13,12 +14,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kMostNames = 300;  // of a folder, that a missing name is compared with
+
 /// "did you mean 'ring.png'?" from the files that are there.
-std::string nearestFile(const fs::path& missing) {
-  std::vector<std::string> names;
-  std::error_code error;
+std::string nearestFile(const fs::path& missing, std::map<fs::path, std::vector<std::string>>& names_in) {
   const fs::path folder = missing.has_parent_path() ? missing.parent_path() : fs::path(".");
-  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) names.push_back(it->path().filename().string());
+  const auto [at, is_new] = names_in.try_emplace(folder);
+  std::vector<std::string>& names = at->second;
+  std::error_code error;
+  if (is_new)
+    for (fs::directory_iterator it(folder, error), end; !error && it != end && names.size() < kMostNames; it.increment(error))
+      names.push_back(it->path().filename().string());
   std::sort(names.begin(), names.end());
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::string near = suggest(missing.filename().string(), known, "");
@@ -30,6 +36,7 @@ class Files {
   Files(const fs::path& lesson_file, Findings& findings) : lesson_file_(lesson_file), findings_(findings) {}
 
   void link(std::string_view link, Place place) {
+    if (findings_.enough()) return;
     const std::string_view scheme = linkScheme(link);
     if (scheme == "http" || scheme == "https" || scheme == "mailto") return;
     if (!scheme.empty())
@@ -40,7 +47,7 @@ class Files {
   }
 
   void picture(const Image& image) {
-    if (image.path.empty()) return;
+    if (image.path.empty() || findings_.enough()) return;
     if (const auto to = fileLink(lesson_file_, image.path)) isThere("picture", image.path, to->file, image.place);
   }
 
@@ -51,7 +58,7 @@ class Files {
     if (written.starts_with('/'))
       findings_.error(place, start + " leads to a place of this computer only", "put the file beside the lesson and write its name");
     else if (!fs::exists(file, error))
-      findings_.error(place, start + " leads to no file", nearestFile(file));
+      findings_.error(place, start + " leads to no file", nearestFile(file, names_in_));
     else
       return true;
     return false;
@@ -60,16 +67,23 @@ class Files {
   /// A link into another lesson: its step must be there. Other Markdown files have headings of their own making.
   void stepOf(const FileLink& link, Place place) {
     if (link.file.extension() != ".md") return;
-    const LessonReading other = readLesson(link.file);
-    const Lesson* lesson = other.lesson ? &*other.lesson : other.partial ? &*other.partial : nullptr;
-    if (!lesson || lesson->title.empty() || lesson->find(link.step)) return;
-    std::vector<std::string_view> ids;
-    for (const Step& s : lesson->steps) ids.push_back(s.id);
+    const auto [at, is_new] = steps_of_.try_emplace(link.file);
+    std::vector<std::string>& steps = at->second;
+    if (is_new) {
+      const LessonReading other = readLesson(link.file);
+      const Lesson* lesson = other.lesson ? &*other.lesson : other.partial ? &*other.partial : nullptr;
+      if (lesson && !lesson->title.empty())
+        for (const Step& s : lesson->steps) steps.push_back(s.id);
+    }
+    if (steps.empty() || std::find(steps.begin(), steps.end(), link.step) != steps.end()) return;
+    const std::vector<std::string_view> ids(steps.begin(), steps.end());
     findings_.error(place, "there is no step '#" + link.step + "' in " + link.file.filename().string(), suggest(link.step, ids, "steps"));
   }
 
   const fs::path& lesson_file_;
   Findings& findings_;
+  std::map<fs::path, std::vector<std::string>> names_in_;  // folders that were looked into
+  std::map<fs::path, std::vector<std::string>> steps_of_;  // lessons that were read, their steps' ids
 };
 
 }  // namespace

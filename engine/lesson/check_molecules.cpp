@@ -1,6 +1,7 @@
 // A lesson against its molecules.
 #include <algorithm>
 #include <map>
+#include <unordered_set>
 
 #include "engine/lesson/checks.h"
 #include "engine/lesson/tasks/registry.h"
@@ -37,6 +38,7 @@ class Check {
  private:
   /// The molecule, or nullptr and an error at each place where it is named.
   const Molecule* find(const std::string& name, Place place) {
+    if (findings_.enough()) return nullptr;
     auto known = found_.find(name);
     if (known == found_.end()) known = found_.emplace(name, by_name_(name)).first;
     if (known->second) return known->second->get();
@@ -48,7 +50,7 @@ class Check {
   }
 
   void selects(const Selection& selection, Place place, const Molecule& molecule) {
-    if (!selection.given()) return;
+    if (!selection.given() || findings_.enough()) return;
     const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
     if (selection.select(molecule).empty()) {
       Problem why = selection.whyEmpty(molecule);
@@ -81,12 +83,13 @@ class Check {
 void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings) { Check(lesson, molecule, findings).run(); }
 
 void moleculeList(const Lesson& lesson, Findings& findings) {
+  std::unordered_set<std::string_view> used, listed;
+  for (const Step& s : lesson.steps) used.insert(s.scene.molecule);
   for (std::size_t i = 0; i < lesson.molecules.size(); ++i) {
     const std::string& name = lesson.molecules[i];
-    const auto before = lesson.molecules.begin() + static_cast<std::ptrdiff_t>(i);
-    if (std::find(lesson.molecules.begin(), before, name) != before)
+    if (!listed.insert(name).second)
       findings.error(lesson.molecule_places[i], "'" + name + "' is listed twice", "take one of the two out");
-    else if (std::none_of(lesson.steps.begin(), lesson.steps.end(), [&](const Step& s) { return s.scene.molecule == name; }))
+    else if (!used.contains(name))
       findings.error(lesson.molecule_places[i], "no scene uses '" + name + "'", "take it out, or add a scene with 'molecule: " + name + "'");
   }
 }

@@ -1,5 +1,6 @@
 // The way through a lesson: which steps a student can come to, and whether each has something to say.
 #include <algorithm>
+#include <unordered_map>
 
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
@@ -12,6 +13,8 @@ namespace {
 std::vector<char> reached(const Lesson& lesson) {
   std::vector<char> out(lesson.steps.size(), 0);
   std::vector<std::size_t> todo;
+  std::unordered_map<std::string_view, std::size_t> step_of;
+  for (std::size_t i = 0; i < lesson.steps.size(); ++i) step_of.emplace(lesson.steps[i].id, i);
   const auto reach = [&](std::size_t i) {
     if (!out[i]) todo.push_back(i);
     out[i] = 1;
@@ -19,7 +22,7 @@ std::vector<char> reached(const Lesson& lesson) {
   const auto follow = [&](const RichText& text) {
     for (const TextRun& run : text)
       if (run.link.starts_with('#'))
-        if (const auto step = lesson.find(std::string_view(run.link).substr(1))) reach(*step);
+        if (const auto step = step_of.find(std::string_view(run.link).substr(1)); step != step_of.end()) reach(step->second);
   };
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (!lesson.steps[i].aside) reach(i);

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "engine/lesson/check.h"
+#include "engine/lesson/problem_list.h"
 
 namespace moltact::checks {
 
@@ -11,11 +12,12 @@ struct Findings {
   std::string file;
   std::vector<Problem> errors, warnings;
 
+  bool enough() const { return enoughProblems(errors); }
   void error(Place place, std::string message, std::string remedy) {
-    errors.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
+    if (!enough()) errors.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
   }
   void warning(Place place, std::string message, std::string remedy) {
-    warnings.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
+    if (!enoughProblems(warnings)) warnings.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
   }
 };
 

@@ -47,7 +47,8 @@ std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::
   for (std::size_t k = 0; k < found.size(); ++k) order.emplace_back(-room(view, found[k]), k);
   std::sort(order.begin(), order.end());
   std::vector<SurfacePlace> out;
-  for (const auto& [less, k] : order) {
+  for (const auto& ordered : order) {
+    const std::size_t k = ordered.second;  // no binding, which clang before 16 lets no lambda take
     if (out.size() >= at_most) break;
     const auto near = [&](const SurfacePlace& p) { return glm::distance(p.scp_A, found[k].scp_A) < kApart_A; };
     if (std::none_of(out.begin(), out.end(), near) && openFromOutside(view.balls, found[k], view.probe_A)) out.push_back(found[k]);

@@ -168,8 +168,9 @@ class Builder {
     const std::string_view line = source_.bytes().substr(offset_, source_.bytes().substr(offset_).find('\n'));
     const std::size_t bracket = line.find("](");
     const bool written = bracket != std::string_view::npos && stripped(line.substr(bracket + 2)).starts_with(link_);
-    for (TextRun& run : stack_.back().text)
-      if (run.link == link_ && run.link_place.line == 0) run.link_place = written ? source_.at(offset_ + bracket + 2) : run.place;
+    // Its runs are the last ones.
+    for (auto run = stack_.back().text.rbegin(); run != stack_.back().text.rend() && run->link == link_ && run->link_place.line == 0; ++run)
+      run->link_place = written ? source_.at(offset_ + bracket + 2) : run->place;
   }
 
   int text(MD_TEXTTYPE type, std::string_view piece) {

@@ -1,6 +1,8 @@
 // Paragraphs, lists, quotes, tips, notes and pictures; the choices of questions; links.
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reading.h"
@@ -149,6 +151,7 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
 
 std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
   std::vector<Choice> out;
+  std::unordered_map<std::string, std::size_t> lines;  // by the choice's words
   for (const MarkdownBlock& item : list.children) {
     Choice choice;
     choice.place = item.place;
@@ -172,9 +175,8 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
     if (plainText(choice.text).empty()) reading.error(item.place, "an empty choice", "write what can be chosen, then → and the feedback");
     else if (choice.feedback.empty())
       reading.warning(item.place, "this choice has no feedback", "write → after it and tell the student why it is right or wrong");
-    for (const Choice& other : out)
-      if (plainText(other.text) == plainText(choice.text) && !choice.text.empty())
-        reading.error(item.place, "this choice is there twice", "take one of the two out; the other is on line " + std::to_string(other.place.line));
+    if (const auto [twin, is_new] = lines.emplace(plainText(choice.text), item.place.line); !is_new && !choice.text.empty())
+      reading.error(item.place, "this choice is there twice", "take one of the two out; the other is on line " + std::to_string(twin->second));
     out.push_back(std::move(choice));
   }
   return out;
@@ -197,11 +199,12 @@ void checkQuestion(Reading& reading, const Question& question) {
 void checkLinks(Reading& reading, const Lesson& lesson) {
   std::vector<std::string_view> ids;
   for (const Step& s : lesson.steps) ids.push_back(s.id);
+  const std::unordered_set<std::string_view> known(ids.begin(), ids.end());
   forEachText(lesson, [&](const RichText& text) {
     for (const TextRun& run : text) {
-      if (!run.link.starts_with('#')) continue;
+      if (!run.link.starts_with('#') || reading.enough()) continue;
       const std::string_view id = std::string_view(run.link).substr(1);
-      if (std::find(ids.begin(), ids.end(), id) == ids.end())
+      if (!known.contains(id))
         reading.error(run.link_place, "the link '" + run.link + "' leads to no step", suggest(id, ids, "steps"));
     }
   });

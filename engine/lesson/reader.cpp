@@ -1,6 +1,8 @@
 #include "engine/lesson/reader.h"
 
 #include <algorithm>
+#include <set>
+#include <unordered_map>
 
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reading.h"
@@ -20,8 +22,12 @@ class Walk {
  public:
   Walk(Reading& reading, Lesson& lesson) : reading_(reading), lesson_(lesson) {}
 
-  void run(const MarkdownBlock& root) {
-    for (const MarkdownBlock& block : root.children) take(block);
+  /// False where there are more steps than are read.
+  bool run(const MarkdownBlock& root) {
+    for (const MarkdownBlock& block : root.children) {
+      if (too_many_) break;
+      take(block);
+    }
     endQuestion();
     if (lesson_.steps.empty()) {
       reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, "the lesson has no steps",
@@ -29,13 +35,13 @@ class Walk {
     } else if (!scene_stated_) {
       reading_.error(lesson_.steps[0].place, "the first step has no scene", "add a fenced block 'scene' with 'molecule: …'");
     }
+    return !too_many_;
   }
 
  private:
   Step* step() { return lesson_.steps.empty() ? nullptr : &lesson_.steps.back(); }
   const Step* lastMainStep() const {
-    const auto found = std::find_if(lesson_.steps.rbegin(), lesson_.steps.rend(), [](const Step& s) { return !s.aside; });
-    return found == lesson_.steps.rend() ? nullptr : &*found;
+    return last_main_ ? &lesson_.steps[*last_main_] : nullptr;
   }
   std::vector<Block>& blocks() { return step() ? step()->blocks : lesson_.introduction; }
 
@@ -82,6 +88,11 @@ class Walk {
   }
 
   void startStep(const MarkdownBlock& block, const std::string& title) {
+    if (lesson_.steps.size() == kMostLessonSteps) {
+      too_many_ = true;
+      reading_.error(block.place, "a lesson of more than " + std::to_string(kMostLessonSteps) + " steps", "split it into several lessons");
+      return;
+    }
     Step next;
     // The id is that of the whole heading, so that links work on Git hosts too.
     next.id = slug(title);
@@ -91,11 +102,12 @@ class Walk {
     if (next.aside && !step())
       reading_.error(block.place, "the first step is an aside", "start with a step that every student sees: '## …'");
     if (next.title.empty()) reading_.error(block.place, "a step without a name", "write its name after '## '");
-    if (const auto twin = lesson_.find(next.id); twin && !next.id.empty())
-      reading_.error(block.place, "two steps are called '" + title + "'",
-                     "rename one; the other is on line " + std::to_string(lesson_.steps[*twin].place.line));
+    if (const auto [twin, is_new] = step_lines_.emplace(next.id, block.place.line); !is_new && !next.id.empty())
+      reading_.error(block.place, "two steps are called '" + title + "'", "rename one; the other is on line " + std::to_string(twin->second));
+    question_lines_.clear();
     // What an aside puts on the stage is gone where the student has passed it over.
     if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
+    if (!next.aside) last_main_ = lesson_.steps.size();
     lesson_.steps.push_back(std::move(next));
   }
 
@@ -118,9 +130,8 @@ class Walk {
     const std::string_view asked = stripped(std::string_view(title).substr(kQuestion.size()));
     if (asked.empty()) reading_.error(block.place, "a question without words", "write it after 'Question:'");
     question.id = slug(asked);
-    for (const Question& other : step()->questions)
-      if (other.id == question.id && !asked.empty())
-        reading_.error(block.place, "this question is asked twice in one step", "rename one; the other is on line " + std::to_string(other.place.line));
+    if (const auto [twin, is_new] = question_lines_.emplace(question.id, block.place.line); !is_new && !asked.empty())
+      reading_.error(block.place, "this question is asked twice in one step", "rename one; the other is on line " + std::to_string(twin->second));
     step()->questions.push_back(std::move(question));
     step()->blocks.push_back(QuestionHere{step()->questions.size() - 1});
     in_question_ = true;
@@ -180,14 +191,10 @@ class Walk {
 
   Reading& reading_;
   Lesson& lesson_;
-  bool in_question_ = false, scene_stated_ = false;
+  bool in_question_ = false, scene_stated_ = false, too_many_ = false;
+  std::optional<std::size_t> last_main_;  // the last step that is no aside
+  std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; the questions of this step
 };
-
-void sortByPlace(std::vector<Problem>& problems) {
-  std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
-    return a.line != b.line ? a.line < b.line : a.column < b.column;
-  });
-}
 
 /// Problems with the bytes themselves, after which nothing else can be read.
 std::optional<Problem> badBytes(const SourceText& source) {
@@ -236,8 +243,8 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   const auto tree = parseMarkdown(source, body);
   const std::vector<Place> open_fences = reading::findOpenFences(source, body);
   if (tree) {
-    Walk(reading, lesson).run(*tree);
-    if (open_fences.empty()) reading::checkLinks(reading, lesson);
+    const bool whole = Walk(reading, lesson).run(*tree);
+    if (whole && open_fences.empty()) reading::checkLinks(reading, lesson);
   } else {
     reading.errors.push_back(tree.problem());
   }
@@ -249,8 +256,8 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
     for (const Place place : open_fences)
       reading.error(place, "this fenced block has no end, so what follows it is not read", "close it with a line of its own: ```");
   }
-  sortByPlace(reading.errors);
-  sortByPlace(reading.warnings);
+  orderProblems(reading.errors);
+  orderProblems(reading.warnings);
   out.errors = std::move(reading.errors);
   out.warnings = std::move(reading.warnings);
   if (out.errors.empty()) out.lesson = std::move(lesson);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/lesson/markdown.h"
+#include "engine/lesson/problem_list.h"
 #include "engine/lesson/reader.h"
 
 namespace moltact::reading {
@@ -14,15 +15,17 @@ struct Reading {
   const SourceText& source;
   std::vector<Problem> errors, warnings;
 
+  bool enough() const { return enoughProblems(errors); }
   void error(Place place, std::string message, std::string remedy = {}) {
-    errors.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
+    if (!enough()) errors.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
   }
   void warning(Place place, std::string message, std::string remedy = {}) {
-    warnings.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
+    if (!enoughProblems(warnings)) warnings.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
   }
   /// Takes over problems that do not name the file yet.
   void add(std::vector<Problem> problems) {
     for (Problem& p : problems) {
+      if (enough()) return;
       p.file = source.name();
       errors.push_back(std::move(p));
     }

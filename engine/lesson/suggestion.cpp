@@ -5,38 +5,61 @@
 
 namespace moltact {
 
-std::size_t editDistance(std::string_view a, std::string_view b) {
-  constexpr std::size_t kLongest = 64;
+namespace {
+
+constexpr std::size_t kLongest = 64;
+
+/// editDistance, or any number above `most` where it is more than that.
+std::size_t distanceUpTo(std::string_view a, std::string_view b, std::size_t most) {
   if (a.size() > kLongest || b.size() > kLongest) return kLongest;
+  while (!a.empty() && !b.empty() && a.front() == b.front()) a.remove_prefix(1), b.remove_prefix(1);
+  while (!a.empty() && !b.empty() && a.back() == b.back()) a.remove_suffix(1), b.remove_suffix(1);
   std::array<std::array<std::size_t, kLongest + 1>, 3> rows{};
   for (std::size_t j = 0; j <= b.size(); ++j) rows[0][j] = j;
+  std::size_t least_above = 0;
   for (std::size_t i = 1; i <= a.size(); ++i) {
     auto& row = rows[i % 3];
     const auto& above = rows[(i + 2) % 3];
     row[0] = i;
+    std::size_t least = i;
     for (std::size_t j = 1; j <= b.size(); ++j) {
       row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (a[i - 1] != b[j - 1])});
       if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
         row[j] = std::min(row[j], rows[(i + 1) % 3][j - 2] + 1);
+      least = std::min(least, row[j]);
     }
+    // A later row can be less than this one only by a swap, which begins from the one above.
+    if (std::min(least, least_above) > most) return kLongest;
+    least_above = least;
   }
   return rows[a.size() % 3][b.size()];
 }
+
+}  // namespace
+
+std::size_t editDistance(std::string_view a, std::string_view b) { return distanceUpTo(a, b, kLongest); }
 
 std::string suggest(std::string_view word, std::span<const std::string_view> known, std::string_view list_name) {
   if (known.empty()) return {};
   std::string_view nearest;
   std::size_t least = 1000;
   for (std::string_view k : known) {
-    const std::size_t distance = editDistance(word, k);
-    if (distance <= std::max<std::size_t>(1, k.size() / 3) && distance < least) {
+    if (least == 0) break;
+    // The lengths alone may tell that it is too far.
+    const std::size_t lengths = word.size() > k.size() ? word.size() - k.size() : k.size() - word.size();
+    const std::size_t most = std::min(std::max<std::size_t>(1, k.size() / 3), least - 1);
+    if (lengths > most) continue;
+    const std::size_t distance = distanceUpTo(word, k, most);
+    if (distance <= most) {
       least = distance;
       nearest = k;
     }
   }
   if (!nearest.empty()) return "did you mean '" + std::string(nearest) + "'?";
   std::string out = std::string(list_name) + ": ";
-  for (std::size_t i = 0; i < known.size(); ++i) out += (i ? ", " : "") + std::string(known[i]);
+  constexpr std::size_t kMostListed = 100;
+  for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) out += (i ? ", " : "") + std::string(known[i]);
+  if (known.size() > kMostListed) out += ", …";
   return out;
 }
 

@@ -1,8 +1,11 @@
-// What a format's reader hands on before the rules of reader.h are applied: the atoms of one model as the
-// file has them. Inside engine/molecule only. Units: angstrom.
+// What a format's reader hands on, atom by atom, and what makes a molecule of it by the rules of reader.h. Nothing but the
+// molecule itself grows with the file. Inside engine/molecule only. Units: angstrom.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,15 +13,17 @@
 #include "engine/core/problem.h"
 #include "engine/core/text.h"
 #include "engine/molecule/reader.h"
+#include "engine/molecule/text_source.h"
 
 namespace moltact {
 
+/// One atom as the file has it. The texts need last no longer than the call that takes them.
 struct ParsedAtom {
-  std::string name;         ///< "CA"
-  std::string residue;      ///< "ALA"
-  std::string chain;        ///< "A", as authors name it
-  std::string label_chain;  ///< mmCIF's label_asym_id; empty in other formats
-  std::string element;      ///< as the file writes it, used where atomic_number is 0
+  std::string_view name;         ///< "CA"
+  std::string_view residue;      ///< "ALA"
+  std::string_view chain;        ///< "A", as authors name it
+  std::string_view label_chain;  ///< mmCIF's label_asym_id; empty in other formats
+  std::string_view element;      ///< as the file writes it, used where atomic_number is 0
   Vec3 position_A{0.0};
   double occupancy = 1.0;
   std::size_t line = 0;  ///< in the file, from 1; 0 where not known
@@ -45,21 +50,97 @@ struct ParsedAssembly {
   std::vector<Part> parts;
 };
 
-struct ParsedStructure {
+/// What a file says besides its atoms.
+struct ParsedHead {
   std::string id, title;
-  std::vector<ParsedAtom> atoms;  ///< of the model asked for
   std::vector<ParsedAssembly> assemblies;
   std::vector<std::string> warnings;
   int models = 1;  ///< in the file
 };
 
-/// The readers behind the table of formats. `text` is the unpacked content; `file` names it in problems.
-Expected<Molecule> readPdb(std::string_view text, const std::string& file, const ReadOptions& options);
-Expected<Molecule> readMmcif(std::string_view text, const std::string& file, const ReadOptions& options);
-Expected<Molecule> readXyzr(std::string_view text, const std::string& file, const ReadOptions& options);
+/// A molecule that grows: residues and chains are runs of atoms, in the order in which these come.
+class GrowingMolecule {
+ public:
+  /// Of a residue with its chains; texts as in ParsedAtom.
+  struct Place {
+    std::string_view residue, chain, label_chain;
+    int number = 0;
+    char insertion = ' ';
+  };
+  /// Makes room for about so many atoms.
+  void expect(std::size_t atoms);
+  /// The next atom; what follows in the same residue and chain belongs to one.
+  void add(const Atom& atom, const Place& place, bool hetero) { put(molecule.atoms.size(), atom, place, hetero); }
+  /// The same, where the atom takes the place of one that is in the list already, in the order of the list.
+  void put(std::size_t at, const Atom& atom, const Place& place, bool hetero);
+  /// A Problem where the next atom would be one too many, or too much for the memory that a molecule may take.
+  std::optional<Problem> full(const std::string& file, std::size_t line) const;
+  /// The last residue is whole.
+  void close();
 
-/// Applies the rules of reader.h: alternates, waters, assembly, radii, residues and chains.
-Expected<Molecule> buildMolecule(ParsedStructure parsed, const std::string& file, const ReadOptions& options);
+  Molecule molecule;
+  std::vector<std::uint32_t> label_of;  ///< of each residue: index into `labels`
+  std::vector<std::string> labels;      ///< a label_chain for each run of it
+  std::vector<bool> hetero_of;          ///< of each residue
+
+ private:
+  std::size_t text_bytes_ = 0;  // of names that are too long to stand in their own objects
+};
+
+/// Takes the atoms of one model and keeps what the rules of reader.h keep.
+class AtomSieve {
+ public:
+  /// `text` gives the file's name, and how many atoms to expect at `bytes_an_atom`.
+  AtomSieve(const TextSource& text, std::size_t bytes_an_atom, const ReadOptions& options);
+  std::optional<Problem> add(const ParsedAtom& atom);
+  Expected<Molecule> finish(ParsedHead head);
+
+ private:
+  // What is known of an atom besides what becomes part of the molecule, while its place is not whole.
+  struct Waiting {
+    Atom atom;
+    std::uint64_t name = 0;       // of the whole name
+    double occupancy = 1.0;
+    std::uint32_t residue = 0;    // index into residues_
+    std::int32_t unknown = -1;    // index into unknown_, where no radius is known
+    char alternate = ' ';
+    bool hetero = false;
+  };
+  void endPlace();
+  void dropAlternates();
+  void keepLikeliest();
+  std::int32_t unknownElement(const ParsedAtom& atom);
+  void warnOfElements(std::vector<std::string>& warnings) const;
+
+  const ReadOptions& options_;
+  std::string file_;
+  GrowingMolecule out_;
+  // The place in a chain that the last atoms belong to: one residue, or some that are alternatives.
+  std::string chain_, label_chain_;
+  int number_ = 0;
+  char insertion_ = ' ';
+  std::vector<std::string> residues_;  // their names
+  std::vector<Waiting> waiting_;
+  std::size_t alternates_left_out_ = 0;
+  struct Unknown {
+    std::string symbol;
+    std::size_t in_water = 0, elsewhere = 0;
+  };
+  std::vector<Unknown> unknown_;
+  std::map<std::string, std::int32_t, std::less<>> unknown_of_;
+};
+
+/// Puts the assembly `name` in the place of the molecule. Copies of a chain are named, …
+std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies, const std::string& name,
+                                     const std::string& file);
+
+/// The readers behind the table of formats.
+Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options);
+Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options);
+Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options);
+
+/// "more than 25 million atoms".
+Problem tooManyAtoms(const std::string& file, std::size_t line);
 
 /// "the file has 3 models; there is no model 7".
 Problem noSuchModel(const std::string& file, int asked, int models);

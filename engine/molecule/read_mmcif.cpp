@@ -1,18 +1,20 @@
-// Reads mmCIF files: the syntax through gemmi, the _atom_site table row by row, so that a value that is no
-// number is told and not taken as 0, and that only the model asked for is built.
+// Reads mmCIF files as their text comes: the rows of _atom_site one by one, so that a value that is no number is told and
+// nothing but the molecule grows; of the rest only what names the entry and describes its assemblies.
+#include <algorithm>
+#include <array>
 #include <charconv>
-#include <gemmi/cif.hpp>
 #include <gemmi/elem.hpp>
-#include <new>
 #include <optional>
+#include <span>
 #include <unordered_map>
 
+#include "engine/molecule/cif_words.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
 namespace {
 
-namespace cif = gemmi::cif;
+using Kind = CifWords::Kind;
 
 enum Column {
   kX,
@@ -34,33 +36,43 @@ enum Column {
   kModel
 };
 
-const std::vector<std::string> kTags = {"Cartn_x",
-                                        "Cartn_y",
-                                        "Cartn_z",
-                                        "?type_symbol",
-                                        "?label_atom_id",
-                                        "?auth_atom_id",
-                                        "?label_comp_id",
-                                        "?auth_comp_id",
-                                        "?label_asym_id",
-                                        "?auth_asym_id",
-                                        "?label_seq_id",
-                                        "?auth_seq_id",
-                                        "?pdbx_PDB_ins_code",
-                                        "?label_alt_id",
-                                        "?occupancy",
-                                        "?group_PDB",
-                                        "?pdbx_PDB_model_num"};
+constexpr std::string_view kAtomTags[] = {
+    "_atom_site.Cartn_x",       "_atom_site.Cartn_y",       "_atom_site.Cartn_z",           "_atom_site.type_symbol",       "_atom_site.label_atom_id",
+    "_atom_site.auth_atom_id",  "_atom_site.label_comp_id", "_atom_site.auth_comp_id",      "_atom_site.label_asym_id",     "_atom_site.auth_asym_id",
+    "_atom_site.label_seq_id",  "_atom_site.auth_seq_id",   "_atom_site.pdbx_PDB_ins_code", "_atom_site.label_alt_id",      "_atom_site.occupancy",
+    "_atom_site.group_PDB",     "_atom_site.pdbx_PDB_model_num"};
+constexpr std::string_view kGeneratorTags[] = {"_pdbx_struct_assembly_gen.assembly_id", "_pdbx_struct_assembly_gen.oper_expression",
+                                               "_pdbx_struct_assembly_gen.asym_id_list"};
+constexpr std::string_view kOperatorTags[] = {
+    "_pdbx_struct_oper_list.id",
+    "_pdbx_struct_oper_list.matrix[1][1]", "_pdbx_struct_oper_list.matrix[1][2]", "_pdbx_struct_oper_list.matrix[1][3]",
+    "_pdbx_struct_oper_list.matrix[2][1]", "_pdbx_struct_oper_list.matrix[2][2]", "_pdbx_struct_oper_list.matrix[2][3]",
+    "_pdbx_struct_oper_list.matrix[3][1]", "_pdbx_struct_oper_list.matrix[3][2]", "_pdbx_struct_oper_list.matrix[3][3]",
+    "_pdbx_struct_oper_list.vector[1]",    "_pdbx_struct_oper_list.vector[2]",    "_pdbx_struct_oper_list.vector[3]"};
+constexpr std::string_view kEntryTags[] = {"_entry.id"};
+constexpr std::string_view kTitleTags[] = {"_struct.title"};
+
+enum class Table { Atoms, Generators, Operators, Entry, Title };
+struct TableTags {
+  std::string_view category;
+  std::span<const std::string_view> tags;
+};
+constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags}, {"_pdbx_struct_assembly_gen.", kGeneratorTags}, {"_pdbx_struct_oper_list.", kOperatorTags},
+                                 {"_entry.", kEntryTags}, {"_struct.", kTitleTags}};
 
 constexpr const char* kRemedy = "correct the file, or take it again from its source";
+constexpr std::size_t kBytesAnAtom = 80;
+constexpr std::size_t kMostModels = 100'000, kMostOperators = 100'000, kMostCopies = 1'000'000;
+constexpr std::size_t kMostKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
 
-std::string text(const cif::Table::Row& row, Column column) {
-  return row.has2(column) ? cif::as_string(row[column]) : std::string();
-}
-
-std::string firstOf(const cif::Table::Row& row, Column one, Column other) {
-  return row.has2(one) ? text(row, one) : text(row, other);
-}
+/// One value of a row: as written, without quotes.
+struct Cell {
+  std::string text;
+  bool there = false, null = false;
+  bool says() const { return there && !null; }
+  std::string_view said() const { return says() ? std::string_view(text) : std::string_view(); }
+};
+using Row = std::array<Cell, std::size(kAtomTags)>;
 
 /// A CIF number, which may carry its uncertainty in brackets: "1.234(5)".
 bool cifNumber(std::string_view word, double& value) {
@@ -78,85 +90,10 @@ Problem noTable(const std::string& file) {
           "take a coordinate file from the PDB (www.rcsb.org)"};
 }
 
-Problem rowProblem(const std::string& file, int row, const std::string& what) {
-  return {file, 0, 0, "row " + std::to_string(row + 1) + " of the _atom_site table: " + what, kRemedy};
-}
-
-/// The row as an atom; false with `problem` filled where a number cannot be read.
-bool atomFrom(const cif::Table::Row& row, int index, const std::string& file, ParsedAtom& atom,
-              Problem& problem, std::vector<std::string>& warnings) {
-  for (int k = 0; k < 3; ++k) {
-    const std::string& word = row[static_cast<std::size_t>(kX + k)];
-    if (!cifNumber(word, atom.position_A[k])) {
-      problem =
-          rowProblem(file, index, std::string("Cartn_") + "xyz"[k] + " is not a number: " + inQuotes(word));
-      return false;
-    }
-  }
-  atom.name = firstOf(row, kAuthName, kName);
-  atom.residue = firstOf(row, kAuthComp, kComp);
-  atom.chain = firstOf(row, kAuthChain, kChain);
-  atom.label_chain = text(row, kChain);
-  atom.element = text(row, kElement);
-  atom.atomic_number = atom.element.size() > 2 ? 0 : gemmi::Element(atom.element).atomic_number();
-  std::string number = firstOf(row, kAuthSeq, kSeq);
-  const std::string insertion = text(row, kInsertion);
-  if (!insertion.empty()) atom.insertion = insertion[0];
-  // Old files write the insertion code behind the number: 15A.
-  if (number.size() > 1 && number.back() >= 'A') {
-    atom.insertion = number.back();
-    number.pop_back();
-  }
-  if (!number.empty() && !parseInteger(number, atom.number)) {
-    problem = rowProblem(file, index, "the residue number is not a number: " + inQuotes(number));
-    return false;
-  }
-  const std::string alternate = text(row, kAlternate);
-  if (!alternate.empty()) atom.alternate = alternate[0];
-  if (row.has2(kOccupancy) && !cifNumber(row[kOccupancy], atom.occupancy)) {
-    if (warnings.size() < 20)
-      warnings.push_back("Row " + std::to_string(index + 1) + " of the _atom_site table: the occupancy " +
-                         inQuotes(row[kOccupancy]) + " is not a number and was taken as 1.");
-    atom.occupancy = 1.0;
-  }
-  atom.hetero = text(row, kGroup) == "HETATM";
-  return true;
-}
-
-constexpr std::size_t kMostModels = 100'000;
-
-/// The atoms of one model; a problem where a row is broken.
-std::optional<Problem> readAtoms(cif::Block& block, const std::string& file, int wanted,
-                                 ParsedStructure& out) {
-  cif::Table table = block.find("_atom_site.", kTags);
-  if (!table.ok() || table.length() == 0) return noTable(file);
-  std::unordered_map<std::string, int> place_of;  // models by name, in the order of the file, from 1
-  std::string last;
-  int current = 0, index = -1;
-  for (const auto row : table) {
-    ++index;
-    std::string model = row.has(kModel) ? text(row, kModel) : "1";
-    if (current == 0 || last != model) {
-      current = place_of.emplace(model, static_cast<int>(place_of.size()) + 1).first->second;
-      if (place_of.size() > kMostModels) return rowProblem(file, index, "more than 100 000 models");
-      last = std::move(model);
-    }
-    if (current != wanted) continue;
-    ParsedAtom atom;
-    Problem problem;
-    if (!atomFrom(row, index, file, atom, problem, out.warnings)) return problem;
-    out.atoms.push_back(std::move(atom));
-  }
-  out.models = static_cast<int>(place_of.size());
-  return std::nullopt;
-}
-
-constexpr std::size_t kMaxOperators = 100'000;
-
 /// The names in one bracket of an operator expression: "1,3-5,P".
 std::vector<std::string> operatorNames(std::string_view list) {
   std::vector<std::string> out;
-  while (!list.empty()) {
+  while (!list.empty() && out.size() < kMostOperators) {
     const std::size_t comma = list.find(',');
     const std::string_view item = trimmed(list.substr(0, comma));
     list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
@@ -164,7 +101,7 @@ std::vector<std::string> operatorNames(std::string_view list) {
     int first = 0, last = 0;
     if (dash != std::string_view::npos && parseInteger(item.substr(0, dash), first) &&
         parseInteger(item.substr(dash + 1), last)) {
-      for (long n = first; n <= last && out.size() < kMaxOperators; ++n) out.push_back(std::to_string(n));
+      for (long n = first; n <= last && out.size() < kMostOperators; ++n) out.push_back(std::to_string(n));
     } else if (!item.empty()) {
       out.emplace_back(item);
     }
@@ -172,7 +109,7 @@ std::vector<std::string> operatorNames(std::string_view list) {
   return out;
 }
 
-using Operators = std::vector<std::pair<std::string, ParsedOperator>>;
+using Operators = std::unordered_map<std::string, ParsedOperator>;
 
 /// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket
 /// acts first.
@@ -191,100 +128,277 @@ std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Opera
     }
     std::vector<ParsedOperator> bracket;
     for (const std::string& name : operatorNames(list))
-      for (const auto& [known_name, op] : known)
-        if (known_name == name) {
-          bracket.push_back(op);
-          break;
-        }
+      if (const auto found = known.find(name); found != known.end()) bracket.push_back(found->second);
     if (first) {
       out = std::move(bracket);
     } else {
       std::vector<ParsedOperator> product;
-      for (const ParsedOperator& p : out)
+      for (const ParsedOperator& p : out) {
+        if (product.size() > kMostCopies) break;  // too many, which is told of the whole
         for (const ParsedOperator& q : bracket) {
-          if (product.size() >= kMaxOperators) break;
+          if (product.size() > kMostCopies) break;
           product.push_back({p.turn * q.turn, p.turn * q.shift_A + p.shift_A});
         }
+      }
       out = std::move(product);
     }
     first = false;
+    if (out.empty()) break;  // nothing times anything
   }
   return out;
 }
 
-void readAssemblies(cif::Block& block, ParsedStructure& out) {
-  Operators known;
-  std::vector<std::string> tags = {"id"};
-  for (int i = 1; i <= 3; ++i)
-    for (int j = 1; j <= 3; ++j)
-      tags.push_back("matrix[" + std::to_string(i) + "][" + std::to_string(j) + "]");
-  for (int i = 1; i <= 3; ++i) tags.push_back("vector[" + std::to_string(i) + "]");
-  for (const auto row : block.find("_pdbx_struct_oper_list.", tags)) {
-    ParsedOperator op;
-    bool sound = true;
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j)
-        sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)], op.turn[j][i]);
-      sound &= cifNumber(row[static_cast<std::size_t>(10 + i)], op.shift_A[i]);
-    }
-    if (sound)
-      known.emplace_back(cif::as_string(row[0]), op);
-    else
-      out.warnings.push_back("The assembly operator " + inQuotes(row[0]) +
-                             " holds what is not a number and was left out.");
-  }
-  for (const auto row :
-       block.find("_pdbx_struct_assembly_gen.", {"assembly_id", "oper_expression", "asym_id_list"})) {
-    const std::string name = cif::as_string(row[0]);
-    ParsedAssembly::Part part;
-    std::string list = cif::as_string(row[2]);
-    for (std::string_view rest = list; !rest.empty();) {
-      const std::size_t comma = rest.find(',');
-      part.label_chains.emplace_back(trimmed(rest.substr(0, comma)));
-      rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
-    }
-    part.operators = operatorsOf(cif::as_string(row[1]), known);
-    if (out.assemblies.empty() || out.assemblies.back().name != name) out.assemblies.push_back({name, {}});
-    out.assemblies.back().parts.push_back(std::move(part));
-  }
-}
-
-std::string oneLine(std::string text) {
+std::string oneLine(std::string_view given) {
+  std::string text(given);
   for (char& c : text)
     if (static_cast<unsigned char>(c) < ' ') c = ' ';
   return std::string(trimmed(text));
 }
 
+class Reader {
+ public:
+  Reader(TextSource& text, const ReadOptions& options)
+      : text_(text), file_(text.file()), options_(options), words_(text), builder_(text, kBytesAnAtom, options) {}
+
+  Expected<Molecule> run() {
+    if (auto problem = readAll()) return *problem;
+    if (words_.problem()) return *words_.problem();
+    if (!done_) return noTable(file_);
+    if (options_.model < 1 || options_.model > head_.models) return noSuchModel(file_, options_.model, head_.models);
+    return builder_.finish(std::move(head_));
+  }
+
+ private:
+  std::optional<Problem> readAll() {
+    Kind kind = words_.next();
+    if (kind != Kind::Data && kind != Kind::End) return words_.problemHere("a data block 'data_…' is to come first");
+    while (kind != Kind::End) {
+      switch (kind) {
+        case Kind::Data:
+          if (auto problem = endBlock()) return problem;
+          kind = words_.next();
+          break;
+        case Kind::Loop:
+          if (auto problem = readLoop(kind)) return problem;
+          break;
+        case Kind::Tag: {
+          if (auto problem = readPair(kind)) return problem;
+          break;
+        }
+        case Kind::Save: kind = words_.next(); break;  // a dictionary's own; none is in a molecule's file
+        default: return words_.problemHere("a value without a tag: " + inQuotes(words_.text()));
+      }
+    }
+    if (words_.problem() || text_.problem()) return std::nullopt;
+    return endBlock();
+  }
+
+  static std::optional<Table> tableOf(std::string_view tag) {
+    for (std::size_t t = 0; t < std::size(kTables); ++t)
+      if (tag.starts_with(kTables[t].category)) return static_cast<Table>(t);
+    return std::nullopt;
+  }
+  static std::optional<std::size_t> columnOf(Table table, std::string_view tag) {
+    const auto tags = kTables[static_cast<std::size_t>(table)].tags;
+    const auto found = std::find(tags.begin(), tags.end(), tag);
+    if (found == tags.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - tags.begin());
+  }
+  void take(Cell& cell) {
+    cell.text = words_.text();
+    cell.there = true;
+    cell.null = words_.null();
+  }
+
+  // A tag and its value: a cell of a table of one row, which the block's end completes.
+  std::optional<Problem> readPair(Kind& kind) {
+    const std::string tag(words_.text());
+    kind = words_.next();
+    if (kind == Kind::End) return words_.problem() || text_.problem() ? std::nullopt : std::optional(words_.problemHere("the tag " + inQuotes(tag) + " has no value"));
+    if (kind != Kind::Value) return words_.problemHere("the tag " + inQuotes(tag) + " has no value");
+    const auto table = done_ ? std::nullopt : tableOf(tag);
+    if (const auto column = table ? columnOf(*table, tag) : std::nullopt) {
+      Cell& cell = single_[static_cast<std::size_t>(*table)][*column];
+      if (!cell.there) take(cell);
+    }
+    kind = words_.next();
+    return std::nullopt;
+  }
+
+  std::optional<Problem> readLoop(Kind& kind) {
+    std::vector<std::optional<std::size_t>> columns;
+    std::optional<Table> table;
+    kind = words_.next();
+    for (; kind == Kind::Tag; kind = words_.next()) {
+      if (columns.empty() && !done_) table = tableOf(words_.text());
+      columns.push_back(table ? columnOf(*table, words_.text()) : std::nullopt);
+    }
+    if (columns.empty()) return words_.problem() || text_.problem() ? std::nullopt : std::optional(words_.problemHere("a loop without tags"));
+    Row row;
+    std::size_t at = 0;
+    for (; kind == Kind::Value; kind = words_.next()) {
+      if (columns[at]) take(row[*columns[at]]);
+      if (++at < columns.size()) continue;
+      at = 0;
+      if (table)
+        if (auto problem = readRow(*table, row)) return problem;
+    }
+    if (at != 0 && !words_.problem() && !text_.problem())
+      return words_.problemHere("the values of a loop do not fill its last row");
+    return std::nullopt;
+  }
+
+  std::optional<Problem> readRow(Table table, const Row& row) {
+    switch (table) {
+      case Table::Atoms: return atom(row);
+      case Table::Generators:
+        return options_.assembly.empty() ? std::nullopt : generator(row);
+      case Table::Operators:
+        return options_.assembly.empty() ? std::nullopt : oper(row);
+      case Table::Entry:
+        if (head_.id.empty()) head_.id = oneLine(row[0].said());
+        return std::nullopt;
+      case Table::Title:
+        if (head_.title.empty()) head_.title = oneLine(row[0].said());
+        return std::nullopt;
+    }
+    return std::nullopt;
+  }
+
+  // The first block with atoms is the molecule; what a block without said is forgotten.
+  std::optional<Problem> endBlock() {
+    if (done_) return std::nullopt;
+    for (std::size_t t = 0; t < std::size(kTables); ++t) {
+      const Row row = std::exchange(single_[t], {});
+      if (std::any_of(row.begin(), row.end(), [](const Cell& c) { return c.there; }))
+        if (auto problem = readRow(static_cast<Table>(t), row)) return problem;
+    }
+    if (place_of_.empty()) {
+      head_ = {};
+      operators_.clear();
+      generators_.clear();
+      return std::nullopt;
+    }
+    done_ = true;
+    return assemblies();
+  }
+
+  Problem rowProblem(const std::string& what) const {
+    return {file_, 0, 0, "row " + std::to_string(rows_) + " of the _atom_site table: " + what, kRemedy};
+  }
+
+  static std::string_view firstOf(const Cell& one, const Cell& other) { return one.says() ? one.said() : other.said(); }
+
+  std::optional<Problem> atom(const Row& row) {
+    if (!row[kX].there || !row[kY].there || !row[kZ].there) return std::nullopt;  // not the whole table
+    ++rows_;
+    const std::string_view model = row[kModel].there ? row[kModel].said() : "1";
+    if (current_ == 0 || last_model_ != model) {
+      current_ = place_of_.emplace(model, static_cast<int>(place_of_.size()) + 1).first->second;
+      if (place_of_.size() > kMostModels) return rowProblem("more than 100 000 models");
+      last_model_ = model;
+      head_.models = static_cast<int>(place_of_.size());
+    }
+    if (current_ != options_.model) return std::nullopt;
+    ParsedAtom out;
+    for (int k = 0; k < 3; ++k)
+      if (const Cell& cell = row[static_cast<std::size_t>(kX + k)]; cell.null || !cifNumber(cell.text, out.position_A[k]))
+        return rowProblem(std::string("Cartn_") + "xyz"[k] + " is not a number: " + inQuotes(cell.text));
+    out.name = firstOf(row[kAuthName], row[kName]);
+    out.residue = firstOf(row[kAuthComp], row[kComp]);
+    out.chain = firstOf(row[kAuthChain], row[kChain]);
+    out.label_chain = row[kChain].said();
+    out.element = row[kElement].said();
+    out.atomic_number = out.element.size() > 2 ? 0 : gemmi::Element(std::string(out.element)).atomic_number();
+    std::string_view number = firstOf(row[kAuthSeq], row[kSeq]);
+    if (const std::string_view insertion = row[kInsertion].said(); !insertion.empty()) out.insertion = insertion[0];
+    // Old files write the insertion code behind the number: 15A.
+    if (number.size() > 1 && number.back() >= 'A') {
+      out.insertion = number.back();
+      number.remove_suffix(1);
+    }
+    if (!number.empty() && !parseInteger(number, out.number)) return rowProblem("the residue number is not a number: " + inQuotes(number));
+    if (const std::string_view alternate = row[kAlternate].said(); !alternate.empty()) out.alternate = alternate[0];
+    if (row[kOccupancy].says() && !cifNumber(row[kOccupancy].text, out.occupancy)) {
+      if (head_.warnings.size() < 20)
+        head_.warnings.push_back("Row " + std::to_string(rows_) + " of the _atom_site table: the occupancy " + inQuotes(row[kOccupancy].text) +
+                                 " is not a number and was taken as 1.");
+      out.occupancy = 1.0;
+    }
+    out.hetero = row[kGroup].said() == "HETATM";
+    return builder_.add(out);
+  }
+
+  std::optional<Problem> oper(const Row& row) {
+    ParsedOperator op;
+    bool sound = true;
+    for (std::size_t k = 0; k < std::size(kOperatorTags); ++k)
+      if (!row[k].there) return std::nullopt;  // not the whole table
+    for (int i = 0; i < 3; ++i) {
+      for (int j = 0; j < 3; ++j) sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)].text, op.turn[j][i]);
+      sound &= cifNumber(row[static_cast<std::size_t>(10 + i)].text, op.shift_A[i]);
+    }
+    if (sound) {
+      operators_.emplace(row[0].said(), op);
+      kept_ += row[0].text.size();
+    } else if (head_.warnings.size() < 40) {
+      head_.warnings.push_back("The assembly operator " + inQuotes(row[0].text) + " holds what is not a number and was left out.");
+    }
+    if (operators_.size() > kMostOperators || kept_ > kMostKept)
+      return Problem{file_, 0, 0, "more than 100 000 operators of assemblies", "read it without an assembly"};
+    return std::nullopt;
+  }
+
+  std::optional<Problem> generator(const Row& row) {
+    for (std::size_t k = 0; k < std::size(kGeneratorTags); ++k)
+      if (!row[k].there) return std::nullopt;
+    Generator& g = generators_.emplace_back();
+    for (std::size_t k = 0; k < g.size(); ++k) g[k] = row[k].said(), kept_ += g[k].size() + sizeof(std::string);
+    if (kept_ > kMostKept) return Problem{file_, 0, 0, "more than 32 MiB of descriptions of assemblies", "read it without an assembly"};
+    return std::nullopt;
+  }
+
+  // The operators may come after what names them.
+  std::optional<Problem> assemblies() {
+    std::size_t copies = 0;
+    for (const Generator& g : generators_) {
+      ParsedAssembly::Part part;
+      // Of the other assemblies only the names are told.
+      if (g[0] == options_.assembly) {
+        for (std::string_view rest = g[2]; !rest.empty();) {
+          const std::size_t comma = rest.find(',');
+          part.label_chains.emplace_back(trimmed(rest.substr(0, comma)));
+          rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 1);
+        }
+        part.operators = operatorsOf(g[1], operators_);
+        copies += part.operators.size();
+        if (copies > kMostCopies) return Problem{file_, 0, 0, "the assembly " + inQuotes(g[0]) + " has more than a million copies", "read it without one"};
+      }
+      if (head_.assemblies.empty() || head_.assemblies.back().name != g[0]) head_.assemblies.push_back({g[0], {}});
+      head_.assemblies.back().parts.push_back(std::move(part));
+    }
+    return std::nullopt;
+  }
+
+  using Generator = std::array<std::string, std::size(kGeneratorTags)>;
+  TextSource& text_;
+  const std::string& file_;
+  const ReadOptions& options_;
+  CifWords words_;
+  AtomSieve builder_;
+  ParsedHead head_;
+  std::array<Row, std::size(kTables)> single_;  // of this block's pairs
+  Operators operators_;
+  std::vector<Generator> generators_;
+  std::size_t kept_ = 0, rows_ = 0;
+  std::unordered_map<std::string, int> place_of_;  // models by name, in the order of the file, from 1
+  std::string last_model_;
+  int current_ = 0;
+  bool done_ = false;  // the block with the atoms has been read
+};
+
 }  // namespace
 
-Expected<Molecule> readMmcif(std::string_view content, const std::string& file, const ReadOptions& options) {
-  // Asked first, because it refuses a large file of something else without parsing it.
-  if (content.find("_atom_site.Cartn_x") == std::string_view::npos) return noTable(file);
-  try {
-    cif::Document document = cif::read_memory(content.data(), content.size(), "");
-    ParsedStructure parsed;
-    std::optional<Problem> problem;
-    for (cif::Block& block : document.blocks) {
-      if (block.find_mmcif_category("_atom_site.").positions.empty()) continue;
-      if ((problem = readAtoms(block, file, options.model, parsed))) return *problem;
-      if (options.model < 1 || options.model > parsed.models)
-        return noSuchModel(file, options.model, parsed.models);
-      readAssemblies(block, parsed);
-      if (const std::string* id = block.find_value("_entry.id")) parsed.id = oneLine(cif::as_string(*id));
-      if (const std::string* title = block.find_value("_struct.title"))
-        parsed.title = oneLine(cif::as_string(*title));
-      return buildMolecule(std::move(parsed), file, options);
-    }
-    return noTable(file);
-  } catch (const gemmi::cif::pegtl::parse_error& e) {
-    const auto& where = e.positions().front();
-    return Problem{file, where.line, where.column, "it is not sound mmCIF: " + std::string(e.message()),
-                   kRemedy};
-  } catch (const std::bad_alloc&) {
-    throw;  // no fault of the file
-  } catch (const std::exception& e) {
-    return Problem{file, 0, 0, std::string("it is not sound mmCIF: ") + e.what(), kRemedy};
-  }
-}
+Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options) { return Reader(text, options).run(); }
 
 }  // namespace moltact

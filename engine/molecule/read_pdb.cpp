@@ -1,7 +1,8 @@
-// Reads PDB files through gemmi, which parses numbers silently: every coordinate line is checked here first,
-// and gemmi is given only the records that matter, in clean columns. The serial number handed to gemmi is the
-// line's place in our list.
+// Reads PDB files line by line. Atoms are read here, so that a number that is none is told and nothing but the molecule
+// grows; gemmi reads the records that name, describe and copy them.
 #include <cctype>
+#include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <gemmi/pdb.hpp>
 #include <new>
@@ -14,7 +15,8 @@ namespace {
 
 constexpr std::size_t kLineWidth = 80;
 constexpr std::size_t kMostLineWarnings = 20;
-constexpr std::size_t kMaxAtoms = 40'000'000;  // what a five-column hybrid-36 serial can count
+constexpr std::size_t kMostHead = std::size_t{32} << 20;  // bytes of titles and descriptions of assemblies
+constexpr std::size_t kBytesAnAtom = 81;
 
 bool startsWith(std::string_view line, std::string_view record) {
   if (line.size() < record.size()) return false;
@@ -23,18 +25,9 @@ bool startsWith(std::string_view line, std::string_view record) {
   return true;
 }
 
-/// Writes `index` into the five columns at `at`: decimal, from 100 000 on hybrid-36.
-void writeSerial(char* at, std::size_t index) {
-  const bool wide = index >= 100'000;
-  std::size_t value = wide ? index - 100'000 + 16'796'160 : index;
-  const std::size_t base = wide ? 36 : 10;
-  for (int i = 4; i >= 0; --i, value /= base) at[i] = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ"[value % base];
-}
-
 /// The lines of a PDB file that gemmi is to see, and what was noticed on the way.
 struct Sieve {
-  std::string kept;                    // lines of 80 columns and a line feed
-  std::vector<std::size_t> atom_line;  // line in the file of the k-th kept atom
+  std::string kept;  // lines of 80 columns and a line feed
   std::vector<std::string> warnings;
   int models = 0;
   std::size_t atoms_in_file = 0;     // of all models
@@ -71,62 +64,74 @@ bool isResidueNumber(std::string_view field) {
   return true;
 }
 
-/// Checks one ATOM or HETATM line and adds it in clean columns; a problem where it cannot be read.
-std::optional<Problem> keepAtom(Sieve& sieve, std::string_view line, const std::string& file,
-                                std::size_t number) {
+/// The residue number of a sound field: decimal, from 10 000 on hybrid-36; 0 where it is blank.
+int residueNumber(std::string_view field) {
+  if (std::isalpha(static_cast<unsigned char>(field[0]))) {
+    const std::string digits(field);
+    return static_cast<int>(std::strtol(digits.c_str(), nullptr, 36)) - 466560 + 10000;
+  }
+  return static_cast<int>(std::strtol(std::string(field).c_str(), nullptr, 10));
+}
+
+/// The element of columns 77-78, else of the atom's name: names such as HG11 and 1HB are hydrogens.
+gemmi::Element elementOf(const char* line, bool has_element) {
+  if (has_element) return gemmi::Element(line + 76);
+  const auto digit = [&](int column) { return std::isdigit(static_cast<unsigned char>(line[column])) != 0; };
+  if (std::toupper(static_cast<unsigned char>(line[12])) == 'H' && line[15] != ' ') return gemmi::El::H;
+  if (digit(12)) return gemmi::impl::find_single_letter_element(line[13] & ~0x20);
+  if (digit(13)) return gemmi::impl::find_single_letter_element(line[12] & ~0x20);
+  return gemmi::Element(line + 12);
+}
+
+/// Checks one ATOM or HETATM line and adds its atom; a problem where it cannot be read.
+std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_view line, const std::string& file, std::size_t number) {
   constexpr const char* kRemedy =
       "the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF";
   if (line.size() < 54)
     return Problem{file, number, line.size() + 1, "the atom's line ends before its coordinates do", kRemedy};
-  if (sieve.atom_line.size() >= kMaxAtoms)
-    return Problem{file, number, 0, "more than 40 million atoms", "split the file, or keep one model"};
   char out[kLineWidth + 1];
   std::memset(out, ' ', kLineWidth);
-  std::memcpy(out, line.data(), std::min(line.size(), kLineWidth));
-  out[kLineWidth] = '\n';
+  line.copy(out, kLineWidth);
+  out[kLineWidth] = 0;
   for (std::size_t i = 0; i < kLineWidth; ++i)
     if (static_cast<unsigned char>(out[i]) < ' ' || static_cast<unsigned char>(out[i]) > '~') out[i] = ' ';
   const std::string_view clean(out, kLineWidth);
-  for (const Field& f : kCoordinates) {
-    double value = 0;
+  ParsedAtom atom;
+  for (int k = 0; k < 3; ++k) {
+    const Field& f = kCoordinates[k];
     const std::string_view field = line.substr(f.first, f.width);
-    if (!parseNumber(field, value) || std::abs(value) > kMaxCoordinate_A)
+    if (!parseNumber(field, atom.position_A[k]) || std::abs(atom.position_A[k]) > kMaxCoordinate_A)
       return Problem{file, number, f.first + 1,
                      std::string(f.name) + " (" + columns(f) + ") is not a number: " + inQuotes(field),
                      kRemedy};
-    // written anew, for a form such as 1e3 that gemmi's column may cut
-    if (field.find_first_of("+eE") != std::string_view::npos) {
-      char text[40];
-      std::snprintf(text, sizeof text, "%8.3f", value);
-      if (std::strlen(text) != f.width)
-        return Problem{file, number, f.first + 1,
-                       std::string(f.name) + " does not fit its columns: " + inQuotes(field), kRemedy};
-      std::memcpy(out + f.first, text, f.width);
-    }
   }
   if (!isResidueNumber(clean.substr(22, 4)))
     return Problem{file, number, 23,
                    "the residue number (columns 23-26) is not a number: " + inQuotes(clean.substr(22, 4)),
                    kRemedy};
-  double occupancy = 1.0;
   const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
-  if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, occupancy)) {
+  if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, atom.occupancy)) {
     if (!blank && sieve.warnings.size() < kMostLineWarnings)
       sieve.warnings.push_back("Line " + std::to_string(number) + ": the occupancy " + inQuotes(field) +
                                " is not a number and was taken as 1.");
-    std::memcpy(out + kOccupancy.first, "  1.00", kOccupancy.width);
+    atom.occupancy = 1.0;
   }
-  std::memset(out + 60, ' ', 16);  // B factor and segment are not used
   // Columns 77-80 hold an element and a charge since 1996, a part of the line's number before.
   const bool has_element = (std::isalpha(static_cast<unsigned char>(out[77])) &&
                             (out[76] == ' ' || std::isalpha(static_cast<unsigned char>(out[76])))) ||
                            (std::isalpha(static_cast<unsigned char>(out[76])) && out[77] == ' ');
-  if (!has_element) out[76] = out[77] = ' ';
-  out[78] = out[79] = ' ';
-  writeSerial(out + 6, sieve.atom_line.size());
-  sieve.kept.append(out, kLineWidth + 1);
-  sieve.atom_line.push_back(number);
-  return std::nullopt;
+  const gemmi::Element element = elementOf(out, has_element);
+  atom.name = trimmed(clean.substr(12, 4));
+  atom.residue = trimmed(clean.substr(17, 3));
+  atom.chain = trimmed(clean.substr(20, 2));
+  atom.element = element.elem == gemmi::El::X ? atom.name : std::string_view(element.name());
+  atom.atomic_number = element.atomic_number();
+  atom.line = number;
+  atom.number = residueNumber(clean.substr(22, 4));
+  atom.insertion = clean[26];
+  atom.alternate = clean[16];
+  atom.hetero = std::toupper(static_cast<unsigned char>(out[0])) == 'H';
+  return builder.add(atom);
 }
 
 /// The count of ATOM and HETATM records in a MASTER record (columns 51-55); 0 where there is none to be read.
@@ -155,15 +160,10 @@ void warnOfCut(Sieve& sieve) {
 
 /// Walks over the lines: keeps the atoms of the model asked for and the records that name, describe and copy
 /// them.
-std::optional<Problem> sift(Sieve& sieve, std::string_view text, const std::string& file, int wanted) {
+std::optional<Problem> sift(Sieve& sieve, AtomSieve& builder, TextSource& text, int wanted) {
   bool in_model = false;
-  std::size_t number = 0;
-  while (!text.empty()) {
-    const std::size_t newline = text.find('\n');
-    std::string_view line = text.substr(0, newline);
-    text.remove_prefix(newline == std::string_view::npos ? text.size() : newline + 1);
+  for (std::string_view line; text.next(line);) {
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-    ++number;
     if (startsWith(line, "ATOM") || startsWith(line, "HETATM")) {
       if (!in_model) {
         in_model = true;
@@ -173,7 +173,7 @@ std::optional<Problem> sift(Sieve& sieve, std::string_view text, const std::stri
       sieve.atoms_in_first += sieve.models == 1;
       sieve.ends_in_atom = true;
       if (sieve.models == wanted)
-        if (auto problem = keepAtom(sieve, line, file, number)) return problem;
+        if (auto problem = addAtom(builder, sieve, line, text.file(), text.number())) return problem;
       continue;
     }
     // These belong to the atom before them.
@@ -189,9 +189,9 @@ std::optional<Problem> sift(Sieve& sieve, std::string_view text, const std::stri
     } else if (startsWith(line, "END") && trimmed(line).size() == 3) {
       // Simulation programs write END between frames; another atom after it would begin another model.
       in_model = false;
-    } else if (startsWith(line, "TER") ? sieve.models == wanted
-                                       : startsWith(line, "HEADER") || startsWith(line, "TITLE") ||
-                                             startsWith(line, "REMARK 350")) {
+    } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350")) {
+      if (sieve.kept.size() > kMostHead)
+        return Problem{text.file(), text.number(), 0, "more than 32 MiB of titles and descriptions of assemblies", "take the file again from its source"};
       std::string kept(line.substr(0, kLineWidth));
       for (char& c : kept)
         if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = ' ';
@@ -218,29 +218,6 @@ ParsedAssembly assemblyFrom(const gemmi::Assembly& from) {
   return out;
 }
 
-void fill(ParsedStructure& out, const gemmi::Structure& st, const Sieve& sieve) {
-  out.atoms.resize(sieve.atom_line.size());
-  for (const gemmi::Chain& chain : st.models.front().chains)
-    for (const gemmi::Residue& residue : chain.residues)
-      for (const gemmi::Atom& atom : residue.atoms) {
-        const std::size_t place = static_cast<std::size_t>(atom.serial);
-        if (place >= out.atoms.size()) continue;
-        ParsedAtom& a = out.atoms[place];
-        a.name = atom.name;
-        a.residue = residue.name;
-        a.chain = chain.name;
-        a.element = atom.element.elem == gemmi::El::X ? atom.name : atom.element.name();
-        a.atomic_number = atom.element.atomic_number();
-        a.position_A = {atom.pos.x, atom.pos.y, atom.pos.z};
-        a.occupancy = static_cast<double>(atom.occ);
-        a.line = sieve.atom_line[place];
-        a.number = residue.seqid.num.has_value() ? *residue.seqid.num : 0;
-        a.insertion = residue.seqid.icode;
-        a.alternate = atom.altloc ? atom.altloc : ' ';
-        a.hetero = residue.het_flag == 'H';
-      }
-}
-
 std::string information(const gemmi::Structure& st, const char* key) {
   const auto found = st.info.find(key);
   return found == st.info.end() ? std::string() : std::string(trimmed(found->second));
@@ -248,31 +225,32 @@ std::string information(const gemmi::Structure& st, const char* key) {
 
 }  // namespace
 
-Expected<Molecule> readPdb(std::string_view text, const std::string& file, const ReadOptions& options) {
+Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
+  const std::string& file = text.file();
   Sieve sieve;
-  if (auto problem = sift(sieve, text, file, options.model)) return *problem;
+  AtomSieve builder(text, kBytesAnAtom, options);
+  if (auto problem = sift(sieve, builder, text, options.model)) return *problem;
   if (sieve.models == 0)
     return Problem{file, 0, 0, "there is no ATOM or HETATM line in it",
                    "take a coordinate file from the PDB (www.rcsb.org)"};
   if (options.model < 1 || options.model > sieve.models)
     return noSuchModel(file, options.model, sieve.models);
   warnOfCut(sieve);
+  ParsedHead head;
+  head.warnings = sieve.warnings;
+  head.models = sieve.models;
   try {
     const gemmi::Structure st = gemmi::read_pdb_from_memory(sieve.kept.data(), sieve.kept.size(), file);
-    ParsedStructure parsed;
-    parsed.id = information(st, "_entry.id");
-    parsed.title = information(st, "_struct.title");
-    parsed.warnings = sieve.warnings;
-    parsed.models = sieve.models;
-    if (!sieve.atom_line.empty()) fill(parsed, st, sieve);
-    for (const gemmi::Assembly& assembly : st.assemblies) parsed.assemblies.push_back(assemblyFrom(assembly));
-    return buildMolecule(std::move(parsed), file, options);
+    head.id = information(st, "_entry.id");
+    head.title = information(st, "_struct.title");
+    for (const gemmi::Assembly& assembly : st.assemblies) head.assemblies.push_back(assemblyFrom(assembly));
   } catch (const std::bad_alloc&) {
     throw;  // no fault of the file
   } catch (const std::exception& e) {
     return Problem{file, 0, 0, std::string("it is not a sound PDB file: ") + e.what(),
                    "take the file again from its source"};
   }
+  return builder.finish(std::move(head));
 }
 
 }  // namespace moltact

@@ -1,6 +1,7 @@
 // Reads .xyzr, the convention of surface programs: a ball a line, x y z r in angstroms, blank lines and #
 // comments allowed. What follows the fourth number on a line (an atom's name, a flag) is passed over with one
 // warning.
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -25,21 +26,20 @@ bool takeNumber(const char*& at, const char* end, double& value) {
 
 }  // namespace
 
-Expected<Molecule> readXyzr(std::string_view text, const std::string& file, const ReadOptions& options) {
+Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
+  constexpr std::size_t kBytesABall = 32;
+  const std::string& file = text.file();
   constexpr const char* kColumn[4] = {"x", "y", "z", "r"};
   if (options.model != 1) return noSuchModel(file, options.model, 1);
   if (!options.assembly.empty())
     return Problem{file, 0, 0, "an .xyzr file describes no biological assembly",
                    "read it without one, or take the PDB or mmCIF file"};
   Molecule out;
-  out.atoms.reserve(text.size() / 40);
-  std::size_t line_number = 0, first_extra = 0;
-  for (const char *at = text.data(), *end = at + text.size(); at < end;) {
-    ++line_number;
-    const std::size_t left = static_cast<std::size_t>(end - at);
-    const char* newline = static_cast<const char*>(std::char_traits<char>::find(at, left, '\n'));
-    const char* stop = newline ? newline : end;
-    const char* const start = at;
+  out.atoms.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesABall));
+  std::size_t first_extra = 0;
+  for (std::string_view line; text.next(line);) {
+    const std::size_t line_number = text.number();
+    const char *at = line.data(), *const stop = at + line.size(), *const start = at;
     double value[4];
     int count = 0;
     while (count < 5) {
@@ -71,14 +71,12 @@ Expected<Molecule> readXyzr(std::string_view text, const std::string& file, cons
       return Problem{file, line_number, static_cast<std::size_t>(at - start) + 1,
                      "expected 4 numbers, found " + std::to_string(count), kFormatRemedy};
     if (count == 4) {
-      if (out.atoms.size() + 1 >= kNoResidue)
-        return Problem{file, line_number, 0, "too many balls for one molecule", "split the file"};
+      if (out.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line_number);
       Atom atom;
       atom.position.A = {value[0], value[1], value[2]};
       atom.radius_A = value[3];
       out.atoms.push_back(atom);
     }
-    at = newline ? newline + 1 : end;
   }
   if (out.atoms.empty()) return Problem{file, 0, 0, "the file holds no atoms", kFormatRemedy};
   if (first_extra)

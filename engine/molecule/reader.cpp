@@ -3,15 +3,13 @@
 #include <filesystem>
 #include <new>
 
-#include "engine/molecule/inflate.h"
 #include "engine/molecule/parsed_structure.h"
 #include "engine/platform/read_file.h"
 
 namespace moltact {
 namespace {
 
-using ReadText = Expected<Molecule> (*)(std::string_view text, const std::string& file,
-                                        const ReadOptions& options);
+using ReadText = Expected<Molecule> (*)(TextSource& text, const ReadOptions& options);
 
 struct Format {
   const char* extension;
@@ -53,8 +51,7 @@ bool looksLikeXyzr(std::string_view text) {
 
 /// The reader that the content asks for; null where it is none of ours.
 ReadText readerByContent(std::string_view text) {
-  constexpr std::size_t kLook = 1 << 16;
-  const std::string_view head = text.substr(0, kLook);
+  const std::string_view head = text;
   for (std::string_view rest = head; !rest.empty();) {
     const std::size_t newline = rest.find('\n');
     const std::string_view line = rest.substr(0, newline);
@@ -66,39 +63,42 @@ ReadText readerByContent(std::string_view text) {
   return looksLikeXyzr(head) ? readXyzr : nullptr;
 }
 
-}  // namespace
-
-Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path,
-                                     const ReadOptions& options) {
-  const std::string file = path.string();
-  if (bytes.size() > kMaxMoleculeBytes)
-    return Problem{file, 0, 0, "it is larger than " + std::to_string(kMaxMoleculeBytes >> 20) + " MiB",
-                   kTooLargeRemedy};
-  if (isGzip(bytes)) {
-    auto inflated = inflateGzip(bytes, kMaxMoleculeBytes, file);
-    if (!inflated) return inflated.problem();
-    bytes = *std::move(inflated);
-  }
-  if (trimmed(bytes).empty()) return Problem{file, 0, 0, "the file is empty", "copy or download it again"};
+Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path, const ReadOptions& options) {
+  const std::string& file = text.file();
+  const Problem empty{file, 0, 0, "the file is empty", "copy or download it again"};
+  if (text.ahead().empty()) return text.problem().value_or(empty);
   const std::filesystem::path inner = innerName(path);
   const std::string extension = lower(inner.extension().string());
   ReadText read = nullptr;
   for (const Format& format : kFormats)
     if (extension == format.extension) read = format.read;
-  if (!read) read = readerByContent(bytes);
+  if (!read) read = readerByContent(text.ahead());
+  if (!read && text.problem()) return *text.problem();
+  if (!read && trimmed(text.ahead()).empty()) return empty;
   if (!read)
     return Problem{file, 0, 0, "it is not a molecule in a format that is read here",
                    "PDB (.pdb, .ent), mmCIF (.cif, .mmcif) and .xyzr are, each also with .gz"};
-  Expected<Molecule> molecule = read(bytes, file, options);
+  Expected<Molecule> molecule = read(text, options);
+  if (text.problem()) return *text.problem();
+  if (!molecule && text.blank()) return empty;
   if (molecule && molecule->id.empty()) molecule->id = inner.stem().string();
   return molecule;
 }
 
+}  // namespace
+
+Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path,
+                                     const ReadOptions& options) {
+  TextSource text(memorySource(bytes), bytes.size(), kMaxMoleculeBytes, path.string());
+  return readText(text, path, options);
+}
+
 Expected<Molecule> readMolecule(const std::filesystem::path& path, const ReadOptions& options) {
   try {
-    auto bytes = readFile(path, kMaxMoleculeBytes, kTooLargeRemedy);
-    if (!bytes) return bytes.problem();
-    return readMoleculeBytes(*std::move(bytes), path, options);
+    auto open = openFile(path, kMaxMoleculeBytes, kTooLargeRemedy);
+    if (!open) return open.problem();
+    TextSource text(fileSource(std::move(open->in), open->size, path.string()), open->size, kMaxMoleculeBytes, path.string());
+    return readText(text, path, options);
   } catch (const std::bad_alloc&) {
     return Problem{path.string(), 0, 0, "there is not enough memory to read it",
                    "close other programs, or take a smaller file"};

@@ -7,7 +7,7 @@
 // * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is
 // kept, the
 //   first on a tie. Where the alternatives are different residues (a point mutation), the residue with the
-//   highest mean occupancy is kept whole.
+//   highest mean occupancy is kept whole. Looked for among at most 100 000 atoms and 100 residues at a place.
 // * Water (HOH, WAT, H2O, DOD, TIP3, SOL) is left out unless asked for or unless the file holds nothing else.
 // * A radius comes from the table in elements.h; an unknown element gets the default and one warning.
 #pragma once
@@ -29,6 +29,13 @@ struct ReadOptions {
 
 /// A file larger than this, or one that unpacks to more, is refused (unit: byte).
 inline constexpr std::size_t kMaxMoleculeBytes = std::size_t{1} << 30;
+
+/// A molecule of more atoms is refused, whether the file has them or an assembly makes them.
+inline constexpr std::size_t kMaxMoleculeAtoms = 25'000'000;
+
+/// What an atom takes of memory, with its residue, its chain and the reader's own needs (unit: byte). One whose residues and
+/// chains take more for so many atoms is refused: reading takes no more than 3 GB.
+inline constexpr std::size_t kMoleculeBytesAnAtom = 120;
 
 /// A coordinate or radius farther out than this is refused (unit: angstrom).
 inline constexpr double kMaxCoordinate_A = 1e9;

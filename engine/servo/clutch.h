@@ -47,6 +47,7 @@ class Clutch {
   bool held() const noexcept { return held_; }
 
  private:
+  friend struct StepState;  // step_state.cpp, which keeps it
   // How far beyond the inner room along each axis: 1 at its edge and farther.
   static Vec3 drift(const Vec3& place_mm, const Vec3& workspace_mm) noexcept {
     Vec3 out(0.0);

@@ -32,6 +32,7 @@ class HandSpeed {
   }
 
  private:
+  friend struct StepState;  // step_state.cpp, which keeps it
   struct Entry {
     Vec3 place_m{0.0};
     double time_s = 0;

@@ -34,6 +34,7 @@ class HeatBudget {
   }
 
  private:
+  friend struct StepState;  // step_state.cpp, which keeps it
   double heat_N2_ = 0, told_ = 0;
 };
 

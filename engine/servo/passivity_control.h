@@ -44,6 +44,7 @@ class PassivityControl {
   double debt_J() const noexcept { return debt_J_; }
 
  private:
+  friend struct StepState;  // step_state.cpp, which keeps it
   std::array<Vec3, 8> given_{};
   std::size_t next_ = 0;
   double debt_J_ = 0;

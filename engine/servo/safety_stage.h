@@ -53,6 +53,7 @@ class SafetyStage {
   double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 as warm as the motors may be
 
  private:
+  friend struct StepState;  // step_state.cpp, which keeps it
   double allowed_N(double most_N) const noexcept;
   double stored_J(double stretch_mm, double stiffness_N_per_mm, double most_N) const noexcept;
   Vec3 slowed(Vec3 force) noexcept;

@@ -69,6 +69,7 @@ class ServoStep {
   const SafetyStage& safety() const { return safety_; }
 
  private:
+  friend struct StepState;  // step_state.cpp, which keeps it
   WantedForce feel(const ServoSettings& settings, const ServoSample& sample) noexcept;
 
   std::uint64_t tick_ = 0;

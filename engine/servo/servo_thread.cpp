@@ -71,7 +71,7 @@ void ServoThread::record(bool on) {
 
 void ServoThread::setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene) {
   collect();
-  auto next = std::make_unique<Handed>(std::move(tracker), scene);
+  auto next = std::unique_ptr<Handed>(new Handed{std::move(tracker), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
   delete arriving_.exchange(next.release(), std::memory_order_acq_rel);
 }
 

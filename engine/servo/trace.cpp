@@ -3,26 +3,28 @@
 #include <zlib.h>
 
 #include <bit>
+#include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <type_traits>
 
+#include "engine/core/file_bytes.h"
 #include "engine/platform/read_file.h"
+#include "engine/servo/step_state.h"
 
 namespace moltact {
 namespace {
 
-static_assert(std::is_trivially_copyable_v<ServoStep>, "its state is kept byte for byte");
 static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 48 && sizeof(DeviceFigures) == 120 && sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-constexpr std::string_view kMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
+constexpr std::string_view kMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
-constexpr std::size_t kMostBytes = std::size_t{4} << 30;
+constexpr std::size_t kLeastTickBytes = 81;  // a tick without settings and device
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kTrouble = 16, kFallenBack = 32;
 
-// What must be the same for the bits to be the same: the state's layout and the compiler.
+// What must be the same for the bits to be the same: the state's members and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
 
 // Both ways at once, so that what is written and what is read cannot differ.
@@ -46,7 +48,7 @@ struct Getter {
       at = end;
       return;
     }
-    std::memcpy(&value, at, sizeof value);
+    value = numberAt<T>(at);
     at += sizeof value;
   }
 };
@@ -76,7 +78,22 @@ void tickFields(Each& each, Tick& t) {
   eachOf(each, t.force.N);
 }
 
-bool sameBits(const Vec3& a, const Vec3& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool sameBits(const Vec3& a, const Vec3& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+}
+
+// Whether a program of ours can have asked the loop for that. Poses and device's figures come from devices, which may tell
+// anything; the loop takes them as they are.
+bool canBe(const ServoSettings& s) {
+  const Workspace& w = s.workspace;
+  bool turns = true;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) turns = turns && std::abs(w.turn[k][i]) <= 1.001;
+  const auto within = [](double x, double most) { return x >= 0.0 && x <= most; };
+  return turns && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) && within(s.max_force_N, 1e6) &&
+         within(s.probe_A, 1e6);
+}
 
 std::string bytesOf(const ServoSettings& settings) {
   std::string out;
@@ -95,12 +112,14 @@ bool readTick(Getter& get, ServoSettings& settings, TraceTick& tick) {
     settings.clutch.at_edge = at_edge;
     settings.force_on = on;
     settings.panic = panic;
+    get.ok = get.ok && on <= 1 && panic <= 1 && at_edge <= 1 && canBe(settings);
   }
   tick.other_device = flags & kOtherDevice;
   if (tick.other_device) {
     figuresFields(get, tick.device);
     get(gives);
     tick.device.gives_force = gives;
+    get.ok = get.ok && gives <= 1;
   }
   tickFields(get, tick);
   tick.pose.fresh = flags & kFresh;
@@ -124,17 +143,18 @@ std::optional<Problem> TraceWriter::begin(const std::map<std::string, std::strin
   for (const auto& [key, value] : labels) text += key + '=' + value + '\n';
   std::string head(kMagic);
   Putter put{head};
-  const std::string build = buildName();
+  const std::string build = buildName(), state = stateText(start);
   put(std::uint32_t(text.size()));
   put(std::uint32_t(build.size()));
-  put(std::uint32_t(sizeof(ServoStep)));
-  head += text + build;
-  head.append(reinterpret_cast<const char*>(&start), sizeof start);
+  put(std::uint32_t(state.size()));
+  head += text + build + state;
   put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(head.data()), uInt(head.size()))));
   return broken_ = file_.append(head);
 }
 
 std::optional<Problem> TraceWriter::add(const TraceTick& tick) {
+  if (!broken_ && kept_ + ticks_in_block_ == kMostTraceTicks)
+    return broken_ = Problem{"", 0, 0, "a recording is at most 66 minutes and 40 s long; what was recorded until then is kept", "begin another one"};
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
   const DevicePose& pose = tick.pose;
   Putter put{block_};
@@ -178,7 +198,8 @@ Expected<DeviceTrace> readTrace(const std::filesystem::path& file) {
   const std::size_t fixed = kMagic.size() + 12;
   if (std::string_view(*bytes).starts_with(kOldMagic))
     return Problem{file.string(), 0, 0, "this recording is of an earlier version, whose ticks hold less", "record it anew"};
-  if (bytes->size() < fixed || std::string_view(*bytes).substr(0, kMagic.size()) != kMagic) return none;
+  const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
+  if (bytes->size() < fixed || !(stateless || std::string_view(*bytes).starts_with(kMagic))) return none;
   Getter get{data + kMagic.size(), data + bytes->size()};
   std::uint32_t text_size = 0, build_size = 0, state_size = 0, crc = 0;
   get(text_size), get(build_size), get(state_size);
@@ -196,11 +217,13 @@ Expected<DeviceTrace> readTrace(const std::filesystem::path& file) {
     if (equals < end) trace.labels[std::string(text.substr(at, equals - at))] = std::string(text.substr(equals + 1, end - equals - 1));
     at = end + 1;
   }
-  if (state_size == sizeof(ServoStep) && std::string_view(data + fixed + text_size, build_size) == buildName()) {
-    trace.start.emplace();
-    std::memcpy(static_cast<void*>(&*trace.start), data + fixed + text_size + build_size, sizeof(ServoStep));
+  if (!stateless && std::string_view(data + fixed + text_size, build_size) == buildName()) {
+    auto state = stepFromText({data + fixed + text_size + build_size, state_size});
+    if (!state) return Problem{file.string(), 0, 0, state.problem().message, state.problem().remedy};
+    trace.start = *std::move(state);
   }
 
+  trace.ticks.reserve(std::min(kMostTraceTicks, static_cast<std::size_t>(get.end - get.at) / kLeastTickBytes));
   DeviceFigures device;
   while (get.at < get.end) {
     const auto torn = [&](const char* how) {
@@ -225,6 +248,10 @@ Expected<DeviceTrace> readTrace(const std::filesystem::path& file) {
       tick.device = device;
       good = good && readTick(inside, settings, tick);
       device = tick.device;
+    }
+    if (good && ticks.size() > kMostTraceTicks - trace.ticks.size()) {
+      torn("goes on for longer than is read");
+      break;
     }
     if (!good || inside.at != inside.end) {
       torn("is damaged");

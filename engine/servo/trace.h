@@ -1,6 +1,6 @@
 // A recording of the servo loop's ticks: each tick's inputs and its force, and the state from which the first began, so
-// that a replay on the same build with the same scene gives the same forces to the last bit. What the file holds, byte by
-// byte: docs/devices.md. Not for the haptic thread but TraceTick. Units: millimetre, newton, second.
+// that a replay on the same build with the same scene gives the same forces to the last bit. Nothing in memory is a copy of
+// the file's bytes: values are read by name, type and range. What the file holds: docs/devices.md. Not for the haptic thread but TraceTick. Units: millimetre, newton, second.
 #pragma once
 
 #include <cstdint>
@@ -33,10 +33,13 @@ struct TraceTick {
 
 struct DeviceTrace {
   std::map<std::string, std::string> labels;  ///< what the recorder wrote about it: "molecule", "method", "device"
-  std::optional<ServoStep> start;             ///< none where another build made the file: the forces may then differ
+  std::optional<ServoStep> start;             ///< none where another build or version made the file: the forces may then differ
   std::vector<TraceTick> ticks;
   std::string torn;                           ///< why the rest could not be read; empty: it is whole
 };
+
+/// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 376 bytes of memory).
+inline constexpr std::size_t kMostTraceTicks = 4'000'000;
 
 /// Writes a trace as it comes. Each block of 256 ticks is handed to the system whole before the next is begun, so that a
 /// crash of the program costs no more than one. After a Problem nothing more is written; what was kept stays readable.
@@ -50,7 +53,7 @@ class TraceWriter {
   std::optional<Problem> add(const TraceTick& tick);
   /// Writes what is left, and waits until the disk has it.
   std::optional<Problem> finish();
-  /// Ticks that are in the file.
+  /// Ticks that are in the file, whole blocks of them.
   std::uint64_t kept() const { return kept_; }
 
  private:
@@ -64,7 +67,7 @@ class TraceWriter {
   std::optional<ServoSettings> last_;
 };
 
-/// Reads a trace. What no trace is gives a Problem; one that breaks off, or whose rest is damaged, gives the ticks before
+/// Reads a trace. What no trace is gives a Problem, and so does one whose labels or state cannot be; one that breaks off, or whose rest is damaged, gives the ticks before
 /// that and says so in `torn`.
 Expected<DeviceTrace> readTrace(const std::filesystem::path& file);
 

@@ -1,0 +1,32 @@
+// What is told of a lesson, which a person reads from the top: so many problems and no more. Any thread but the haptic one.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "engine/core/problem.h"
+
+namespace moltact {
+
+/// Of one lesson and one kind, errors or warnings; a last one says that there are more.
+inline constexpr std::size_t kMostLessonProblems = 500;
+
+/// Whether another problem would not be told any more, so that neither it nor its remedy need be sought.
+inline bool enoughProblems(const std::vector<Problem>& problems) { return problems.size() > kMostLessonProblems; }
+
+/// Brings them into the order of the file, and cuts what is too many.
+inline void orderProblems(std::vector<Problem>& problems) {
+  std::stable_sort(problems.begin(), problems.end(), [](const Problem& a, const Problem& b) {
+    return a.line != b.line ? a.line < b.line : a.column < b.column;
+  });
+  if (!enoughProblems(problems)) return;
+  problems.resize(kMostLessonProblems);
+  Problem last = problems.back();
+  last.message = "there are more, which are not told";
+  last.remedy = "mend these first";
+  problems.push_back(std::move(last));
+}
+
+}  // namespace moltact

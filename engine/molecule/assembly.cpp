@@ -1,0 +1,252 @@
+// The biological assembly of a molecule: copies of its chains, turned and shifted. Each atom's copies are looked through for
+// those that lie on one another by a grid, each residue's chain is named once, and the atoms are written once.
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+
+#include "engine/molecule/parsed_structure.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is carried onto itself
+
+Vec3 carried(const ParsedOperator& op, const Vec3& place_A) { return op.turn * place_A + op.shift_A; }
+
+/// Places no two of which lie nearer than kSamePlace_A.
+class Places {
+ public:
+  explicit Places(std::size_t most) {
+    std::size_t slots = 16;
+    while (slots < 2 * most) slots *= 2;
+    slots_.resize(slots);
+  }
+  void clear() {
+    places_.clear();
+    ++round_;
+  }
+  /// False where one lies there already.
+  bool add(const Vec3& place) {
+    std::int64_t low[3], high[3], own[3];
+    for (int k = 0; k < 3; ++k) {
+      low[k] = cell(place[k] - kSamePlace_A), high[k] = cell(place[k] + kSamePlace_A), own[k] = cell(place[k]);
+    }
+    for (std::int64_t x = low[0]; x <= high[0]; ++x)
+      for (std::int64_t y = low[1]; y <= high[1]; ++y)
+        for (std::int64_t z = low[2]; z <= high[2]; ++z)
+          for (std::uint32_t i = slots_[slotOf(x, y, z)].firstIn(round_); i != kNone; i = places_[i].next)
+            if (glm::distance(places_[i].place, place) < kSamePlace_A) return false;
+    Slot& slot = slots_[slotOf(own[0], own[1], own[2])];
+    places_.push_back({place, slot.firstIn(round_)});
+    slot = {static_cast<std::uint32_t>(places_.size() - 1), round_};
+    return true;
+  }
+
+ private:
+  static constexpr std::uint32_t kNone = ~0u;
+  static constexpr double kCell_A = 4 * kSamePlace_A;
+  static std::int64_t cell(double x) { return static_cast<std::int64_t>(std::floor(x / kCell_A)); }
+  std::size_t slotOf(std::int64_t x, std::int64_t y, std::int64_t z) const {
+    const std::uint64_t hash = std::uint64_t(x) * 0x9E3779B97F4A7C15u ^ std::uint64_t(y) * 0xC2B2AE3D27D4EB4Fu ^ std::uint64_t(z) * 0x165667B19E3779F9u;
+    return (hash ^ hash >> 29) & (slots_.size() - 1);
+  }
+  struct Slot {
+    std::uint32_t first = kNone, round = 0;
+    std::uint32_t firstIn(std::uint32_t now) const { return round == now ? first : kNone; }
+  };
+  struct Entry {
+    Vec3 place;
+    std::uint32_t next;  // with the same slot
+  };
+  std::vector<Slot> slots_;
+  std::vector<Entry> places_;
+  std::uint32_t round_ = 1;
+};
+
+/// The residues of one chain, which an assembly copies together.
+struct ChainParts {
+  std::string chain, label;
+  std::vector<std::uint32_t> residues;
+  std::size_t atoms = 0;
+  struct Use {
+    std::size_t part, first_bit;  // of the atoms' copies by that part: a bit for each operator of each atom
+  };
+  std::vector<Use> uses;
+  int copies = 0;
+};
+
+class Assembler {
+ public:
+  Assembler(GrowingMolecule& grown, const ParsedAssembly& assembly, const std::string& file)
+      : grown_(grown), m_(grown.molecule), assembly_(assembly), file_(file) {}
+
+  std::optional<Problem> run() {
+    gather();
+    if (auto problem = assign()) return problem;
+    if (auto problem = look()) return problem;
+    return write();
+  }
+
+ private:
+  void gather() {
+    std::unordered_map<std::string, std::uint32_t> known;
+    atom_in_chain_.resize(m_.residues.size());
+    chain_of_.resize(m_.residues.size());
+    for (std::uint32_t i = 0; i < m_.residues.size(); ++i) {
+      const std::string &chain = m_.chains[m_.residues[i].chain].name, &label = grown_.labels[grown_.label_of[i]];
+      const bool as_before = i > 0 && chains_[chain_of_[i - 1]].chain == chain && chains_[chain_of_[i - 1]].label == label;
+      if (as_before) {
+        chain_of_[i] = chain_of_[i - 1];
+      } else {
+        const auto [at, is_new] = known.emplace(label + '\n' + chain, static_cast<std::uint32_t>(chains_.size()));
+        if (is_new) chains_.push_back({chain, label, {}, 0, {}, 0});
+        chain_of_[i] = at->second;
+      }
+      ChainParts& parts = chains_[chain_of_[i]];
+      atom_in_chain_[i] = static_cast<std::uint32_t>(parts.atoms);
+      parts.residues.push_back(i);
+      parts.atoms += m_.residues[i].atom_count;
+    }
+  }
+
+  // Which parts copy which chains, and how many atoms that makes.
+  std::optional<Problem> assign() {
+    std::unordered_map<std::string_view, std::vector<std::uint32_t>> by_chain, by_label;
+    for (std::uint32_t c = 0; c < chains_.size(); ++c) {
+      if (!chains_[c].chain.empty()) by_chain[chains_[c].chain].push_back(c);
+      if (!chains_[c].label.empty()) by_label[chains_[c].label].push_back(c);
+    }
+    std::size_t bits = 0;
+    chains_in_.resize(assembly_.parts.size());
+    for (std::size_t p = 0; p < assembly_.parts.size(); ++p) {
+      const ParsedAssembly::Part& part = assembly_.parts[p];
+      std::vector<std::uint32_t> in;
+      const auto find = [&](const std::vector<std::string>& names, const auto& where) {
+        for (const std::string& name : names)
+          if (const auto found = where.find(name); found != where.end()) in.insert(in.end(), found->second.begin(), found->second.end());
+      };
+      if (!part.operators.empty()) find(part.chains, by_chain), find(part.label_chains, by_label);
+      std::sort(in.begin(), in.end());
+      in.erase(std::unique(in.begin(), in.end()), in.end());
+      for (const std::uint32_t c : in) {
+        const std::size_t atoms = chains_[c].atoms;
+        if (part.operators.size() > (kMaxMoleculeAtoms - bits) / atoms)
+          return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " has more than 25 million atoms", "read it without one"};
+        chains_[c].uses.push_back({p, bits});
+        chains_in_[p].push_back({c, bits});
+        bits += atoms * part.operators.size();
+      }
+    }
+    keep_.resize(bits);
+    return std::nullopt;
+  }
+
+  // Which copies are kept: the first at each place.
+  std::optional<Problem> look() {
+    for (const ChainParts& chain : chains_) {
+      std::size_t copies = 0;
+      for (const auto& use : chain.uses) copies += assembly_.parts[use.part].operators.size();
+      Places places(copies);
+      for (const std::uint32_t r : chain.residues)
+        for (std::uint32_t k = 0; k < m_.residues[r].atom_count; ++k) {
+          const Vec3& from = m_.atoms[m_.residues[r].first_atom + k].position.A;
+          places.clear();
+          for (const auto& use : chain.uses) {
+            const auto& operators = assembly_.parts[use.part].operators;
+            const std::size_t bit = use.first_bit + (atom_in_chain_[r] + k) * operators.size();
+            for (std::size_t o = 0; o < operators.size(); ++o) {
+              const Vec3 place = carried(operators[o], from);
+              for (int axis = 0; axis < 3; ++axis)
+                if (!(std::abs(place[axis]) <= kMaxCoordinate_A))
+                  return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " has atoms farther out than 1e9 A", "read it without one"};
+              const bool kept = copies == 1 || places.add(place);
+              keep_[bit + o] = kept;
+              kept_ += kept;
+            }
+          }
+        }
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Problem> write() {
+    if (kept_ == 0)
+      return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " names no chain of the file", "read it without one"};
+    GrowingMolecule out;
+    out.expect(kept_);
+    std::vector<std::uint32_t> residues;
+    std::vector<char> named(chains_.size());
+    std::vector<std::size_t> bit_of(chains_.size());
+    std::vector<std::pair<std::string, std::string>> name_of(chains_.size());  // of this copy; no name: none of it yet
+    for (std::size_t p = 0; p < assembly_.parts.size(); ++p) {
+      const auto& operators = assembly_.parts[p].operators;
+      residues.clear();
+      for (const auto& [c, first_bit] : chains_in_[p]) {
+        residues.insert(residues.end(), chains_[c].residues.begin(), chains_[c].residues.end());
+        bit_of[c] = first_bit;
+      }
+      std::sort(residues.begin(), residues.end());
+      for (std::size_t o = 0; o < operators.size(); ++o) {
+        for (const auto& [c, first_bit] : chains_in_[p]) named[c] = 0;
+        for (const std::uint32_t r : residues)
+          if (auto problem = copy(out, r, operators[o], bit_of[chain_of_[r]] + o, operators.size(), named, name_of)) return problem;
+      }
+    }
+    out.close();
+    grown_ = std::move(out);
+    return std::nullopt;
+  }
+
+  // The atoms of a residue that an operator carries to a new place.
+  std::optional<Problem> copy(GrowingMolecule& out, std::uint32_t r, const ParsedOperator& op, std::size_t bit, std::size_t stride, std::vector<char>& named,
+                              std::vector<std::pair<std::string, std::string>>& name_of) {
+    const Residue& residue = m_.residues[r];
+    const std::uint32_t c = chain_of_[r];
+    ChainParts& chain = chains_[c];
+    auto& [name, label] = name_of[c];
+    for (std::uint32_t k = 0; k < residue.atom_count; ++k) {
+      if (!keep_[bit + (atom_in_chain_[r] + k) * stride]) continue;
+      if (!named[c]) {
+        named[c] = 1;
+        const std::string suffix = ++chain.copies > 1 ? '-' + std::to_string(chain.copies) : std::string();
+        name = chain.chain + suffix;
+        label = chain.label.empty() ? std::string() : chain.label + suffix;
+        if (auto problem = out.full(file_, 0)) return problem;
+      }
+      Atom atom = m_.atoms[residue.first_atom + k];
+      atom.position.A = carried(op, atom.position.A);
+      out.add(atom, {residue.name, name, label, residue.number, residue.insertion}, grown_.hetero_of[r]);
+    }
+    return std::nullopt;
+  }
+
+  GrowingMolecule& grown_;
+  const Molecule& m_;
+  const ParsedAssembly& assembly_;
+  const std::string& file_;
+  std::vector<ChainParts> chains_;
+  std::vector<std::uint32_t> chain_of_, atom_in_chain_;   // of each residue: its chain, and its first atom in that
+  std::vector<std::vector<std::pair<std::uint32_t, std::size_t>>> chains_in_;  // of each part, with their first bit
+  std::vector<bool> keep_;
+  std::size_t kept_ = 0;
+};
+
+}  // namespace
+
+std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies, const std::string& name,
+                                     const std::string& file) {
+  if (assemblies.empty()) return Problem{file, 0, 0, "the file describes no biological assembly", "read it without one"};
+  const auto found = std::find_if(assemblies.begin(), assemblies.end(), [&](const ParsedAssembly& a) { return a.name == name; });
+  if (found == assemblies.end()) {
+    constexpr std::size_t kMostNamed = 50;
+    std::string names;
+    for (const ParsedAssembly& a : assemblies)
+      if (static_cast<std::size_t>(&a - assemblies.data()) < kMostNamed) names += (names.empty() ? "" : ", ") + a.name;
+    if (assemblies.size() > kMostNamed) names += ", …";
+    return Problem{file, 0, 0, "there is no biological assembly " + inQuotes(name), "the file describes: " + names};
+  }
+  return Assembler(molecule, *found, file).run();
+}
+
+}  // namespace moltact

@@ -1,0 +1,61 @@
+// The readers of what others wrote, each as a function of bytes that must come back whatever the bytes are: without a crash,
+// an exception, a hang or a value that cannot be. The same functions are run by libFuzzer (fuzz_one.cpp) and by a driver of
+// our own that needs nothing but a compiler (fuzz_all.cpp).
+#pragma once
+
+#include <cstddef>
+#include <cstdio>
+#include <cstdlib>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace moltact::fuzz {
+
+struct Target {
+  const char* name;  ///< also of its folder in seeds/
+  void (*run)(std::string_view bytes);
+};
+
+std::span<const Target> targets();
+
+/// Ends the program where what was read cannot be.
+inline void mustBe(bool good, const char* what) {
+  if (good) return;
+  std::fprintf(stderr, "must be: %s\n", what);
+  std::abort();
+}
+
+/// Decisions made by bytes, for what is to be put together in a form that a reader looks at more closely. At their end all are 0.
+class Choices {
+ public:
+  explicit Choices(std::string_view bytes) : bytes_(bytes) {}
+  bool more() const { return !bytes_.empty(); }
+  /// 0 to below - 1.
+  std::size_t pick(std::size_t below) {
+    std::size_t out = 0;
+    for (std::size_t reach = 1; reach < below && more(); reach <<= 8) {
+      out = out << 8 | static_cast<unsigned char>(bytes_.front());
+      bytes_.remove_prefix(1);
+    }
+    return below ? out % below : 0;
+  }
+  std::string_view rest() const { return bytes_; }
+
+ private:
+  std::string_view bytes_;
+};
+
+/// Texts in the place of a number: what no program of ours writes, and what just is none.
+std::string_view oddNumber(Choices& choices);
+
+/// The file that a reader of files is given: the same one each time, with these bytes. In memory where the system allows.
+std::string fileOf(std::string_view bytes, const char* name);
+
+void pdb(std::string_view), mmcif(std::string_view), xyzr(std::string_view), gzip(std::string_view), anyMolecule(std::string_view);
+void lesson(std::string_view), selection(std::string_view), answers(std::string_view);
+void attempt(std::string_view), attemptLines(std::string_view);
+void recording(std::string_view), recordingState(std::string_view);
+void hipPath(std::string_view), gltf(std::string_view), catalogue(std::string_view), settings(std::string_view);
+
+}  // namespace moltact::fuzz

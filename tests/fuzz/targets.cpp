@@ -1,0 +1,29 @@
+#include "tests/fuzz/target.h"
+
+namespace moltact::fuzz {
+namespace {
+
+constexpr Target kTargets[] = {
+    {"pdb", pdb},
+    {"mmcif", mmcif},
+    {"xyzr", xyzr},
+    {"gzip", gzip},
+    {"any-molecule", anyMolecule},
+    {"lesson", lesson},
+    {"selection", selection},
+    {"answers", answers},
+    {"attempt", attempt},
+    {"attempt-lines", attemptLines},
+    {"recording", recording},
+    {"recording-state", recordingState},
+    {"hip-path", hipPath},
+    {"gltf", gltf},
+    {"catalogue", catalogue},
+    {"settings", settings},
+};
+
+}  // namespace
+
+std::span<const Target> targets() { return kTargets; }
+
+}  // namespace moltact::fuzz
