@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "app/commands/command.h"
+#include "app/commands/device_path.h"
 #include "app/commands/device_recording.h"
 #include "app/commands/number_range.h"
 #include "engine/device/driver.h"
@@ -119,6 +120,7 @@ void addDevice(CLI::App& app) {
   checks->callback([options] { check(*options); });
 
   addDeviceRecording(*command);
+  addDevicePath(*command);
 }
 
 }  // namespace moltact
