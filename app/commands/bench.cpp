@@ -206,6 +206,8 @@ void addStability(const BenchArguments& arguments, const std::vector<const Metho
   stiffness.directions = arguments.quick ? 1 : 12;
   stiffness.seed = arguments.seed;
   const auto limits = measureStiffness(stiffness, std::cref(bar));
+  report.excerpts.push_back(deviceTable(options.loop));
+  report.excerpts.push_back(stiffnessSetupsTable());
   report.tables.push_back(stiffnessTable(limits));
   report.tables.push_back(stiffnessFigures(limits));
   report.sentences.push_back({"stiffness_sentences", stiffnessSentences(limits)});

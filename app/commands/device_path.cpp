@@ -17,7 +17,7 @@ namespace {
 struct PathOptions {
   std::string file, out;
   std::vector<std::string> labels;
-  double from_touch_s = -1;
+  double before_touch_s = -1;
 };
 
 // The tracker as it was newly made for the recording; nullptr where its molecule or method is not there.
@@ -44,11 +44,13 @@ void run(const PathOptions& options) {
       throw CommandError{Problem{"--label", 0, 0, "\"" + label + "\" is no KEY=VALUE", "write for example --label hand=Anna"}.text()};
     path->labels[label.substr(0, is)] = label.substr(is + 1);
   }
-  if (options.from_touch_s >= 0) {
-    const auto first = std::size_t(std::find(path->touched.begin(), path->touched.end(), true) - path->touched.begin());
-    if (first == path->touched.size()) throw CommandError{Problem{options.file, 0, 0, "nothing is touched in it", "leave --from-touch out"}.text()};
-    const auto before = std::min(first, std::size_t(options.from_touch_s * 1000));
-    path->places.erase(path->places.begin(), path->places.begin() + std::ptrdiff_t(first - before));
+  if (options.before_touch_s >= 0) {
+    const auto at = [&](auto it) { return std::size_t(it - path->touched.begin()); };
+    const std::size_t first = at(std::find(path->touched.begin(), path->touched.end(), true));
+    if (first == path->touched.size()) throw CommandError{Problem{options.file, 0, 0, "nothing is touched in it", "leave --touching out"}.text()};
+    const std::size_t last = at(std::find(path->touched.rbegin(), path->touched.rend(), true).base()) - 1;
+    const std::size_t begin = first - std::min(first, std::size_t(options.before_touch_s * 1000));
+    path->places = {path->places.begin() + std::ptrdiff_t(begin), path->places.begin() + std::ptrdiff_t(last) + 1};
   }
   std::ofstream out(options.out, std::ios::binary);
   out << textOf(*path);
@@ -74,7 +76,7 @@ void addDevicePath(CLI::App& device) {
   command->add_option("FILE", options->file, "a recording")->required();
   command->add_option("--out", options->out, "the file to write")->required();
   command->add_option("--label", options->labels, "KEY=VALUE, told in the file's head; may be given several times");
-  command->add_option("--from-touch", options->from_touch_s, "begin so many seconds before the first touch")->check(numberFrom(0.0, 3600.0));
+  command->add_option("--touching", options->before_touch_s, "only from so many seconds before the first touch to the last")->check(numberFrom(0.0, 3600.0));
   command->callback([options] { run(*options); });
 }
 

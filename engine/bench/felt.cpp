@@ -15,12 +15,6 @@ constexpr double kTicks_per_s = 1000;
 constexpr double kNeverShare = 0.001, kOftenShare = 0.05;  // of ticks; between them: at times
 constexpr double kNeverSteps_per_s = 0.1;
 
-std::string list(const std::vector<std::string>& names) {
-  std::string out;
-  for (std::size_t k = 0; k < names.size(); ++k) out += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
-  return out;
-}
-
 }  // namespace
 
 Felt feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
@@ -131,9 +125,9 @@ std::string feltSentences(const std::vector<Felt>& rows) {
       (value <= never ? no : value <= often ? at_times : yes).push_back(value <= never ? name : name + " (" + readable(times * value) + unit + ")");
     }
     std::string out = std::string("* ") + what + ": ";
-    out += no.empty() ? "no method is below the threshold throughout" : "cannot be felt with " + list(no);
-    if (!at_times.empty()) out += "; at times with " + list(at_times);
-    if (!yes.empty()) out += "; often with " + list(yes);
+    out += no.empty() ? "no method is below the threshold throughout" : "cannot be felt with " + listed(no);
+    if (!at_times.empty()) out += "; at times with " + listed(at_times);
+    if (!yes.empty()) out += "; often with " + listed(yes);
     return out + ".\n";
   };
   return sorted("A wrong direction, in the dark", [](const Felt& f) { return f.direction_blind; }, kNeverShare, kOftenShare, " % of ticks", 100) +

@@ -87,6 +87,9 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
 /// Every figure, a row a scene, method and draw.
 ReportTable stabilityFigures(const std::vector<StabilityResult>& results);
 
+/// The device and the loop of the scenes.
+ReportTable deviceTable(const LoopSettings& loop = {});
+
 /// What the tables say, in sentences.
 std::string stabilitySentences(const std::vector<StabilityResult>& results, const StabilityLimits& limits = {});
 

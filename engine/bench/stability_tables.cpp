@@ -23,6 +23,13 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
+// A constant as it was written.
+std::string shortest(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 // One digit after the point is as much as thirty draws bear.
 std::string withInterval(const MeanOf& m) {
   if (m.mean == 0) return "0";
@@ -164,6 +171,21 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
                       kPer * tunnelled * per, kPer * jumps * per, jitter, energy, 100.0 * double(unsound) / double(runs)});
   }
   return t;
+}
+
+ReportTable deviceTable(const LoopSettings& loop) {
+  const DeviceParameters& d = loop.device;
+  const auto n = [](double value) { return shortest(value); };
+  return {"device_model",
+          "The simulated device",
+          {{"part", "part"}, {"figure", "figure"}},
+          {{std::string("mass, damping"), n(1e3 * d.mass_kg) + " g, " + n(d.damping_N_s_per_m) + " N s/m"},
+           {std::string("friction"), n(d.friction_N) + " N tanh(speed / " + n(1e3 * d.friction_speed_m_per_s) + " mm/s)"},
+           {std::string("sensor"), "steps of " + n(d.resolution_mm) + " mm"},
+           {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held through a tick, late by ticks: " + n(d.delay_ticks) + ", cut to " + n(d.max_force_N) + " N"},
+           {std::string("hand"), "a spring of " + n(loop.hand.stiffness_N_per_m) + " N/m with " + n(loop.hand.damping_N_s_per_m) + " N s/m to the place it is led to"},
+           {std::string("spring between HIP and SCP"), n(loop.stiffness_N_per_mm) + " N/mm at " + n(loop.workspace.A_per_mm) + " A/mm"}},
+          ""};
 }
 
 ReportTable stabilityFigures(const std::vector<StabilityResult>& results) {

@@ -13,10 +13,11 @@ namespace {
 
 // Shaking at 200 Hz that stays under this speed moves the hand by less than 0.01 mm.
 constexpr double kRest_m_per_s = 0.006;
-constexpr double kOut_A = 0.8, kIn_A = 1.0, kStrike_N_s = 0.004;
+constexpr double kOut_A = 0.8, kIn_A = 1.0;
+constexpr double kCreep_A = 0.002;
 constexpr double kHeld_A = 0.75;  // deeper it is not the surface that holds the device but the hand
 constexpr double kLeast_N_per_mm = 0.02, kMost_N_per_mm = 20;
-constexpr double kBegin = 0.7;  // of the wall's: the search begins there
+constexpr double kToldApart = 1.03;  // what two limits must differ by: the search's last step
 
 double inflated(const scenes::Scene& s, std::size_t k) { return s.balls[k].radius_A + s.probe_A; }
 
@@ -70,14 +71,14 @@ std::vector<StiffnessSetup> stiffnessSetups() {
   DeviceParameters smooth;
   smooth.friction_N = 0;
   const HandParameters light{100, 2};
-  return {{"friction and hand", device, light, 0, 1600},
-          {"hand alone", smooth, light, 0, 1600},
-          {"friction alone", device, kNoHand, 0.5, 1600},
-          {"neither", smooth, kNoHand, 0.1, 4000}};
+  return {{"friction and hand", device, light, 0, 0.004, 1600, 2.0},
+          {"hand alone", smooth, light, 0, 0.004, 1600, 0.5},
+          {"friction alone", device, kNoHand, 0.5, 0.004, 1600, 1.5},
+          {"neither", smooth, kNoHand, 0.1, 0.001, 4000, 0.07}};
 }
 
 double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, const Vec3& surface, const Vec3& out,
-                      const glm::dmat3& turn, const StiffnessSetup& setup, double from_N_per_mm) {
+                      const glm::dmat3& turn, const StiffnessSetup& setup) {
   LoopSettings loop;
   loop.device = setup.device;
   loop.workspace.turn = turn;
@@ -90,14 +91,21 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
   const Vec3 push = from - out * (loop.workspace.A_per_mm * 1e3 * setup.push_N / kSoft_N_per_m);
   const auto rests = [&](double stiffness) {  // and is held
     loop.stiffness_N_per_mm = stiffness;
-    ClosedLoop device(loop, {from});
     const auto tracker = make();
+    // The hand brings the device in; a push alone finds it where the spring already holds the push.
+    Vec3 start = from;
+    if (pushed)
+      for (double at = kOut_A; at > -kIn_A; at -= kCreep_A) {
+        start = surface + out * at;
+        if (glm::length(springForce(loop, {start}, tracker->step({start}), setup.device.max_force_N).N) >= setup.push_N) break;
+      }
+    ClosedLoop device(loop, {start});
     double fastest_m_per_s = 0;
     int touching = 0;
     constexpr int kIn = 300, kStruck = 600, kWatched = 400;
     for (int k = 0; k < setup.ticks; ++k) {
       const Vec3 target = from + (in - from) * std::min(1.0, double(k) / kIn);
-      if (k == kStruck) device.device().strike(glm::transpose(turn) * -out * kStrike_N_s);
+      if (k == kStruck) device.device().strike(glm::transpose(turn) * -out * setup.strike_N_s);
       const LoopTick tick = device.tick(*tracker, {pushed ? push : target});
       if (k < setup.ticks - kWatched) continue;
       fastest_m_per_s = std::max(fastest_m_per_s, glm::length(device.device().velocity_m_per_s()));
@@ -107,7 +115,7 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
     return touching > kWatched / 2 && fastest_m_per_s < kRest_m_per_s && depth_A < kHeld_A;
   };
   constexpr double kStep = 1.15;
-  double stable = from_N_per_mm;
+  double stable = setup.begin_N_per_mm;
   if (rests(stable)) {
     while (stable < kMost_N_per_mm && rests(stable * kStep)) stable *= kStep;
     if (stable >= kMost_N_per_mm) return kMost_N_per_mm;
@@ -137,7 +145,7 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
   inManyThreads(wall.size() * directions.size(), [&](std::size_t k) {
     const std::size_t s = k / directions.size(), d = k % directions.size();
     wall[s][d] = stiffestStable([] { return std::make_unique<PlainWall>(); }, Vec3(0), Vec3(0, 0, 1),
-                                turnTo(directions[d], Vec3(0, 0, 1)), setups[s], 0.3);
+                                turnTo(directions[d], Vec3(0, 0, 1)), setups[s]);
   });
 
   std::vector<Stiffness> out;
@@ -161,7 +169,7 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
         const double at_wall = wall[s][d];
         const double limit =
             stiffestStable([&] { return out[row].method->make(balls, place.scene.probe_A); }, place.surface, place.out,
-                           turnTo(directions[d], place.out), setups[s], kBegin * at_wall);
+                           turnTo(directions[d], place.out), setups[s]);
         out[row].limit_N_per_mm[d] = limit;
         out[row].of_wall[d] = at_wall > 0 ? limit / at_wall : 0;
       },
@@ -201,6 +209,18 @@ ReportTable stiffnessTable(const std::vector<Stiffness>& rows) {
   return t;
 }
 
+ReportTable stiffnessSetupsTable() {
+  ReportTable t{"stiffness_setups", "What presses, and with what device",
+                {{"setup", "set-up"}, {"friction_N", "friction (N)"}, {"pressed", "pressed by"}, {"strike_mN_s", "struck with (mN s)"}, {"seconds", "at rest after (s)"}}, {}, ""};
+  for (const StiffnessSetup& s : stiffnessSetups()) {
+    const std::string by = s.push_N > 0 ? readable(s.push_N) + " N and no hand"
+                                        : "a hand of " + readable(s.hand.stiffness_N_per_m) + " N/m and " + readable(s.hand.damping_N_s_per_m) +
+                                              " N s/m, led " + readable(kIn_A) + " A under the surface";
+    t.rows.push_back({s.name, s.device.friction_N, by, 1e3 * s.strike_N_s, 1e-3 * s.ticks});
+  }
+  return t;
+}
+
 ReportTable stiffnessFigures(const std::vector<Stiffness>& rows) {
   ReportTable t{"stiffness_figures",
                 "The greatest stable stiffness by direction",
@@ -213,6 +233,33 @@ ReportTable stiffnessFigures(const std::vector<Stiffness>& rows) {
   return t;
 }
 
-std::string stiffnessSentences(const std::vector<Stiffness>&) { return {}; }
+std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
+  // Along one direction two limits are told apart when they differ by more than the search's last step.
+  std::vector<std::string> above, never;
+  double wall_low = kMost_N_per_mm, wall_high = 0, straight = 0, exact_ratio = 0;
+  std::size_t compared = 0, exact_rows = 0;
+  for (const Stiffness& r : rows) {
+    if (!r.method) {
+      if (r.setup == rows.front().setup && !r.limit_N_per_mm.empty()) {
+        straight = r.limit_N_per_mm.front();
+        for (const double limit : r.limit_N_per_mm) wall_low = std::min(wall_low, limit), wall_high = std::max(wall_high, limit);
+      }
+      continue;
+    }
+    ++compared;
+    const MeanOf ratio = meanOf(r.of_wall);
+    const std::string what = "`" + std::string(r.method->name) + "`, " + r.place + ", " + r.setup;
+    if (r.method->name == "exact") exact_ratio += ratio.mean, ++exact_rows;
+    if (ratio.mean - ratio.half_width > kToldApart) above.push_back(what + " (" + readable(ratio.mean) + " ± " + readable(ratio.half_width) + ")");
+    if (*std::max_element(r.limit_N_per_mm.begin(), r.limit_N_per_mm.end()) == 0) never.push_back(what);
+  }
+  std::string out = "* With " + rows.front().setup + " a plain wall pressed straight along an axis holds " + readable(straight) + " N/mm; along other directions " +
+                    readable(wall_low) + " to " + readable(wall_high) + ". The direction alone does that: the sensor's steps lie along its axes.\n";
+  if (exact_rows) out += "* `exact` holds " + readable(exact_ratio / double(exact_rows)) + " times the wall's along the same directions, on the mean over places and set-ups.\n";
+  out += "* Above the plain wall's along the same directions, by more than the 95 % interval of the mean ratio and the search's step of 3 %: " +
+         (above.empty() ? "none of " + readable(double(compared)) + " limits" : listed(above)) + ".\n";
+  out += "* At rest nowhere: " + listed(never) + ".";
+  return out + '\n';
+}
 
 }  // namespace moltact::bench

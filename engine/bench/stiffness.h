@@ -17,7 +17,7 @@
 
 namespace moltact::bench {
 
-/// A place that is pressed straight in, from 0.8 A outside.
+/// A place that is pressed straight in.
 struct StiffnessPlace {
   std::string name;
   scenes::Scene scene;
@@ -33,18 +33,20 @@ struct StiffnessSetup {
   std::string name;
   DeviceParameters device;
   HandParameters hand;
-  double push_N = 0;    ///< with no hand: a constant push
-  int ticks = 0;        ///< until it must be at rest
+  double push_N = 0;        ///< with no hand: a constant push, under which the device begins at rest in the surface
+  double strike_N_s = 0;    ///< straight in; without a hand so little that the device stays in contact
+  int ticks = 0;            ///< until it must be at rest
+  double begin_N_per_mm = 0;  ///< where the search begins, for all alike
 };
 
 /// With friction and a light hand, with each alone, with neither.
 std::vector<StiffnessSetup> stiffnessSetups();
 
-/// The greatest stiffness (unit: N/mm) at which the device comes to rest in contact less than 0.75 A deep, searched upward from `from_N_per_mm` in
-/// steps of 15 % to the first that does not, and then to 3 %; downward where the first does not. 0 where none down to 0.02
+/// The greatest stiffness (unit: N/mm) at which the device comes to rest in contact less than 0.75 A deep, searched upward from the
+/// set-up's beginning in steps of 15 % to the first that does not, and then to 3 %; downward where the first does not. 0 where none down to 0.02
 /// does, 20 where all do. `turn`: the device's axes in the scene. The device is struck while it is pressed.
 double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, const Vec3& surface, const Vec3& out,
-                      const glm::dmat3& turn, const StiffnessSetup& setup, double from_N_per_mm);
+                      const glm::dmat3& turn, const StiffnessSetup& setup);
 
 struct Stiffness {
   std::string setup, place;
@@ -63,6 +65,8 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
 
 /// Set-ups and places down, methods across: the median over directions, and the least.
 ReportTable stiffnessTable(const std::vector<Stiffness>& rows);
+/// What the set-ups are.
+ReportTable stiffnessSetupsTable();
 /// A row a set-up, place, method and direction.
 ReportTable stiffnessFigures(const std::vector<Stiffness>& rows);
 /// Which limits lie above the plain wall's, and why.

@@ -74,6 +74,17 @@ TEST_CASE("of 1 to 10 000 the mean is 5000.5, p50 5000, p99 9900, p99.99 9999 an
   CHECK(spreadOf({}).max == 0);
 }
 
+TEST_CASE("the mean of 1, 2, 3, 4 is 2.5 and its 95 % interval by Student's t with 3 degrees of freedom 2.054 to either side; of 30 values t is 2.045") {
+  const MeanOf four = meanOf({1, 2, 3, 4});
+  CHECK(four.mean == 2.5);
+  CHECK(four.half_width == doctest::Approx(3.182 * std::sqrt(5.0 / 3.0 / 4.0)));
+  std::vector<double> thirty(30, 0.0);
+  for (std::size_t k = 0; k < 30; ++k) thirty[k] = k % 2 ? 1.0 : -1.0;
+  CHECK(meanOf(thirty).half_width == doctest::Approx(2.0452 * std::sqrt(30.0 / 29.0 / 30.0)).epsilon(1e-3));
+  CHECK(meanOf({7}).half_width == 0);
+  CHECK(meanOf({}).mean == 0);
+}
+
 TEST_CASE("the front of (1,9) (2,5) (2,6) (3,5) (4,1) is the first, second and last point") {
   CHECK(paretoFront({1, 2, 2, 3, 4}, {9, 5, 6, 5, 1}) == std::vector<std::size_t>{0, 1, 4});
 }
