@@ -11,6 +11,7 @@
 namespace moltact::bench {
 namespace {
 constexpr double kWayBack_A = 0.01;  // a tick
+constexpr double kJump = 4;          // times the stiffness times the way: no surface changes the force so fast
 }
 
 double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, const LoopSettings& loop) {
@@ -32,7 +33,11 @@ double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Pat
     const Vec3 moved_m = 1e-3 * (loop.workspace.toDevice({next}).mm - loop.workspace.toDevice({here}).mm);
     // Where nothing has touched meanwhile nothing was given, and the release before still stands.
     const bool released = !touching && was_touching && outside(next);
-    observer.add(0.5 * (before + force), moved_m, released);
+    // Where in the tick a jump lies nobody knows: what the later force gives with it is not claimed beyond the lesser.
+    const double way_N = 1e3 * loop.stiffness_N_per_mm * glm::length(moved_m);
+    const bool jumped = glm::distance(before, force) > kJump * way_N;
+    const Vec3 lesser = glm::dot(before, moved_m) < glm::dot(force, moved_m) ? before : force;
+    observer.add(jumped ? lesser : 0.5 * (before + force), moved_m, released);
     was_touching = touching || (was_touching && !released);
     here = next;
   }

@@ -30,16 +30,14 @@ std::string shortest(double value) {
   return text;
 }
 
-// One digit after the point is as much as thirty draws bear.
+// Two digits are as much as thirty draws bear.
+std::string brief(double value) { return value < 0.005 ? "<0.01" : fixed(value, value >= 9.95 ? 0 : value >= 0.95 ? 1 : 2); }
+
 std::string withInterval(const MeanOf& m) {
   if (m.mean == 0) return "0";
-  const int digits = m.mean >= 9.95 ? 0 : m.mean >= 0.095 ? 1 : 2;
-  const std::string mean = fixed(m.mean, digits);
-  return mean + " ± " + fixed(m.half_width, digits);
+  if (m.mean < 0.005) return "<0.01";
+  return brief(m.mean) + " ± " + fixed(m.half_width, m.mean >= 9.95 ? 0 : m.mean >= 0.95 ? 1 : 2);
 }
-
-// As short as a number gets that is read beside twelve others.
-std::string brief(double value) { return value >= 9.95 ? fixed(value, 0) : value >= 0.095 ? fixed(value, 1) : readable(value); }
 
 std::string events(const StabilityCell& c) {
   std::string out;
