@@ -91,12 +91,12 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
   if (!ns.empty()) t.columns.push_back({"tick_ns", "tick (ns)"});
   for (const Column& c : std::vector<Column>{{"direction_p50_deg", "direction, median (deg)"},
                                              {"direction_p99_deg", "p99 (deg)"},
-                                             {"direction_seen_percent", "over " + readable(kDirectionSeen_deg) + " deg (%)"},
-                                             {"direction_blind_percent", "over " + readable(kDirectionBlind_deg) + " deg (%)"},
-                                             {"size_percent", "size off by over " + readable(100 * kForceWeber) + " % (%)"},
-                                             {"size_wide_percent", "over " + readable(100 * kForceWeberWide) + " % (%)"},
-                                             {"steps_per_s", "steps over " + readable(100 * kForceWeber) + " % (1/s)"},
-                                             {"steps_wide_per_s", "over " + readable(100 * kForceWeberWide) + " % (1/s)"},
+                                             {"direction_seen_percent", "over " + constant(kDirectionSeen_deg) + " deg (%)"},
+                                             {"direction_blind_percent", "over " + constant(kDirectionBlind_deg) + " deg (%)"},
+                                             {"size_percent", "size off by over " + constant(100 * kForceWeber) + " % (%)"},
+                                             {"size_wide_percent", "over " + constant(100 * kForceWeberWide) + " % (%)"},
+                                             {"steps_per_s", "steps over " + constant(100 * kForceWeber) + " % (1/s)"},
+                                             {"steps_wide_per_s", "over " + constant(100 * kForceWeberWide) + " % (1/s)"},
                                              {"off_percent", "place off (%)"},
                                              {"lost_percent", "contact lost (%)"}})
     t.columns.push_back(c);
@@ -111,7 +111,7 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
   }
   t.note = "Against exact in the same tick, of the ticks in which exact touches. Percent of ticks, but steps: times in a second of touch that the force "
            "steps, by more than that share of itself beyond what exact's does within two ticks. Place off: over " +
-           readable(kPlaceFelt_A) + " A.";
+           constant(kPlaceFelt_A) + " A.";
   return t;
 }
 
@@ -134,8 +134,8 @@ std::string feltSentences(const std::vector<Felt>& rows) {
          sorted("A wrong direction, beside the picture", [](const Felt& f) { return f.direction_seen; }, kNeverShare, kOftenShare, " % of ticks", 100) +
          sorted("A wrong size, by 10 %", [](const Felt& f) { return f.size_wide; }, kNeverShare, kOftenShare, " % of ticks", 100) +
          sorted("A step of 10 %", [](const Felt& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " a second", 1) +
-         "\nCannot: in at most " + readable(100 * kNeverShare) + " % of ticks, or at most " + readable(kNeverSteps_per_s) +
-         " times a second; often: in more than " + readable(100 * kOftenShare) + " % of ticks, or more than once a second.\n";
+         "\nCannot: in at most " + constant(100 * kNeverShare) + " % of ticks, or at most " + constant(kNeverSteps_per_s) +
+         " times a second; often: in more than " + constant(100 * kOftenShare) + " % of ticks, or more than once a second.\n";
 }
 
 }  // namespace moltact::bench

@@ -51,6 +51,12 @@ std::string readable(double value) {
   return out;
 }
 
+std::string constant(double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%g", value);
+  return text;
+}
+
 std::string listed(const std::vector<std::string>& names) {
   if (names.empty()) return "none";
   std::string out;

@@ -1,5 +1,6 @@
 // The tables of stability.h.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "engine/bench/stability.h"
@@ -20,13 +21,6 @@ std::vector<T> inOrder(const Rows& rows, Key key) {
 std::string fixed(double value, int digits) {
   char text[40];
   std::snprintf(text, sizeof text, "%.*f", digits, value);
-  return text;
-}
-
-// A constant as it was written.
-std::string shortest(double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, "%g", value);
   return text;
 }
 
@@ -110,7 +104,7 @@ ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const Stabil
   const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
   return matrix(cells,
                 {"fidelity_matrix", "How true: ticks in contact whose SCP is off (%)", {}, {},
-                 "Off: more than " + readable(limits.place_A) + " A from the right place. Mean of " + std::to_string(draws) +
+                 "Off: more than " + constant(limits.place_A) + " A from the right place. Mean of " + std::to_string(draws) +
                      " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 are exact with a probe smaller "
                      "by so many angstroms: what they miss no method can be blamed for."},
                 [](const StabilityCell& c) { return withInterval(c.off_percent); });
@@ -121,9 +115,10 @@ ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const Stabi
   return matrix(cells,
                 {"stability_matrix", "How stable: events, and in how many draws", {}, {},
                  "In brackets: in how many of " + std::to_string(draws) + " draws. T times tunnelled and J force jumps of over " +
-                     readable(limits.step_over_N) + " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
-                     "closed path (uJ; counted as an event over " + readable(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
-                     readable(limits.jitter_mm) + " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none."},
+                     constant(limits.step_over_N) + " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
+                     "closed path (uJ; counted as an event over " + constant(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
+                     constant(limits.jitter_mm) + " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none, which with 95 % confidence is a chance of under " +
+                     brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % a draw."},
                 &events);
 }
 
@@ -173,7 +168,7 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
 
 ReportTable deviceTable(const LoopSettings& loop) {
   const DeviceParameters& d = loop.device;
-  const auto n = [](double value) { return shortest(value); };
+  const auto n = [](double value) { return constant(value); };
   return {"device_model",
           "The simulated device",
           {{"part", "part"}, {"figure", "figure"}},

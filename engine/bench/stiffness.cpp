@@ -213,9 +213,9 @@ ReportTable stiffnessSetupsTable() {
   ReportTable t{"stiffness_setups", "What presses, and with what device",
                 {{"setup", "set-up"}, {"friction_N", "friction (N)"}, {"pressed", "pressed by"}, {"strike_mN_s", "struck with (mN s)"}, {"seconds", "at rest after (s)"}}, {}, ""};
   for (const StiffnessSetup& s : stiffnessSetups()) {
-    const std::string by = s.push_N > 0 ? readable(s.push_N) + " N and no hand"
-                                        : "a hand of " + readable(s.hand.stiffness_N_per_m) + " N/m and " + readable(s.hand.damping_N_s_per_m) +
-                                              " N s/m, led " + readable(kIn_A) + " A under the surface";
+    const std::string by = s.push_N > 0 ? constant(s.push_N) + " N and no hand"
+                                        : "a hand of " + constant(s.hand.stiffness_N_per_m) + " N/m and " + constant(s.hand.damping_N_s_per_m) +
+                                              " N s/m, led " + constant(kIn_A) + " A under the surface";
     t.rows.push_back({s.name, s.device.friction_N, by, 1e3 * s.strike_N_s, 1e-3 * s.ticks});
   }
   return t;
@@ -248,16 +248,16 @@ std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
     }
     ++compared;
     const MeanOf ratio = meanOf(r.of_wall);
-    const std::string what = "`" + std::string(r.method->name) + "`, " + r.place + ", " + r.setup;
+    const std::string what = "`" + std::string(r.method->name) + "` at \"" + r.place + "\" (" + r.setup + ")";
     if (r.method->name == "exact") exact_ratio += ratio.mean, ++exact_rows;
-    if (ratio.mean - ratio.half_width > kToldApart) above.push_back(what + " (" + readable(ratio.mean) + " ± " + readable(ratio.half_width) + ")");
+    if (ratio.mean - ratio.half_width > kToldApart) above.push_back(what + ": " + readable(ratio.mean) + " ± " + readable(ratio.half_width));
     if (*std::max_element(r.limit_N_per_mm.begin(), r.limit_N_per_mm.end()) == 0) never.push_back(what);
   }
   std::string out = "* With " + rows.front().setup + " a plain wall pressed straight along an axis holds " + readable(straight) + " N/mm; along other directions " +
                     readable(wall_low) + " to " + readable(wall_high) + ". The direction alone does that: the sensor's steps lie along its axes.\n";
   if (exact_rows) out += "* `exact` holds " + readable(exact_ratio / double(exact_rows)) + " times the wall's along the same directions, on the mean over places and set-ups.\n";
   out += "* Above the plain wall's along the same directions, by more than the 95 % interval of the mean ratio and the search's step of 3 %: " +
-         (above.empty() ? "none of " + readable(double(compared)) + " limits" : listed(above)) + ".\n";
+         (above.empty() ? "none of " + readable(double(compared)) + " limits" : listed(above)) + ". A median in the table that is larger is within that.\n";
   out += "* At rest nowhere: " + listed(never) + ".";
   return out + '\n';
 }
