@@ -334,7 +334,8 @@ void addBench(CLI::App& app) {
       ->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")
       ->delimiter(',');
   command->add_option("--recording", arguments->recordings,
-                      "Recorded hands instead of those that come with the program, with the part hands alone: a .trace, or rows of numbers (docs/hands.md)");
+                      "Recorded hands instead of those that come with the program, with the part hands alone: a .trace, "
+                      "or rows of numbers (docs/hands.md)");
   command->add_option("--molecule", arguments->recording_molecule, "The molecule that these hands go over, where the file does not say");
   command->add_option("--seed", arguments->seed, "Of the scenes and motions")->capture_default_str();
   command->add_option("--json", arguments->json, "Write all tables to this file");

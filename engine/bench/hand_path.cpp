@@ -72,7 +72,8 @@ struct Row {
 };
 
 // Places at every tick from rows at their own times.
-void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, bool forces, double scale, HandPath& out) {
+void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, bool forces, double scale,
+            HandPath& out) {
   const double length_s = time_s.back() - time_s.front();
   const auto ticks = static_cast<std::size_t>(std::floor(length_s / kTick_s + 1e-6)) + 1;
   std::size_t row = 0;
@@ -80,7 +81,8 @@ void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, boo
     const double t = time_s.front() + double(k) * kTick_s;
     while (row + 2 < rows.size() && time_s[row + 1] < t) ++row;
     const std::size_t next = std::min(row + 1, rows.size() - 1);
-    const double part = next == row ? 0.0 : std::clamp((t - time_s[row]) / (time_s[next] - time_s[row]), 0.0, 1.0);
+    const double part =
+        next == row ? 0.0 : std::clamp((t - time_s[row]) / (time_s[next] - time_s[row]), 0.0, 1.0);
     const auto place = [&](const Row& r) { return Vec3(r.value[1], r.value[2], r.value[3]) * scale; };
     out.places.push_back(glm::mix(place(rows[row]), place(rows[next]), part));
     const auto& f = rows[part < 0.5 ? row : next].value;
@@ -109,13 +111,17 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
     ++line_number;
     if (line.empty()) continue;
     if (isComment(line)) {
-      const std::string_view said = trimmed(line.substr(std::min(line.find_first_not_of("#%;/"), line.size())));
+      const std::string_view said =
+          trimmed(line.substr(std::min(line.find_first_not_of("#%;/"), line.size())));
       const std::size_t colon = said.find(':');
-      if (colon == std::string_view::npos || said.substr(0, colon).find_first_of(" \t") != std::string_view::npos) continue;
+      if (colon == std::string_view::npos ||
+          said.substr(0, colon).find_first_of(" \t") != std::string_view::npos)
+        continue;
       const std::string key(trimmed(said.substr(0, colon))), value(trimmed(said.substr(colon + 1)));
       out.labels[key] = value;
       if (key == "columns" && !(columns = columnsNamed(words(value))))
-        return Problem{name, line_number, 1, "these columns do not name x, y and z once each", "write for example \"# columns: t x y z\""};
+        return Problem{name, line_number, 1, "these columns do not name x, y and z once each",
+                       "write for example \"# columns: t x y z\""};
       continue;
     }
     const std::vector<std::string> fields = words(line);
@@ -126,36 +132,48 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
     }
     if (!columns) {
       if (fields.size() < 3 || fields.size() == 5 || fields.size() == 6)
-        return Problem{name, line_number, 1, "what " + std::to_string(fields.size()) + " numbers in a row mean is not known",
+        return Problem{name, line_number, 1,
+                       "what " + std::to_string(fields.size()) + " numbers in a row mean is not known",
                        "say so before the first row, for example \"# columns: x y z fx fy fz\""};
       columns = columnsOf(fields.size());
     }
     if (fields.size() < columns->size())
-      return Problem{name, line_number, 1, "this row has " + std::to_string(fields.size()) + " numbers instead of " + std::to_string(columns->size()),
+      return Problem{name, line_number, 1,
+                     "this row has " + std::to_string(fields.size()) + " numbers instead of " +
+                         std::to_string(columns->size()),
                      "write every row alike"};
     Row row;
     row.line = line_number;
     for (std::size_t k = 0; k < columns->size(); ++k) {
       if ((*columns)[k] < 0) continue;
       const auto value = number(fields[k]);
-      if (!value) return Problem{name, line_number, 1, "\"" + fields[k] + "\" is no finite number", "write a number, with a point before its fraction"};
+      if (!value)
+        return Problem{name, line_number, 1, "\"" + fields[k] + "\" is no finite number",
+                       "write a number, with a point before its fraction"};
       row.value[std::size_t((*columns)[k])] = *value;
     }
     rows.push_back(row);
   }
-  if (rows.empty()) return Problem{name, 0, 0, "there is no row of numbers in this file", "write a row a tick: x y z, or t x y z"};
+  if (rows.empty())
+    return Problem{name, 0, 0, "there is no row of numbers in this file",
+                   "write a row a tick: x y z, or t x y z"};
 
   const std::string unit = out.label("unit").empty() ? "mm" : out.label("unit");
   const double scale = unit == "A" || unit == "mm" ? 1.0 : unit == "cm" ? 10.0 : unit == "m" ? 1000.0 : 0.0;
-  if (scale == 0.0) return Problem{name, 0, 0, "the unit \"" + unit + "\" is not known", "write \"# unit: A\", mm, cm or m"};
+  if (scale == 0.0)
+    return Problem{name, 0, 0, "the unit \"" + unit + "\" is not known", "write \"# unit: A\", mm, cm or m"};
   out.on_molecule = unit == "A";
   const std::string time_unit = out.label("time_unit").empty() ? "s" : out.label("time_unit");
-  if (time_unit != "s" && time_unit != "ms") return Problem{name, 0, 0, "the time unit \"" + time_unit + "\" is not known", "write \"# time_unit: s\" or ms"};
+  if (time_unit != "s" && time_unit != "ms")
+    return Problem{name, 0, 0, "the time unit \"" + time_unit + "\" is not known",
+                   "write \"# time_unit: s\" or ms"};
   double tick_s = kTick_s;
-  for (const auto& [key, target] : {std::pair<const char*, double*>{"tick_s", &tick_s}, {"probe_A", &out.probe_A}})
+  for (const auto& [key, target] :
+       {std::pair<const char*, double*>{"tick_s", &tick_s}, {"probe_A", &out.probe_A}})
     if (const std::string said = out.label(key); !said.empty()) {
       const auto value = number(said);
-      if (!value || *value < 0 || (*value == 0 && target == &tick_s)) return Problem{name, 0, 0, "\"" + said + "\" is no " + std::string(key), "write a positive number"};
+      if (!value || *value < 0 || (*value == 0 && target == &tick_s))
+        return Problem{name, 0, 0, "\"" + said + "\" is no " + std::string(key), "write a positive number"};
       *target = *value;
     }
 
@@ -165,10 +183,12 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   for (std::size_t k = 0; k < rows.size(); ++k) {
     time_s.push_back(timed ? rows[k].value[0] * (time_unit == "ms" ? 1e-3 : 1.0) : double(k) * tick_s);
     if (k > 0 && !(time_s[k] > time_s[k - 1]))
-      return Problem{name, rows[k].line, 1, "the time does not go on from the row before", "put the rows in order, each with a later time"};
+      return Problem{name, rows[k].line, 1, "the time does not go on from the row before",
+                     "put the rows in order, each with a later time"};
   }
   if (!(time_s.back() - time_s.front() < kMostTicks * kTick_s))
-    return Problem{name, 0, 0, "it lasts longer than a day", "say \"# time_unit: ms\" where the times are milliseconds"};
+    return Problem{name, 0, 0, "it lasts longer than a day",
+                   "say \"# time_unit: ms\" where the times are milliseconds"};
   sample(rows, time_s, forces, scale, out);
   return out;
 }
@@ -213,7 +233,9 @@ HandPath laidOn(const HandPath& path, const BallScene& scene, double A_per_mm) {
   Vec3 at = 0.5 * (scene.low_A() + scene.high_A());
   at.z = scene.high_A().z + path.probe_A + 1;
   const double through = glm::length(scene.high_A() - scene.low_A()) + 2 * (path.probe_A + 1);
-  for (double gone = 0, gap = 0; gone < through && (gap = clearance(scene, path.probe_A, at)) > 1e-6; gone += gap) at.z -= gap;
+  for (double gone = 0, gap = 0; gone < through && (gap = clearance(scene, path.probe_A, at)) > 1e-6;
+       gone += gap)
+    at.z -= gap;
   HandPath out = path;
   out.on_molecule = true;
   for (Vec3& p : out.places) p = at + (p - 0.5 * (low + high)) * A_per_mm;

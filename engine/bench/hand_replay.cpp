@@ -4,22 +4,35 @@
 
 namespace moltact::bench {
 
-std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands, const std::vector<const Method*>& methods,
-                                    const std::vector<const Method*>& timed, double budget_s, const Progress& progress) {
+std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands,
+                                    const std::vector<const Method*>& methods,
+                                    const std::vector<const Method*>& timed, double budget_s,
+                                    const Progress& progress) {
   std::vector<HandReplay> out;
   for (const HandOnMolecule& hand : hands) {
     if (progress) progress(double(out.size()) / double(hands.size()), hand.path.name);
-    HandReplay one{hand.path.name, hand.path.label("device"), hand.path.label("hand"), hand.path.label("stroke"), hand.molecule, 0, 0, {}, {}};
+    HandReplay one{hand.path.name,
+                   hand.path.label("device"),
+                   hand.path.label("hand"),
+                   hand.path.label("stroke"),
+                   hand.molecule,
+                   0,
+                   0,
+                   {},
+                   {}};
     const std::vector<Vec3>& places = hand.path.places;
     one.seconds = 1e-3 * double(places.size());
     const Stroke stroke{{}, places};
-    for (const Method* m : methods) one.felt.push_back(feltOn(hand.path.name, *m, hand.scene, hand.path.probe_A, {stroke}));
-    if (!places.empty() && !one.felt.empty()) one.touching = double(one.felt.front().ticks) / double(places.size());
+    for (const Method* m : methods)
+      one.felt.push_back(feltOn(hand.path.name, *m, hand.scene, hand.path.probe_A, {stroke}));
+    if (!places.empty() && !one.felt.empty())
+      one.touching = double(one.felt.front().ticks) / double(places.size());
     one.tick_ns.resize(methods.size());
     // Every other of them is timed whole; the first place is the way there.
     if (places.size() > 1) {
       const Stroke again{{places.front()}, {places.begin() + 1, places.end()}};
-      const auto times = timeMethods(timed, hand.scene, hand.path.probe_A, std::vector<Stroke>(6, again), budget_s);
+      const auto times =
+          timeMethods(timed, hand.scene, hand.path.probe_A, std::vector<Stroke>(6, again), budget_s);
       for (const TickTimes& t : times)
         for (std::size_t k = 0; k < methods.size(); ++k)
           if (methods[k] == t.method) one.tick_ns[k] = t.mean_ns;
@@ -42,10 +55,19 @@ std::vector<Felt> feltOverAll(const std::vector<HandReplay>& hands) {
 }
 
 ReportTable handsTable(const std::vector<HandReplay>& hands) {
-  ReportTable t{"hands", "The recorded hands",
-                {{"name", "recording"}, {"device", "device"}, {"hand", "hand"}, {"stroke", "stroke"}, {"molecule", "molecule"}, {"seconds", "length (s)"}, {"touching_percent", "touching (%)"}},
-                {}, ""};
-  for (const HandReplay& h : hands) t.rows.push_back({h.name, h.device, h.hand, h.stroke, h.molecule, h.seconds, 100 * h.touching});
+  ReportTable t{"hands",
+                "The recorded hands",
+                {{"name", "recording"},
+                 {"device", "device"},
+                 {"hand", "hand"},
+                 {"stroke", "stroke"},
+                 {"molecule", "molecule"},
+                 {"seconds", "length (s)"},
+                 {"touching_percent", "touching (%)"}},
+                {},
+                ""};
+  for (const HandReplay& h : hands)
+    t.rows.push_back({h.name, h.device, h.hand, h.stroke, h.molecule, h.seconds, 100 * h.touching});
   return t;
 }
 
@@ -61,7 +83,8 @@ ReportTable handsFeltTable(const std::vector<HandReplay>& hands) {
     ns[m] = ticks > 0 ? ns[m] / ticks : 0;
   }
   ReportTable t = feltTable("hands_felt", "Every method along the recorded hands", all, ns);
-  t.note += " Median and p99 are means of the recordings', by ticks. The time is of all ticks, free ones too.";
+  t.note +=
+      " Median and p99 are means of the recordings', by ticks. The time is of all ticks, free ones too.";
   return t;
 }
 

@@ -1,5 +1,5 @@
-// Recorded hands, led through every method. The way is fixed: a hand that felt another method would have gone another way.
-// Units: second, nanosecond.
+// Recorded hands, led through every method. The way is fixed: a hand that felt another method would have gone
+// another way. Units: second, nanosecond.
 #pragma once
 
 #include <string>
@@ -26,8 +26,10 @@ struct HandReplay {
 };
 
 /// Every hand through every method; `timed` methods are also timed, for `budget_s` each.
-std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands, const std::vector<const Method*>& methods,
-                                    const std::vector<const Method*>& timed, double budget_s, const Progress& progress);
+std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands,
+                                    const std::vector<const Method*>& methods,
+                                    const std::vector<const Method*>& timed, double budget_s,
+                                    const Progress& progress);
 
 /// A row a hand: what it is.
 ReportTable handsTable(const std::vector<HandReplay>& hands);

@@ -1,5 +1,5 @@
-// Does independent pieces of work on every processor. What a piece writes must be its own; the results are then
-// the same however many threads there are. Never for what is timed.
+// Does independent pieces of work on every processor. What a piece writes must be its own; the results are
+// then the same however many threads there are. Never for what is timed.
 #pragma once
 
 #include <cstddef>

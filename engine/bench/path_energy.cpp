@@ -11,10 +11,11 @@
 namespace moltact::bench {
 namespace {
 constexpr double kWayBack_A = 0.01;  // a tick
-constexpr double kJump = 4;          // times the stiffness times the way: no surface changes the force so fast
-}
+constexpr double kJump = 4;  // times the stiffness times the way: no surface changes the force so fast
+}  // namespace
 
-double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, const LoopSettings& loop) {
+double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path,
+                 const LoopSettings& loop) {
   if (path.empty()) return 0;
   PassivityObserver observer;
   const auto forceAt = [&](const Vec3& hip, bool& touching) {
@@ -33,7 +34,8 @@ double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Pat
     const Vec3 moved_m = 1e-3 * (loop.workspace.toDevice({next}).mm - loop.workspace.toDevice({here}).mm);
     // Where nothing has touched meanwhile nothing was given, and the release before still stands.
     const bool released = !touching && was_touching && outside(next);
-    // Where in the tick a jump lies nobody knows: what the later force gives with it is not claimed beyond the lesser.
+    // Where in the tick a jump lies nobody knows: what the later force gives with it is not claimed beyond
+    // the lesser.
     const double way_N = 1e3 * loop.stiffness_N_per_mm * glm::length(moved_m);
     const bool jumped = glm::distance(before, force) > kJump * way_N;
     const Vec3 lesser = glm::dot(before, moved_m) < glm::dot(force, moved_m) ? before : force;
@@ -56,9 +58,11 @@ double madeOverClosedPath(const std::function<std::unique_ptr<Tracker>()>& make,
   for (std::size_t k = surface.size(); k-- > 0;) {
     const Vec3 from = round.back();
     const int pieces = std::max(1, static_cast<int>(std::ceil(glm::distance(from, surface[k]) / kWayBack_A)));
-    for (int piece = 1; piece <= pieces; ++piece) round.push_back(from + (surface[k] - from) * (double(piece) / pieces));
+    for (int piece = 1; piece <= pieces; ++piece)
+      round.push_back(from + (surface[k] - from) * (double(piece) / pieces));
   }
-  // The SCP's way ends where the path begins; a method that reads the surface elsewhere may still touch there.
+  // The SCP's way ends where the path begins; a method that reads the surface elsewhere may still touch
+  // there.
   double made = madeAlong(*make(), scene, round, loop);
   std::reverse(round.begin(), round.end());
   return std::max(made, madeAlong(*make(), scene, round, loop));

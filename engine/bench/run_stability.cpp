@@ -32,7 +32,8 @@ double shaking_mm(const std::vector<Vec3>& places) {
 // Collects what a tick shows.
 class Judge {
  public:
-  Judge(const StabilityScene& scene, const Method& method, const LoopSettings& loop, const StabilityLimits& limits)
+  Judge(const StabilityScene& scene, const Method& method, const LoopSettings& loop,
+        const StabilityLimits& limits)
       : loop_(loop), limits_(limits), check_jump_(scene.jump) {
     out_.scene = scene.name;
     out_.method = &method;
@@ -150,7 +151,9 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
   StabilityResult out = judge.result(scene.hand && scene.held_ticks ? held_mm : std::vector<Vec3>{});
   if (scene.energy) {
     out.energy_J = madeOverClosedPath(
-        [&] { return method.make(std::make_shared<const BallScene>(scene.scene.balls), scene.scene.probe_A); },
+        [&] {
+          return method.make(std::make_shared<const BallScene>(scene.scene.balls), scene.scene.probe_A);
+        },
         scene.scene, judge.path(), loop);
     out.loop_energy_J = device.made_J();
     out.sampling_J = device.samplingBound_J();
@@ -167,7 +170,8 @@ std::vector<StabilityResult> measureStability(const StabilityOptions& options, c
   inManyThreads(
       out.size(),
       [&](std::size_t k) {
-        const std::size_t draw = k % options.draws, method = k / options.draws % methods, scene = k / options.draws / methods;
+        const std::size_t draw = k % options.draws, method = k / options.draws % methods,
+                          scene = k / options.draws / methods;
         out[k] = runScene(drawn[draw][scene], *options.methods[method], options.loop, options.limits);
         out[k].draw = draw;
       },

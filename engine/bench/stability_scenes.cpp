@@ -298,7 +298,8 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
 
 StabilityScene turned(StabilityScene scene, std::uint64_t seed) {
   scenes::Random random(seed);
-  const Vec3 z = random.direction(), x = glm::normalize(glm::cross(z, random.direction())), y = glm::cross(z, x);
+  const Vec3 z = random.direction(), x = glm::normalize(glm::cross(z, random.direction())),
+             y = glm::cross(z, x);
   const Vec3 middle = middleOf(scene.scene);
   const auto turn = [&](Vec3& place) {
     const Vec3 p = place - middle;

@@ -35,8 +35,8 @@ struct StabilityScene {
 /// All scenes, in the order of the matrix.
 std::vector<StabilityScene> stabilityScenes(std::uint64_t seed);
 
-/// Scene and motion turned as a whole round the middle of the scene, in a way that the seed draws: sensor, grid
-/// and triangles then lie otherwise, the question stays the same.
+/// Scene and motion turned as a whole round the middle of the scene, in a way that the seed draws: sensor,
+/// grid and triangles then lie otherwise, the question stays the same.
 StabilityScene turned(StabilityScene scene, std::uint64_t seed);
 
 /// Draw 0 is the scenes as they are written; each further one has its random walks drawn anew and is turned.

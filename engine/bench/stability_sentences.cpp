@@ -1,4 +1,5 @@
-// What the stability tables say, in sentences: written anew with every run, so that they cannot disagree with them.
+// What the stability tables say, in sentences: written anew with every run, so that they cannot disagree with
+// them.
 #include <algorithm>
 #include <functional>
 #include <map>
@@ -10,8 +11,9 @@ namespace {
 
 struct Sums {
   const Method* method = nullptr;
-  std::size_t runs = 0, tunnelled = 0, jumps = 0, broken = 0, with_tunnel = 0, with_jump = 0, with_energy = 0, with_jitter = 0;
-  double off_sum = 0;  // of the runs' shares of ticks that are off (%)
+  std::size_t runs = 0, tunnelled = 0, jumps = 0, broken = 0, with_tunnel = 0, with_jump = 0, with_energy = 0,
+              with_jitter = 0;
+  double off_sum = 0;                            // of the runs' shares of ticks that are off (%)
   std::map<std::string, double> off_in;          // the same by scene
   std::map<std::string, std::size_t> energy_in;  // by scene: runs that made energy
   double energy_J = 0, jitter_mm = 0, step_over_N = 0;
@@ -41,7 +43,9 @@ std::vector<Sums> sumsOf(const std::vector<StabilityResult>& results, const Stab
 }
 
 std::string quoted(const Method* m) { return "`" + std::string(m->name) + "`"; }
-std::string count(std::size_t n, const char* one, const char* many) { return readable(double(n)) + (n == 1 ? one : many); }
+std::string count(std::size_t n, const char* one, const char* many) {
+  return readable(double(n)) + (n == 1 ? one : many);
+}
 
 }  // namespace
 
@@ -53,12 +57,15 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
 
   for (const Sums& s : all) {
     if (!s.method->name.starts_with("exact")) continue;
-    out += "* " + quoted(s.method) + " is off in " + readable(s.off_percent()) + " % of the ticks in contact, on the mean over scenes, and has " +
-           count(s.tunnelled + s.jumps + s.broken, " event", " events") + " in " + readable(double(runs)) + " runs; it makes at most " +
-           readable(1e6 * s.energy_J) + " uJ.";
-    const auto most = std::max_element(s.off_in.begin(), s.off_in.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+    out += "* " + quoted(s.method) + " is off in " + readable(s.off_percent()) +
+           " % of the ticks in contact, on the mean over scenes, and has " +
+           count(s.tunnelled + s.jumps + s.broken, " event", " events") + " in " + readable(double(runs)) +
+           " runs; it makes at most " + readable(1e6 * s.energy_J) + " uJ.";
+    const auto most = std::max_element(s.off_in.begin(), s.off_in.end(),
+                                       [](const auto& a, const auto& b) { return a.second < b.second; });
     if (s.off_sum > 0 && most != s.off_in.end())
-      out += " Of that " + readable(100.0 * most->second / s.off_sum) + " % comes from \"" + most->first + "\".";
+      out +=
+          " Of what is off " + readable(100.0 * most->second / s.off_sum) + " % comes from \"" + most->first + "\".";
     out += '\n';
   }
 
@@ -66,7 +73,8 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
   std::vector<const Sums*> others;
   for (const Sums& s : all)
     if (!s.method->name.starts_with("exact")) others.push_back(&s);
-  std::stable_sort(others.begin(), others.end(), [](const Sums* a, const Sums* b) { return a->off_percent() < b->off_percent(); });
+  std::stable_sort(others.begin(), others.end(),
+                   [](const Sums* a, const Sums* b) { return a->off_percent() < b->off_percent(); });
   std::vector<std::string> order, tunnels, jumps, quiet, energy;
   std::size_t broken = 0, jitter = 0;
   for (const Sums* s : others) {
@@ -77,9 +85,11 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
     else
       quiet.push_back(quoted(s->method));
     if (s->with_energy) {
-      const auto most = std::max_element(s->energy_in.begin(), s->energy_in.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-      energy.push_back(quoted(s->method) + " (in " + readable(double(s->with_energy)) + " runs of " + count(s->energy_in.size(), " scene", " scenes") +
-                       ", most often \"" + most->first + "\"; at most " + readable(1e6 * s->energy_J) + " uJ)");
+      const auto most = std::max_element(s->energy_in.begin(), s->energy_in.end(),
+                                         [](const auto& a, const auto& b) { return a.second < b.second; });
+      energy.push_back(quoted(s->method) + " (in " + readable(double(s->with_energy)) + " runs of " +
+                       count(s->energy_in.size(), " scene", " scenes") + ", most often \"" + most->first +
+                       "\"; at most " + readable(1e6 * s->energy_J) + " uJ)");
     }
   }
   double most_jitter = 0;
@@ -90,14 +100,19 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
     if (s.jitter_mm > most_jitter) most_jitter = s.jitter_mm, shakiest = &s;
   }
   const std::string of_runs = " of " + readable(double(runs)) + " runs";
-  out += "* Share of ticks that are off, in percent, on the mean over scenes, the truest first: " + listed(order) + ".\n";
+  out += "* Share of ticks that are off, in percent, on the mean over scenes, the truest first: " +
+         listed(order) + ".\n";
   out += "* The HIP tunnels, in so many" + of_runs + ": " + listed(tunnels) + ".\n";
-  out += "* The force jumps, in so many" + of_runs + ": " + listed(jumps) + ". Never: " + listed(quiet) + ".\n";
-  out += "* Energy comes out of nothing, over " + constant(1e6 * limits.energy_J) + " uJ a closed path: " + listed(energy) + ".\n";
-  out += "* " + (broken ? count(broken, " answer was", " answers were") + " no number." : std::string("No answer was no number."));
+  out +=
+      "* The force jumps, in so many" + of_runs + ": " + listed(jumps) + ". Never: " + listed(quiet) + ".\n";
+  out += "* Energy comes out of nothing, over " + constant(1e6 * limits.energy_J) +
+         " uJ a closed path: " + listed(energy) + ".\n";
+  out += "* " + (broken ? count(broken, " answer was", " answers were") + " no number."
+                        : std::string("No answer was no number."));
   if (shakiest)
-    out += " What shook most when it was held was " + quoted(shakiest->method) + ", by " + readable(most_jitter) + " mm, where a step of the sensor is " +
-           constant(limits.jitter_mm) + "; " + (jitter ? "in " + count(jitter, " run", " runs") + " it was more." : "in no run it was more.");
+    out += " What shook most when it was held was " + quoted(shakiest->method) + ", by " +
+           readable(most_jitter) + " mm, where a step of the sensor is " + constant(limits.jitter_mm) + "; " +
+           (jitter ? "in " + count(jitter, " run", " runs") + " it was more." : "in no run it was more.");
   return out + '\n';
 }
 

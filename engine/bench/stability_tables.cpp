@@ -25,7 +25,9 @@ std::string fixed(double value, int digits) {
 }
 
 // Two digits are as much as thirty draws bear.
-std::string brief(double value) { return value < 0.005 ? "<0.01" : fixed(value, value >= 9.95 ? 0 : value >= 0.95 ? 1 : 2); }
+std::string brief(double value) {
+  return value < 0.005 ? "<0.01" : fixed(value, value >= 9.95 ? 0 : value >= 0.95 ? 1 : 2);
+}
 
 std::string withInterval(const MeanOf& m) {
   if (m.mean == 0) return "0";
@@ -48,11 +50,13 @@ std::string events(const StabilityCell& c) {
   return out.empty() ? "." : out;
 }
 
-ReportTable matrix(const std::vector<StabilityCell>& cells, ReportTable t, std::string (*text)(const StabilityCell&)) {
+ReportTable matrix(const std::vector<StabilityCell>& cells, ReportTable t,
+                   std::string (*text)(const StabilityCell&)) {
   const auto methods = inOrder<const Method*>(cells, [](const StabilityCell& c) { return c.method; });
   t.columns = {{"scene", "scene"}};
   for (const Method* m : methods) t.columns.push_back({std::string(m->name), std::string(m->name)});
-  for (const std::string& scene : inOrder<std::string>(cells, [](const StabilityCell& c) { return c.scene; })) {
+  for (const std::string& scene :
+       inOrder<std::string>(cells, [](const StabilityCell& c) { return c.scene; })) {
     std::vector<Cell> row(methods.size() + 1);
     row[0] = scene;
     for (const StabilityCell& c : cells)
@@ -65,7 +69,8 @@ ReportTable matrix(const std::vector<StabilityCell>& cells, ReportTable t, std::
 
 }  // namespace
 
-std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
+std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results,
+                                          const StabilityLimits& limits) {
   std::vector<StabilityCell> out;
   std::vector<double> off;
   double contact = 0, tunnelled = 0, jumps = 0, broken = 0;
@@ -90,7 +95,8 @@ std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& re
     c.with_energy += r.energy_J > limits.energy_J;
     c.jitter_mm = std::max(c.jitter_mm, r.jitter_mm);
     c.energy_J += r.energy_J;
-    const bool last = k + 1 == results.size() || results[k + 1].scene != r.scene || results[k + 1].method != r.method;
+    const bool last =
+        k + 1 == results.size() || results[k + 1].scene != r.scene || results[k + 1].method != r.method;
     if (!last) continue;
     c.off_percent = meanOf(off);
     const double share = contact > 0 ? kPer / contact : 0;
@@ -103,23 +109,36 @@ std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& re
 ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits) {
   const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
   return matrix(cells,
-                {"fidelity_matrix", "How true: ticks in contact whose SCP is off (%)", {}, {},
-                 "Off: more than " + constant(limits.place_A) + " A from the right place. Mean of " + std::to_string(draws) +
-                     " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 are exact with a probe smaller "
+                {"fidelity_matrix",
+                 "How true: ticks in contact whose SCP is off (%)",
+                 {},
+                 {},
+                 "Off: more than " + constant(limits.place_A) + " A from the right place. Mean of " +
+                     std::to_string(draws) +
+                     " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 "
+                     "are exact with a probe smaller "
                      "by so many angstroms: what they miss no method can be blamed for."},
                 [](const StabilityCell& c) { return withInterval(c.off_percent); });
 }
 
 ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits) {
   const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
-  return matrix(cells,
-                {"stability_matrix", "How stable: events, and in how many draws", {}, {},
-                 "In brackets: in how many of " + std::to_string(draws) + " draws. T times tunnelled and J force jumps of over " +
-                     constant(limits.step_over_N) + " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
-                     "closed path (uJ; counted as an event over " + constant(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
-                     constant(limits.jitter_mm) + " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none, which with 95 % confidence is a chance of under " +
-                     brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % a draw."},
-                &events);
+  return matrix(
+      cells,
+      {"stability_matrix",
+       "How stable: events, and in how many draws",
+       {},
+       {},
+       "In brackets: in how many of " + std::to_string(draws) +
+           " draws. T times tunnelled and J force jumps of over " + constant(limits.step_over_N) +
+           " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
+           "closed path (uJ; counted as an event over " +
+           constant(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
+           constant(limits.jitter_mm) +
+           " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none, which with 95 % "
+           "confidence is a chance of under " +
+           brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % a draw."},
+      &events);
 }
 
 ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
@@ -138,12 +157,15 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
                  {"energy_J", "most energy (J)"},
                  {"unsound", "runs with an event (%)"}},
                 {},
-                "Shares are of ticks in contact; \"off\" is the mean over scenes with the 95 % interval over draws, sunk, lost and held on "
-                "nothing are parts of it. Tunnelled and jumps: times in 10 000 ticks of contact. A run is one scene in one draw; "
+                "Shares are of ticks in contact; \"off\" is the mean over scenes with the 95 % interval over "
+                "draws, sunk, lost and held on "
+                "nothing are parts of it. Tunnelled and jumps: times in 10 000 ticks of contact. A run is "
+                "one scene in one draw; "
                 "events are those of the table above."};
   const auto cells = stabilityCells(results, limits);
   for (const Method* m : inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; })) {
-    double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0, energy = 0;
+    double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0,
+           energy = 0;
     std::size_t runs = 0, unsound = 0, scenes = 0;
     std::vector<double> by_draw;
     for (const StabilityResult& r : results) {
@@ -151,17 +173,21 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
       if (r.draw >= by_draw.size()) by_draw.resize(r.draw + 1);
       by_draw[r.draw] += r.contact_ticks ? 100.0 * double(r.off) / double(r.contact_ticks) : 0.0;
       scenes += r.draw == 0;
-      contact += double(r.contact_ticks), sunk += double(r.sunk), lost += double(r.lost), stuck += double(r.stuck);
+      contact += double(r.contact_ticks), sunk += double(r.sunk), lost += double(r.lost),
+          stuck += double(r.stuck);
       tunnelled += double(r.tunnelled), jumps += double(r.jumps);
-      deep = std::max(deep, r.penetration_A), jitter = std::max(jitter, r.jitter_mm), energy = std::max(energy, r.energy_J);
+      deep = std::max(deep, r.penetration_A), jitter = std::max(jitter, r.jitter_mm),
+      energy = std::max(energy, r.energy_J);
       ++runs;
-      unsound += r.broken || r.tunnelled || r.jumps || r.jitter_mm > limits.jitter_mm || r.energy_J > limits.energy_J;
+      unsound += r.broken || r.tunnelled || r.jumps || r.jitter_mm > limits.jitter_mm ||
+                 r.energy_J > limits.energy_J;
     }
     for (double& one : by_draw) one /= double(std::max<std::size_t>(scenes, 1));
     const MeanOf off = meanOf(by_draw);
     const double per = contact > 0 ? 1 / contact : 0;
-    t.rows.push_back({std::string(m->name), off.mean, off.half_width, 100 * sunk * per, 100 * lost * per, 100 * stuck * per, deep,
-                      kPer * tunnelled * per, kPer * jumps * per, jitter, energy, 100.0 * double(unsound) / double(runs)});
+    t.rows.push_back({std::string(m->name), off.mean, off.half_width, 100 * sunk * per, 100 * lost * per,
+                      100 * stuck * per, deep, kPer * tunnelled * per, kPer * jumps * per, jitter, energy,
+                      100.0 * double(unsound) / double(runs)});
   }
   return t;
 }
@@ -173,11 +199,15 @@ ReportTable deviceTable(const LoopSettings& loop) {
           "The simulated device",
           {{"part", "part"}, {"figure", "figure"}},
           {{std::string("mass, damping"), n(1e3 * d.mass_kg) + " g, " + n(d.damping_N_s_per_m) + " N s/m"},
-           {std::string("friction"), n(d.friction_N) + " N tanh(speed / " + n(1e3 * d.friction_speed_m_per_s) + " mm/s)"},
+           {std::string("friction"),
+            n(d.friction_N) + " N tanh(speed / " + n(1e3 * d.friction_speed_m_per_s) + " mm/s)"},
            {std::string("sensor"), "steps of " + n(d.resolution_mm) + " mm"},
-           {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held through a tick, late by ticks: " + n(d.delay_ticks) + ", cut to " + n(d.max_force_N) + " N"},
-           {std::string("hand"), "a spring of " + n(loop.hand.stiffness_N_per_m) + " N/m with " + n(loop.hand.damping_N_s_per_m) + " N s/m to the place it is led to"},
-           {std::string("spring between HIP and SCP"), n(loop.stiffness_N_per_mm) + " N/mm at " + n(loop.workspace.A_per_mm) + " A/mm"}},
+           {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held through a tick, late by ticks: " +
+                                     n(d.delay_ticks) + ", cut to " + n(d.max_force_N) + " N"},
+           {std::string("hand"), "a spring of " + n(loop.hand.stiffness_N_per_m) + " N/m with " +
+                                     n(loop.hand.damping_N_s_per_m) + " N s/m to the place it is led to"},
+           {std::string("spring between HIP and SCP"),
+            n(loop.stiffness_N_per_mm) + " N/mm at " + n(loop.workspace.A_per_mm) + " A/mm"}},
           ""};
 }
 
@@ -206,10 +236,10 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results) {
                 {},
                 ""};
   for (const StabilityResult& r : results)
-    t.rows.push_back({r.scene, std::string(r.method->name), double(r.draw), double(r.ticks), double(r.contact_ticks), double(r.off),
-                      double(r.lost), double(r.stuck), double(r.sunk), std::max(0.0, r.penetration_A), double(r.tunnelled),
-                      double(r.jumps), double(r.broken), r.step_N, r.step_over_N, r.jitter_mm, r.energy_J, r.loop_energy_J,
-                      r.sampling_J});
+    t.rows.push_back({r.scene, std::string(r.method->name), double(r.draw), double(r.ticks),
+                      double(r.contact_ticks), double(r.off), double(r.lost), double(r.stuck), double(r.sunk),
+                      std::max(0.0, r.penetration_A), double(r.tunnelled), double(r.jumps), double(r.broken),
+                      r.step_N, r.step_over_N, r.jitter_mm, r.energy_J, r.loop_energy_J, r.sampling_J});
   return t;
 }
 

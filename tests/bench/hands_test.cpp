@@ -1,4 +1,5 @@
-// Recorded hands: the files they are in, what a hand could tell along them, and those that come with the program.
+// Recorded hands: the files they are in, what a hand could tell along them, and those that come with the
+// program.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -38,7 +39,9 @@ Problem refused(const std::string& text) {
   return path.problem();
 }
 
-std::shared_ptr<const BallScene> oneBall() { return std::make_shared<const BallScene>(scenes::oneBall().balls); }
+std::shared_ptr<const BallScene> oneBall() {
+  return std::make_shared<const BallScene>(scenes::oneBall().balls);
+}
 
 // exact with the force turned by an angle and scaled.
 struct Wrong {
@@ -63,7 +66,9 @@ struct Wrong {
    private:
     ExactTracker exact_;
   };
-  static std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double probe_A) { return std::make_unique<T>(std::move(scene), probe_A); }
+  static std::unique_ptr<Tracker> make(std::shared_ptr<const BallScene> scene, double probe_A) {
+    return std::make_unique<T>(std::move(scene), probe_A);
+  }
 };
 
 Felt feltWith(double turn_deg, double scale) {
@@ -83,7 +88,9 @@ std::string contents(const fs::path& file) {
 
 }  // namespace
 
-TEST_CASE("three numbers in a row are x y z in mm at 1 kHz; blanks, tabs, commas and semicolons part them; comments and a head of words are passed over") {
+TEST_CASE(
+    "three numbers in a row are x y z in mm at 1 kHz; blanks, tabs, commas and semicolons part them; "
+    "comments and a head of words are passed over") {
   const HandPath path = read("some head\nx, y; z\n# a comment\n1 2 3\n\n4,5\t6 \n% 9 9 9\n+7;8;9e0\n");
   CHECK(path.places == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}, {7, 8, 9}});
   CHECK_FALSE(path.on_molecule);
@@ -91,7 +98,9 @@ TEST_CASE("three numbers in a row are x y z in mm at 1 kHz; blanks, tabs, commas
   CHECK(path.touched.empty());
 }
 
-TEST_CASE("seven numbers are t x y z fx fy fz: rows 4 ms apart give a tick each ms on the straight way between them, touched where there is a force") {
+TEST_CASE(
+    "seven numbers are t x y z fx fy fz: rows 4 ms apart give a tick each ms on the straight way between "
+    "them, touched where there is a force") {
   const HandPath path = read("0.000 0 0 0 0 0 0\n0.004 8 0 0 0 0 1\n0.008 8 4 0 0 0 0\n");
   REQUIRE(path.places.size() == 9);
   CHECK(path.places[1].x == doctest::Approx(2));
@@ -102,7 +111,9 @@ TEST_CASE("seven numbers are t x y z fx fy fz: rows 4 ms apart give a tick each 
 }
 
 TEST_CASE("labels name columns, units and times: 0.1 m a column further is 100 mm, 2 ms is 2 ticks") {
-  const HandPath path = read("# columns: index t z y x\n# unit: m\n# time_unit: ms\n# molecule: 1ubq\n# probe_A: 0.7\n1 10 0.1 0.2 0.3\n2 12 0.1 0.2 0.5\n");
+  const HandPath path = read(
+      "# columns: index t z y x\n# unit: m\n# time_unit: ms\n# molecule: 1ubq\n# probe_A: 0.7\n1 10 0.1 0.2 "
+      "0.3\n2 12 0.1 0.2 0.5\n");
   REQUIRE(path.places.size() == 3);
   CHECK(path.places[0].x == doctest::Approx(300));
   CHECK(path.places[1].x == doctest::Approx(400));
@@ -111,7 +122,9 @@ TEST_CASE("labels name columns, units and times: 0.1 m a column further is 100 m
   CHECK(path.probe_A == 0.7);
 }
 
-TEST_CASE("a broken row is told with its line: too few numbers, a word, a time that does not go on, six numbers of unknown meaning, an unknown unit, no row") {
+TEST_CASE(
+    "a broken row is told with its line: too few numbers, a word, a time that does not go on, six numbers of "
+    "unknown meaning, an unknown unit, no row") {
   CHECK(refused("1 2 3\n4 5\n").line == 2);
   CHECK(refused("1 2 3\n4 five 6\n").message.find("\"five\"") != std::string::npos);
   CHECK(refused("1 2 3\n4 nan 6\n").line == 2);
@@ -135,10 +148,13 @@ TEST_CASE("a way that was written is read back the same to 0.001 A, with its lab
   CHECK(back.labels.at("hand") == "a test");
   CHECK(back.probe_A == 1.2);
   REQUIRE(back.places.size() == 50);
-  for (int k = 0; k < 50; ++k) CHECK(glm::distance(back.places[std::size_t(k)], path.places[std::size_t(k)]) < 0.001);
+  for (int k = 0; k < 50; ++k)
+    CHECK(glm::distance(back.places[std::size_t(k)], path.places[std::size_t(k)]) < 0.001);
 }
 
-TEST_CASE("a device's way laid on one carbon at 0.25 A/mm has the middle of what it touched on the pole, 3.1 A from the centre, and keeps its shape") {
+TEST_CASE(
+    "a device's way laid on one carbon at 0.25 A/mm has the middle of what it touched on the pole, 3.1 A "
+    "from the centre, and keeps its shape") {
   HandPath path;
   path.on_molecule = false;
   path.places = {{100, 0, 0}, {104, 0, 0}, {104, 8, 0}, {300, 0, 0}};
@@ -151,7 +167,9 @@ TEST_CASE("a device's way laid on one carbon at 0.25 A/mm has the middle of what
   CHECK(laidOn(laid, *oneBall(), 0.25).places == laid.places);
 }
 
-TEST_CASE("the way of a recording is the place that its workspace gives in each tick, and touched where the tracker touches") {
+TEST_CASE(
+    "the way of a recording is the place that its workspace gives in each tick, and touched where the "
+    "tracker touches") {
   DeviceTrace trace;
   trace.labels = {{"molecule", "argon"}};
   for (int k = 0; k < 200; ++k) {
@@ -171,7 +189,9 @@ TEST_CASE("the way of a recording is the place that its workspace gives in each 
   }
 }
 
-TEST_CASE("a force turned by 22 degrees is told beside the picture and not in the dark; one 8 % too large passes 7 % and not 10 %; neither steps") {
+TEST_CASE(
+    "a force turned by 22 degrees is told beside the picture and not in the dark; one 8 % too large passes 7 "
+    "% and not 10 %; neither steps") {
   const Felt turned = feltWith(22, 1);
   CHECK(turned.ticks == 2000);
   CHECK(turned.direction_deg.p50 == doctest::Approx(22).epsilon(1e-6));
@@ -194,7 +214,9 @@ TEST_CASE("two parts of 2000 and 1000 ticks count by their ticks") {
   CHECK(together("both", {a, b}).ticks == 3000);
 }
 
-TEST_CASE("the program comes with five strokes of a driven mouse and five of the simulated stylus, each 2 to 5 s, all different, and none is said to be a person's") {
+TEST_CASE(
+    "the program comes with five strokes of a driven mouse and five of the simulated stylus, each 2 to 5 s, "
+    "all different, and none is said to be a person's") {
   int mouse = 0, stylus = 0;
   std::vector<std::string> strokes;
   for (const auto& entry : fs::directory_iterator(MOLTACT_SOURCE_DIR "/assets/hands")) {
@@ -211,15 +233,19 @@ TEST_CASE("the program comes with five strokes of a driven mouse and five of the
     CHECK(path->places.size() >= 2000);
     CHECK(path->places.size() <= 5000);
     // At 1 kHz no hand moves an angstrom in a tick.
-    for (std::size_t k = 1; k < path->places.size(); ++k) CHECK(glm::distance(path->places[k], path->places[k - 1]) < 1);
+    for (std::size_t k = 1; k < path->places.size(); ++k)
+      CHECK(glm::distance(path->places[k], path->places[k - 1]) < 1);
   }
   CHECK(mouse == 5);
   CHECK(stylus == 5);
 }
 
-TEST_CASE("the page on hands names the thresholds that are used: 18.4, 25.6 and 31.9 degrees, 7 and 10 %, 0.05 A and 0.05 N") {
+TEST_CASE(
+    "the page on hands names the thresholds that are used: 18.4, 25.6 and 31.9 degrees, 7 and 10 %, 0.05 A "
+    "and 0.05 N") {
   const std::string page = contents(MOLTACT_SOURCE_DIR "/docs/hands.md");
-  for (const double value : {kDirectionSeen_deg, kDirectionBlind_deg, kDirectionMisled_deg, 100 * kForceWeber, 100 * kForceWeberWide, kPlaceFelt_A, kStepFelt_N}) {
+  for (const double value : {kDirectionSeen_deg, kDirectionBlind_deg, kDirectionMisled_deg, 100 * kForceWeber,
+                             100 * kForceWeberWide, kPlaceFelt_A, kStepFelt_N}) {
     char text[20];
     std::snprintf(text, sizeof text, "%g", value);
     CHECK_MESSAGE(page.find(text) != std::string::npos, text);

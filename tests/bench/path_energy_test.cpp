@@ -16,12 +16,15 @@ using namespace moltact::bench;
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kN_per_A = 0.3 / 0.25, kJ_per_N_A = 1e-3 / 0.25;  // the loop's spring; a newton along an angstrom
+constexpr double kN_per_A = 0.3 / 0.25,
+                 kJ_per_N_A = 1e-3 / 0.25;  // the loop's spring; a newton along an angstrom
 
-// exact, with the force turned by an angle about the z-axis: round a sphere's equator it has a part along the way.
+// exact, with the force turned by an angle about the z-axis: round a sphere's equator it has a part along the
+// way.
 class TurnedForce final : public Tracker {
  public:
-  TurnedForce(std::shared_ptr<const BallScene> scene, double probe_A, double angle) : exact_(std::move(scene), probe_A), angle_(angle) {}
+  TurnedForce(std::shared_ptr<const BallScene> scene, double probe_A, double angle)
+      : exact_(std::move(scene), probe_A), angle_(angle) {}
   Contact step(PointA hip) noexcept override {
     Contact c = exact_.step(hip);
     const Vec3 pull = c.scp.A - hip.A;
@@ -55,17 +58,25 @@ scenes::Path rounds(double surface_A, double depth_A, double turns, double step_
 }
 
 double made(const char* method, const scenes::Scene& scene, const scenes::Path& path) {
-  return madeOverClosedPath([&] { return findMethod(method)->make(std::make_shared<const BallScene>(scene.balls), scene.probe_A); }, scene, path, {});
+  return madeOverClosedPath(
+      [&] { return findMethod(method)->make(std::make_shared<const BallScene>(scene.balls), scene.probe_A); },
+      scene, path, {});
 }
 
 }  // namespace
 
-TEST_CASE("a force turned by 0.1 rad gives K d sin(0.1) 2 pi r for each of 3 rounds at the depth d, whichever way it is led") {
+TEST_CASE(
+    "a force turned by 0.1 rad gives K d sin(0.1) 2 pi r for each of 3 rounds at the depth d, whichever way "
+    "it is led") {
   const scenes::Scene scene = scenes::oneBall();
   const double surface = scene.balls[0].radius_A + scene.probe_A, d = 0.6;
   const auto turnedBy = [&](double angle, double turns) {
-    return madeOverClosedPath([&] { return std::make_unique<TurnedForce>(std::make_shared<const BallScene>(scene.balls), scene.probe_A, angle); },
-                              scene, rounds(surface, d, turns, 0.005), {});
+    return madeOverClosedPath(
+        [&] {
+          return std::make_unique<TurnedForce>(std::make_shared<const BallScene>(scene.balls), scene.probe_A,
+                                               angle);
+        },
+        scene, rounds(surface, d, turns, 0.005), {});
   };
   const double expected = kN_per_A * d * std::sin(0.1) * 3 * kTurn * (surface - d) * kJ_per_N_A;
   CHECK(expected > 1e-3);
@@ -75,16 +86,21 @@ TEST_CASE("a force turned by 0.1 rad gives K d sin(0.1) 2 pi r for each of 3 rou
   CHECK(turnedBy(0, 3) < 1e-7);
 }
 
-TEST_CASE("what has a potential gives nothing back over a closed path: penalty in the overlap of two spheres, though |F|^2/2k is not its store") {
+TEST_CASE(
+    "what has a potential gives nothing back over a closed path: penalty in the overlap of two spheres, "
+    "though |F|^2/2k is not its store") {
   const scenes::Scene bond = scenes::bond();
   const double x = bond.balls[1].centre_A.x / 2;
   scenes::Path path;
   for (double y = 4; y > 1.8; y -= 0.005) path.push_back({x, y, 0});
-  for (double t = 0; t < kTurn; t += 0.003) path.push_back({x + 0.8 * std::sin(t), 1.8 * std::cos(t), 1.8 * std::sin(t)});
+  for (double t = 0; t < kTurn; t += 0.003)
+    path.push_back({x + 0.8 * std::sin(t), 1.8 * std::cos(t), 1.8 * std::sin(t)});
   CHECK(made("penalty", bond, path) < 2e-7);
   CHECK(made("exact", bond, path) < 2e-7);
-  // The store that a single spring would have rises by far more along the same path than any work accounts for.
-  const auto tracker = findMethod("penalty")->make(std::make_shared<const BallScene>(bond.balls), bond.probe_A);
+  // The store that a single spring would have rises by far more along the same path than any work accounts
+  // for.
+  const auto tracker =
+      findMethod("penalty")->make(std::make_shared<const BallScene>(bond.balls), bond.probe_A);
   double absorbed = 0, worst = 0, lowest = 0;
   Vec3 last = path.front(), force(0);
   for (const Vec3& h : path) {
@@ -107,7 +123,9 @@ TEST_CASE("what slips off an edge loses its store and makes nothing") {
   CHECK(made("exact", scene, path) < 1e-6);
 }
 
-TEST_CASE("the observer counts rises from release to release only: +3 J between two releases is made, -2 J before them is not regained by it") {
+TEST_CASE(
+    "the observer counts rises from release to release only: +3 J between two releases is made, -2 J before "
+    "them is not regained by it") {
   PassivityObserver observer;
   const Vec3 metre(1, 0, 0);
   observer.add({5, 0, 0}, metre, false);  // before the first release nothing is known

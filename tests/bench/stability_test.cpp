@@ -1,5 +1,5 @@
-// The stability claims: exact is true and sound in every scene, judged by the brute-force oracle; the other methods
-// fail where they are known to, and these failures are pinned as firmly.
+// The stability claims: exact is true and sound in every scene, judged by the brute-force oracle; the other
+// methods fail where they are known to, and these failures are pinned as firmly.
 #include "engine/bench/stability.h"
 
 #include <doctest/doctest.h>
@@ -31,7 +31,9 @@ constexpr double kNoEnergy_J = StabilityLimits().energy_J;
 
 }  // namespace
 
-TEST_CASE("exact comes through every scene in four draws: nothing off, no event, at most 1e-7 A deep, no force or energy of its own") {
+TEST_CASE(
+    "exact comes through every scene in four draws: nothing off, no event, at most 1e-7 A deep, no force or "
+    "energy of its own") {
   for (std::size_t draw = 0; draw < 4; ++draw)
     for (const StabilityScene& scene : drawnScenes(1, draw)) {
       const StabilityResult r = runScene(scene, *findMethod("exact"), {});
@@ -72,7 +74,9 @@ TEST_CASE("pressed straight onto one sphere, exact makes the energy of a plain w
   CHECK(pressed(*exact, 0) == doctest::Approx(on_wall).epsilon(0.01));
 }
 
-TEST_CASE("a run is the same to the last bit by itself and among all on every processor, and another draw is another") {
+TEST_CASE(
+    "a run is the same to the last bit by itself and among all on every processor, and another draw is "
+    "another") {
   const std::string name = "lattice, eight through a point";
   const auto figures = [](const StabilityResult& r) {
     return std::array{double(r.off), r.penetration_A, r.step_N, r.energy_J, r.loop_energy_J, r.jitter_mm};
@@ -93,17 +97,22 @@ TEST_CASE("a run is the same to the last bit by itself and among all on every pr
 TEST_CASE("a further draw turns scene and motion as a whole: all distances stay, no place does") {
   const StabilityScene scene = sceneNamed("crease, across"), other = turned(scene, 7);
   const double bond = glm::distance(scene.scene.balls[0].centre_A, scene.scene.balls[1].centre_A);
-  CHECK(glm::distance(other.scene.balls[0].centre_A, other.scene.balls[1].centre_A) == doctest::Approx(bond).epsilon(1e-12));
+  CHECK(glm::distance(other.scene.balls[0].centre_A, other.scene.balls[1].centre_A) ==
+        doctest::Approx(bond).epsilon(1e-12));
   for (std::size_t k = 0; k < scene.script.size(); k += 100) {
-    const Vec3 was = scene.script[k].place_A - scene.scene.balls[1].centre_A, is = other.script[k].place_A - other.scene.balls[1].centre_A;
+    const Vec3 was = scene.script[k].place_A - scene.scene.balls[1].centre_A,
+               is = other.script[k].place_A - other.scene.balls[1].centre_A;
     CHECK(glm::length(is) == doctest::Approx(glm::length(was)).epsilon(1e-9));
     CHECK(glm::distance(is, was) > 1e-3);
   }
 }
 
-TEST_CASE("the noise floor: with a probe 0.001 A smaller exact is off in under 1 % of ticks in every scene, and never for more than a moment's press") {
+TEST_CASE(
+    "the noise floor: with a probe 0.001 A smaller exact is off in under 1 % of ticks in every scene, and "
+    "never for more than a moment's press") {
   const Method& least = noiseFloor().front();
-  CHECK(least.make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.7}}), 1.4)->probe_A() == 1.4);
+  CHECK(least.make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.7}}), 1.4)->probe_A() ==
+        1.4);
   for (const StabilityScene& scene : drawnScenes(1, 1)) {
     const StabilityResult r = runScene(scene, least, {});
     CAPTURE(scene.name);
@@ -112,7 +121,9 @@ TEST_CASE("the noise floor: with a probe 0.001 A smaller exact is off in under 1
   }
 }
 
-TEST_CASE("the paper's algorithm loses the surface in fast passes and teleports, and jumps and makes energy when pressed deeper than a radius") {
+TEST_CASE(
+    "the paper's algorithm loses the surface in fast passes and teleports, and jumps and makes energy when "
+    "pressed deeper than a radius") {
   for (const char* scene : {"passes at 0.05 to 12 A a tick", "teleports"}) {
     const StabilityResult r = result(scene, "paper");
     CAPTURE(scene);
@@ -150,7 +161,8 @@ TEST_CASE(
 }
 
 TEST_CASE("force shading on 960 triangles takes the jumps away and makes energy instead") {
-  const StabilityResult flat = result("pit of three", "mesh960", 1), smooth = result("pit of three", "mesh960-smooth", 1);
+  const StabilityResult flat = result("pit of three", "mesh960", 1),
+                        smooth = result("pit of three", "mesh960-smooth", 1);
   CHECK(flat.jumps > 0);
   CHECK(flat.energy_J <= kNoEnergy_J);
   CHECK(smooth.jumps == 0);
@@ -162,7 +174,8 @@ TEST_CASE("a grid of 0.8 A closes a hole that is 0.05 A wider than the probe") {
   CHECK(result("ring, hole larger than the probe", "exact").stuck == 0);
 }
 
-TEST_CASE("penalties let the probe through a hole that is too narrow, and make no energy: they have a potential") {
+TEST_CASE(
+    "penalties let the probe through a hole that is too narrow, and make no energy: they have a potential") {
   CHECK(result("ring, hole smaller than the probe", "penalty").tunnelled > 0);
   CHECK(result("passes at 0.05 to 12 A a tick", "penalty").tunnelled > 0);
   for (const StabilityScene& scene : stabilityScenes(1)) {
