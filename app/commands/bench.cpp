@@ -5,13 +5,21 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/device_path.h"
 #include "engine/bench/charts.h"
 #include "engine/bench/feel.h"
+#include "engine/bench/felt.h"
+#include "engine/bench/hand_replay.h"
+#include "engine/bench/hip_paths.h"
+#include "engine/bench/many_threads.h"
 #include "engine/bench/report_table.h"
+#include "engine/bench/smaller_probe.h"
 #include "engine/bench/stability.h"
+#include "engine/bench/stiffness.h"
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off.h"
 #include "engine/molecule/catalogue.h"
+#include "engine/platform/folders.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 
@@ -24,6 +32,8 @@ namespace fs = std::filesystem;
 struct BenchArguments {
   std::string part = "all", json, csv, svg, docs, markdown;
   std::vector<std::string> methods;
+  std::vector<std::string> recordings;
+  std::string recording_molecule;
   bool quick = false;
   std::uint64_t seed = 1;
 };
@@ -33,6 +43,7 @@ struct Report {
   std::vector<ReportTable> tables;
   std::vector<ReportTable> excerpts;                          // parts of long tables, for the pages alone
   std::vector<std::pair<std::string, std::string>> pictures;  // file name, SVG
+  std::vector<std::pair<std::string, std::string>> sentences;  // marker's name, Markdown: what the tables say
 };
 
 class ProgressBar {
@@ -156,17 +167,93 @@ void addChart(const BenchArguments& arguments, const std::vector<const Method*>&
   report.pictures.push_back({"speed-and-accuracy.svg", tradeOffChart(points, options.spheres)});
 }
 
+// Right behind exact, for which they are the measure.
+std::vector<const Method*> withNoiseFloor(std::vector<const Method*> methods) {
+  auto at = methods.begin() + 1;
+  for (const Method& floor : noiseFloor()) at = methods.insert(at, &floor) + 1;
+  return methods;
+}
+
 void addStability(const BenchArguments& arguments, const std::vector<const Method*>& methods,
                   Report& report) {
   StabilityOptions options;
-  options.methods = methods;
+  options.methods = withNoiseFloor(methods);
   options.seed = arguments.seed;
-  options.stiffness = true;
+  options.draws = arguments.quick ? 2 : 30;
   const ProgressBar bar("stability");
   const auto results = measureStability(options, std::cref(bar));
-  report.tables.push_back(stabilityMatrix(results));
-  report.tables.push_back(stiffnessTable(results, stiffestStableOnWall(options.loop)));
+  const auto cells = stabilityCells(results);
+  report.tables.push_back(fidelityMatrix(cells));
+  report.tables.push_back(stabilityMatrix(cells));
+  report.tables.push_back(stabilitySummary(results));
   report.tables.push_back(stabilityFigures(results));
+  report.sentences.push_back({"stability_sentences", stabilitySentences(results)});
+  StiffnessOptions stiffness;
+  stiffness.methods = methods;
+  stiffness.directions = arguments.quick ? 1 : 12;
+  stiffness.seed = arguments.seed;
+  const auto limits = measureStiffness(stiffness, std::cref(bar));
+  report.excerpts.push_back(deviceTable(options.loop));
+  report.excerpts.push_back(stiffnessSetupsTable());
+  report.tables.push_back(stiffnessTable(limits));
+  report.tables.push_back(stiffnessFigures(limits));
+  report.sentences.push_back({"stiffness_sentences", stiffnessSentences(limits)});
+}
+
+void addFeel(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
+  const ProgressBar bar("feel");
+  bar(0, "");
+  report.tables.push_back(feelTable(measureFeel(methods)));
+  const auto scene = std::make_shared<const BallScene>(proteinLike(13'751, static_cast<unsigned>(arguments.seed)));
+  StrokePlan strokes = plan(arguments);
+  strokes.strokes /= 2;
+  const auto made = contactStrokes(scene, kWaterProbe_A, strokes);
+  const std::vector<const Method*> judged = withNoiseFloor(methods);
+  std::vector<Felt> felt(judged.size());
+  inManyThreads(
+      judged.size(), [&](std::size_t k) { felt[k] = feltOn("made strokes", *judged[k], scene, kWaterProbe_A, made); },
+      [&](std::size_t done) { bar(double(done) / double(judged.size()), ""); });
+  report.tables.push_back(feltTable("felt", "What a hand could tell, on " + std::to_string(made.size()) + " made strokes", felt));
+  report.sentences.push_back({"felt_sentences", feltSentences(felt)});
+}
+
+// A hand's way on its molecule; what lacks one is laid on `otherwise`.
+HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
+  auto path = openHandPath(file);
+  if (!path) throw CommandError{path.problem().text()};
+  HandOnMolecule hand;
+  hand.molecule = otherwise.empty() ? path->label("molecule") : otherwise;
+  if (hand.molecule.empty())
+    throw CommandError{Problem{file.string(), 0, 0, "it does not say on which molecule this hand went", "name one with --molecule"}.text()};
+  const auto molecule = openMolecule(hand.molecule);
+  if (!molecule) throw CommandError{molecule.problem().text()};
+  hand.scene = std::make_shared<const BallScene>(molecule->balls());
+  if (!path->label("balls").empty() && path->label("balls") != fingerprint(*hand.scene))
+    std::cerr << "moltact: " << file.string() << " was recorded on other balls than " << hand.molecule << " has here\n";
+  hand.path = laidOn(*path, *hand.scene, Workspace().A_per_mm);
+  return hand;
+}
+
+// What --recording names, else the recordings that come with the program.
+std::vector<fs::path> handFiles(const BenchArguments& arguments) {
+  std::vector<fs::path> out{arguments.recordings.begin(), arguments.recordings.end()};
+  std::error_code error;
+  if (out.empty())
+    for (const auto& entry : fs::directory_iterator(assetsFolder() / "hands", error))
+      if (entry.path().extension() == ".hand") out.push_back(entry.path());
+  if (arguments.recordings.empty()) std::sort(out.begin(), out.end());
+  return out;
+}
+
+void addHands(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
+  std::vector<HandOnMolecule> hands;
+  for (const fs::path& file : handFiles(arguments)) hands.push_back(handFrom(file, arguments.recording_molecule));
+  const ProgressBar bar("hands");
+  const auto replays = replayHands(hands, withNoiseFloor(methods), methods, arguments.quick ? 0.02 : 0.2, std::cref(bar));
+  report.tables.push_back(handsTable(replays));
+  report.tables.push_back(handsFeltTable(replays));
+  report.tables.push_back(handsFigures(replays));
+  report.sentences.push_back({"hands_sentences", feltSentences(feltOverAll(replays))});
 }
 
 // Writes the tables between their markers in every page of the folder that has such markers.
@@ -181,6 +268,8 @@ void updatePages(const fs::path& folder, const Report& report) {
     for (const auto* tables : {&report.tables, &report.excerpts})
       for (const ReportTable& t : *tables)
         after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
+    for (const auto& [name, text] : report.sentences)
+      after = replacedBetweenMarkers(after, name, '\n' + text + '\n');
     if (after != before) write(page, after);
   }
   for (const auto& [name, svg] : report.pictures) write(folder / "pictures" / name, svg);
@@ -194,11 +283,12 @@ void run(const BenchArguments& arguments) {
   Report report;
   if (all || arguments.part == "tables") addTables(arguments, methods, report);
   if (all || arguments.part == "chart") addChart(arguments, methods, report);
-  if (all || arguments.part == "feel") report.tables.push_back(feelTable(measureFeel(methods)));
+  if (all || arguments.part == "feel") addFeel(arguments, methods, report);
+  if (all || arguments.part == "hands") addHands(arguments, methods, report);
   if (all || arguments.part == "stability") addStability(arguments, methods, report);
 
   for (const ReportTable& t : report.tables)
-    if (t.name != "stability_figures" || !all) out() << Lines{toConsole(t)} << '\n';
+    if (!t.name.ends_with("_figures")) out() << Lines{toConsole(t)} << '\n';  // thousands of rows: for --csv and --json
   const std::string command = "moltact bench " + arguments.part + (arguments.quick ? " --quick" : "") +
                               " --seed " + std::to_string(arguments.seed);
   if (!arguments.json.empty()) write(arguments.json, toJson(report.tables, command));
@@ -222,21 +312,30 @@ void addBench(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
   CLI::App* command =
       app.add_subcommand("bench", "Measure speed, accuracy, feel and stability of every method");
-  command->add_option("part", arguments->part, "tables, chart, feel, stability or all")
+  command->add_option("part", arguments->part, "tables, chart, feel, hands, stability or all")
       ->capture_default_str()
-      ->check(CLI::IsMember({"tables", "chart", "feel", "stability", "all"}));
+      ->check(CLI::IsMember({"tables", "chart", "feel", "hands", "stability", "all"}));
   command->add_flag("--quick", arguments->quick,
                     "A minute instead of a quarter of an hour; the figures are rougher");
   command
       ->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")
       ->delimiter(',');
+  command->add_option("--recording", arguments->recordings,
+                      "Recorded hands instead of those that come with the program, with the part hands alone: a .trace, "
+                      "or rows of numbers (docs/hands.md)");
+  command->add_option("--molecule", arguments->recording_molecule, "The molecule that these hands go over, where the file does not say");
   command->add_option("--seed", arguments->seed, "Of the scenes and motions")->capture_default_str();
   command->add_option("--json", arguments->json, "Write all tables to this file");
   command->add_option("--csv", arguments->csv, "Write each table to a file in this folder");
   command->add_option("--svg", arguments->svg, "Write the charts to this folder");
   command->add_option("--markdown", arguments->markdown, "Write all tables to this page");
   command->add_option("--docs", arguments->docs, "Renew the tables and charts of the pages in this folder");
-  command->callback([arguments] { run(*arguments); });
+  command->callback([arguments] {
+    // Other hands are nobody's pages.
+    if (!arguments->recordings.empty() && arguments->part == "all") arguments->part = "hands";
+    if (!arguments->recordings.empty() && !arguments->docs.empty()) throw CLI::ExcludesError("--recording", "--docs");
+    run(*arguments);
+  });
 }
 
 }  // namespace moltact

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands/command.h"
+#include "app/commands/device_path.h"
 #include "app/commands/device_recording.h"
 #include "app/commands/number_range.h"
 #include "engine/device/driver.h"
@@ -124,6 +125,7 @@ void addDevice(CLI::App& app) {
   checks->callback([options] { check(*options); });
 
   addDeviceRecording(*command);
+  addDevicePath(*command);
 }
 
 }  // namespace moltact

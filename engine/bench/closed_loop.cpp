@@ -17,7 +17,9 @@ ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& cont
 ClosedLoop::ClosedLoop(const LoopSettings& settings, PointA start)
     : settings_(settings),
       device_(settings.device, settings.hand, settings.workspace.toDevice(start)),
-      place_mm_(device_.position().mm) {}
+      place_mm_(device_.position().mm) {
+  observer_.release();
+}
 
 LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   LoopTick out;
@@ -36,13 +38,10 @@ LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   out.force = command_;
   device_.tick(kind == TickKind::Late ? before : command_, settings_.workspace.toDevice(target));
 
-  // The store of the spring that the held force belongs to, at the place the device has come to.
   const double k = 1e3 * settings_.stiffness_N_per_mm;
   const Vec3 here = device_.position().mm;
-  const PointMm scp = settings_.workspace.toDevice(last_.scp);
-  const double stretch_m = last_.touching() ? 1e-3 * glm::distance(scp.mm, here) : 0.0;
   const Vec3 moved_m = 1e-3 * (here - place_mm_);
-  observer_.add(device_.held().N, moved_m, 0.5 * k * stretch_m * stretch_m);
+  observer_.add(device_.held().N, moved_m, !last_.touching() && device_.held().N == Vec3(0));
 
   // The held force is that of a place as far off as the device has moved since it was read, and of the
   // rounding.

@@ -2,8 +2,8 @@
 // person. Units: angstrom in the molecule, millimetre and newton at the hand, joule.
 #pragma once
 
-#include "engine/device/device_model.h"
 #include "engine/bench/passivity_observer.h"
+#include "engine/device/device_model.h"
 #include "engine/haptics/tracker.h"
 
 namespace moltact::bench {
@@ -43,8 +43,8 @@ class ClosedLoop {
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }
 
-  /// Energy that came out of nothing at the device: the method's and what sampling, delay and rounding add
-  /// (unit: J).
+  /// Energy that came out of nothing at the device between two releases: the method's and what sampling,
+  /// delay and rounding add (unit: J).
   double made_J() const { return observer_.made_J(); }
 
   /// The most that sampling, delay and rounding could have made with any surface whose force changes by no

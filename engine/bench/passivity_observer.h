@@ -1,13 +1,15 @@
 // A passivity observer after Hannaford & Ryu (2002): how much energy a virtual thing has given that it never
 // got. Units: joule, newton, metre. Plain arithmetic, usable on every thread.
 //
-// Absorbed energy is -sum(F . dx), F the force on the device. A spring gives back what it has stored, so the
-// energy made out of nothing is the greatest rise of (stored - absorbed) over its lowest value so far: a
-// passive thing lets it only fall. Without a known store (stored = 0 whenever nothing touches) the observer
-// is the published one at each release.
+// It needs no model of what the thing stores: at a release, a moment with neither contact nor force, nothing
+// is stored whatever the method is. What the thing has given to the device by then, sum(F . dx), F the force
+// on the device, may only fall from one release to a later one if it is passive; the greatest rise is energy
+// made out of nothing. Between releases nothing is judged: what looks like a gain there may be a store that
+// only the method knows, such as the sum over all balls of a penalty.
 #pragma once
 
 #include <algorithm>
+#include <limits>
 
 #include "engine/core/units.h"
 
@@ -15,19 +17,22 @@ namespace moltact::bench {
 
 class PassivityObserver {
  public:
-  /// One tick: the force on the device while it moved, and what the spring holds afterwards.
-  void add(const Vec3& force_N, const Vec3& moved_m, double stored_J) {
-    absorbed_ -= glm::dot(force_N, moved_m);
-    const double balance = stored_J - absorbed_;
-    lowest_ = std::min(lowest_, balance);
-    made_ = std::max(made_, balance - lowest_);
+  /// One move: the mean force on the device during it, and whether all is released at its end.
+  void add(const Vec3& force_N, const Vec3& moved_m, bool released) {
+    given_ += glm::dot(force_N, moved_m);
+    if (released) release();
   }
 
-  double absorbed_J() const { return absorbed_; }
+  /// The thing is released where it stands, before the first move.
+  void release() {
+    lowest_ = std::min(lowest_, given_);
+    made_ = std::max(made_, given_ - lowest_);
+  }
+
   double made_J() const { return made_; }
 
  private:
-  double absorbed_ = 0, lowest_ = 0, made_ = 0;
+  double given_ = 0, lowest_ = std::numeric_limits<double>::infinity(), made_ = 0;
 };
 
 }  // namespace moltact::bench

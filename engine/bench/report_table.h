@@ -27,6 +27,12 @@ struct ReportTable {
 /// Three significant digits, thousands set apart, 1e-13 where small: for people, not for programs.
 std::string readable(double value);
 
+/// A constant as it is written in the code: 0.05, 18.4, 7.
+std::string constant(double value);
+
+/// "a, b and c"; "none" of none.
+std::string listed(const std::vector<std::string>& names);
+
 std::string toConsole(const ReportTable& table);
 std::string toMarkdown(const ReportTable& table);
 

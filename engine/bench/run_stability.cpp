@@ -3,22 +3,14 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/bench/many_threads.h"
 #include "engine/bench/oracle.h"
-#include "engine/bench/plain_wall.h"
+#include "engine/bench/path_energy.h"
 #include "engine/bench/right_answer.h"
 #include "engine/bench/stability.h"
 
 namespace moltact::bench {
 namespace {
-
-// Shaking at 200 Hz that stays under this speed moves the hand by less than 0.01 mm, which no finger feels.
-constexpr double kRest_m_per_s = 0.006;
-
-Vec3 middleOf(const scenes::Scene& scene) {
-  Vec3 low(1e300), high(-1e300);
-  for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
-  return 0.5 * (low + high);
-}
 
 // Peak to peak about the straight line through the places: against friction a hand settles slowly, and that
 // is no shaking.
@@ -40,8 +32,9 @@ double shaking_mm(const std::vector<Vec3>& places) {
 // Collects what a tick shows.
 class Judge {
  public:
-  Judge(const StabilityScene& scene, const Method& method, const LoopSettings& loop)
-      : loop_(loop), check_jump_(scene.jump), check_energy_(scene.energy) {
+  Judge(const StabilityScene& scene, const Method& method, const LoopSettings& loop,
+        const StabilityLimits& limits)
+      : loop_(loop), limits_(limits), check_jump_(scene.jump) {
     out_.scene = scene.name;
     out_.method = &method;
   }
@@ -52,41 +45,39 @@ class Judge {
       ++out_.broken;
       return;
     }
-    const double inside = oracle::deepest(now.balls, now.probe_A, hip);
-    if (c.touching())
-      out_.penetration_A = std::max(out_.penetration_A, oracle::deepest(now.balls, now.probe_A, c.scp.A));
-    if (right.known) {
-      const double held_away = right.touching ? glm::distance(right.scp_A, hip) : 0.0;
-      out_.contact_ticks += right.touching;
-      const bool behind = right.touching && !c.touching() && inside <= 0 && held_away > 0.5;
+    if (c.touching()) {
+      const double deep = oracle::deepest(now.balls, now.probe_A, c.scp.A);
+      out_.penetration_A = std::max(out_.penetration_A, deep);
+      out_.sunk += deep > limits_.place_A;
+    }
+    if (right.known && (right.touching || c.touching())) {
+      const Vec3 place = c.touching() ? c.scp.A : hip, right_place = right.touching ? right.scp_A : hip;
+      const double held_away = glm::distance(right_place, hip);
+      ++out_.contact_ticks;
+      out_.off += glm::distance(place, right_place) > limits_.place_A;
+      const bool inside = !c.touching() && oracle::deepest(now.balls, now.probe_A, hip) > 0;
+      const bool behind = right.touching && !c.touching() && !inside && held_away > kBehind_A;
       out_.tunnelled += behind && !behind_;
       behind_ = behind;
-      out_.lost += right.touching && !c.touching() && inside > 0 && held_away > 0.02;
-      out_.stuck += !right.touching && c.touching() && glm::distance(c.scp.A, hip) > 0.2;
-      out_.astray += right.touching && c.touching() && glm::distance(c.scp.A, right.scp_A) > 0.5;
+      out_.lost += right.touching && !c.touching() && inside && held_away > limits_.place_A;
+      out_.stuck += !right.touching && glm::distance(place, hip) > limits_.place_A;
+    } else {
+      behind_ = false;
     }
     force_.push_back(springForce(loop_, {hip}, c, loop_.device.max_force_N).N);
     Contact ideal;
     ideal.scp.A = right.scp_A;
     ideal.feature = right.touching ? Feature::Sphere : Feature::Free;
     right_force_.push_back(springForce(loop_, {hip}, ideal, loop_.device.max_force_N).N);
-
-    const ForceN full = springForce(loop_, {hip}, c, std::numeric_limits<double>::infinity());
-    const double k = 1e3 * loop_.stiffness_N_per_mm;
-    if (out_.ticks > 1) {
-      const Vec3 moved_m =
-          1e-3 * (loop_.workspace.toDevice({hip}).mm - loop_.workspace.toDevice({last_hip_}).mm);
-      const double stored = glm::dot(full.N, full.N) / (2 * k);
-      energy_.add(0.5 * (full.N + last_full_), moved_m, stored);
-    }
-    last_full_ = full.N;
-    last_hip_ = hip;
+    path_.push_back(hip);
   }
 
   // The tracker begins anew: what it was is no part of what it is.
   void cut() { cuts_.push_back(force_.size()); }
 
-  StabilityResult result(double loop_energy_J, double sampling_J, const std::vector<Vec3>& held_mm) {
+  const scenes::Path& path() const { return path_; }
+
+  StabilityResult result(const std::vector<Vec3>& held_mm) {
     const auto step = [](const std::vector<Vec3>& f, std::size_t k) { return glm::distance(f[k], f[k - 1]); };
     for (std::size_t k = 1; k < force_.size(); ++k) {
       out_.step_N = std::max(out_.step_N, step(force_, k));
@@ -94,33 +85,36 @@ class Judge {
       double true_step = 0;
       for (std::size_t j = std::max<std::size_t>(k, 3) - 2; j <= std::min(k + 2, force_.size() - 1); ++j)
         true_step = std::max(true_step, step(right_force_, j));
-      out_.step_over_N = std::max(out_.step_over_N, step(force_, k) - true_step);
+      const double over = step(force_, k) - true_step;
+      out_.step_over_N = std::max(out_.step_over_N, over);
+      out_.jumps += over > limits_.step_over_N;
     }
     out_.jitter_mm = shaking_mm(held_mm);
-    if (check_energy_)
-      out_.energy_J = energy_.made_J(), out_.loop_energy_J = loop_energy_J, out_.sampling_J = sampling_J;
     return out_;
   }
 
  private:
+  static constexpr double kBehind_A = 0.5;
+
   LoopSettings loop_;
-  bool check_jump_, check_energy_, behind_ = false;
+  StabilityLimits limits_;
+  bool check_jump_, behind_ = false;
   StabilityResult out_;
-  PassivityObserver energy_;
-  Vec3 last_full_{0.0}, last_hip_{0.0};
+  scenes::Path path_;
   std::vector<Vec3> force_, right_force_;
   std::vector<std::size_t> cuts_;
 };
 
 }  // namespace
 
-StabilityResult runScene(const StabilityScene& scene, const Method& method, const LoopSettings& settings) {
+StabilityResult runScene(const StabilityScene& scene, const Method& method, const LoopSettings& settings,
+                         const StabilityLimits& limits) {
   LoopSettings loop = settings;
   loop.workspace.centre_A = middleOf(scene.scene);
   scenes::Scene now = scene.scene;
   auto tracker = method.make(std::make_shared<const BallScene>(now.balls), now.probe_A);
   RightAnswer right(now, method.name == "exact");
-  Judge judge(scene, method, loop);
+  Judge judge(scene, method, loop, limits);
   ClosedLoop device(loop, {scene.script.front().place_A});
   std::vector<Vec3> held_mm;
 
@@ -154,61 +148,37 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
     judge.tick(now, tick.hip.A, tick.contact, right.step(tick.hip.A, tick.contact));
     if (k + scene.held_ticks / 2 >= scene.script.size()) held_mm.push_back(device.device().position().mm);
   }
-  return judge.result(device.made_J(), device.samplingBound_J(),
-                      scene.hand && scene.held_ticks ? held_mm : std::vector<Vec3>{});
-}
-
-double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make,
-                      const StabilityScene::Press& press, LoopSettings loop) {
-  loop.hand = {100, 2};
-  loop.workspace.centre_A = press.from;
-  const auto rests = [&](double stiffness) {
-    loop.stiffness_N_per_mm = stiffness;
-    ClosedLoop device(loop, {press.from});
-    const auto tracker = make();
-    double fastest_m_per_s = 0;
-    std::size_t touching = 0;
-    constexpr int kTicks = 1600, kIn = 300, kStruck = 600, kWatched = 400;
-    for (int k = 0; k < kTicks; ++k) {
-      const Vec3 target = press.from + (press.to - press.from) * std::min(1.0, double(k) / kIn);
-      if (k == kStruck) device.device().strike(glm::normalize(press.to - press.from) * 0.004);
-      const LoopTick tick = device.tick(*tracker, {target});
-      if (k < kTicks - kWatched) continue;
-      fastest_m_per_s = std::max(fastest_m_per_s, glm::length(device.device().velocity_m_per_s()));
-      touching += tick.contact.touching();
-    }
-    return touching > kWatched / 2 && fastest_m_per_s < kRest_m_per_s;
-  };
-  double stable = 0.02, unstable = 20;
-  if (!rests(stable)) return 0;
-  if (rests(unstable)) return unstable;
-  while (unstable / stable > 1.03) {
-    const double middle = std::sqrt(stable * unstable);
-    (rests(middle) ? stable : unstable) = middle;
+  StabilityResult out = judge.result(scene.hand && scene.held_ticks ? held_mm : std::vector<Vec3>{});
+  if (scene.energy) {
+    out.energy_J = madeOverClosedPath(
+        [&] {
+          return method.make(std::make_shared<const BallScene>(scene.scene.balls), scene.scene.probe_A);
+        },
+        scene.scene, judge.path(), loop);
+    out.loop_energy_J = device.made_J();
+    out.sampling_J = device.samplingBound_J();
   }
-  return stable;
-}
-
-double stiffestStableOnWall(const LoopSettings& loop) {
-  return stiffestStable([] { return std::make_unique<PlainWall>(); }, {{0, 0, 0.3}, {0, 0, -1}}, loop);
+  return out;
 }
 
 std::vector<StabilityResult> measureStability(const StabilityOptions& options, const Progress& progress) {
-  const std::vector<StabilityScene> scenes = stabilityScenes(options.seed);
-  std::vector<StabilityResult> out;
-  const double all = double(scenes.size() * options.methods.size());
-  for (const StabilityScene& scene : scenes)
-    for (const Method* method : options.methods) {
-      if (progress) progress(double(out.size()) / all, scene.name);
-      StabilityResult one = runScene(scene, *method, options.loop);
-      if (options.stiffness && scene.press) {
-        const auto balls = std::make_shared<const BallScene>(scene.scene.balls);
-        one.stiffest_N_per_mm = stiffestStable([&] { return method->make(balls, scene.scene.probe_A); },
-                                               *scene.press, options.loop);
-      }
-      out.push_back(std::move(one));
-    }
-  if (progress) progress(1, "");
+  std::vector<std::vector<StabilityScene>> drawn;
+  for (std::size_t draw = 0; draw < options.draws; ++draw) drawn.push_back(drawnScenes(options.seed, draw));
+  if (drawn.empty()) return {};
+  const std::size_t scenes = drawn.front().size(), methods = options.methods.size();
+  std::vector<StabilityResult> out(scenes * methods * options.draws);
+  inManyThreads(
+      out.size(),
+      [&](std::size_t k) {
+        const std::size_t draw = k % options.draws, method = k / options.draws % methods,
+                          scene = k / options.draws / methods;
+        out[k] = runScene(drawn[draw][scene], *options.methods[method], options.loop, options.limits);
+        out[k].draw = draw;
+      },
+      [&](std::size_t done) {
+        const std::size_t scene = std::min(done, out.size() - 1) / options.draws / methods;
+        if (progress) progress(double(done) / double(out.size()), drawn.front()[scene].name);
+      });
   return out;
 }
 

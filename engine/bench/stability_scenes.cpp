@@ -4,8 +4,6 @@
 #include <numbers>
 
 #include "engine/bench/script.h"
-#include "engine/haptics/exact/exact_tracker.h"
-#include "engine/haptics/sweep.h"
 
 namespace moltact::bench {
 namespace {
@@ -47,7 +45,6 @@ std::vector<StabilityScene> creases() {
                      .hold(kHeld)
                      .ticks;
   along.held_ticks = kHeld;
-  along.press = {{middle + kY * (r + 0.3), middle + kY * (r - 1.0)}};
 
   StabilityScene across{"crease, across", "Does the SCP pass from sphere to circle to sphere without a jump?",
                         bond};
@@ -73,7 +70,6 @@ StabilityScene pit() {
                    .hold(kHeld)
                    .ticks;
   out.held_ticks = kHeld;
-  out.press = {{bottom + kZ * 0.3, bottom - kZ}};
   return out;
 }
 
@@ -265,27 +261,6 @@ StabilityScene swapped() {
   return out;
 }
 
-// Where the scene's own motion presses deepest, but by no more than is pressed here: from 0.3 A outside to 1 A under.
-std::optional<StabilityScene::Press> pressOf(const StabilityScene& s) {
-  const auto balls = std::make_shared<const BallScene>(s.scene.balls);
-  ExactTracker tracker(balls, s.scene.probe_A);
-  std::optional<StabilityScene::Press> out;
-  double deepest = 0.05;
-  for (const StabilityTick& t : s.script) {
-    if (t.reset) tracker.reset();
-    if (t.swap) break;
-    const Contact c = tracker.step({t.place_A});
-    const Vec3 pull = c.scp.A - t.place_A;
-    const double depth = glm::length(pull);
-    if (!c.touching() || depth <= deepest || depth > 1.0) continue;
-    const Vec3 from = c.scp.A + pull * (0.3 / depth);
-    if (clearance(*balls, s.scene.probe_A, from) <= 0.0) continue;
-    deepest = depth;
-    out = {from, c.scp.A - pull / depth};
-  }
-  return out;
-}
-
 }  // namespace
 
 std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
@@ -318,9 +293,36 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
       scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
   out.push_back(walked("a million A from the origin", "Do digits run out far from the origin?",
                        std::move(far), seed + 10));
-  for (StabilityScene& one : out)
-    if (!one.press) one.press = pressOf(one);
   return out;
+}
+
+StabilityScene turned(StabilityScene scene, std::uint64_t seed) {
+  scenes::Random random(seed);
+  const Vec3 z = random.direction(), x = glm::normalize(glm::cross(z, random.direction())),
+             y = glm::cross(z, x);
+  const Vec3 middle = middleOf(scene.scene);
+  const auto turn = [&](Vec3& place) {
+    const Vec3 p = place - middle;
+    place = middle + x * p.x + y * p.y + z * p.z;
+  };
+  for (Ball& b : scene.scene.balls) turn(b.centre_A);
+  if (scene.second)
+    for (Ball& b : scene.second->balls) turn(b.centre_A);
+  for (StabilityTick& t : scene.script) turn(t.place_A);
+  return scene;
+}
+
+std::vector<StabilityScene> drawnScenes(std::uint64_t seed, std::size_t draw) {
+  if (draw == 0) return stabilityScenes(seed);
+  std::vector<StabilityScene> out = stabilityScenes(seed + draw);
+  for (std::size_t k = 0; k < out.size(); ++k) out[k] = turned(std::move(out[k]), 1000 * (seed + draw) + k);
+  return out;
+}
+
+Vec3 middleOf(const scenes::Scene& scene) {
+  Vec3 low(1e300), high(-1e300);
+  for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
+  return 0.5 * (low + high);
 }
 
 }  // namespace moltact::bench

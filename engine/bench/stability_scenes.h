@@ -30,15 +30,19 @@ struct StabilityScene {
   bool jump = true;            ///< so has the step of the force against the true surface's
   std::size_t held_ticks = 0;  ///< at the end the hand is held for so long, for the residual jitter
   std::vector<StabilityTick> script{};
-
-  /// For the greatest stable stiffness: press from here to there and hold; nothing where nothing can be pressed.
-  struct Press {
-    Vec3 from{0.0}, to{0.0};
-  };
-  std::optional<Press> press{};
 };
 
 /// All scenes, in the order of the matrix.
 std::vector<StabilityScene> stabilityScenes(std::uint64_t seed);
+
+/// Scene and motion turned as a whole round the middle of the scene, in a way that the seed draws: sensor,
+/// grid and triangles then lie otherwise, the question stays the same.
+StabilityScene turned(StabilityScene scene, std::uint64_t seed);
+
+/// Draw 0 is the scenes as they are written; each further one has its random walks drawn anew and is turned.
+std::vector<StabilityScene> drawnScenes(std::uint64_t seed, std::size_t draw);
+
+/// The middle of the box round a scene's centres.
+Vec3 middleOf(const scenes::Scene& scene);
 
 }  // namespace moltact::bench

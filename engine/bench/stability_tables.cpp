@@ -1,117 +1,245 @@
 // The tables of stability.h.
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 
 #include "engine/bench/stability.h"
 
 namespace moltact::bench {
 namespace {
 
-template <class T, class Key>
-std::vector<T> inOrder(const std::vector<StabilityResult>& results, Key key) {
+constexpr double kPer = 10'000;  // ticks of contact that events are counted in
+
+template <class T, class Rows, class Key>
+std::vector<T> inOrder(const Rows& rows, Key key) {
   std::vector<T> out;
-  for (const StabilityResult& r : results)
+  for (const auto& r : rows)
     if (std::find(out.begin(), out.end(), key(r)) == out.end()) out.push_back(key(r));
   return out;
 }
 
-}  // namespace
-
-std::string failures(const StabilityResult& r, const StabilityLimits& limits) {
-  std::string out;
-  if (r.broken) out += 'N';
-  if (r.tunnelled) out += 'T';
-  if (r.lost) out += 'L';
-  if (r.stuck) out += 'H';
-  if (r.penetration_A > limits.penetration_A) out += 'P';
-  if (r.step_over_N > limits.step_over_N) out += 'J';
-  if (r.jitter_mm > limits.jitter_mm) out += 'R';
-  if (r.energy_J > limits.energy_J) out += 'E';
-  return out;
+std::string fixed(double value, int digits) {
+  char text[40];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
 }
 
-ReportTable stabilityMatrix(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
-  ReportTable t{
-      "stability_matrix",
-      "Where methods fail",
-      {{"scene", "scene"}},
-      {},
-      "T tunnelling; L contact lost; H held where nothing is; P the SCP sinks into a sphere by more than " +
-          readable(limits.penetration_A) + " A; J the force jumps by " + readable(limits.step_over_N) +
-          " N more than the true surface's; R the held device shakes by over " + readable(limits.jitter_mm) +
-          " mm; E energy over " + readable(limits.energy_J) +
-          " J made; N an answer that is no number; . sound."};
-  const auto methods = inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; });
+// Two digits are as much as thirty draws bear.
+std::string brief(double value) {
+  return value < 0.005 ? "<0.01" : fixed(value, value >= 9.95 ? 0 : value >= 0.95 ? 1 : 2);
+}
+
+std::string withInterval(const MeanOf& m) {
+  if (m.mean == 0) return "0";
+  if (m.mean < 0.005) return "<0.01";
+  return brief(m.mean) + " ± " + fixed(m.half_width, m.mean >= 9.95 ? 0 : m.mean >= 0.95 ? 1 : 2);
+}
+
+std::string events(const StabilityCell& c) {
+  std::string out;
+  const auto add = [&](char letter, double many, std::size_t draws) {
+    if (!draws) return;
+    out += out.empty() ? "" : ", ";
+    out += std::string(1, letter) + ' ' + brief(many) + " (" + std::to_string(draws) + ')';
+  };
+  add('N', c.broken, c.with_broken);
+  add('T', c.tunnelled, c.with_tunnel);
+  add('J', c.jumps, c.with_jump);
+  add('R', c.jitter_mm, c.with_jitter);
+  add('E', 1e6 * c.energy_J, c.with_energy);
+  return out.empty() ? "." : out;
+}
+
+ReportTable matrix(const std::vector<StabilityCell>& cells, ReportTable t,
+                   std::string (*text)(const StabilityCell&)) {
+  const auto methods = inOrder<const Method*>(cells, [](const StabilityCell& c) { return c.method; });
+  t.columns = {{"scene", "scene"}};
   for (const Method* m : methods) t.columns.push_back({std::string(m->name), std::string(m->name)});
   for (const std::string& scene :
-       inOrder<std::string>(results, [](const StabilityResult& r) { return r.scene; })) {
+       inOrder<std::string>(cells, [](const StabilityCell& c) { return c.scene; })) {
     std::vector<Cell> row(methods.size() + 1);
     row[0] = scene;
-    for (const StabilityResult& r : results) {
-      if (r.scene != scene) continue;
-      const std::string letters = failures(r, limits);
-      row[1 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] =
-          letters.empty() ? "." : letters;
-    }
+    for (const StabilityCell& c : cells)
+      if (c.scene == scene)
+        row[1 + std::size_t(std::find(methods.begin(), methods.end(), c.method) - methods.begin())] = text(c);
     t.rows.push_back(std::move(row));
   }
   return t;
 }
 
-ReportTable stabilityFigures(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
-  ReportTable t{"stability_figures",
-                "Every figure of the stability scenes",
-                {{"scene", "scene"},
-                 {"method", "method"},
-                 {"failures", "failures"},
-                 {"ticks", "ticks"},
-                 {"contact_ticks", "in contact"},
+}  // namespace
+
+std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results,
+                                          const StabilityLimits& limits) {
+  std::vector<StabilityCell> out;
+  std::vector<double> off;
+  double contact = 0, tunnelled = 0, jumps = 0, broken = 0;
+  for (std::size_t k = 0; k < results.size(); ++k) {
+    const StabilityResult& r = results[k];
+    if (out.empty() || out.back().scene != r.scene || out.back().method != r.method) {
+      out.push_back({.scene = r.scene, .method = r.method, .off_percent = {}});
+      off.clear();
+      contact = tunnelled = jumps = broken = 0;
+    }
+    StabilityCell& c = out.back();
+    ++c.draws;
+    off.push_back(r.contact_ticks ? 100.0 * double(r.off) / double(r.contact_ticks) : 0.0);
+    contact += double(r.contact_ticks);
+    tunnelled += double(r.tunnelled);
+    jumps += double(r.jumps);
+    broken += double(r.broken);
+    c.with_tunnel += r.tunnelled > 0;
+    c.with_jump += r.jumps > 0;
+    c.with_broken += r.broken > 0;
+    c.with_jitter += r.jitter_mm > limits.jitter_mm;
+    c.with_energy += r.energy_J > limits.energy_J;
+    c.jitter_mm = std::max(c.jitter_mm, r.jitter_mm);
+    c.energy_J += r.energy_J;
+    const bool last =
+        k + 1 == results.size() || results[k + 1].scene != r.scene || results[k + 1].method != r.method;
+    if (!last) continue;
+    c.off_percent = meanOf(off);
+    const double share = contact > 0 ? kPer / contact : 0;
+    c.tunnelled = tunnelled * share, c.jumps = jumps * share, c.broken = broken * share;
+    c.energy_J /= double(c.draws);
+  }
+  return out;
+}
+
+ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits) {
+  const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
+  return matrix(cells,
+                {"fidelity_matrix",
+                 "How true: ticks in contact whose SCP is off (%)",
+                 {},
+                 {},
+                 "Off: more than " + constant(limits.place_A) + " A from the right place. Mean of " +
+                     std::to_string(draws) +
+                     " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 "
+                     "are exact with a probe smaller "
+                     "by so many angstroms: what they miss no method can be blamed for."},
+                [](const StabilityCell& c) { return withInterval(c.off_percent); });
+}
+
+ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits) {
+  const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
+  return matrix(
+      cells,
+      {"stability_matrix",
+       "How stable: events, and in how many draws",
+       {},
+       {},
+       "In brackets: in how many of " + std::to_string(draws) +
+           " draws. T times tunnelled and J force jumps of over " + constant(limits.step_over_N) +
+           " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
+           "closed path (uJ; counted as an event over " +
+           constant(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
+           constant(limits.jitter_mm) +
+           " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none, which with 95 % "
+           "confidence is a chance of under " +
+           brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % a draw."},
+      &events);
+}
+
+ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
+  ReportTable t{"stability_summary",
+                "All scenes and draws together",
+                {{"method", "method"},
+                 {"off_percent", "off (%)"},
+                 {"off_half_width", "± (%)"},
+                 {"sunk_percent", "sunk (%)"},
+                 {"lost_percent", "contact lost (%)"},
+                 {"stuck_percent", "held on nothing (%)"},
+                 {"penetration_A", "deepest (A)"},
                  {"tunnelled", "tunnelled"},
-                 {"lost", "lost"},
-                 {"stuck", "held on nothing"},
-                 {"astray", "astray"},
-                 {"penetration_A", "penetration (A)"},
-                 {"step_N", "step (N)"},
-                 {"step_over_N", "over the true (N)"},
-                 {"jitter_mm", "jitter (mm)"},
-                 {"energy_J", "energy made (J)"},
-                 {"loop_energy_J", "in the loop (J)"},
-                 {"sampling_J", "sampling bound (J)"},
-                 {"stiffest_N_per_mm", "stiffest (N/mm)"}},
+                 {"jumps", "jumps"},
+                 {"jitter_mm", "most shaking (mm)"},
+                 {"energy_J", "most energy (J)"},
+                 {"unsound", "runs with an event (%)"}},
                 {},
-                ""};
-  for (const StabilityResult& r : results) {
-    t.rows.push_back({r.scene, std::string(r.method->name), failures(r, limits), double(r.ticks),
-                      double(r.contact_ticks), double(r.tunnelled), double(r.lost), double(r.stuck),
-                      double(r.astray), std::max(0.0, r.penetration_A), r.step_N, r.step_over_N, r.jitter_mm,
-                      r.energy_J, r.loop_energy_J, r.sampling_J, Cell{}});
-    if (r.stiffest_N_per_mm) t.rows.back().back() = *r.stiffest_N_per_mm;
+                "Shares are of ticks in contact; \"off\" is the mean over scenes with the 95 % interval over "
+                "draws, sunk, lost and held on "
+                "nothing are parts of it. Tunnelled and jumps: times in 10 000 ticks of contact. A run is "
+                "one scene in one draw; "
+                "events are those of the table above."};
+  const auto cells = stabilityCells(results, limits);
+  for (const Method* m : inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; })) {
+    double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0,
+           energy = 0;
+    std::size_t runs = 0, unsound = 0, scenes = 0;
+    std::vector<double> by_draw;
+    for (const StabilityResult& r : results) {
+      if (r.method != m) continue;
+      if (r.draw >= by_draw.size()) by_draw.resize(r.draw + 1);
+      by_draw[r.draw] += r.contact_ticks ? 100.0 * double(r.off) / double(r.contact_ticks) : 0.0;
+      scenes += r.draw == 0;
+      contact += double(r.contact_ticks), sunk += double(r.sunk), lost += double(r.lost),
+          stuck += double(r.stuck);
+      tunnelled += double(r.tunnelled), jumps += double(r.jumps);
+      deep = std::max(deep, r.penetration_A), jitter = std::max(jitter, r.jitter_mm),
+      energy = std::max(energy, r.energy_J);
+      ++runs;
+      unsound += r.broken || r.tunnelled || r.jumps || r.jitter_mm > limits.jitter_mm ||
+                 r.energy_J > limits.energy_J;
+    }
+    for (double& one : by_draw) one /= double(std::max<std::size_t>(scenes, 1));
+    const MeanOf off = meanOf(by_draw);
+    const double per = contact > 0 ? 1 / contact : 0;
+    t.rows.push_back({std::string(m->name), off.mean, off.half_width, 100 * sunk * per, 100 * lost * per,
+                      100 * stuck * per, deep, kPer * tunnelled * per, kPer * jumps * per, jitter, energy,
+                      100.0 * double(unsound) / double(runs)});
   }
   return t;
 }
 
-ReportTable stiffnessTable(const std::vector<StabilityResult>& results, double wall_N_per_mm) {
-  ReportTable t{"stiffness",
-                "The greatest stiffness that stays stable (N/mm)",
-                {{"scene", "scene"}, {"plain_wall", "plain wall"}},
+ReportTable deviceTable(const LoopSettings& loop) {
+  const DeviceParameters& d = loop.device;
+  const auto n = [](double value) { return constant(value); };
+  return {"device_model",
+          "The simulated device",
+          {{"part", "part"}, {"figure", "figure"}},
+          {{std::string("mass, damping"), n(1e3 * d.mass_kg) + " g, " + n(d.damping_N_s_per_m) + " N s/m"},
+           {std::string("friction"),
+            n(d.friction_N) + " N tanh(speed / " + n(1e3 * d.friction_speed_m_per_s) + " mm/s)"},
+           {std::string("sensor"), "steps of " + n(d.resolution_mm) + " mm"},
+           {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held through a tick, late by ticks: " +
+                                     n(d.delay_ticks) + ", cut to " + n(d.max_force_N) + " N"},
+           {std::string("hand"), "a spring of " + n(loop.hand.stiffness_N_per_m) + " N/m with " +
+                                     n(loop.hand.damping_N_s_per_m) + " N s/m to the place it is led to"},
+           {std::string("spring between HIP and SCP"),
+            n(loop.stiffness_N_per_mm) + " N/mm at " + n(loop.workspace.A_per_mm) + " A/mm"}},
+          ""};
+}
+
+ReportTable stabilityFigures(const std::vector<StabilityResult>& results) {
+  ReportTable t{"stability_figures",
+                "Every figure of the stability scenes",
+                {{"scene", "scene"},
+                 {"method", "method"},
+                 {"draw", "draw"},
+                 {"ticks", "ticks"},
+                 {"contact_ticks", "in contact"},
+                 {"off", "off"},
+                 {"lost", "lost"},
+                 {"stuck", "held on nothing"},
+                 {"sunk", "sunk"},
+                 {"penetration_A", "penetration (A)"},
+                 {"tunnelled", "tunnelled"},
+                 {"jumps", "jumps"},
+                 {"broken", "no number"},
+                 {"step_N", "step (N)"},
+                 {"step_over_N", "over the true (N)"},
+                 {"jitter_mm", "shaking (mm)"},
+                 {"energy_J", "energy made (J)"},
+                 {"loop_energy_J", "in the loop (J)"},
+                 {"sampling_J", "sampling bound (J)"}},
                 {},
-                "Pressed with a light hand (100 N/m, 2 N s/m) and struck with 4 mN s; stable when the device "
-                "comes to rest in contact; 0 where it never does, 20 is the most that is tried. A scene is missing where "
-                "nothing can be pressed."};
-  const auto methods = inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; });
-  for (const Method* m : methods) t.columns.push_back({std::string(m->name), std::string(m->name)});
-  for (const std::string& scene :
-       inOrder<std::string>(results, [](const StabilityResult& r) { return r.scene; })) {
-    std::vector<Cell> row(methods.size() + 2);
-    row[0] = scene;
-    row[1] = wall_N_per_mm;
-    bool asked = false;
-    for (const StabilityResult& r : results) {
-      if (r.scene != scene || !r.stiffest_N_per_mm) continue;
-      row[2 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] = *r.stiffest_N_per_mm;
-      asked = true;
-    }
-    if (asked) t.rows.push_back(std::move(row));
-  }
+                ""};
+  for (const StabilityResult& r : results)
+    t.rows.push_back({r.scene, std::string(r.method->name), double(r.draw), double(r.ticks),
+                      double(r.contact_ticks), double(r.off), double(r.lost), double(r.stuck), double(r.sunk),
+                      std::max(0.0, r.penetration_A), double(r.tunnelled), double(r.jumps), double(r.broken),
+                      r.step_N, r.step_over_N, r.jitter_mm, r.energy_J, r.loop_energy_J, r.sampling_J});
   return t;
 }
 

@@ -19,6 +19,13 @@ Spread spreadOf(std::vector<double> values);
 /// The nearest-rank percentile of ascending values, `share` from 0 to 1; 0 of none.
 double percentile(const std::vector<double>& ascending, double share);
 
+/// A mean and how far the true one may lie from it: half the width of the 95 % interval by Student's t; 0 of fewer
+/// than two values.
+struct MeanOf {
+  double mean = 0, half_width = 0;
+};
+MeanOf meanOf(const std::vector<double>& values);
+
 /// Of points (cost, error), those for which no other is both cheaper and less wrong, as indices by ascending
 /// cost: the front of best trade-offs. Of equal points the first stands.
 std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std::vector<double>& error);

@@ -1,14 +1,21 @@
 // Statistics on known numbers, and the forms in which results are written.
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <set>
 
 #include "engine/bench/accuracy.h"
 #include "engine/bench/chart_svg.h"
+#include "engine/bench/feel.h"
+#include "engine/bench/hand_replay.h"
 #include "engine/bench/log_axis.h"
 #include "engine/bench/report_table.h"
+#include "engine/bench/stability.h"
 #include "engine/bench/statistics.h"
+#include "engine/bench/stiffness.h"
 #include "engine/bench/tables.h"
 
 using namespace moltact;
@@ -74,6 +81,17 @@ TEST_CASE("of 1 to 10 000 the mean is 5000.5, p50 5000, p99 9900, p99.99 9999 an
   CHECK(spreadOf({}).max == 0);
 }
 
+TEST_CASE("the mean of 1, 2, 3, 4 is 2.5 and its 95 % interval by Student's t with 3 degrees of freedom 2.054 to either side; of 30 values t is 2.045") {
+  const MeanOf four = meanOf({1, 2, 3, 4});
+  CHECK(four.mean == 2.5);
+  CHECK(four.half_width == doctest::Approx(3.182 * std::sqrt(5.0 / 3.0 / 4.0)));
+  std::vector<double> thirty(30, 0.0);
+  for (std::size_t k = 0; k < 30; ++k) thirty[k] = k % 2 ? 1.0 : -1.0;
+  CHECK(meanOf(thirty).half_width == doctest::Approx(2.0452 * std::sqrt(30.0 / 29.0 / 30.0)).epsilon(1e-3));
+  CHECK(meanOf({7}).half_width == 0);
+  CHECK(meanOf({}).mean == 0);
+}
+
 TEST_CASE("the front of (1,9) (2,5) (2,6) (3,5) (4,1) is the first, second and last point") {
   CHECK(paretoFront({1, 2, 2, 3, 4}, {9, 5, 6, 5, 1}) == std::vector<std::size_t>{0, 1, 4});
 }
@@ -128,6 +146,54 @@ TEST_CASE("what stands between markers is replaced, and nothing else") {
   CHECK(replacedBetweenMarkers(page, "sample", "new\n") ==
         "one\n<!-- sample:begin (made) -->\nnew\n<!-- sample:end -->\ntwo\n");
   CHECK(replacedBetweenMarkers(page, "other", "new\n") == page);
+}
+
+TEST_CASE("every marker on the pages names a table or sentences that a run writes, stands once, and has its end") {
+  std::set<std::string> written{"stability_sentences", "stiffness_sentences", "felt_sentences", "hands_sentences"};
+  for (const ReportTable& t : {fidelityMatrix({}), stabilityMatrix({}), stabilitySummary({}), deviceTable(), stiffnessTable({}), stiffnessSetupsTable(),
+                               feelTable({}), feltTable("felt", "", {}), handsTable({}), handsFeltTable({})})
+    written.insert(t.name);
+  std::map<std::string, int> found;
+  for (const char* page : {"stability.md", "hands.md"}) {
+    std::ifstream in(std::string(MOLTACT_SOURCE_DIR "/docs/") + page);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    for (std::size_t at = 0; (at = text.find("<!-- ", at)) != std::string::npos; ++at) {
+      const std::size_t colon = text.find(":begin", at), end = text.find("-->", at);
+      if (colon > end) continue;
+      const std::string name = text.substr(at + 5, colon - at - 5);
+      ++found[name];
+      CHECK_MESSAGE(written.contains(name), name);
+      CHECK(replacedBetweenMarkers(text, name, "moltact\n").find("moltact\n<!-- " + name + ":end") != std::string::npos);
+    }
+  }
+  for (const std::string& name : written) CHECK_MESSAGE(found[name] == 1, name);
+}
+
+TEST_CASE("the page on stability names the limits that are used: 0.05 A, 0.05 N, 10 uJ and 0.055 mm") {
+  const StabilityLimits limits;
+  std::ifstream in(MOLTACT_SOURCE_DIR "/docs/stability.md");
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  const auto says = [&](const std::string& what) { CHECK_MESSAGE(text.find(what) != std::string::npos, what); };
+  const auto n = [](double value) {
+    char digits[20];
+    std::snprintf(digits, sizeof digits, "%g", value);
+    return std::string(digits);
+  };
+  says("more than " + n(limits.place_A) + " A from the right one");
+  says("steps by " + n(limits.step_over_N) + " N more");
+  says("more than " + n(1e6 * limits.energy_J) + " uJ over a closed path");
+  says("one step of its sensor, " + n(limits.jitter_mm) + " mm");
+  // A spring pressed 1 A deep holds 2400 uJ.
+  const LoopSettings loop;
+  const double deep_mm = 1 / loop.workspace.A_per_mm;
+  CHECK(0.5 * loop.stiffness_N_per_mm * deep_mm * deep_mm * 1e3 == doctest::Approx(2400));
+}
+
+TEST_CASE("names are listed as a, b and c") {
+  CHECK(listed({}) == "none");
+  CHECK(listed({"a"}) == "a");
+  CHECK(listed({"a", "b"}) == "a and b");
+  CHECK(listed({"a", "b", "c"}) == "a, b and c");
 }
 
 TEST_CASE("a chart is well-formed and holds each of its 3 marks and labels, not those at or below zero") {

@@ -1,12 +1,14 @@
-// The stability claims: exact is sound in every scene, judged by the brute-force oracle; the other methods
-// fail where they are known to, and these failures are pinned as firmly.
+// The stability claims: exact is true and sound in every scene, judged by the brute-force oracle; the other
+// methods fail where they are known to, and these failures are pinned as firmly.
 #include "engine/bench/stability.h"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
+#include "engine/bench/path_energy.h"
 #include "engine/bench/plain_wall.h"
+#include "engine/bench/smaller_probe.h"
 #include "engine/bench/strokes.h"
 
 using namespace moltact;
@@ -14,33 +16,35 @@ using namespace moltact::bench;
 
 namespace {
 
-StabilityScene sceneNamed(const std::string& name, std::uint64_t seed = 1) {
-  for (StabilityScene& s : stabilityScenes(seed))
+StabilityScene sceneNamed(const std::string& name, std::size_t draw = 0) {
+  for (StabilityScene& s : drawnScenes(1, draw))
     if (s.name == name) return s;
   FAIL("no scene " << name);
   return {};
 }
 
-StabilityResult result(const std::string& scene, const char* method) {
-  return runScene(sceneNamed(scene), *findMethod(method), {});
+StabilityResult result(const std::string& scene, const char* method, std::size_t draw = 0) {
+  return runScene(sceneNamed(scene, draw), *findMethod(method), {});
 }
 
-bool has(const StabilityResult& r, char letter) { return failures(r).find(letter) != std::string::npos; }
+constexpr double kNoEnergy_J = StabilityLimits().energy_J;
 
 }  // namespace
 
 TEST_CASE(
-    "exact comes through every scene: no tunnelling, no loss, at most 1e-7 A deep, no force or energy of its "
-    "own") {
-  for (const std::uint64_t seed : {1, 2, 3})
-    for (const StabilityScene& scene : stabilityScenes(seed)) {
+    "exact comes through every scene in four draws: nothing off, no event, at most 1e-7 A deep, no force or "
+    "energy of its own") {
+  for (std::size_t draw = 0; draw < 4; ++draw)
+    for (const StabilityScene& scene : drawnScenes(1, draw)) {
       const StabilityResult r = runScene(scene, *findMethod("exact"), {});
-      CAPTURE(seed);
+      CAPTURE(draw);
       CAPTURE(scene.name);
-      CHECK(failures(r) == "");
-      CHECK(r.astray == 0);
+      CHECK(r.off == 0);
+      CHECK(r.lost + r.stuck + r.sunk + r.tunnelled + r.jumps + r.broken == 0);
       CHECK(r.penetration_A <= 1e-7);
       CHECK(r.step_over_N <= 1e-6);
+      CHECK(r.jitter_mm <= StabilityLimits().jitter_mm);
+      CHECK(r.energy_J <= 1e-6);
       if (scene.name != "ring, hole larger than the probe") CHECK(r.contact_ticks > 50);
     }
 }
@@ -58,7 +62,7 @@ TEST_CASE("pressed straight onto one sphere, exact makes the energy of a plain w
   const LoopSettings loop;
   const auto pressed = [&](Tracker& tracker, double surface_z) {
     ClosedLoop device(loop, {{0, 0, surface_z + 0.3}});
-    for (int k = 0; k < 3000; ++k)
+    for (int k = 0; k < 3200; ++k)
       device.tick(tracker, {{0, 0, surface_z + 0.3 - 1.3 * std::abs(std::sin(0.002 * k))}});
     return device.made_J();
   };
@@ -66,78 +70,103 @@ TEST_CASE("pressed straight onto one sphere, exact makes the energy of a plain w
   const auto scene = std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, -3.1}, 1.7}});
   const auto exact = findMethod("exact")->make(scene, 1.4);
   const double on_wall = pressed(wall, 0);
-  CHECK(on_wall > 1e-6);
+  CHECK(on_wall > 1e-7);
   CHECK(pressed(*exact, 0) == doctest::Approx(on_wall).epsilon(0.01));
 }
 
 TEST_CASE(
-    "a loop replayed with one seed gives the same figures to the last bit, and another seed gives others") {
-  const auto figures = [](std::uint64_t seed) {
-    const StabilityResult r =
-        runScene(sceneNamed("lattice, eight through a point", seed), *findMethod("mesh320"), {});
-    return std::array{r.penetration_A, r.step_N, r.energy_J, r.loop_energy_J, r.jitter_mm};
+    "a run is the same to the last bit by itself and among all on every processor, and another draw is "
+    "another") {
+  const std::string name = "lattice, eight through a point";
+  const auto figures = [](const StabilityResult& r) {
+    return std::array{double(r.off), r.penetration_A, r.step_N, r.energy_J, r.loop_energy_J, r.jitter_mm};
   };
-  CHECK(figures(5) == figures(5));
-  CHECK(figures(5) != figures(6));
+  StabilityOptions options;
+  options.methods = {findMethod("mesh320"), findMethod("penalty")};
+  options.draws = 2;
+  std::size_t found = 0;
+  for (const StabilityResult& r : measureStability(options, {})) {
+    if (r.scene != name || r.method->name != "mesh320") continue;
+    ++found;
+    CHECK(figures(r) == figures(result(name, "mesh320", r.draw)));
+  }
+  CHECK(found == 2);
+  CHECK(figures(result(name, "mesh320", 0)) != figures(result(name, "mesh320", 1)));
 }
 
-TEST_CASE("exact holds the plain wall's stiffness in a crease and in a pit") {
-  const LoopSettings loop;
-  const double wall = stiffestStableOnWall(loop);
-  CHECK(wall > 1);
-  CHECK(wall < 10);
-  for (const char* name : {"crease, along", "pit of three"}) {
-    const StabilityScene scene = sceneNamed(name);
-    const auto balls = std::make_shared<const BallScene>(scene.scene.balls);
-    const auto exact = stiffestStable([&] { return findMethod("exact")->make(balls, scene.scene.probe_A); },
-                                      *scene.press, loop);
-    CHECK(exact >= 0.9 * wall);
-    const auto penalty = stiffestStable(
-        [&] { return findMethod("penalty")->make(balls, scene.scene.probe_A); }, *scene.press, loop);
-    CHECK(penalty < 0.6 * wall);  // two and three pushes add up
+TEST_CASE("a further draw turns scene and motion as a whole: all distances stay, no place does") {
+  const StabilityScene scene = sceneNamed("crease, across"), other = turned(scene, 7);
+  const double bond = glm::distance(scene.scene.balls[0].centre_A, scene.scene.balls[1].centre_A);
+  CHECK(glm::distance(other.scene.balls[0].centre_A, other.scene.balls[1].centre_A) ==
+        doctest::Approx(bond).epsilon(1e-12));
+  for (std::size_t k = 0; k < scene.script.size(); k += 100) {
+    const Vec3 was = scene.script[k].place_A - scene.scene.balls[1].centre_A,
+               is = other.script[k].place_A - other.scene.balls[1].centre_A;
+    CHECK(glm::length(is) == doctest::Approx(glm::length(was)).epsilon(1e-9));
+    CHECK(glm::distance(is, was) > 1e-3);
   }
 }
 
 TEST_CASE(
-    "the paper's algorithm loses the surface in fast passes and teleports, and jumps when pressed deeper "
-    "than a radius") {
+    "the noise floor: with a probe 0.001 A smaller exact is off in under 1 % of ticks in every scene, and "
+    "never for more than a moment's press") {
+  const Method& least = noiseFloor().front();
+  CHECK(least.make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.7}}), 1.4)->probe_A() ==
+        1.4);
+  for (const StabilityScene& scene : drawnScenes(1, 1)) {
+    const StabilityResult r = runScene(scene, least, {});
+    CAPTURE(scene.name);
+    CHECK(double(r.off) <= 0.01 * double(r.contact_ticks));
+    CHECK(r.jumps + r.broken == 0);
+  }
+}
+
+TEST_CASE(
+    "the paper's algorithm loses the surface in fast passes and teleports, and jumps and makes energy when "
+    "pressed deeper than a radius") {
   for (const char* scene : {"passes at 0.05 to 12 A a tick", "teleports"}) {
     const StabilityResult r = result(scene, "paper");
     CAPTURE(scene);
-    CHECK(has(r, 'T'));
-    CHECK(has(r, 'L'));
+    CHECK(r.tunnelled > 0);
+    CHECK(r.lost > 0);
   }
-  const StabilityResult deep = result("deeper than a radius", "paper");
-  CHECK(has(deep, 'J'));
-  CHECK(has(deep, 'E'));
+  const StabilityResult deep = result("deeper than a radius", "paper", 1);
+  CHECK(deep.jumps > 0);
+  CHECK(deep.energy_J > kNoEnergy_J);
 }
 
 TEST_CASE("a slow hand on one crease or pit finds no fault in the paper's algorithm") {
-  for (const char* scene : {"crease, along", "crease, across", "pit of three"})
-    CHECK(failures(result(scene, "paper")) == "");
+  for (const char* scene : {"crease, along", "crease, across", "pit of three"}) {
+    const StabilityResult r = result(scene, "paper");
+    CHECK(r.off + r.jumps + r.tunnelled + r.broken == 0);
+    CHECK(r.energy_J <= kNoEnergy_J);
+  }
 }
 
 TEST_CASE(
     "flat triangles sink under the surface and jump from face to face: 0.19 A with 80, 0.026 with 960, "
-    "0.0032 with 5120") {
+    "0.0032 with 5120; only with 80 it could be felt that they are sunk") {
   const StabilityResult coarse = result("crease, along", "mesh80"),
                         paper_s = result("crease, along", "mesh960"),
                         fine = result("crease, along", "mesh5120");
   CHECK(coarse.penetration_A == doctest::Approx(0.19).epsilon(0.1));
   CHECK(paper_s.penetration_A == doctest::Approx(0.026).epsilon(0.1));
   CHECK(fine.penetration_A == doctest::Approx(0.0032).epsilon(0.15));
+  CHECK(coarse.sunk > coarse.contact_ticks / 2);
+  CHECK(paper_s.sunk == 0);
   CHECK(coarse.step_over_N > paper_s.step_over_N);
   CHECK(paper_s.step_over_N > fine.step_over_N);
-  CHECK(paper_s.step_over_N > 0.05);
+  CHECK(paper_s.jumps > 0);
+  CHECK(fine.jumps == 0);
 }
 
 TEST_CASE("force shading on 960 triangles takes the jumps away and makes energy instead") {
-  const StabilityResult flat = result("crease, across", "mesh960"),
-                        smooth = result("crease, across", "mesh960-smooth");
-  CHECK(has(flat, 'J'));
-  CHECK_FALSE(has(flat, 'E'));
-  CHECK_FALSE(has(smooth, 'J'));
-  CHECK(has(smooth, 'E'));
+  const StabilityResult flat = result("pit of three", "mesh960", 1),
+                        smooth = result("pit of three", "mesh960-smooth", 1);
+  CHECK(flat.jumps > 0);
+  CHECK(flat.energy_J <= kNoEnergy_J);
+  CHECK(smooth.jumps == 0);
+  CHECK(smooth.energy_J > 5 * kNoEnergy_J);
 }
 
 TEST_CASE("a grid of 0.8 A closes a hole that is 0.05 A wider than the probe") {
@@ -145,10 +174,15 @@ TEST_CASE("a grid of 0.8 A closes a hole that is 0.05 A wider than the probe") {
   CHECK(result("ring, hole larger than the probe", "exact").stuck == 0);
 }
 
-TEST_CASE("penalties let the probe through a hole that is too narrow, and make energy in a crease") {
+TEST_CASE(
+    "penalties let the probe through a hole that is too narrow, and make no energy: they have a potential") {
   CHECK(result("ring, hole smaller than the probe", "penalty").tunnelled > 0);
-  CHECK(result("crease, along", "penalty").energy_J > 1e-4);
   CHECK(result("passes at 0.05 to 12 A a tick", "penalty").tunnelled > 0);
+  for (const StabilityScene& scene : stabilityScenes(1)) {
+    if (!scene.energy) continue;
+    CAPTURE(scene.name);
+    CHECK(runScene(scene, *findMethod("penalty"), {}).energy_J < 0.5 * kNoEnergy_J);
+  }
 }
 
 TEST_CASE("every counted tick of a stroke touches for exact, and strokes repeat with their seed") {

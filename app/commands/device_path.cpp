@@ -1,0 +1,100 @@
+#include "app/commands/device_path.h"
+
+#include <algorithm>
+#include <fstream>
+#include <iostream>
+#include <memory>
+
+#include "app/commands/command.h"
+#include "app/commands/number_range.h"
+#include "engine/haptics/methods.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/molecule/reader.h"
+
+namespace moltact {
+namespace {
+
+struct PathOptions {
+  std::string file, out;
+  std::vector<std::string> labels;
+  double before_touch_s = -1;
+};
+
+// The tracker as it was newly made for the recording; nullptr where its molecule or method is not there.
+std::unique_ptr<Tracker> trackerOf(const DeviceTrace& trace) {
+  const auto label = [&](const char* key) {
+    return trace.labels.contains(key) ? trace.labels.at(key) : std::string();
+  };
+  const Method* method = findMethod(label("method"));
+  const auto file = findMolecule(label("molecule"), MoleculeFolders::ofThisComputer());
+  if (!method || !file || trace.ticks.empty()) return nullptr;
+  ReadOptions reading;
+  reading.model = std::max(1, std::atoi(label("model").c_str()));
+  reading.waters = label("waters") == "yes";
+  reading.assembly = label("assembly");
+  const auto molecule = readMolecule(*file, reading);
+  if (!molecule) return nullptr;
+  return method->make(std::make_shared<const BallScene>(molecule->balls()),
+                      trace.ticks.front().settings.probe_A);
+}
+
+void run(const PathOptions& options) {
+  auto path = openHandPath(options.file);
+  if (!path) throw CommandError{path.problem().text()};
+  for (const std::string& label : options.labels) {
+    const std::size_t is = label.find('=');
+    if (is == std::string::npos || is == 0)
+      throw CommandError{
+          Problem{"--label", 0, 0, "\"" + label + "\" is no KEY=VALUE", "write for example --label hand=Anna"}
+              .text()};
+    path->labels[label.substr(0, is)] = label.substr(is + 1);
+  }
+  if (options.before_touch_s >= 0) {
+    const auto at = [&](auto it) { return std::size_t(it - path->touched.begin()); };
+    const std::size_t first = at(std::find(path->touched.begin(), path->touched.end(), true));
+    if (first == path->touched.size())
+      throw CommandError{
+          Problem{options.file, 0, 0, "nothing is touched in it", "leave --touching out"}.text()};
+    const std::size_t last = at(std::find(path->touched.rbegin(), path->touched.rend(), true).base()) - 1;
+    const std::size_t begin = first - std::min(first, std::size_t(options.before_touch_s * 1000));
+    path->places = {path->places.begin() + std::ptrdiff_t(begin),
+                    path->places.begin() + std::ptrdiff_t(last) + 1};
+  }
+  std::ofstream out(options.out, std::ios::binary);
+  out << textOf(*path);
+  out.flush();
+  if (!out)
+    throw CommandError{Problem{options.out, 0, 0, "the file cannot be written",
+                               "check the folder, its permissions and the space left"}
+                           .text()};
+  std::cout << path->places.size() << " ticks in " << options.out << '\n';
+}
+
+}  // namespace
+
+Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
+  if (file.extension() != ".trace") return bench::readHandPath(file);
+  const auto trace = readTrace(file);
+  if (!trace) return trace.problem();
+  if (trace->ticks.empty())
+    return Problem{file.string(), 0, 0, "the recording holds no ticks", "record it anew"};
+  if (!trace->torn.empty()) std::cerr << "moltact: " << trace->torn << "; the hand's way ends there\n";
+  return bench::handPathOf(*trace, file.stem().string(), trackerOf(*trace).get());
+}
+
+void addDevicePath(CLI::App& device) {
+  const auto options = std::make_shared<PathOptions>();
+  CLI::App* command = device.add_subcommand(
+      "path", "Write the way of a recorded hand as rows of numbers: x y z (angstrom), a row a tick");
+  command->add_option("FILE", options->file, "a recording")->required();
+  command->add_option("--out", options->out, "the file to write")->required();
+  command->add_option("--label", options->labels,
+                      "KEY=VALUE, told in the file's head; may be given several times");
+  command
+      ->add_option("--touching", options->before_touch_s,
+                   "only from so many seconds before the first touch to the last")
+      ->check(numberFrom(0.0, 3600.0));
+  command->callback([options] { run(*options); });
+}
+
+}  // namespace moltact

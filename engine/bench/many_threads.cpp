@@ -1,0 +1,38 @@
+#include "engine/bench/many_threads.h"
+
+#include <atomic>
+#include <exception>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace moltact::bench {
+
+void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& work,
+                   const std::function<void(std::size_t)>& done) {
+  std::atomic<std::size_t> next{0}, finished{0};
+  std::exception_ptr thrown;
+  std::mutex throwing;
+  const auto run = [&](bool tells) {
+    for (std::size_t k; (k = next++) < count;) {
+      try {
+        work(k);
+      } catch (...) {
+        const std::lock_guard lock(throwing);
+        if (!thrown) thrown = std::current_exception();
+        next = count;
+      }
+      ++finished;
+      if (tells && done) done(finished);
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
+      others.emplace_back([&] { run(false); });
+    run(true);
+  }
+  if (thrown) std::rethrow_exception(thrown);
+}
+
+}  // namespace moltact::bench

@@ -1,0 +1,88 @@
+// `moltact bench hands` and `moltact device path` as a person calls them.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "tests/app/command_place.h"
+
+using namespace moltact::test;
+
+namespace {
+
+// A press on one argon atom, in the device's millimetres: straight in from in front, 4 mm deep, along and out.
+void writePress(const std::filesystem::path& file) {
+  std::ofstream out(file);
+  out << "# a made-up hand\n# columns: t x y z fx fy fz\n";
+  int row = 0;
+  const auto add = [&](double x, double z) { out << 0.001 * row++ << ' ' << x << " 0 " << z << " 0 0 " << (z < 4 ? 1 : 0) << '\n'; };
+  for (int k = 0; k <= 400; ++k) add(0, 20 - 0.05 * k);
+  for (int k = 0; k <= 400; ++k) add(0.01 * k, 0);
+  for (int k = 0; k <= 400; ++k) add(4, 0.05 * k);
+}
+
+std::size_t lines(const std::string& text) { return std::size_t(std::count(text.begin(), text.end(), '\n')); }
+
+}  // namespace
+
+TEST_CASE("anyone's hand is replayed through the methods that are asked for: rows of numbers laid on a molecule") {
+  const CommandPlace place;
+  writePress(place.folder / "press.txt");
+  const Run run = place.run("bench hands --quick --recording press.txt --molecule argon --methods mesh80 --csv out");
+  CHECK_MESSAGE(run.status == 0, run.err);
+  const std::string csv = contents(place.folder / "out" / "hands_figures.csv");
+  // The head, exact, its two noise floors, and mesh80.
+  CHECK(lines(csv) == 5);
+  CHECK(csv.find("press,mesh80,") != std::string::npos);
+  const std::string hands = contents(place.folder / "out" / "hands.csv");
+  CHECK(hands.find("press,") != std::string::npos);
+  // More than the third that goes along, for the ways in and out end in the surface too.
+  const double touching = std::stod(hands.substr(hands.rfind(',') + 1));
+  CHECK(touching > 33);
+  CHECK(touching < 80);
+}
+
+TEST_CASE("a hand that says no molecule, a row that is broken, and --docs beside --recording are told, with status 1 or 2") {
+  const CommandPlace place;
+  writePress(place.folder / "press.txt");
+  Run run = place.run("bench hands --quick --recording press.txt");
+  CHECK(run.status == 1);
+  CHECK(run.err.find("--molecule") != std::string::npos);
+  std::ofstream(place.folder / "broken.txt") << "1 2 3\n4 five 6\n";
+  run = place.run("bench hands --quick --recording broken.txt --molecule argon");
+  CHECK(run.status == 1);
+  CHECK(run.err.find("broken.txt:2") != std::string::npos);
+  run = place.run("bench --recording press.txt --molecule argon --docs .");
+  CHECK(run.status != 0);
+  CHECK(run.err.find("--docs") != std::string::npos);
+}
+
+TEST_CASE("the way of a recorded hand is written as rows of numbers, from before the first touch to the last, and is replayed like any") {
+  const CommandPlace place;
+  REQUIRE(place.run("device record simulated argon-triangle --seconds 2.5 --out hand.trace").status == 0);
+  const Run run = place.run("device path hand.trace --out hand.hand --touching 0.05 --label 'hand=a test'");
+  CHECK_MESSAGE(run.status == 0, run.err);
+  const std::string text = contents(place.folder / "hand.hand");
+  CHECK(text.find("# hand: a test") != std::string::npos);
+  CHECK(text.find("# molecule: argon-triangle") != std::string::npos);
+  CHECK(lines(text) < 2500);
+  CHECK(lines(text) > 500);
+  CHECK(place.run("device path hand.trace --out x.hand --label nothing").status == 1);
+  CHECK(place.run("device path no.trace --out x.hand").status == 1);
+  CHECK(place.run("bench hands --quick --recording hand.hand hand.trace --methods penalty").status == 0);
+}
+
+TEST_CASE("the tables and sentences of the hands are written between the markers of a page") {
+  const CommandPlace place;
+  std::filesystem::create_directories(place.folder / "docs");
+  std::filesystem::copy(MOLTACT_SOURCE_DIR "/docs/hands.md", place.folder / "docs" / "hands.md");
+  const Run run = place.run("bench hands --quick --methods penalty --docs docs");
+  CHECK_MESSAGE(run.status == 0, run.err);
+  const std::string page = contents(place.folder / "docs" / "hands.md");
+  for (const char* name : {"hands", "hands_felt", "hands_sentences"}) {
+    const std::size_t begin = page.find(std::string("<!-- ") + name + ":begin"), end = page.find(std::string("<!-- ") + name + ":end");
+    REQUIRE(begin != std::string::npos);
+    CHECK(end > begin + 200);
+    CHECK(page.substr(begin, end - begin).find("mesh80") == std::string::npos);
+  }
+}

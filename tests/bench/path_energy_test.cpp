@@ -1,0 +1,140 @@
+// Energy by closed paths alone, against what things give back whose work is known in closed form.
+#include "engine/bench/path_energy.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/bench/passivity_observer.h"
+#include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/methods.h"
+
+using namespace moltact;
+using namespace moltact::bench;
+
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kN_per_A = 0.3 / 0.25,
+                 kJ_per_N_A = 1e-3 / 0.25;  // the loop's spring; a newton along an angstrom
+
+// exact, with the force turned by an angle about the z-axis: round a sphere's equator it has a part along the
+// way.
+class TurnedForce final : public Tracker {
+ public:
+  TurnedForce(std::shared_ptr<const BallScene> scene, double probe_A, double angle)
+      : exact_(std::move(scene), probe_A), angle_(angle) {}
+  Contact step(PointA hip) noexcept override {
+    Contact c = exact_.step(hip);
+    const Vec3 pull = c.scp.A - hip.A;
+    const double size = glm::length(pull);
+    if (!c.touching() || size == 0) return c;
+    const double s = std::sin(angle_), k = std::cos(angle_);
+    c.normal = Vec3(k * pull.x - s * pull.y, s * pull.x + k * pull.y, pull.z) / size;
+    return c;
+  }
+  void reset() noexcept override { exact_.reset(); }
+  void setProbe(double probe_A) noexcept override { exact_.setProbe(probe_A); }
+  double probe_A() const noexcept override { return exact_.probe_A(); }
+  Footprint footprint() const noexcept override { return {}; }
+
+ private:
+  ExactTracker exact_;
+  double angle_;
+};
+
+// Straight in from 0.5 A outside to `depth_A` under the equator, then `turns` times round.
+scenes::Path rounds(double surface_A, double depth_A, double turns, double step_A) {
+  scenes::Path path;
+  for (double r = surface_A + 0.5; r > surface_A - depth_A; r -= step_A) path.push_back({r, 0, 0});
+  const double r = surface_A - depth_A;
+  const int ticks = int(kTurn * std::abs(turns) * r / step_A);
+  for (int k = 0; k <= ticks; ++k) {
+    const double t = kTurn * turns * k / ticks;
+    path.push_back({r * std::cos(t), r * std::sin(t), 0});
+  }
+  return path;
+}
+
+double made(const char* method, const scenes::Scene& scene, const scenes::Path& path) {
+  return madeOverClosedPath(
+      [&] { return findMethod(method)->make(std::make_shared<const BallScene>(scene.balls), scene.probe_A); },
+      scene, path, {});
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a force turned by 0.1 rad gives K d sin(0.1) 2 pi r for each of 3 rounds at the depth d, whichever way "
+    "it is led") {
+  const scenes::Scene scene = scenes::oneBall();
+  const double surface = scene.balls[0].radius_A + scene.probe_A, d = 0.6;
+  const auto turnedBy = [&](double angle, double turns) {
+    return madeOverClosedPath(
+        [&] {
+          return std::make_unique<TurnedForce>(std::make_shared<const BallScene>(scene.balls), scene.probe_A,
+                                               angle);
+        },
+        scene, rounds(surface, d, turns, 0.005), {});
+  };
+  const double expected = kN_per_A * d * std::sin(0.1) * 3 * kTurn * (surface - d) * kJ_per_N_A;
+  CHECK(expected > 1e-3);
+  CHECK(turnedBy(0.1, 3) == doctest::Approx(expected).epsilon(0.01));
+  CHECK(turnedBy(-0.1, 3) == doctest::Approx(expected).epsilon(0.01));
+  CHECK(turnedBy(0.1, -3) == doctest::Approx(expected).epsilon(0.01));
+  CHECK(turnedBy(0, 3) < 1e-7);
+}
+
+TEST_CASE(
+    "what has a potential gives nothing back over a closed path: penalty in the overlap of two spheres, "
+    "though |F|^2/2k is not its store") {
+  const scenes::Scene bond = scenes::bond();
+  const double x = bond.balls[1].centre_A.x / 2;
+  scenes::Path path;
+  for (double y = 4; y > 1.8; y -= 0.005) path.push_back({x, y, 0});
+  for (double t = 0; t < kTurn; t += 0.003)
+    path.push_back({x + 0.8 * std::sin(t), 1.8 * std::cos(t), 1.8 * std::sin(t)});
+  CHECK(made("penalty", bond, path) < 2e-7);
+  CHECK(made("exact", bond, path) < 2e-7);
+  // The store that a single spring would have rises by far more along the same path than any work accounts
+  // for.
+  const auto tracker =
+      findMethod("penalty")->make(std::make_shared<const BallScene>(bond.balls), bond.probe_A);
+  double absorbed = 0, worst = 0, lowest = 0;
+  Vec3 last = path.front(), force(0);
+  for (const Vec3& h : path) {
+    const Vec3 before = force;
+    force = (tracker->step({h}).scp.A - h) * kN_per_A;
+    absorbed -= glm::dot(0.5 * (force + before), h - last) * kJ_per_N_A;
+    last = h;
+    const double balance = glm::dot(force, force) / (2 * kN_per_A) * kJ_per_N_A - absorbed;
+    lowest = std::min(lowest, balance);
+    worst = std::max(worst, balance - lowest);
+  }
+  CHECK(worst > 1e-4);
+}
+
+TEST_CASE("what slips off an edge loses its store and makes nothing") {
+  const scenes::Scene scene = scenes::oneBall();
+  const double surface = scene.balls[0].radius_A + scene.probe_A;
+  scenes::Path path;  // through the ball beside its centre: the SCP goes round and lets go behind
+  for (double z = surface + 0.5; z > -surface - 0.5; z -= 0.01) path.push_back({0.3, 0, z});
+  CHECK(made("exact", scene, path) < 1e-6);
+}
+
+TEST_CASE(
+    "the observer counts rises from release to release only: +3 J between two releases is made, -2 J before "
+    "them is not regained by it") {
+  PassivityObserver observer;
+  const Vec3 metre(1, 0, 0);
+  observer.add({5, 0, 0}, metre, false);  // before the first release nothing is known
+  observer.release();
+  observer.add({-2, 0, 0}, metre, false);
+  CHECK(observer.made_J() == 0);
+  observer.add({0, 0, 0}, metre, true);
+  CHECK(observer.made_J() == 0);
+  observer.add({9, 0, 0}, metre, false);
+  observer.add({-6, 0, 0}, metre, true);
+  CHECK(observer.made_J() == doctest::Approx(3));
+}
