@@ -17,6 +17,8 @@ constexpr int kMostStuck = 32;  // round a corner of a mesh a way of no length p
 constexpr double kSwelling_A =
     0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
 constexpr int kMostPushes = 256;
+constexpr double kSure = 1e-9;  // of a length: so far from a decision rounding has no say in it
+constexpr double kNearly = 1.0 - 1e-9;
 
 }  // namespace
 
@@ -26,7 +28,7 @@ MeshTracker::MeshTracker(std::shared_ptr<const BallScene> scene, double probe_A,
 }
 
 void MeshTracker::reset() noexcept {
-  armed_ = false;
+  armed_ = settled_ = false;
   touch_count_ = hold_count_ = 0;
   forgetSurroundings();
 }
@@ -46,7 +48,11 @@ Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   Contact out{.scp = {nearby_.origin() + scp_}, .feature = Feature(std::max(hold_count_, 1))};
   for (int k = 0; k < hold_count_; ++k)
     out.atoms[std::size_t(k)] = touching_[std::size_t(holding_[std::size_t(k)])].ball;
-  std::sort(out.atoms.begin(), out.atoms.begin() + hold_count_);
+  if (hold_count_ > 1 && out.atoms[0] > out.atoms[1]) std::swap(out.atoms[0], out.atoms[1]);
+  if (hold_count_ > 2) {
+    if (out.atoms[1] > out.atoms[2]) std::swap(out.atoms[1], out.atoms[2]);
+    if (out.atoms[0] > out.atoms[1]) std::swap(out.atoms[0], out.atoms[1]);
+  }
   if (options_.smooth) out.normal = shadedNormal(hip - nearby_.origin());
   return out;
 }
@@ -64,12 +70,16 @@ Contact MeshTracker::step(PointA hip) noexcept {
     return {.scp = hip};
   }
   if (!options_.coherent) forgetSurroundings();
-  if (!holdsQuickly(h)) flow(h);
+  if (!holdsQuickly(h)) {
+    flow(h);
+    settle();
+  }
   return contact(hip.A);
 }
 
-// The ordinary tick: nothing is near the free HIP, or the SCP stays on its one face and no other mesh is in
-// reach.
+// The ordinary ticks: nothing is near the free HIP, or the SCP stays on its face, seam or point and no other mesh is in
+// reach. What is done is what flow() would do in its one piece, operation by operation, so that the places are the same to
+// the last bit; a tick that is nearer to a decision than kSure is left to flow().
 bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   if (touch_count_ == 0) {
     const Vec3 way = h - free_from_;
@@ -77,40 +87,122 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
     scp_ = h;
     return true;
   }
-  if (touch_count_ != 1 || hold_count_ != 1 || clear_gap_ <= 0.0) return false;
-  const Touch& t = touching_[0];
-  const SphereMesh::Face& f = face(t);
-  const double height = heightOver(t, h);
-  if (height >= 0.0) return false;
-  const Vec3 s = h - f.normal * height, x = s - t.centre, from = s - clear_from_;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (glm::dot(f.out[k], x) > f.reach[k] * t.radius) return false;
-  if (glm::dot(from, from) >= clear_gap_ * clear_gap_) return false;
+  if (!settled_) return false;
+  const Vec3 pull = h - scp_;
+  const double sure = kSure * (std::abs(pull.x) + std::abs(pull.y) + std::abs(pull.z));
+  Vec3 s = scp_;
+  switch (hold_count_) {
+    case 1: {
+      const Touch& t = touching_[0];
+      const SphereMesh::Face& f = face(t);
+      const double height = heightOver(t, h);
+      if (height >= -sure || glm::dot(pull, f.normal) >= -sure) return false;
+      const Vec3 way = pull - f.normal * height;
+      if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
+      s += way;
+      break;
+    }
+    case 2: {
+      // The pull's shares in both normals must be pushes, or one face alone would hold the SCP.
+      const double a = -glm::dot(pull, face(touching_[0]).normal), b = -glm::dot(pull, face(touching_[1]).normal);
+      if (a - b * seam_cosine_ <= sure || b - a * seam_cosine_ <= sure) return false;
+      const Vec3 way = seam_ * (glm::dot(pull, seam_) / glm::dot(seam_, seam_));
+      if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
+      s += way;
+      for (int k = 0; k < 2; ++k) {
+        const Touch& t = touching_[std::size_t(k)];
+        s -= face(t).normal * heightOver(t, s);
+      }
+      break;
+    }
+    default:
+      for (const Vec3& hold : holds_)
+        if (glm::dot(hold, pull) >= -sure) return false;
+      return true;
+  }
+  for (int k = 0; k < hold_count_; ++k)
+    if (!wellWithin(touching_[std::size_t(k)], s)) return false;
+  if (!isClear(s, glm::distance(s, scp_))) return false;
   scp_ = s;
   return true;
+}
+
+// Is no mesh but those that the SCP is on met on a straight way of that length that ends there, as far as is known?
+bool MeshTracker::isClear(const Vec3& end, double length) const {
+  const Vec3 from = end - clear_from_;
+  const double far2 = glm::dot(from, from), room = clear_gap_ - length;
+  if (room > 0.0 && far2 < kNearly * room * room) return true;
+  const double rivals_room = rival_gap_ - length;
+  if (!(rivals_room > 0.0 && far2 < kNearly * rivals_room * rivals_room)) return false;
+  for (int k = 0; k < rival_count_; ++k) {
+    const NearBall& b = rivals_[std::size_t(k)];
+    const Vec3 m = end - b.centre;
+    const double far = b.radius + length;
+    if (kNearly * glm::dot(m, m) <= far * far) return false;
+  }
+  return true;
+}
+
+bool MeshTracker::wellWithin(const Touch& t, const Vec3& place) const {
+  const SphereMesh::Face& f = face(t);
+  const Vec3 x = place - t.centre;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (glm::dot(f.out[k], x) > (f.reach[k] - kSure) * t.radius) return false;
+  return true;
+}
+
+// After a flow that came to rest held by all that it touches: what the quick ticks need of it.
+void MeshTracker::settle() noexcept {
+  settled_ = hold_count_ > 0 && hold_count_ == touch_count_;
+  if (!settled_ || hold_count_ == 1) return;
+  const Vec3 &n0 = face(touching_[0]).normal, &n1 = face(touching_[1]).normal;
+  seam_ = glm::cross(n0, n1);
+  seam_cosine_ = glm::dot(n0, n1);
+  if (hold_count_ == 2) {
+    settled_ = glm::dot(seam_, seam_) > kSure;
+    return;
+  }
+  // mu_k |pull| times the volume squared, negated: more than rounding, and no two of the faces hold the SCP without the third.
+  const Vec3& n2 = face(touching_[2]).normal;
+  const double volume = glm::dot(seam_, n2);
+  holds_ = {glm::cross(n1, n2) * volume, glm::cross(n2, n0) * volume, seam_ * volume};
 }
 
 // The first mesh that the way from the SCP enters, before first.t.
 void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
   const double length = glm::length(way);
   const double to_go = length * first.t;
-  if (to_go + glm::distance(scp_, clear_from_) < clear_gap_) return;
+  if (isClear(scp_ + way * first.t, to_go)) return;
   const auto look = [&](const NearBall& b) {
     const SphereMesh::Entry entry = mesh_->enter((scp_ - b.centre) / b.radius, way / b.radius, first.t);
     if (entry.face >= 0) first = {entry.t, b, entry.face};
   };
   if (options_.coherent && to_go <= kNearWay_A) {
-    double gap = 1e300;
+    std::array<double, kRivals + 1> gaps;  // the nearest balls', ascending
+    gaps.fill(1e300);
+    rival_count_ = 0;
     const double visited = nearby_.each(scp_, to_go, [&](const NearBall& b) {
       const Vec3 m = scp_ - b.centre;
-      const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gap;
+      const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gaps[kRivals];
       if (d2 >= far * far && d2 >= beyond * beyond) return;
       if (b.radius <= 0.0 || touches(b.index)) return;
-      gap = std::min(gap, std::sqrt(d2) - b.radius);
       if (d2 < far * far) look(b);
+      const double gap = std::sqrt(d2) - b.radius;
+      if (gap >= gaps[kRivals]) return;
+      std::size_t at = kRivals;
+      for (; at > 0 && gaps[at - 1] > gap; --at) {
+        gaps[at] = gaps[at - 1];
+        if (at < kRivals) rivals_[at] = rivals_[at - 1];
+      }
+      gaps[at] = gap;
+      if (at < kRivals) {
+        rivals_[at] = b;
+        rival_count_ = std::min(rival_count_ + 1, int(kRivals));
+      }
     });
     clear_from_ = scp_;
-    clear_gap_ = std::min(gap, visited);
+    clear_gap_ = std::min(gaps[0], visited);
+    rival_gap_ = std::min(gaps[kRivals], visited);
     return;
   }
   // A long way is looked at piece by piece, from where it enters the scene's box.
@@ -150,7 +242,7 @@ void MeshTracker::dropLeft() noexcept {
     if (std::abs(heightOver(t, scp_)) <= SphereMesh::kSkin * t.radius)
       touching_[std::size_t(kept++)] = t;
     else
-      clear_gap_ = 0.0;
+      clear_gap_ = rival_gap_ = 0.0;
   }
   touch_count_ = kept;
 }
@@ -212,6 +304,9 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       const Touch t{first.ball.index, first.face, first.ball.centre, first.ball.radius};
       scp_ -= face(t).normal * heightOver(t, scp_);
       touching_[std::size_t(touch_count_++)] = t;
+      rival_count_ = int(std::remove_if(rivals_.begin(), rivals_.begin() + rival_count_,
+                                        [&](const NearBall& b) { return b.index == t.ball; }) -
+                         rivals_.begin());
     } else if (over >= 0) {
       touching_[std::size_t(over)].face = face(touching_[std::size_t(over)]).across[edge];
       if (moved) dropLeft();
@@ -219,7 +314,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       if (blocked.count == 0) {
         scp_ = free_from_ = h;
         touch_count_ = 0;
-        clear_gap_ = 0.0;
+        clear_gap_ = rival_gap_ = 0.0;
         // Between a ball and its mesh the clearance is negative: nothing is known then.
         free_gap_ = options_.coherent
                         ? std::max(0.0, clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h))
@@ -232,7 +327,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         std::copy_n(kept.begin(), blocked.count, touching_.begin());
         touch_count_ = blocked.count;
         holding_ = {0, 1, 2};
-        clear_gap_ = 0.0;
+        clear_gap_ = rival_gap_ = 0.0;
       }
       return;
     }
@@ -275,6 +370,7 @@ void MeshTracker::setProbe(double probe_A) noexcept {
     nearby_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
     forgetSurroundings();
     touch_count_ = hold_count_ = 0;
+    settled_ = false;
     if (!armed_ || pushOut()) continue;
     nearby_.setProbe(wanted);  // the place closed over the SCP: there is no surface left to be held by
     reset();

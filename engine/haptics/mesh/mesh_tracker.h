@@ -84,11 +84,14 @@ class MeshTracker final : public Tracker {
   }
   bool touches(std::int32_t ball) const;
   bool holdsQuickly(const Vec3& hip) noexcept;
+  bool wellWithin(const Touch& t, const Vec3& place) const;
+  void settle() noexcept;
+  bool isClear(const Vec3& end, double length) const;
   void flow(const Vec3& hip) noexcept;
   void meet(const Vec3& way, Meeting& first) noexcept;
   void dropLeft() noexcept;
   bool pushOut() noexcept;
-  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = 0.0; }
+  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = rival_gap_ = 0.0; }
   Vec3 shadedNormal(const Vec3& hip) const noexcept;
   Contact contact(const Vec3& hip) const noexcept;
 
@@ -101,10 +104,18 @@ class MeshTracker final : public Tracker {
   int touch_count_ = 0;
   std::array<int, 3> holding_{};  // places in touching_ of the faces that hold the SCP
   int hold_count_ = 0;
+  bool settled_ = false;  // what holds the SCP is all that it touches, and the next three say how
+  Vec3 seam_{0.0};        // two or three hold: along the seam of the first two
+  double seam_cosine_ = 0.0;
+  std::array<Vec3, 3> holds_{};  // three hold: while the pull leads against each of these
   Vec3 free_from_{0.0};  // free: no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
   Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;
+  static constexpr std::size_t kRivals = 4;
+  std::array<NearBall, kRivals> rivals_;  // the nearest of them; but for these none is within rival_gap_
+  int rival_count_ = 0;
+  double rival_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;
 };
 
