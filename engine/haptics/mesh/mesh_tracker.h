@@ -72,6 +72,11 @@ class MeshTracker final : public Tracker {
     Vec3 centre;
     double radius;
   };
+  struct Rival {
+    NearBall ball;
+    std::int32_t face;  // whose plane may part it from the SCP; -1: none known
+  };
+  static constexpr std::size_t kRivals = 4, kMostRivals = 8;
   struct Meeting {
     double t;
     NearBall ball;
@@ -86,7 +91,9 @@ class MeshTracker final : public Tracker {
   bool holdsQuickly(const Vec3& hip) noexcept;
   bool wellWithin(const Touch& t, const Vec3& place) const;
   void settle() noexcept;
-  bool isClear(const Vec3& end, double length) const;
+  bool isClear(const Vec3& end, double length) noexcept;
+  bool staysAbove(Rival& rival, const Vec3& end) const;
+  void watch(const Touch& t) noexcept;
   void flow(const Vec3& hip) noexcept;
   void meet(const Vec3& way, Meeting& first) noexcept;
   void dropLeft() noexcept;
@@ -112,8 +119,7 @@ class MeshTracker final : public Tracker {
   double free_gap_ = 0.0;
   Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;
-  static constexpr std::size_t kRivals = 4;
-  std::array<NearBall, kRivals> rivals_;  // the nearest of them; but for these none is within rival_gap_
+  std::array<Rival, kMostRivals> rivals_;  // the nearest of them; but for these none is within rival_gap_
   int rival_count_ = 0;
   double rival_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;
