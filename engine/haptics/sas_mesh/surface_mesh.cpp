@@ -11,6 +11,8 @@ namespace {
 
 constexpr double kAside_A = 1e-9;  // a way so little beside a triangle meets it: no gap between two triangles
 
+constexpr double kAlong = 1e-10;   // sine of the angle under which a way is along a border
+
 // The bits of a 21-bit number, two apart.
 std::uint64_t spread(std::uint64_t x) {
   x &= 0x1fffff;
@@ -191,9 +193,14 @@ SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& way) const noex
       const double t = above <= kSkin_A ? 0.0 : above / falls;
       if (t > best.t || (t == best.t && best.triangle >= 0)) continue;
       const Vec3 x = from + way * t;
-      if (glm::dot(f.out[0], x) <= f.reach[0] + kAside_A && glm::dot(f.out[1], x) <= f.reach[1] + kAside_A &&
-          glm::dot(f.out[2], x) <= f.reach[2] + kAside_A)
-        best = {t, k};
+      bool within = true;
+      for (std::size_t e = 0; e < 3; ++e) {
+        const double beyond = glm::dot(f.out[e], x) - f.reach[e];
+        // A start on the triangle's border is under it only where the way does not lead out over that border.
+        within = within && beyond <= kAside_A &&
+                 (above > kSkin_A || beyond < -kAside_A || glm::dot(f.out[e], way) <= kAlong * length);
+      }
+      if (within) best = {t, k};
     }
   }
   return best;
