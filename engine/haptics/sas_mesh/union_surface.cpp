@@ -14,8 +14,9 @@ constexpr double kInset = 0.002;      // of the spacing: a vertex keeps so far f
 constexpr double kDamping = 1e-3;     // of the steps to a vertex's place
 constexpr double kBuried = 0.05;      // weight of lying in a ball against lying off it: a dent lets the SCP by, a dam stops it
 constexpr int kMostRounds = 40;
+constexpr double kDent = 0.5;  // the same where vertices are mended
 constexpr double kBad = 0.05;  // of the spacing: a vertex so far off is mended
-constexpr int kMendings = 3;
+constexpr int kMendings = 4;
 constexpr double kOutside_A = 1e-7;   // a vertex may lie so deep in a ball
 
 // Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2); edge 4 a + m runs along axis a from the corner whose offset along the
@@ -407,9 +408,11 @@ class Maker {
     double worst = 0.0;
     for (const std::int32_t k : star) {
       const auto& t = out_.triangles[std::size_t(k)];
+      for (const std::int32_t c : t.corners)  // no two vertices in one place
+        if (std::size_t(c) != v && glm::distance(x, out_.vertices[std::size_t(c)]) < kInset * h_) return 1e3;
       const Ball& b = scene_[std::size_t(t.ball)];
       const double off = glm::distance(x, b.centre_A - origin_) - b.radius_A - probe_;
-      worst = std::max({worst, (off > 0.0 ? 1.0 : -kBuried) * off / h_, 0.5 * (1.0 - facing(t.corners[0], t.corners[1], t.corners[2], t.ball))});
+      worst = std::max({worst, (off > 0.0 ? 1.0 : -kDent) * off / h_, 0.5 * (1.0 - facing(t.corners[0], t.corners[1], t.corners[2], t.ball))});
     }
     return worst;
   }
