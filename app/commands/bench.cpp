@@ -7,11 +7,14 @@
 
 #include "app/commands/command.h"
 #include "engine/bench/charts.h"
+#include "engine/bench/cool_ticks.h"
 #include "engine/bench/feel.h"
+#include "engine/bench/hip_paths.h"
 #include "engine/bench/report_table.h"
 #include "engine/bench/stability.h"
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off.h"
+#include "engine/bench/trade_off_sentences.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/terminal.h"
 
@@ -33,6 +36,7 @@ struct Report {
   std::vector<ReportTable> tables;
   std::vector<ReportTable> excerpts;                          // parts of long tables, for the pages alone
   std::vector<std::pair<std::string, std::string>> pictures;  // file name, SVG
+  std::vector<std::pair<std::string, std::string>> sentences;  // marker's name, Markdown: what the tables say
 };
 
 class ProgressBar {
@@ -92,17 +96,23 @@ void checkPages(const fs::path& folder) {
 
 std::vector<const Method*> chosen(const std::vector<std::string>& names) {
   std::vector<const Method*> out;
-  for (const Method& m : methods())
+  for (const Method& m : benchMethods())
     if (names.empty() || m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
       out.push_back(&m);
   for (const std::string& name : names)
-    if (!findMethod(name)) {
+    if (!findBenchMethod(name)) {
       std::string known;
-      for (const Method& m : methods()) known.append(known.empty() ? "" : ", ").append(m.name);
+      for (const Method& m : benchMethods()) known.append(known.empty() ? "" : ", ").append(m.name);
       throw CommandError{
           Problem{"--methods", 0, 0, "there is no method \"" + name + "\"", "choose from " + known}.text()};
     }
   return out;
+}
+
+// Stability changes the probe under the finger: for methods that bear it.
+std::vector<const Method*> forAnyProbe(std::vector<const Method*> methods) {
+  std::erase_if(methods, [](const Method* m) { return m->one_probe; });
+  return methods;
 }
 
 // Structures that the library holds or the user has fetched; those that are not there are passed over.
@@ -139,6 +149,22 @@ StrokePlan plan(const BenchArguments& arguments) {
   return p;
 }
 
+// On the spheres of the chart, beside the same methods' ticks in a row.
+void addCool(const BenchArguments& arguments, const std::vector<const Method*>& methods,
+             const std::vector<SceneTimes>& times, Report& report) {
+  constexpr std::size_t kSpheres = 13'751;
+  const auto scene = std::make_shared<const BallScene>(proteinLike(kSpheres, static_cast<unsigned>(arguments.seed)));
+  StrokePlan strokes = plan(arguments);
+  strokes.strokes = 4;
+  const CoolPlan ticks = arguments.quick ? CoolPlan{100, 24} : CoolPlan{1000, 200};
+  const ProgressBar bar("caches");
+  const auto cool = timeCool(thatBear(methods, kSpheres), scene, kWaterProbe_A,
+                             contactStrokes(scene, kWaterProbe_A, strokes), ticks, std::cref(bar));
+  const auto hot = std::find_if(times.begin(), times.end(), [&](const SceneTimes& s) { return s.spheres == kSpheres; });
+  report.tables.push_back(coolTable(cool, hot == times.end() ? std::vector<TickTimes>{} : hot->contact, kSpheres));
+  report.sentences.push_back({"cool_sentences", coolSentences(cool)});
+}
+
 void addTables(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
   std::vector<TableScene> scenes = madeScenes(arguments.quick, arguments.seed);
   for (TableScene& one : structures()) scenes.push_back(std::move(one));
@@ -155,6 +181,8 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
     report.excerpts.push_back(rowsWhere(table, "method", "exact", std::string(name) + "_exact", table.title));
   }
   report.pictures.push_back({"memory-and-ready-time.svg", sizeChart(times)});
+  report.sentences.push_back({"size_sentences", sizeSentences(times)});
+  addCool(arguments, methods, times, report);
 }
 
 void addChart(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
@@ -165,7 +193,8 @@ void addChart(const BenchArguments& arguments, const std::vector<const Method*>&
   options.seed = arguments.seed;
   const ProgressBar bar("chart");
   const auto points = measureTradeOffs(options, std::cref(bar));
-  report.tables.push_back(tradeOffTable(points, options.spheres));
+  report.tables.push_back(tradeOffTable(points, options));
+  report.sentences.push_back({"trade_off_sentences", tradeOffSentences(points)});
   report.pictures.push_back({"speed-and-accuracy.svg", tradeOffChart(points, options.spheres)});
 }
 
@@ -192,6 +221,8 @@ void updatePages(const fs::path& folder, const Report& report) {
     for (const auto* tables : {&report.tables, &report.excerpts})
       for (const ReportTable& t : *tables)
         after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
+    for (const auto& [name, text] : report.sentences)
+      after = replacedBetweenMarkers(after, name, '\n' + text + '\n');
     if (after != before) write(entry.path(), after);
   }
   for (const auto& [name, svg] : report.pictures) write(folder / "pictures" / name, svg);
@@ -206,7 +237,7 @@ void run(const BenchArguments& arguments) {
   if (all || arguments.part == "tables") addTables(arguments, methods, report);
   if (all || arguments.part == "chart") addChart(arguments, methods, report);
   if (all || arguments.part == "feel") report.tables.push_back(feelTable(measureFeel(methods)));
-  if (all || arguments.part == "stability") addStability(arguments, methods, report);
+  if (all || arguments.part == "stability") addStability(arguments, forAnyProbe(methods), report);
 
   for (const ReportTable& t : report.tables)
     if (t.name != "stability_figures" || !all) std::cout << toConsole(t) << '\n';

@@ -43,8 +43,11 @@ struct SceneTimes {
   std::string paper_name;
   std::size_t spheres = 0;
   double scene_s = 0;                    ///< preparing what all methods share
-  std::vector<TickTimes> free, contact;  ///< a row a method, in the order of the options
+  std::vector<TickTimes> free, contact;  ///< a row a method that bears the scene, in the order of the options
 };
+
+/// Those that are made for scenes of so many balls (Method::most_balls).
+std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls);
 
 std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
                                       const Progress& progress);
