@@ -134,7 +134,7 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
       for (int x = 0; x < kSide; ++x) {
         const double* f = &distance_[std::size_t((x + 1) * kX + (y + 1) * kY + (z + 1) * kZ)];
         const double curved = f[-kX] + f[kX] + f[-kY] + f[kY] + f[-kZ] + f[kZ] - 6.0 * f[0];
-        brick->coefficient[std::size_t(x + kSide * (y + kSide * z))] = f[0] - curved / 8.0;
+        brick->coefficient[std::size_t(x + kSide * (y + kSide * z))] = float(f[0] - curved / 8.0);
       }
   return last_ = brick;
 }
@@ -151,13 +151,14 @@ bool DistanceBricks::sample(const Vec3& place, Sample& out, int& fills_left) noe
   }
   const Weights x(at.x - node.x), y(at.y - node.y), z(at.z - node.z);
   const Vec3 in = node - brick_at * double(kCells);  // 0 to 3; coefficients begin one node earlier
-  const double* c = &brick->coefficient[std::size_t(int(in.x) + kSide * (int(in.y) + kSide * int(in.z)))];
+  const float* c = &brick->coefficient[std::size_t(int(in.x) + kSide * (int(in.y) + kSide * int(in.z)))];
   double f = 0, fx = 0, fy = 0, fz = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   constexpr double dd[3] = {1.0, -2.0, 1.0};
   for (int k = 0; k < 3; ++k) {
     double p = 0, px = 0, py = 0, pxx = 0, pyy = 0, pxy = 0;
     for (int j = 0; j < 3; ++j) {
-      const double* row = c + kSide * (j + kSide * k);
+      const float* at_row = c + kSide * (j + kSide * k);
+      const double row[3] = {at_row[0], at_row[1], at_row[2]};
       const double r = x.w[0] * row[0] + x.w[1] * row[1] + x.w[2] * row[2];
       const double rx = x.d[0] * row[0] + x.d[1] * row[1] + x.d[2] * row[2];
       const double rxx = row[0] - 2.0 * row[1] + row[2];

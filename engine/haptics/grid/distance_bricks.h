@@ -69,7 +69,7 @@ class DistanceBricks {
     std::uint64_t age = 0;
     std::int32_t labels = 0;
     std::array<std::int32_t, kLabels> label;
-    std::array<double, kSide * kSide * kSide> coefficient;
+    std::array<float, kSide * kSide * kSide> coefficient;  // rounded by less than 1e-6 A: half the memory, half the cache
   };
 
   static std::uint32_t set(const Key& key);

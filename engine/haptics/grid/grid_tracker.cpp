@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSurface_A = 1e-9;  // so near the level counts as on it
 constexpr double kSettled_A =
-    1e-4;  // a Newton step this short leaves an error of about its square: the last one of a tick
+    2e-3;  // a Newton step this short leaves an error of about its square: the last one of a tick
 constexpr double kFree =
     0.8;  // of the level's distance by the field: its slope is near 1, but for the rounding of creases
 constexpr int kMostFlights = 512;  // steps along one straight way

@@ -22,7 +22,7 @@ SasMeshTracker::SasMeshTracker(std::shared_ptr<const BallScene> scene, double pr
       probe_(usableProbe_A(probe_A, kWaterProbe_A)),
       margin_(2.0 * spacing_A),
       origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
-      mesh_(*scene_, probe_, spacing_A, origin_) {}
+      mesh_(SurfaceMesh::of(scene_, probe_, spacing_A, origin_)) {}
 
 void SasMeshTracker::reset() noexcept {
   armed_ = false;
@@ -30,7 +30,7 @@ void SasMeshTracker::reset() noexcept {
   free_gap_ = 0.0;
 }
 
-Footprint SasMeshTracker::footprint() const noexcept { return {mesh_.balls(), sizeof(*this) + mesh_.bytes() + scene_->bytes()}; }
+Footprint SasMeshTracker::footprint() const noexcept { return {mesh_->balls(), sizeof(*this) + mesh_->bytes() + scene_->bytes()}; }
 
 Contact SasMeshTracker::step(PointA hip) noexcept {
   if (!usableHip(hip.A)) return refusedHip(hip, origin_ + scp_);
@@ -64,12 +64,12 @@ Contact SasMeshTracker::step(PointA hip) noexcept {
   if (went == Went::Arrived) return {.scp = hip};
   if (went != Went::Rests) ++cut_short_;
   if (on_ == On::Nothing) return {.scp = {origin_ + scp_}, .feature = Feature::Sphere};
-  return {.scp = {origin_ + scp_}, .atoms = {mesh_.triangles()[std::size_t(triangle_)].ball, -1, -1}, .feature = Feature::Sphere};
+  return {.scp = {origin_ + scp_}, .atoms = {mesh_->triangles()[std::size_t(triangle_)].ball, -1, -1}, .feature = Feature::Sphere};
 }
 
 SasMeshTracker::Went SasMeshTracker::fly(const Vec3& h) noexcept {
   const Vec3 way = h - scp_;
-  const SurfaceMesh::Hit hit = mesh_.cast(scp_, way);
+  const SurfaceMesh::Hit hit = mesh_->cast(scp_, way);
   if (hit.triangle < 0) {
     scp_ = free_from_ = h;
     free_gap_ = clearance(*scene_, probe_, origin_ + h) - margin_;
@@ -84,22 +84,22 @@ SasMeshTracker::Went SasMeshTracker::fly(const Vec3& h) noexcept {
 void SasMeshTracker::goToTriangle(std::int32_t triangle) noexcept {
   on_ = On::Triangle;
   triangle_ = triangle;
-  plane_ = mesh_.plane(triangle);
+  plane_ = mesh_->plane(triangle);
 }
 
 void SasMeshTracker::goToEdge(std::int32_t triangle, std::int32_t edge) noexcept {
-  if (triangle != triangle_) plane_ = mesh_.plane(triangle);
+  if (triangle != triangle_) plane_ = mesh_->plane(triangle);
   on_ = On::Edge;
   triangle_ = triangle;
   edge_ = edge;
-  const SurfaceMesh::Triangle& t = mesh_.triangles()[std::size_t(triangle)];
+  const SurfaceMesh::Triangle& t = mesh_->triangles()[std::size_t(triangle)];
   other_ = t.across[std::size_t(edge)];
-  beyond_ = mesh_.plane(other_);
-  const auto& back = mesh_.triangles()[std::size_t(other_)];
+  beyond_ = mesh_->plane(other_);
+  const auto& back = mesh_->triangles()[std::size_t(other_)];
   const std::int32_t from = t.corners[std::size_t(edge)], to = t.corners[std::size_t((edge + 1) % 3)];
   other_edge_ = back.corners[0] == to && back.corners[1] == from ? 0 : back.corners[1] == to && back.corners[2] == from ? 1 : 2;
-  edge_from_ = mesh_.vertices()[std::size_t(from)];
-  const Vec3 way = mesh_.vertices()[std::size_t(to)] - edge_from_;
+  edge_from_ = mesh_->vertices()[std::size_t(from)];
+  const Vec3 way = mesh_->vertices()[std::size_t(to)] - edge_from_;
   edge_length_ = glm::length(way);
   edge_along_ = way / edge_length_;
 }
@@ -109,17 +109,17 @@ void SasMeshTracker::goToEdge(std::int32_t triangle, std::int32_t edge) noexcept
 void SasMeshTracker::goToCorner(std::int32_t triangle, std::int32_t corner) noexcept {
   on_ = On::Corner;
   triangle_ = triangle;
-  plane_ = mesh_.plane(triangle);
-  const std::int32_t vertex = mesh_.triangles()[std::size_t(triangle)].corners[std::size_t(corner)];
-  scp_ = mesh_.vertices()[std::size_t(vertex)];
+  plane_ = mesh_->plane(triangle);
+  const std::int32_t vertex = mesh_->triangles()[std::size_t(triangle)].corners[std::size_t(corner)];
+  scp_ = mesh_->vertices()[std::size_t(vertex)];
   corner_normal_ = Vec3(0.0);
   round_count_ = 0;
   std::int32_t at = triangle;
   do {
-    const SurfaceMesh::Triangle& t = mesh_.triangles()[std::size_t(at)];
+    const SurfaceMesh::Triangle& t = mesh_->triangles()[std::size_t(at)];
     const std::size_t k = t.corners[0] == vertex ? 0 : t.corners[1] == vertex ? 1 : 2;
-    const Vec3 right = mesh_.vertices()[std::size_t(t.corners[(k + 1) % 3])] - scp_,
-               left = mesh_.vertices()[std::size_t(t.corners[(k + 2) % 3])] - scp_, across = glm::cross(right, left);
+    const Vec3 right = mesh_->vertices()[std::size_t(t.corners[(k + 1) % 3])] - scp_,
+               left = mesh_->vertices()[std::size_t(t.corners[(k + 2) % 3])] - scp_, across = glm::cross(right, left);
     const double sine = glm::length(across);
     Wedge& w = round_[round_count_++];
     w.triangle = at;

@@ -28,7 +28,7 @@ class SasMeshTracker final : public Tracker {
   /// Atoms modelled: all that have a part in the surface.
   Footprint footprint() const noexcept override;
 
-  const SurfaceMesh& mesh() const noexcept { return mesh_; }
+  const SurfaceMesh& mesh() const noexcept { return *mesh_; }
   /// Ticks in which the SCP did not come to rest; it then lags, outside.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
@@ -56,7 +56,7 @@ class SasMeshTracker final : public Tracker {
   std::shared_ptr<const BallScene> scene_;
   double probe_, margin_;
   Vec3 origin_;
-  SurfaceMesh mesh_;
+  std::shared_ptr<const SurfaceMesh> mesh_;
   Vec3 scp_{0.0};       // this and every place inside the tracker is relative to origin_
   bool armed_ = false;  // has the HIP been outside since the start?
   On on_ = On::Nothing;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <map>
+#include <mutex>
 
 #include "engine/haptics/sas_mesh/union_surface.h"
 
@@ -24,6 +25,25 @@ std::uint64_t spread(std::uint64_t x) {
 }
 
 }  // namespace
+
+std::shared_ptr<const SurfaceMesh> SurfaceMesh::of(const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                                   double spacing_A, const Vec3& origin) {
+  struct Kept {
+    std::weak_ptr<const BallScene> scene;
+    double probe_A = -1;
+    Vec3 origin{0.0};
+    std::shared_ptr<const SurfaceMesh> mesh;
+  };
+  static std::mutex mutex;
+  static std::map<double, Kept> kept;
+  const std::lock_guard lock(mutex);
+  Kept& one = kept[spacing_A];
+  if (!one.mesh || one.scene.lock() != scene || one.probe_A != probe_A || one.origin != origin) {
+    one.mesh.reset();  // before the next is made
+    one = {scene, probe_A, origin, std::make_shared<const SurfaceMesh>(*scene, probe_A, spacing_A, origin)};
+  }
+  return one.mesh;
+}
 
 SurfaceMesh::SurfaceMesh(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin) {
   UnionSurface surface = unionSurface(scene, probe_A, spacing_A, origin);

@@ -15,6 +15,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "engine/haptics/ball_scene.h"
@@ -35,6 +36,10 @@ class SurfaceMesh {
     std::array<Vec3, 3> out{};      ///< unit, in the plane, outward over edge k
     std::array<double, 3> reach{};  ///< inside: dot(out[k], x) <= reach[k]
   };
+
+  /// The last mesh of each spacing is kept: made again for the same scene and probe it costs nothing.
+  static std::shared_ptr<const SurfaceMesh> of(const std::shared_ptr<const BallScene>& scene, double probe_A, double spacing_A,
+                                               const Vec3& origin);
 
   SurfaceMesh(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin);
 
