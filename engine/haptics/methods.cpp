@@ -24,9 +24,9 @@ std::unique_ptr<Tracker> makeMesh(std::shared_ptr<const BallScene> scene, double
                                        MeshTracker::Options{triangles, smooth, coherent});
 }
 
-template <int tenths_A>
+template <int tenths_A, bool prepared = false>
 std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const BallScene> scene, double probe_A) {
-  return std::make_unique<GridTracker>(std::move(scene), probe_A, 0.1 * tenths_A);
+  return std::make_unique<GridTracker>(std::move(scene), probe_A, 0.1 * tenths_A, prepared);
 }
 
 template <int hundredths_A>
@@ -34,7 +34,7 @@ std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const BallScene> scene, dou
   return std::make_unique<SasMeshTracker>(std::move(scene), probe_A, 0.01 * hundredths_A);
 }
 
-constexpr std::size_t kMostMeshed = 20'000;  // balls whose whole surface is meshed in seconds and some 100 MB
+constexpr std::size_t kMostPrepared = 20'000;  // balls whose whole surface is modelled in seconds and some 100 MB
 
 constexpr std::array kMethods{
     Method{"exact", "the sphere tracker without error: the god-object on the union of balls",
@@ -55,13 +55,18 @@ constexpr std::array kMethods{
     Method{"grid08", "a signed-distance grid, smoothly interpolated, 0.8 A apart", &makeGrid<8>, "Grid", "0.8 Å"},
     Method{"penalty", "the sum of each ball's push, without a proxy", &make<PenaltyTracker>, "Penalty"},
     // For the bench only:
+    Method{"grid02-ready", "the grid 0.2 A apart, made beforehand wherever the surface is", &makeGrid<2, true>, "Grid", "0.2 Å",
+           "Ready", 0, kMostPrepared},
+    Method{"grid04-ready", "the grid 0.4 A apart, made beforehand wherever the surface is", &makeGrid<4, true>, "Grid", "0.4 Å",
+           "Ready", 0, kMostPrepared},
     Method{"sasmesh05", "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart",
-           &makeSasMesh<50>, "Surface mesh", "0.5 Å", "", 0, kMostMeshed, true},
+           &makeSasMesh<50>, "Surface mesh", "0.5 Å", "", 0, kMostPrepared, true},
     Method{"sasmesh025", "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart",
-           &makeSasMesh<25>, "Surface mesh", "0.25 Å", "", 0, kMostMeshed, true},
+           &makeSasMesh<25>, "Surface mesh", "0.25 Å", "", 0, kMostPrepared, true},
 };
 
-constexpr std::size_t kOffered = std::size_t(std::ranges::find(kMethods, true, &Method::one_probe) - kMethods.begin());
+constexpr std::size_t kOffered =
+    std::size_t(std::ranges::find_if(kMethods, [](const Method& m) { return m.most_balls > 0; }) - kMethods.begin());
 
 }  // namespace
 

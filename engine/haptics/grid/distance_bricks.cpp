@@ -1,7 +1,10 @@
 #include "engine/haptics/grid/distance_bricks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 namespace moltact {
 namespace {
@@ -33,7 +36,40 @@ void DistanceBricks::setCap(double cap_A) noexcept {
   const bool grows = cap_A > cap_;
   cap_ = cap_A;
   if (!grows) return;
-  for (std::uint32_t k = 0; k < kBricks; ++k) forget(bricks_[k]);
+  for (std::uint32_t k = 0; k < count_; ++k) forget(bricks_[k]);
+}
+
+void DistanceBricks::prepare(double level_A) {
+  const double size = kCells * spacing_, half = 0.5 * size * std::sqrt(3.0), near = half + spacing_;
+  std::vector<Key> keys;
+  for (const Ball& ball : scene_->balls()) {
+    const Vec3 c = ball.centre_A - origin_;
+    const double r = ball.radius_A + level_A;
+    const Vec3 low = glm::floor((c - Vec3(r)) / size - 0.5), high = glm::floor((c + Vec3(r)) / size + 0.5);
+    for (double x = low.x; x <= high.x; ++x)
+      for (double y = low.y; y <= high.y; ++y)
+        for (double z = low.z; z <= high.z; ++z) {
+          const Vec3 middle = (Vec3(x, y, z) + 0.5 - Vec3(0.5 / kCells)) * size;
+          if (std::abs(glm::distance(middle, c) - r) <= near) keys.push_back({std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+        }
+  }
+  const auto order = [](const Key& k) { return std::tuple(k.z, k.y, k.x); };
+  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) { return order(a) < order(b); });
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  std::erase_if(keys, [&](const Key& k) {  // deep in other balls
+    const Vec3 middle = (Vec3(k.x, k.y, k.z) + 0.5 - Vec3(0.5 / kCells)) * size;
+    bool deep = false;
+    scene_->visitNear(origin_ + middle, level_A, [&](std::uint32_t, const Ball& b) {
+      deep = deep || glm::distance(middle, b.centre_A - origin_) < b.radius_A + level_A - near;
+    });
+    return deep;
+  });
+  count_ = std::max(kBricks, std::uint32_t(std::bit_ceil(2 * keys.size())));
+  bricks_ = std::make_unique<Brick[]>(count_);
+  last_ = &bricks_[0];
+  std::fill_n(in_bricks_.get(), scene_->size(), std::uint16_t(0));
+  remembered_ = 0;
+  for (const Key& key : keys) make(key);
 }
 
 void DistanceBricks::forget(Brick& brick) noexcept {
@@ -44,11 +80,11 @@ void DistanceBricks::forget(Brick& brick) noexcept {
   brick.labels = 0;
 }
 
-std::uint32_t DistanceBricks::set(const Key& key) {
+std::uint32_t DistanceBricks::set(const Key& key) const {
   std::uint64_t h = std::uint64_t(std::uint32_t(key.x)) * 0x9E3779B97F4A7C15ull;
   h = (h ^ std::uint64_t(std::uint32_t(key.y))) * 0xC2B2AE3D27D4EB4Full;
   h = (h ^ (h >> 29) ^ std::uint64_t(std::uint32_t(key.z))) * 0x165667B19E3779F9ull;
-  return std::uint32_t(h >> 40) % (kBricks / kWays) * kWays;
+  return std::uint32_t(h >> 40) % (count_ / kWays) * kWays;
 }
 
 DistanceBricks::Brick* DistanceBricks::find(const Key& key) const noexcept {
@@ -203,7 +239,7 @@ std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
 }
 
 std::size_t DistanceBricks::bytes() const noexcept {
-  return kBricks * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) +
+  return count_ * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) +
          kSamples * kSamples * kSamples * sizeof(double) + scene_->size() * sizeof(std::uint16_t);
 }
 
