@@ -1,5 +1,6 @@
 #include "engine/bench/clock_step.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <complex>
@@ -16,7 +17,10 @@ constexpr double kReach_ns = 2000.0;   // longer differences say more of interru
 double stepOf(const std::vector<double>& differences_ns) {
   // How well the differences lie on a comb: the length of the mean of exp(2 pi i d / step), 1 where all are multiples of it.
   // Rounding to whole nanoseconds shortens it to sinc^2(1 / step); half of them between the teeth would make it 0.
-  for (double step = kWidest_ns; step > 1.5; step *= 1.0 - 2e-4) {
+  double shortest = kWidest_ns;  // no tooth is wider than the shortest difference
+  for (const double d : differences_ns)
+    if (d > 0) shortest = std::min(shortest, d + 1.0);
+  for (double step = shortest; step > 1.5; step *= 1.0 - 2e-4) {
     std::complex<double> sum = 0;
     std::size_t count = 0;
     for (const double d : differences_ns) {
