@@ -107,6 +107,7 @@ TEST_CASE("a method that prepares the whole scene is left out of scenes larger t
   const std::vector<const Method*> methods{findMethod("exact"), findBenchMethod("sasmesh05")};
   CHECK(thatBear(methods, 20'000).size() == 2);
   CHECK(thatBear(methods, 20'001).size() == 1);
+  CHECK(thatBear(methods, 50, 13'751).size() == 1);
 }
 
 TEST_CASE("the page of speed has a place for each table and each paragraph that a run writes") {

@@ -13,8 +13,12 @@
 // the mesh's tree
 //   of boxes; the balls near the SCP and the distance to the next of them are remembered from tick to tick;
 // * a mesh that the SCP is on is not searched: it is convex, and the SCP's way does not lead under the face
-// it is on. `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box
-// by box, as published polygonal trackers do. The places found are the same.
+// it is on;
+// * the ordinary tick, on one face, along the seam of two or at rest on the point of three, does what the whole flow would do
+//   and asks no more than whether anything else is near: a ball near by is parted from the SCP's way by its bounding sphere or by
+//   one plane of its mesh, the last that did so or one about it.
+// `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box by box, as published polygonal
+// trackers do. The places found are the same to the last bit.
 //
 // Force shading: with `smooth`, Contact::normal is made of normals interpolated from the corners' (Ruspini,
 // Kolarov & Khatib 1997), each weighted by its face's share in holding the SCP. Corners on the sphere carry
