@@ -113,9 +113,9 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
   return out;
 }
 
-// Stability changes the probe under the finger: for methods that bear it.
-std::vector<const Method*> forAnyProbe(std::vector<const Method*> methods) {
-  std::erase_if(methods, [](const Method* m) { return m->one_probe; });
+// Stability makes thousands of trackers and changes the probe under the finger: for the methods that a person is offered.
+std::vector<const Method*> offeredOf(std::vector<const Method*> methods) {
+  std::erase_if(methods, [](const Method* m) { return !findMethod(m->name); });
   return methods;
 }
 
@@ -241,7 +241,7 @@ void run(const BenchArguments& arguments) {
   if (all || arguments.part == "tables") addTables(arguments, methods, report);
   if (all || arguments.part == "chart") addChart(arguments, methods, report);
   if (all || arguments.part == "feel") report.tables.push_back(feelTable(measureFeel(methods)));
-  if (all || arguments.part == "stability") addStability(arguments, forAnyProbe(methods), report);
+  if (all || arguments.part == "stability") addStability(arguments, offeredOf(methods), report);
 
   for (const ReportTable& t : report.tables)
     if (t.name != "stability_figures" || !all) std::cout << toConsole(t) << '\n';
