@@ -7,6 +7,7 @@
 #include "app/commands/command.h"
 #include "app/commands/device_path.h"
 #include "engine/bench/charts.h"
+#include "engine/bench/cool_ticks.h"
 #include "engine/bench/feel.h"
 #include "engine/bench/felt.h"
 #include "engine/bench/hand_replay.h"
@@ -18,6 +19,7 @@
 #include "engine/bench/stiffness.h"
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off.h"
+#include "engine/bench/trade_off_sentences.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/terminal.h"
@@ -28,6 +30,8 @@ namespace {
 
 using namespace bench;
 namespace fs = std::filesystem;
+
+constexpr std::size_t kChartSpheres = 13'751;  // as many as the paper's largest structure
 
 struct BenchArguments {
   std::string part = "all", json, csv, svg, docs, markdown;
@@ -88,19 +92,27 @@ void checkPages(const fs::path& folder) {
                            .text()};
 }
 
-std::vector<const Method*> chosen(const std::vector<std::string>& names) {
+std::vector<const Method*> chosen(const std::vector<std::string>& names, bool quick) {
+  // Of the methods that prepare a whole scene the finer take seconds for it: only in full runs, or by name.
+  constexpr std::string_view kNotQuick[] = {"grid02-ready", "sasmesh025"};
   std::vector<const Method*> out;
-  for (const Method& m : methods())
-    if (names.empty() || m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
+  for (const Method& m : benchMethods())
+    if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) || m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
       out.push_back(&m);
   for (const std::string& name : names)
-    if (!findMethod(name)) {
+    if (!findBenchMethod(name)) {
       std::string known;
-      for (const Method& m : methods()) known.append(known.empty() ? "" : ", ").append(m.name);
+      for (const Method& m : benchMethods()) known.append(known.empty() ? "" : ", ").append(m.name);
       throw CommandError{
           Problem{"--methods", 0, 0, "there is no method \"" + name + "\"", "choose from " + known}.text()};
     }
   return out;
+}
+
+// Stability makes thousands of trackers and changes the probe under the finger: for the methods that a person is offered.
+std::vector<const Method*> offeredOf(std::vector<const Method*> methods) {
+  std::erase_if(methods, [](const Method* m) { return !findMethod(m->name); });
+  return methods;
 }
 
 // Structures that the library holds or the user has fetched; those that are not there are passed over.
@@ -137,10 +149,26 @@ StrokePlan plan(const BenchArguments& arguments) {
   return p;
 }
 
+// On the spheres of the chart, beside the same methods' ticks in a row.
+void addCool(const BenchArguments& arguments, const std::vector<const Method*>& methods,
+             const std::vector<SceneTimes>& times, Report& report) {
+  const auto scene = std::make_shared<const BallScene>(proteinLike(kChartSpheres, static_cast<unsigned>(arguments.seed)));
+  StrokePlan strokes = plan(arguments);
+  strokes.strokes = 4;
+  const CoolPlan ticks = arguments.quick ? CoolPlan{100, 24} : CoolPlan{1000, 200};
+  const ProgressBar bar("caches");
+  const auto cool = timeCool(thatBear(methods, kChartSpheres), scene, kWaterProbe_A,
+                             contactStrokes(scene, kWaterProbe_A, strokes), ticks, std::cref(bar));
+  const auto hot = std::find_if(times.begin(), times.end(), [&](const SceneTimes& s) { return s.spheres == kChartSpheres; });
+  report.tables.push_back(coolTable(cool, hot == times.end() ? std::vector<TickTimes>{} : hot->contact, kChartSpheres));
+  report.sentences.push_back({"cool_sentences", coolSentences(cool)});
+}
+
 void addTables(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
   std::vector<TableScene> scenes = madeScenes(arguments.quick, arguments.seed);
   for (TableScene& one : structures()) scenes.push_back(std::move(one));
-  TableOptions options{methods, kWaterProbe_A, plan(arguments), arguments.quick ? 0.1 : 1.0};
+  TableOptions options{methods, kWaterProbe_A, plan(arguments), arguments.quick ? 0.1 : 1.0,
+                       arguments.quick ? std::size_t(kChartSpheres) : 0};
   const ProgressBar bar("tables");
   const auto times = measureTables(scenes, options, std::cref(bar));
   report.tables.push_back(besidePaperTable(times));
@@ -153,6 +181,8 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
     report.excerpts.push_back(rowsWhere(table, "method", "exact", std::string(name) + "_exact", table.title));
   }
   report.pictures.push_back({"memory-and-ready-time.svg", sizeChart(times)});
+  report.sentences.push_back({"size_sentences", sizeSentences(times)});
+  addCool(arguments, methods, times, report);
 }
 
 void addChart(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
@@ -163,7 +193,8 @@ void addChart(const BenchArguments& arguments, const std::vector<const Method*>&
   options.seed = arguments.seed;
   const ProgressBar bar("chart");
   const auto points = measureTradeOffs(options, std::cref(bar));
-  report.tables.push_back(tradeOffTable(points, options.spheres));
+  report.tables.push_back(tradeOffTable(points, options));
+  report.sentences.push_back({"trade_off_sentences", tradeOffSentences(points)});
   report.pictures.push_back({"speed-and-accuracy.svg", tradeOffChart(points, options.spheres)});
 }
 
@@ -276,16 +307,16 @@ void updatePages(const fs::path& folder, const Report& report) {
 }
 
 void run(const BenchArguments& arguments) {
-  const auto methods = chosen(arguments.methods);
+  const auto methods = chosen(arguments.methods, arguments.quick);
   checkOutputs(arguments);
   const bool all = arguments.part == "all";
   const auto begin = std::chrono::steady_clock::now();
   Report report;
   if (all || arguments.part == "tables") addTables(arguments, methods, report);
   if (all || arguments.part == "chart") addChart(arguments, methods, report);
-  if (all || arguments.part == "feel") addFeel(arguments, methods, report);
-  if (all || arguments.part == "hands") addHands(arguments, methods, report);
-  if (all || arguments.part == "stability") addStability(arguments, methods, report);
+  if (all || arguments.part == "feel") addFeel(arguments, offeredOf(methods), report);
+  if (all || arguments.part == "hands") addHands(arguments, offeredOf(methods), report);
+  if (all || arguments.part == "stability") addStability(arguments, offeredOf(methods), report);
 
   for (const ReportTable& t : report.tables)
     if (!t.name.ends_with("_figures")) out() << Lines{toConsole(t)} << '\n';  // thousands of rows: for --csv and --json

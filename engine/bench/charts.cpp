@@ -17,6 +17,7 @@ Family familyOf(std::string_view method) {
   if (method == "exact") return {"exact", Mark::Diamond};
   if (method == "paper") return {"paper", Mark::Disc};
   if (method.starts_with("mesh")) return {"mesh", Mark::Triangle};
+  if (method.starts_with("sasmesh")) return {"surface mesh", Mark::Circle};
   if (method.starts_with("grid")) return {"grid", Mark::Square};
   if (method == "penalty") return {"penalty", Mark::Cross};
   return {std::string(method), Mark::Circle};
@@ -59,8 +60,8 @@ std::string tradeOffChart(const std::vector<TradeOff>& points, std::size_t spher
 }
 
 std::string sizeChart(const std::vector<SceneTimes>& times) {
-  // A line for each kind would be thirteen; these stand for their kinds.
-  constexpr std::array<std::string_view, 5> kShown{"exact", "paper", "mesh960", "grid04", "penalty"};
+  // A line for each method would be too many; these stand for their kinds.
+  constexpr std::array<std::string_view, 6> kShown{"exact", "paper", "mesh960", "sasmesh05", "grid04", "penalty"};
   ChartPanel memory{"Memory of the method after sliding", "atoms loaded", "bytes", {}},
       ready{"Until the scene can be touched", "atoms loaded", "milliseconds", {}};
   for (const std::string_view name : kShown) {

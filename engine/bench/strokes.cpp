@@ -9,9 +9,6 @@
 #include "engine/haptics/sweep.h"
 
 namespace moltact::bench {
-namespace {
-constexpr double kStep_A = 0.02;
-}
 
 std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A,
                                    const StrokePlan& plan) {
@@ -32,7 +29,7 @@ std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene
       if (!c.touching()) {
         if (reached || glm::dot(h - centre, aim) > far)
           break;  // came off, or found a way through: another side
-        h += aim * std::max(kStep_A, 0.9 * clearance(*scene, probe_A, h));
+        h += aim * std::max(kStrokeStep_A, 0.9 * clearance(*scene, probe_A, h));
         continue;
       }
       const Vec3 lift = c.scp.A - h;
@@ -41,7 +38,7 @@ std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene
       reached = reached || depth >= plan.depth_A;
       heading = glm::normalize(heading + 0.05 * random.direction());
       heading = glm::normalize(heading - up * glm::dot(heading, up));
-      h += kStep_A * (reached ? glm::normalize(heading + up * (3.0 * (depth - plan.depth_A))) : -up);
+      h += kStrokeStep_A * (reached ? glm::normalize(heading + up * (3.0 * (depth - plan.depth_A))) : -up);
     }
     if (one.counted.size() == plan.ticks) out.push_back(std::move(one));
   }

@@ -9,6 +9,8 @@
 
 namespace moltact::bench {
 
+inline constexpr double kStrokeStep_A = 0.02;  ///< a tick
+
 /// One stroke. The tracker is reset, then led along `approach` from outside (not counted), then along
 /// `counted`.
 struct Stroke {

@@ -36,6 +36,7 @@ struct TableOptions {
   double probe_A = kWaterProbe_A;
   StrokePlan plan;
   double budget_s = 0.5;  ///< of counted time a method, scene and motion
+  std::size_t least_prepared = 0;  ///< methods that prepare a whole scene are left out of scenes of fewer balls
 };
 
 struct SceneTimes {
@@ -43,8 +44,11 @@ struct SceneTimes {
   std::string paper_name;
   std::size_t spheres = 0;
   double scene_s = 0;                    ///< preparing what all methods share
-  std::vector<TickTimes> free, contact;  ///< a row a method, in the order of the options
+  std::vector<TickTimes> free, contact;  ///< a row a method that bears the scene, in the order of the options
 };
+
+/// Those that are made for scenes of so many balls (Method::most_balls); those that prepare them not below `least_prepared`.
+std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls, std::size_t least_prepared = 0);
 
 std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
                                       const Progress& progress);

@@ -66,19 +66,6 @@ double clockCost_ns() {
   return least;
 }
 
-double clockStep_ns() {
-  double least = 1e9;
-  for (int k = 0; k < 20'000; ++k) {
-    const auto begin = Clock::now();
-    auto end = Clock::now();
-    while (end == begin) end = Clock::now();
-    const auto later = Clock::now();
-    for (const double step : {ns(begin, end), ns(end, later), std::abs(ns(begin, end) - ns(end, later))})
-      if (step > 0) least = std::min(least, step);
-  }
-  return least;
-}
-
 std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
                                    const std::shared_ptr<const BallScene>& scene, double probe_A,
                                    const std::vector<Stroke>& strokes, double budget_s) {

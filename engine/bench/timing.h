@@ -3,7 +3,7 @@
 //
 // The methods take turns stroke by stroke (A B A B …), so that a change of the machine's speed meets all
 // alike. Even strokes are timed whole, for the mean; odd ones tick by tick, for the percentiles, less the
-// clock's own cost. A stroke during which the operating system took the processor away says nothing of the
+// clock's own cost, and known no better than to the clock's step (clock_step.h). A stroke during which the operating system took the processor away says nothing of the
 // method and is not counted.
 #pragma once
 
@@ -21,10 +21,6 @@ namespace moltact::bench {
 
 /// Told how far along the work is (0 to 1) and at what.
 using Progress = std::function<void(double share, std::string_view what)>;
-
-/// The smallest step in which the clock's readings differ (unit: nanosecond); single ticks are no finer than
-/// this.
-double clockStep_ns();
 
 /// What two readings of the clock in a row cost at least (unit: nanosecond).
 double clockCost_ns();

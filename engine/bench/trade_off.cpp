@@ -34,9 +34,9 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
   return out;
 }
 
-ReportTable tradeOffTable(const std::vector<TradeOff>& points, std::size_t spheres) {
+ReportTable tradeOffTable(const std::vector<TradeOff>& points, const TradeOffOptions& options) {
   ReportTable t{"trade_off",
-                "Speed against accuracy, sliding over " + readable(double(spheres)) + " spheres",
+                "Speed against accuracy, sliding over " + readable(double(options.spheres)) + " spheres",
                 {{"method", "method"},
                  {"tick_ns", "tick (ns)"},
                  {"scp_rms_A", "SCP error, rms (A)"},
@@ -50,7 +50,11 @@ ReportTable tradeOffTable(const std::vector<TradeOff>& points, std::size_t spher
                  {"bytes", "memory (bytes)"},
                  {"best", "best trade-off in"}},
                 {},
-                "Errors are against exact; those of exact are against the brute-force oracle."};
+                readable(double(options.plan.strokes)) + " strokes of " + readable(double(options.plan.ticks)) +
+                    " ticks over a protein-like cluster of " + readable(double(options.spheres)) + " spheres, the HIP " +
+                    readable(options.plan.depth_A) + " A deep, " + readable(kStrokeStep_A) + " A a tick, the probe " +
+                    readable(options.probe_A) +
+                    " A. Errors are against exact; those of exact are against the brute-force oracle."};
   for (const TradeOff& p : points) {
     const Accuracy& a = p.accuracy;
     const std::string best = p.best_scp && p.best_direction ? "place, direction"

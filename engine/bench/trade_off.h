@@ -29,6 +29,6 @@ struct TradeOffOptions {
 
 std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Progress& progress);
 
-ReportTable tradeOffTable(const std::vector<TradeOff>& points, std::size_t spheres);
+ReportTable tradeOffTable(const std::vector<TradeOff>& points, const TradeOffOptions& options);
 
 }  // namespace moltact::bench

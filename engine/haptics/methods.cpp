@@ -1,5 +1,6 @@
 #include "engine/haptics/methods.h"
 
+#include <algorithm>
 #include <array>
 
 #include "engine/haptics/exact/exact_tracker.h"
@@ -7,6 +8,7 @@
 #include "engine/haptics/mesh/mesh_tracker.h"
 #include "engine/haptics/paper/paper_tracker.h"
 #include "engine/haptics/penalty/penalty_tracker.h"
+#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
 
 namespace moltact {
 namespace {
@@ -22,10 +24,17 @@ std::unique_ptr<Tracker> makeMesh(std::shared_ptr<const BallScene> scene, double
                                        MeshTracker::Options{triangles, smooth, coherent});
 }
 
-template <int tenths_A>
+template <int tenths_A, bool prepared = false>
 std::unique_ptr<Tracker> makeGrid(std::shared_ptr<const BallScene> scene, double probe_A) {
-  return std::make_unique<GridTracker>(std::move(scene), probe_A, 0.1 * tenths_A);
+  return std::make_unique<GridTracker>(std::move(scene), probe_A, 0.1 * tenths_A, prepared);
 }
+
+template <int hundredths_A>
+std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const BallScene> scene, double probe_A) {
+  return std::make_unique<SasMeshTracker>(std::move(scene), probe_A, 0.01 * hundredths_A);
+}
+
+constexpr std::size_t kMostPrepared = 20'000;  // balls whose whole surface is modelled in seconds and some 100 MB
 
 constexpr std::array kMethods{
     Method{"exact", "the sphere tracker without error: the god-object on the union of balls",
@@ -45,14 +54,34 @@ constexpr std::array kMethods{
     Method{"grid04", "a signed-distance grid, smoothly interpolated, 0.4 A apart", &makeGrid<4>, "Grid", "0.4 Å"},
     Method{"grid08", "a signed-distance grid, smoothly interpolated, 0.8 A apart", &makeGrid<8>, "Grid", "0.8 Å"},
     Method{"penalty", "the sum of each ball's push, without a proxy", &make<PenaltyTracker>, "Penalty"},
+    // For the bench only:
+    Method{"grid02-ready", "the grid 0.2 A apart, made beforehand wherever the surface is", &makeGrid<2, true>, "Grid", "0.2 Å",
+           "Ready", 0, kMostPrepared},
+    Method{"grid04-ready", "the grid 0.4 A apart, made beforehand wherever the surface is", &makeGrid<4, true>, "Grid", "0.4 Å",
+           "Ready", 0, kMostPrepared},
+    Method{"sasmesh05", "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart",
+           &makeSasMesh<50>, "Surface mesh", "0.5 Å", "", 0, kMostPrepared, true},
+    Method{"sasmesh025", "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart",
+           &makeSasMesh<25>, "Surface mesh", "0.25 Å", "", 0, kMostPrepared, true},
 };
+
+constexpr std::size_t kOffered =
+    std::size_t(std::ranges::find_if(kMethods, [](const Method& m) { return m.most_balls > 0; }) - kMethods.begin());
 
 }  // namespace
 
-std::span<const Method> methods() { return kMethods; }
+std::span<const Method> methods() { return benchMethods().first(kOffered); }
+
+std::span<const Method> benchMethods() { return kMethods; }
 
 const Method* findMethod(std::string_view name) {
-  for (const Method& m : kMethods)
+  for (const Method& m : methods())
+    if (m.name == name) return &m;
+  return nullptr;
+}
+
+const Method* findBenchMethod(std::string_view name) {
+  for (const Method& m : benchMethods())
     if (m.name == name) return &m;
   return nullptr;
 }
@@ -64,7 +93,7 @@ std::vector<std::string_view> methodNames() {
 }
 
 std::string methodTitle(std::string_view name) {
-  const Method* m = findMethod(name);
+  const Method* m = findBenchMethod(name);
   if (!m) return std::string(name);
   std::string title(m->family);
   if (!m->grade.empty()) title += " " + std::string(m->grade);

@@ -20,15 +20,23 @@ struct Method {
   std::string_view grade = {};    ///< how finely: "960", "0.4 Å"; empty where a family is one method
   std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
   int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
+  std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
+  bool one_probe = false;         ///< it feels only the probe that it was made for
 };
 
-/// All methods, the default first.
+/// The methods that the window, the lessons and every command offer, the default first. Each bears any scene and probe.
 std::span<const Method> methods();
 
-/// The method of that name, or nullptr.
+/// These and the ones that stand for comparison only, with what methods() does not allow: see most_balls and one_probe.
+std::span<const Method> benchMethods();
+
+/// The method of that name among methods(), or nullptr.
 const Method* findMethod(std::string_view name);
 
-/// The names of all methods, in the same order.
+/// The same among benchMethods().
+const Method* findBenchMethod(std::string_view name);
+
+/// The names of methods(), in the same order.
 std::vector<std::string_view> methodNames();
 
 /// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.

@@ -134,7 +134,7 @@ TEST_CASE("of two rows the one named c|d is picked out, and none from a column t
 TEST_CASE("the CSV of tick times keeps its header") {
   const std::string csv = toCsv(tickTable({}));
   CHECK(csv ==
-        "scene,spheres,motion,method,mean_ns,p50_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,"
+        "scene,spheres,motion,method,mean_ns,p50_ns,single_error_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,"
         "ticks,dropped\n");
   CHECK(toCsv(readyTable({})) ==
         "scene,spheres,method,scene_ms,tracker_ms,first_touch_ms,ready_ms,bytes,bytes_times_exact,atoms_"

@@ -33,7 +33,7 @@ TEST_CASE(
     "no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random balls") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const scenes::Path path = scenes::jumps(scene, 3000, 8);
-  for (const Method& method : methods()) {
+  for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto tracker = method.make(makeScene(scene.balls), scene.probe_A);
     int touching = 0;
@@ -50,7 +50,7 @@ TEST_CASE(
 }
 
 TEST_CASE("every method gives no contact to a HIP that starts inside until it has been outside once") {
-  for (const Method& method : methods()) {
+  for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto tracker = method.make(makeScene({{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), 1.4);
     for (int round = 0; round < 2; ++round) {
@@ -68,7 +68,7 @@ TEST_CASE("every method gives no contact to a HIP that starts inside until it ha
 
 TEST_CASE("every method refuses NaN, infinity and places beyond 1e9 A, and goes on from where it was") {
   const double nan = std::nan(""), inf = std::numeric_limits<double>::infinity();
-  for (const Method& method : methods()) {
+  for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto disturbed = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4),
                calm = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
@@ -90,7 +90,7 @@ TEST_CASE("every method refuses NaN, infinity and places beyond 1e9 A, and goes 
 TEST_CASE("every method repeats a path of 1000 ticks to the last bit") {
   const scenes::Scene scene = scenes::cluster(20, 5);
   const scenes::Path path = scenes::walk(scene, 1000, 5);
-  for (const Method& method : methods()) {
+  for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto shared = makeScene(scene.balls);
     const auto a = method.make(shared, scene.probe_A), b = method.make(shared, scene.probe_A);
@@ -105,17 +105,34 @@ TEST_CASE("every method repeats a path of 1000 ticks to the last bit") {
 }
 
 TEST_CASE("every method bears a scene without balls, one ball, and a probe that is no number") {
-  for (const Method& method : methods()) {
+  for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const auto empty = method.make(makeScene({}), 1.4);
     for (double z = 3; z > -3; z -= 0.5) CHECK_FALSE(empty->step({{0, 0, z}}).touching());
     const auto one = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
+    CHECK(one->footprint().bytes > 0);
     one->setProbe(std::nan(""));
     CHECK(one->probe_A() == 1.4);
+    if (method.one_probe) {
+      one->setProbe(2.0);
+      CHECK(one->probe_A() == 1.4);
+      continue;
+    }
     one->setProbe(-1);
     CHECK(one->probe_A() == 0.0);
     one->setProbe(1e9);
     CHECK(one->probe_A() == kLargestProbe_A);
-    CHECK(one->footprint().bytes > 0);
   }
+}
+
+TEST_CASE("what the window and lessons offer bears any scene and probe; what does not is for the bench alone") {
+  CHECK(benchMethods().size() > methods().size());
+  CHECK(benchMethods().data() == methods().data());
+  for (const Method& method : benchMethods()) {
+    CAPTURE(std::string(method.name));
+    const bool offered = findMethod(method.name) != nullptr;
+    CHECK(offered == (method.most_balls == 0 && !method.one_probe));
+    CHECK(findBenchMethod(method.name) == &method);
+  }
+  CHECK(findMethod("sasmesh05") == nullptr);
 }

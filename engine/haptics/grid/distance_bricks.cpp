@@ -1,7 +1,10 @@
 #include "engine/haptics/grid/distance_bricks.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 namespace moltact {
 namespace {
@@ -33,7 +36,40 @@ void DistanceBricks::setCap(double cap_A) noexcept {
   const bool grows = cap_A > cap_;
   cap_ = cap_A;
   if (!grows) return;
-  for (std::uint32_t k = 0; k < kBricks; ++k) forget(bricks_[k]);
+  for (std::uint32_t k = 0; k < count_; ++k) forget(bricks_[k]);
+}
+
+void DistanceBricks::prepare(double level_A) {
+  const double size = kCells * spacing_, half = 0.5 * size * std::sqrt(3.0), near = half + spacing_;
+  std::vector<Key> keys;
+  for (const Ball& ball : scene_->balls()) {
+    const Vec3 c = ball.centre_A - origin_;
+    const double r = ball.radius_A + level_A;
+    const Vec3 low = glm::floor((c - Vec3(r)) / size - 0.5), high = glm::floor((c + Vec3(r)) / size + 0.5);
+    for (double x = low.x; x <= high.x; ++x)
+      for (double y = low.y; y <= high.y; ++y)
+        for (double z = low.z; z <= high.z; ++z) {
+          const Vec3 middle = (Vec3(x, y, z) + 0.5 - Vec3(0.5 / kCells)) * size;
+          if (std::abs(glm::distance(middle, c) - r) <= near) keys.push_back({std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+        }
+  }
+  const auto order = [](const Key& k) { return std::tuple(k.z, k.y, k.x); };
+  std::sort(keys.begin(), keys.end(), [&](const Key& a, const Key& b) { return order(a) < order(b); });
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  std::erase_if(keys, [&](const Key& k) {  // deep in other balls
+    const Vec3 middle = (Vec3(k.x, k.y, k.z) + 0.5 - Vec3(0.5 / kCells)) * size;
+    bool deep = false;
+    scene_->visitNear(origin_ + middle, level_A, [&](std::uint32_t, const Ball& b) {
+      deep = deep || glm::distance(middle, b.centre_A - origin_) < b.radius_A + level_A - near;
+    });
+    return deep;
+  });
+  count_ = std::max(kBricks, std::uint32_t(std::bit_ceil(2 * keys.size())));
+  bricks_ = std::make_unique<Brick[]>(count_);
+  last_ = &bricks_[0];
+  std::fill_n(in_bricks_.get(), scene_->size(), std::uint16_t(0));
+  remembered_ = 0;
+  for (const Key& key : keys) make(key);
 }
 
 void DistanceBricks::forget(Brick& brick) noexcept {
@@ -44,11 +80,11 @@ void DistanceBricks::forget(Brick& brick) noexcept {
   brick.labels = 0;
 }
 
-std::uint32_t DistanceBricks::set(const Key& key) {
+std::uint32_t DistanceBricks::set(const Key& key) const {
   std::uint64_t h = std::uint64_t(std::uint32_t(key.x)) * 0x9E3779B97F4A7C15ull;
   h = (h ^ std::uint64_t(std::uint32_t(key.y))) * 0xC2B2AE3D27D4EB4Full;
   h = (h ^ (h >> 29) ^ std::uint64_t(std::uint32_t(key.z))) * 0x165667B19E3779F9ull;
-  return std::uint32_t(h >> 40) % (kBricks / kWays) * kWays;
+  return std::uint32_t(h >> 40) % (count_ / kWays) * kWays;
 }
 
 DistanceBricks::Brick* DistanceBricks::find(const Key& key) const noexcept {
@@ -134,7 +170,7 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
       for (int x = 0; x < kSide; ++x) {
         const double* f = &distance_[std::size_t((x + 1) * kX + (y + 1) * kY + (z + 1) * kZ)];
         const double curved = f[-kX] + f[kX] + f[-kY] + f[kY] + f[-kZ] + f[kZ] - 6.0 * f[0];
-        brick->coefficient[std::size_t(x + kSide * (y + kSide * z))] = f[0] - curved / 8.0;
+        brick->coefficient[std::size_t(x + kSide * (y + kSide * z))] = float(f[0] - curved / 8.0);
       }
   return last_ = brick;
 }
@@ -151,13 +187,14 @@ bool DistanceBricks::sample(const Vec3& place, Sample& out, int& fills_left) noe
   }
   const Weights x(at.x - node.x), y(at.y - node.y), z(at.z - node.z);
   const Vec3 in = node - brick_at * double(kCells);  // 0 to 3; coefficients begin one node earlier
-  const double* c = &brick->coefficient[std::size_t(int(in.x) + kSide * (int(in.y) + kSide * int(in.z)))];
+  const float* c = &brick->coefficient[std::size_t(int(in.x) + kSide * (int(in.y) + kSide * int(in.z)))];
   double f = 0, fx = 0, fy = 0, fz = 0, xx = 0, yy = 0, zz = 0, xy = 0, xz = 0, yz = 0;
   constexpr double dd[3] = {1.0, -2.0, 1.0};
   for (int k = 0; k < 3; ++k) {
     double p = 0, px = 0, py = 0, pxx = 0, pyy = 0, pxy = 0;
     for (int j = 0; j < 3; ++j) {
-      const double* row = c + kSide * (j + kSide * k);
+      const float* at_row = c + kSide * (j + kSide * k);
+      const double row[3] = {at_row[0], at_row[1], at_row[2]};
       const double r = x.w[0] * row[0] + x.w[1] * row[1] + x.w[2] * row[2];
       const double rx = x.d[0] * row[0] + x.d[1] * row[1] + x.d[2] * row[2];
       const double rxx = row[0] - 2.0 * row[1] + row[2];
@@ -202,7 +239,7 @@ std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
 }
 
 std::size_t DistanceBricks::bytes() const noexcept {
-  return kBricks * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) +
+  return count_ * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) +
          kSamples * kSamples * kSamples * sizeof(double) + scene_->size() * sizeof(std::uint16_t);
 }
 

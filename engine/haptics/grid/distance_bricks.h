@@ -22,12 +22,16 @@ namespace moltact {
 class DistanceBricks {
  public:
   static constexpr int kCells = 4;  ///< along an edge of a brick
-  static constexpr std::uint32_t kBricks = 1024;
+  static constexpr std::uint32_t kBricks = 1024;  ///< held, but for prepared()
   static constexpr int kLabels = 24;  ///< balls that a brick remembers, to name the nearest
 
   /// `cap_A`: the field is not asked for beyond this level; farther places may read it instead of their
   /// distance.
   DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec3& origin, double spacing_A, double cap_A);
+
+  /// Makes all bricks that the surface at this level passes through or comes near to, with room for twice as many: nothing is
+  /// left to be made while it is touched. Before touching; allocates.
+  void prepare(double level_A);
 
   struct Sample {
     double value;  ///< the field
@@ -58,7 +62,7 @@ class DistanceBricks {
  private:
   static constexpr int kSide = kCells + 2;     // coefficients along an edge
   static constexpr int kSamples = kCells + 4;  // distances along an edge, from which they are made
-  static constexpr std::uint32_t kWays = 4;
+  static constexpr std::uint32_t kWays = 8;
   struct Key {
     std::int32_t x, y, z;
     bool operator==(const Key&) const = default;
@@ -69,10 +73,10 @@ class DistanceBricks {
     std::uint64_t age = 0;
     std::int32_t labels = 0;
     std::array<std::int32_t, kLabels> label;
-    std::array<double, kSide * kSide * kSide> coefficient;
+    std::array<float, kSide * kSide * kSide> coefficient;  // rounded by less than 1e-6 A: half the memory, half the cache
   };
 
-  static std::uint32_t set(const Key& key);
+  std::uint32_t set(const Key& key) const;
   void forget(Brick& brick) noexcept;
   Brick* find(const Key& key) const noexcept;
   Brick* make(const Key& key) noexcept;
@@ -80,6 +84,7 @@ class DistanceBricks {
   std::shared_ptr<const BallScene> scene_;
   Vec3 origin_;
   double spacing_, cap_;
+  std::uint32_t count_ = kBricks;  // a power of two
   std::unique_ptr<Brick[]> bricks_;
   mutable Brick* last_;
   std::uint64_t made_ = 0;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSurface_A = 1e-9;  // so near the level counts as on it
 constexpr double kSettled_A =
-    1e-4;  // a Newton step this short leaves an error of about its square: the last one of a tick
+    0.025;  // a Newton step this short leaves an error of about its square, far under the grid's own: the last one of a tick
 constexpr double kFree =
     0.8;  // of the level's distance by the field: its slope is near 1, but for the rounding of creases
 constexpr int kMostFlights = 512;  // steps along one straight way
@@ -23,11 +23,13 @@ double GridTracker::capFor(double probe_A, double spacing_A) {
   return std::ceil(probe_A) + 2.0 + 3.0 * spacing_A;
 }
 
-GridTracker::GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A)
+GridTracker::GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A, bool prepared)
     : scene_(std::move(scene)),
       origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
       bricks_(scene_, origin_, spacing_A, capFor(usableProbe_A(probe_A, kWaterProbe_A), spacing_A)),
-      probe_(usableProbe_A(probe_A, kWaterProbe_A)) {}
+      probe_(usableProbe_A(probe_A, kWaterProbe_A)) {
+  if (prepared) bricks_.prepare(probe_);
+}
 
 void GridTracker::reset() noexcept {
   armed_ = touching_ = false;
@@ -84,6 +86,11 @@ Contact GridTracker::step(PointA hip) noexcept {
   if (went == Went::Arrived) return {.scp = hip};
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
   out.atoms[0] = bricks_.nearestBall(scp_);
+  if (out.atoms[0] < 0) {  // the last step led into a brick that the next tick needs as well
+    DistanceBricks::Sample next{};
+    bricks_.sample(scp_, next, fills_left_);
+    out.atoms[0] = bricks_.nearestBall(scp_);
+  }
   return out;
 }
 

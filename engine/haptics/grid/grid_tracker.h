@@ -23,7 +23,8 @@ namespace moltact {
 
 class GridTracker final : public Tracker {
  public:
-  GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A);
+  /// `prepared`: every brick that the surface passes through is made here and kept, instead of where the SCP comes.
+  GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A, bool prepared = false);
 
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;

@@ -17,16 +17,20 @@ constexpr int kMostStuck = 32;  // round a corner of a mesh a way of no length p
 constexpr double kSwelling_A =
     0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
 constexpr int kMostPushes = 256;
+constexpr double kSure = 1e-9;  // of a length: so far from a decision rounding has no say in it
+constexpr double kNearly = 1.0 - 1e-9;
+constexpr double kKept_A = 1.0;  // a list of near balls serves so far
+constexpr int kMostPlanes = 8;  // tried to part a mesh from the SCP's way
 
 }  // namespace
 
 MeshTracker::MeshTracker(std::shared_ptr<const BallScene> scene, double probe_A, Options options)
-    : mesh_(SphereMesh::ofTriangles(options.triangles)), options_(options), nearby_(std::move(scene)) {
+    : mesh_(SphereMesh::ofTriangles(options.triangles)), options_(options), nearby_(std::move(scene), kKept_A) {
   nearby_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
 
 void MeshTracker::reset() noexcept {
-  armed_ = false;
+  armed_ = settled_ = false;
   touch_count_ = hold_count_ = 0;
   forgetSurroundings();
 }
@@ -43,12 +47,16 @@ bool MeshTracker::touches(std::int32_t ball) const {
 
 Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   if (hold_count_ == 0 && scp_ == hip - nearby_.origin()) return {.scp = {hip}};
-  Contact out{.scp = {nearby_.origin() + scp_}, .feature = Feature(std::max(hold_count_, 1))};
-  for (int k = 0; k < hold_count_; ++k)
-    out.atoms[std::size_t(k)] = touching_[std::size_t(holding_[std::size_t(k)])].ball;
-  std::sort(out.atoms.begin(), out.atoms.begin() + hold_count_);
-  if (options_.smooth) out.normal = shadedNormal(hip - nearby_.origin());
-  return out;
+  // The answer is put together at once: piece by piece it would be read back before its pieces are stored, which stalls.
+  const auto ball = [&](int k) { return touching_[std::size_t(holding_[std::size_t(k)])].ball; };
+  std::int32_t a = hold_count_ > 0 ? ball(0) : -1, b = hold_count_ > 1 ? ball(1) : -1, c = hold_count_ > 2 ? ball(2) : -1;
+  if (hold_count_ > 1 && a > b) std::swap(a, b);
+  if (hold_count_ > 2 && b > c) std::swap(b, c);
+  if (hold_count_ > 2 && a > b) std::swap(a, b);
+  return {.scp = {nearby_.origin() + scp_},
+          .atoms = {a, b, c},
+          .feature = Feature(std::max(hold_count_, 1)),
+          .normal = options_.smooth ? shadedNormal(hip - nearby_.origin()) : Vec3(0.0)};
 }
 
 Contact MeshTracker::step(PointA hip) noexcept {
@@ -64,12 +72,40 @@ Contact MeshTracker::step(PointA hip) noexcept {
     return {.scp = hip};
   }
   if (!options_.coherent) forgetSurroundings();
-  if (!holdsQuickly(h)) flow(h);
+  if (!holdsQuickly(h)) {
+    flow(h);
+    settle();
+  }
   return contact(hip.A);
 }
 
-// The ordinary tick: nothing is near the free HIP, or the SCP stays on its one face and no other mesh is in
-// reach.
+[[gnu::always_inline]] inline bool MeshTracker::wellWithin(const Touch& t, const Vec3& place) const {
+  const SphereMesh::Face& f = face(t);
+  const Vec3 x = place - t.centre;
+  for (std::size_t k = 0; k < 3; ++k)
+    if (glm::dot(f.out[k], x) > (f.reach[k] - kSure) * t.radius) return false;
+  return true;
+}
+
+// Is no mesh but those that the SCP is on met on the straight way from it to `end`, as far as is known?
+[[gnu::always_inline]] inline bool MeshTracker::isClear(const Vec3& end, double length) noexcept {
+  const Vec3 from = end - clear_from_;
+  const double far2 = glm::dot(from, from), room = clear_gap_ - length;
+  if (room > 0.0 && far2 < kNearly * room * room) return true;
+  const double rivals_room = rival_gap_ - length;
+  if (!(rivals_room > 0.0 && far2 < kNearly * rivals_room * rivals_room)) return false;
+  for (int k = 0; k < rival_count_; ++k) {
+    Rival& rival = rivals_[std::size_t(k)];
+    const Vec3 m = end - rival.ball.centre;
+    const double far = rival.ball.radius + length;
+    if (kNearly * glm::dot(m, m) <= far * far && !staysAbove(rival, end)) return false;
+  }
+  return true;
+}
+
+// The ordinary ticks: nothing is near the free HIP, or the SCP stays on its face, seam or point and no other mesh is in
+// reach. What is done is what flow() would do in its one piece, operation by operation, so that the places are the same to
+// the last bit; a tick that is nearer to a decision than kSure is left to flow().
 bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   if (touch_count_ == 0) {
     const Vec3 way = h - free_from_;
@@ -77,40 +113,141 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
     scp_ = h;
     return true;
   }
-  if (touch_count_ != 1 || hold_count_ != 1 || clear_gap_ <= 0.0) return false;
-  const Touch& t = touching_[0];
-  const SphereMesh::Face& f = face(t);
-  const double height = heightOver(t, h);
-  if (height >= 0.0) return false;
-  const Vec3 s = h - f.normal * height, x = s - t.centre, from = s - clear_from_;
-  for (std::size_t k = 0; k < 3; ++k)
-    if (glm::dot(f.out[k], x) > f.reach[k] * t.radius) return false;
-  if (glm::dot(from, from) >= clear_gap_ * clear_gap_) return false;
+  if (!settled_) return false;
+  const Vec3 pull = h - scp_;
+  const double sure = kSure * (std::abs(pull.x) + std::abs(pull.y) + std::abs(pull.z));
+  Vec3 s = scp_;
+  switch (hold_count_) {
+    case 1: {
+      const Touch& t = touching_[0];
+      const SphereMesh::Face& f = face(t);
+      const double height = heightOver(t, h);
+      if (height >= -sure || glm::dot(pull, f.normal) >= -sure) return false;
+      const Vec3 way = pull - f.normal * height;
+      if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
+      s += way;
+      break;
+    }
+    case 2: {
+      // The pull's shares in both normals must be pushes, or one face alone would hold the SCP.
+      const double a = -glm::dot(pull, face(touching_[0]).normal), b = -glm::dot(pull, face(touching_[1]).normal);
+      if (a - b * seam_cosine_ <= sure || b - a * seam_cosine_ <= sure) return false;
+      const Vec3 way = seam_ * (glm::dot(pull, seam_) / glm::dot(seam_, seam_));
+      if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
+      s += way;
+      for (int k = 0; k < 2; ++k) {
+        const Touch& t = touching_[std::size_t(k)];
+        s -= face(t).normal * heightOver(t, s);
+      }
+      break;
+    }
+    default:
+      for (const Vec3& hold : holds_)
+        if (glm::dot(hold, pull) >= -sure) return false;
+      return true;
+  }
+  for (int k = 0; k < hold_count_; ++k)
+    if (!wellWithin(touching_[std::size_t(k)], s)) return false;
+  if (!isClear(s, glm::distance(s, scp_))) return false;
   scp_ = s;
   return true;
+}
+
+// Does a plane of the rival's mesh, which is convex, part it from the whole way from the SCP to `end`? The plane that did so
+// last is tried first, then those about it.
+bool MeshTracker::staysAbove(Rival& rival, const Vec3& end) const {
+  if (rival.face < 0) return false;
+  const double r = rival.ball.radius;
+  const Vec3 p = scp_ - rival.ball.centre, q = end - rival.ball.centre;
+  for (int k = 0; k < kMostPlanes; ++k) {
+    const SphereMesh::Face& f = mesh_->faces()[std::size_t(rival.face)];
+    const double hp = glm::dot(f.normal, p) - f.height * r, hq = glm::dot(f.normal, q) - f.height * r;
+    if (std::min(hp, hq) > kSure * r) return true;
+    double highest = hp + hq;
+    std::int32_t next = -1;
+    for (const std::int32_t other : f.across) {
+      const SphereMesh::Face& g = mesh_->faces()[std::size_t(other)];
+      const double height = glm::dot(g.normal, p + q) - 2.0 * g.height * r;
+      if (height > highest) highest = height, next = other;
+    }
+    if (next < 0) return false;
+    rival.face = next;
+  }
+  return false;
+}
+
+// A ball whose mesh the SCP has left: no longer touched, it must be watched again.
+void MeshTracker::watch(const Touch& t) noexcept {
+  clear_gap_ = 0.0;
+  for (int k = 0; k < touch_count_; ++k)
+    if (&touching_[std::size_t(k)] != &t && touching_[std::size_t(k)].ball == t.ball) return;
+  if (rival_count_ == int(kMostRivals))
+    rival_gap_ = 0.0;
+  else
+    rivals_[std::size_t(rival_count_++)] = {{t.centre, t.radius, t.ball}, t.face};
+}
+
+// After a flow that came to rest held by all that it touches: what the quick ticks need of it.
+void MeshTracker::settle() noexcept {
+  settled_ = hold_count_ > 0 && hold_count_ == touch_count_;
+  if (!settled_ || hold_count_ == 1) return;
+  const Vec3 &n0 = face(touching_[0]).normal, &n1 = face(touching_[1]).normal;
+  seam_ = glm::cross(n0, n1);
+  seam_cosine_ = glm::dot(n0, n1);
+  if (hold_count_ == 2) {
+    settled_ = glm::dot(seam_, seam_) > kSure;
+    return;
+  }
+  // mu_k |pull| times the volume squared, negated: more than rounding, and no two of the faces hold the SCP without the third.
+  const Vec3& n2 = face(touching_[2]).normal;
+  const double volume = glm::dot(seam_, n2);
+  holds_ = {glm::cross(n1, n2) * volume, glm::cross(n2, n0) * volume, seam_ * volume};
 }
 
 // The first mesh that the way from the SCP enters, before first.t.
 void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
   const double length = glm::length(way);
   const double to_go = length * first.t;
-  if (to_go + glm::distance(scp_, clear_from_) < clear_gap_) return;
+  if (isClear(scp_ + way * first.t, to_go)) return;
   const auto look = [&](const NearBall& b) {
     const SphereMesh::Entry entry = mesh_->enter((scp_ - b.centre) / b.radius, way / b.radius, first.t);
     if (entry.face >= 0) first = {entry.t, b, entry.face};
   };
   if (options_.coherent && to_go <= kNearWay_A) {
-    double gap = 1e300;
+    const std::array<Rival, kMostRivals> before = rivals_;
+    const int count_before = rival_count_;
+    std::array<double, kRivals + 1> gaps;  // the nearest balls', ascending
+    gaps.fill(1e300);
+    rival_count_ = 0;
+    const Vec3 end = scp_ + way * first.t;
     const double visited = nearby_.each(scp_, to_go, [&](const NearBall& b) {
       const Vec3 m = scp_ - b.centre;
-      const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gap;
+      const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gaps[kRivals];
       if (d2 >= far * far && d2 >= beyond * beyond) return;
       if (b.radius <= 0.0 || touches(b.index)) return;
-      gap = std::min(gap, std::sqrt(d2) - b.radius);
-      if (d2 < far * far) look(b);
+      Rival rival{b, -1};
+      if (d2 < far * far) {
+        for (int k = 0; k < count_before; ++k)
+          if (before[std::size_t(k)].ball.index == b.index) rival.face = before[std::size_t(k)].face;
+        if (rival.face < 0) rival.face = mesh_->faceAbout(m);
+        if (!staysAbove(rival, end)) look(b);
+      }
+      const double gap = std::sqrt(d2) - b.radius;
+      if (gap >= gaps[kRivals]) return;
+      std::size_t at = kRivals;
+      for (; at > 0 && gaps[at - 1] > gap; --at) {
+        gaps[at] = gaps[at - 1];
+        if (at < kRivals) rivals_[at] = rivals_[at - 1];
+      }
+      gaps[at] = gap;
+      if (at < kRivals) {
+        rivals_[at] = rival;
+        rival_count_ = std::min(rival_count_ + 1, int(kRivals));
+      }
     });
     clear_from_ = scp_;
-    clear_gap_ = std::min(gap, visited);
+    clear_gap_ = std::min(gaps[0], visited);
+    rival_gap_ = std::min(gaps[kRivals], visited);
     return;
   }
   // A long way is looked at piece by piece, from where it enters the scene's box.
@@ -144,15 +281,17 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
 
 // Faces that the SCP has moved off, or out of, are forgotten; meet() finds them again.
 void MeshTracker::dropLeft() noexcept {
-  int kept = 0;
+  int kept = 0, left_count = 0;
+  std::array<Touch, kMostTouching> left;
   for (int k = 0; k < touch_count_; ++k) {
     const Touch& t = touching_[std::size_t(k)];
     if (std::abs(heightOver(t, scp_)) <= SphereMesh::kSkin * t.radius)
       touching_[std::size_t(kept++)] = t;
     else
-      clear_gap_ = 0.0;
+      left[std::size_t(left_count++)] = t;
   }
   touch_count_ = kept;
+  for (int k = 0; k < left_count; ++k) watch(left[std::size_t(k)]);
 }
 
 void MeshTracker::flow(const Vec3& h) noexcept {
@@ -212,6 +351,9 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       const Touch t{first.ball.index, first.face, first.ball.centre, first.ball.radius};
       scp_ -= face(t).normal * heightOver(t, scp_);
       touching_[std::size_t(touch_count_++)] = t;
+      rival_count_ = int(std::remove_if(rivals_.begin(), rivals_.begin() + rival_count_,
+                                        [&](const Rival& r) { return r.ball.index == t.ball; }) -
+                         rivals_.begin());
     } else if (over >= 0) {
       touching_[std::size_t(over)].face = face(touching_[std::size_t(over)]).across[edge];
       if (moved) dropLeft();
@@ -219,7 +361,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       if (blocked.count == 0) {
         scp_ = free_from_ = h;
         touch_count_ = 0;
-        clear_gap_ = 0.0;
+        clear_gap_ = rival_gap_ = 0.0;
         // Between a ball and its mesh the clearance is negative: nothing is known then.
         free_gap_ = options_.coherent
                         ? std::max(0.0, clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h))
@@ -229,10 +371,13 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         std::array<Touch, 3> kept;
         for (int k = 0; k < blocked.count; ++k)
           kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
+        const std::array<Touch, kMostTouching> before = touching_;
+        const int count_before = touch_count_;
         std::copy_n(kept.begin(), blocked.count, touching_.begin());
         touch_count_ = blocked.count;
+        for (int k = 0; k < count_before; ++k)
+          if (std::find(blocked.by.begin(), blocked.by.end(), k) == blocked.by.end()) watch(before[std::size_t(k)]);
         holding_ = {0, 1, 2};
-        clear_gap_ = 0.0;
       }
       return;
     }
@@ -275,6 +420,7 @@ void MeshTracker::setProbe(double probe_A) noexcept {
     nearby_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
     forgetSurroundings();
     touch_count_ = hold_count_ = 0;
+    settled_ = false;
     if (!armed_ || pushOut()) continue;
     nearby_.setProbe(wanted);  // the place closed over the SCP: there is no surface left to be held by
     reset();

@@ -13,8 +13,12 @@
 // the mesh's tree
 //   of boxes; the balls near the SCP and the distance to the next of them are remembered from tick to tick;
 // * a mesh that the SCP is on is not searched: it is convex, and the SCP's way does not lead under the face
-// it is on. `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box
-// by box, as published polygonal trackers do. The places found are the same.
+// it is on;
+// * the ordinary tick, on one face, along the seam of two or at rest on the point of three, does what the whole flow would do
+//   and asks no more than whether anything else is near: a ball near by is parted from the SCP's way by its bounding sphere or by
+//   one plane of its mesh, the last that did so or one about it.
+// `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box by box, as published polygonal
+// trackers do. The places found are the same to the last bit.
 //
 // Force shading: with `smooth`, Contact::normal is made of normals interpolated from the corners' (Ruspini,
 // Kolarov & Khatib 1997), each weighted by its face's share in holding the SCP. Corners on the sphere carry
@@ -72,6 +76,11 @@ class MeshTracker final : public Tracker {
     Vec3 centre;
     double radius;
   };
+  struct Rival {
+    NearBall ball;
+    std::int32_t face;  // whose plane may part it from the SCP; -1: none known
+  };
+  static constexpr std::size_t kRivals = 4, kMostRivals = 8;
   struct Meeting {
     double t;
     NearBall ball;
@@ -84,11 +93,16 @@ class MeshTracker final : public Tracker {
   }
   bool touches(std::int32_t ball) const;
   bool holdsQuickly(const Vec3& hip) noexcept;
+  bool wellWithin(const Touch& t, const Vec3& place) const;
+  void settle() noexcept;
+  bool isClear(const Vec3& end, double length) noexcept;
+  bool staysAbove(Rival& rival, const Vec3& end) const;
+  void watch(const Touch& t) noexcept;
   void flow(const Vec3& hip) noexcept;
   void meet(const Vec3& way, Meeting& first) noexcept;
   void dropLeft() noexcept;
   bool pushOut() noexcept;
-  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = 0.0; }
+  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = rival_gap_ = 0.0; }
   Vec3 shadedNormal(const Vec3& hip) const noexcept;
   Contact contact(const Vec3& hip) const noexcept;
 
@@ -101,10 +115,17 @@ class MeshTracker final : public Tracker {
   int touch_count_ = 0;
   std::array<int, 3> holding_{};  // places in touching_ of the faces that hold the SCP
   int hold_count_ = 0;
+  bool settled_ = false;  // what holds the SCP is all that it touches, and the next three say how
+  Vec3 seam_{0.0};        // two or three hold: along the seam of the first two
+  double seam_cosine_ = 0.0;
+  std::array<Vec3, 3> holds_{};  // three hold: while the pull leads against each of these
   Vec3 free_from_{0.0};  // free: no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
   Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;
+  std::array<Rival, kMostRivals> rivals_;  // the nearest of them; but for these none is within rival_gap_
+  int rival_count_ = 0;
+  double rival_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;
 };
 

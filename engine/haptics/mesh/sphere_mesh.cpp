@@ -129,6 +129,26 @@ void SphereMesh::finish() {
   sagitta_ = 1.0 - least;
   nodes_.reserve(faces_.size());
   makeNode(0, std::int32_t(faces_.size()));
+  about_.resize(6 * kTable * kTable);
+  for (int axis = 0; axis < 3; ++axis)
+    for (int side = 0; side < 2; ++side)
+      for (int u = 0; u < kTable; ++u)
+        for (int v = 0; v < kTable; ++v) {
+          Vec3 d(0.0);
+          d[axis] = side ? 1.0 : -1.0;
+          d[(axis + 1) % 3] = (2 * u + 1.0) / kTable - 1.0;
+          d[(axis + 2) % 3] = (2 * v + 1.0) / kTable - 1.0;
+          about_[std::size_t(((2 * axis + side) * kTable + u) * kTable + v)] = faceToward(d);
+        }
+}
+
+std::int32_t SphereMesh::faceAbout(const Vec3& direction) const noexcept {
+  const Vec3 a = glm::abs(direction);
+  const int axis = a.x >= a.y && a.x >= a.z ? 0 : a.y >= a.z ? 1 : 2;
+  const double far = a[axis];
+  if (!(far > 0.0)) return 0;
+  const auto cell = [&](int k) { return std::min(kTable - 1, int((direction[k % 3] / far + 1.0) * (0.5 * kTable))); };
+  return about_[std::size_t(((2 * axis + (direction[axis] > 0.0)) * kTable + cell(axis + 1)) * kTable + cell(axis + 2))];
 }
 
 std::int32_t SphereMesh::makeNode(std::int32_t first, std::int32_t count) {
@@ -162,7 +182,7 @@ std::int32_t SphereMesh::makeNode(std::int32_t first, std::int32_t count) {
 
 std::size_t SphereMesh::bytes() const {
   return sizeof(*this) + vertices_.capacity() * sizeof(Vec3) + faces_.capacity() * sizeof(Face) +
-         nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(std::int32_t);
+         nodes_.capacity() * sizeof(Node) + (leaves_.capacity() + about_.capacity()) * sizeof(std::int32_t);
 }
 
 SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& way, double before) const noexcept {

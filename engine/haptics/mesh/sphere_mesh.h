@@ -54,6 +54,9 @@ class SphereMesh {
   /// The face that the ray from the centre in this direction (any length but zero) passes.
   std::int32_t faceToward(const Vec3& direction) const noexcept;
 
+  /// A face near that one, from a table: a start for a search from face to face.
+  std::int32_t faceAbout(const Vec3& direction) const noexcept;
+
   static constexpr double kSkin = 1e-10;
 
  private:
@@ -73,6 +76,8 @@ class SphereMesh {
   std::vector<Face> faces_;
   std::vector<Node> nodes_;
   std::vector<std::int32_t> leaves_;  // faces in the tree's order
+  static constexpr int kTable = 12;   // cells along an edge of the cube round the sphere
+  std::vector<std::int32_t> about_;   // the face in the middle of each cell of the cube's sides
   double sagitta_ = 0.0, tilt_ = 0.0;
 };
 

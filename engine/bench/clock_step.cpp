@@ -1,0 +1,60 @@
+#include "engine/bench/clock_step.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <numbers>
+
+namespace moltact::bench {
+namespace {
+
+constexpr double kWidest_ns = 200.0;   // a coarser clock times nothing here
+constexpr double kReach_ns = 2000.0;   // longer differences say more of interruptions than of the clock
+
+}  // namespace
+
+double stepOf(const std::vector<double>& differences_ns) {
+  // How well the differences lie on a comb: the length of the mean of exp(2 pi i d / step), 1 where all are multiples of it.
+  // Rounding to whole nanoseconds shortens it to sinc^2(1 / step); half of them between the teeth would make it 0.
+  double shortest = kWidest_ns;  // no tooth is wider than the shortest difference
+  for (const double d : differences_ns)
+    if (d > 0) shortest = std::min(shortest, d + 1.0);
+  for (double step = shortest; step > 1.5; step *= 1.0 - 2e-4) {
+    std::complex<double> sum = 0;
+    std::size_t count = 0;
+    for (const double d : differences_ns) {
+      if (d <= 0 || d > kReach_ns) continue;
+      sum += std::polar(1.0, 2 * std::numbers::pi * d / step);
+      ++count;
+    }
+    if (count == 0) return 1.0;
+    const double x = std::numbers::pi / step, sinc = std::sin(x) / x;
+    const std::complex<double> mean = sum / double(count);
+    if (mean.real() < 0.93 * sinc * sinc) continue;
+    // On the flank of a tooth: on to its top.
+    double best = step, most = mean.real();
+    for (double finer = step; finer > 0.97 * step; finer *= 1.0 - 5e-5) {
+      double real = 0;
+      for (const double d : differences_ns)
+        if (d > 0 && d <= kReach_ns) real += std::cos(2 * std::numbers::pi * d / finer);
+      if (real / double(count) > most) most = real / double(count), best = finer;
+    }
+    return best;
+  }
+  return 1.0;
+}
+
+double clockStep_ns() {
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> differences;
+  volatile unsigned work = 0;
+  for (unsigned k = 0; k < 1500; ++k) {
+    const auto begin = Clock::now();
+    for (unsigned j = 0; j < k % 97; ++j) work = work + j;  // so that the differences are of many lengths
+    differences.push_back(std::chrono::duration<double, std::nano>(Clock::now() - begin).count());
+  }
+  return stepOf(differences);
+}
+
+}  // namespace moltact::bench

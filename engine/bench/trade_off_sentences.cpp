@@ -1,0 +1,109 @@
+#include "engine/bench/trade_off_sentences.h"
+
+#include <algorithm>
+
+namespace moltact::bench {
+namespace {
+
+std::string quoted(const Method* m) { return "`" + std::string(m->name) + "`"; }
+
+// "a", "a and b", "a, b and c"; "none" of nothing.
+std::string listed(const std::vector<std::string>& parts) {
+  if (parts.empty()) return "none";
+  std::string out;
+  for (std::size_t k = 0; k < parts.size(); ++k) out += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
+  return out;
+}
+
+std::string bytes(std::size_t n) {
+  if (n < 1'000'000) return readable(1e-3 * double(n)) + " kB";
+  return readable(1e-6 * double(n)) + " MB";
+}
+
+std::string seconds(double s) { return s < 1 ? readable(1e3 * s) + " ms" : readable(s) + " s"; }
+
+}  // namespace
+
+std::string tradeOffSentences(const std::vector<TradeOff>& points) {
+  const auto exact = std::find_if(points.begin(), points.end(), [](const TradeOff& p) { return p.method->name == "exact"; });
+  if (exact == points.end() || points.size() < 2 || !(exact->tick_ns > 0)) return "";
+  std::vector<TradeOff> others;
+  for (const TradeOff& p : points)
+    if (p.method->name != "exact") others.push_back(p);
+  std::sort(others.begin(), others.end(), [](const TradeOff& a, const TradeOff& b) { return a.tick_ns < b.tick_ns; });
+
+  std::string out = "* Exactness: `exact` is off by at most " + readable(exact->accuracy.scp_A.max) +
+                    " A, against the oracle. The others are off, in the root mean square:";
+  std::vector<TradeOff> by_error = others;
+  std::sort(by_error.begin(), by_error.end(),
+            [](const TradeOff& a, const TradeOff& b) { return a.accuracy.scp_A.rms < b.accuracy.scp_A.rms; });
+  for (std::size_t k = 0; k < by_error.size(); ++k)
+    out += (k ? ", " : " ") + quoted(by_error[k].method) + " " + readable(by_error[k].accuracy.scp_A.rms) + " A and " +
+           readable(by_error[k].accuracy.direction_deg.rms) + " degrees";
+  out += ".\n* Time of a tick in contact, of `exact`'s " + readable(exact->tick_ns) + " ns:";
+  for (std::size_t k = 0; k < others.size(); ++k)
+    out += (k ? ", " : " ") + quoted(others[k].method) + " " + readable(others[k].tick_ns / exact->tick_ns) + " times";
+  std::vector<std::string> faster;
+  for (const TradeOff& p : others)
+    if (p.tick_ns < exact->tick_ns)
+      faster.push_back(quoted(p.method) + " (" + readable(p.tick_ns / exact->tick_ns) + " times its time, off by " +
+                       readable(p.accuracy.scp_A.rms) + " A)");
+  out += ".\n* Faster than `exact`: " + listed(faster) + ".\n* Memory after these strokes, of `exact`'s " + bytes(exact->footprint.bytes) + ":";
+  for (std::size_t k = 0; k < others.size(); ++k)
+    out += (k ? ", " : " ") + quoted(others[k].method) + " " +
+           readable(double(others[k].footprint.bytes) / double(exact->footprint.bytes)) + " times";
+  return out + ".\n";
+}
+
+std::string coolSentences(const std::vector<CoolTimes>& cool) {
+  const auto exact = std::find_if(cool.begin(), cool.end(), [](const CoolTimes& c) { return c.method->name == "exact"; });
+  if (exact == cool.end() || exact->sleeping_ns.count == 0) return "";
+  std::string out = "A hand meets `exact` at " + readable(exact->sleeping_ns.p50) + " ns a tick, once a millisecond, and at " +
+                    readable(1e-3 * exact->thrashed_ns.p50) + " us where other work has emptied the caches: " +
+                    readable(1e-4 * exact->thrashed_ns.p50) + " % of the millisecond.";
+  const auto slowest = std::max_element(cool.begin(), cool.end(), [](const CoolTimes& a, const CoolTimes& b) {
+    return a.thrashed_ns.p50 < b.thrashed_ns.p50;
+  });
+  if (slowest != exact)
+    out += " The slowest of the others then, " + quoted(slowest->method) + ", takes " + readable(1e-3 * slowest->thrashed_ns.p50) + " us.";
+  return out + "\n";
+}
+
+std::string sizeSentences(const std::vector<SceneTimes>& times) {
+  const auto rowOf = [](const std::vector<TickTimes>& rows, std::string_view name) -> const TickTimes* {
+    for (const TickTimes& row : rows)
+      if (row.method->name == name) return &row;
+    return nullptr;
+  };
+  const SceneTimes *least = nullptr, *most = nullptr, *prepared = nullptr;
+  for (const SceneTimes& s : times) {
+    const TickTimes* row = rowOf(s.contact, "exact");
+    if (!row || !(row->mean_ns > 0)) continue;
+    if (!least || s.spheres < least->spheres) least = &s;
+    if (!most || s.spheres > most->spheres) most = &s;
+    const bool any = std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->most_balls > 0; });
+    if (any && (!prepared || s.spheres > prepared->spheres)) prepared = &s;
+  }
+  if (!least) return "";
+  std::string out;
+  if (most != least) {
+    const double few = rowOf(least->contact, "exact")->mean_ns, many = rowOf(most->contact, "exact")->mean_ns;
+    out += "* Scale: from " + readable(double(least->spheres)) + " to " + readable(double(most->spheres)) + " spheres `exact`'s tick in contact goes from " +
+           readable(few) + " to " + readable(many) + " ns (" + readable(many / few) + " times), its memory a sphere from " +
+           readable(double(rowOf(least->contact, "exact")->footprint.bytes) / double(least->spheres)) + " to " +
+           readable(double(rowOf(most->contact, "exact")->footprint.bytes) / double(most->spheres)) + " bytes.\n";
+  }
+  if (!prepared) return out;
+  const TickTimes* exact = rowOf(prepared->contact, "exact");
+  const auto ready = [&](const TickTimes& t) { return prepared->scene_s + t.make_s + t.first_touch_s; };
+  out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` can be touched after " + seconds(ready(*exact)) + ", with " +
+         bytes(exact->footprint.bytes) + " in the end";
+  for (const TickTimes& t : prepared->contact)
+    if (t.method->most_balls > 0)
+      out += "; " + quoted(t.method) + ", which prepares the whole scene for one probe, after " + seconds(ready(t)) + " (" +
+             readable(ready(t) / ready(*exact)) + " times), with " + bytes(t.footprint.bytes) + " (" +
+             readable(double(t.footprint.bytes) / double(exact->footprint.bytes)) + " times)";
+  return out + ".\n";
+}
+
+}  // namespace moltact::bench

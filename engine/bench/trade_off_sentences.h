@@ -1,0 +1,23 @@
+// What the tables of speed, accuracy and size say, in sentences: written anew with every run, so that they cannot disagree with
+// the tables. Markdown.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/bench/cool_ticks.h"
+#include "engine/bench/tables.h"
+#include "engine/bench/trade_off.h"
+
+namespace moltact::bench {
+
+/// Exactness, ratios of times, what is faster and at what price. Nothing without exact among the points.
+std::string tradeOffSentences(const std::vector<TradeOff>& points);
+
+/// What a hand meets, beside the ticks in a row.
+std::string coolSentences(const std::vector<CoolTimes>& cool);
+
+/// Preparation, memory, and how exact's time grows with the scene.
+std::string sizeSentences(const std::vector<SceneTimes>& times);
+
+}  // namespace moltact::bench

@@ -1,0 +1,235 @@
+#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/haptics/hip_input.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kCorner_A = 1e-9;  // so near a corner is on it
+constexpr double kMoved_A = 1e-12;
+constexpr double kInto = 1e-10;  // sine of the angle from which a way leads over a border and not along it
+constexpr int kMostStuck = 24;
+constexpr int kMostTurns = 8;  // changes between flight and sliding in a tick
+
+}  // namespace
+
+SasMeshTracker::SasMeshTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A)
+    : scene_(std::move(scene)),
+      probe_(usableProbe_A(probe_A, kWaterProbe_A)),
+      margin_(2.0 * spacing_A),
+      origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)),
+      mesh_(SurfaceMesh::of(scene_, probe_, spacing_A, origin_)) {}
+
+void SasMeshTracker::reset() noexcept {
+  armed_ = false;
+  on_ = On::Nothing;
+  free_gap_ = 0.0;
+}
+
+Footprint SasMeshTracker::footprint() const noexcept { return {mesh_->balls(), sizeof(*this) + mesh_->bytes() + scene_->bytes()}; }
+
+Contact SasMeshTracker::step(PointA hip) noexcept {
+  if (!usableHip(hip.A)) return refusedHip(hip, origin_ + scp_);
+  const Vec3 h = hip.A - origin_;
+  if (!armed_) {
+    const double gap = clearance(*scene_, probe_, hip.A);
+    scp_ = h;
+    if (gap < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
+    armed_ = true;
+    free_from_ = h;
+    free_gap_ = gap - margin_;
+    return {.scp = hip};
+  }
+  if (on_ == On::Nothing) {
+    const Vec3 way = h - free_from_;
+    if (free_gap_ > 0.0 && glm::dot(way, way) < free_gap_ * free_gap_) {
+      scp_ = h;
+      return {.scp = hip};
+    }
+  }
+  Went went = Went::Short;
+  for (int turn = 0; turn < kMostTurns; ++turn) {
+    if (on_ != On::Nothing) {
+      went = walk(h);
+      if (went == Went::Leaves) on_ = On::Nothing;
+    } else {
+      went = fly(h);
+    }
+    if (went == Went::Arrived || went == Went::Rests || went == Went::Short) break;
+  }
+  if (went == Went::Arrived) return {.scp = hip};
+  if (went != Went::Rests) ++cut_short_;
+  if (on_ == On::Nothing) return {.scp = {origin_ + scp_}, .feature = Feature::Sphere};
+  return {.scp = {origin_ + scp_}, .atoms = {mesh_->triangles()[std::size_t(triangle_)].ball, -1, -1}, .feature = Feature::Sphere};
+}
+
+SasMeshTracker::Went SasMeshTracker::fly(const Vec3& h) noexcept {
+  const Vec3 way = h - scp_;
+  const SurfaceMesh::Hit hit = mesh_->cast(scp_, way);
+  if (hit.triangle < 0) {
+    scp_ = free_from_ = h;
+    free_gap_ = clearance(*scene_, probe_, origin_ + h) - margin_;
+    return Went::Arrived;
+  }
+  scp_ += way * hit.t;
+  goToTriangle(hit.triangle);
+  scp_ -= plane_.normal * (glm::dot(plane_.normal, scp_) - plane_.height);
+  return Went::Meets;
+}
+
+void SasMeshTracker::goToTriangle(std::int32_t triangle) noexcept {
+  on_ = On::Triangle;
+  triangle_ = triangle;
+  plane_ = mesh_->plane(triangle);
+}
+
+void SasMeshTracker::goToEdge(std::int32_t triangle, std::int32_t edge) noexcept {
+  if (triangle != triangle_) plane_ = mesh_->plane(triangle);
+  on_ = On::Edge;
+  triangle_ = triangle;
+  edge_ = edge;
+  const SurfaceMesh::Triangle& t = mesh_->triangles()[std::size_t(triangle)];
+  other_ = t.across[std::size_t(edge)];
+  beyond_ = mesh_->plane(other_);
+  const auto& back = mesh_->triangles()[std::size_t(other_)];
+  const std::int32_t from = t.corners[std::size_t(edge)], to = t.corners[std::size_t((edge + 1) % 3)];
+  other_edge_ = back.corners[0] == to && back.corners[1] == from ? 0 : back.corners[1] == to && back.corners[2] == from ? 1 : 2;
+  edge_from_ = mesh_->vertices()[std::size_t(from)];
+  const Vec3 way = mesh_->vertices()[std::size_t(to)] - edge_from_;
+  edge_length_ = glm::length(way);
+  edge_along_ = way / edge_length_;
+}
+
+// Its triangles in turn, and the normal that tells outside from inside where the corner itself is nearest (Baerentzen & Aanaes
+// 2005: the triangles' normals, weighted by their angles).
+void SasMeshTracker::goToCorner(std::int32_t triangle, std::int32_t corner) noexcept {
+  on_ = On::Corner;
+  triangle_ = triangle;
+  plane_ = mesh_->plane(triangle);
+  const std::int32_t vertex = mesh_->triangles()[std::size_t(triangle)].corners[std::size_t(corner)];
+  scp_ = mesh_->vertices()[std::size_t(vertex)];
+  corner_normal_ = Vec3(0.0);
+  round_count_ = 0;
+  std::int32_t at = triangle;
+  do {
+    const SurfaceMesh::Triangle& t = mesh_->triangles()[std::size_t(at)];
+    const std::size_t k = t.corners[0] == vertex ? 0 : t.corners[1] == vertex ? 1 : 2;
+    const Vec3 right = mesh_->vertices()[std::size_t(t.corners[(k + 1) % 3])] - scp_,
+               left = mesh_->vertices()[std::size_t(t.corners[(k + 2) % 3])] - scp_, across = glm::cross(right, left);
+    const double sine = glm::length(across);
+    Wedge& w = round_[round_count_++];
+    w.triangle = at;
+    w.edge = std::int32_t(k);
+    w.normal = sine > 0.0 ? across / sine : Vec3(0.0);
+    w.along = glm::normalize(right);
+    w.in_right = glm::cross(w.normal, w.along);
+    w.in_left = glm::cross(glm::normalize(left), w.normal);
+    corner_normal_ += w.normal * std::atan2(sine, glm::dot(right, left));
+    at = t.across[(k + 2) % 3];  // beyond the edge on the left
+  } while (at != triangle && round_count_ < kMostRound);
+}
+
+SasMeshTracker::Went SasMeshTracker::walk(const Vec3& h) noexcept {
+  int stuck = 0;
+  for (int piece = 0; piece < kMostPieces && stuck < kMostStuck; ++piece) {
+    const Went went = on_ == On::Triangle ? overTriangle(h, stuck) : on_ == On::Edge ? alongEdge(h, stuck) : fromCorner(h, stuck);
+    if (went != Went::Meets) return went;
+  }
+  return Went::Short;
+}
+
+SasMeshTracker::Went SasMeshTracker::overTriangle(const Vec3& h, int& stuck) noexcept {
+  const double height = glm::dot(plane_.normal, h) - plane_.height;
+  if (height >= 0.0) return Went::Leaves;
+  const Vec3 foot = h - plane_.normal * height;
+  double t = 1.0;
+  int over = -1;
+  for (int k = 0; k < 3; ++k) {
+    const double beyond = glm::dot(plane_.out[std::size_t(k)], foot) - plane_.reach[std::size_t(k)];
+    if (beyond <= 0.0) continue;
+    const double before = std::max(0.0, plane_.reach[std::size_t(k)] - glm::dot(plane_.out[std::size_t(k)], scp_));
+    if (const double at = before / (before + beyond); at < t || over < 0) t = at, over = k;
+  }
+  if (over < 0) {
+    scp_ = foot;
+    return Went::Rests;
+  }
+  const Vec3 way = foot - scp_;
+  stuck = t * glm::length(way) > kMoved_A ? 0 : stuck + 1;
+  scp_ += way * t;
+  goToEdge(triangle_, over);
+  const double along = glm::dot(scp_ - edge_from_, edge_along_);
+  if (along <= kCorner_A)
+    goToCorner(triangle_, over);
+  else if (along >= edge_length_ - kCorner_A)
+    goToCorner(triangle_, (over + 1) % 3);
+  else
+    scp_ = edge_from_ + edge_along_ * along;
+  return Went::Meets;
+}
+
+// Of the ways that lead on from a border, the one that goes down |x - h|^2 the most; whether the HIP is seen from outside is
+// told by the side of what lies nearest to it.
+SasMeshTracker::Went SasMeshTracker::alongEdge(const Vec3& h, int& stuck) noexcept {
+  const Vec3 pull = h - scp_;
+  const double least = kInto * glm::length(pull);
+  const double up = glm::dot(pull, plane_.normal), up_beyond = glm::dot(pull, beyond_.normal), along = glm::dot(pull, edge_along_);
+  const bool here = glm::dot(pull, plane_.out[std::size_t(edge_)]) < -least, there = glm::dot(pull, beyond_.out[other_edge_]) < -least;
+  const double pull2 = glm::dot(pull, pull), gain = pull2 - up * up, gain_beyond = pull2 - up_beyond * up_beyond;
+  if (here && (!there || gain >= gain_beyond)) {
+    if (up > 0.0) return Went::Leaves;
+    ++stuck;
+    on_ = On::Triangle;
+    return Went::Meets;
+  }
+  if (there) {
+    if (up_beyond > 0.0) return Went::Leaves;
+    ++stuck;
+    on_ = On::Triangle;
+    triangle_ = other_;
+    plane_ = beyond_;
+    return Went::Meets;
+  }
+  if (up + up_beyond > 0.0) return Went::Leaves;
+  const double at = glm::dot(scp_ - edge_from_, edge_along_), to = at + along;
+  if (to > kCorner_A && to < edge_length_ - kCorner_A) {
+    scp_ = edge_from_ + edge_along_ * to;
+    return Went::Rests;
+  }
+  stuck = std::abs(along) > kMoved_A ? 0 : stuck + 1;
+  goToCorner(triangle_, to <= kCorner_A ? edge_ : (edge_ + 1) % 3);
+  return Went::Meets;
+}
+
+SasMeshTracker::Went SasMeshTracker::fromCorner(const Vec3& h, int& stuck) noexcept {
+  const Vec3 pull = h - scp_;
+  const double pull2 = glm::dot(pull, pull), least = kInto * std::sqrt(pull2);
+  double best = 0.0;
+  std::size_t by = 0;
+  bool on_edge = false;
+  for (std::size_t k = 0; k < round_count_; ++k) {
+    const Wedge& w = round_[k];
+    const double along = glm::dot(pull, w.along);
+    if (along > least && along * along > best) best = along * along, by = k, on_edge = true;
+    if (glm::dot(pull, w.in_right) <= least || glm::dot(pull, w.in_left) <= least) continue;
+    const double up = glm::dot(pull, w.normal);
+    if (pull2 - up * up > best) best = pull2 - up * up, by = k, on_edge = false;
+  }
+  if (best == 0.0) return glm::dot(pull, corner_normal_) > 0.0 ? Went::Leaves : Went::Rests;
+  const Wedge& w = round_[by];
+  const Vec3 side = on_edge ? w.normal + round_[(by + round_count_ - 1) % round_count_].normal : w.normal;
+  if (glm::dot(pull, side) > 0.0) return Went::Leaves;
+  ++stuck;
+  const std::int32_t triangle = w.triangle, edge = w.edge;
+  if (on_edge)
+    goToEdge(triangle, edge);
+  else
+    goToTriangle(triangle);
+  return Went::Meets;
+}
+
+}  // namespace moltact
