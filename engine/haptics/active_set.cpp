@@ -1,0 +1,130 @@
+#include "engine/haptics/active_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+
+constexpr int kMostTried = 6;          // touches among which every set of up to three is tried
+constexpr double kParallel = 1e-26;    // squared sine, or squared volume, under which normals hold in fewer dimensions
+
+// Every set of up to three among a few touches, fewest first, until one is admitted.
+class Trial {
+ public:
+  Trial(const Vec3& pull, std::span<const Touch> touches, double contact_A, int skip)
+      : pull_(pull), touches_(touches), contact_(contact_A), length_(glm::length(pull)), skip_(skip) {}
+
+  // Adds a touch to those that are tried; one that does not hold makes room.
+  void add(int touch) {
+    if (tried_count_ == kMostTried) {
+      const auto holds = [&](int t) { return std::find(best_.by.begin(), best_.by.end(), t) != best_.by.end(); };
+      for (int& t : tried_)
+        if (!holds(t)) {
+          t = touch;
+          return;
+        }
+    }
+    tried_[std::size_t(tried_count_++)] = touch;
+  }
+
+  ActiveSet best() {
+    best_ = {};
+    left_ = pull_;
+    passed_ = 0;
+    least_ = INFINITY;
+    const int n = tried_count_;
+    if (offer({-1, -1, -1}, 0, pull_)) return best_;
+    for (int a = 0; a < n; ++a) {
+      const Vec3& na = normal(a);
+      const double push = glm::dot(pull_, na);
+      if (push < 0.0 && offer({tried_[a], -1, -1}, 1, pull_ - push * na)) return best_;
+    }
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        if (pair(a, b)) return best_;
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        for (int c = b + 1; c < n; ++c)
+          if (triple(a, b, c)) return best_;
+    best_.found = false;  // what is left is the set that leads least into a touch
+    return best_;
+  }
+
+  // The touch that what is left of the pull leads into most, beyond rounding; -1: none.
+  int mostViolated() const {
+    int worst = -1;
+    double most = 1.0;
+    for (std::size_t k = 0; k < touches_.size(); ++k)
+      if (const double v = violation(left_, touches_[k]); v > most) most = v, worst = int(k);
+    return worst;
+  }
+
+  bool tries(int touch) const { return std::find(tried_.begin(), tried_.begin() + tried_count_, touch) != tried_.begin() + tried_count_; }
+
+ private:
+  const Vec3& normal(int a) const { return touch(a).normal; }
+  const Touch& touch(int a) const { return touches_[std::size_t(tried_[std::size_t(a)])]; }
+  double bound(int a) const { return blockedFrom_A(touch(a), contact_, length_, 0.0); }
+  double violation(const Vec3& v, const Touch& t) const {
+    const double into = -glm::dot(v, t.normal);
+    return into <= 0.0 ? 0.0 : into / blockedFrom_A(t, contact_, length_, glm::length(v));
+  }
+
+  bool offer(std::array<int, 3> by, int count, const Vec3& left) {
+    double most = 0.0;
+    for (int a = 0; a < tried_count_; ++a) most = std::max(most, violation(left, touch(a)));
+    if (most > 1.0 && most >= least_) return false;
+    if (most <= 1.0 && passed_++ < skip_) return false;
+    least_ = most;
+    best_ = {count, by, glm::length(left) <= 0.125 * contact_ * (1.0 + length_), true};
+    left_ = left;
+    return most <= 1.0;
+  }
+
+  // Both shares in the pull must be pushes, or none but for rounding.
+  bool pair(int a, int b) {
+    const Vec3 &na = normal(a), &nb = normal(b), line = glm::cross(na, nb);
+    const double sine2 = glm::dot(line, line);
+    if (sine2 < kParallel) return false;
+    const double cosine = glm::dot(na, nb), push_a = -glm::dot(pull_, na), push_b = -glm::dot(pull_, nb);
+    if (push_a - push_b * cosine < -bound(a) || push_b - push_a * cosine < -bound(b)) return false;
+    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2, line * (glm::dot(pull_, line) / sine2));
+  }
+
+  bool triple(int a, int b, int c) {
+    const Vec3 &na = normal(a), &nb = normal(b), &nc = normal(c);
+    const Vec3 ab = glm::cross(na, nb), bc = glm::cross(nb, nc), ca = glm::cross(nc, na);
+    const double volume = glm::dot(ab, nc);
+    if (volume * volume < kParallel) return false;
+    const double side = volume < 0.0 ? 1.0 : -1.0;
+    if (side * glm::dot(pull_, bc) < -bound(a) || side * glm::dot(pull_, ca) < -bound(b) || side * glm::dot(pull_, ab) < -bound(c))
+      return false;
+    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], tried_[std::size_t(c)]}, 3, Vec3(0.0));
+  }
+
+  Vec3 pull_, left_{0.0};
+  std::span<const Touch> touches_;
+  double contact_, length_, least_ = INFINITY;
+  int skip_, passed_ = 0, tried_count_ = 0;
+  std::array<int, kMostTried> tried_{};
+  ActiveSet best_;
+};
+
+}  // namespace
+
+ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, int skip) noexcept {
+  Trial trial(pull, touches, contact_A, skip);
+  ActiveSet set;
+  // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson & Hanson
+  // 1974): what is left of the pull grows shorter, and no set comes twice.
+  for (int round = 0; round < 4 * kMostTried; ++round) {
+    set = trial.best();
+    const int worst = trial.mostViolated();
+    if (worst < 0 || trial.tries(worst)) break;
+    trial.add(worst);
+  }
+  return set;
+}
+
+}  // namespace moltact

@@ -1,0 +1,47 @@
+// Which of the balls that the SCP touches hold it back: the active set of the projection of the pull on the cone of
+// allowed motions. Haptic thread; no allocation. Units: angstrom.
+//
+// The steepest way down |x - h|^2 that leaves no touching ball is the projection v of d = h - s on {v : v.n_k >= 0}, n_k
+// the outward normals; by Caratheodory's theorem at most three normals are active in space. docs/exact-tracker.md derives
+// the bound on rounding that `blocked` uses.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+#include "engine/core/units.h"
+
+namespace moltact {
+
+/// A surface that a place touches.
+struct Touch {
+  Vec3 normal;       ///< unit but for rounding, outward
+  double radius;     ///< of curvature; infinite for a plane (unit: angstrom)
+  double gap;        ///< from the surface to the place: negative where it has sunk (unit: angstrom)
+  std::int32_t ball; ///< or whatever else the surface belongs to
+};
+
+/// How much of a motion of length `motion_A` may lead into a touching surface without blocking it (unit: angstrom), in two
+/// parts. Rounding of the pull and of the normal, 1/8 of what counts as touching. And grazing: a way that meets a sphere under
+/// the angle sqrt(contact / radius) sinks by no more than contact_A before it has gone sqrt(contact * radius); it is allowed to a
+/// place that has not yet sunk.
+inline double blockedFrom_A(const Touch& touch, double contact_A, double pull_A, double motion_A) {
+  const double unsunk = std::clamp(1.0 + touch.gap / contact_A, 0.0, 1.0);
+  return 0.125 * contact_A * (1.0 + pull_A / touch.radius) + motion_A * unsunk * std::sqrt(contact_A / touch.radius);
+}
+
+struct ActiveSet {
+  int count = 0;                       ///< 0 to 3; with three, nothing is left of the pull and the place holds
+  std::array<int, 3> by{-1, -1, -1};   ///< places in the list of touches
+  bool still = false;                  ///< nothing but rounding is left of the pull
+  bool found = true;                   ///< false: there are no more than `skip` sets that rounding admits
+};
+
+/// The set with the fewest holders that blocks all that must be blocked. Where rounding admits several (a holder about to let
+/// go, two spheres with one tangent plane), `skip` passes over as many of them.
+ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, int skip = 0) noexcept;
+
+}  // namespace moltact
