@@ -73,11 +73,12 @@ class Trial {
 
   bool offer(std::array<int, 3> by, int count, const Vec3& left) {
     double most = 0.0;
-    for (int a = 0; a < tried_count_; ++a) most = std::max(most, violation(left, touch(a)));
+    for (int a = 0; a < tried_count_; ++a)  // those that hold are not led into
+      if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end()) most = std::max(most, violation(left, touch(a)));
     if (most > 1.0 && most >= least_) return false;
     if (most <= 1.0 && passed_++ < skip_) return false;
     least_ = most;
-    best_ = {count, by, glm::length(left) <= 0.125 * contact_ * (1.0 + length_), true};
+    best_ = {count, by, glm::length(left) <= stillUnder_A(contact_, length_), true};
     left_ = left;
     return most <= 1.0;
   }
@@ -88,6 +89,8 @@ class Trial {
     const double sine2 = glm::dot(line, line);
     if (sine2 < kParallel) return false;
     const double cosine = glm::dot(na, nb), push_a = -glm::dot(pull_, na), push_b = -glm::dot(pull_, nb);
+    // Two that touch from outside have no circle that rounding could tell from a point; either holds as both do.
+    if (cosine < 0.0 && sine2 < 16.0 * contact_ * (1.0 / touch(a).radius + 1.0 / touch(b).radius)) return false;
     if (push_a - push_b * cosine < -bound(a) || push_b - push_a * cosine < -bound(b)) return false;
     return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2, line * (glm::dot(pull_, line) / sine2));
   }

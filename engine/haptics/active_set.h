@@ -25,13 +25,17 @@ struct Touch {
 };
 
 /// How much of a motion of length `motion_A` may lead into a touching surface without blocking it (unit: angstrom), in two
-/// parts. Rounding of the pull and of the normal, 1/8 of what counts as touching. And grazing: a way that meets a sphere under
-/// the angle sqrt(contact / radius) sinks by no more than contact_A before it has gone sqrt(contact * radius); it is allowed to a
-/// place that has not yet sunk.
+/// parts. Rounding of the pull and of the normal: 1/128 of what counts as touching, and 16 times that for a place that has not
+/// yet sunk. And grazing: a way that meets a sphere under the angle sqrt(2 contact / radius) sinks by no more than contact_A
+/// before it leads out again.
 inline double blockedFrom_A(const Touch& touch, double contact_A, double pull_A, double motion_A) {
-  const double unsunk = std::clamp(1.0 + touch.gap / contact_A, 0.0, 1.0);
-  return 0.125 * contact_A * (1.0 + pull_A / touch.radius) + motion_A * unsunk * std::sqrt(contact_A / touch.radius);
+  const double unsunk = std::clamp(1.0 + touch.gap / contact_A, 0.0, 2.0);
+  return contact_A * (0.125 * std::min(unsunk, 1.0) + 0x1p-7) * (1.0 + pull_A / touch.radius) +
+         motion_A * std::sqrt(2.0 * unsunk * contact_A / touch.radius);
 }
+
+/// What is left of the pull moves nothing where it is no longer than this (unit: angstrom).
+inline double stillUnder_A(double contact_A, double pull_A) { return 4.0 * contact_A * (1.0 + pull_A); }
 
 struct ActiveSet {
   int count = 0;                       ///< 0 to 3; with three, nothing is left of the pull and the place holds

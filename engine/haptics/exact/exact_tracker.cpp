@@ -2,6 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#ifdef TRACING
+#include <cstdio>
+#include <cstdlib>
+#endif
 
 #include "engine/haptics/exact/cap.h"
 #include "engine/haptics/exact/entry_angle.h"
@@ -19,8 +23,8 @@ constexpr double kContact = 0x1p-43;
 // has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
 constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
-// Sets that rounding admits at one place and that lead nowhere, one after the other, before the place is said to hold.
-constexpr int kMostStuck = 12;
+// Pieces, one after the other, that bring the SCP no nearer to the HIP, before it stays where it is.
+constexpr int kMostIdle = 12;
 
 }  // namespace
 
@@ -96,9 +100,13 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   const Vec3 was = scp_;
   near_.countFromZero();
   behind_ = true;
-  int stuck = 0;
+  int stuck = 0, idle = 0;
+  double left_A = glm::distance(hip, scp_);
   for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
     contact_A_ = contactAt(scp_);
+#ifdef TRACING
+    if (getenv("TRACE")) {printf("   piece %d stuck %d f%d s %.17g %.17g %.17g |pull| %.15g looked %d touching", count, stuck, int(feature_), scp_.x,scp_.y,scp_.z, glm::length(hip-scp_), int(near_.looked())); if(feature_!=Feature::Free){findTouching(); for(size_t k=0;k<touching_count_;++k) printf(" %d(%.2gT)", touching_[k].ball, touching_[k].gap/contact_A_); ActiveSet a=activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, std::max(0,stuck-1)); printf(" set %d: ",a.count); for(int k=0;k<a.count;++k) printf(" %d",touching_[a.by[k]].ball); printf(" still %d found %d",a.still,a.found);} printf("\n");}
+#endif
     // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there once more.
     const Went went = piece(hip, std::max(0, stuck - 1));
     if (went == Went::Rests) {
@@ -106,16 +114,31 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
       break;
     }
     stuck = went == Went::Stuck ? stuck + 1 : 0;
+    // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
+    const double now_A = glm::distance(hip, scp_);
+    idle = left_A - now_A > contact_A_ / 16.0 ? 0 : idle + 1;
+    left_A = now_A;
+    if (idle > kMostIdle) {
+      holdHere();
+      behind_ = false;
+      break;
+    }
   }
-  if (behind_) forgetSurroundings();
-  // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
-  if (feature_ != Feature::Free && !outsideAll()) {
-    const bool freed = toFreePlace();
+  if (behind_) {
+    ++cut_short_;
     forgetSurroundings();
-    behind_ = true;
-    if (!freed) scp_ = was;
   }
-  if (behind_) ++cut_short_;
+  // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
+  if (feature_ != Feature::Free && !outsideAll() && !toFreePlace()) {
+    scp_ = was;
+    ++cut_short_;
+  }
+}
+
+// The SCP stays where it is; the next tick looks round again.
+void ExactTracker::holdHere() noexcept {
+  forgetSurroundings();
+  feature_ = holders_[1] < 0 ? Feature::Sphere : holders_[2] < 0 ? Feature::Circle : Feature::Point;
 }
 
 // One piece of the way. `skip`: so many active sets have been tried from here and lead nowhere.
@@ -124,14 +147,15 @@ ExactTracker::Went ExactTracker::piece(const Vec3& hip, int skip) noexcept {
   findTouching();
   const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, skip);
   const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].ball; };
-  if (skip > kMostStuck || (!set.found && skip > 0)) {  // every way that rounding admits has been tried
-    forgetSurroundings();
-    feature_ = Feature::Point;
+  if (!set.found && skip > 0) {  // every way that rounding admits has been tried
+    holdHere();
     return Went::Rests;
   }
   switch (set.count) {
     case 0: return fly(hip);
-    case 1: return slideOnSphere(hip, by(0));
+    case 1:
+      if (!set.still || touching_count_ == 1) return slideOnSphere(hip, by(0));
+      return restOnSphere(by(0), touching_[std::size_t(set.by[0])].normal);
     case 2: {
       const int third = set.still ? thirdOf(set) : -1;  // what two hold in a place where three meet, the place holds
       if (third < 0) return slideOnCircle(hip, by(0), by(1));
@@ -264,6 +288,7 @@ ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t bal
   const double sine = glm::length(sideways);
   if (sine <= 1e-15) return restOnSphere(ball, glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no way is shorter
   sideways /= sine;
+  sideways = glm::normalize(sideways - x * glm::dot(sideways, x));  // nearly behind the centre the first difference has few digits
   const double arrives = std::atan2(sine, glm::dot(nearest, x));
 
   // A HIP that has come out of the ball is seen from where the ball no longer hides it: there the flight begins.

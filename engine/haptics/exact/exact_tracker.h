@@ -77,6 +77,7 @@ class ExactTracker final : public Tracker {
   void holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept;
   void findTouching() noexcept;
   int thirdOf(const ActiveSet& set) const noexcept;
+  void holdHere() noexcept;
   bool outsideAll() noexcept;
   bool toFreePlace() noexcept;                  // carry_surface.cpp
   void forgetSurroundings() noexcept;
