@@ -12,8 +12,8 @@ constexpr double kParallel = 1e-26;    // squared sine, or squared volume, under
 // Every set of up to three among a few touches, fewest first, until one is admitted.
 class Trial {
  public:
-  Trial(const Vec3& pull, std::span<const Touch> touches, double contact_A, int skip)
-      : pull_(pull), touches_(touches), contact_(contact_A), length_(glm::length(pull)), skip_(skip) {}
+  Trial(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted)
+      : pull_(pull), touches_(touches), contact_(contact_A), length_(glm::length(pull)), admitted_(admitted) {}
 
   // Adds a touch to those that are tried; one that does not hold makes room.
   void add(int touch) {
@@ -65,10 +65,10 @@ class Trial {
  private:
   const Vec3& normal(int a) const { return touch(a).normal; }
   const Touch& touch(int a) const { return touches_[std::size_t(tried_[std::size_t(a)])]; }
-  double bound(int a) const { return blockedFrom_A(touch(a), contact_, length_, 0.0); }
+  double bound(int a) const { return blockedFrom_A(touch(a), contact_, length_, 0.0, false); }
   double violation(const Vec3& v, const Touch& t) const {
     const double into = -glm::dot(v, t.normal);
-    return into <= 0.0 ? 0.0 : into / blockedFrom_A(t, contact_, length_, glm::length(v));
+    return into <= 0.0 ? 0.0 : into / blockedFrom_A(t, contact_, length_, glm::length(v), admitted_.grazes);
   }
 
   bool offer(std::array<int, 3> by, int count, const Vec3& left) {
@@ -76,7 +76,7 @@ class Trial {
     for (int a = 0; a < tried_count_; ++a)  // those that hold are not led into
       if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end()) most = std::max(most, violation(left, touch(a)));
     if (most > 1.0 && most >= least_) return false;
-    if (most <= 1.0 && passed_++ < skip_) return false;
+    if (most <= 1.0 && passed_++ < admitted_.skip) return false;
     least_ = most;
     best_ = {count, by, glm::length(left) <= stillUnder_A(contact_, length_), true};
     left_ = left;
@@ -109,15 +109,16 @@ class Trial {
   Vec3 pull_, left_{0.0};
   std::span<const Touch> touches_;
   double contact_, length_, least_ = INFINITY;
-  int skip_, passed_ = 0, tried_count_ = 0;
+  Admitted admitted_;
+  int passed_ = 0, tried_count_ = 0;
   std::array<int, kMostTried> tried_{};
   ActiveSet best_;
 };
 
 }  // namespace
 
-ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, int skip) noexcept {
-  Trial trial(pull, touches, contact_A, skip);
+ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted) noexcept {
+  Trial trial(pull, touches, contact_A, admitted);
   ActiveSet set;
   // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson & Hanson
   // 1974): what is left of the pull grows shorter, and no set comes twice.

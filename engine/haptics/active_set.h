@@ -28,10 +28,10 @@ struct Touch {
 /// parts. Rounding of the pull and of the normal: 1/128 of what counts as touching, and 16 times that for a place that has not
 /// yet sunk. And grazing: a way that meets a sphere under the angle sqrt(2 contact / radius) sinks by no more than contact_A
 /// before it leads out again.
-inline double blockedFrom_A(const Touch& touch, double contact_A, double pull_A, double motion_A) {
+inline double blockedFrom_A(const Touch& touch, double contact_A, double pull_A, double motion_A, bool grazes) {
   const double unsunk = std::clamp(1.0 + touch.gap / contact_A, 0.0, 2.0);
-  return contact_A * (0.125 * std::min(unsunk, 1.0) + 0x1p-7) * (1.0 + pull_A / touch.radius) +
-         motion_A * std::sqrt(2.0 * unsunk * contact_A / touch.radius);
+  const double grazing = grazes ? motion_A * std::sqrt(2.0 * unsunk * contact_A / touch.radius) : 0.0;
+  return contact_A * (0.125 * std::min(unsunk, 1.0) + 0x1p-7) * (1.0 + pull_A / touch.radius) + grazing;
 }
 
 /// What is left of the pull moves nothing where it is no longer than this (unit: angstrom).
@@ -41,11 +41,15 @@ struct ActiveSet {
   int count = 0;                       ///< 0 to 3; with three, nothing is left of the pull and the place holds
   std::array<int, 3> by{-1, -1, -1};   ///< places in the list of touches
   bool still = false;                  ///< nothing but rounding is left of the pull
-  bool found = true;                   ///< false: there are no more than `skip` sets that rounding admits
+  bool found = true;                   ///< false: there are no more than Admitted::skip sets
 };
 
-/// The set with the fewest holders that blocks all that must be blocked. Where rounding admits several (a holder about to let
-/// go, two spheres with one tangent plane), `skip` passes over as many of them.
-ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, int skip = 0) noexcept;
+struct Admitted {
+  int skip = 0;        ///< where rounding admits several sets (a holder about to let go, two spheres with one tangent plane), so many are passed over
+  bool grazes = true;  ///< whether a way may graze a touching sphere
+};
+
+/// The set with the fewest holders that blocks all that must be blocked.
+ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted = {}) noexcept;
 
 }  // namespace moltact

@@ -43,12 +43,14 @@ double decidedFrom_A(const scenes::Scene& scene) {
   return 0x1p-40 * (spread + largest + (far_off ? 1024 : glm::length(scene.balls[0].centre_A)));
 }
 
-// The oracle, and the same with all balls larger and smaller by a hair: where they differ, two answers are right.
+// The oracle, and the same with balls larger or smaller by a hair: where they differ, two answers are right.
 class Oracles {
  public:
   explicit Oracles(const scenes::Scene& s) : balls_(s.balls), probe_A_(s.probe_A) {
     hair_ = decidedFrom_A(s);
-    for (const double by : {0.0, hair_, -hair_}) each_.emplace_back(resized(s.balls, by), s.probe_A);
+    each_.emplace_back(s.balls, s.probe_A);
+    for (const double even : {hair_, -hair_})
+      for (const double odd : {hair_, -hair_}) each_.emplace_back(resized(s.balls, even, odd), s.probe_A, false);
   }
   // True where there is one right answer, to within `accuracy_A`.
   bool step(const Vec3& hip, oracle::Oracle::Answer& right, double& accuracy_A) {
@@ -68,8 +70,8 @@ class Oracles {
   }
 
  private:
-  static std::vector<Ball> resized(std::vector<Ball> balls, double by) {
-    for (Ball& b : balls) b.radius_A = b.radius_A + by;
+  static std::vector<Ball> resized(std::vector<Ball> balls, double even, double odd) {
+    for (std::size_t k = 0; k < balls.size(); ++k) balls[k].radius_A += k % 2 ? odd : even;
     return balls;
   }
   std::vector<Ball> balls_;
@@ -105,10 +107,9 @@ Tally compare(std::uint64_t seed, int ticks) {
     const double off = glm::distance(c.scp.A, right.scp_A);
     const bool touches_here = glm::distance(c.scp.A, hip) <= 1e-9 && glm::distance(right.scp_A, hip) <= 1e-9;  // free or not: rounding
     const bool agrees = (c.touching() == right.contact || touches_here) && off <= accuracy_A;
-    if (agrees) {
-      ++tally.agree;
-      continue;
-    }
+    if (agrees) ++tally.agree;
+    if (!decided) oracles.place(c.scp.A);
+    if (agrees) continue;
     const bool rests = !c.touching() || oracle::atRest(s.scene.balls, s.scene.probe_A, c.scp.A, hip, 1e-6);
     if (!rests) ++tally.moving, fault("not at rest, off by", tally.ticks, off);
     if (decided)

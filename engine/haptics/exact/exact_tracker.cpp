@@ -25,6 +25,8 @@ constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
 // Pieces, one after the other, that bring the SCP no nearer to the HIP, before it stays where it is.
 constexpr int kMostIdle = 12;
+// Pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat to be seen at once.
+constexpr int kMostGrazing = 24;
 
 }  // namespace
 
@@ -105,10 +107,10 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
     contact_A_ = contactAt(scp_);
 #ifdef TRACING
-    if (getenv("TRACE")) {printf("   piece %d stuck %d f%d s %.17g %.17g %.17g |pull| %.15g looked %d touching", count, stuck, int(feature_), scp_.x,scp_.y,scp_.z, glm::length(hip-scp_), int(near_.looked())); if(feature_!=Feature::Free){findTouching(); for(size_t k=0;k<touching_count_;++k) printf(" %d(%.2gT)", touching_[k].ball, touching_[k].gap/contact_A_); ActiveSet a=activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, std::max(0,stuck-1)); printf(" set %d: ",a.count); for(int k=0;k<a.count;++k) printf(" %d",touching_[a.by[k]].ball); printf(" still %d found %d",a.still,a.found);} printf("\n");}
+    if (getenv("TRACE")) {printf("   piece %d stuck %d f%d s %.17g %.17g %.17g |pull| %.15g looked %d touching", count, stuck, int(feature_), scp_.x,scp_.y,scp_.z, glm::length(hip-scp_), int(near_.looked())); if(feature_!=Feature::Free){findTouching(); for(size_t k=0;k<touching_count_;++k) printf(" %d(%.2gT)", touching_[k].ball, touching_[k].gap/contact_A_); ActiveSet a=activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, {std::max(0,stuck-1), count < kMostGrazing}); printf(" set %d: ",a.count); for(int k=0;k<a.count;++k) printf(" %d",touching_[a.by[k]].ball); printf(" still %d found %d",a.still,a.found);} printf("\n");}
 #endif
     // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there once more.
-    const Went went = piece(hip, std::max(0, stuck - 1));
+    const Went went = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = count < kMostGrazing});
     if (went == Went::Rests) {
       behind_ = false;
       break;
@@ -117,7 +119,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
     const double now_A = glm::distance(hip, scp_);
     idle = left_A - now_A > contact_A_ / 16.0 ? 0 : idle + 1;
-    left_A = now_A;
+    left_A = std::min(left_A, now_A);
     if (idle > kMostIdle) {
       holdHere();
       behind_ = false;
@@ -141,13 +143,13 @@ void ExactTracker::holdHere() noexcept {
   feature_ = holders_[1] < 0 ? Feature::Sphere : holders_[2] < 0 ? Feature::Circle : Feature::Point;
 }
 
-// One piece of the way. `skip`: so many active sets have been tried from here and lead nowhere.
-ExactTracker::Went ExactTracker::piece(const Vec3& hip, int skip) noexcept {
+// One piece of the way.
+ExactTracker::Went ExactTracker::piece(const Vec3& hip, Admitted admitted) noexcept {
   if (feature_ == Feature::Free) return fly(hip);
   findTouching();
-  const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, skip);
+  const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, admitted);
   const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].ball; };
-  if (!set.found && skip > 0) {  // every way that rounding admits has been tried
+  if (!set.found && admitted.skip > 0) {  // every way that rounding admits has been tried
     holdHere();
     return Went::Rests;
   }

@@ -68,7 +68,7 @@ class ExactTracker final : public Tracker {
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
   bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
   void flow(const Vec3& hip) noexcept;
-  Went piece(const Vec3& hip, int skip) noexcept;
+  Went piece(const Vec3& hip, Admitted admitted) noexcept;
   Went fly(const Vec3& hip) noexcept;
   Went slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept;
   Went restOnSphere(std::int32_t ball, const Vec3& direction) noexcept;
