@@ -9,6 +9,12 @@ namespace {
 constexpr int kMostTried = 6;          // touches among which every set of up to three is tried
 constexpr double kParallel = 1e-26;    // squared sine, or squared volume, under which normals hold in fewer dimensions
 
+// What a set leaves of the pull, and how the way turns that it leads along: the acceleration at unit speed, toward the
+// holding sphere's or circle's centre.
+struct Motion {
+  Vec3 left{0.0}, turns{0.0};
+};
+
 // Every set of up to three among a few touches, fewest first, until one is admitted.
 class Trial {
  public:
@@ -30,15 +36,15 @@ class Trial {
 
   ActiveSet best() {
     best_ = {};
-    left_ = pull_;
+    motion_ = {pull_};
     passed_ = 0;
     least_ = INFINITY;
     const int n = tried_count_;
-    if (offer({-1, -1, -1}, 0, pull_)) return best_;
+    if (offer({-1, -1, -1}, 0, {pull_})) return best_;
     for (int a = 0; a < n; ++a) {
       const Vec3& na = normal(a);
       const double push = glm::dot(pull_, na);
-      if (push < 0.0 && offer({tried_[a], -1, -1}, 1, pull_ - push * na)) return best_;
+      if (push < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, {pull_ - push * na, na * (-1.0 / touch(a).radius)})) return best_;
     }
     for (int a = 0; a < n; ++a)
       for (int b = a + 1; b < n; ++b)
@@ -56,7 +62,7 @@ class Trial {
     int worst = -1;
     double most = 1.0;
     for (std::size_t k = 0; k < touches_.size(); ++k)
-      if (const double v = violation(left_, touches_[k]); v > most) most = v, worst = int(k);
+      if (const double v = violation(motion_, touches_[k]); v > most) most = v, worst = int(k);
     return worst;
   }
 
@@ -65,21 +71,26 @@ class Trial {
  private:
   const Vec3& normal(int a) const { return touch(a).normal; }
   const Touch& touch(int a) const { return touches_[std::size_t(tried_[std::size_t(a)])]; }
-  double bound(int a) const { return blockedFrom_A(touch(a), contact_, length_, 0.0, false); }
-  double violation(const Vec3& v, const Touch& t) const {
-    const double into = -glm::dot(v, t.normal);
-    return into <= 0.0 ? 0.0 : into / blockedFrom_A(t, contact_, length_, glm::length(v), admitted_.grazes);
+  double bound(int a) const { return rounding_A(touch(a), contact_, length_); }
+
+  // The part of a motion that leads into a touch, over what is allowed: blocked from 1 on.
+  double violation(const Motion& m, const Touch& t) const {
+    const double into = -glm::dot(m.left, t.normal);
+    if (into <= 0.0) return 0.0;
+    double allowed = rounding_A(t, contact_, length_);
+    if (admitted_.grazes) allowed += glm::length(m.left) * grazing(t, contact_, 1.0 / t.radius + glm::dot(m.turns, t.normal));
+    return into / allowed;
   }
 
-  bool offer(std::array<int, 3> by, int count, const Vec3& left) {
+  bool offer(std::array<int, 3> by, int count, const Motion& motion) {
     double most = 0.0;
     for (int a = 0; a < tried_count_; ++a)  // those that hold are not led into
-      if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end()) most = std::max(most, violation(left, touch(a)));
+      if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end()) most = std::max(most, violation(motion, touch(a)));
     if (most > 1.0 && most >= least_) return false;
     if (most <= 1.0 && passed_++ < admitted_.skip) return false;
     least_ = most;
-    best_ = {count, by, glm::length(left) <= stillUnder_A(contact_, length_), true};
-    left_ = left;
+    best_ = {count, by, glm::length(motion.left) <= stillUnder_A(contact_, length_), true};
+    motion_ = motion;
     return most <= 1.0;
   }
 
@@ -92,7 +103,10 @@ class Trial {
     // Two that touch from outside have no circle that rounding could tell from a point; either holds as both do.
     if (cosine < 0.0 && sine2 < 16.0 * contact_ * (1.0 / touch(a).radius + 1.0 / touch(b).radius)) return false;
     if (push_a - push_b * cosine < -bound(a) || push_b - push_a * cosine < -bound(b)) return false;
-    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2, line * (glm::dot(pull_, line) / sine2));
+    // On both spheres: turns . n_a = -1 / R_a and turns . n_b = -1 / R_b.
+    const double bend_a = 1.0 / touch(a).radius, bend_b = 1.0 / touch(b).radius;
+    const Vec3 turns = (na * (bend_b * cosine - bend_a) + nb * (bend_a * cosine - bend_b)) / sine2;
+    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2, {line * (glm::dot(pull_, line) / sine2), turns});
   }
 
   bool triple(int a, int b, int c) {
@@ -103,10 +117,11 @@ class Trial {
     const double side = volume < 0.0 ? 1.0 : -1.0;
     if (side * glm::dot(pull_, bc) < -bound(a) || side * glm::dot(pull_, ca) < -bound(b) || side * glm::dot(pull_, ab) < -bound(c))
       return false;
-    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], tried_[std::size_t(c)]}, 3, Vec3(0.0));
+    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], tried_[std::size_t(c)]}, 3, {});
   }
 
-  Vec3 pull_, left_{0.0};
+  Vec3 pull_;
+  Motion motion_;
   std::span<const Touch> touches_;
   double contact_, length_, least_ = INFINITY;
   Admitted admitted_;

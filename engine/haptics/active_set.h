@@ -24,14 +24,21 @@ struct Touch {
   std::int32_t ball; ///< or whatever else the surface belongs to
 };
 
-/// How much of a motion of length `motion_A` may lead into a touching surface without blocking it (unit: angstrom), in two
-/// parts. Rounding of the pull and of the normal: 1/128 of what counts as touching, and 16 times that for a place that has not
-/// yet sunk. And grazing: a way that meets a sphere under the angle sqrt(2 contact / radius) sinks by no more than contact_A
-/// before it leads out again.
-inline double blockedFrom_A(const Touch& touch, double contact_A, double pull_A, double motion_A, bool grazes) {
-  const double unsunk = std::clamp(1.0 + touch.gap / contact_A, 0.0, 2.0);
-  const double grazing = grazes ? motion_A * std::sqrt(2.0 * unsunk * contact_A / touch.radius) : 0.0;
-  return contact_A * (0.125 * std::min(unsunk, 1.0) + 0x1p-7) * (1.0 + pull_A / touch.radius) + grazing;
+/// How much of a motion may lead into a touching surface by rounding of the pull and of the normal (unit: angstrom): 1/128 of
+/// what counts as touching, and 16 times that for a place that has not yet sunk.
+inline double rounding_A(const Touch& touch, double contact_A, double pull_A) {
+  const double unsunk = std::clamp(1.0 + touch.gap / contact_A, 0.0, 1.0);
+  return contact_A * (0.125 * unsunk + 0x1p-7) * (1.0 + pull_A / touch.radius);
+}
+
+/// The sine under which a way may meet a touching sphere and not be blocked, for it sinks by no more than the place has room.
+/// The gap along the way is gap - sine t + bend t^2 / 2: with bend > 0 it is least at sine / bend; otherwise it is looked at where a
+/// tangent has left the sphere by contact_A. `bend` (unit: 1 / angstrom): how fast way and sphere part.
+inline double grazing(const Touch& touch, double contact_A, double bend) {
+  const double room = contact_A + touch.gap;
+  if (bend > 0.0) return std::sqrt(2.0 * bend * std::max(room, contact_A / 16.0));
+  const double way = std::sqrt(contact_A * touch.radius);
+  return std::max(0.0, room / way + 0.5 * bend * way);
 }
 
 /// What is left of the pull moves nothing where it is no longer than this (unit: angstrom).
@@ -46,7 +53,7 @@ struct ActiveSet {
 
 struct Admitted {
   int skip = 0;        ///< where rounding admits several sets (a holder about to let go, two spheres with one tangent plane), so many are passed over
-  bool grazes = true;  ///< whether a way may graze a touching sphere
+  bool grazes = true;  ///< whether a way may graze a touching sphere; never so with planes
 };
 
 /// The set with the fewest holders that blocks all that must be blocked.

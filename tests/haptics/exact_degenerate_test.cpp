@@ -60,7 +60,7 @@ class Oracles {
     for (std::size_t k = 1; k < each_.size(); ++k) {
       const auto other = each_[k].step(hip);
       const double off = glm::distance(other.scp_A, right.scp_A);
-      decided = decided && other.decided && other.contact == right.contact && other.started_inside == right.started_inside && off < 1e-4;
+      decided = decided && other.decided && other.contact == right.contact && other.started_inside == right.started_inside && off < 1e-6;
       accuracy_A += off;
     }
     return decided;

@@ -118,7 +118,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     stuck = went == Went::Stuck ? stuck + 1 : 0;
     // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
     const double now_A = glm::distance(hip, scp_);
-    idle = left_A - now_A > contact_A_ / 16.0 ? 0 : idle + 1;
+    idle = left_A - now_A > contact_A_ ? 0 : idle + 1;
     left_A = std::min(left_A, now_A);
     if (idle > kMostIdle) {
       holdHere();

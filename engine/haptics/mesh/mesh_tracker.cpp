@@ -164,7 +164,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
     for (int k = 0; k < touch_count_; ++k) planes[std::size_t(k)] = {face(touching_[std::size_t(k)]).normal, INFINITY, 0.0, k};
     const auto normal = [&](int k) { return planes[std::size_t(k)].normal; };
     const Vec3 pull = h - scp_;
-    const ActiveSet blocked = activeSet(pull, {planes.data(), std::size_t(touch_count_)}, kRounding * glm::length(pull));
+    const ActiveSet blocked = activeSet(pull, {planes.data(), std::size_t(touch_count_)}, kRounding * glm::length(pull), {.grazes = false});
     holding_ = blocked.by;
     hold_count_ = blocked.count;
     Vec3 way(0.0);
