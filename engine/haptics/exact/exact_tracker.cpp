@@ -25,7 +25,7 @@ constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
 // Pieces, one after the other, that bring the SCP no nearer to the HIP, before it stays where it is.
 constexpr int kMostIdle = 12;
-// Pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat to be seen at once.
+// Small pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat to be seen at once.
 constexpr int kMostGrazing = 24;
 
 }  // namespace
@@ -102,20 +102,22 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   const Vec3 was = scp_;
   near_.countFromZero();
   behind_ = true;
-  int stuck = 0, idle = 0;
+  int stuck = 0, idle = 0, small = 0;
   double left_A = glm::distance(hip, scp_);
   for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
     contact_A_ = contactAt(scp_);
 #ifdef TRACING
-    if (getenv("TRACE")) {printf("   piece %d stuck %d f%d s %.17g %.17g %.17g |pull| %.15g looked %d touching", count, stuck, int(feature_), scp_.x,scp_.y,scp_.z, glm::length(hip-scp_), int(near_.looked())); if(feature_!=Feature::Free){findTouching(); for(size_t k=0;k<touching_count_;++k) printf(" %d(%.2gT)", touching_[k].ball, touching_[k].gap/contact_A_); ActiveSet a=activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, {std::max(0,stuck-1), count < kMostGrazing}); printf(" set %d: ",a.count); for(int k=0;k<a.count;++k) printf(" %d",touching_[a.by[k]].ball); printf(" still %d found %d",a.still,a.found);} printf("\n");}
+    if (getenv("TRACE")) {printf("   piece %d stuck %d f%d s %.17g %.17g %.17g |pull| %.15g looked %d touching", count, stuck, int(feature_), scp_.x,scp_.y,scp_.z, glm::length(hip-scp_), int(near_.looked())); if(feature_!=Feature::Free){findTouching(); for(size_t k=0;k<touching_count_;++k) printf(" %d(%.2gT)", touching_[k].ball, touching_[k].gap/contact_A_); ActiveSet a=activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, {std::max(0,stuck-1), small < kMostGrazing}); printf(" set %d: ",a.count); for(int k=0;k<a.count;++k) printf(" %d",touching_[a.by[k]].ball); printf(" still %d found %d",a.still,a.found);} printf("\n");}
 #endif
     // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there once more.
-    const Went went = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = count < kMostGrazing});
+    const Vec3 from = scp_;
+    const Went went = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = small < kMostGrazing});
     if (went == Went::Rests) {
       behind_ = false;
       break;
     }
     stuck = went == Went::Stuck ? stuck + 1 : 0;
+    small += glm::distance(from, scp_) < 0.25 * kLook_A;
     // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
     const double now_A = glm::distance(hip, scp_);
     idle = left_A - now_A > contact_A_ ? 0 : idle + 1;
