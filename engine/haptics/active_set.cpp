@@ -7,6 +7,7 @@ namespace moltact {
 namespace {
 
 constexpr int kMostTried = 6;          // touches among which every set of up to three is tried
+constexpr double kSteep = 1e-3;        // of the pull: what leads in by more does not graze
 constexpr double kParallel = 1e-26;    // squared sine, or squared volume, under which normals hold in fewer dimensions
 
 // What a set leaves of the pull, and how the way turns that it leads along: the acceleration at unit speed, toward the
@@ -62,7 +63,9 @@ class Trial {
     int worst = -1;
     double most = 1.0;
     for (std::size_t k = 0; k < touches_.size(); ++k)
-      if (const double v = violation(motion_, touches_[k]); v > most) most = v, worst = int(k);
+      if (int(k) == best_.by[0] || int(k) == best_.by[1] || int(k) == best_.by[2])
+        continue;
+      else if (const double v = violation(motion_, touches_[k]); v > most) most = v, worst = int(k);
     return worst;
   }
 
@@ -78,7 +81,8 @@ class Trial {
     const double into = -glm::dot(m.left, t.normal);
     if (into <= 0.0) return 0.0;
     double allowed = rounding_A(t, contact_, length_);
-    if (admitted_.grazes) allowed += glm::length(m.left) * grazing(t, contact_, 1.0 / t.radius + glm::dot(m.turns, t.normal));
+    if (into > kSteep * length_ || !admitted_.grazes || into <= allowed) return into / allowed;
+    allowed += glm::length(m.left) * grazing(t, contact_, 1.0 / t.radius + glm::dot(m.turns, t.normal));
     return into / allowed;
   }
 
@@ -89,7 +93,8 @@ class Trial {
     if (most > 1.0 && most >= least_) return false;
     if (most <= 1.0 && passed_++ < admitted_.skip) return false;
     least_ = most;
-    best_ = {count, by, glm::length(motion.left) <= stillUnder_A(contact_, length_), true};
+    const double still_A = stillUnder_A(contact_, length_);
+    best_ = {count, by, glm::dot(motion.left, motion.left) <= still_A * still_A, true};
     motion_ = motion;
     return most <= 1.0;
   }
@@ -130,11 +135,38 @@ class Trial {
   ActiveSet best_;
 };
 
+// One or two touches that rounding leaves no doubt of, as most places have; false otherwise.
+bool plainly(const Vec3& pull, std::span<const Touch> touches, double contact_A, ActiveSet& set) {
+  const double length = glm::length(pull), steep = kSteep * length;
+  const double into_0 = -glm::dot(pull, touches[0].normal);
+  if (touches.size() == 1) {
+    if (into_0 > 0.0 && into_0 <= steep) return false;
+    if (into_0 > 0.0) set = {.count = 1, .by = {0, -1, -1}};
+    return true;
+  }
+  const double into_1 = -glm::dot(pull, touches[1].normal), cosine = glm::dot(touches[0].normal, touches[1].normal);
+  const double still_A = stillUnder_A(contact_A, length);
+  const auto one = [&](int by, double into) {
+    const Vec3 left = pull + into * touches[std::size_t(by)].normal;
+    set = {.count = 1, .by = {by, -1, -1}, .still = glm::dot(left, left) <= still_A * still_A};
+    return true;
+  };
+  // What is left of the pull on the one sphere leads into the other by so much.
+  const double then_1 = into_1 - into_0 * cosine, then_0 = into_0 - into_1 * cosine;
+  if (into_0 > steep && then_1 <= 0.0) return one(0, into_0);
+  if (into_1 > steep && then_0 <= 0.0) return one(1, into_1);
+  if (into_0 <= steep || into_1 <= steep || then_0 <= steep || then_1 <= steep) return false;
+  set = {.count = 2, .by = {0, 1, -1}};
+  return true;
+}
+
 }  // namespace
 
 ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted) noexcept {
-  Trial trial(pull, touches, contact_A, admitted);
   ActiveSet set;
+  if (touches.empty()) return set;
+  if (touches.size() <= 2 && admitted.skip == 0 && plainly(pull, touches, contact_A, set)) return set;
+  Trial trial(pull, touches, contact_A, admitted);
   // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson & Hanson
   // 1974): what is left of the pull grows shorter, and no set comes twice.
   for (int round = 0; round < 4 * kMostTried; ++round) {

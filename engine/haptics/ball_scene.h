@@ -36,11 +36,17 @@ class BallScene {
 
   /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
   /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of balls with the same
-  /// centre and radius only the first in the file is visited. No allocation; the order is fixed for a scene.
+  /// centre and radius only the first in the file is visited. No allocation; the order is fixed for a scene. `cost` counts
+  /// what is looked at beside balls: cells, and groups of balls in crowded cells.
   template <class Visit>
-  void visitNear(const Vec3& place, double margin_A, Visit&& visit) const {
+  void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
     const double reach = margin_A + cell_radius_;
-    visitBox(place - Vec3(reach), place + Vec3(reach), nearTo(place, margin_A), visit);
+    const auto near = [&](const Bound& b) {
+      if (cost) ++*cost;
+      return glm::distance(place, b.centre) <= b.spread + b.largest + margin_A;
+    };
+    if (cost) *cost += static_cast<std::uint64_t>(std::min(std::pow(2.0 * reach / cell_, 3.0), double(large_from_)));
+    visitBox(place - Vec3(reach), place + Vec3(reach), near, visit);
   }
 
   /// The same for the balls whose centres lie within `reach_A` of the place.
@@ -104,10 +110,6 @@ class BallScene {
       if (cells_[s].key == k) return &cells_[s];
       if (cells_[s].key == kEmpty) return nullptr;
     }
-  }
-
-  static auto nearTo(const Vec3& place, double margin_A) {
-    return [place, margin_A](const Bound& b) { return glm::distance(place, b.centre) <= b.spread + b.largest + margin_A; };
   }
 
   // Visitors that return nothing never end a visit.

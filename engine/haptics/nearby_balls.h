@@ -40,12 +40,13 @@ class NearbyBalls {
   const Vec3& origin() const noexcept { return origin_; }
   double probe_A() const noexcept { return probe_; }
   std::size_t held() const noexcept { return count_; }  ///< balls in the list
-  /// Balls looked at since the counter was set back: what a tick has cost.
+  /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
   std::uint64_t looked() const noexcept { return looked_; }
   void countFromZero() noexcept { looked_ = 0; }
   void setProbe(double probe_A) noexcept {
     probe_ = probe_A;
     reach_ = -1.0;
+    count_ = 0;
   }
 
   NearBall ball(std::int32_t i) const noexcept { return inflated(i, (*scene_)[std::size_t(i)]); }
@@ -66,6 +67,27 @@ class NearbyBalls {
       visit(inflated(std::int32_t(i), b));
     });
     return within_A;
+  }
+
+  /// True where a ball of the list holds the place: without looking round. False tells nothing.
+  bool knownInside(const Vec3& place) const noexcept {
+    for (std::size_t k = 0; k < count_; ++k) {
+      const Vec3 m = place - list_[k].centre;
+      if (glm::dot(m, m) < list_[k].radius * list_[k].radius) return true;
+    }
+    return false;
+  }
+
+  /// True where a ball of the scene holds the place.
+  bool inside(const Vec3& place) const noexcept {
+    bool found = false;
+    scene_->visitNear(origin_ + place, probe_, [&](std::uint32_t i, const Ball& b) {
+      const NearBall ball = inflated(std::int32_t(i), b);
+      const Vec3 m = place - ball.centre;
+      found = glm::dot(m, m) < ball.radius * ball.radius;
+      return !found;
+    });
+    return found;
   }
 
  private:
@@ -108,7 +130,7 @@ class NearbyBalls {
       fits = count_ < kMost;
       if (fits) list_[count_++] = inflated(std::int32_t(i), b);
       return fits;
-    });
+    }, &looked_);
     return fits;
   }
 

@@ -87,8 +87,8 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
   const Vec3 local = h - near_.origin();
   if (!armed_) {
-    const double gap = gapRound(local);
-    if (gap < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
+    if (near_.inside(local)) return {.scp = hip, .fault = Fault::StartedInside};
+    const double gap = std::max(0.0, gapRound(local));
     free_gap2_ = gap * gap;
     armed_ = true;
     scp_ = free_from_ = local;
@@ -102,6 +102,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   const Vec3 was = scp_;
   near_.countFromZero();
   behind_ = true;
+  may_sink_ = false;
   int stuck = 0, idle = 0, small = 0;
   double left_A = glm::distance(hip, scp_);
   for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
@@ -133,7 +134,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     forgetSurroundings();
   }
   // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
-  if (feature_ != Feature::Free && !outsideAll() && !toFreePlace()) {
+  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && !toFreePlace()) {
     scp_ = was;
     ++cut_short_;
   }
@@ -150,6 +151,7 @@ ExactTracker::Went ExactTracker::piece(const Vec3& hip, Admitted admitted) noexc
   if (feature_ == Feature::Free) return fly(hip);
   findTouching();
   const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, admitted);
+  may_sink_ |= int(touching_count_) > set.count;
   const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].ball; };
   if (!set.found && admitted.skip > 0) {  // every way that rounding admits has been tried
     holdHere();
@@ -223,7 +225,7 @@ Hit ExactTracker::firstMet(const Vec3& to) noexcept {
 ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
   // From free space a short way needs no search along it: a ball on it would be as near to its end as the way is long.
   if (feature_ == Feature::Free) {
-    const double gap = gapRound(hip);
+    const double gap = near_.knownInside(hip) ? 0.0 : gapRound(hip);
     if (gap > 0.0 && gap * gap > glm::dot(hip - scp_, hip - scp_)) {
       scp_ = free_from_ = hip;
       free_gap2_ = gap * gap;

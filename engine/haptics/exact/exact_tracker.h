@@ -93,6 +93,7 @@ class ExactTracker final : public Tracker {
   double contact_A_ = 0.0;   // a ball whose surface is no farther than this from the SCP is touched
   bool armed_ = false;       // has the HIP been outside since the start?
   bool behind_ = false;      // the last flow was cut short
+  bool may_sink_ = false;    // it has passed balls that are touched and do not hold
   Feature feature_ = Feature::Free;
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
   std::array<Touch, kMostTouching> touching_;        // what the SCP touches, while it flows
