@@ -104,7 +104,7 @@ struct Candidate {
 
 }  // namespace
 
-Oracle::Oracle(std::vector<Ball> balls, double probe_A) {
+Oracle::Oracle(std::vector<Ball> balls, double probe_A, bool companions) : flows_(companions ? 5 : 1) {
   // Relative to the first centre, so that a scene a million angstroms away loses no digits.
   if (!balls.empty()) origin_ = wide(balls[0].centre_A);
   for (const Ball& b : balls) {
@@ -243,7 +243,7 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
   answer.scp_A = hip_A;
   if (!been_outside_) {
     const bool inside = insideAny(hipOf(0));
-    for (std::size_t c = 1; c < s_.size(); ++c)
+    for (std::size_t c = 1; c < flows_; ++c)
       answer.decided = answer.decided && insideAny(hipOf(c)) == inside;
     been_outside_ = !inside;
     answer.started_inside = inside;
@@ -252,11 +252,12 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
   }
 
   std::array<Flow, 5> ends;
-  for (std::size_t c = 0; c < s_.size(); ++c) ends[c] = flow(s_[c], hipOf(c));
+  for (std::size_t c = 0; c < flows_; ++c) ends[c] = flow(s_[c], hipOf(c));
   answer.contact = !ends[0].arrived;
   if (answer.contact) answer.scp_A = narrow(ends[0].s + origin_);
   Real spread = 0;
-  for (const Flow& e : ends) {
+  for (std::size_t c = 0; c < flows_; ++c) {
+    const Flow& e = ends[c];
     spread = std::max(spread, length(e.s - ends[0].s));
     answer.decided = answer.decided && e.settled && e.arrived == ends[0].arrived;
   }
@@ -264,7 +265,7 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
   // does.
   answer.decided = answer.decided && spread < 1000 * Real(kCompanion_A);
   answer.accuracy_A = double(1e-4L * spread + 1e-13L);
-  for (std::size_t c = 0; c < s_.size(); ++c) s_[c] = answer.decided ? ends[c].s : ends[0].s;
+  for (std::size_t c = 0; c < flows_; ++c) s_[c] = answer.decided ? ends[c].s : ends[0].s;
   return answer;
 }
 

@@ -24,7 +24,8 @@ struct PointL {
 
 class Oracle {
  public:
-  Oracle(std::vector<Ball> balls, double probe_A);
+  /// Without companions it is faster, and each answer is called decided.
+  Oracle(std::vector<Ball> balls, double probe_A, bool companions = true);
 
   struct Answer {
     bool contact = false;
@@ -56,6 +57,7 @@ class Oracle {
   std::vector<PointL> centres_;  // relative to origin_
   std::vector<long double> radii_;
   PointL origin_;
+  std::size_t flows_ = 5;
   bool been_outside_ = false;
   std::array<PointL, 5> s_;  // the true one first, then the companions
 };

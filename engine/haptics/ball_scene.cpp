@@ -89,10 +89,11 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
     c->end = c->begin;
   }
   sorted_.resize(small_count);
+  std::vector<Sorted> large;
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     const Sorted entry{balls_[i], static_cast<std::uint32_t>(i)};
     if (balls_[i].radius_A > large_from)
-      large_.push_back(entry);
+      large.push_back(entry);
     else
       sorted_[cells_[slot_of[i]].end++] = entry;
   }
@@ -122,10 +123,50 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
     c.end = static_cast<std::uint32_t>(kept - sorted_.begin());
   }
   sorted_.erase(kept, sorted_.end());
+  large_from_ = static_cast<std::uint32_t>(sorted_.size());
+  sorted_.insert(sorted_.end(), large.begin(), large.end());
+
+  for (const Cell* cell : in_order) makeCrowd(cell->begin, cell->end);
+  makeCrowd(large_from_, static_cast<std::uint32_t>(sorted_.size()));
+}
+
+// A tree over a crowded part of the list: halves at the middle of the longest side, down to kLeaf balls.
+void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
+  constexpr std::uint32_t kLeaf = 8;
+  if (end - begin <= kCrowd) return;
+  crowds_.push_back({begin, static_cast<std::uint32_t>(bounds_.size())});
+  const auto grow = [&](const auto& self, std::uint32_t from, std::uint32_t to) -> void {
+    Vec3 low = sorted_[from].ball.centre_A, high = low;
+    for (std::uint32_t k = from; k < to; ++k) {
+      low = glm::min(low, sorted_[k].ball.centre_A);
+      high = glm::max(high, sorted_[k].ball.centre_A);
+    }
+    const std::size_t node = bounds_.size();
+    Bound bound{.centre = 0.5 * (low + high), .begin = from, .end = to, .leaf = to - from <= kLeaf};
+    for (std::uint32_t k = from; k < to; ++k) {
+      bound.spread = std::max(bound.spread, glm::distance(bound.centre, sorted_[k].ball.centre_A));
+      bound.largest = std::max(bound.largest, sorted_[k].ball.radius_A);
+    }
+    bound.spread += 1e-9 + 1e-12 * (glm::length(bound.centre) + bound.spread);  // what is just within reach is not lost to rounding
+    bounds_.push_back(bound);
+    if (!bound.leaf) {
+      const Vec3 side = high - low;
+      const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
+      const std::uint32_t middle = from + (to - from) / 2;
+      std::nth_element(sorted_.begin() + from, sorted_.begin() + middle, sorted_.begin() + to, [axis](const Sorted& a, const Sorted& b) {
+        return std::pair(a.ball.centre_A[axis], a.index) < std::pair(b.ball.centre_A[axis], b.index);
+      });
+      self(self, from, middle);
+      self(self, middle, to);
+    }
+    bounds_[node].next = static_cast<std::uint32_t>(bounds_.size());
+  };
+  grow(grow, begin, end);
 }
 
 std::size_t BallScene::bytes() const {
-  return sorted_.capacity() * sizeof(Sorted) + large_.capacity() * sizeof(Sorted) + cells_.capacity() * sizeof(Cell);
+  return sorted_.capacity() * sizeof(Sorted) + bounds_.capacity() * sizeof(Bound) + crowds_.capacity() * sizeof(Crowd) +
+         cells_.capacity() * sizeof(Cell);
 }
 
 }  // namespace moltact

@@ -5,10 +5,12 @@
 // about 0.1 s (build/release/tracker_benchmark --benchmark_filter=ready).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "engine/core/ball.h"
@@ -33,25 +35,37 @@ class BallScene {
   std::size_t bytes() const;
 
   /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
-  /// farther ones: the visitor tests what it needs. Of balls with the same centre and radius only the first in the file
-  /// is visited. No allocation; the order is fixed for a scene.
+  /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of balls with the same
+  /// centre and radius only the first in the file is visited. No allocation; the order is fixed for a scene. `cost` counts
+  /// what is looked at beside balls: cells, and groups of balls in crowded cells.
   template <class Visit>
-  void visitNear(const Vec3& place, double margin_A, Visit&& visit) const {
+  void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
     const double reach = margin_A + cell_radius_;
-    visitBox(place - Vec3(reach), place + Vec3(reach), visit);
+    const auto near = [&](const Bound& b) {
+      if (cost) ++*cost;
+      return glm::distance(place, b.centre) <= b.spread + b.largest + margin_A;
+    };
+    if (cost) *cost += static_cast<std::uint64_t>(std::min(std::pow(2.0 * reach / cell_, 3.0), double(large_from_)));
+    visitBox(place - Vec3(reach), place + Vec3(reach), near, visit);
   }
 
   /// The same for the balls whose centres lie within `reach_A` of the place.
   template <class Visit>
   void visitCentresNear(const Vec3& place, double reach_A, Visit&& visit) const {
-    visitBox(place - Vec3(reach_A), place + Vec3(reach_A), visit);
+    const auto inReach = [&](const Bound& b) { return glm::distance(place, b.centre) <= b.spread + reach_A; };
+    visitBox(place - Vec3(reach_A), place + Vec3(reach_A), inReach, visit);
   }
 
-  /// The same for the balls that come within margin_A of any place in the box [low, high].
+  /// The same for the balls that come within margin_A of any place in the box [low, high]; where many balls crowd in a cell,
+  /// only for those in groups for which `mayMeet(centre, radius)` is true: the group's balls all lie in that ball.
+  template <class MayMeet, class Visit>
+  void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, MayMeet&& mayMeet, Visit&& visit) const {
+    const double reach = margin_A + cell_radius_;
+    visitBox(low - Vec3(reach), high + Vec3(reach), [&](const Bound& b) { return mayMeet(b.centre, b.spread + b.largest); }, visit);
+  }
   template <class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, Visit&& visit) const {
-    const double reach = margin_A + cell_radius_;
-    visitBox(low - Vec3(reach), high + Vec3(reach), visit);
+    visitNearBox(low, high, margin_A, [](const Vec3&, double) { return true; }, visit);
   }
 
   /// The edge of a grid cell (unit: angstrom): a good length for walking along a path piece by piece.
@@ -65,6 +79,17 @@ class BallScene {
   struct Sorted {
     Ball ball;
     std::uint32_t index;
+  };
+  // Cells with more than kCrowd balls (a hundred thousand within 0.1 A, say) have a tree, so that a visit costs what it finds.
+  static constexpr std::uint32_t kCrowd = 64;
+  struct Bound {
+    Vec3 centre{0.0};
+    double spread = 0.0, largest = 0.0;       // no centre is farther from `centre`, no radius larger
+    std::uint32_t begin = 0, end = 0, next = 0;  // into sorted_; the place of the next tree node that is not below this one
+    bool leaf = false;
+  };
+  struct Crowd {
+    std::uint32_t begin = 0, root = 0;  // of the cell in sorted_; of its tree in bounds_
   };
   static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
   static constexpr double kHalfCells = 1 << 20;  // cells an axis holds on either side of the origin; farther ones fold into the last
@@ -87,10 +112,46 @@ class BallScene {
     }
   }
 
+  // Visitors that return nothing never end a visit.
   template <class Visit>
-  void visitBox(Vec3 low, Vec3 high, Visit&& visit) const {
-    for (const Sorted& s : large_) visit(s.index, s.ball);
-    if (sorted_.empty()) return;
+  static bool goesOn(Visit&& visit, const Sorted& s) {
+    if constexpr (std::is_same_v<decltype(visit(s.index, s.ball)), bool>)
+      return visit(s.index, s.ball);
+    else
+      return visit(s.index, s.ball), true;
+  }
+
+  template <class Accept, class Visit>
+  bool visitRange(std::uint32_t begin, std::uint32_t end, Accept&& accept, Visit&& visit) const {
+    if (end - begin > kCrowd) return visitCrowd(begin, accept, visit);
+    for (std::uint32_t k = begin; k < end; ++k)
+      if (!goesOn(visit, sorted_[k])) return false;
+    return true;
+  }
+
+  template <class Accept, class Visit>
+  [[gnu::noinline]] bool visitCrowd(std::uint32_t begin, Accept&& accept, Visit&& visit) const {
+    const auto crowd = std::lower_bound(crowds_.begin(), crowds_.end(), begin, [](const Crowd& c, std::uint32_t b) { return c.begin < b; });
+    const std::uint32_t end = bounds_[crowd->root].next;
+    for (std::uint32_t node = crowd->root; node < end;) {
+      const Bound& b = bounds_[node];
+      if (!accept(b)) {
+        node = b.next;
+        continue;
+      }
+      if (b.leaf)
+        for (std::uint32_t k = b.begin; k < b.end; ++k)
+          if (!goesOn(visit, sorted_[k])) return false;
+      ++node;
+    }
+    return true;
+  }
+
+  template <class Accept, class Visit>
+  void visitBox(Vec3 low, Vec3 high, Accept&& accept, Visit&& visit) const {
+    const auto balls = static_cast<std::uint32_t>(sorted_.size());
+    if (!visitRange(large_from_, balls, accept, visit)) return;
+    if (large_from_ == 0) return;
     low = glm::max(low, grid_low_);
     high = glm::min(high, grid_high_);
     if (low.x > high.x || low.y > high.y || low.z > high.z) return;
@@ -98,20 +159,25 @@ class BallScene {
     const std::int64_t y0 = cellOf(low.y, grid_low_.y), y1 = cellOf(high.y, grid_low_.y);
     const std::int64_t z0 = cellOf(low.z, grid_low_.z), z1 = cellOf(high.z, grid_low_.z);
     const double looked_up = double(x1 - x0 + 1) * double(y1 - y0 + 1) * double(z1 - z0 + 1);
-    if (looked_up > double(sorted_.size())) {  // a box over most of a sparse scene: the list is shorter than the cells
-      for (const Sorted& s : sorted_) visit(s.index, s.ball);
+    if (looked_up > double(large_from_)) {  // a box over most of a sparse scene: the list is shorter than the cells
+      for (std::uint32_t k = 0; k < large_from_; ++k)
+        if (!goesOn(visit, sorted_[k])) return;
       return;
     }
     for (std::int64_t z = z0; z <= z1; ++z)
       for (std::int64_t y = y0; y <= y1; ++y)
         for (std::int64_t x = x0; x <= x1; ++x)
           if (const Cell* c = find(key(x, y, z)))
-            for (std::uint32_t k = c->begin; k < c->end; ++k) visit(sorted_[k].index, sorted_[k].ball);
+            if (!visitRange(c->begin, c->end, accept, visit)) return;
   }
 
+  void makeCrowd(std::uint32_t begin, std::uint32_t end);
+
   std::vector<Ball> balls_;
-  std::vector<Sorted> sorted_;  // by cell, the cells along x, then y, then z: neighbours lie near in memory
-  std::vector<Sorted> large_;   // the few balls much larger than the rest, tested at every visit
+  std::vector<Sorted> sorted_;  // by cell, the cells along x, then y, then z: neighbours lie near in memory;
+  std::uint32_t large_from_ = 0;  // from here on the few balls much larger than the rest, tested at every visit
+  std::vector<Bound> bounds_;   // trees, each node before those below it
+  std::vector<Crowd> crowds_;   // by begin
   std::vector<Cell> cells_;     // open addressing, at most half full
   std::size_t mask_ = 0;
   int shift_ = 62;  // 64 less the bits of a quarter of the table

@@ -3,6 +3,7 @@
 // angstrom. Places are relative to origin(): near a scene that lies far off no digits are lost.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -20,12 +21,17 @@ struct NearBall {
 
 class NearbyBalls {
  public:
-  static constexpr std::size_t kMost = 256;  ///< a longer list is not kept but visited in the scene each time
+  static constexpr std::size_t kMost = 256;  ///< the longest list that is kept
+
+  /// What becomes of a list that would be longer: the scene is visited each time, so that all is seen; or the list reaches less
+  /// far, so that no visit costs much.
+  enum class Crowded : std::uint8_t { VisitScene, ReachLess };
 
   /// A list serves until the place has moved by `margin_A`.
-  explicit NearbyBalls(std::shared_ptr<const BallScene> scene, double margin_A = 0.5)
+  explicit NearbyBalls(std::shared_ptr<const BallScene> scene, double margin_A = 0.5, Crowded crowded = Crowded::VisitScene)
       : scene_(std::move(scene)),
         margin_(margin_A),
+        crowded_(crowded),
         origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)) {}
 
   const BallScene& scene() const noexcept { return *scene_; }
@@ -34,56 +40,109 @@ class NearbyBalls {
   const Vec3& origin() const noexcept { return origin_; }
   double probe_A() const noexcept { return probe_; }
   std::size_t held() const noexcept { return count_; }  ///< balls in the list
+  /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
+  std::uint64_t looked() const noexcept { return looked_; }
+  void countFromZero() noexcept { looked_ = 0; }
   void setProbe(double probe_A) noexcept {
     probe_ = probe_A;
     reach_ = -1.0;
+    count_ = 0;
   }
 
   NearBall ball(std::int32_t i) const noexcept { return inflated(i, (*scene_)[std::size_t(i)]); }
 
   /// Calls visit(NearBall) once for each ball that comes within `within_A` of the place, and for some farther
-  /// ones; returns how near to the place all balls have been visited (at least within_A). The order follows
-  /// from the places asked for.
+  /// ones; returns how near to the place all balls have been visited: at least within_A, but for Crowded::ReachLess. The
+  /// order follows from the places asked for.
   template <class Visit>
   double each(const Vec3& place, double within_A, Visit&& visit) noexcept {
-    if (!(glm::distance(place, around_) + within_A <= reach_)) gather(place, within_A);
+    if (!(glm::distance(place, around_) + within_A <= reach_)) [[unlikely]] look(place, within_A);
     if (fits_) {
+      looked_ += count_;
       for (std::size_t k = 0; k < count_; ++k) visit(list_[k]);
       return reach_ - glm::distance(place, around_);
     }
-    scene_->visitNear(origin_ + place, probe_ + within_A,
-                      [&](std::uint32_t i, const Ball& b) { visit(inflated(std::int32_t(i), b)); });
+    scene_->visitNear(origin_ + place, probe_ + within_A, [&](std::uint32_t i, const Ball& b) {
+      ++looked_;
+      visit(inflated(std::int32_t(i), b));
+    });
     return within_A;
   }
 
+  /// True where a ball of the list holds the place: without looking round. False tells nothing.
+  bool knownInside(const Vec3& place) const noexcept {
+    for (std::size_t k = 0; k < count_; ++k) {
+      const Vec3 m = place - list_[k].centre;
+      if (glm::dot(m, m) < list_[k].radius * list_[k].radius) return true;
+    }
+    return false;
+  }
+
+  /// True where a ball of the scene holds the place.
+  bool inside(const Vec3& place) const noexcept {
+    bool found = false;
+    scene_->visitNear(origin_ + place, probe_, [&](std::uint32_t i, const Ball& b) {
+      const NearBall ball = inflated(std::int32_t(i), b);
+      const Vec3 m = place - ball.centre;
+      found = glm::dot(m, m) < ball.radius * ball.radius;
+      return !found;
+    });
+    return found;
+  }
+
  private:
+  static constexpr double kLeastReach_A = 1e-7;
+
   NearBall inflated(std::int32_t i, const Ball& b) const noexcept { return {b.centre_A - origin_, b.radius_A + probe_, i}; }
 
-  void gather(const Vec3& place, double within_A) noexcept {
-    around_ = place;
-    reach_ = within_A + margin_;
-    count_ = 0;
+  void look(const Vec3& place, double within_A) noexcept {
+    const double wanted = within_A + margin_;
+    if (crowded_ == Crowded::VisitScene) {
+      fits_ = gather(place, wanted);
+      return;
+    }
+    // A list that had to reach less serves while the place has room in it.
+    const bool shrunk = shrunk_ && reach_ > 0.0;
+    if (shrunk && glm::distance(place, around_) <= 0.5 * reach_) return;
+    double reach = shrunk ? std::min(wanted, 4.0 * reach_) : wanted;
+    while (!gather(place, reach)) {
+      if (reach < kLeastReach_A) {  // so many in one place cannot be told apart: nothing round it is known
+        reach_ = 0.0;
+        break;
+      }
+      reach *= 0.25;
+    }
+    shrunk_ = reach < wanted;
     fits_ = true;
-    const Vec3 at = origin_ + place;
-    const double farther = probe_ + reach_;
-    scene_->visitNear(at, farther, [&](std::uint32_t i, const Ball& b) {
-      const Vec3 m = at - b.centre_A;
-      const double far = b.radius_A + farther;
-      if (glm::dot(m, m) > far * far) return;
-      if (count_ == kMost)
-        fits_ = false;
-      else
-        list_[count_++] = inflated(std::int32_t(i), b);
-    });
+  }
+
+  // Lists the balls within `reach` of the place; false where there are more than fit.
+  bool gather(const Vec3& place, double reach) noexcept {
+    around_ = place;
+    reach_ = reach;
+    count_ = 0;
+    bool fits = true;
+    scene_->visitNear(origin_ + place, probe_ + reach_, [&](std::uint32_t i, const Ball& b) {
+      ++looked_;
+      const Vec3 m = place - (b.centre_A - origin_);
+      const double far = b.radius_A + probe_ + reach_;
+      if (glm::dot(m, m) > far * far) return true;
+      fits = count_ < kMost;
+      if (fits) list_[count_++] = inflated(std::int32_t(i), b);
+      return fits;
+    }, &looked_);
+    return fits;
   }
 
   std::shared_ptr<const BallScene> scene_;
   double margin_;
+  Crowded crowded_;
   Vec3 origin_;
   double probe_ = 0.0;
   Vec3 around_{0.0};
   double reach_ = -1.0;
-  bool fits_ = false;
+  bool fits_ = false, shrunk_ = false;
+  std::uint64_t looked_ = 0;
   std::size_t count_ = 0;
   std::array<NearBall, kMost> list_;
 };

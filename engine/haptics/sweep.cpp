@@ -23,11 +23,16 @@ bool clip(const Vec3& from, const Vec3& way, const Vec3& low, const Vec3& high, 
 
 }  // namespace
 
-Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to,
-          std::span<const std::int32_t> leaving) noexcept {
+Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to) noexcept {
+  return sweepFrom(scene, probe_A, Vec3(0.0), from, to, 0.0);
+}
+
+Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to, double contact_A) noexcept {
+  constexpr double kSpare_A = 1e-6;  // more is looked at than rounding can hide
   const Vec3 way = to - from;
   double t0 = 0.0, t1 = 1.0;
-  if (scene.size() == 0 || !clip(from, way, scene.low_A() - Vec3(probe_A), scene.high_A() + Vec3(probe_A), t0, t1)) return {};
+  const Vec3 margin(probe_A + kSpare_A);
+  if (scene.size() == 0 || !clip(from, way, scene.low_A() - origin - margin, scene.high_A() - origin + margin, t0, t1)) return {};
   const double whole = glm::length(way);
   if (!(whole > 0.0)) return {};
   const Vec3 along = way / whole;
@@ -35,15 +40,16 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
   // Lengths are counted from where the way enters the box: a start a million angstroms off costs no digits.
   const Vec3 start = t0 > 0.0 ? from + way * t0 : from;
   const double length = (t1 - t0) * whole;
-  FirstMet first(start, along, length, leaving);
+  FirstMet first(start, along, length, contact_A);
   // Piece by piece, so that only balls near the way are looked at; in a sparse scene, where that would be more pieces
   // than balls, all at once.
   const double piece = length > scene.cell_A() * (1.0 + 0.125 * double(scene.size())) ? length : scene.cell_A();
   for (double a = 0.0; a <= length; a += piece) {
     const Vec3 p = start + along * a, q = start + along * std::min(a + piece, length);
-    scene.visitNearBox(glm::min(p, q), glm::max(p, q), probe_A, [&](std::uint32_t i, const Ball& b) {
-      first.look(static_cast<std::int32_t>(i), b.centre_A, b.radius_A + probe_A);
-    });
+    scene.visitNearBox(
+        origin + glm::min(p, q), origin + glm::max(p, q), probe_A + kSpare_A,
+        [&](const Vec3& centre, double radius) { return first.mayMeet(centre - origin, radius + probe_A + kSpare_A); },
+        [&](std::uint32_t i, const Ball& b) { first.look(static_cast<std::int32_t>(i), b.centre_A - origin, b.radius_A + probe_A); });
     if (piece == length || (first.ball() >= 0 && first.at() <= a + piece)) break;
   }
   if (first.ball() < 0) return {};

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <span>
 
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/tracker.h"
@@ -20,22 +19,41 @@ struct Hit {
 /// Finds the first of the balls that are looked at, one after the other, on a straight way.
 class FirstMet {
  public:
-  /// `along` is unit; balls in `leaving` are passed over, as are those farther than `length`.
-  FirstMet(const Vec3& start, const Vec3& along, double length, std::span<const std::int32_t> leaving)
-      : start_(start), along_(along), best_(length), leaving_(leaving) {}
+  /// `along` is unit; balls farther than `length` are not met. A ball within `contact_A` of the start is touched: it is met
+  /// only where the way sinks by contact_A into it, so that a way along its surface is not stopped by rounding.
+  FirstMet(const Vec3& start, const Vec3& along, double length, double contact_A = 0.0)
+      : start_(start), along_(along), best_(length), contact_(contact_A) {}
 
   void look(std::int32_t index, const Vec3& centre, double radius) {
     const Vec3 m = start_ - centre;
     const double nearest = -glm::dot(m, along_);  // where the way comes nearest to the centre
     if (nearest <= 0.0) return;                   // it leads away from this ball
     const Vec3 off = m + along_ * nearest;
-    const double gap2 = radius * radius - glm::dot(off, off);
-    if (gap2 <= 0.0) return;
-    const double enters = std::max(0.0, nearest - std::sqrt(gap2));
+    double chord2 = radius * radius - glm::dot(off, off);
+    if (chord2 <= 0.0) return;
+    double enters = nearest - std::sqrt(chord2);
+    if (enters > best_) return;
+    if (enters < radius) {  // the start may be in or on it: |start - centre|^2 - radius^2, exact enough this near
+      const double power = glm::dot(m, m) - radius * radius, touches = 2.0 * radius * contact_;
+      if (power <= touches) {
+        chord2 = nearest * nearest - touches - std::max(power, 0.0);
+        if (chord2 < 0.0) return;
+        enters = nearest - std::sqrt(chord2);
+      }
+    }
+    enters = std::max(0.0, enters);
     if (enters > best_ || (enters == best_ && ball_ >= 0)) return;
-    if (std::find(leaving_.begin(), leaving_.end(), index) != leaving_.end()) return;
     best_ = enters;
     ball_ = index;
+  }
+
+  /// False only where no ball within this one can be met first.
+  bool mayMeet(const Vec3& centre, double radius) const {
+    const Vec3 m = start_ - centre;
+    const double nearest = -glm::dot(m, along_);
+    if (nearest + radius <= 0.0 || nearest - radius > best_) return false;
+    const Vec3 off = m + along_ * nearest;
+    return glm::dot(off, off) < radius * radius;
   }
 
   std::int32_t ball() const { return ball_; }  ///< -1: none
@@ -43,9 +61,8 @@ class FirstMet {
 
  private:
   Vec3 start_, along_;
-  double best_;
+  double best_, contact_;
   std::int32_t ball_ = -1;
-  std::span<const std::int32_t> leaving_;
 };
 
 /// Lessens `gap` to the gap between a ball and a place, given from its centre, where that is smaller.
@@ -55,9 +72,11 @@ inline void lessenGap(double& gap, const Vec3& from_centre, double radius) {
 }
 
 /// Moves a point from `from` to `to` among the scene's balls inflated by `probe_A`. A ball that the point is in or on
-/// already is met at t = 0 when the way leads into it and not at all when it leads out. Balls in `leaving` are passed over.
-Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to,
-          std::span<const std::int32_t> leaving = {}) noexcept;
+/// already is met at t = 0 when the way leads into it and not at all when it leads out.
+Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to) noexcept;
+
+/// The same for places given from `origin`, so that far from the zero point no digits are lost, with FirstMet's `contact_A`.
+Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to, double contact_A) noexcept;
 
 /// The distance from `place` to the box round all inflated balls, 0 inside it.
 double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept;

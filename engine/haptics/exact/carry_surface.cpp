@@ -1,6 +1,6 @@
 // The SCP on a surface that swells or shrinks: the probe's radius changes while touching. After each small change the
 // SCP goes to the nearest free place, which lies on a sphere, a circle or a point of the few balls that now hold it
-// inside. Part of ExactTracker; haptic thread.
+// inside. So it does where rounding has let it sink. Part of ExactTracker; haptic thread.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,8 +12,17 @@ namespace {
 
 constexpr double kPiece_A = 0.05;    // the radius changes by no more at once, so that the SCP stays on its side of a wall
 constexpr double kSqueezed_A = 0.5;  // out of a closing crease the SCP moves faster than the surface, but never through a wall
-constexpr double kRounding_A = 1e-11;
-constexpr int kMostHolding = 8;
+constexpr std::size_t kMostHolding = 8;
+
+// A short list of balls without allocation.
+struct Balls {
+  std::array<std::int32_t, kMostHolding> ball{};
+  std::size_t count = 0;
+  void add(std::int32_t index) {
+    const auto end = ball.begin() + std::ptrdiff_t(count);
+    if (count < kMostHolding && std::find(ball.begin(), end, index) == end) ball[count++] = index;
+  }
+};
 
 // The place of the two spheres' circle nearest to p; false when they do not meet.
 bool nearestOnCircle(const NearBall& i, const NearBall& j, const Vec3& p, Vec3& out) {
@@ -58,7 +67,7 @@ void ExactTracker::setProbe(double probe_A) noexcept {
   for (int k = 1; k <= pieces; ++k) {
     near_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
     if (!armed_) continue;
-    if (!carry()) {  // the place closed over the SCP: there is no surface left to be held by
+    if (!toFreePlace()) {  // the place closed over the SCP: there is no surface left to be held by
       near_.setProbe(wanted);
       reset();
       return;
@@ -66,74 +75,71 @@ void ExactTracker::setProbe(double probe_A) noexcept {
   }
 }
 
-// Brings the SCP to the nearest free place; false when there is none among the balls that close in on it.
-bool ExactTracker::carry() noexcept {
+// Brings the SCP to the nearest free place; false, with nothing changed, when there is none among the balls that close in on it.
+bool ExactTracker::toFreePlace() noexcept {
   const double probe = near_.probe_A();
   const BallScene& scene = near_.scene();
-  free_gap2_ = 0.0;
-  patch_.clear = patch_.cosine = 2.0;
-  circle_.i = -1;
-  holds_known_ = false;
+  const Vec3 was = scp_;
+  const double sunk_A = 4.0 * contactAt(was);
+  forgetSurroundings();
 
-  Touching holding;
+  Balls closing_in;
   // Adds the balls that p is inside of; tells whether there are any.
   const auto inside = [&](const Vec3& p) {
     bool any = false;
-    scene.visitNear(near_.origin() + p, probe, [&](std::uint32_t index, const Ball& b) {
-      const Vec3 m = p - (b.centre_A - near_.origin());
-      const double r = b.radius_A + probe - kRounding_A;
-      if (r <= 0.0 || glm::dot(m, m) >= r * r) return;
+    scene.visitNear(near_.origin() + p, probe, [&](std::uint32_t index, const Ball&) {
+      const NearBall b = near_.ball(std::int32_t(index));
+      const Vec3 m = p - b.centre;
+      const double r = b.radius - sunk_A;
+      if (r <= 0.0 || glm::dot(m, m) >= r * r) return true;
       any = true;
-      if (holding.count < kMostHolding) holding.add(static_cast<std::int32_t>(index));
+      closing_in.add(b.index);
+      return closing_in.count < kMostHolding;
     });
     return any;
   };
-  const Vec3 was = scp_;
   if (!inside(was)) {
     if (feature_ != Feature::Free) feature_ = Feature::Point;  // the next flow finds what it rests on
-    touching_.count = 0;
     return true;
   }
 
   for (int round = 0; round < 4; ++round) {
-    const Touching among = holding;
+    const Balls among = closing_in;
     double best2 = kSqueezed_A * kSqueezed_A;
-    Touching on;
-    const auto offer = [&](const Vec3& p, std::initializer_list<std::int32_t> balls) {
+    bool found = false;
+    const auto offer = [&](const Vec3& p, std::int32_t a, std::int32_t b, std::int32_t c) {
       const Vec3 way = p - was;
       const double d2 = glm::dot(way, way);
       if (!(d2 < best2) || inside(p)) return;
       best2 = d2;
       scp_ = p;
-      on.count = 0;
-      for (const std::int32_t ball : balls) on.add(ball);
+      found = true;
+      holdBy(a, b, c);
     };
-    const auto sphere = [&](std::int32_t ball) { return near_.ball(ball); };
-    for (int a = 0; a < among.count; ++a) {
-      const std::int32_t i = among.balls[std::size_t(a)];
-      const NearBall si = sphere(i);
+    for (std::size_t a = 0; a < among.count; ++a) {
+      const std::int32_t i = among.ball[a];
+      const NearBall si = near_.ball(i);
       const Vec3 out = was - si.centre;
-      if (const double far = glm::length(out); far > 0.0) offer(si.centre + out * (si.radius / far), {i});
-      for (int b = a + 1; b < among.count; ++b) {
-        const std::int32_t j = among.balls[std::size_t(b)];
-        const NearBall sj = sphere(j);
+      if (const double far = glm::length(out); far > 0.0) offer(si.centre + out * (si.radius / far), i, -1, -1);
+      for (std::size_t b = a + 1; b < among.count; ++b) {
+        const std::int32_t j = among.ball[b];
+        const NearBall sj = near_.ball(j);
         Vec3 p;
-        if (nearestOnCircle(si, sj, was, p)) offer(p, {i, j});
-        for (int c = b + 1; c < among.count; ++c) {
-          const std::int32_t k = among.balls[std::size_t(c)];
+        if (nearestOnCircle(si, sj, was, p)) offer(p, i, j, -1);
+        for (std::size_t c = b + 1; c < among.count; ++c) {
+          const std::int32_t k = among.ball[c];
           Vec3 two[2];
-          if (!commonPoints(si, sj, sphere(k), two)) continue;
-          offer(two[0], {i, j, k});
-          offer(two[1], {i, j, k});
+          if (!commonPoints(si, sj, near_.ball(k), two)) continue;
+          offer(two[0], i, j, k);
+          offer(two[1], i, j, k);
         }
       }
     }
-    if (on.count > 0) {
-      touching_ = on;
+    if (found) {
       feature_ = Feature::Point;  // the next flow finds which of them hold it
       return true;
     }
-    if (holding.count == among.count) break;
+    if (closing_in.count == among.count) break;
   }
   return false;
 }

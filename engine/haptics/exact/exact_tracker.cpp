@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#ifdef TRACING
+#include <cstdio>
+#include <cstdlib>
+#endif
 
-#include "engine/haptics/exact/blocked_motion.h"
 #include "engine/haptics/exact/cap.h"
 #include "engine/haptics/exact/entry_angle.h"
 #include "engine/haptics/hip_input.h"
@@ -13,49 +15,38 @@
 namespace moltact {
 namespace {
 
-constexpr double kAtCentre = 1e-12;  // of a radius: a HIP this near a centre or axis has no direction; the SCP stays
-constexpr double kMoved = 1e-12;     // of a radius: a shorter piece leaves the SCP where it was
-constexpr double kTangent = 1e-12;   // a way along a rim; it counts as leaving a cap under a hemisphere
+// Rounding moves a place by at most some eight units in the last place of the largest coordinate or radius, 2^-50 of it. What is
+// within 128 times as much of the SCP is touched (docs/exact-tracker.md, "What rounding may do").
+constexpr double kContact = 0x1p-43;
 
 // Every ball that comes within kLook_A of the SCP is looked at before a way goes on; a list of them serves until the SCP
 // has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
 constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
-// The ball that holds all of `ball`'s sphere, or -1. Equal balls: the first in the file holds the others.
-std::int32_t coveredBy(const BallScene& scene, std::int32_t ball) {
-  const Ball& inner = scene[std::size_t(ball)];
-  std::int32_t holder = -1;
-  scene.visitCentresNear(inner.centre_A, scene.largestRadius_A() - inner.radius_A, [&](std::uint32_t index, const Ball& outer) {
-    const auto j = static_cast<std::int32_t>(index);
-    const double spare = outer.radius_A - inner.radius_A;
-    if (j == ball || spare < 0.0) return;
-    const Vec3 way = outer.centre_A - inner.centre_A;
-    const double d2 = glm::dot(way, way);
-    if (d2 <= spare * spare && (d2 > 0.0 || spare > 0.0 || j < ball)) holder = j;
-  });
-  return holder;
-}
+// Pieces, one after the other, that bring the SCP no nearer to the HIP, before it stays where it is.
+constexpr int kMostIdle = 12;
+// Small pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat to be seen at once.
+constexpr int kMostGrazing = 24;
 
 }  // namespace
 
-bool ExactTracker::Touching::has(std::int32_t ball) const {
-  return std::find(balls.begin(), balls.begin() + count, ball) != balls.begin() + count;
-}
-
-void ExactTracker::Touching::add(std::int32_t ball) {
-  if (ball >= 0 && count < kMostTouching && !has(ball)) balls[std::size_t(count++)] = ball;
-}
-
-ExactTracker::ExactTracker(std::shared_ptr<const BallScene> scene, double probe_A) : near_(std::move(scene), kMargin_A) {
+ExactTracker::ExactTracker(std::shared_ptr<const BallScene> scene, double probe_A)
+    : near_(std::move(scene), kMargin_A, NearbyBalls::Crowded::ReachLess) {
   near_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
 
-void ExactTracker::reset() noexcept {
-  armed_ = false;
-  feature_ = Feature::Free;
-  touching_.count = 0;
-  rememberHolders();
+void ExactTracker::forgetSurroundings() noexcept {
   free_gap2_ = 0.0;
+  patch_.clear = patch_.cosine = 2.0;
+  circle_.i = -1;
+  holds_known_ = false;
+}
+
+void ExactTracker::reset() noexcept {
+  armed_ = behind_ = false;
+  feature_ = Feature::Free;
+  holders_ = {-1, -1, -1};
+  forgetSurroundings();
 }
 
 Footprint ExactTracker::footprint() const noexcept {
@@ -63,19 +54,15 @@ Footprint ExactTracker::footprint() const noexcept {
 }
 
 Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  return {.scp = {feature_ == Feature::Free ? hip : near_.origin() + scp_}, .atoms = holders_, .feature = feature_};
+  return {.scp = {feature_ == Feature::Free && !behind_ ? hip : near_.origin() + scp_}, .atoms = holders_, .feature = feature_};
 }
 
-// The balls that hold the SCP, in ascending order: they change only where the SCP flows.
-void ExactTracker::rememberHolders() noexcept {
-  holders_ = {-1, -1, -1};
-  const int holding = std::min(static_cast<int>(feature_), touching_.count);  // free 0, sphere 1, circle 2, point 3
-  for (int k = 0; k < holding; ++k) {
-    const std::int32_t ball = touching_.balls[std::size_t(k)];
-    int at = k;
-    for (; at > 0 && holders_[std::size_t(at - 1)] > ball; --at) holders_[std::size_t(at)] = holders_[std::size_t(at - 1)];
-    holders_[std::size_t(at)] = ball;
-  }
+// The balls that hold the SCP, in ascending order.
+void ExactTracker::holdBy(std::int32_t a, std::int32_t b, std::int32_t c) noexcept {
+  if (b >= 0 && b < a) std::swap(a, b);
+  if (c >= 0 && c < b) std::swap(b, c);
+  if (b >= 0 && b < a) std::swap(a, b);
+  holders_ = {a, b, c};
 }
 
 Contact ExactTracker::step(PointA hip) noexcept {
@@ -100,68 +87,119 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
   const Vec3 local = h - near_.origin();
   if (!armed_) {
-    const double gap = gapRound(local);
-    if (gap < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
+    if (near_.inside(local)) return {.scp = hip, .fault = Fault::StartedInside};
+    const double gap = std::max(0.0, gapRound(local));
     free_gap2_ = gap * gap;
     armed_ = true;
     scp_ = free_from_ = local;
     return contact(h);
   }
-  if (!holdsQuickly(local)) {
-    flow(local);
-    rememberHolders();
-  }
+  if (!holdsQuickly(local)) flow(local);
   return contact(h);
 }
 
 void ExactTracker::flow(const Vec3& hip) noexcept {
-  forced_ball_ = forced_pair_ = -1;
-  forced_flight_ = false;
-  int stuck = 0;
-  for (int piece = 0; piece < kMostPieces; ++piece) {
-    std::array<Vec3, kMostTouching> normals;
-    for (int k = 0; k < touching_.count; ++k) normals[std::size_t(k)] = normalOf(touching_.balls[std::size_t(k)]);
-    Blocked blocked;
-    if (forced_ball_ < 0 && !forced_flight_) blocked = blockedMotion(hip - scp_, {normals.data(), std::size_t(touching_.count)});
-
-    Went went;
-    const auto by = [&](int k) { return touching_.balls[std::size_t(blocked.by[std::size_t(k)])]; };
-    if (forced_ball_ >= 0 && forced_pair_ >= 0) {
-      const std::int32_t i = std::exchange(forced_ball_, -1), j = std::exchange(forced_pair_, -1);
-      went = slideOnCircle(hip, i, j);
-    } else if (forced_ball_ >= 0) {
-      went = slideOnSphere(hip, std::exchange(forced_ball_, -1));
-    } else if (std::exchange(forced_flight_, false) || blocked.count == 0) {
-      went = fly(hip);
-    } else if (blocked.count == 1) {
-      went = slideOnSphere(hip, by(0));
-    } else if (blocked.count == 2) {
-      went = slideOnCircle(hip, by(0), by(1));
-    } else {
-      holdAtPoint({by(0), by(1), by(2)});
-      return;
+  const Vec3 was = scp_;
+  near_.countFromZero();
+  behind_ = true;
+  may_sink_ = false;
+  int stuck = 0, idle = 0, small = 0;
+  double left_A = glm::distance(hip, scp_);
+  for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
+    contact_A_ = contactAt(scp_);
+#ifdef TRACING
+    if (getenv("TRACE")) {printf("   piece %d stuck %d f%d s %.17g %.17g %.17g |pull| %.15g looked %d touching", count, stuck, int(feature_), scp_.x,scp_.y,scp_.z, glm::length(hip-scp_), int(near_.looked())); if(feature_!=Feature::Free){findTouching(); for(size_t k=0;k<touching_count_;++k) printf(" %d(%.2gT)", touching_[k].ball, touching_[k].gap/contact_A_); ActiveSet a=activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, {std::max(0,stuck-1), small < kMostGrazing}); printf(" set %d: ",a.count); for(int k=0;k<a.count;++k) printf(" %d",touching_[a.by[k]].ball); printf(" still %d found %d",a.still,a.found);} printf("\n");}
+#endif
+    // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there once more.
+    const Vec3 from = scp_;
+    const Went went = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = small < kMostGrazing});
+    if (went == Went::Rests) {
+      behind_ = false;
+      break;
     }
-    if (went == Went::Rests) return;
-    // Where balls meet in one point, pieces of no length gather all of them; when that leads nowhere the point holds.
     stuck = went == Went::Stuck ? stuck + 1 : 0;
-    if (stuck > 2 * kMostTouching) break;
+    small += glm::distance(from, scp_) < 0.25 * kLook_A;
+    // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
+    const double now_A = glm::distance(hip, scp_);
+    idle = left_A - now_A > contact_A_ ? 0 : idle + 1;
+    left_A = std::min(left_A, now_A);
+    if (idle > kMostIdle) {
+      holdHere();
+      behind_ = false;
+      break;
+    }
   }
-  ++cut_short_;
-  feature_ = touching_.count == 0 ? Feature::Free : static_cast<Feature>(std::min(touching_.count, 3));
-  holds_known_ = false;
-  patch_.clear = patch_.cosine = 2.0;
-  circle_.i = -1;
-  free_gap2_ = 0.0;
+  if (behind_) {
+    ++cut_short_;
+    forgetSurroundings();
+  }
+  // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
+  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && !toFreePlace()) {
+    scp_ = was;
+    ++cut_short_;
+  }
 }
 
-// A ball inside another, or equal to an earlier one, stands for the one that holds it.
-std::int32_t ExactTracker::outermost(std::int32_t ball) const noexcept {
-  for (int k = 0; k < 64 && ball >= 0; ++k) {
-    const std::int32_t holder = coveredBy(near_.scene(), ball);
-    if (holder < 0) break;
-    ball = holder;
+// The SCP stays where it is; the next tick looks round again.
+void ExactTracker::holdHere() noexcept {
+  forgetSurroundings();
+  feature_ = holders_[1] < 0 ? Feature::Sphere : holders_[2] < 0 ? Feature::Circle : Feature::Point;
+}
+
+// One piece of the way.
+ExactTracker::Went ExactTracker::piece(const Vec3& hip, Admitted admitted) noexcept {
+  if (feature_ == Feature::Free) return fly(hip);
+  findTouching();
+  const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, admitted);
+  may_sink_ |= int(touching_count_) > set.count;
+  const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].ball; };
+  if (!set.found && admitted.skip > 0) {  // every way that rounding admits has been tried
+    holdHere();
+    return Went::Rests;
   }
-  return ball;
+  switch (set.count) {
+    case 0: return fly(hip);
+    case 1:
+      if (!set.still || touching_count_ == 1) return slideOnSphere(hip, by(0));
+      return restOnSphere(by(0), touching_[std::size_t(set.by[0])].normal);
+    case 2: {
+      const int third = set.still ? thirdOf(set) : -1;  // what two hold in a place where three meet, the place holds
+      if (third < 0) return slideOnCircle(hip, by(0), by(1));
+      holdAtPoint({by(0), by(1), touching_[std::size_t(third)].ball});
+      return Went::Rests;
+    }
+    default: holdAtPoint({by(0), by(1), by(2)}); return Went::Rests;
+  }
+}
+
+double ExactTracker::contactAt(const Vec3& place) const noexcept {
+  return kContact * (std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) + near_.scene().largestRadius_A() + probe_A());
+}
+
+// A touch whose normal stands out of the plane of those of the set's two; -1: none.
+int ExactTracker::thirdOf(const ActiveSet& set) const noexcept {
+  const Vec3 line = glm::cross(touching_[std::size_t(set.by[0])].normal, touching_[std::size_t(set.by[1])].normal);
+  for (std::size_t k = 0; k < touching_count_; ++k)
+    if (std::abs(glm::dot(line, touching_[k].normal)) > 1e-6) return int(k);
+  return -1;
+}
+
+// A way under 1/16 of what counts as touching leads nowhere.
+ExactTracker::Went ExactTracker::went(double way_A) const noexcept { return way_A > contact_A_ / 16.0 ? Went::GoesOn : Went::Stuck; }
+
+void ExactTracker::findTouching() noexcept {
+  touching_count_ = 0;
+  near_.each(scp_, contact_A_, [&](const NearBall& b) {
+    const double power = powerOf(scp_, b);
+    if (power <= 2.0 * b.radius * contact_A_ && b.radius > 0.0 && touching_count_ < kMostTouching)
+      touching_[touching_count_++] = {(scp_ - b.centre) / b.radius, b.radius, power / (2.0 * b.radius), b.index};
+  });
+}
+
+bool ExactTracker::outsideAll() noexcept {
+  bool outside = true;
+  near_.each(scp_, contact_A_, [&](const NearBall& b) { outside &= powerOf(scp_, b) >= -16.0 * contact_A_ * b.radius; });
+  return outside;
 }
 
 // A lower bound of the way from a place to the nearest ball; negative or zero inside or on one.
@@ -172,54 +210,76 @@ double ExactTracker::gapRound(const Vec3& place) noexcept {
 }
 
 // The first ball on a straight way. A short one meets only what is known to be near.
-Hit ExactTracker::firstMet(const Vec3& to, std::span<const std::int32_t> leaving) noexcept {
+Hit ExactTracker::firstMet(const Vec3& to) noexcept {
   const double length = glm::distance(scp_, to);
-  if (!(length <= kLook_A)) return sweep(near_.scene(), near_.probe_A(), near_.origin() + scp_, near_.origin() + to, leaving);
   if (!(length > 0.0)) return {};
-  FirstMet first(scp_, (to - scp_) / length, length, leaving);
-  near_.each(scp_, length, [&](const NearBall& b) { first.look(b.index, b.centre, b.radius); });
-  return first.ball() < 0 ? Hit{} : Hit{first.ball(), std::min(1.0, first.at() / length)};
+  if (length <= kLook_A) {
+    FirstMet first(scp_, (to - scp_) / length, length, contact_A_);
+    const double known = near_.each(scp_, length, [&](const NearBall& b) { first.look(b.index, b.centre, b.radius); });
+    if (first.ball() >= 0 && first.at() <= known) return {first.ball(), std::min(1.0, first.at() / length)};
+    if (known >= length) return {};
+  }
+  return sweepFrom(near_.scene(), near_.probe_A(), near_.origin(), scp_, to, contact_A_);
 }
 
 ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
   // From free space a short way needs no search along it: a ball on it would be as near to its end as the way is long.
-  if (touching_.count == 0) {
-    const double gap = gapRound(hip);
+  if (feature_ == Feature::Free) {
+    const double gap = near_.knownInside(hip) ? 0.0 : gapRound(hip);
     if (gap > 0.0 && gap * gap > glm::dot(hip - scp_, hip - scp_)) {
       scp_ = free_from_ = hip;
       free_gap2_ = gap * gap;
-      feature_ = Feature::Free;
       return Went::Rests;
     }
   }
-  // A ball inside one that the SCP leaves, or equal to it, is left with it.
-  Touching leaving = touching_;
-  Hit hit;
-  std::int32_t ball = -1;
-  do {
-    hit = firstMet(hip, {leaving.balls.data(), std::size_t(leaving.count)});
-    ball = outermost(hit.ball);
-    if (!touching_.has(ball) || leaving.count == kMostTouching) break;
-    leaving.add(hit.ball);
-  } while (true);
+  const Hit hit = firstMet(hip);
   if (hit.ball < 0) {
-    touching_.count = 0;
     feature_ = Feature::Free;
+    holders_ = {-1, -1, -1};
     scp_ = free_from_ = hip;
     const double gap = std::max(0.0, gapRound(hip));
     free_gap2_ = gap * gap;
     return Went::Rests;
   }
-  const NearBall met = near_.ball(ball);
-  const Vec3 c = met.centre, out = scp_ + (hip - scp_) * hit.t - c;
-  const double r = met.radius, far = glm::length(out);
-  if (hit.t * glm::length(hip - scp_) <= kMoved * r) {
-    touching_.add(ball);
-    return Went::Stuck;
-  }
-  touching_.set(ball);
-  scp_ = far > 0.0 ? c + out * (r / far) : c;
-  return Went::GoesOn;
+  const NearBall met = near_.ball(hit.ball);
+  const Vec3 out = scp_ + (hip - scp_) * hit.t - met.centre;
+  const double far = glm::length(out);
+  const Went result = went(hit.t * glm::length(hip - scp_));
+  if (far > 0.0) scp_ = met.centre + out * (met.radius / far);
+  feature_ = Feature::Sphere;
+  holdBy(hit.ball);
+  return result;
+}
+
+// The SCP rests where `direction` leads from the ball's centre: the next ticks are told what is round it.
+ExactTracker::Went ExactTracker::restOnSphere(std::int32_t ball, const Vec3& direction) noexcept {
+  const NearBall on = near_.ball(ball);
+  feature_ = Feature::Sphere;
+  holdBy(ball);
+  scp_ = on.centre + direction * on.radius;
+  // How far one may turn until a cap is met, the nearest cap apart: a cosine changes by at most one a radian.
+  patch_ = {.centre = direction};
+  double nearest_slack = 1.5, slack = 1.5;  // under a hemisphere: ways between its places stay in it
+  const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
+    if (other.index == ball || farFrom(on, other, powerOf(scp_, other), slack)) return;
+    const Cap cap(on, other);
+    const double distance = glm::length(cap.way);
+    // A ball that stands out by less than rounding can tell stands for the same surface.
+    if (cap.level >= distance || distance + other.radius - on.radius <= contact_A_) return;
+    const double gap = (cap.level - glm::dot(cap.way, direction)) / distance;
+    if (gap >= slack) return;
+    slack = std::max(gap, nearest_slack);
+    if (gap >= nearest_slack) return;
+    nearest_slack = gap;
+    patch_.axis = cap.way / distance;
+    patch_.rim = cap.level / distance;
+  });
+  slack = std::min(slack, known / on.radius);
+  // Under so small a turn the cosine has no digits left: the next tick looks again.
+  const auto cosine = [](double angle) { return angle > 1e-6 ? std::cos(angle) : 2.0; };
+  patch_.cosine = cosine(slack);
+  patch_.clear = cosine(std::min(slack, nearest_slack));
+  return Went::Rests;
 }
 
 // Case 1: the way on a sphere toward the place nearest to the HIP is a great circle.
@@ -228,77 +288,39 @@ ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t bal
   const Vec3 c = on.centre, m = hip - c;
   const double r = on.radius, d = glm::length(m);
   const Vec3 x = glm::normalize(scp_ - c);
-  const auto rest = [&](const Vec3& direction) {
-    touching_.set(ball);
-    feature_ = Feature::Sphere;
-    scp_ = c + direction * r;
-    // How far one may turn until a cap is met, the nearest cap apart: a cosine changes by at most one a radian.
-    patch_ = {.centre = direction};
-    double nearest_slack = 1.5, slack = 1.5;  // under a hemisphere: ways between its places stay in it
-    const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
-      if (farFrom(on, other, scp_, slack)) return;
-      const Cap cap(on, other);
-      const double gap = (cap.level - glm::dot(cap.way, direction)) / cap.distance;
-      if (!cap.cuts || gap >= slack) return;
-      slack = std::max(gap, nearest_slack);
-      if (gap >= nearest_slack) return;
-      nearest_slack = gap;
-      patch_.axis = cap.way / cap.distance;
-      patch_.rim = cap.level / cap.distance;
-    });
-    slack = std::min(slack, known / r);
-    // Under so small a turn the cosine has no digits left: the next tick looks again.
-    const auto cosine = [](double angle) { return angle > 1e-6 ? std::cos(angle) : 2.0; };
-    patch_.cosine = cosine(slack);
-    patch_.clear = cosine(std::min(slack, nearest_slack));
-    return Went::Rests;
-  };
-  if (d <= kAtCentre * r) return rest(x);
+  if (d <= contact_A_) return restOnSphere(ball, x);  // from the centre every way is as long
   const Vec3 nearest = m / d;
   Vec3 sideways = nearest - x * glm::dot(nearest, x);
   const double sine = glm::length(sideways);
-  if (sine <= 1e-15) return rest(glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no way is shorter
+  if (sine <= 1e-15) return restOnSphere(ball, glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no way is shorter
   sideways /= sine;
+  sideways = glm::normalize(sideways - x * glm::dot(sideways, x));  // nearly behind the centre the first difference has few digits
   const double arrives = std::atan2(sine, glm::dot(nearest, x));
 
   // A HIP that has come out of the ball is seen from where the ball no longer hides it: there the flight begins.
   const double leaves = d > r ? std::max(0.0, arrives - std::acos(r / d)) : kNever;
   double end = std::min(arrives, leaves);
-  std::int32_t meets = -1;
+  bool meets = false;
   const double known = near_.each(scp_, std::min(kLook_A, end * r), [&](const NearBall& other) {
-    if (farFrom(on, other, scp_, end)) return;
+    const double power = powerOf(scp_, other);
+    if (other.index == ball || farFrom(on, other, power, end)) return;
     const Cap cap(on, other);
-    if (!cap.cuts) return;
-    const double a = glm::dot(cap.way, x);
-    const bool on_rim = touching_.has(other.index);
-    double b = glm::dot(cap.way, sideways);
-    const double tangent = kTangent * cap.distance;
-    if (on_rim && std::abs(b) < tangent) b = cap.level < 0.0 ? tangent : -tangent;
-    const double t = entryAngle(a, b, cap.level, on_rim);
-    if (t < end) end = t, meets = other.index;
+    const double a = glm::dot(cap.way, x), b = glm::dot(cap.way, sideways);
+    // What is touched and does not hold is met where the way has sunk by contact_A_ into it.
+    const double sinks = power <= 2.0 * other.radius * contact_A_ ? contact_A_ * other.radius / r : 0.0;
+    const double t = entryAngle(a, b, std::max(cap.level, a) + sinks);
+    if (t < end) end = t, meets = true;
   });
   // Beyond what has been looked at the way is taken up anew.
   const bool cut = end * r > known;
-  if (cut) end = known / r, meets = -1;
+  if (cut) end = known / r;
 
-  if (meets < 0 && end == arrives) return rest(nearest);
-  const bool moved = end > kMoved;
-  if (moved) {
-    touching_.set(ball);
-    scp_ = c + (x * std::cos(end) + sideways * std::sin(end)) * r;
-  }
-  if (cut) {
-    forced_ball_ = ball;
-    return Went::GoesOn;
-  }
-  if (meets < 0) {
-    forced_flight_ = true;
-    return Went::GoesOn;
-  }
-  meets = outermost(meets);
-  if (!moved && touching_.has(meets)) forced_ball_ = ball, forced_pair_ = meets;  // the rim itself is the way
-  touching_.add(meets);
-  return moved ? Went::GoesOn : Went::Stuck;
+  if (!meets && !cut && end == arrives) return restOnSphere(ball, nearest);
+  feature_ = Feature::Sphere;
+  holdBy(ball);
+  scp_ = c + (x * std::cos(end) + sideways * std::sin(end)) * r;
+  patch_.clear = patch_.cosine = 2.0;
+  return went(end * r);
 }
 
 // The circle of balls i and j (paper, equations 2 to 4) and the arc of it, round the SCP, that no third ball covers.
@@ -327,23 +349,24 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   c.along_2 = 0.0;
   c.high = kTurn;
   c.low = -kTurn;
-  c.high_ball = c.low_ball = -1;
   const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
     if (other.index == i || other.index == j) return;
     const Vec3 way = other.centre - c.centre;
     const double a = glm::dot(way, c.axis_1), b = glm::dot(way, c.axis_2);
     // It covers the angles whose a cos + b sin is greater than q.
-    const double q = (glm::dot(way, way) + (c.radius - other.radius) * (c.radius + other.radius)) / (2.0 * c.radius);
-    const double past = q + kTangent * other.radius;
-    if (past >= 0.0 && past * past >= a * a + b * b) return;  // none of the circle, or it shares its rim
-    const auto [forward, backward] = entryAngles(a, b, q, touching_.has(other.index));
-    if (forward < c.high) c.high = forward, c.high_ball = other.index;
-    if (-backward > c.low) c.low = -backward, c.low_ball = other.index;
+    double q = (glm::dot(way, way) + (c.radius - other.radius) * (c.radius + other.radius)) / (2.0 * c.radius);
+    if (q >= 0.0 && q * q >= a * a + b * b) return;
+    // What is touched and does not hold is met where the way has sunk by contact_A_ into it; the power here is 2 (q - a) c.radius.
+    const double sinks = contact_A_ * other.radius / c.radius;
+    if (q - a <= sinks) q = std::max(q, a) + sinks;
+    const auto [forward, backward] = entryAngles(a, b, q);
+    c.high = std::min(c.high, forward);
+    c.low = std::max(c.low, -backward);
   });
   // Beyond what has been looked at the circle is made anew.
   const double seen = known / c.radius;
-  if (seen < c.high) c.high = seen, c.high_ball = -1;
-  if (-seen > c.low) c.low = -seen, c.low_ball = -1;
+  c.high = std::min(c.high, seen);
+  c.low = std::max(c.low, -seen);
   c.narrow = c.high - c.low < 3.0;
   if (c.narrow) {
     c.low_1 = std::cos(c.low);
@@ -356,39 +379,18 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   return true;
 }
 
-void ExactTracker::moveAlongCircle(double turned, std::int32_t meets) noexcept {
-  Circle& c = circle_;
-  if (std::abs(turned) * c.radius > kMoved * c.between) {
-    c.angle += turned;
-    c.along_1 = std::cos(c.angle);
-    c.along_2 = std::sin(c.angle);
-    scp_ = c.centre + (c.axis_1 * c.along_1 + c.axis_2 * c.along_2) * c.radius;
-    touching_.set(c.i);
-    touching_.add(c.j);
-  }
-  touching_.add(meets);
-}
-
 // Case 2: the way along the circle of two spheres, the short way round to the place nearest to the HIP.
 ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept {
-  const bool same = feature_ == Feature::Circle && touching_.count == 2 && ((circle_.i == i && circle_.j == j) || (circle_.i == j && circle_.j == i));
-  if (!same && !makeCircle(i, j)) {
-    forced_ball_ = i;  // the balls touch in a point only: there is no circle to follow
-    return Went::Stuck;
-  }
   Circle& c = circle_;
+  const bool same = feature_ == Feature::Circle && ((c.i == i && c.j == j) || (c.i == j && c.j == i));
+  if (!same && !makeCircle(i, j)) return Went::Stuck;  // the balls touch in a point only: there is no circle to follow
   if (same && c.narrow) c.angle = std::atan2(c.along_2, c.along_1);
   const Vec3 m = hip - c.centre;
   const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
   const double out = std::sqrt(y1 * y1 + y2 * y2);
-  const auto rest = [&] {
-    touching_.set(c.i);
-    touching_.add(c.j);
-    feature_ = Feature::Circle;
-    return Went::Rests;
-  };
+  const bool off_axis = out > contact_A_;  // from the axis every way is as long
   double turn = 0.0;
-  if (out > kAtCentre * c.radius) {
+  if (off_axis) {
     turn = std::atan2(y2, y1) - c.angle;
     turn -= kTurn * std::round(turn / kTurn);
   }
@@ -404,45 +406,39 @@ ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, 
     if (cosine >= 1.0) return kNever;
     return std::max(0.0, way - std::acos(std::max(-1.0, cosine)));
   };
-  const double leaves_i = released(c.to_j, along), leaves_j = released(c.to_i, -along);
-  const double meets_at = std::max(0.0, sign > 0.0 ? c.high - c.angle : c.angle - c.low);
-  const std::int32_t meets = sign > 0.0 ? c.high_ball : c.low_ball;
-  const double leaves = std::min(leaves_i, leaves_j);
-
-  if (way < meets_at && way <= leaves) {
+  const double meets = std::max(0.0, sign > 0.0 ? c.high - c.angle : c.angle - c.low);
+  const double end = std::min({released(c.to_j, along), released(c.to_i, -along), meets});
+  holdBy(i, j);
+  if (way < meets && way <= end) {
+    feature_ = Feature::Circle;
     c.angle += turn;
-    if (out > kAtCentre * c.radius) {
+    if (off_axis) {
       c.along_1 = y1 / out;
       c.along_2 = y2 / out;
       scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
+    } else if (!same) {
+      scp_ = c.centre + c.axis_1 * c.radius;
     }
-    return rest();
+    return Went::Rests;
   }
-  const double end = std::min(leaves, meets_at);
-  const bool moved = end * c.radius > kMoved * c.between;
-  if (leaves < meets_at) {
-    const std::int32_t stays = leaves_i < leaves_j ? c.j : c.i;
-    moveAlongCircle(sign * end, -1);
-    forced_ball_ = stays;
-  } else {
-    moveAlongCircle(sign * end, outermost(meets));
-    if (meets < 0) forced_ball_ = c.i, forced_pair_ = c.j;
-  }
-  feature_ = Feature::Point;  // no feature yet: the cached circle is that of another place
-  return moved ? Went::GoesOn : Went::Stuck;
+  const double angle = c.angle + sign * end;
+  scp_ = c.centre + (c.axis_1 * std::cos(angle) + c.axis_2 * std::sin(angle)) * c.radius;
+  feature_ = Feature::Point;  // no feature yet: the circle is that of another place
+  circle_.i = -1;
+  return went(end * c.radius);
 }
 
 // Case 3: three spheres hold the SCP in a point.
 void ExactTracker::holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept {
-  const Vec3 a = normalOf(balls[0]), b = normalOf(balls[1]), c = normalOf(balls[2]);
-  const double volume = glm::dot(glm::cross(a, b), c);
-  holds_ = {glm::cross(b, c) / volume, glm::cross(c, a) / volume, glm::cross(a, b) / volume};
-  holds_known_ = touching_.count == 3;  // where more balls meet, another three may hold for the next pull
-  // The three that hold come first; the others that meet here stay known.
+  std::array<Vec3, 3> n;
   for (std::size_t k = 0; k < 3; ++k) {
-    const auto at = std::find(touching_.balls.begin(), touching_.balls.begin() + touching_.count, balls[k]);
-    std::swap(*at, touching_.balls[k]);
+    const NearBall b = near_.ball(balls[k]);
+    n[k] = (scp_ - b.centre) / b.radius;
   }
+  const double volume = glm::dot(glm::cross(n[0], n[1]), n[2]);
+  holds_ = {glm::cross(n[1], n[2]) / volume, glm::cross(n[2], n[0]) / volume, glm::cross(n[0], n[1]) / volume};
+  holds_known_ = true;
+  holdBy(balls[0], balls[1], balls[2]);
   feature_ = Feature::Point;
 }
 

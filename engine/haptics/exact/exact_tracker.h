@@ -13,6 +13,7 @@
 #include <memory>
 #include <span>
 
+#include "engine/haptics/active_set.h"
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/nearby_balls.h"
 #include "engine/haptics/sweep.h"
@@ -30,22 +31,15 @@ class ExactTracker final : public Tracker {
   double probe_A() const noexcept override { return near_.probe_A(); }
   Footprint footprint() const noexcept override;
 
-  /// Ticks whose flow was cut short because it took more pieces than kMostPieces; the SCP then lags, outside all balls.
+  /// Ticks whose flow was cut short because it had taken kMostPieces pieces or looked at kMostLooked balls. The SCP then lags,
+  /// outside all balls, and goes on in the next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
-  static constexpr int kMostPieces = 512;
+  static constexpr int kMostPieces = 256;
+  static constexpr std::uint64_t kMostLooked = 12'000;
 
  private:
-  static constexpr int kMostTouching = 12;
-
-  // The balls that the SCP touches, the ones that hold it first.
-  struct Touching {
-    std::array<std::int32_t, kMostTouching> balls;
-    int count = 0;
-    bool has(std::int32_t ball) const;
-    void add(std::int32_t ball);
-    void set(std::int32_t ball) { balls[0] = ball, count = 1; }
-  };
+  static constexpr std::size_t kMostTouching = 32;
 
   // An intersection circle and the free arc of it round the SCP. Angles count from axis_1.
   struct Circle {
@@ -53,7 +47,7 @@ class ExactTracker final : public Tracker {
     Vec3 centre, axis, axis_1, axis_2;  // `axis` from ball i to ball j; all unit and at right angles
     double radius = 0, to_i = 0, to_j = 0, between = 0;  // of the circle; its plane's distance from either centre; theirs
     double low = 0, high = 0;                // the free arc
-    std::int32_t low_ball = -1, high_ball = -1;  // what ends it
+    bool known = false;                      // false: it was cut where the list of balls near the SCP ends
     double angle = 0;                        // where the SCP is; in a narrow arc `along_1` and `along_2` tell it alone
     double along_1 = 1, along_2 = 0;         // its direction: cosine and sine of the angle
     bool narrow = false;                     // the free arc is less than half a turn: its ends' directions say all
@@ -72,31 +66,38 @@ class ExactTracker final : public Tracker {
   enum class Went : std::uint8_t { Rests, GoesOn, Stuck };
 
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
-  bool holdsQuickly(const Vec3& hip) noexcept;
+  bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
   void flow(const Vec3& hip) noexcept;
+  Went piece(const Vec3& hip, Admitted admitted) noexcept;
   Went fly(const Vec3& hip) noexcept;
   Went slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept;
+  Went restOnSphere(std::int32_t ball, const Vec3& direction) noexcept;
   Went slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept;
   bool makeCircle(std::int32_t i, std::int32_t j) noexcept;
-  void moveAlongCircle(double turned, std::int32_t meets) noexcept;
   void holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept;
-  bool carry() noexcept;            // carry_surface.cpp
-  std::int32_t outermost(std::int32_t ball) const noexcept;
+  void findTouching() noexcept;
+  int thirdOf(const ActiveSet& set) const noexcept;
+  void holdHere() noexcept;
+  bool outsideAll() noexcept;
+  bool toFreePlace() noexcept;                  // carry_surface.cpp
+  void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
-  Hit firstMet(const Vec3& to, std::span<const std::int32_t> leaving) noexcept;
-  Vec3 normalOf(std::int32_t ball) const noexcept {
-    const NearBall b = near_.ball(ball);
-    return (scp_ - b.centre) / b.radius;
-  }
+  Hit firstMet(const Vec3& to) noexcept;
+  Went went(double way_A) const noexcept;
+  double contactAt(const Vec3& place) const noexcept;
+  void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
   Contact contact(const Vec3& hip) const noexcept;
-  void rememberHolders() noexcept;
 
   NearbyBalls near_;
   Vec3 scp_{0.0};            // this and every place inside the tracker is relative to near_.origin()
+  double contact_A_ = 0.0;   // a ball whose surface is no farther than this from the SCP is touched
   bool armed_ = false;       // has the HIP been outside since the start?
+  bool behind_ = false;      // the last flow was cut short
+  bool may_sink_ = false;    // it has passed balls that are touched and do not hold
   Feature feature_ = Feature::Free;
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
-  Touching touching_;
+  std::array<Touch, kMostTouching> touching_;        // what the SCP touches, while it flows
+  std::size_t touching_count_ = 0;
 
   // What lets an ordinary tick end at once, for the feature the SCP is on.
   Vec3 free_from_{0.0};      // free: no ball is nearer to this place than the root of free_gap2_
@@ -106,9 +107,6 @@ class ExactTracker final : public Tracker {
   std::array<Vec3, 3> holds_;// point: rows of the inverse of its normals; all shares of the pull >= 0 means it holds
   bool holds_known_ = false;
 
-  std::int32_t forced_ball_ = -1;  // the next piece slides on this sphere, or on this pair's circle
-  std::int32_t forced_pair_ = -1;
-  bool forced_flight_ = false;
   std::uint64_t cut_short_ = 0;
 };
 

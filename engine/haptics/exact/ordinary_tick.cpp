@@ -17,10 +17,10 @@ bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
   switch (feature_) {
     case Feature::Free: return false;  // step() has looked
     case Feature::Sphere: {
-      const NearBall ball = near_.ball(touching_.balls[0]);
+      const NearBall ball = near_.ball(holders_[0]);
       const Vec3 m = hip - ball.centre;
       const double r = ball.radius, d2 = glm::dot(m, m);
-      if (touching_.count != 1 || d2 >= r * r || d2 < r * r * 1e-6) return false;
+      if (d2 >= r * r || d2 < r * r * 1e-6) return false;
       const double d = std::sqrt(d2), along = glm::dot(m, patch_.centre);
       if (along < patch_.clear * d) {
         if (along < patch_.cosine * d) return false;
@@ -34,7 +34,7 @@ bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
     }
     case Feature::Circle: {
       const Circle& c = circle_;
-      if (touching_.count != 2 || c.i < 0) return false;
+      if (c.i < 0) return false;
       const Vec3 m = hip - c.centre;
       const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
       const double out = std::sqrt(y1 * y1 + y2 * y2);
@@ -57,7 +57,7 @@ bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
       return true;
     }
     case Feature::Point: {
-      if (!holds_known_ || touching_.count != 3) return false;
+      if (!holds_known_) return false;
       const Vec3 pull = hip - scp_;
       return glm::dot(holds_[0], pull) <= 0.0 && glm::dot(holds_[1], pull) <= 0.0 && glm::dot(holds_[2], pull) <= 0.0;
     }

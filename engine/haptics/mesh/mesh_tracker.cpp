@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/haptics/exact/blocked_motion.h"
+#include "engine/haptics/active_set.h"
 #include "engine/haptics/hip_input.h"
 #include "engine/haptics/sweep.h"
 
@@ -11,6 +11,7 @@ namespace moltact {
 namespace {
 
 constexpr double kMoved_A = 1e-12;  // a shorter piece leaves the SCP where it was
+constexpr double kRounding = 8e-12;  // of the pull: a motion that leads this little into a face, or less, is along it
 constexpr double kAlong = 1e-9;     // sine of the angle under which a way is along a face
 constexpr double kNearWay_A = 1.0;  // a longer piece looks the balls up along its way
 constexpr int kMostStuck = 32;  // round a corner of a mesh a way of no length passes its faces, eight at most
@@ -298,10 +299,11 @@ void MeshTracker::flow(const Vec3& h) noexcept {
   int stuck = 0;
   hold_count_ = 0;
   for (int piece = 0; piece < kMostPieces && stuck <= kMostStuck; ++piece) {
-    std::array<Vec3, kMostTouching> normals;
-    for (int k = 0; k < touch_count_; ++k) normals[std::size_t(k)] = face(touching_[std::size_t(k)]).normal;
+    std::array<moltact::Touch, kMostTouching> planes;
+    for (int k = 0; k < touch_count_; ++k) planes[std::size_t(k)] = {face(touching_[std::size_t(k)]).normal, INFINITY, 0.0, k};
+    const auto normal = [&](int k) { return planes[std::size_t(k)].normal; };
     const Vec3 pull = h - scp_;
-    const Blocked blocked = blockedMotion(pull, {normals.data(), std::size_t(touch_count_)});
+    const ActiveSet blocked = activeSet(pull, {planes.data(), std::size_t(touch_count_)}, kRounding * glm::length(pull), {.grazes = false});
     holding_ = blocked.by;
     hold_count_ = blocked.count;
     Vec3 way(0.0);
@@ -309,10 +311,10 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       way = pull;
     } else if (blocked.count == 1) {
       const Touch& t = touching_[std::size_t(blocked.by[0])];
-      way = pull - normals[std::size_t(blocked.by[0])] *
+      way = pull - normal(blocked.by[0]) *
                        heightOver(t, h);  // ends in the face's plane whatever the rounding
     } else if (blocked.count == 2) {
-      const Vec3 line = glm::cross(normals[std::size_t(blocked.by[0])], normals[std::size_t(blocked.by[1])]);
+      const Vec3 line = glm::cross(normal(blocked.by[0]), normal(blocked.by[1]));
       way = line * (glm::dot(pull, line) / glm::dot(line, line));
     }
     const double length = glm::length(way);

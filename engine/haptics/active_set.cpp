@@ -1,0 +1,181 @@
+#include "engine/haptics/active_set.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+
+constexpr int kMostTried = 6;          // touches among which every set of up to three is tried
+constexpr double kSteep = 1e-3;        // of the pull: what leads in by more does not graze
+constexpr double kParallel = 1e-26;    // squared sine, or squared volume, under which normals hold in fewer dimensions
+
+// What a set leaves of the pull, and how the way turns that it leads along: the acceleration at unit speed, toward the
+// holding sphere's or circle's centre.
+struct Motion {
+  Vec3 left{0.0}, turns{0.0};
+};
+
+// Every set of up to three among a few touches, fewest first, until one is admitted.
+class Trial {
+ public:
+  Trial(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted)
+      : pull_(pull), touches_(touches), contact_(contact_A), length_(glm::length(pull)), admitted_(admitted) {}
+
+  // Adds a touch to those that are tried; one that does not hold makes room.
+  void add(int touch) {
+    if (tried_count_ == kMostTried) {
+      const auto holds = [&](int t) { return std::find(best_.by.begin(), best_.by.end(), t) != best_.by.end(); };
+      for (int& t : tried_)
+        if (!holds(t)) {
+          t = touch;
+          return;
+        }
+    }
+    tried_[std::size_t(tried_count_++)] = touch;
+  }
+
+  ActiveSet best() {
+    best_ = {};
+    motion_ = {pull_};
+    passed_ = 0;
+    least_ = INFINITY;
+    const int n = tried_count_;
+    if (offer({-1, -1, -1}, 0, {pull_})) return best_;
+    for (int a = 0; a < n; ++a) {
+      const Vec3& na = normal(a);
+      const double push = glm::dot(pull_, na);
+      if (push < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, {pull_ - push * na, na * (-1.0 / touch(a).radius)})) return best_;
+    }
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        if (pair(a, b)) return best_;
+    for (int a = 0; a < n; ++a)
+      for (int b = a + 1; b < n; ++b)
+        for (int c = b + 1; c < n; ++c)
+          if (triple(a, b, c)) return best_;
+    best_.found = false;  // what is left is the set that leads least into a touch
+    return best_;
+  }
+
+  // The touch that what is left of the pull leads into most, beyond rounding; -1: none.
+  int mostViolated() const {
+    int worst = -1;
+    double most = 1.0;
+    for (std::size_t k = 0; k < touches_.size(); ++k)
+      if (int(k) == best_.by[0] || int(k) == best_.by[1] || int(k) == best_.by[2])
+        continue;
+      else if (const double v = violation(motion_, touches_[k]); v > most) most = v, worst = int(k);
+    return worst;
+  }
+
+  bool tries(int touch) const { return std::find(tried_.begin(), tried_.begin() + tried_count_, touch) != tried_.begin() + tried_count_; }
+
+ private:
+  const Vec3& normal(int a) const { return touch(a).normal; }
+  const Touch& touch(int a) const { return touches_[std::size_t(tried_[std::size_t(a)])]; }
+  double bound(int a) const { return rounding_A(touch(a), contact_, length_); }
+
+  // The part of a motion that leads into a touch, over what is allowed: blocked from 1 on.
+  double violation(const Motion& m, const Touch& t) const {
+    const double into = -glm::dot(m.left, t.normal);
+    if (into <= 0.0) return 0.0;
+    double allowed = rounding_A(t, contact_, length_);
+    if (into > kSteep * length_ || !admitted_.grazes || into <= allowed) return into / allowed;
+    allowed += glm::length(m.left) * grazing(t, contact_, 1.0 / t.radius + glm::dot(m.turns, t.normal));
+    return into / allowed;
+  }
+
+  bool offer(std::array<int, 3> by, int count, const Motion& motion) {
+    double most = 0.0;
+    for (int a = 0; a < tried_count_; ++a)  // those that hold are not led into
+      if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end()) most = std::max(most, violation(motion, touch(a)));
+    if (most > 1.0 && most >= least_) return false;
+    if (most <= 1.0 && passed_++ < admitted_.skip) return false;
+    least_ = most;
+    const double still_A = stillUnder_A(contact_, length_);
+    best_ = {count, by, glm::dot(motion.left, motion.left) <= still_A * still_A, true};
+    motion_ = motion;
+    return most <= 1.0;
+  }
+
+  // Both shares in the pull must be pushes, or none but for rounding.
+  bool pair(int a, int b) {
+    const Vec3 &na = normal(a), &nb = normal(b), line = glm::cross(na, nb);
+    const double sine2 = glm::dot(line, line);
+    if (sine2 < kParallel) return false;
+    const double cosine = glm::dot(na, nb), push_a = -glm::dot(pull_, na), push_b = -glm::dot(pull_, nb);
+    // Two that touch from outside have no circle that rounding could tell from a point; either holds as both do.
+    if (cosine < 0.0 && sine2 < 16.0 * contact_ * (1.0 / touch(a).radius + 1.0 / touch(b).radius)) return false;
+    if (push_a - push_b * cosine < -bound(a) || push_b - push_a * cosine < -bound(b)) return false;
+    // On both spheres: turns . n_a = -1 / R_a and turns . n_b = -1 / R_b.
+    const double bend_a = 1.0 / touch(a).radius, bend_b = 1.0 / touch(b).radius;
+    const Vec3 turns = (na * (bend_b * cosine - bend_a) + nb * (bend_a * cosine - bend_b)) / sine2;
+    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2, {line * (glm::dot(pull_, line) / sine2), turns});
+  }
+
+  bool triple(int a, int b, int c) {
+    const Vec3 &na = normal(a), &nb = normal(b), &nc = normal(c);
+    const Vec3 ab = glm::cross(na, nb), bc = glm::cross(nb, nc), ca = glm::cross(nc, na);
+    const double volume = glm::dot(ab, nc);
+    if (volume * volume < kParallel) return false;
+    const double side = volume < 0.0 ? 1.0 : -1.0;
+    if (side * glm::dot(pull_, bc) < -bound(a) || side * glm::dot(pull_, ca) < -bound(b) || side * glm::dot(pull_, ab) < -bound(c))
+      return false;
+    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], tried_[std::size_t(c)]}, 3, {});
+  }
+
+  Vec3 pull_;
+  Motion motion_;
+  std::span<const Touch> touches_;
+  double contact_, length_, least_ = INFINITY;
+  Admitted admitted_;
+  int passed_ = 0, tried_count_ = 0;
+  std::array<int, kMostTried> tried_{};
+  ActiveSet best_;
+};
+
+// One or two touches that rounding leaves no doubt of, as most places have; false otherwise.
+bool plainly(const Vec3& pull, std::span<const Touch> touches, double contact_A, ActiveSet& set) {
+  const double length = glm::length(pull), steep = kSteep * length;
+  const double into_0 = -glm::dot(pull, touches[0].normal);
+  if (touches.size() == 1) {
+    if (into_0 > 0.0 && into_0 <= steep) return false;
+    if (into_0 > 0.0) set = {.count = 1, .by = {0, -1, -1}};
+    return true;
+  }
+  const double into_1 = -glm::dot(pull, touches[1].normal), cosine = glm::dot(touches[0].normal, touches[1].normal);
+  const double still_A = stillUnder_A(contact_A, length);
+  const auto one = [&](int by, double into) {
+    const Vec3 left = pull + into * touches[std::size_t(by)].normal;
+    set = {.count = 1, .by = {by, -1, -1}, .still = glm::dot(left, left) <= still_A * still_A};
+    return true;
+  };
+  // What is left of the pull on the one sphere leads into the other by so much.
+  const double then_1 = into_1 - into_0 * cosine, then_0 = into_0 - into_1 * cosine;
+  if (into_0 > steep && then_1 <= 0.0) return one(0, into_0);
+  if (into_1 > steep && then_0 <= 0.0) return one(1, into_1);
+  if (into_0 <= steep || into_1 <= steep || then_0 <= steep || then_1 <= steep) return false;
+  set = {.count = 2, .by = {0, 1, -1}};
+  return true;
+}
+
+}  // namespace
+
+ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted) noexcept {
+  ActiveSet set;
+  if (touches.empty()) return set;
+  if (touches.size() <= 2 && admitted.skip == 0 && plainly(pull, touches, contact_A, set)) return set;
+  Trial trial(pull, touches, contact_A, admitted);
+  // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson & Hanson
+  // 1974): what is left of the pull grows shorter, and no set comes twice.
+  for (int round = 0; round < 4 * kMostTried; ++round) {
+    set = trial.best();
+    const int worst = trial.mostViolated();
+    if (worst < 0 || trial.tries(worst)) break;
+    trial.add(worst);
+  }
+  return set;
+}
+
+}  // namespace moltact
