@@ -1,8 +1,6 @@
 #include "app/commands/device_path.h"
 
 #include <algorithm>
-#include <fstream>
-#include <iostream>
 #include <memory>
 
 #include "app/commands/command.h"
@@ -10,6 +8,8 @@
 #include "engine/haptics/methods.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/reader.h"
+#include "engine/platform/terminal.h"
+#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace {
@@ -60,14 +60,8 @@ void run(const PathOptions& options) {
     path->places = {path->places.begin() + std::ptrdiff_t(begin),
                     path->places.begin() + std::ptrdiff_t(last) + 1};
   }
-  std::ofstream out(options.out, std::ios::binary);
-  out << textOf(*path);
-  out.flush();
-  if (!out)
-    throw CommandError{Problem{options.out, 0, 0, "the file cannot be written",
-                               "check the folder, its permissions and the space left"}
-                           .text()};
-  std::cout << path->places.size() << " ticks in " << options.out << '\n';
+  if (const auto problem = writeWhole(options.out, textOf(*path))) throw CommandError{problem->text()};
+  out() << path->places.size() << " ticks in " << options.out << '\n';
 }
 
 }  // namespace
@@ -78,7 +72,7 @@ Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
   if (!trace) return trace.problem();
   if (trace->ticks.empty())
     return Problem{file.string(), 0, 0, "the recording holds no ticks", "record it anew"};
-  if (!trace->torn.empty()) std::cerr << "moltact: " << trace->torn << "; the hand's way ends there\n";
+  if (!trace->torn.empty()) err() << "moltact: " << trace->torn << "; the hand's way ends there\n";
   return bench::handPathOf(*trace, file.stem().string(), trackerOf(*trace).get());
 }
 

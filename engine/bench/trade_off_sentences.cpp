@@ -7,14 +7,6 @@ namespace {
 
 std::string quoted(const Method* m) { return "`" + std::string(m->name) + "`"; }
 
-// "a", "a and b", "a, b and c"; "none" of nothing.
-std::string listed(const std::vector<std::string>& parts) {
-  if (parts.empty()) return "none";
-  std::string out;
-  for (std::size_t k = 0; k < parts.size(); ++k) out += (k == 0 ? "" : k + 1 == parts.size() ? " and " : ", ") + parts[k];
-  return out;
-}
-
 std::string bytes(std::size_t n) {
   if (n < 1'000'000) return readable(1e-3 * double(n)) + " kB";
   return readable(1e-6 * double(n)) + " MB";
