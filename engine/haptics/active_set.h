@@ -25,10 +25,11 @@ struct Touch {
 };
 
 /// How much of a motion may lead into a touching surface by rounding of the pull and of the normal (unit: angstrom): 1/128 of
-/// what counts as touching, and 16 times that for a place that has not yet sunk.
+/// what counts as touching, 16 times that for a place that has not yet sunk, and nothing for one that has sunk by three times it.
 inline double rounding_A(const Touch& touch, double contact_A, double pull_A) {
-  const double unsunk = std::clamp(1.0 + touch.gap / contact_A, 0.0, 1.0);
-  return contact_A * (0.125 * unsunk + 0x1p-7) * (1.0 + pull_A / touch.radius);
+  const double gap = touch.gap / contact_A;
+  const double share = 0.125 * std::clamp(1.0 + gap, 0.0, 1.0) + 0x1p-7 * std::clamp(0.5 * (3.0 + gap), 1e-6, 1.0);
+  return contact_A * share * (1.0 + pull_A / touch.radius);
 }
 
 /// The sine under which a way may meet a touching sphere and not be blocked, for it sinks by no more than the place has room.

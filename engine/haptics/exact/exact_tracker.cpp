@@ -192,7 +192,7 @@ void ExactTracker::findTouching() noexcept {
   near_.each(scp_, contact_A_, [&](const NearBall& b) {
     const double power = powerOf(scp_, b);
     if (power <= 2.0 * b.radius * contact_A_ && b.radius > 0.0 && touching_count_ < kMostTouching)
-      touching_[touching_count_++] = {(scp_ - b.centre) / b.radius, b.radius, power / (2.0 * b.radius), b.index};
+      touching_[touching_count_++] = {glm::normalize(scp_ - b.centre), b.radius, power / (2.0 * b.radius), b.index};
   });
 }
 
@@ -342,6 +342,9 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   const double far = glm::length(out);
   if (!(radius2 > 0.0) || !(far > 0.0)) return false;
   c.radius = std::sqrt(radius2);
+  // Of two spheres that nearly are one, all of a zone is touched by both: the circle itself may be far off.
+  const double off2 = glm::dot(scp_ - c.centre - out * (c.radius / far), scp_ - c.centre - out * (c.radius / far));
+  if (off2 > 16.0 * contact_A_ * std::min(ri, rj)) return false;
   c.axis_1 = out / far;
   c.axis_2 = glm::cross(c.axis, c.axis_1);
   c.angle = 0.0;
