@@ -22,17 +22,17 @@ class Trial {
   Trial(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted)
       : pull_(pull), touches_(touches), contact_(contact_A), length_(glm::length(pull)), admitted_(admitted) {}
 
-  // Adds a touch to those that are tried; one that does not hold makes room.
+  // Adds a touch to those that are tried, in the list's order, so that of equals the first comes first; where there is no room, one
+  // that does not hold makes it.
   void add(int touch) {
     if (tried_count_ == kMostTried) {
       const auto holds = [&](int t) { return std::find(best_.by.begin(), best_.by.end(), t) != best_.by.end(); };
-      for (int& t : tried_)
-        if (!holds(t)) {
-          t = touch;
-          return;
-        }
+      (void)std::remove(tried_.begin(), tried_.end(), *std::find_if_not(tried_.begin(), tried_.end(), holds));
+      --tried_count_;
     }
-    tried_[std::size_t(tried_count_++)] = touch;
+    int at = tried_count_++;
+    for (; at > 0 && tried_[std::size_t(at - 1)] > touch; --at) tried_[std::size_t(at)] = tried_[std::size_t(at - 1)];
+    tried_[std::size_t(at)] = touch;
   }
 
   ActiveSet best() {

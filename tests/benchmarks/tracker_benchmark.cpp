@@ -3,12 +3,16 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <string_view>
 
 #include "engine/haptics/methods.h"
 #include "engine/bench/hip_paths.h"
+#include "engine/bench/scenes.h"
+#include "engine/haptics/exact/exact_tracker.h"
 #include "engine/servo/servo_step.h"
 
 namespace {
@@ -91,6 +95,45 @@ void ready(benchmark::State& state) {
   }
 }
 
+// The exact tracker where most lies in the way: each tick's time, in us.
+void worst(benchmark::State& state, const std::vector<Ball>& balls, double probe_A) {
+  const auto crowd = std::make_shared<BallScene>(balls);
+  const Vec3 middle = 0.5 * (crowd->low_A() + crowd->high_A());
+  const double half = 0.5 * glm::distance(crowd->low_A(), crowd->high_A()) + probe_A;
+  scenes::Random random(5);
+  std::vector<Vec3> hips{middle + Vec3(half, 0, 0)};
+  for (int k = 1; k < 20'000; ++k) {
+    const Vec3 last = hips.back();
+    hips.push_back(k % 500 == 0 ? middle + random.direction() * half * random.uniform(0, 1)
+                                : last + 0.02 * random.direction() + 0.01 * (middle + 0.6 * half * glm::normalize(last - middle) - last));
+  }
+  std::vector<double> ticks_us;
+  std::uint64_t cut = 0;
+  for (auto _ : state) {
+    const auto tracker = std::make_unique<ExactTracker>(crowd, probe_A);
+    for (const Vec3& hip : hips) {
+      const auto begin = std::chrono::steady_clock::now();
+      benchmark::DoNotOptimize(tracker->step({hip}));
+      ticks_us.push_back(std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - begin).count());
+    }
+    cut = tracker->cutShort();
+  }
+  std::sort(ticks_us.begin(), ticks_us.end());
+  const auto at = [&](double share) { return ticks_us[std::size_t(share * double(ticks_us.size() - 1))]; };
+  state.counters["p50_us"] = at(0.5);
+  state.counters["p99_us"] = at(0.99);
+  state.counters["p999_us"] = at(0.999);
+  state.counters["cut"] = double(cut);
+}
+
+std::vector<Ball> within(double radius_A, int count) {
+  scenes::Random random(1);
+  std::vector<Ball> balls;
+  for (int k = 0; k < count; ++k)
+    balls.push_back({random.direction() * radius_A * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
+  return balls;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -104,6 +147,8 @@ int main(int argc, char** argv) {
       for (const int count : {50, 150, 3'000, 14'000, 1'000'000}) one->Arg(count);
     }
   }
+  benchmark::RegisterBenchmark("worst/100000 balls in 0.1 A", [](benchmark::State& s) { worst(s, within(0.1, 100'000), kWaterProbe_A); })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("worst/14000 balls, probe 20 A", [](benchmark::State& s) { worst(s, bench::proteinLike(14'000, 1), 20.0); })->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("servo/contact", servoTicks)->Arg(3'000);
   benchmark::RegisterBenchmark("ready", ready)->Arg(3'000)->Arg(14'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);

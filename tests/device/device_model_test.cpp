@@ -117,21 +117,21 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the passivity observer sees no energy in a spring that gives back what it got and 0.2 J in a push "
-    "without cause") {
+    "the passivity observer sees no energy in a spring that gives back what it got, and 0.2 J in a push "
+    "without cause between 2 releases") {
   PassivityObserver spring;
+  spring.release();
   double x = 0;
   for (int k = 0; k < 1000; ++k) {
     const double next = 0.005 * std::sin(0.01 * (k + 1)), f = -300 * 0.5 * (x + next);
-    spring.add({f, 0, 0}, {next - x, 0, 0}, 0.5 * 300 * next * next);
+    spring.add({f, 0, 0}, {next - x, 0, 0}, std::abs(next) < 1e-5);
     x = next;
   }
-  CHECK(spring.made_J() < 1e-15);
+  CHECK(spring.made_J() < 1e-7);  // what the spring holds at 0.01 mm, where it is called released
   PassivityObserver push;
-  push.add({-1, 0, 0}, {0.1, 0, 0}, 0);  // absorbs 0.1 J
-  CHECK(push.absorbed_J() == doctest::Approx(0.1));
+  push.release();
+  push.add({-1, 0, 0}, {0.1, 0, 0}, true);  // takes 0.1 J
   CHECK(push.made_J() == 0);
-  push.add({2, 0, 0}, {0.1, 0, 0}, 0);
-  CHECK(push.absorbed_J() == doctest::Approx(-0.1));
+  push.add({2, 0, 0}, {0.1, 0, 0}, true);
   CHECK(push.made_J() == doctest::Approx(0.2));
 }

@@ -35,8 +35,11 @@ class ExactTracker final : public Tracker {
   /// outside all balls, and goes on in the next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
+  /// Balls, cells and groups of balls that the last flow looked at: what its tick cost. At most kMostLooked and what one piece adds.
+  std::uint64_t looked() const noexcept { return near_.looked(); }
+
   static constexpr int kMostPieces = 256;
-  static constexpr std::uint64_t kMostLooked = 12'000;
+  static constexpr std::uint64_t kMostLooked = 5'000;
 
  private:
   static constexpr std::size_t kMostTouching = 32;
