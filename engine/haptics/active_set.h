@@ -3,7 +3,7 @@
 //
 // The steepest way down |x - h|^2 that leaves no touching ball is the projection v of d = h - s on {v : v.n_k >= 0}, n_k
 // the outward normals; by Caratheodory's theorem at most three normals are active in space. docs/exact-tracker.md derives
-// the bound on rounding that `blocked` uses.
+// these bounds on rounding.
 #pragma once
 
 #include <algorithm>

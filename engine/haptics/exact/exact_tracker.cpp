@@ -2,10 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#ifdef TRACING
-#include <cstdio>
-#include <cstdlib>
-#endif
 
 #include "engine/haptics/exact/cap.h"
 #include "engine/haptics/exact/entry_angle.h"
@@ -107,9 +103,6 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   double left_A = glm::distance(hip, scp_);
   for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
     contact_A_ = contactAt(scp_);
-#ifdef TRACING
-    if (getenv("TRACE")) {printf("   piece %d stuck %d f%d s %.17g %.17g %.17g |pull| %.15g looked %d touching", count, stuck, int(feature_), scp_.x,scp_.y,scp_.z, glm::length(hip-scp_), int(near_.looked())); if(feature_!=Feature::Free){findTouching(); for(size_t k=0;k<touching_count_;++k) printf(" %d(%.2gT)", touching_[k].ball, touching_[k].gap/contact_A_); ActiveSet a=activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, {std::max(0,stuck-1), small < kMostGrazing}); printf(" set %d: ",a.count); for(int k=0;k<a.count;++k) printf(" %d",touching_[a.by[k]].ball); printf(" still %d found %d",a.still,a.found);} printf("\n");}
-#endif
     // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there once more.
     const Vec3 from = scp_;
     const Went went = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = small < kMostGrazing});
@@ -136,6 +129,8 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
   if (may_sink_ && feature_ != Feature::Free && !outsideAll() && !toFreePlace()) {
     scp_ = was;
+    holdHere();
+    behind_ = true;
     ++cut_short_;
   }
 }
