@@ -130,16 +130,20 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   makeCrowd(large_from_, static_cast<std::uint32_t>(sorted_.size()));
 }
 
-// A tree over a crowded part of the list: halves at the middle of the longest side, down to kLeaf balls.
+// A tree over a crowded part of the list: halves at the middle of the longest side, the radius being one of four, down to kLeaf
+// balls. Of radii the larger half comes first: those are met first.
 void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
   constexpr std::uint32_t kLeaf = 8;
   if (end - begin <= kCrowd) return;
   crowds_.push_back({begin, static_cast<std::uint32_t>(bounds_.size())});
   const auto grow = [&](const auto& self, std::uint32_t from, std::uint32_t to) -> void {
     Vec3 low = sorted_[from].ball.centre_A, high = low;
+    double small = sorted_[from].ball.radius_A, large = small;
     for (std::uint32_t k = from; k < to; ++k) {
       low = glm::min(low, sorted_[k].ball.centre_A);
       high = glm::max(high, sorted_[k].ball.centre_A);
+      small = std::min(small, sorted_[k].ball.radius_A);
+      large = std::max(large, sorted_[k].ball.radius_A);
     }
     const std::size_t node = bounds_.size();
     Bound bound{.centre = 0.5 * (low + high), .begin = from, .end = to, .leaf = to - from <= kLeaf};
@@ -152,12 +156,13 @@ void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
     if (!bound.leaf) {
       const Vec3 side = high - low;
       const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
+      const bool by_radius = large - small > side[axis];
+      const auto key = [&](const Sorted& s) { return std::pair(by_radius ? s.ball.radius_A : s.ball.centre_A[axis], s.index); };
       const std::uint32_t middle = from + (to - from) / 2;
-      std::nth_element(sorted_.begin() + from, sorted_.begin() + middle, sorted_.begin() + to, [axis](const Sorted& a, const Sorted& b) {
-        return std::pair(a.ball.centre_A[axis], a.index) < std::pair(b.ball.centre_A[axis], b.index);
-      });
-      self(self, from, middle);
+      std::nth_element(sorted_.begin() + from, sorted_.begin() + middle, sorted_.begin() + to,
+                       [&](const Sorted& a, const Sorted& b) { return key(a) < key(b); });
       self(self, middle, to);
+      self(self, from, middle);
     }
     bounds_[node].next = static_cast<std::uint32_t>(bounds_.size());
   };

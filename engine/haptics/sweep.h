@@ -51,9 +51,11 @@ class FirstMet {
   bool mayMeet(const Vec3& centre, double radius) const {
     const Vec3 m = start_ - centre;
     const double nearest = -glm::dot(m, along_);
-    if (nearest + radius <= 0.0 || nearest - radius > best_) return false;
     const Vec3 off = m + along_ * nearest;
-    return glm::dot(off, off) < radius * radius;
+    const double chord2 = radius * radius - glm::dot(off, off);
+    if (chord2 <= 0.0) return false;
+    const double chord = std::sqrt(chord2);
+    return nearest + chord > 0.0 && nearest - chord <= best_;
   }
 
   std::int32_t ball() const { return ball_; }  ///< -1: none
