@@ -26,7 +26,7 @@ enum class Fault : std::uint8_t {
 inline constexpr double kFarthest_A = 1e9;
 
 struct Contact {
-  PointA scp;                               ///< equals the HIP when free (and when faulty, where the HIP is finite)
+  PointA scp;                               ///< equals the HIP when free, but where a tick was cut short and lags; and when faulty, where the HIP is finite
   std::array<std::int32_t, 3> atoms{-1, -1, -1};  ///< the atoms that hold the SCP, in ascending order; -1 where none
   Feature feature = Feature::Free;
   Fault fault = Fault::None;

@@ -11,7 +11,6 @@
 
 #include <array>
 #include <memory>
-#include <span>
 
 #include "engine/haptics/active_set.h"
 #include "engine/haptics/ball_scene.h"
@@ -50,7 +49,6 @@ class ExactTracker final : public Tracker {
     Vec3 centre, axis, axis_1, axis_2;  // `axis` from ball i to ball j; all unit and at right angles
     double radius = 0, to_i = 0, to_j = 0, between = 0;  // of the circle; its plane's distance from either centre; theirs
     double low = 0, high = 0;                // the free arc
-    bool known = false;                      // false: it was cut where the list of balls near the SCP ends
     double angle = 0;                        // where the SCP is; in a narrow arc `along_1` and `along_2` tell it alone
     double along_1 = 1, along_2 = 0;         // its direction: cosine and sine of the angle
     bool narrow = false;                     // the free arc is less than half a turn: its ends' directions say all
