@@ -5,9 +5,8 @@
 
 namespace moltact::bench {
 
-ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& contact, double max_N) {
-  if (!contact.touching()) return {};
-  ForceN force = settings.workspace.spring(hip, springEnd(contact, hip), settings.stiffness_N_per_mm);
+ForceN springForce(const LoopSettings& settings, const Contact& contact, double max_N) {
+  ForceN force = settings.workspace.spring(contact.displacement_A, settings.stiffness_N_per_mm);
   const double size = glm::length(force.N);
   if (!std::isfinite(size)) return {};
   if (size > max_N) force.N *= max_N / size;
@@ -32,7 +31,7 @@ LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
     if (kind == TickKind::NotANumber) given.A.x = std::numeric_limits<double>::quiet_NaN();
     if (kind == TickKind::Doubled) tracker.step(given);
     last_ = tracker.step(given);
-    command_ = springForce(settings_, out.hip, last_, settings_.device.max_force_N);
+    command_ = springForce(settings_, last_, settings_.device.max_force_N);
   }
   out.contact = last_;
   out.force = command_;

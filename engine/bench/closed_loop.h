@@ -64,6 +64,6 @@ class ClosedLoop {
 };
 
 /// The spring's force cut to max_N; zero without contact.
-ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& contact, double max_N);
+ForceN springForce(const LoopSettings& settings, const Contact& contact, double max_N);
 
 }  // namespace moltact::bench

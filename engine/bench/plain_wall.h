@@ -17,7 +17,7 @@ class PlainWall final : public Tracker {
     if (!finite(hip.A))
       c.fault = Fault::NotFinite;
     else if (hip.A.z < 0)
-      c.scp.A.z = 0, c.feature = Feature::Sphere;
+      c.scp.A.z = 0, c.feature = Feature::Sphere, c.normals[0] = Vec3(0, 0, 1), stretchToScp(c, hip);
     return c;
   }
   void reset() noexcept override {}

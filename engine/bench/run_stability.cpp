@@ -63,11 +63,11 @@ class Judge {
     } else {
       behind_ = false;
     }
-    force_.push_back(springForce(loop_, {hip}, c, loop_.device.max_force_N).N);
+    force_.push_back(springForce(loop_, c, loop_.device.max_force_N).N);
     Contact ideal;
     ideal.scp.A = right.scp_A;
-    ideal.feature = right.touching ? Feature::Sphere : Feature::Free;
-    right_force_.push_back(springForce(loop_, {hip}, ideal, loop_.device.max_force_N).N);
+    if (right.touching) stretchToScp(ideal, {hip});
+    right_force_.push_back(springForce(loop_, ideal, loop_.device.max_force_N).N);
     path_.push_back(hip);
   }
 

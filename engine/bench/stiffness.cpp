@@ -100,8 +100,7 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
     if (pushed)
       for (double at = kOut_A; at > -kIn_A; at -= kCreep_A) {
         start = surface + out * at;
-        if (glm::length(springForce(loop, {start}, tracker->step({start}), setup.device.max_force_N).N) >= setup.push_N)
-          break;
+        if (glm::length(springForce(loop, tracker->step({start}), setup.device.max_force_N).N) >= setup.push_N) break;
       }
     ClosedLoop device(loop, {start});
     double fastest_m_per_s = 0;

@@ -38,9 +38,9 @@ struct Workspace {
   PointA toMolecule(PointMm place) const { return {centre_A + rotation * (place.mm * A_per_mm)}; }
   PointMm toDevice(PointA place) const { return {glm::transpose(rotation) * (place.A - centre_A) / A_per_mm}; }
 
-  /// The spring's force (paper, section 3.3): stiffness (N/mm, in the device's space) times the way from HIP to SCP.
-  ForceN spring(PointA hip, PointA scp, double stiffness_N_per_mm) const {
-    return {glm::transpose(rotation) * (scp.A - hip.A) * (stiffness_N_per_mm / A_per_mm)};
+  /// The spring's force (paper, section 3.3): stiffness (N/mm, in the device's space) times its displacement.
+  ForceN spring(const Vec3& displacement_A, double stiffness_N_per_mm) const {
+    return {glm::transpose(rotation) * displacement_A * (stiffness_N_per_mm / A_per_mm)};
   }
 };
 

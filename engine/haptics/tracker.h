@@ -25,21 +25,27 @@ enum class Fault : std::uint8_t {
 /// HIP coordinates beyond this are refused as Fault::NotFinite (unit: angstrom).
 inline constexpr double kFarthest_A = 1e9;
 
+/// All that is felt of a contact: whoever shows, writes, speaks, sounds or judges a force takes it from here.
 struct Contact {
   PointA scp;  ///< equals the HIP when free, but where a tick was cut short and lags; and when faulty, where the HIP is
                ///< finite
   std::array<std::int32_t, 3> atoms{-1, -1, -1};  ///< the atoms that hold the SCP, in ascending order; -1 where none
   Feature feature = Feature::Free;
   Fault fault = Fault::None;
-  Vec3 normal{0.0};  ///< unit: the force's direction where a method shades it; zero: along SCP - HIP
+  Vec3 displacement_A{0.0};  ///< of the spring that is felt, from the HIP: the force over the stiffness. SCP - HIP, but
+                             ///< where a method shades the force; zero without contact
+  double energy_A2 =
+      0.0;  ///< stored, over the stiffness: |displacement|^2 / 2 of a single spring; zero without contact
+  std::array<Vec3, 3> normals{Vec3(0.0), Vec3(0.0), Vec3(0.0)};  ///< of the surfaces that hold the SCP, one for each of
+                                                                 ///< `atoms`: unit, outward; zero where none
 
   bool touching() const { return feature != Feature::Free; }
 };
 
-/// Where the spring pulls the HIP to: the SCP, or as far from the HIP along `normal` where a method shades the force.
-inline PointA springEnd(const Contact& contact, PointA hip) {
-  if (contact.normal == Vec3(0.0)) return contact.scp;
-  return {hip.A + contact.normal * glm::distance(contact.scp.A, hip.A)};
+/// Fills in the displacement and the energy of a single spring from the HIP to the SCP.
+inline void stretchToScp(Contact& contact, PointA hip) {
+  contact.displacement_A = contact.scp.A - hip.A;
+  contact.energy_A2 = 0.5 * glm::dot(contact.displacement_A, contact.displacement_A);
 }
 
 /// What a method keeps for the places it has been: "model no more than a scene needs", in numbers.

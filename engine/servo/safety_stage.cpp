@@ -14,6 +14,14 @@ double within(double ours, double of_device) {
   return of_device > 0.0 ? std::min(ours, safety::kOfOwnLimit * of_device) : ours;
 }
 
+// What springs of that stiffness hold whose force is cut at `most_N`: cut to a share of itself, a force that grows with
+// its stretch gives back that share of the energy twice, but for the square of it.
+double stored_J(double stretch_mm, double energy_mm2, double stiffness_N_per_mm, double most_N) {
+  const double whole_J = 1e-3 * stiffness_N_per_mm * energy_mm2, force_N = stiffness_N_per_mm * stretch_mm;
+  const double share = force_N > most_N ? most_N / force_N : 1.0;
+  return whole_J * share * (2.0 - share);
+}
+
 }  // namespace
 
 void SafetyStage::setDevice(const DeviceSpecs& device) noexcept {
@@ -30,7 +38,7 @@ void SafetyStage::setDevice(const DeviceSpecs& device) noexcept {
   rise_N_per_s_ = within(safety::kSlew_N_per_s, device.slew_limit_N_per_s);
   // Its motors give nothing yet. The heat stays: the device may be the one that was just gone, and its motors warm.
   force_N_ = Vec3(0.0);
-  stretch_mm_ = stiffness_ = 0.0;
+  stretch_mm_ = energy_mm2_ = stiffness_ = 0.0;
   passivity_.restart();
   placed_ = false;
   restart();
@@ -115,13 +123,6 @@ double SafetyStage::allowed_N(double most_N) const noexcept {
   return std::min(heat_.allowed_N(peak_N_, continuous_N_), usable(most_N));
 }
 
-// What a spring holds whose force is cut at `most_N`.
-double SafetyStage::stored_J(double stretch_mm, double stiffness_N_per_mm, double most_N) const noexcept {
-  const double k = 1e3 * stiffness_N_per_mm, s = 1e-3 * stretch_mm;
-  if (!(k > 0.0)) return 0.0;
-  return k * s <= most_N ? 0.5 * k * s * s : most_N * s - 0.5 * most_N * most_N / k;
-}
-
 // Above kSlowing of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing.
 // What brakes the hand stays.
 Vec3 SafetyStage::slowed(Vec3 force) noexcept {
@@ -140,8 +141,8 @@ Vec3 SafetyStage::braked(Vec3 force, const WantedForce& wanted) noexcept {
   if (!closes_loop_) return force;
   // Both stores with what holds now: a gain or a clamp that changes is no motion of the hand.
   const double most_N = allowed_N(wanted.most_N);
-  const double stored = gain_ * (stored_J(wanted.stretch_mm, wanted.stiffness_N_per_mm, most_N) -
-                                 stored_J(stretch_mm_, wanted.stiffness_N_per_mm, most_N));
+  const double stored = gain_ * (stored_J(wanted.stretch_mm, wanted.energy_mm2, wanted.stiffness_N_per_mm, most_N) -
+                                 stored_J(stretch_mm_, energy_mm2_, wanted.stiffness_N_per_mm, most_N));
   const double way = glm::length(moved_m_);
   // Half of the published friction, for it is not the same everywhere.
   const double taken = dt_s_ > 0 ? way * (0.5 * friction_N_ + damping_ * way / dt_s_) : 0.0;
@@ -173,12 +174,14 @@ ForceN SafetyStage::output(const WantedForce& wanted) noexcept {
   heat_.add(closes_loop_ ? glm::length(force_N_) : 0.0, elapsed_s_);
 
   Vec3 force = wanted.force_N;
-  double size = glm::length(force), stretch_mm = wanted.stretch_mm;
-  if (!finite(force) || !std::isfinite(size) || !std::isfinite(stretch_mm)) {
+  double size = glm::length(force);
+  WantedForce known = wanted;
+  if (!finite(force) || !std::isfinite(size) || !std::isfinite(wanted.stretch_mm) ||
+      !std::isfinite(wanted.energy_mm2)) {
     acted_.add(Limit::NotFinite);
     fault_ = true;
     force = Vec3(0.0);
-    size = stretch_mm = 0.0;
+    size = known.stretch_mm = known.energy_mm2 = 0.0;
   }
 
   if (const double most = allowed_N(wanted.most_N); size > most) {
@@ -190,8 +193,6 @@ ForceN SafetyStage::output(const WantedForce& wanted) noexcept {
     restart();
   else
     gain_ = std::min(1.0, gain_ + dt_s_ / safety::kSoftStart_s);
-  WantedForce known = wanted;
-  known.stretch_mm = stretch_mm;
   force = braked(slowed(force), known);
   // Braking is a force like any other.
   if (const double most = allowed_N(wanted.most_N), braked_size = glm::length(force); braked_size > most)
@@ -212,7 +213,8 @@ ForceN SafetyStage::output(const WantedForce& wanted) noexcept {
   } else {
     force = slewed(force);
   }
-  stretch_mm_ = stretch_mm;
+  stretch_mm_ = known.stretch_mm;
+  energy_mm2_ = known.energy_mm2;
   force_N_ = force;
   passivity_.give(force);
   return {force};

@@ -20,8 +20,9 @@ struct TickTime {
 /// What a method wants the hand to feel.
 struct WantedForce {
   Vec3 force_N{0.0};
-  double stretch_mm = 0.0;          ///< of the spring that gives it; 0 without contact
-  double stiffness_N_per_mm = 0.0;  ///< of that spring
+  double stretch_mm = 0.0;          ///< the force over the stiffness; 0 without contact
+  double energy_mm2 = 0.0;          ///< what the method stores, over the stiffness; stretch^2 / 2 of a single spring
+  double stiffness_N_per_mm = 0.0;  ///< of the springs that give it
   double most_N = 3.3;              ///< the greatest force that the program allows
   bool on = true;                   ///< false: no force is wanted, and the next begins softly
 };
@@ -56,7 +57,6 @@ class SafetyStage {
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
   double allowed_N(double most_N) const noexcept;
-  double stored_J(double stretch_mm, double stiffness_N_per_mm, double most_N) const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
   Vec3 braked(Vec3 force, const WantedForce& wanted) noexcept;
   Vec3 slewed(const Vec3& force) noexcept;
@@ -78,7 +78,7 @@ class SafetyStage {
   // What is given.
   ThermalModel heat_;
   PassivityControl passivity_;
-  double gain_ = 0, stiffness_ = 0, stretch_mm_ = 0;
+  double gain_ = 0, stiffness_ = 0, stretch_mm_ = 0, energy_mm2_ = 0;
   bool fault_ = false, stopped_ = false;
   Vec3 force_N_{0.0};
   LimitFlags acted_;

@@ -60,9 +60,11 @@ WantedForce ServoStep::feel(const ServoSettings& settings, const ServoSample& sa
                      .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
   if (!contact.touching()) return wanted;
   wanted.stiffness_N_per_mm = safety_.stiffness(settings.stiffness_N_per_mm);
-  wanted.force_N = settings.workspace.spring(sample.hip, springEnd(contact, sample.hip), wanted.stiffness_N_per_mm).N;
+  wanted.force_N = settings.workspace.spring(contact.displacement_A, wanted.stiffness_N_per_mm).N;
   if (const double size = glm::length(wanted.force_N); size > 0.0 && std::isfinite(size)) push_ = wanted.force_N / size;
-  wanted.stretch_mm = glm::distance(contact.scp.A, sample.hip.A) / settings.workspace.A_per_mm;
+  const double A_per_mm = settings.workspace.A_per_mm;
+  wanted.stretch_mm = glm::length(contact.displacement_A) / A_per_mm;
+  wanted.energy_mm2 = contact.energy_A2 / (A_per_mm * A_per_mm);
   return wanted;
 }
 

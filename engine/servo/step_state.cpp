@@ -8,7 +8,7 @@
 namespace moltact {
 
 static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 208 && sizeof(ThermalModel) == 16 &&
-                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 784 && sizeof(ServoStep) == 960,
+                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 792 && sizeof(ServoStep) == 968,
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is
@@ -70,7 +70,7 @@ struct StepState {
     each(p, "off", s.off_, false, true);
     of(each, p + "heat.", s.heat_), of(each, p + "passivity.", s.passivity_);
     each(p, "gain", s.gain_, 0.0, 1.0), each(p, "stiffness", s.stiffness_, 0.0, safety::kHardest_N_per_mm);
-    each(p, "stretch_mm", s.stretch_mm_, -kAny, kAny);
+    each(p, "stretch_mm", s.stretch_mm_, 0.0, kAny), each(p, "energy_mm2", s.energy_mm2_, -kAny, kAny);
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
     vector(each, p, "force_N", s.force_N_);
     // What acted in the last tick is written anew in the next.

@@ -66,7 +66,9 @@ class Told final : public PlainTracker {
  public:
   explicit Told(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
   Contact step(PointA hip) noexcept override {
-    return {.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    Contact out{.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
   }
 
  private:

@@ -22,9 +22,8 @@ namespace {
 constexpr double kPeak_N = 3.3;
 constexpr double kRest_m_per_s = 0.03;  // half a step of the sensor a tick is what its rounding makes
 constexpr double kRounding_J = 1e-5;    // a step of the sensor at 0.5 N
-// What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm. The penalty
-// method's force is the slope of no energy where balls meet: there three hundredths.
-constexpr double kMade_J = 1e-4, kMadeByPenalty_J = 3e-4;
+// What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm.
+constexpr double kMade_J = 1e-4;
 
 enum class Fault : int {
   Late,
@@ -63,7 +62,11 @@ constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{
 class BadTracker final : public Tracker {
  public:
   explicit BadTracker(Vec3 scp) : scp_(scp) {}
-  Contact step(PointA) noexcept override { return {.scp = {scp_}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  Contact step(PointA hip) noexcept override {
+    Contact out{.scp = {scp_}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
+  }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return kWaterProbe_A; }
@@ -192,16 +195,26 @@ class Run {
     cuts_ += sample.limits.has(Limit::EnergyCut);
     judge(sample, how);
     command_ = sample.force;
-    const auto stretch = [&](PointA hip) {
-      return sample.contact.touching() ? glm::distance(sample.contact.scp.A, hip.A) / settings_.workspace.A_per_mm
-                                       : 0.0;
-    };
-    const double told_mm = stretch(sample.hip);
-    stretch_mm_ = stretch(settings_.workspace.toMolecule(model_.position()));  // without the sensor's steps
+    const double A_per_mm = settings_.workspace.A_per_mm;
+    const double told_mm = glm::length(sample.contact.displacement_A) / A_per_mm;
+    // Without the sensor's steps.
+    const PointA place = settings_.workspace.toMolecule(model_.position());
+    stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, place.A) / A_per_mm : 0.0;
+    potential_mm2_ = method_ == "penalty" && sample.contact.touching() ? pushes_A2(place) / (A_per_mm * A_per_mm)
+                                                                       : 0.5 * stretch_mm_ * stretch_mm_;
     const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
     felt_N_per_mm_ = told_mm > 0.0 && !cut ? glm::length(command_.N) / told_mm : -1.0;
     if (!cut) bent_mm_ = stretch_mm_;
     if (how.moves) model_.tick(how.connected && how.to_model ? command_ : ForceN{}, {target_mm_});
+  }
+  // Of the penalty method's springs, one a ball that the place is in.
+  double pushes_A2(PointA place) const {
+    double sum = 0;
+    for (const Ball& ball : scene_.balls) {
+      const double deep = ball.radius_A + tracker_->probe_A() - glm::distance(place.A, ball.centre_A);
+      if (deep > 0.0) sum += 0.5 * deep * deep;
+    }
+    return sum;
   }
   void idle(int ms) {
     for (int k = 0; k < ms; ++k) model_.tick(command_, {target_mm_});
@@ -405,7 +418,7 @@ class Run {
     for (int k = 0; k < 600; ++k) tick({});
     cuts_ = 0;
     std::array<double, 2> fastest{}, energy{};
-    double softest = 1e9, stiffest = 0, stretched_mm = 0, least_J = 1e9, risen_J = 0;
+    double softest = 1e9, stiffest = 0, potential_mm2 = 0, least_J = 1e9, risen_J = 0;
     bool known = true;
     for (std::size_t w = 0; w < 2; ++w)
       for (int k = 0; k < 200; ++k) {
@@ -413,14 +426,14 @@ class Run {
         known = known && felt_N_per_mm_ >= 0.0;
         softest = std::min(softest, felt_N_per_mm_);
         stiffest = std::max(stiffest, felt_N_per_mm_);
-        stretched_mm = std::max(stretched_mm, stretch_mm_);
+        potential_mm2 = std::max(potential_mm2, potential_mm2_);
         fastest[w] = std::max(fastest[w], glm::length(model_.velocity_m_per_s()));
         const double now_J = energy_J();
         energy[w] = std::max(energy[w], now_J);
         least_J = std::min(least_J, now_J);
         risen_J = std::max(risen_J, now_J - least_J);
       }
-    const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
+    const double stiffened_J = known ? 1e-3 * potential_mm2 * std::max(0.0, stiffest - softest) : 0.0;
     const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s),
                grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
     out_.cuts += cuts_;
@@ -430,8 +443,7 @@ class Run {
     if (!slides) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
     if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
     // Tick by tick, where the spring's force is not cut and what it stores so is known.
-    if (known && risen_J > stiffened_J + (method_ == "penalty" ? kMadeByPenalty_J : kMade_J))
-      broken("energy is made while the hand is still", 1e3 * risen_J);
+    if (known && risen_J > stiffened_J + kMade_J) broken("energy is made while the hand is still", 1e3 * risen_J);
     judge_.expectAny();
   }
 
@@ -444,7 +456,7 @@ class Run {
   // What a spring holds; one whose force is cut gives it back all the way.
   double stored_J() const {
     const double force_N = glm::length(command_.N);
-    if (felt_N_per_mm_ >= 0.0) return 0.5e-3 * felt_N_per_mm_ * stretch_mm_ * stretch_mm_;
+    if (felt_N_per_mm_ >= 0.0) return 1e-3 * felt_N_per_mm_ * potential_mm2_;
     return 1e-3 * force_N * (stretch_mm_ - 0.5 * bent_mm_);
   }
 
@@ -464,6 +476,7 @@ class Run {
   ForceN command_;
   PointMm sensed_;
   double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
+  double potential_mm2_ = 0;             // what is stored, over the stiffness
   double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
   ForceMonitor judge_{kPeak_N};
   std::uint64_t cuts_ = 0;

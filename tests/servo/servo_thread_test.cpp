@@ -77,7 +77,9 @@ class PushingTracker final : public Tracker {
     destroyed_on_ = std::this_thread::get_id();
   }
   Contact step(PointA hip) noexcept override {
-    return {.scp = {hip.A + Vec3(0.1, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    Contact out{.scp = {hip.A + Vec3(0.1, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
   }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
@@ -93,8 +95,10 @@ class PushingTracker final : public Tracker {
 class MarkedTracker final : public Tracker {
  public:
   explicit MarkedTracker(std::uint32_t mark) : mark_(mark) {}
-  Contact step(PointA) noexcept override {
-    return {.scp = {Vec3(double(mark_), 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+  Contact step(PointA hip) noexcept override {
+    Contact out{.scp = {Vec3(double(mark_), 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
   }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}

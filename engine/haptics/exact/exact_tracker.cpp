@@ -49,9 +49,16 @@ void ExactTracker::reset() noexcept {
 MemoryUsage ExactTracker::memoryUsage() const noexcept { return {near_.held(), sizeof(*this) + near_.scene().bytes()}; }
 
 Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  return {.scp = {feature_ == Feature::Free && !behind_ ? hip : near_.origin() + scp_},
-          .atoms = holders_,
-          .feature = feature_};
+  Contact out{.scp = {feature_ == Feature::Free && !behind_ ? hip : near_.origin() + scp_},
+              .atoms = holders_,
+              .feature = feature_};
+  if (!out.touching()) return out;
+  stretchToScp(out, {hip});
+  for (std::size_t k = 0; k < 3 && holders_[k] >= 0; ++k) {
+    const NearBall on = near_.ball(holders_[k]);
+    out.normals[k] = (scp_ - on.centre) / on.radius;
+  }
+  return out;
 }
 
 // The balls that hold the SCP, in ascending order.
