@@ -92,7 +92,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   return in;
 }
 
-ViewScene sceneOf(const Application& app) {
+}  // namespace
+
+ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
   scene.molecule = app.scene.stage().molecule;
@@ -117,6 +119,8 @@ ViewScene sceneOf(const Application& app) {
   app.lesson.decorate(scene);
   return scene;
 }
+
+namespace {
 
 void savePicture(Application& app, std::filesystem::path file) {
   if (file.empty()) file = freePictureName(app.options().picture_folder);
@@ -158,7 +162,7 @@ void drawViewPanel(Application& app) {
   }
   ViewPicture& picture = app.picture();
   const SceneChange& change = app.extensions().scene_change;
-  picture.draw(sceneOf(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
+  picture.draw(seenScene(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
                look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
