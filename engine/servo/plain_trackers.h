@@ -31,11 +31,13 @@ class PullTracker final : public PlainTracker {
   double stretch_A_;
 };
 
-/// A wall at that z that faces +z.
+/// A wall at that z that faces +z: the half-space below it, all of it matter. What a sampled device makes of energy and
+/// shaking on this wall no method can be blamed for.
 class WallTracker final : public PlainTracker {
  public:
   explicit WallTracker(double z_A) : z_A_(z_A) {}
   Contact step(PointA hip) noexcept override {
+    if (!finite(hip.A)) return {.scp = hip, .fault = Fault::NotFinite};
     if (hip.A.z >= z_A_) return {.scp = hip};
     Contact out{.scp = {{hip.A.x, hip.A.y, z_A_}}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
     stretchToScp(out, hip);

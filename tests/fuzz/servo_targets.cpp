@@ -67,7 +67,7 @@ struct Sample {
     ticks = bytes.substr(20 + at(8) + at(12) + at(16) + 4 + 16);
   }
   std::string file(const std::string& with_state, const std::string& with_ticks, std::uint32_t with_count) const {
-    std::string out = "MOLTRAC3";
+    std::string out = "MOLTRAC4";
     number(out, std::uint32_t(labels.size())), number(out, std::uint32_t(build.size())),
         number(out, std::uint32_t(with_state.size()));
     out += labels + build + with_state;

@@ -51,7 +51,7 @@ void HandRecorder::record(Application& app, const fs::path& file) {
   writer_.emplace(*std::move(made));
   file_ = file;
   ticks_ = 0;
-  tracker_ = app.scene.servo().trackers();
+  tracker_ = app.scene.servo().handedOver();
   told_ = "The hand is recorded in " + file.filename().string() + ".";
   app.messages.ask(MessageKind::Notice, told_, {"device"});
 }
@@ -174,7 +174,7 @@ void HandRecorder::beforeTicks(Application& app) {
 void HandRecorder::afterPanels(Application& app) {
   if (!recording()) return;
   drain(app);
-  if (recording() && app.scene.servo().trackers() != tracker_) stop(app);
+  if (recording() && app.scene.servo().handedOver() != tracker_) stop(app);
 }
 
 void HandRecorder::atEnd(Application& app) { stop(app); }

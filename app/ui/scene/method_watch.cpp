@@ -41,7 +41,7 @@ MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / T
 
 void MethodWatch::begin(const Stage& stage, double probe_A) {
   balls_ = stage.balls;
-  exact_ = makeTracker(stage, methods().front(), probe_A, Contact{}, PointA{});
+  exact_ = stage ? methods().front().make(stage.balls, probe_A) : nullptr;
   latest_exact_ = {};
   left_behind_ticks_ = 0;
   tried_.clear();
