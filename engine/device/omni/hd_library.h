@@ -3,10 +3,12 @@
 // program runs. Which function may be called from which thread: omni_device.h.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "engine/core/problem.h"
+#include "engine/core/units.h"
 
 namespace moltact::hd {
 

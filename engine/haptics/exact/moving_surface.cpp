@@ -74,6 +74,7 @@ void ExactTracker::setProbe(double probe_A) noexcept {
       return;
     }
   }
+  lookAtHolders();
 }
 
 // Brings the SCP to the nearest free place; false, with nothing changed, when there is none among the balls that close
