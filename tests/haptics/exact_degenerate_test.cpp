@@ -321,16 +321,17 @@ TEST_CASE("a probe that changes by up to 20 A at once: setProbe and the tick aft
     for (const Ball& b : scene.balls) low = glm::min(low, b.centre_A), high = glm::max(high, b.centre_A);
     const Vec3 middle = 0.5 * (low + high);
     const double half = 0.5 * glm::distance(low, high) + 2.0 + scene.probe_A;
+    const auto balls = test::makeScene(scene.balls);
+    constexpr int kTries = 12;
     std::uint64_t most_set = 0, most_tick = 0;
     double deepest = -1;
-    int longest = 0, arrived = 0, lost = 0;
-    for (int k = 0; k < 30; ++k) {
-      ExactTracker tracker(test::makeScene(scene.balls), 0.0);
-      const Vec3 way = random.direction();
+    int longest = 0, arrived = 0, closed = 0;
+    for (int k = 0; k < kTries; ++k) {
+      ExactTracker tracker(balls, 0.0);
+      const Vec3 way = random.direction(), hip = middle + way * random.uniform(0.5, 1.0) * half;
+      const double goal = k % 2 ? 20.0 : random.uniform(0, 20);
       tracker.step({middle + half * way});
-      const Vec3 hip = middle + way * random.uniform(0.5, 1.0) * half;
       tracker.step({hip});
-      const double goal = random.uniform(0, 1) < 0.5 ? 20.0 : random.uniform(0, 20);
       tracker.setProbe(goal);
       most_set = std::max(most_set, tracker.looked());
       int ticks = 0;
@@ -338,17 +339,19 @@ TEST_CASE("a probe that changes by up to 20 A at once: setProbe and the tick aft
         there = tracker.probe_A() == goal;
         const Contact c = tracker.step({hip + 0.01 * random.direction()});
         most_tick = std::max(most_tick, tracker.looked());
-        lost += c.fault != Fault::None;
-        if (c.fault == Fault::None && ticks % 10 == 0) deepest = std::max(deepest, oracle::deepest(scene.balls, tracker.probe_A(), c.scp.A));
+        if (c.fault == Fault::None && (there || ticks % 50 == 0)) deepest = std::max(deepest, oracle::deepest(scene.balls, tracker.probe_A(), c.scp.A));
+        if (there) closed += c.fault != Fault::None;
       }
       arrived += tracker.probe_A() == goal;
       longest = std::max(longest, ticks);
     }
-    CHECK(arrived == 30);
+    CHECK(arrived == kTries);
+    CHECK(closed < kTries);
     CHECK(most_set <= 30'000);
     CHECK(most_tick <= 30'000);
     CHECK(deepest <= 1e-9);
-    MESSAGE(scene.name, ": ", most_set, " looked at by setProbe, ", most_tick, " in a tick, at the goal after at most ", longest, " ticks, lost ", lost);
+    MESSAGE(scene.name, ": ", most_set, " looked at by setProbe, ", most_tick, " in a tick, at the goal after at most ", longest, " ticks, ", closed, " of ", kTries,
+            " places closed");
   }
 }
 

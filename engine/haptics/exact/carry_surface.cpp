@@ -19,9 +19,14 @@ constexpr std::size_t kMostHolding = 8;
 struct Balls {
   std::array<std::int32_t, kMostHolding> ball{};
   std::size_t count = 0;
+  bool more = false;  // there were more than fit
   void add(std::int32_t index) {
     const auto end = ball.begin() + std::ptrdiff_t(count);
-    if (count < kMostHolding && std::find(ball.begin(), end, index) == end) ball[count++] = index;
+    if (std::find(ball.begin(), end, index) != end) return;
+    if (count < kMostHolding)
+      ball[count++] = index;
+    else
+      more = true;
   }
 };
 
@@ -63,9 +68,9 @@ bool commonPoints(const NearBall& i, const NearBall& j, const NearBall& k, Vec3 
 void ExactTracker::setProbe(double probe_A) noexcept {
   if (!std::isfinite(probe_A)) return;
   goal_A_ = std::clamp(probe_A, 0.0, kLargestProbe_A);
+  if (!swells_) step_A_ = kPiece_A;
   swells_ = goal_A_ != near_.probe_A();
   if (!swells_) return;
-  step_A_ = kPiece_A;
   near_.countFromZero();
   swell();
   swelled_ = true;
@@ -83,9 +88,10 @@ void ExactTracker::swell() noexcept {
       // Among crowds a step is no longer than what is known round the SCP, so that the places it may go to are known too.
       const double known = near_.each(scp_, kSqueezed_A, [](const NearBall&) {}), step = std::min(step_A_, std::max(0.25 * known, kLeastPiece_A));
       near_.setProbe(std::min(goal_A_, now + step));
-      if (toFreePlace()) {
+      const Freed freed = toFreePlace();
+      if (freed == Freed::Yes) {
         step_A_ = std::min(kPiece_A, 2.0 * step_A_);
-      } else if (step > kLeastPiece_A) {  // fewer balls close in on it in a smaller step
+      } else if (freed == Freed::TooMany && step > kLeastPiece_A) {  // in a smaller step fewer close in on it
         near_.setProbe(now);
         step_A_ = std::max(kLeastPiece_A, 0.25 * step);
       } else {  // the place closed over the SCP: there is no surface left to be held by
@@ -96,8 +102,8 @@ void ExactTracker::swell() noexcept {
   } while (swells_ && near_.looked() < most);
 }
 
-// Brings the SCP to the nearest free place; false, with nothing changed, when there is none among the balls that close in on it.
-bool ExactTracker::toFreePlace() noexcept {
+// Brings the SCP to the nearest free place; with nothing changed when there is none among the balls that close in on it.
+ExactTracker::Freed ExactTracker::toFreePlace() noexcept {
   const Vec3 was = scp_;
   const double sunk_A = 4.0 * contactAt(was);
   forgetSurroundings();
@@ -118,7 +124,7 @@ bool ExactTracker::toFreePlace() noexcept {
   const double known = near_.each(was, kSqueezed_A, [](const NearBall&) {});
   if (!inside(was)) {
     if (feature_ != Feature::Free) feature_ = Feature::Point;  // the next flow finds what it rests on
-    return true;
+    return Freed::Yes;
   }
 
   for (int round = 0; round < 4; ++round) {
@@ -155,11 +161,11 @@ bool ExactTracker::toFreePlace() noexcept {
     }
     if (found) {
       feature_ = Feature::Point;  // the next flow finds which of them hold it
-      return true;
+      return Freed::Yes;
     }
     if (closing_in.count == among.count) break;
   }
-  return false;
+  return closing_in.more ? Freed::TooMany : Freed::No;
 }
 
 }  // namespace moltact

@@ -20,7 +20,7 @@ constexpr double kContact = 0x1p-43;
 // has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
 constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
-// Pieces, one after the other, that bring the SCP no nearer to the HIP, before it stays where it is.
+// Pieces, one after the other, that together bring the SCP no nearer to the HIP, before it stays where it is.
 constexpr int kMostIdle = 12;
 // Small pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat to be seen at once.
 // So does one that comes no nearer to the HIP.
@@ -84,8 +84,11 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   const PointA hip{h};
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
-  near_.countFromZero();
-  if (swells_ && !std::exchange(swelled_, false)) swell();
+  const bool swelling = swells_;
+  if (swelling) [[unlikely]] {
+    near_.countFromZero();
+    if (!std::exchange(swelled_, false)) swell();
+  }
   const Vec3 local = h - near_.origin();
   if (!armed_) {
     if (near_.inside(local)) return {.scp = hip, .fault = Fault::StartedInside};
@@ -95,8 +98,14 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
     scp_ = free_from_ = local;
     return contact(h);
   }
-  if (!holdsQuickly(local)) flow(local);
-  if (swells_) forgetSurroundings();  // the next tick must come here
+  if (!holdsQuickly(local)) {
+    if (!swelling) near_.countFromZero();
+    flow(local);
+  }
+  if (swelling) [[unlikely]] {
+    forgetSurroundings();  // the next tick must come here
+    if (swells_ && !behind_) ++cut_short_;
+  }
   return contact(h);
 }
 
@@ -139,7 +148,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     forgetSurroundings();
   }
   // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
-  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && !toFreePlace()) {
+  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && toFreePlace() != Freed::Yes) {
     scp_ = was;
     holdHere();
     behind_ = true;

@@ -32,8 +32,8 @@ class ExactTracker final : public Tracker {
   double probe_A() const noexcept override { return near_.probe_A(); }
   Footprint footprint() const noexcept override;
 
-  /// Ticks whose flow was cut short because it had taken kMostPieces pieces or looked at kMostLooked balls. The SCP then lags,
-  /// outside all balls, and goes on in the next tick.
+  /// Ticks that were cut short because a flow had taken kMostPieces pieces or looked at kMostLooked balls, or a surface that swells had.
+  /// The SCP then lags, outside all balls (inflated by probe_A()), and goes on in the next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
   /// Balls, cells and groups of balls that the last step() or setProbe() that had to look round looked at: what it cost. At most
@@ -69,6 +69,7 @@ class ExactTracker final : public Tracker {
 
   enum class Went : std::uint8_t { Rests, GoesOn, Stuck };
   enum class Made : std::uint8_t { Yes, No, FarOff };
+  enum class Freed : std::uint8_t { Yes, No, TooMany };
 
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
   bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
@@ -85,7 +86,7 @@ class ExactTracker final : public Tracker {
   void holdHere() noexcept;
   bool outsideAll() noexcept;
   void swell() noexcept;                        // carry_surface.cpp
-  bool toFreePlace() noexcept;                  // carry_surface.cpp
+  Freed toFreePlace() noexcept;                 // carry_surface.cpp
   void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
   Hit firstMet(const Vec3& to) noexcept;
