@@ -22,7 +22,7 @@ struct Motion {
 bool isStill(const Vec3& left, double pull_A, std::span<const Touch> touches, double contact_A, const std::array<int, 3>& by) {
   double still_A = 0.0;
   for (const int k : by)
-    if (k >= 0) still_A += stillUnder_A(touches[std::size_t(k)], contact_A, pull_A);
+    if (k >= 0) still_A = std::max(still_A, stillUnder_A(touches[std::size_t(k)], contact_A, pull_A));
   return glm::dot(left, left) <= still_A * still_A;
 }
 

@@ -51,11 +51,9 @@ inline double grazing(const Touch& touch, double contact_A, double bend) {
   return std::max(0.0, room / way + 0.5 * bend * way);
 }
 
-/// What is left of the pull is nothing but rounding where it is no longer than this for each that holds (unit: angstrom): a place that is
-/// off the surface by its gap, or by rounding, shifts the pull by as much and turns the normal by as much over the radius.
-inline double stillUnder_A(const Touch& touch, double contact_A, double pull_A) {
-  return std::max(std::abs(touch.gap), 0x1p-7 * contact_A) * (1.0 + pull_A / touch.radius);
-}
+/// What is left of the pull moves nothing where it is no longer than this (unit: angstrom): a place that touches is known to within
+/// 4 contact_A, from 3 sunk to 1 above, which shifts the pull by as much and turns the normal by as much over the radius.
+inline double stillUnder_A(const Touch& touch, double contact_A, double pull_A) { return 4.0 * contact_A * (1.0 + pull_A / touch.radius); }
 
 struct ActiveSet {
   int count = 0;                       ///< 0 to 3; with three, nothing is left of the pull and the place holds

@@ -84,11 +84,7 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   const PointA hip{h};
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
-  const bool swelling = swells_;
-  if (swelling) [[unlikely]] {
-    near_.countFromZero();
-    if (!std::exchange(swelled_, false)) swell();
-  }
+  if (swells_) [[unlikely]] return whileItSwells(h);
   const Vec3 local = h - near_.origin();
   if (!armed_) {
     if (near_.inside(local)) return {.scp = hip, .fault = Fault::StartedInside};
@@ -99,14 +95,23 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
     return contact(h);
   }
   if (!holdsQuickly(local)) {
-    if (!swelling) near_.countFromZero();
+    near_.countFromZero();
     flow(local);
   }
-  if (swelling) [[unlikely]] {
-    forgetSurroundings();  // the next tick must come here
-    if (swells_ && !behind_) ++cut_short_;
-  }
   return contact(h);
+}
+
+// A tick in which the surface is on its way to another probe.
+Contact ExactTracker::whileItSwells(const Vec3& hip) noexcept {
+  near_.countFromZero();
+  if (!std::exchange(swelled_, false)) swell();
+  if (!armed_) return lookRound(hip.x, hip.y, hip.z);  // the place has closed
+  flow(hip - near_.origin());
+  if (swells_) {
+    forgetSurroundings();  // the next tick must come here
+    cut_short_ += !behind_;
+  }
+  return contact(hip);
 }
 
 void ExactTracker::flow(const Vec3& hip) noexcept {

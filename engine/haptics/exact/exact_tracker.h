@@ -72,6 +72,7 @@ class ExactTracker final : public Tracker {
   enum class Freed : std::uint8_t { Yes, No, TooMany };
 
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
+  [[gnu::noinline]] Contact whileItSwells(const Vec3& hip) noexcept;
   bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
   void flow(const Vec3& hip) noexcept;
   Went piece(const Vec3& hip, Admitted admitted) noexcept;
