@@ -1,6 +1,4 @@
 // One mesh of the solvent-accessible surface: closed, a manifold, on the balls; and the god-object on it.
-#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -9,6 +7,7 @@
 
 #include "engine/bench/hip_paths.h"
 #include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
 #include "tests/haptics/judge.h"
 #include "tests/haptics/walk.h"
 
@@ -88,7 +87,9 @@ TEST_CASE("the mesh of two balls has the volume of their union, the lens between
   CHECK(s.unpaired == 0);
 }
 
-TEST_CASE("over every scene and 3000 protein-like balls each edge has two triangles, the other way round, and none is inner") {
+TEST_CASE(
+    "over every scene and 3000 protein-like balls each edge has two triangles, the other way round, and none is "
+    "inner") {
   std::vector<scenes::Scene> all = scenes::all();
   all.push_back({"3000 protein-like", bench::proteinLike(3000, 1)});
   for (const scenes::Scene& scene : all)
@@ -123,7 +124,9 @@ TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random
       const double t = (glm::dot(p.normal, from) - p.height) / falls;
       if (t < 0 || t >= least) continue;
       const Vec3 x = from + t * way;
-      if (glm::dot(p.out[0], x) <= p.reach[0] && glm::dot(p.out[1], x) <= p.reach[1] && glm::dot(p.out[2], x) <= p.reach[2]) least = t;
+      if (glm::dot(p.out[0], x) <= p.reach[0] && glm::dot(p.out[1], x) <= p.reach[1] &&
+          glm::dot(p.out[2], x) <= p.reach[2])
+        least = t;
     }
     const SurfaceMesh::Hit hit = mesh.cast(from, way);
     CHECK((hit.triangle >= 0) == (least < 1.0));
@@ -133,7 +136,9 @@ TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random
   CHECK(hits > 30);
 }
 
-TEST_CASE("on one ball of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A under the sphere, and the force is off by less than 8 degrees") {
+TEST_CASE(
+    "on one ball of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A under the sphere, and the force is off by "
+    "less than 8 degrees") {
   SasMeshTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4, 0.25);
   tracker.step({{0, 0, 5}});
   scenes::Random random(9);
@@ -154,7 +159,9 @@ TEST_CASE("on one ball of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A u
   CHECK(tracker.cutShort() == 0);
 }
 
-TEST_CASE("over every scene the SCP on a mesh of 0.25 A is off by less than 0.05 A in half the ticks, and always comes to rest") {
+TEST_CASE(
+    "over every scene the SCP on a mesh of 0.25 A is off by less than 0.05 A in half the ticks, and always comes to "
+    "rest") {
   std::uint64_t seed = 700;
   for (const scenes::Scene& scene : scenes::all()) {
     CAPTURE(scene.name);
@@ -169,7 +176,9 @@ TEST_CASE("over every scene the SCP on a mesh of 0.25 A is off by less than 0.05
   }
 }
 
-TEST_CASE("known failure: a HIP that turns 1 A deep under one ball by 0.03 degrees a tick: at a facet's edge the SCP leaps by 0.05 A and more, the force by 3 degrees") {
+TEST_CASE(
+    "known failure: a HIP that turns 1 A deep under one ball by 0.03 degrees a tick: at a facet's edge the SCP leaps "
+    "by 0.05 A and more, the force by 3 degrees") {
   SasMeshTracker mesh(makeScene({{{0, 0, 0}, 1.6}}), 1.4, 0.25);
   ExactTracker exact(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   const auto most = [](Tracker& tracker) {
@@ -196,12 +205,14 @@ TEST_CASE("known failure: a HIP that turns 1 A deep under one ball by 0.03 degre
   CHECK(true_turn < 0.04);
 }
 
-TEST_CASE("known failure: a gap of 0.04 A between two balls is closed by a mesh of 0.25 A, and a ball of 0.1 A is missed") {
+TEST_CASE(
+    "known failure: a gap of 0.04 A between two balls is closed by a mesh of 0.25 A, and a ball of 0.1 A is missed") {
   int closed = 0, missed = 0;
   for (int k = 0; k < 10; ++k) {
     CAPTURE(k);
     const double shift = 0.025 * k;  // against the grid
-    const std::vector<Ball> gap{{{shift - 3.02, 0, 0}, 1.6}, {{shift + 3.02, 0, 0}, 1.6}}, small{{{shift, 0, 0}, 0.1}, {{shift, 6, 0}, 1.6}};
+    const std::vector<Ball> gap{{{shift - 3.02, 0, 0}, 1.6}, {{shift + 3.02, 0, 0}, 1.6}},
+        small{{{shift, 0, 0}, 0.1}, {{shift, 6, 0}, 1.6}};
     const Vec3 from(shift, 0, 4), to(shift, 0, -0.05);
     SasMeshTracker mesh_gap(makeScene(gap), 1.4, 0.25), mesh_small(makeScene(small), 0.0, 0.25);
     ExactTracker exact_gap(makeScene(gap), 1.4), exact_small(makeScene(small), 0.0);
