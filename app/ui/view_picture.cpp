@@ -8,6 +8,7 @@
 
 #include <epoxy/gl.h>
 
+#include "app/ui/imgui_versions.h"
 #include "engine/render/gl_objects.h"
 
 namespace moltact {
@@ -77,11 +78,11 @@ void ViewPicture::keepForFade() {
 }
 
 ImTextureID ViewPicture::kept() const {
-  return kept_ ? reinterpret_cast<ImTextureID>(std::intptr_t(kept_->colour())) : nullptr;
+  return textureOf(kept_ ? kept_->colour() : 0);
 }
 
 ImTextureID ViewPicture::texture() const {
-  return renderer_ ? reinterpret_cast<ImTextureID>(std::intptr_t(renderer_->textureId())) : nullptr;
+  return textureOf(renderer_ ? renderer_->textureId() : 0);
 }
 
 Picture ViewPicture::read() const { return renderer_ ? renderer_->readPixels() : Picture(); }

@@ -4,12 +4,11 @@
 #include <cstdio>
 #include <string>
 
-#include <imgui_internal.h>
-
 #include "app/ui/actions.h"
 #include "app/ui/application.h"
 #include "app/ui/controls.h"
 #include "app/ui/extensions.h"
+#include "app/ui/imgui_versions.h"
 #include "app/ui/library.h"
 #include "app/ui/shape_label.h"
 #include "app/ui/theme.h"
@@ -28,8 +27,8 @@ bool item(const std::string& name, const char* label, const char* shortcut = nul
 // As if it had been clicked; its first line is where the keys are.
 void openByKeys(const char* label) {
   ImGui::OpenPopup(label);
-  GImGui->NavDisableHighlight = false;
-  GImGui->NavDisableMouseHover = true;
+  showKeysPlace(true);
+  ignoreRestingMouse();
 }
 
 bool beginMenu(const std::string& name, const char* label, bool enabled = true) {
