@@ -118,16 +118,7 @@ ItemForKeys lastItemForKeys() {
   return {!(flags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav)), bool(flags & ImGuiItemFlags_Inputable)};
 }
 
-void beginUnderOthers() {
-#if IMGUI_VERSION_NUM >= 18970
-  ImGui::SetNextItemAllowOverlap();
-#endif
-}
-
-void endUnderOthers() {
-#if IMGUI_VERSION_NUM < 18970
-  ImGui::SetItemAllowOverlap();
-#endif
-}
+// SetNextItemAllowOverlap (1.89.7) would tell of the mouse one frame late, and a hand would press where it was before.
+void mayLieUnderOthers() { ImGui::SetItemAllowOverlap(); }
 
 }  // namespace moltact

@@ -75,9 +75,8 @@ struct ItemForKeys {
 };
 ItemForKeys lastItemForKeys();
 
-/// Round an item that others, drawn later, may lie on, which then have the mouse.
-void beginUnderOthers();
-void endUnderOthers();
+/// After an item that others, drawn later, may lie on, which then have the mouse.
+void mayLieUnderOthers();
 
 /// An OpenGL texture; 0: none.
 inline ImTextureID textureOf(unsigned gl_name) { return ImTextureID(std::intptr_t(gl_name)); }

@@ -43,14 +43,13 @@ void InputQueue::feed(ImGuiIO& io) {
   // Within a frame nothing changes twice, and nothing that was done after a change takes effect before it.
   std::bitset<kKeyCount> keys_changed;
   std::bitset<kButtons> buttons_changed;
-  bool moved = false, wheeled = false, wrote = false;
+  bool wheeled = false, wrote = false;
   while (!events_.empty()) {
     const InputEvent e = events_.front();
     switch (e.kind) {
       case InputEvent::Kind::Pointer:
         if (buttons_changed.any() || wheeled) return;
         feedPointer(io, float(e.place.x), float(e.place.y));
-        moved = true;
         break;
       case InputEvent::Kind::PointerLeft:
         if (buttons_changed.any() || wheeled) return;
@@ -58,9 +57,6 @@ void InputQueue::feed(ImGuiIO& io) {
         break;
       case InputEvent::Kind::Button:
         if (e.code >= 0 && std::size_t(e.code) < kButtons) {
-          // What others may lie on takes a press only where the pointer was over it in the frame before (beginUnderOthers()); a pen moves and
-          // presses at once.
-          if (e.down && moved) return;
           if (buttons_changed[std::size_t(e.code)] || wheeled || keys_changed.any()) return;
           buttons_changed.set(std::size_t(e.code));
           feedButton(io, e.code, e.down);

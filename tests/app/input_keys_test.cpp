@@ -122,22 +122,4 @@ TEST_CASE("a key pressed and let go within one frame is seen for one frame; two 
   CHECK_FALSE(ImGui::IsMouseDown(1));
 }
 
-TEST_CASE("a pen that comes down at a new place is over it for a frame before it presses") {
-  BareImGui imgui;
-  InputQueue input;
-  imgui.frame(input);
-  input.pointer(40, 50);
-  input.button(0, true);
-  input.button(0, false);
-  imgui.frame(input);
-  CHECK(ImGui::GetIO().MousePos.x == 40.0f);
-  CHECK(ImGui::GetIO().MousePos.y == 50.0f);
-  CHECK_FALSE(ImGui::IsMouseDown(0));
-  imgui.frame(input);
-  CHECK(ImGui::IsMouseClicked(0));
-  imgui.frame(input);
-  CHECK(ImGui::IsMouseReleased(0));
-  CHECK(input.empty());
-}
-
 }  // namespace moltact
