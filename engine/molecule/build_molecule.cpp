@@ -56,13 +56,15 @@ AtomSieve::AtomSieve(const TextSource& text, std::size_t bytes_an_atom, const Re
 std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
   if (element(atom.atomic_number).source != RadiusSource::Default) return -1;
   constexpr std::size_t kLongestShown = 25;
-  const std::string_view symbol =
-      atom.atomic_number > 0 && atom.atomic_number <= kElementCount ? element(atom.atomic_number).symbol : atom.element.substr(0, kLongestShown);
+  const std::string_view symbol = atom.atomic_number > 0 && atom.atomic_number <= kElementCount
+                                      ? element(atom.atomic_number).symbol
+                                      : atom.element.substr(0, kLongestShown);
   const auto found = unknown_of_.find(symbol);
   if (found != unknown_of_.end()) return found->second;
   // Beyond so many, one stands for the rest.
   const bool rest = unknown_.size() >= kMostUnknownElements;
-  if (!rest || unknown_.size() == kMostUnknownElements) unknown_.push_back({rest ? std::string() : std::string(symbol)});
+  if (!rest || unknown_.size() == kMostUnknownElements)
+    unknown_.push_back({rest ? std::string() : std::string(symbol)});
   if (rest) return static_cast<std::int32_t>(kMostUnknownElements);
   const auto index = static_cast<std::int32_t>(unknown_.size() - 1);
   unknown_of_.emplace(symbol, index);
@@ -72,10 +74,11 @@ std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
 std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
   for (int k = 0; k < 3; ++k)
     if (!(std::abs(from.position_A[k]) <= kMaxCoordinate_A))
-      return Problem{file_, from.line, 0, "the atom " + inQuotes(from.name) + " lies farther out than 1e9 A", "correct its coordinates"};
+      return Problem{file_, from.line, 0, "the atom " + inQuotes(from.name) + " lies farther out than 1e9 A",
+                     "correct its coordinates"};
   if (auto problem = out_.full(file_, from.line)) return problem;
-  const bool same_place = !waiting_.empty() && from.number == number_ && from.insertion == insertion_ && from.chain == chain_ &&
-                          from.label_chain == label_chain_;
+  const bool same_place = !waiting_.empty() && from.number == number_ && from.insertion == insertion_ &&
+                          from.chain == chain_ && from.label_chain == label_chain_;
   if (!same_place || waiting_.size() == kMostAtPlace) {
     endPlace();
     chain_ = from.chain, label_chain_ = from.label_chain;
@@ -167,18 +170,21 @@ void AtomSieve::warnOfElements(std::vector<std::string>& warnings) const {
   std::map<std::string_view, std::size_t> counts;
   for (const Unknown& u : unknown_)
     if (const std::size_t count = u.elsewhere + (waters ? u.in_water : 0)) {
-      if (&u - unknown_.data() < std::ptrdiff_t(kMostUnknownElements)) counts[u.symbol] += count;
-      else rest += count;
+      if (&u - unknown_.data() < std::ptrdiff_t(kMostUnknownElements))
+        counts[u.symbol] += count;
+      else
+        rest += count;
     }
   for (const auto& [symbol, count] : counts) {
     if (++named > kMostNamed) {
       rest += count;
       continue;
     }
-    warnings.push_back("No van der Waals radius is known for the element " + inQuotes(symbol) + " (" + counted(count, "atom", "atoms") +
-                       "); 1.70 A was taken.");
+    warnings.push_back("No van der Waals radius is known for the element " + inQuotes(symbol) + " (" +
+                       counted(count, "atom", "atoms") + "); 1.70 A was taken.");
   }
-  if (rest) warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") + " of further unknown elements.");
+  if (rest)
+    warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") + " of further unknown elements.");
 }
 
 Expected<Molecule> AtomSieve::finish(ParsedHead head) {
@@ -186,7 +192,8 @@ Expected<Molecule> AtomSieve::finish(ParsedHead head) {
   out_.close();
   Molecule& out = out_.molecule;
   if (out.atoms.empty())
-    return Problem{file_, 0, 0, "the file holds no atoms" + (head.models > 1 ? " in model " + std::to_string(options_.model) : ""),
+    return Problem{file_, 0, 0,
+                   "the file holds no atoms" + (head.models > 1 ? " in model " + std::to_string(options_.model) : ""),
                    "take a coordinate file from the PDB (www.rcsb.org)"};
   if (!options_.waters) {
     const std::size_t waters = dropWaters(out_);
@@ -203,9 +210,11 @@ Expected<Molecule> AtomSieve::finish(ParsedHead head) {
   out.alternates_left_out = static_cast<std::uint32_t>(alternates_left_out_);
   out.waters_left_out = waters;
   if (head.models > 1)
-    out.warnings.push_back("The file has " + std::to_string(head.models) + " models; this is model " + std::to_string(options_.model) + ".");
+    out.warnings.push_back("The file has " + std::to_string(head.models) + " models; this is model " +
+                           std::to_string(options_.model) + ".");
   if (alternates_left_out_)
-    out.warnings.push_back(counted(alternates_left_out_, "atom", "atoms") + " at a less occupied alternate location left out.");
+    out.warnings.push_back(counted(alternates_left_out_, "atom", "atoms") +
+                           " at a less occupied alternate location left out.");
   if (waters) out.warnings.push_back(counted(waters, "water molecule", "water molecules") + " left out.");
   out.warnings.insert(out.warnings.end(), head.warnings.begin(), head.warnings.end());
   out.warnings.insert(out.warnings.end(), warnings.begin(), warnings.end());

@@ -7,8 +7,8 @@
 namespace moltact {
 namespace {
 
-// Where the next one needs room: as much as the whole molecule will need if it goes on like this, so that nothing large is
-// copied from a smaller room to a larger one, which would take both for a while.
+// Where the next one needs room: as much as the whole molecule will need if it goes on like this, so that nothing large
+// is copied from a smaller room to a larger one, which would take both for a while.
 template <class T>
 void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expected) {
   if (list.size() < list.capacity()) return;
@@ -23,7 +23,8 @@ std::size_t heapBytes(std::string_view text) { return text.size() > std::string(
 }  // namespace
 
 Problem tooManyAtoms(const std::string& file, std::size_t line) {
-  return {file, line, 0, "more than " + std::to_string(kMaxMoleculeAtoms / 1'000'000) + " million atoms", "split the file, or keep one model"};
+  return {file, line, 0, "more than " + std::to_string(kMaxMoleculeAtoms / 1'000'000) + " million atoms",
+          "split the file, or keep one model"};
 }
 
 void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::min(atoms, kMaxMoleculeAtoms)); }
@@ -31,10 +32,12 @@ void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::mi
 std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_t line) const {
   const Molecule& m = molecule;
   if (m.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
-  const std::size_t bytes = m.atoms.size() * sizeof(Atom) + m.residues.size() * (sizeof(Residue) + sizeof(std::uint32_t)) +
+  const std::size_t bytes = m.atoms.size() * sizeof(Atom) +
+                            m.residues.size() * (sizeof(Residue) + sizeof(std::uint32_t)) +
                             m.chains.size() * sizeof(Chain) + labels.size() * sizeof(std::string) + text_bytes_;
   if (bytes > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
-    return Problem{file, line, 0, "its residues and chains take more than 3 GB of memory", "split the file, or keep one model"};
+    return Problem{file, line, 0, "its residues and chains take more than 3 GB of memory",
+                   "split the file, or keep one model"};
   return std::nullopt;
 }
 

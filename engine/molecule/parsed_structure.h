@@ -1,5 +1,5 @@
-// What a format's reader hands on, atom by atom, and what makes a molecule of it by the rules of reader.h. Nothing but the
-// molecule itself grows with the file. Inside engine/molecule only. Units: angstrom.
+// What a format's reader hands on, atom by atom, and what makes a molecule of it by the rules of reader.h. Nothing but
+// the molecule itself grows with the file. Inside engine/molecule only. Units: angstrom.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct ParsedAtom {
 
 /// A turn and a shift that copy a part of the molecule into its biological assembly.
 struct ParsedOperator {
-  glm::dmat3 turn{1.0};
+  glm::dmat3 rotation{1.0};
   Vec3 shift_A{0.0};
 };
 
@@ -99,10 +99,10 @@ class AtomSieve {
   // What is known of an atom besides what becomes part of the molecule, while its place is not whole.
   struct Waiting {
     Atom atom;
-    std::uint64_t name = 0;       // of the whole name
+    std::uint64_t name = 0;  // of the whole name
     double occupancy = 1.0;
-    std::uint32_t residue = 0;    // index into residues_
-    std::int32_t unknown = -1;    // index into unknown_, where no radius is known
+    std::uint32_t residue = 0;  // index into residues_
+    std::int32_t unknown = -1;  // index into unknown_, where no radius is known
     char alternate = ' ';
     bool hetero = false;
   };
@@ -131,8 +131,8 @@ class AtomSieve {
 };
 
 /// Puts the assembly `name` in the place of the molecule. Copies of a chain are named, …
-std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies, const std::string& name,
-                                     const std::string& file);
+std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
+                                     const std::string& name, const std::string& file);
 
 /// The readers behind the table of formats.
 Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options);

@@ -1,5 +1,5 @@
-// The text of a molecule's file, line by line: from memory, from a file or unpacked from gzip on the way, so that no more
-// than a piece of it is held. Inside engine/molecule only.
+// The text of a molecule's file, line by line: from memory, from a file or unpacked from gzip on the way, so that no
+// more than a piece of it is held. Inside engine/molecule only.
 #pragma once
 
 #include <fstream>
@@ -48,8 +48,8 @@ class TextSource {
   /// What follows, up to 64 KiB of it, without taking it.
   std::string_view ahead();
   const std::optional<Problem>& problem() const { return problem_; }
-  bool blank() const { return blank_; }                     ///< no line so far held anything
-  std::size_t expectedBytes() const { return expected_; }   ///< of text, as a guess; at most `most`
+  bool blank() const { return blank_; }                    ///< no line so far held anything
+  std::size_t expectedBytes() const { return expected_; }  ///< of text, as a guess; at most `most`
   const std::string& file() const { return file_; }
 
  private:

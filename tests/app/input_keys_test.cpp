@@ -7,9 +7,9 @@
 #include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
 
-#include "app/ui/glfw_keys.h"
-#include "app/ui/input_queue.h"
-#include "app/ui/key_names.h"
+#include "app/ui/shell/glfw_keys.h"
+#include "app/ui/widgets/input_queue.h"
+#include "app/ui/widgets/key_names.h"
 
 namespace moltact {
 namespace {
@@ -46,7 +46,8 @@ std::vector<ImGuiKey> keysDown() {
 
 }  // namespace
 
-TEST_CASE("each of GLFW's keys but those of other countries and F13 to F25 is one of ImGui's, and no two are the same") {
+TEST_CASE(
+    "each of GLFW's keys but those of other countries and F13 to F25 is one of ImGui's, and no two are the same") {
   std::map<ImGuiKey, int> from;
   int named = 0;
   for (int code = -1; code <= GLFW_KEY_LAST + 1; ++code) {
@@ -66,7 +67,9 @@ TEST_CASE("each of GLFW's keys but those of other countries and F13 to F25 is on
   CHECK(keyOfGlfw(GLFW_KEY_KP_9) == ImGuiKey_Keypad9);
 }
 
-TEST_CASE("each key alone is down in the frame that it is fed, newly for that frame only, and up in the frame after it is let go; modifiers follow both sides") {
+TEST_CASE(
+    "each key alone is down in the frame that it is fed, newly for that frame only, and up in the frame after it is "
+    "let go; modifiers follow both sides") {
   BareImGui imgui;
   InputQueue input;
   imgui.frame(input);
@@ -94,7 +97,9 @@ TEST_CASE("each key alone is down in the frame that it is fed, newly for that fr
   }
 }
 
-TEST_CASE("a key pressed and let go within one frame is seen for one frame; two keys within one frame are seen in it; a window that loses the keyboard lets go of all") {
+TEST_CASE(
+    "a key pressed and let go within one frame is seen for one frame; two keys within one frame are seen in it; a "
+    "window that loses the keyboard lets go of all") {
   BareImGui imgui;
   InputQueue input;
   imgui.frame(input);

@@ -1,5 +1,5 @@
-// Attempts: as bytes, and as lines of the right form with numbers and texts that no program of ours wrote. What can be read
-// of them is then reported and played back.
+// Attempts: as bytes, and as lines of the right form with numbers and texts that no program of ours wrote. What can be
+// read of them is then reported and played back.
 #include <cmath>
 
 #include "engine/results/attempt_file.h"
@@ -41,8 +41,10 @@ void attemptLines(std::string_view bytes) {
       const std::size_t from = choices.pick(line.size()), at = line.find_first_of(":[,", from);
       if (at == std::string::npos || at + 1 >= line.size()) continue;
       const std::size_t end = line.find_first_of(",]}\n", at + 1);
-      if (line[at + 1] == '{' || line[at + 1] == '[') line.insert(at + 1, line[at + 1] == '[' && choices.pick(2) ? "[" : "");
-      else line.replace(at + 1, end - at - 1, oddNumber(choices));
+      if (line[at + 1] == '{' || line[at + 1] == '[')
+        line.insert(at + 1, line[at + 1] == '[' && choices.pick(2) ? "[" : "");
+      else
+        line.replace(at + 1, end - at - 1, oddNumber(choices));
     }
     text += line;
   }

@@ -1,8 +1,8 @@
 #include "app/ui/panels/lesson_keys.h"
 
-#include "app/ui/imgui_versions.h"
-#include "app/ui/key_focus.h"
-#include "app/ui/key_names.h"
+#include "app/ui/widgets/imgui_versions.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/key_names.h"
 
 namespace moltact {
 namespace {
@@ -26,7 +26,8 @@ bool lessonKeyPressed(char key) {
 void scrollByKeys() {
   constexpr float kPage = 0.7f;  // of the window's height
   if (!ImGui::GetIO().KeyCtrl || pageOpen()) return;
-  const float pages = (ImGui::IsKeyPressed(ImGuiKey_PageDown, true) ? 1.0f : 0.0f) - (ImGui::IsKeyPressed(ImGuiKey_PageUp, true) ? 1.0f : 0.0f);
+  const float pages = (ImGui::IsKeyPressed(ImGuiKey_PageDown, true) ? 1.0f : 0.0f) -
+                      (ImGui::IsKeyPressed(ImGuiKey_PageUp, true) ? 1.0f : 0.0f);
   if (pages != 0.0f) ImGui::SetScrollY(ImGui::GetScrollY() + pages * kPage * ImGui::GetWindowHeight());
 }
 
