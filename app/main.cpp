@@ -17,7 +17,9 @@ int run(int argc, char** argv) {
   moltact::addWindowArguments(app, window);
   moltact::addAllCommands(app);
   // What was typed stands in what is told of it.
-  app.failure_message([](const CLI::App*, const CLI::Error& e) { return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n"; });
+  app.failure_message([](const CLI::App*, const CLI::Error& e) {
+    return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n";
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {

@@ -11,9 +11,10 @@ constexpr double kLeastScale = 0.5, kMostScale = 8.0;  // of the monitor
 
 void addWindowArguments(CLI::App& app, WindowArguments& into) {
   app.add_option("file", into.file, "A molecule or a lesson to open in the window");
-  app.add_option("--state-text", into.state_text,
-                 "Also write what is touched, and what the lesson asks for, as lines of text to this file, or to the terminal "
-                 "for -; to hear them: moltact --state-text - | spd-say -e");
+  app.add_option(
+      "--state-text", into.state_text,
+      "Also write what is touched, and what the lesson asks for, as lines of text to this file, or to the terminal "
+      "for -; to hear them: moltact --state-text - | spd-say -e");
   // For the makers of the program and its documentation: not in the help.
   app.add_option("--screenshot", into.screenshot)->group("");
   app.add_option("--script", into.script)->group("");
@@ -24,9 +25,15 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
 }
 
 int runWindowArguments(const WindowArguments& a) {
-  if (a.screenshot.empty() && a.script.empty()) return runWindow({.file = a.file, .frame_stats = a.frame_stats, .state_text = a.state_text});
-  OffscreenOptions options{.file = a.file, .screenshot = a.screenshot, .script = a.script, .content_scale = a.scale,
-                           .frame_stats = a.frame_stats, .state_text = a.state_text, .attempts = a.attempts};
+  if (a.screenshot.empty() && a.script.empty())
+    return runWindow({.file = a.file, .frame_stats = a.frame_stats, .state_text = a.state_text});
+  OffscreenOptions options{.file = a.file,
+                           .screenshot = a.screenshot,
+                           .script = a.script,
+                           .content_scale = a.scale,
+                           .frame_stats = a.frame_stats,
+                           .state_text = a.state_text,
+                           .attempts = a.attempts};
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {  // false for what is not a number, too
     err() << "moltact: --content-scale " << a.scale << " is out of range; give 0.5 to 8\n";
     return 2;

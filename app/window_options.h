@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
-#include "app/ui/offscreen_run.h"
-#include "app/ui/window.h"
+#include "app/ui/shell/offscreen_run.h"
+#include "app/ui/shell/window.h"
 
 namespace moltact {
 

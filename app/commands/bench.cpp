@@ -45,8 +45,8 @@ struct BenchArguments {
 // What was measured, in the order it is shown.
 struct Report {
   std::vector<ReportTable> tables;
-  std::vector<ReportTable> excerpts;                          // parts of long tables, for the pages alone
-  std::vector<std::pair<std::string, std::string>> pictures;  // file name, SVG
+  std::vector<ReportTable> excerpts;                           // parts of long tables, for the pages alone
+  std::vector<std::pair<std::string, std::string>> pictures;   // file name, SVG
   std::vector<std::pair<std::string, std::string>> sentences;  // marker's name, Markdown: what the tables say
 };
 
@@ -60,8 +60,8 @@ class ProgressBar {
   void operator()(double share, std::string_view what) const {
     constexpr int kWidth = 30;
     const int full = static_cast<int>(share * kWidth);
-    showStatus(part_ + " [" + std::string(std::size_t(full), '#') + std::string(std::size_t(kWidth - full), '.') + "] " +
-               std::to_string(static_cast<int>(100 * share)) + " %  " + std::string(what));
+    showStatus(part_ + " [" + std::string(std::size_t(full), '#') + std::string(std::size_t(kWidth - full), '.') +
+               "] " + std::to_string(static_cast<int>(100 * share)) + " %  " + std::string(what));
   }
 
  private:
@@ -87,9 +87,8 @@ void tryWriting(const fs::path& file) {
 void checkPages(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
-    throw CommandError{Problem{folder.string(), 0, 0, "there is no such folder",
-                               "name the folder of the pages, such as docs"}
-                           .text()};
+    throw CommandError{
+        Problem{folder.string(), 0, 0, "there is no such folder", "name the folder of the pages, such as docs"}.text()};
 }
 
 std::vector<const Method*> chosen(const std::vector<std::string>& names, bool quick) {
@@ -97,7 +96,8 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
   constexpr std::string_view kNotQuick[] = {"grid02-ready", "sasmesh025"};
   std::vector<const Method*> out;
   for (const Method& m : benchMethods())
-    if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) || m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
+    if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) ||
+        m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
       out.push_back(&m);
   for (const std::string& name : names)
     if (!findBenchMethod(name)) {
@@ -109,7 +109,8 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
   return out;
 }
 
-// Stability makes thousands of trackers and changes the probe under the finger: for the methods that a person is offered.
+// Stability makes thousands of trackers and changes the probe under the finger: for the methods that a person is
+// offered.
 std::vector<const Method*> offeredOf(std::vector<const Method*> methods) {
   std::erase_if(methods, [](const Method* m) { return !findMethod(m->name); });
   return methods;
@@ -123,8 +124,7 @@ std::vector<TableScene> structures() {
     if (!findMolecule(id, folders)) return;
     const auto molecule = openMolecule(id);
     if (!molecule) return;
-    out.push_back(
-        {molecule->id, molecule->atoms.size(), [balls = molecule->balls()] { return balls; }, paper});
+    out.push_back({molecule->id, molecule->atoms.size(), [balls = molecule->balls()] { return balls; }, paper});
   };
   add("1ubq", "");
   add("2hhb", "");
@@ -152,14 +152,16 @@ StrokePlan plan(const BenchArguments& arguments) {
 // On the spheres of the chart, beside the same methods' ticks in a row.
 void addCool(const BenchArguments& arguments, const std::vector<const Method*>& methods,
              const std::vector<SceneTimes>& times, Report& report) {
-  const auto scene = std::make_shared<const BallScene>(proteinLike(kChartSpheres, static_cast<unsigned>(arguments.seed)));
+  const auto scene =
+      std::make_shared<const BallScene>(proteinLike(kChartSpheres, static_cast<unsigned>(arguments.seed)));
   StrokePlan strokes = plan(arguments);
   strokes.strokes = 4;
   const CoolPlan ticks = arguments.quick ? CoolPlan{100, 24} : CoolPlan{1000, 200};
   const ProgressBar bar("caches");
   const auto cool = timeCool(thatBear(methods, kChartSpheres), scene, kWaterProbe_A,
                              contactStrokes(scene, kWaterProbe_A, strokes), ticks, std::cref(bar));
-  const auto hot = std::find_if(times.begin(), times.end(), [&](const SceneTimes& s) { return s.spheres == kChartSpheres; });
+  const auto hot =
+      std::find_if(times.begin(), times.end(), [&](const SceneTimes& s) { return s.spheres == kChartSpheres; });
   report.tables.push_back(coolTable(cool, hot == times.end() ? std::vector<TickTimes>{} : hot->contact, kChartSpheres));
   report.sentences.push_back({"cool_sentences", coolSentences(cool)});
 }
@@ -174,8 +176,7 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
   report.tables.push_back(besidePaperTable(times));
   report.tables.push_back(tickTable(times));
   report.tables.push_back(readyTable(times));
-  for (const auto& [name, table] :
-       {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {
+  for (const auto& [name, table] : {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {
     report.excerpts.push_back(
         rowsWhere(table, "scene", "13 800 protein-like", std::string(name) + "_13800", table.title));
     report.excerpts.push_back(rowsWhere(table, "method", "exact", std::string(name) + "_exact", table.title));
@@ -205,8 +206,7 @@ std::vector<const Method*> withNoiseFloor(std::vector<const Method*> methods) {
   return methods;
 }
 
-void addStability(const BenchArguments& arguments, const std::vector<const Method*>& methods,
-                  Report& report) {
+void addStability(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
   StabilityOptions options;
   options.methods = withNoiseFloor(methods);
   options.seed = arguments.seed;
@@ -244,7 +244,8 @@ void addFeel(const BenchArguments& arguments, const std::vector<const Method*>& 
   inManyThreads(
       judged.size(), [&](std::size_t k) { felt[k] = feltOn("made strokes", *judged[k], scene, kWaterProbe_A, made); },
       [&](std::size_t done) { bar(double(done) / double(judged.size()), ""); });
-  report.tables.push_back(feltTable("felt", "What a hand could tell, on " + std::to_string(made.size()) + " made strokes", felt));
+  report.tables.push_back(
+      feltTable("felt", "What a hand could tell, on " + std::to_string(made.size()) + " made strokes", felt));
   report.sentences.push_back({"felt_sentences", feltSentences(felt)});
 }
 
@@ -255,7 +256,9 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
   HandOnMolecule hand;
   hand.molecule = otherwise.empty() ? path->label("molecule") : otherwise;
   if (hand.molecule.empty())
-    throw CommandError{Problem{file.string(), 0, 0, "it does not say on which molecule this hand went", "name one with --molecule"}.text()};
+    throw CommandError{
+        Problem{file.string(), 0, 0, "it does not say on which molecule this hand went", "name one with --molecule"}
+            .text()};
   const auto molecule = openMolecule(hand.molecule);
   if (!molecule) throw CommandError{molecule.problem().text()};
   hand.scene = std::make_shared<const BallScene>(molecule->balls());
@@ -280,7 +283,8 @@ void addHands(const BenchArguments& arguments, const std::vector<const Method*>&
   std::vector<HandOnMolecule> hands;
   for (const fs::path& file : handFiles(arguments)) hands.push_back(handFrom(file, arguments.recording_molecule));
   const ProgressBar bar("hands");
-  const auto replays = replayHands(hands, withNoiseFloor(methods), methods, arguments.quick ? 0.02 : 0.2, std::cref(bar));
+  const auto replays =
+      replayHands(hands, withNoiseFloor(methods), methods, arguments.quick ? 0.02 : 0.2, std::cref(bar));
   report.tables.push_back(handsTable(replays));
   report.tables.push_back(handsFeltTable(replays));
   report.tables.push_back(handsFigures(replays));
@@ -297,10 +301,8 @@ void updatePages(const fs::path& folder, const Report& report) {
     const std::string before{std::istreambuf_iterator<char>(in), {}};
     std::string after = before;
     for (const auto* tables : {&report.tables, &report.excerpts})
-      for (const ReportTable& t : *tables)
-        after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
-    for (const auto& [name, text] : report.sentences)
-      after = replacedBetweenMarkers(after, name, '\n' + text + '\n');
+      for (const ReportTable& t : *tables) after = replacedBetweenMarkers(after, t.name, '\n' + toMarkdown(t) + '\n');
+    for (const auto& [name, text] : report.sentences) after = replacedBetweenMarkers(after, name, '\n' + text + '\n');
     if (after != before) write(page, after);
   }
   for (const auto& [name, svg] : report.pictures) write(folder / "pictures" / name, svg);
@@ -320,8 +322,8 @@ void run(const BenchArguments& arguments) {
 
   for (const ReportTable& t : report.tables)
     if (!t.name.ends_with("_figures")) out() << Lines{toConsole(t)} << '\n';  // thousands of rows: for --csv and --json
-  const std::string command = "moltact bench " + arguments.part + (arguments.quick ? " --quick" : "") +
-                              " --seed " + std::to_string(arguments.seed);
+  const std::string command = "moltact bench " + arguments.part + (arguments.quick ? " --quick" : "") + " --seed " +
+                              std::to_string(arguments.seed);
   if (!arguments.json.empty()) write(arguments.json, toJson(report.tables, command));
   if (!arguments.csv.empty())
     for (const ReportTable& t : report.tables) write(fs::path(arguments.csv) / (t.name + ".csv"), toCsv(t));
@@ -334,27 +336,27 @@ void run(const BenchArguments& arguments) {
     write(arguments.markdown, page);
   }
   if (!arguments.docs.empty()) updatePages(arguments.docs, report);
-  err() << command << ": " << readable(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()) << " s\n";
+  err() << command << ": " << readable(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count())
+        << " s\n";
 }
 
 }  // namespace
 
 void addBench(CLI::App& app) {
   auto arguments = std::make_shared<BenchArguments>();
-  CLI::App* command =
-      app.add_subcommand("bench", "Measure speed, accuracy, feel and stability of every method");
+  CLI::App* command = app.add_subcommand("bench", "Measure speed, accuracy, feel and stability of every method");
   command->add_option("part", arguments->part, "tables, chart, feel, hands, stability or all")
       ->capture_default_str()
       ->check(CLI::IsMember({"tables", "chart", "feel", "hands", "stability", "all"}));
-  command->add_flag("--quick", arguments->quick,
-                    "A minute instead of a quarter of an hour; the figures are rougher");
-  command
-      ->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")
+  command->add_flag("--quick", arguments->quick, "A minute instead of a quarter of an hour; the figures are rougher");
+  command->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")
       ->delimiter(',');
-  command->add_option("--recording", arguments->recordings,
-                      "Recorded hands instead of those that come with the program, with the part hands alone: a .trace, "
-                      "or rows of numbers (docs/hands.md)");
-  command->add_option("--molecule", arguments->recording_molecule, "The molecule that these hands go over, where the file does not say");
+  command->add_option(
+      "--recording", arguments->recordings,
+      "Recorded hands instead of those that come with the program, with the part hands alone: a .trace, "
+      "or rows of numbers (docs/hands.md)");
+  command->add_option("--molecule", arguments->recording_molecule,
+                      "The molecule that these hands go over, where the file does not say");
   command->add_option("--seed", arguments->seed, "Of the scenes and motions")->capture_default_str();
   command->add_option("--json", arguments->json, "Write all tables to this file");
   command->add_option("--csv", arguments->csv, "Write each table to a file in this folder");

@@ -1,4 +1,6 @@
 // moltact check FILE|FOLDER…: every error of lessons at its place, with its line and a caret under it.
+#include "engine/lesson/check.h"
+
 #include <algorithm>
 #include <filesystem>
 #include <memory>
@@ -6,7 +8,6 @@
 #include "app/commands/command.h"
 #include "app/commands/print_json.h"
 #include "app/commands/source_excerpt.h"
-#include "engine/lesson/check.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/source_text.h"
@@ -36,7 +37,8 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
     return out;
   }
   out.text = *bytes;
-  LessonCheck check = checkLesson(out.file, *std::move(bytes), [&](const std::string& name) { return molecules.find(file, name); });
+  LessonCheck check =
+      checkLesson(out.file, *std::move(bytes), [&](const std::string& name) { return molecules.find(file, name); });
   out.errors = std::move(check.errors);
   out.warnings = std::move(check.warnings);
   return out;
@@ -55,7 +57,8 @@ std::vector<Row> rowsOf(const Checked& checked) {
   for (const Problem& p : checked.errors) rows.push_back({&p, "error"});
   for (const Problem& p : checked.warnings) rows.push_back({&p, "warning"});
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
-    return a.problem->line != b.problem->line ? a.problem->line < b.problem->line : a.problem->column < b.problem->column;
+    return a.problem->line != b.problem->line ? a.problem->line < b.problem->line
+                                              : a.problem->column < b.problem->column;
   });
   return rows;
 }
@@ -75,8 +78,12 @@ nlohmann::ordered_json jsonOf(const Checked& checked) {
   auto out = nlohmann::ordered_json::array();
   for (const Row& row : rowsOf(checked)) {
     const Problem& p = *row.problem;
-    out.push_back({{"file", p.file}, {"line", p.line}, {"column", p.column}, {"severity", row.severity},
-                   {"message", p.message}, {"remedy", p.remedy}});
+    out.push_back({{"file", p.file},
+                   {"line", p.line},
+                   {"column", p.column},
+                   {"severity", row.severity},
+                   {"message", p.message},
+                   {"remedy", p.remedy}});
   }
   return out;
 }
@@ -92,7 +99,7 @@ void run(const CheckArguments& arguments) {
       continue;
     }
     LessonFolder folder = lessonsIn(path);
-    if (folder.trouble) all.push_back({path, {}, {*std::move(folder.trouble)}, {}});
+    if (folder.fault) all.push_back({path, {}, {*std::move(folder.fault)}, {}});
     for (const fs::path& file : folder.lessons) all.push_back(checkFile(file, molecules));
     passed_over.insert(passed_over.end(), folder.others.begin(), folder.others.end());
   }
@@ -104,8 +111,10 @@ void run(const CheckArguments& arguments) {
     warnings += c.warnings.size();
   }
   if (arguments.json) {
-    nlohmann::ordered_json document = {{"problems", nlohmann::ordered_json::array()}, {"lessons", lessons},
-                                       {"errors", errors}, {"warnings", warnings}};
+    nlohmann::ordered_json document = {{"problems", nlohmann::ordered_json::array()},
+                                       {"lessons", lessons},
+                                       {"errors", errors},
+                                       {"warnings", warnings}};
     for (const Checked& c : all)
       for (auto& problem : jsonOf(c)) document["problems"].push_back(std::move(problem));
     printDocument(document);
@@ -123,8 +132,10 @@ void run(const CheckArguments& arguments) {
 
 void addCheck(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
-  CLI::App* command = app.add_subcommand("check", "Check lessons: tell every error at its place, and what would mend it");
-  command->add_option("paths", arguments->paths, "Lessons (.md), or folders in which lessons are looked for")->required();
+  CLI::App* command =
+      app.add_subcommand("check", "Check lessons: tell every error at its place, and what would mend it");
+  command->add_option("paths", arguments->paths, "Lessons (.md), or folders in which lessons are looked for")
+      ->required();
   command->add_flag("--json", arguments->json, "Print one JSON document, for editors");
   command->callback([arguments] { run(*arguments); });
 }

@@ -27,19 +27,22 @@ std::unique_ptr<Device> opened(const std::string& name) {
 }
 
 void describe(const DeviceInfo& info) {
-  char text[480], room[80] = "without an edge", force[320] = "it gives no force, which is only shown on the screen", limits[120] = "";
+  char text[480], room[80] = "without an edge", force[320] = "it gives no force, which is only shown on the screen",
+                  limits[120] = "";
   if (std::isfinite(info.speed_limit_m_per_s) || std::isfinite(info.slew_limit_N_per_s))
-    std::snprintf(limits, sizeof limits, ";\nits driver gives no force beyond %.2f m/s or %.0f N/s", info.speed_limit_m_per_s,
-                  info.slew_limit_N_per_s);
+    std::snprintf(limits, sizeof limits, ";\nits driver gives no force beyond %.2f m/s or %.0f N/s",
+                  info.speed_limit_m_per_s, info.slew_limit_N_per_s);
   if (finite(info.workspace_mm))
-    std::snprintf(room, sizeof room, "%.0f x %.0f x %.0f mm", info.workspace_mm.x, info.workspace_mm.y, info.workspace_mm.z);
+    std::snprintf(room, sizeof room, "%.0f x %.0f x %.0f mm", info.workspace_mm.x, info.workspace_mm.y,
+                  info.workspace_mm.z);
   if (info.gives_force)
     std::snprintf(force, sizeof force,
                   "%.1f N for a moment, %.2f N for good;\n"
                   "stiffness up to %.2f N/mm, damping up to %.1f N s/m, steps of %.3f mm, %.1f ms of delay%s",
-                  info.max_force_N, info.continuous_force_N, info.max_stiffness_N_per_mm, info.max_damping_N_s_per_m, info.resolution_mm,
-                  1e3 * info.delay_s, limits);
-  std::snprintf(text, sizeof text, ": %d degrees of freedom in, %d out; room %s; %s\n", info.dof_in, info.dof_out, room, force);
+                  info.max_force_N, info.continuous_force_N, info.max_stiffness_N_per_mm, info.max_damping_N_s_per_m,
+                  info.resolution_mm, 1e3 * info.delay_s, limits);
+  std::snprintf(text, sizeof text, ": %d degrees of freedom in, %d out; room %s; %s\n", info.dof_in, info.dof_out, room,
+                force);
   out() << info.name << Lines{text};
 }
 
@@ -88,8 +91,10 @@ void check(const Options& options) {
   const bool gives_force = device->info().gives_force;
   describe(device->info());
   DeviceCheckOptions how;
-  if (options.yes) how.ask = [](const std::string& question) { return tell(question), true; };
-  else how.ask = [&](const std::string& question) { return askOnTerminal(question, interrupt); };
+  if (options.yes)
+    how.ask = [](const std::string& question) { return tell(question), true; };
+  else
+    how.ask = [&](const std::string& question) { return askOnTerminal(question, interrupt); };
   how.tell = tell;
   how.guide = GuideOnTerminal();
   how.interrupted = [&] { return interrupt.seen(); };
@@ -118,10 +123,13 @@ void addDevice(CLI::App& app) {
   command->require_subcommand(1);
   auto options = std::make_shared<Options>();
 
-  CLI::App* checks = command->add_subcommand("check", "Try a device in your hand: its places, its force, and every way in which that must end");
+  CLI::App* checks = command->add_subcommand(
+      "check", "Try a device in your hand: its places, its force, and every way in which that must end");
   checks->add_option("NAME", options->name, "as `moltact devices` lists it")->required();
   checks->add_flag("--yes", options->yes, "do not ask before the device moves");
-  checks->add_option("--seconds", options->seconds, "how long each part lasts")->check(numberFrom(0.2, 600.0))->capture_default_str();
+  checks->add_option("--seconds", options->seconds, "how long each part lasts")
+      ->check(numberFrom(0.2, 600.0))
+      ->capture_default_str();
   checks->callback([options] { check(*options); });
 
   addDeviceRecording(*command);

@@ -21,21 +21,20 @@ struct PathOptions {
 };
 
 // The tracker as it was newly made for the recording; nullptr where its molecule or method is not there.
-std::unique_ptr<Tracker> trackerOf(const DeviceTrace& trace) {
+std::unique_ptr<Tracker> trackerOf(const ServoRecording& recording) {
   const auto label = [&](const char* key) {
-    return trace.labels.contains(key) ? trace.labels.at(key) : std::string();
+    return recording.labels.contains(key) ? recording.labels.at(key) : std::string();
   };
   const Method* method = findMethod(label("method"));
   const auto file = findMolecule(label("molecule"), MoleculeFolders::ofThisComputer());
-  if (!method || !file || trace.ticks.empty()) return nullptr;
+  if (!method || !file || recording.ticks.empty()) return nullptr;
   ReadOptions reading;
   reading.model = std::max(1, std::atoi(label("model").c_str()));
   reading.waters = label("waters") == "yes";
   reading.assembly = label("assembly");
   const auto molecule = readMolecule(*file, reading);
   if (!molecule) return nullptr;
-  return method->make(std::make_shared<const BallScene>(molecule->balls()),
-                      trace.ticks.front().settings.probe_A);
+  return method->make(std::make_shared<const BallScene>(molecule->balls()), recording.ticks.front().settings.probe_A);
 }
 
 void run(const PathOptions& options) {
@@ -45,20 +44,17 @@ void run(const PathOptions& options) {
     const std::size_t is = label.find('=');
     if (is == std::string::npos || is == 0)
       throw CommandError{
-          Problem{"--label", 0, 0, "\"" + label + "\" is no KEY=VALUE", "write for example --label hand=Anna"}
-              .text()};
+          Problem{"--label", 0, 0, "\"" + label + "\" is no KEY=VALUE", "write for example --label hand=Anna"}.text()};
     path->labels[label.substr(0, is)] = label.substr(is + 1);
   }
   if (options.before_touch_s >= 0) {
     const auto at = [&](auto it) { return std::size_t(it - path->touched.begin()); };
     const std::size_t first = at(std::find(path->touched.begin(), path->touched.end(), true));
     if (first == path->touched.size())
-      throw CommandError{
-          Problem{options.file, 0, 0, "nothing is touched in it", "leave --touching out"}.text()};
+      throw CommandError{Problem{options.file, 0, 0, "nothing is touched in it", "leave --touching out"}.text()};
     const std::size_t last = at(std::find(path->touched.rbegin(), path->touched.rend(), true).base()) - 1;
     const std::size_t begin = first - std::min(first, std::size_t(options.before_touch_s * 1000));
-    path->places = {path->places.begin() + std::ptrdiff_t(begin),
-                    path->places.begin() + std::ptrdiff_t(last) + 1};
+    path->places = {path->places.begin() + std::ptrdiff_t(begin), path->places.begin() + std::ptrdiff_t(last) + 1};
   }
   if (const auto problem = writeWhole(options.out, textOf(*path))) throw CommandError{problem->text()};
   out() << path->places.size() << " ticks in " << options.out << '\n';
@@ -67,13 +63,12 @@ void run(const PathOptions& options) {
 }  // namespace
 
 Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
-  if (file.extension() != ".trace") return bench::readHandPath(file);
-  const auto trace = readTrace(file);
-  if (!trace) return trace.problem();
-  if (trace->ticks.empty())
-    return Problem{file.string(), 0, 0, "the recording holds no ticks", "record it anew"};
-  if (!trace->torn.empty()) err() << "moltact: " << trace->torn << "; the hand's way ends there\n";
-  return bench::handPathOf(*trace, file.stem().string(), trackerOf(*trace).get());
+  if (file.extension() != ".recording") return bench::readHandPath(file);
+  const auto recording = readServoRecording(file);
+  if (!recording) return recording.problem();
+  if (recording->ticks.empty()) return Problem{file.string(), 0, 0, "the recording holds no ticks", "record it anew"};
+  if (!recording->torn.empty()) err() << "moltact: " << recording->torn << "; the hand's way ends there\n";
+  return bench::handPathOf(*recording, file.stem().string(), trackerOf(*recording).get());
 }
 
 void addDevicePath(CLI::App& device) {
@@ -82,8 +77,7 @@ void addDevicePath(CLI::App& device) {
       "path", "Write the way of a recorded hand as rows of numbers: x y z (angstrom), a row a tick");
   command->add_option("FILE", options->file, "a recording")->required();
   command->add_option("--out", options->out, "the file to write")->required();
-  command->add_option("--label", options->labels,
-                      "KEY=VALUE, told in the file's head; may be given several times");
+  command->add_option("--label", options->labels, "KEY=VALUE, told in the file's head; may be given several times");
   command
       ->add_option("--touching", options->before_touch_s,
                    "only from so many seconds before the first touch to the last")

@@ -11,7 +11,7 @@ namespace moltact {
 /// Adds it to `moltact device`.
 void addDevicePath(CLI::App& device);
 
-/// A hand's way from a file: a recording (.trace), or rows of numbers.
+/// A hand's way from a file: a recording (.recording), or rows of numbers.
 Expected<bench::HandPath> openHandPath(const std::filesystem::path& file);
 
 }  // namespace moltact

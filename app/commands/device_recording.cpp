@@ -17,8 +17,8 @@
 #include "engine/platform/terminal.h"
 #include "engine/servo/fit_workspace.h"
 #include "engine/servo/scale.h"
+#include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
-#include "engine/servo/trace.h"
 
 namespace moltact {
 namespace {
@@ -28,7 +28,7 @@ using Labels = std::map<std::string, std::string>;
 
 constexpr int kBrokenOff = 130;  // exit status
 constexpr double kRecordedRoom_A_per_mm = 0.25;
-constexpr int kAsk_ms = 250;  // between two questions for the device's state
+constexpr int kAsk_ms = 250;    // between two questions for the device's state
 constexpr int kReadyLooks = 2;  // in a row: at the first a device may not know yet what it lacks
 
 struct RecordOptions {
@@ -43,10 +43,11 @@ std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) {
 }
 
 // The molecule before the hand, seen along its z-axis.
-ServoSettings settingsFor(const BallScene& scene, const DeviceFigures& device) {
+ServoSettings settingsFor(const BallScene& scene, const DeviceSpecs& device) {
   ServoSettings settings;
   settings.workspace.A_per_mm = kRecordedRoom_A_per_mm;
-  settings.workspace = beforeHand(settings.workspace, scene, settings.probe_A, {0.5 * (scene.low_A() + scene.high_A())}, glm::dmat3(1.0), device);
+  settings.workspace = beforeHand(settings.workspace, scene, settings.probe_A, {0.5 * (scene.low_A() + scene.high_A())},
+                                  glm::dmat3(1.0), device);
   return settings;
 }
 
@@ -62,17 +63,22 @@ std::string lastingName(const MoleculeArgument& molecule) {
 
 Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std::string& device) {
   const ReadOptions& reading = options.molecule.reading;
-  return {{"molecule", lastingName(options.molecule)}, {"model", std::to_string(reading.model)}, {"waters", reading.waters ? "yes" : "no"},
-          {"assembly", reading.assembly}, {"balls", fingerprint(scene)}, {"method", options.method}, {"device", device}};
+  return {{"molecule", lastingName(options.molecule)},
+          {"model", std::to_string(reading.model)},
+          {"waters", reading.waters ? "yes" : "no"},
+          {"assembly", reading.assembly},
+          {"balls", fingerprint(scene)},
+          {"method", options.method},
+          {"device", device}};
 }
 
 // For how long the device did not lead as it should.
 class DeviceWatch {
  public:
-  void add(const TraceTick& tick) {
+  void add(const RecordedTick& tick) {
     gone_ += tick.fallen_back;
     for (std::size_t k = 0; k < std::size(kTold); ++k) acted_[k] += !tick.fallen_back && tick.limits.has(kTold[k]);
-    led_ = led_ || (tick.pose.fresh && !tick.pose.trouble && !tick.fallen_back);
+    led_ = led_ || (tick.pose.fresh && !tick.pose.fault && !tick.fallen_back);
     touching_ += tick.touching;
   }
   bool led() const { return led_; }
@@ -103,7 +109,7 @@ class DeviceWatch {
 // One recording from the first tick to the last.
 class Recorder {
  public:
-  Recorder(const RecordOptions& options, TraceWriter writer, Labels labels)
+  Recorder(const RecordOptions& options, ServoRecordingWriter writer, Labels labels)
       : options_(options), writer_(std::move(writer)), labels_(std::move(labels)) {}
 
   /// Waits until the device is ready, as it asks of the person; then the hand feels `tracker` and is recorded.
@@ -117,7 +123,7 @@ class Recorder {
     for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording() && !interrupt_.seen(); ++look) {
       if (look % (kAsk_ms / 10) == 0) ask(servo);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      servo.drainRecording(start, [&](const TraceTick& tick) {
+      servo.drainRecording(start, [&](const RecordedTick& tick) {
         if (ticks_ == 0 && !problem_) problem_ = writer_.begin(labels_, start);
         if (problem_ || ticks_ == wanted) return;
         ++ticks_;
@@ -168,21 +174,25 @@ class Recorder {
     char kept[80];
     const auto ticks = static_cast<unsigned long long>(writer_.kept());
     std::snprintf(kept, sizeof kept, "%llu ticks (%.2f s)", ticks, double(ticks) * kTick_s);
-    if (problem_) throw CommandError{problem_->text() + "; the force is off, and " + (ticks ? std::string(kept) + " are kept in the file" : "nothing was recorded")};
+    if (problem_)
+      throw CommandError{problem_->text() + "; the force is off, and " +
+                         (ticks ? std::string(kept) + " are kept in the file" : "nothing was recorded")};
     const auto fail = [&](const std::string& what, const std::string& remedy) {
       throw CommandError{Problem{options_.file, 0, 0, what, remedy}.text()};
     };
     if (lost)
-      fail("the computer was too slow: " + std::to_string(lost) + " ticks are missing, so the recording cannot be replayed",
+      fail("the computer was too slow: " + std::to_string(lost) +
+               " ticks are missing, so the recording cannot be replayed",
            "end other programs, or write to another disk");
-    out() << kept << " in " << options_.file << ", " << watch_.touching() << " of them in contact\n" << Lines{watch_.told()};
+    out() << kept << " in " << options_.file << ", " << watch_.touching() << " of them in contact\n"
+          << Lines{watch_.told()};
     if (watch_.led()) return;
     fail("the device led no tick of this recording", last_said_.empty() ? "see `moltact devices`" : last_said_);
   }
 
   const RecordOptions& options_;
   const InterruptWatch interrupt_;  // what was recorded until then is kept, and the device closed in order
-  TraceWriter writer_;
+  ServoRecordingWriter writer_;
   Labels labels_;
   DeviceWatch watch_;
   std::uint64_t ticks_ = 0;
@@ -190,12 +200,13 @@ class Recorder {
   std::string said_, last_said_;
 };
 
-TraceWriter openedFile(const RecordOptions& options) {
-  auto writer = TraceWriter::create(options.file, options.overwrite);
+ServoRecordingWriter openedFile(const RecordOptions& options) {
+  auto writer = ServoRecordingWriter::create(options.file, options.overwrite);
   if (writer) return *std::move(writer);
   std::error_code error;
   if (!options.overwrite && fs::exists(options.file, error))
-    throw CommandError{options.file + " is there already and stays as it is; choose another name, or replace it with --overwrite"};
+    throw CommandError{options.file +
+                       " is there already and stays as it is; choose another name, or replace it with --overwrite"};
   throw CommandError{writer.problem().text()};
 }
 
@@ -233,30 +244,36 @@ MoleculeArgument moleculeOf(const Labels& labels) {
 }
 
 void replayHand(const std::string& file) {
-  const auto trace = readTrace(file);
-  if (!trace) throw CommandError{trace.problem().text()};
+  const auto recording = readServoRecording(file);
+  if (!recording) throw CommandError{recording.problem().text()};
   const auto fail = [&](const std::string& what, const char* remedy) {
     throw CommandError{Problem{file, 0, 0, what, remedy}.text()};
   };
-  if (trace->ticks.empty()) fail(trace->torn.empty() ? "the recording holds no ticks" : trace->torn, "record it anew");
-  const auto label = [&](const char* key) { return trace->labels.contains(key) ? trace->labels.at(key) : std::string(); };
+  if (recording->ticks.empty())
+    fail(recording->torn.empty() ? "the recording holds no ticks" : recording->torn, "record it anew");
+  const auto label = [&](const char* key) {
+    return recording->labels.contains(key) ? recording->labels.at(key) : std::string();
+  };
   const Method* method = findMethod(label("method"));
-  if (!method) fail("it was recorded with a method \"" + label("method") + "\" that is not known here", "record it anew");
-  const auto scene = sceneOf(moleculeOf(trace->labels));
+  if (!method)
+    fail("it was recorded with a method \"" + label("method") + "\" that is not known here", "record it anew");
+  const auto scene = sceneOf(moleculeOf(recording->labels));
   if (!label("balls").empty() && label("balls") != fingerprint(*scene))
-    fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on", "put the old file back, or record it anew");
+    fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
+         "put the old file back, or record it anew");
 
-  const auto tracker = method->make(scene, trace->ticks.front().settings.probe_A);
-  const ReplayResult result = replay(*trace, tracker.get());
+  const auto tracker = method->make(scene, recording->ticks.front().settings.probe_A);
+  const ReplayResult result = replay(*recording, tracker.get());
   char text[200];
   if (result.first_difference) {
     std::snprintf(text, sizeof text, "%llu ticks: the forces differ from tick %llu on, by at most %.3g N%s",
-                  static_cast<unsigned long long>(result.ticks), static_cast<unsigned long long>(*result.first_difference),
-                  result.greatest_difference_N, trace->start ? "" : "; another build made the recording");
-    fail(text + (trace->torn.empty() ? std::string() : "; " + trace->torn), "");
+                  static_cast<unsigned long long>(result.ticks),
+                  static_cast<unsigned long long>(*result.first_difference), result.greatest_difference_N,
+                  recording->start ? "" : "; another build made the recording");
+    fail(text + (recording->torn.empty() ? std::string() : "; " + recording->torn), "");
   }
   out() << result.ticks << " ticks: the same forces to the last bit\n";
-  if (!trace->torn.empty()) fail(trace->torn, "");
+  if (!recording->torn.empty()) fail(recording->torn, "");
 }
 
 }  // namespace
@@ -272,8 +289,12 @@ void addDeviceRecording(CLI::App& device) {
   records->add_option("--out", options->file, "the file to write")->required();
   records->add_flag("--overwrite", options->overwrite, "replace the file if it is there already");
   records->add_option("--method", options->method, "haptic method")->check(CLI::IsMember(names))->capture_default_str();
-  records->add_option("--seconds", options->seconds, "how long; a replay takes 1.3 GB of memory for an hour")->check(numberFrom(0.1, 3600.0))->capture_default_str();
-  records->add_option("--wait", options->wait_s, "how many seconds to wait until the device is ready")->check(numberFrom(0.0, 3600.0))->capture_default_str();
+  records->add_option("--seconds", options->seconds, "how long; a replay takes 1.3 GB of memory for an hour")
+      ->check(numberFrom(0.1, 3600.0))
+      ->capture_default_str();
+  records->add_option("--wait", options->wait_s, "how many seconds to wait until the device is ready")
+      ->check(numberFrom(0.0, 3600.0))
+      ->capture_default_str();
   records->callback([options] { recordHand(*options); });
 
   const auto file = std::make_shared<std::string>();

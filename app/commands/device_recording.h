@@ -1,4 +1,5 @@
-// `moltact device record` and `moltact device replay`: a hand on a molecule as a file, and whether it gives the same forces.
+// `moltact device record` and `moltact device replay`: a hand on a molecule as a file, and whether it gives the same
+// forces.
 #pragma once
 
 #include <CLI/CLI.hpp>

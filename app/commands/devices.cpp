@@ -12,8 +12,13 @@ namespace {
 void printJson(const std::vector<FoundDevice>& found) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const FoundDevice& one : found)
-    all.push_back({{"name", one.name}, {"title", one.title}, {"place", one.place}, {"usable", one.usable}, {"why_not", one.why},
-                   {"gives_force", one.gives_force}, {"default", &one == &defaultDevice(found)}});
+    all.push_back({{"name", one.name},
+                   {"title", one.title},
+                   {"place", one.place},
+                   {"usable", one.usable},
+                   {"why_not", one.why},
+                   {"gives_force", one.gives_force},
+                   {"default", &one == &defaultDevice(found)}});
   printDocument(all);
 }
 

@@ -17,7 +17,8 @@ struct ExportArguments {
 
 void exportGltf(ExportArguments& a) {
   if (std::filesystem::path(a.out).extension() != ".glb")
-    throw CLI::ValidationError("OUT", "'" + a.out + "' does not end in .glb; the scene is written as binary glTF, as in 1ubq.glb");
+    throw CLI::ValidationError(
+        "OUT", "'" + a.out + "' does not end in .glb; the scene is written as binary glTF, as in 1ubq.glb");
   a.options.style = a.style == "surface" ? ExportStyle::Surface : ExportStyle::Balls;
   const Expected<GltfScene> scene = exportMolecule(a.molecule.load(), a.options);
   if (!scene) throw CommandError{scene.problem().text()};
@@ -26,27 +27,37 @@ void exportGltf(ExportArguments& a) {
   for (const GltfNode& node : scene->nodes)
     if (node.mesh != GltfNode::kNone)
       for (const GltfPart& part : scene->meshes[node.mesh].parts) triangles += part.indices.size() / 3;
-  out() << a.out << ": " << triangles << " triangles, " << scene->materials.size() << " colours, 1 unit is " << 1.0 / a.options.units_per_nm << " nm\n";
+  out() << a.out << ": " << triangles << " triangles, " << scene->materials.size() << " colours, 1 unit is "
+        << 1.0 / a.options.units_per_nm << " nm\n";
 }
 
 }  // namespace
 
 void addExport(CLI::App& app) {
-  auto* command = app.add_subcommand("export", "Save a molecule as a glTF file (.glb) for slides, web pages and printing");
+  auto* command =
+      app.add_subcommand("export", "Save a molecule as a glTF file (.glb) for slides, web pages and printing");
   const auto arguments = std::make_shared<ExportArguments>();
   ExportArguments& a = *arguments;
   a.molecule.addTo(*command);
   command->add_option("OUT", a.out, "The .glb file to write")->required();
-  command->add_option("--style", a.style,
-                      "balls: one ball an atom, grouped by chain, for slides; surface: one closed surface, for printing")
-      ->check(CLI::IsMember({"balls", "surface"}))->capture_default_str();
-  command->add_option("--probe", a.options.probe_A, "Inflate every atom by this radius in angstroms; 1.4 gives what a water molecule feels")
-      ->check(numberFrom(0.0, kLargestProbe_A))->capture_default_str();
+  command
+      ->add_option("--style", a.style,
+                   "balls: one ball an atom, grouped by chain, for slides; surface: one closed surface, for printing")
+      ->check(CLI::IsMember({"balls", "surface"}))
+      ->capture_default_str();
+  command
+      ->add_option("--probe", a.options.probe_A,
+                   "Inflate every atom by this radius in angstroms; 1.4 gives what a water molecule feels")
+      ->check(numberFrom(0.0, kLargestProbe_A))
+      ->capture_default_str();
   command->add_option("--step", a.options.step_A, "Fineness of the surface in angstroms; 0 goes by the molecule's size")
-      ->check(numberFrom(0.0, 10.0))->capture_default_str();
-  command->add_option("--units-per-nm", a.options.units_per_nm,
-                      "Units of the file for a nanometre; 0.01 makes a nanometre 1 cm where a unit is read as 1 m")
-      ->check(numberFrom(1e-6, 1e6))->capture_default_str();
+      ->check(numberFrom(0.0, 10.0))
+      ->capture_default_str();
+  command
+      ->add_option("--units-per-nm", a.options.units_per_nm,
+                   "Units of the file for a nanometre; 0.01 makes a nanometre 1 cm where a unit is read as 1 m")
+      ->check(numberFrom(1e-6, 1e6))
+      ->capture_default_str();
   command->callback([arguments] { exportGltf(*arguments); });
 }
 

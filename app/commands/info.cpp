@@ -19,8 +19,7 @@ struct InfoArguments {
 
 std::string listed(const std::map<std::string, std::size_t>& counts) {
   std::string out;
-  for (const auto& [name, count] : counts)
-    out += (out.empty() ? "" : ", ") + name + ' ' + std::to_string(count);
+  for (const auto& [name, count] : counts) out += (out.empty() ? "" : ", ") + name + ' ' + std::to_string(count);
   return out.empty() ? "none" : out;
 }
 
@@ -36,8 +35,7 @@ void printText(const Molecule& molecule, const MoleculeSummary& s) {
   const Vec3 size = s.high_A - s.low_A;
   out() << molecule.id << (molecule.title.empty() ? "" : ": " + molecule.title) << '\n';
   out() << "atoms     " << s.atoms << '\n';
-  out() << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "")
-        << '\n';
+  out() << "residues  " << s.residues << (s.waters ? " (" + std::to_string(s.waters) + " water)" : "") << '\n';
   out() << "chains    " << s.chains << (s.chains ? " (" + named(s.chain_names) + ")" : "") << '\n';
   out() << "elements  " << listed(s.elements) << '\n';
   out() << "ligands   " << listed(s.ligands) << '\n';
@@ -81,7 +79,8 @@ void run(const InfoArguments& arguments) {
 
 void addInfo(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command = app.add_subcommand("info", "Say what a molecule holds: atoms, residues, chains, elements, ligands, size");
+  CLI::App* command =
+      app.add_subcommand("info", "Say what a molecule holds: atoms, residues, chains, elements, ligands, size");
   arguments->molecule.addTo(*command);
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { run(*arguments); });

@@ -6,7 +6,9 @@
 namespace moltact {
 
 void addLessonReference(CLI::App& app) {
-  app.add_subcommand("lesson-reference", "Print every key of a lesson as a Markdown page")->callback([] { out() << Lines{lessonReference()}; });
+  app.add_subcommand("lesson-reference", "Print every key of a lesson as a Markdown page")->callback([] {
+    out() << Lines{lessonReference()};
+  });
 }
 
 }  // namespace moltact

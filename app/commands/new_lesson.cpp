@@ -1,9 +1,10 @@
 // moltact new-lesson NAME: a small working lesson to start from.
+#include "engine/lesson/new_lesson.h"
+
 #include <filesystem>
 #include <memory>
 
 #include "app/commands/command.h"
-#include "engine/lesson/new_lesson.h"
 #include "engine/lesson/source_text.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
@@ -20,7 +21,8 @@ struct NewLessonArguments {
 /// Writes a file that must not exist yet.
 void writeNew(const fs::path& file, const std::string& text) {
   std::error_code error;
-  if (fs::exists(fs::symlink_status(file, error))) throw CommandError{file.string() + " is there already and stays as it is; choose another name"};
+  if (fs::exists(fs::symlink_status(file, error)))
+    throw CommandError{file.string() + " is there already and stays as it is; choose another name"};
   const auto problem = writeWhole(file, text, IfThere::Refuse);
   if (problem) throw CommandError{problem->text() + ", or choose another folder with --folder"};
 }
@@ -35,8 +37,11 @@ std::string shellWord(const std::string& word) {
 
 void run(const NewLessonArguments& arguments) {
   const std::string name = lessonFileName(arguments.name);
-  if (name.empty() || firstBadByte(arguments.name) != std::string::npos || arguments.name.find_first_of("/\n") != std::string::npos)
-    throw CommandError{"'" + arguments.name + "' is no name for a lesson; name it in a few words, such as 'Haem pockets', and its folder with --folder"};
+  if (name.empty() || firstBadByte(arguments.name) != std::string::npos ||
+      arguments.name.find_first_of("/\n") != std::string::npos)
+    throw CommandError{
+        "'" + arguments.name +
+        "' is no name for a lesson; name it in a few words, such as 'Haem pockets', and its folder with --folder"};
   std::error_code error;
   fs::create_directories(arguments.folder, error);
   if (error) throw CommandError{arguments.folder + " cannot be made: " + error.message() + "; choose another folder"};
@@ -46,7 +51,8 @@ void run(const NewLessonArguments& arguments) {
   out() << file.string() << " is written. What to do now:\n"
         << "  moltact " << word << "          see it; it is read again each time you save it\n"
         << "  moltact check " << word << "    what is wrong with it, and what would mend it\n"
-        << "  moltact info MOLECULE" << std::string(word.size() > 8 ? word.size() - 8 : 0, ' ') << "    the chains, residues and ligands that you can name\n"
+        << "  moltact info MOLECULE" << std::string(word.size() > 8 ? word.size() - 8 : 0, ' ')
+        << "    the chains, residues and ligands that you can name\n"
         << "How lessons are written is told in docs/write-a-lesson.md.\n";
 }
 
@@ -55,7 +61,8 @@ void run(const NewLessonArguments& arguments) {
 void addNewLesson(CLI::App& app) {
   auto arguments = std::make_shared<NewLessonArguments>();
   CLI::App* command = app.add_subcommand("new-lesson", "Write a small working lesson to start from");
-  command->add_option("name", arguments->name, "Its name, such as 'Haem pockets'; the file becomes haem-pockets.md")->required();
+  command->add_option("name", arguments->name, "Its name, such as 'Haem pockets'; the file becomes haem-pockets.md")
+      ->required();
   command->add_option("--folder", arguments->folder, "Where to put it")->capture_default_str();
   command->callback([arguments] { run(*arguments); });
 }

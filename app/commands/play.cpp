@@ -1,4 +1,4 @@
-// `moltact play`: a student made of code goes through a lesson, without a window and on a virtual clock.
+// `moltact play`: a scripted learner goes through a lesson, without a window and on a virtual clock.
 #include <cmath>
 #include <cstdio>
 
@@ -6,7 +6,7 @@
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
 #include "engine/lesson/reader.h"
-#include "engine/lesson/student/answers_file.h"
+#include "engine/lesson/scripted_learner/answers_file.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/read_file.h"
 #include "engine/platform/terminal.h"
@@ -20,7 +20,7 @@ struct PlayOptions {
   double task_s = 180.0;
 };
 
-std::string lineOf(const Lesson& lesson, const StudentEvent& e) {
+std::string lineOf(const Lesson& lesson, const LearnerEvent& e) {
   return lesson.file + ":" + std::to_string(e.place.line) + ":" + std::to_string(e.place.column) + ": ";
 }
 
@@ -29,13 +29,14 @@ std::string figuresText(const std::vector<TaskFigure>& figures) {
   for (const TaskFigure& f : figures) {
     char number[48];
     std::snprintf(number, sizeof number, f.value == std::round(f.value) ? "%.0f" : "%.2f", f.value);
-    out += (out.empty() ? "" : ", ") + std::string(f.name) + " " + number + (f.unit.empty() ? "" : " ") + std::string(f.unit);
+    out += (out.empty() ? "" : ", ") + std::string(f.name) + " " + number + (f.unit.empty() ? "" : " ") +
+           std::string(f.unit);
   }
   return out;
 }
 
-void print(const Lesson& lesson, const StudentEvent& e) {
-  using Kind = StudentEvent::Kind;
+void print(const Lesson& lesson, const LearnerEvent& e) {
+  using Kind = LearnerEvent::Kind;
   switch (e.kind) {
     case Kind::Step:
       out() << "step " << e.index + 1 << " of " << lesson.steps.size() << ": " << e.text << " (" << e.note << ")\n";
@@ -51,22 +52,29 @@ void print(const Lesson& lesson, const StudentEvent& e) {
       out() << "    " << (e.right ? "right: " : "wrong: ") << e.answer << '\n';
       if (!e.note.empty()) out() << "    told: " << e.note << '\n';
       break;
-    case Kind::Trouble: out() << "  " << lineOf(lesson, e) << e.note << '\n'; break;
+    case Kind::Fault:
+      out() << "  " << lineOf(lesson, e) << e.note << '\n';
+      break;
   }
 }
 
-nlohmann::ordered_json jsonOf(const StudentEvent& e) {
-  using Kind = StudentEvent::Kind;
-  constexpr const char* kNames[] = {"step", "task", "gave up", "question", "trouble"};
-  nlohmann::ordered_json out{{"event", kNames[static_cast<int>(e.kind)]}, {"time_s", e.time_s}, {"step", e.step}, {"index", e.index},
-                             {"line", e.place.line}, {"column", e.place.column}};
+nlohmann::ordered_json jsonOf(const LearnerEvent& e) {
+  using Kind = LearnerEvent::Kind;
+  constexpr const char* kNames[] = {"step", "task", "gave up", "question", "fault"};
+  nlohmann::ordered_json out{{"event", kNames[static_cast<int>(e.kind)]},
+                             {"time_s", e.time_s},
+                             {"step", e.step},
+                             {"index", e.index},
+                             {"line", e.place.line},
+                             {"column", e.place.column}};
   if (!e.text.empty()) out["text"] = e.text;
   if (e.kind == Kind::Question) {
     out["answer"] = e.answer;
     out["right"] = e.right;
   }
   if (!e.note.empty()) out["told"] = e.note;
-  for (const TaskFigure& f : e.figures) out["figures"].push_back({{"name", f.name}, {"value", f.value}, {"unit", f.unit}});
+  for (const TaskFigure& f : e.figures)
+    out["figures"].push_back({{"name", f.name}, {"value", f.value}, {"unit", f.unit}});
   return out;
 }
 
@@ -75,13 +83,15 @@ Expected<std::shared_ptr<const Molecule>> shared(Expected<Molecule> molecule) {
   return std::make_shared<const Molecule>(*std::move(molecule));
 }
 
-// As the window finds it: beside the lesson, else in the library. A step that shows the same molecule does not read it again.
+// As the window finds it: beside the lesson, else in the library. A step that shows the same molecule does not read it
+// again.
 MoleculeByName library(const std::filesystem::path& lesson) {
   struct Last {
     std::string name;
     std::shared_ptr<const Molecule> molecule;
   };
-  return [folder = lesson.parent_path(), last = std::make_shared<Last>()](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
+  return [folder = lesson.parent_path(),
+          last = std::make_shared<Last>()](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
     if (last->molecule && last->name == name) return last->molecule;
     std::error_code error;
     const std::filesystem::path beside = folder / name;
@@ -96,8 +106,9 @@ MoleculeByName library(const std::filesystem::path& lesson) {
   throw CommandFailed{};
 }
 
-std::vector<StudentAct> actsOf(const std::string& file) {
-  const Expected<std::string> text = readFile(file, 1u << 20, "a file of answers is a text of some lines; take another file");
+std::vector<LearnerAct> actsOf(const std::string& file) {
+  const Expected<std::string> text =
+      readFile(file, 1u << 20, "a file of answers is a text of some lines; take another file");
   if (!text) throw CommandError{text.problem().text()};
   AnswersReading read = readAnswers(file, *text);
   if (read.problems.empty()) return std::move(read.acts);
@@ -108,31 +119,39 @@ void run(const PlayOptions& options) {
   LessonReading reading = readLesson(options.lesson);
   if (!reading.lesson) fail(reading.errors);
   const auto lesson = std::make_shared<const Lesson>(*std::move(reading.lesson));
-  const std::vector<StudentAct> acts = options.demonstrate ? std::vector<StudentAct>() : actsOf(options.answers);
+  const std::vector<LearnerAct> acts = options.demonstrate ? std::vector<LearnerAct>() : actsOf(options.answers);
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
-  const auto watch = [&](const StudentEvent& e) {
-    if (options.json) events.push_back(jsonOf(e));
-    else print(*lesson, e);
+  const auto watch = [&](const LearnerEvent& e) {
+    if (options.json)
+      events.push_back(jsonOf(e));
+    else
+      print(*lesson, e);
   };
-  Student student(lesson, library(options.lesson), watch, {.task_s = options.task_s});
+  ScriptedLearner learner(lesson, library(options.lesson), watch, {.task_s = options.task_s});
   std::vector<Problem> problems;
-  if (options.demonstrate) student.demonstrate();
-  else problems = carryOut(student, acts, options.answers);
+  if (options.demonstrate)
+    learner.demonstrate();
+  else
+    problems = carryOut(learner, acts, options.answers);
 
-  const LessonSession& session = student.session();
+  const LessonSession& session = learner.session();
   std::string left;
   for (std::size_t k = 0; k < lesson->steps.size(); ++k)
     if (!session.stepDone(k)) left += (left.empty() ? "" : ", ") + lesson->steps[k].id;
   if (options.json) {
-    nlohmann::ordered_json all{{"lesson", lesson->file}, {"finished", session.finished()}, {"progress", session.progress()}, {"time_s", student.time_s()}};
+    nlohmann::ordered_json all{{"lesson", lesson->file},
+                               {"finished", session.finished()},
+                               {"progress", session.progress()},
+                               {"time_s", learner.time_s()}};
     all["events"] = std::move(events);
     all["problems"] = nlohmann::ordered_json::array();
     for (const Problem& p : problems) all["problems"].push_back(p.text());
     printDocument(all);
   } else {
     char time[32];
-    std::snprintf(time, sizeof time, "%.1f s", student.time_s());
-    out() << (session.finished() ? "lesson finished" : "lesson not finished") << " after " << time << " on the virtual clock\n";
+    std::snprintf(time, sizeof time, "%.1f s", learner.time_s());
+    out() << (session.finished() ? "lesson finished" : "lesson not finished") << " after " << time
+          << " on the virtual clock\n";
   }
   if (session.finished() && problems.empty()) return;
   if (!session.finished()) problems.push_back({{}, 0, 0, "the lesson was not finished; left in: " + left, {}});
@@ -142,16 +161,20 @@ void run(const PlayOptions& options) {
 }  // namespace
 
 void addPlay(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("play", "Let a student made of code go through a lesson, without a window");
+  CLI::App* command = app.add_subcommand("play", "Let a scripted learner go through a lesson, without a window");
   auto options = std::make_shared<PlayOptions>();
   command->add_option("lesson", options->lesson, "the lesson's file")->required();
-  CLI::Option* answers = command->add_option("--answers", options->answers,
-                                             "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"
-                                             "  method NAME, say WORD, draw FORCE, FORCE, …, answer QUESTION: ANSWER, next, back, go STEP");
-  CLI::Option* demonstrate = command->add_flag("--demonstrate", options->demonstrate, "do every task and answer every question rightly");
+  CLI::Option* answers = command->add_option(
+      "--answers", options->answers,
+      "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"
+      "  method NAME, say WORD, draw FORCE, FORCE, …, answer QUESTION: ANSWER, next, back, go STEP");
+  CLI::Option* demonstrate =
+      command->add_flag("--demonstrate", options->demonstrate, "do every task and answer every question rightly");
   answers->excludes(demonstrate);
   command->add_flag("--json", options->json, "print what happened as JSON");
-  command->add_option("--seconds", options->task_s, "how long a task is tried on the virtual clock")->check(numberFrom(1.0, 36000.0))->capture_default_str();
+  command->add_option("--seconds", options->task_s, "how long a task is tried on the virtual clock")
+      ->check(numberFrom(1.0, 36000.0))
+      ->capture_default_str();
   command->callback([options] {
     if (options->answers.empty() && !options->demonstrate) throw CLI::RequiredError("--answers (or --demonstrate)");
     run(*options);

@@ -9,7 +9,8 @@ namespace moltact {
 void printDocument(const nlohmann::ordered_json& json) {
   std::string text;
   sortOut(
-      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace), [&](std::string_view piece) { text += piece; },
+      json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
+      [&](std::string_view piece) { text += piece; },
       [&](std::uint32_t code, bool) {
         char escaped[8];
         std::snprintf(escaped, sizeof escaped, "\\u%04x", code & 0xFFFFu);

@@ -20,7 +20,8 @@ constexpr double kRadian = std::numbers::pi / 180;
 
 struct RenderArguments {
   MoleculeArgument molecule;
-  std::string out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark", colour = "element";
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark",
+                   colour = "element";
   double probe_A = kWaterProbe_A, azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
   bool look_at_hip = false;
@@ -29,9 +30,10 @@ struct RenderArguments {
 std::pair<int, int> sizeOf(const std::string& text) {
   int width = 0, height = 0;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 16 || height < 16 ||
-      width > 8192 || height > 8192)
-    throw CLI::ValidationError("--size", "'" + text + "' is not a size; write WIDTHxHEIGHT, 16 to 8192 pixels each, as in 1280x800");
+  if (std::sscanf(text.c_str(), "%dx%d%c", &width, &height, &rest) != 2 || width < 16 || height < 16 || width > 8192 ||
+      height > 8192)
+    throw CLI::ValidationError(
+        "--size", "'" + text + "' is not a size; write WIDTHxHEIGHT, 16 to 8192 pixels each, as in 1280x800");
   return {width, height};
 }
 
@@ -39,8 +41,8 @@ std::optional<PointA> hipOf(const std::string& text) {
   if (text.empty()) return std::nullopt;
   PointA hip;
   char rest = 0;
-  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &hip.A.x, &hip.A.y, &hip.A.z, &rest) != 3 ||
-      !finite(hip.A) || glm::length(hip.A) > kFarthest_A)
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%c", &hip.A.x, &hip.A.y, &hip.A.z, &rest) != 3 || !finite(hip.A) ||
+      glm::length(hip.A) > kFarthest_A)
     throw CLI::ValidationError("--hip", "'" + text + "' is not a place; write x,y,z in angstroms, as in 12.5,3,-8");
   return hip;
 }
@@ -78,10 +80,11 @@ void printTimes(Renderer& renderer, const ViewScene& scene, int width, int heigh
   };
   const auto turning = run(true), touching = run(false);
   char text[400];
-  std::snprintf(text, sizeof text, "{\"atoms\": %zu, \"atoms_drawn\": %zu, \"turning_ms_p50\": %.2f, \"turning_ms_max\": %.2f, "
-              "\"touching_ms_p50\": %.2f, \"touching_ms_max\": %.2f}",
-              renderer.count().atoms, renderer.count().atoms_drawn, turning[turning.size() / 2], turning.back(),
-              touching[touching.size() / 2], touching.back());
+  std::snprintf(text, sizeof text,
+                "{\"atoms\": %zu, \"atoms_drawn\": %zu, \"turning_ms_p50\": %.2f, \"turning_ms_max\": %.2f, "
+                "\"touching_ms_p50\": %.2f, \"touching_ms_max\": %.2f}",
+                renderer.count().atoms, renderer.count().atoms_drawn, turning[turning.size() / 2], turning.back(),
+                touching[touching.size() / 2], touching.back());
   out() << text << '\n';
 }
 
@@ -111,7 +114,8 @@ void render(const RenderArguments& arguments) {
   auto renderer = Renderer::create();
   if (!renderer) throw CommandError{renderer.problem().text()};
   if (arguments.time > 0) printTimes(**renderer, scene, width, height, arguments);
-  if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples, .smooth_glyphs = true}))
+  if (const auto problem =
+          (*renderer)->draw(scene, width, height, {.samples = arguments.samples, .smooth_glyphs = true}))
     throw CommandError{problem->text()};
   if (const auto problem = writePng(arguments.out, (*renderer)->readPixels())) throw CommandError{problem->text()};
 }
@@ -126,7 +130,8 @@ void addRender(CLI::App& app) {
   command->add_option("--out", a.out, "The PNG file to write")->required();
   command->add_option("--size", a.size, "Width x height in pixels")->capture_default_str();
   command->add_option("--probe", a.probe_A, "The probe's radius in angstroms")
-      ->check(numberFrom(0.0, kLargestProbe_A))->capture_default_str();
+      ->check(numberFrom(0.0, kLargestProbe_A))
+      ->capture_default_str();
   command->add_option("--hip", a.hip, "Where the hand is: x,y,z in angstroms; it comes there along the line of sight");
   std::string shapes = "What is drawn, parted by commas; the groups are haptic, all and none:";
   for (const ShapeName& s : shapeNames()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
@@ -135,18 +140,27 @@ void addRender(CLI::App& app) {
   for (const Method& m : methods()) names.emplace_back(m.name);
   command->add_option("--method", a.method, "The haptic method")->check(CLI::IsMember(names))->capture_default_str();
   command->add_option("--stiffness", a.stiffness_N_per_A, "Of the spring, in N per angstrom, for the arrow")
-      ->check(numberFrom(0.0, 1e6))->capture_default_str();
+      ->check(numberFrom(0.0, 1e6))
+      ->capture_default_str();
   command->add_option("--azimuth", a.azimuth_deg, "Look from so many degrees to the right")
-      ->check(numberFrom(-360.0, 360.0))->capture_default_str();
+      ->check(numberFrom(-360.0, 360.0))
+      ->capture_default_str();
   command->add_option("--elevation", a.elevation_deg, "Look from so many degrees above")
-      ->check(numberFrom(-360.0, 360.0))->capture_default_str();
+      ->check(numberFrom(-360.0, 360.0))
+      ->capture_default_str();
   command->add_option("--zoom", a.zoom, "Times nearer than the whole molecule")
-      ->check(numberFrom(0.01, 1000.0))->capture_default_str();
+      ->check(numberFrom(0.01, 1000.0))
+      ->capture_default_str();
   command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
-  command->add_option("--colour", a.colour, "What the atoms' colours tell")->check(CLI::IsMember({"element", "chain"}))->capture_default_str();
-  command->add_option("--samples", a.samples, "Samples along each pixel's edge")->check(CLI::Range(1, 4))->capture_default_str();
-  command->add_option("--time", a.time, "Also draws so many pictures and prints the times as JSON")->check(CLI::Range(0, 10000));
+  command->add_option("--colour", a.colour, "What the atoms' colours tell")
+      ->check(CLI::IsMember({"element", "chain"}))
+      ->capture_default_str();
+  command->add_option("--samples", a.samples, "Samples along each pixel's edge")
+      ->check(CLI::Range(1, 4))
+      ->capture_default_str();
+  command->add_option("--time", a.time, "Also draws so many pictures and prints the times as JSON")
+      ->check(CLI::Range(0, 10000));
   command->callback([arguments] { render(*arguments); });
 }
 

@@ -47,7 +47,8 @@ void writeTrace(const ReplayOptions& options, const std::vector<PointA>& path, c
   };
   Expected<Draft> out = Draft::begin(options.out);
   if (!out) throw CommandError{out.problem().text()};
-  std::string row = "tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n";
+  std::string row =
+      "tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n";
   checked(out->append(row));
   for (std::size_t k = 0; k < path.size(); ++k) {
     const Contact& c = contacts[k];
@@ -71,7 +72,9 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
   std::sort(ns.begin(), ns.end());
   double sum = 0;
   for (const double one : ns) sum += one;
-  const auto at = [&](double share) { return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * double(ns.size())))]; };
+  const auto at = [&](double share) {
+    return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * double(ns.size())))];
+  };
   out["mean"] = sum / double(ns.size());
   out["p50"] = at(0.5);
   out["p99"] = at(0.99);
@@ -85,7 +88,9 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
 nlohmann::ordered_json timePath(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
                                 const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
   using Clock = std::chrono::steady_clock;
-  const auto between = [](Clock::time_point a, Clock::time_point b) { return std::chrono::duration<double, std::nano>(b - a).count(); };
+  const auto between = [](Clock::time_point a, Clock::time_point b) {
+    return std::chrono::duration<double, std::nano>(b - a).count();
+  };
   double clock_ns = 1e9;
   for (int k = 0; k < 10'000; ++k) {
     const auto a = Clock::now();
@@ -129,7 +134,8 @@ void run(const ReplayOptions& options) {
     refused += contacts.back().fault == Fault::NotFinite;
   }
   if (inside)
-    err() << "moltact: the HIP starts inside the molecule: no force for the first " << inside << " ticks, until it has been outside\n";
+    err() << "moltact: the HIP starts inside the molecule: no force for the first " << inside
+          << " ticks, until it has been outside\n";
   if (refused) err() << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
   if (!options.out.empty()) writeTrace(options, *path, contacts);
   if (options.time) printDocument(timePath(method, scene, options.probe_A, *path, contacts));
@@ -138,7 +144,8 @@ void run(const ReplayOptions& options) {
 }  // namespace
 
 void addReplay(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("replay", "Lead the HIP along a recorded path and write what a hand would feel");
+  CLI::App* command =
+      app.add_subcommand("replay", "Lead the HIP along a recorded path and write what a hand would feel");
   auto options = std::make_shared<ReplayOptions>();
   options->molecule.addTo(*command);
   command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")->required();
@@ -151,10 +158,13 @@ void addReplay(CLI::App& app) {
   }
   command->add_option("--method", options->method, help)->check(CLI::IsMember(names))->capture_default_str();
   command->add_option("--probe", options->probe_A, "the probe's radius, added to every atom's (angstrom)")
-      ->check(numberFrom(0.0, kLargestProbe_A))->capture_default_str();
+      ->check(numberFrom(0.0, kLargestProbe_A))
+      ->capture_default_str();
   command->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom between HIP and SCP (N)")
-      ->check(numberFrom(0.0, 1e6))->capture_default_str();
-  command->add_flag("--time", options->time, "print how long the ticks took, as JSON (ns): each tick's least of three passes");
+      ->check(numberFrom(0.0, 1e6))
+      ->capture_default_str();
+  command->add_flag("--time", options->time,
+                    "print how long the ticks took, as JSON (ns): each tick's least of three passes");
   command->callback([options] {
     if (options->out.empty() && !options->time) throw CLI::RequiredError("--out (or --time)");
     run(*options);

@@ -30,7 +30,9 @@ void run(const Arguments& arguments) {
       problems.push_back(files.problem());
       continue;
     }
-    if (files->empty()) problems.push_back({named, 0, 0, "there are no .jsonl files in this folder", "name the folder that holds the attempts"});
+    if (files->empty())
+      problems.push_back(
+          {named, 0, 0, "there are no .jsonl files in this folder", "name the folder that holds the attempts"});
     for (const std::filesystem::path& file : *files) {
       Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoTrace);
       if (!attempt) {
@@ -49,18 +51,21 @@ void run(const Arguments& arguments) {
     const std::string now = utcText(std::chrono::system_clock::now());
     write(arguments.html, classPage(summary, problems, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
-  out() << summary.people.size() << (summary.people.size() == 1 ? " student, " : " students, ") << summary.lessons.size()
-        << (summary.lessons.size() == 1 ? " lesson, " : " lessons, ") << summary.attempts << (summary.attempts == 1 ? " attempt" : " attempts") << '\n';
+  out() << summary.people.size() << (summary.people.size() == 1 ? " student, " : " students, ")
+        << summary.lessons.size() << (summary.lessons.size() == 1 ? " lesson, " : " lessons, ") << summary.attempts
+        << (summary.attempts == 1 ? " attempt" : " attempts") << '\n';
 }
 
 }  // namespace
 
 void addReport(CLI::App& app) {
-  CLI::App* command = app.add_subcommand("report", "Report on a class: who finished what, answers, time, force and path");
+  CLI::App* command =
+      app.add_subcommand("report", "Report on a class: who finished what, answers, time, force and path");
   auto arguments = std::make_shared<Arguments>();
   command->add_option("results", arguments->results, "attempts (.jsonl files) or folders of them")->required();
   command->add_option("--csv", arguments->csv, "where to write the table: a row for each student and lesson");
-  command->add_option("--html", arguments->html, "where to write the page: charts, light, dark and print, works offline");
+  command->add_option("--html", arguments->html,
+                      "where to write the page: charts, light, dark and print, works offline");
   command->add_flag("--anonymous", arguments->anonymous, "write S01, S02 ... in the place of names");
   command->callback([arguments] {
     if (arguments->csv.empty() && arguments->html.empty()) throw CLI::RequiredError("--csv or --html");

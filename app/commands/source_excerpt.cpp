@@ -6,8 +6,8 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kWidth = 96;    // places shown of a long line
-constexpr std::size_t kBefore = 64;   // of these before the caret
+constexpr std::size_t kWidth = 96;   // places shown of a long line
+constexpr std::size_t kBefore = 64;  // of these before the caret
 
 /// One code point: its bytes and how many places a terminal gives it.
 struct Letter {
@@ -26,7 +26,8 @@ unsigned codeOf(std::string_view bytes) {
 std::size_t placesOf(std::string_view bytes) {
   const unsigned c = codeOf(bytes);
   const auto in = [c](unsigned low, unsigned high) { return c >= low && c <= high; };
-  if (in(0x300, 0x36F) || in(0x200B, 0x200F) || in(0x20D0, 0x20FF) || in(0xFE00, 0xFE0F)) return 0;  // set upon the letter before
+  if (in(0x300, 0x36F) || in(0x200B, 0x200F) || in(0x20D0, 0x20FF) || in(0xFE00, 0xFE0F))
+    return 0;  // set upon the letter before
   if (in(0x1100, 0x115F) || in(0x2E80, 0xA4CF) || in(0xAC00, 0xD7A3) || in(0xF900, 0xFAFF) || in(0xFE30, 0xFE6F) ||
       in(0xFF00, 0xFF60) || in(0x1F300, 0x1FAFF))
     return 2;

@@ -1,12 +1,12 @@
-// What a person can tell the program to do: one row a command. Menus, tool bar, shortcuts and the sheet that lists them are
-// all made from this table. Window's thread.
+// What a person can tell the program to do: one row a command. Menus, tool bar, shortcuts and the sheet that lists them
+// are all made from this table. Window's thread.
 #pragma once
 
 #include <span>
 #include <string>
 #include <string_view>
 
-#include "app/ui/controls.h"
+#include "app/ui/widgets/controls.h"
 
 namespace moltact {
 
@@ -17,19 +17,19 @@ inline constexpr int kMenus = 5;
 std::string_view menuLabel(Menu menu);
 
 struct Action {
-  std::string_view name;          ///< "open": in the widget map menu/file/open and tool/open
+  std::string_view name;  ///< "open": in the widget map menu/file/open and tool/open
   Menu menu = Menu::File;
-  bool parted = false;            ///< a line stands above it in its menu
+  bool parted = false;  ///< a line stands above it in its menu
   std::string_view label;
-  std::string_view shortcut = {}; ///< "Ctrl+O": as keysPressed() reads it; empty: none
-  std::string_view also = {};     ///< a second shortcut, which menus do not show
-  std::string_view sentence = {}; ///< what it does, where the label does not say it: for the tool tip
+  std::string_view shortcut = {};  ///< "Ctrl+O": as keysPressed() reads it; empty: none
+  std::string_view also = {};      ///< a second shortcut, which menus do not show
+  std::string_view sentence = {};  ///< what it does, where the label does not say it: for the tool tip
   Icon icon = Icon::None;
-  int tool = 0;                   ///< in the tool bar: 1 is kept longest where there is little room, 0 is not there
+  int tool = 0;  ///< in the tool bar: 1 is kept longest where there is little room, 0 is not there
   void (*run)(Application&) = nullptr;
   bool (*enabled)(const Application&) = nullptr;  ///< null: always
   bool (*on)(const Application&) = nullptr;       ///< of a switch; null: it is none
-  bool while_writing = false;     ///< its shortcut works while a text field has the keyboard
+  bool while_writing = false;                     ///< its shortcut works while a text field has the keyboard
 };
 
 /// In the order of the menus and of the tool bar.

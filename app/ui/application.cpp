@@ -4,25 +4,28 @@
 #include <utility>
 
 #include "app/ui/actions.h"
-#include "app/ui/extensions.h"
-#include "app/ui/key_focus.h"
-#include "app/ui/number_text.h"
+#include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/panels.h"
-#include "app/ui/theme.h"
-#include "app/ui/view_picture.h"
+#include "app/ui/scene/view_picture.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/theme.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/results/progress.h"
 
 namespace moltact {
 
 Application::Application(ApplicationOptions given)
-    : scene(given.clock), options_(std::move(given)), picture_(std::make_unique<ViewPicture>()), extensions_(std::make_unique<Extensions>()) {
+    : scene(given.clock),
+      options_(std::move(given)),
+      picture_(std::make_unique<ViewPicture>()),
+      extensions_(std::make_unique<Extensions>()) {
   scene.shown = lesson.shapes();
   if (options_.settings_file.empty()) return;
   LoadedSettings loaded = loadSettings(options_.settings_file);
   settings = std::move(loaded.settings);
   extensions_->settings_keeper.begin(settings);
-  if (!loaded.trouble.empty()) messages.warning(loaded.trouble);
+  if (!loaded.fault.empty()) messages.warning(loaded.fault);
 }
 
 Application::~Application() { end(); }
@@ -106,8 +109,10 @@ void Application::enterScene() {
 }
 
 void Application::beginSceneAgain(std::optional<PointA> before) {
-  if (before) scene.beginAgainAt(*before);
-  else scene.beginAgain(facing());
+  if (before)
+    scene.beginAgainAt(*before);
+  else
+    scene.beginAgain(facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 
@@ -168,8 +173,14 @@ void Application::askForPictureAs() {
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {
-  layout_ = layOut({.window = window_px, .scale = look().scale * look().text, .lesson = panels.lesson && lesson.session() && !extensions_->playback.on(), .touch = panels.touch, .page = panels.welcome,
-                    .lesson_width = float(settings.lesson_width), .touch_width = float(settings.touch_width), .strip_height = extensions_->stripHeight()},
+  layout_ = layOut({.window = window_px,
+                    .scale = look().scale * look().text,
+                    .lesson = panels.lesson && lesson.session() && !extensions_->playback.on(),
+                    .touch = panels.touch,
+                    .page = panels.welcome,
+                    .lesson_width = float(settings.lesson_width),
+                    .touch_width = float(settings.touch_width),
+                    .strip_height = extensions_->stripHeight()},
                    panels.lesson_first);
   if (panels.welcome) return;
   const glm::vec2 view = layout_.view.size();

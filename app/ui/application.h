@@ -1,6 +1,6 @@
 // The program behind the window: what is touched, the lesson that is open, what the person prefers, and the order of a
 // frame. It draws nothing itself: the panels do (app/ui/panels). What is more than that is an extension
-// (app/ui/extension.h). Window's thread.
+// (app/ui/extensions/extension.h). Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -9,15 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "app/ui/file_browser.h"
-#include "app/ui/file_dialog.h"
-#include "app/ui/layout.h"
-#include "app/ui/lesson_guide.h"
-#include "app/ui/loader.h"
-#include "app/ui/messages.h"
+#include "app/ui/files/file_browser.h"
+#include "app/ui/files/file_dialog.h"
+#include "app/ui/files/settings.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/panel_state.h"
-#include "app/ui/settings.h"
-#include "app/ui/touch_scene.h"
+#include "app/ui/scene/loader.h"
+#include "app/ui/scene/touch_scene.h"
+#include "app/ui/widgets/layout.h"
+#include "app/ui/widgets/messages.h"
 
 namespace moltact {
 
@@ -26,11 +26,12 @@ class ViewPicture;
 
 struct ApplicationOptions {
   ServoClock clock = ServoClock::RealThread;
-  bool devices_unasked = true;          ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
-  std::filesystem::path settings_file;  ///< empty: settings are neither read nor kept
-  std::filesystem::path attempts_folder; ///< where attempts at lessons are kept; empty: nowhere
-  std::filesystem::path cache_folder;   ///< for what can be made again; empty: nothing is kept
-  std::filesystem::path picture_folder; ///< where "Save picture" puts pictures (default: the current folder)
+  bool devices_unasked =
+      true;  ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
+  std::filesystem::path settings_file;    ///< empty: settings are neither read nor kept
+  std::filesystem::path attempts_folder;  ///< where attempts at lessons are kept; empty: nowhere
+  std::filesystem::path cache_folder;     ///< for what can be made again; empty: nothing is kept
+  std::filesystem::path picture_folder;   ///< where "Save picture" puts pictures (default: the current folder)
 };
 
 class Application {
@@ -38,11 +39,12 @@ class Application {
   explicit Application(ApplicationOptions options = {});
   ~Application();
 
-  /// The program's end, whatever it comes by: lets the force go, then has everything saved that is to be. Once; the destructor does
-  /// it too.
+  /// The program's end, whatever it comes by: lets the force go, then has everything saved that is to be. Once; the
+  /// destructor does it too.
   void end();
 
-  /// Opens a molecule (a file, or a name of the library), a lesson or an attempt to be played back, by its name's ending. What cannot be opened is told in a message and changes nothing.
+  /// Opens a molecule (a file, or a name of the library), a lesson or an attempt to be played back, by its name's
+  /// ending. What cannot be opened is told in a message and changes nothing.
   void open(const std::filesystem::path& file);
   /// Files were dropped on the window: the first is opened.
   void drop(const std::vector<std::filesystem::path>& dropped);
@@ -80,7 +82,8 @@ class Application {
 
   /// The camera as it was when the scene was opened.
   void resetView();
-  /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins there.
+  /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins
+  /// there.
   void beginSceneAgain(std::optional<PointA> before = {});
   /// The same as resetView because a person asked for it: it can be undone.
   void resetViewByHand();
@@ -99,7 +102,7 @@ class Application {
  private:
   TouchScene::Facing facing() const;
   void takeUp(Loaded loaded);
-  void enterScene();             // of the lesson's step, where that has changed
+  void enterScene();  // of the lesson's step, where that has changed
   void tellSteps();
   void layPanelsOut(glm::vec2 window_px);
 
@@ -110,8 +113,8 @@ class Application {
   Layout layout_;
   double dt_s_ = 0, now_s_ = 0, loading_s_ = 0;
   std::size_t told_opening_ = 0, told_step_ = 0;
-  bool aspect_guessed_ = true;   // the view's shape is known once the first frame has been laid out
-  bool step_scene_ = false;      // what is being read belongs to a lesson's step
+  bool aspect_guessed_ = true;  // the view's shape is known once the first frame has been laid out
+  bool step_scene_ = false;     // what is being read belongs to a lesson's step
   bool leaving_ = false, ended_ = false;
   std::optional<std::filesystem::path> picture_asked_;
 };

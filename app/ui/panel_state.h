@@ -19,17 +19,18 @@ struct CardFocus {
 
 struct PanelState {
   bool lesson = true, touch = true;
-  bool lesson_first = true;     ///< where only one side panel has room
-  bool touch_details = false;   ///< the touch panel's second half
-  bool methods = false;         ///< in the touch panel's place, behind a tab
-  bool methods_first = false;   ///< which of the two is in front
-  bool by_step = false;         ///< the lesson's step set touch and methods, so that another sets them back
-  bool hints = false;           ///< the current step's hints
-  bool lesson_problems = false; ///< the list of what is wrong with the lesson's file
+  bool lesson_first = true;             ///< where only one side panel has room
+  bool touch_details = false;           ///< the touch panel's second half
+  bool methods = false;                 ///< in the touch panel's place, behind a tab
+  bool methods_first = false;           ///< which of the two is in front
+  bool by_step = false;                 ///< the lesson's step set touch and methods, so that another sets them back
+  bool hints = false;                   ///< the current step's hints
+  bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
   float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)
-  bool arrows_draw = false;     ///< in this frame the arrow keys lead a pen in the lesson and not the probe
-  std::size_t lesson_task = 0;  ///< the step's current task when it was last drawn
-  bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false, turns_page = false;
+  bool arrows_draw = false;             ///< in this frame the arrow keys lead a pen in the lesson and not the probe
+  std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
+  bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
+       turns_page = false;
   bool keys_in_panels = false;  ///< Tab has led the keys from the molecule to the panels (key_focus.h)
   bool popup_open = false;      ///< in the last frame a page, menu or list was
   bool alt_alone = false;       ///< Alt is down and nothing else has been pressed since
@@ -38,8 +39,8 @@ struct PanelState {
   bool at_submenu = false;      ///< in it the keys are at a line that opens another menu
   bool welcome = false;         ///< the welcome page stands in the place of view and panels
   CardFocus card;
-  float menus_end = 0.0f;       ///< where the menus end (unit: pixel): the tool bar has room from there on
-  bool full_screen = false;     ///< as the window is to be
+  float menus_end = 0.0f;    ///< where the menus end (unit: pixel): the tool bar has room from there on
+  bool full_screen = false;  ///< as the window is to be
   std::size_t lesson_step = ~std::size_t{0};  ///< whose text stands in the lesson panel: another begins at its top
 
   /// Opens the panel that compares methods, or closes it.

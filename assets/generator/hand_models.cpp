@@ -42,7 +42,8 @@ GltfScene makeStylus() {
   GltfScene scene;
   scene.title = "stylus";
   scene.notes = {{"unit", "1 m"}};
-  scene.materials = {{"tip", {0.30f, 0.33f, 0.38f}}, {"ring", {0.06f, 0.55f, 0.52f}}, {"barrel", {0.86f, 0.88f, 0.91f}}};
+  scene.materials = {
+      {"tip", {0.30f, 0.33f, 0.38f}}, {"ring", {0.06f, 0.55f, 0.52f}}, {"barrel", {0.86f, 0.88f, 0.91f}}};
   GltfMesh mesh{.name = "stylus", .places = {}, .normals = {}, .parts = {}};
   constexpr float kBall_mm = 1.2f;
   constexpr int kArc = 6;
@@ -83,7 +84,9 @@ GltfScene makeFinger() {
   scene.title = "finger";
   scene.notes = {{"unit", "1 m"}};
   scene.materials = {{"skin", {0.79f, 0.74f, 0.76f}}, {"nail", {0.95f, 0.92f, 0.94f}}};
-  GltfMesh mesh{.name = "finger", .places = {}, .normals = std::vector<glm::vec3>(surface.places.size()),
+  GltfMesh mesh{.name = "finger",
+                .places = {},
+                .normals = std::vector<glm::vec3>(surface.places.size()),
                 .parts = {{.indices = {}, .material = 0}, {.indices = {}, .material = 1}}};
   for (const glm::vec3& p : surface.places) mesh.places.push_back((p + glm::vec3(surface.middle_A)) * kM_per_mm);
   for (std::size_t t = 0; t < surface.owners.size(); ++t) {

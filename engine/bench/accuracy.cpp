@@ -31,14 +31,12 @@ struct Errors {
 };
 
 // The balls that any place within `reach` of the path could touch.
-std::vector<Ball> ballsNear(const BallScene& scene, double probe_A, const Vec3* path, std::size_t count,
-                            double reach) {
+std::vector<Ball> ballsNear(const BallScene& scene, double probe_A, const Vec3* path, std::size_t count, double reach) {
   Vec3 low(1e300), high(-1e300);
   for (std::size_t k = 0; k < count; ++k) low = glm::min(low, path[k]), high = glm::max(high, path[k]);
   std::vector<Ball> out;
   scene.visitNearBox(low, high, reach + probe_A, [&](auto, const Ball& b) {
-    if (glm::distance(b.centre_A, glm::clamp(b.centre_A, low, high)) <= b.radius_A + probe_A + reach)
-      out.push_back(b);
+    if (glm::distance(b.centre_A, glm::clamp(b.centre_A, low, high)) <= b.radius_A + probe_A + reach) out.push_back(b);
   });
   return out;
 }

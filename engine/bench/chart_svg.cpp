@@ -8,8 +8,7 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kPanelWidth = 560, kPanelHeight = 430, kLeft = 84, kRight = 20, kTop = 84, kBottom = 66,
-                 kFont = 14;
+constexpr double kPanelWidth = 560, kPanelHeight = 430, kLeft = 84, kRight = 20, kTop = 84, kBottom = 66, kFont = 14;
 constexpr double kMark = 6;
 
 std::string num(double v) {
@@ -108,8 +107,8 @@ class Svg {
         polygon({{0, -r - 2}, {r + 2, 0}, {0, r + 2}, {-r - 2, 0}}, solid);
         break;
       case Mark::Cross:
-        path("M" + num(x - r) + " " + num(y - r) + "L" + num(x + r) + " " + num(y + r) + "M" + num(x - r) +
-                 " " + num(y + r) + "L" + num(x + r) + " " + num(y - r),
+        path("M" + num(x - r) + " " + num(y - r) + "L" + num(x + r) + " " + num(y + r) + "M" + num(x - r) + " " +
+                 num(y + r) + "L" + num(x + r) + " " + num(y - r),
              "class=\"mark\" fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"2.5\"");
         break;
     }
@@ -130,10 +129,9 @@ std::string power(int exponent) {
   return out;
 }
 
-void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, double x0, double x1,
-              double y0, double y1) {
-  const std::string fine = "stroke=\"#ececec\" stroke-width=\"1\"",
-                    grid = "stroke=\"#cfcfcf\" stroke-width=\"1\"",
+void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis& y, double x0, double x1, double y0,
+              double y1) {
+  const std::string fine = "stroke=\"#ececec\" stroke-width=\"1\"", grid = "stroke=\"#cfcfcf\" stroke-width=\"1\"",
                     frame = "stroke=\"#1a1a1a\" stroke-width=\"1.2\"";
   const auto minor = [&](const LogAxis& axis, auto&& draw) {
     if (axis.high() - axis.low() > 9) return;
@@ -164,8 +162,7 @@ void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis
   svg.text(x0, y0 - 14, panel.title, "start", "font-weight=\"bold\"");
   svg.text((x0 + x1) / 2, y1 + 44, panel.x_axis, "middle");
   const double mid = (y0 + y1) / 2;
-  svg.text(x0 - 58, mid, panel.y_axis, "middle",
-           "transform=\"rotate(-90 " + num(x0 - 58) + " " + num(mid) + ")\"");
+  svg.text(x0 - 58, mid, panel.y_axis, "middle", "transform=\"rotate(-90 " + num(x0 - 58) + " " + num(mid) + ")\"");
 }
 
 // Puts each label where it covers least: beside its mark first, then a little away with a thin line to it.
@@ -210,8 +207,7 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
 }
 
 void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
-  const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight, y0 = kTop,
-               y1 = kTop + kPanelHeight - kBottom;
+  const double x0 = left + kLeft, x1 = left + kPanelWidth - kRight, y0 = kTop, y1 = kTop + kPanelHeight - kBottom;
   std::vector<double> xs, ys;
   for (const ChartSeries& s : panel.series)
     for (const ChartPoint& p : s.points)
@@ -222,8 +218,7 @@ void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
     if (!s.joined) continue;
     std::string d;
     for (const ChartPoint& p : s.points)
-      if (p.x > 0 && p.y > 0)
-        d.append(d.empty() ? "M" : "L").append(num(x.at(p.x))).append(" ").append(num(y.at(p.y)));
+      if (p.x > 0 && p.y > 0) d.append(d.empty() ? "M" : "L").append(num(x.at(p.x))).append(" ").append(num(y.at(p.y)));
     svg.path(d, std::string("fill=\"none\" stroke=\"#5a5a5a\" stroke-width=\"1.6\"") +
                     (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
   }
@@ -235,8 +230,7 @@ void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
 
 }  // namespace
 
-std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels,
-                     const std::string& note) {
+std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note) {
   Svg svg;
   const double width = kPanelWidth * double(panels.size()), legend_y = kTop + kPanelHeight + 8;
   svg.text(kLeft, 34, title, "start", "font-size=\"19\" font-weight=\"bold\"");
@@ -249,9 +243,9 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
       if (s.name.empty() || std::find(named.begin(), named.end(), s.name) != named.end()) continue;
       named.push_back(s.name);
       if (s.joined)
-        svg.line(at - 10, legend_y - 5, at + 14, legend_y - 5,
-                 std::string("stroke=\"#5a5a5a\" stroke-width=\"1.6\"") +
-                     (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
+        svg.line(
+            at - 10, legend_y - 5, at + 14, legend_y - 5,
+            std::string("stroke=\"#5a5a5a\" stroke-width=\"1.6\"") + (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
       if (s.marked) svg.mark(s.mark, at + 2, legend_y - 5);
       svg.text(at + 20, legend_y, s.name, "start");
       at += (s.joined ? 62 : 46) + textWidth(s.name);
@@ -263,8 +257,8 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
          "\" viewBox=\"0 0 " + num(width) + " " + num(height) +
          "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" "
          "fill=\"#1a1a1a\">\n<title>" +
-         escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" +
-         std::move(svg).take() + "</svg>\n";
+         escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + std::move(svg).take() +
+         "</svg>\n";
 }
 
 }  // namespace moltact::bench

@@ -31,7 +31,6 @@ struct ChartPanel {
 };
 
 /// The panels side by side under a title, the legend of all below them, and a note.
-std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels,
-                     const std::string& note);
+std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note);
 
 }  // namespace moltact::bench

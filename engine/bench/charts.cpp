@@ -24,8 +24,8 @@ Family familyOf(std::string_view method) {
 }
 
 template <class Error, class Best>
-ChartPanel tradeOffPanel(const std::vector<TradeOff>& points, std::string title, std::string y_axis,
-                         Error error, Best best) {
+ChartPanel tradeOffPanel(const std::vector<TradeOff>& points, std::string title, std::string y_axis, Error error,
+                         Best best) {
   ChartPanel panel{std::move(title), "mean time of one tick in contact (ns)", std::move(y_axis), {}};
   ChartSeries front{"best trade-offs", Mark::Disc, true, true, false, {}};
   for (const TradeOff& p : points) {
@@ -46,17 +46,17 @@ ChartPanel tradeOffPanel(const std::vector<TradeOff>& points, std::string title,
 }  // namespace
 
 std::string tradeOffChart(const std::vector<TradeOff>& points, std::size_t spheres) {
-  return chartSvg("Speed against accuracy, sliding over " + readable(double(spheres)) + " spheres",
-                  {tradeOffPanel(
-                       points, "Where the surface is", "error of the SCP, rms (Å)",
-                       [](const TradeOff& p) { return p.accuracy.scp_A.rms; },
-                       [](const TradeOff& p) { return p.best_scp; }),
-                   tradeOffPanel(
-                       points, "Which way it pushes", "error of the force's direction, rms (degrees)",
-                       [](const TradeOff& p) { return p.accuracy.direction_deg.rms; },
-                       [](const TradeOff& p) { return p.best_direction; })},
-                  "Left and down is better. Errors against exact; those of exact against the brute-force "
-                  "oracle. moltact bench chart");
+  return chartSvg(
+      "Speed against accuracy, sliding over " + readable(double(spheres)) + " spheres",
+      {tradeOffPanel(
+           points, "Where the surface is", "error of the SCP, rms (Å)",
+           [](const TradeOff& p) { return p.accuracy.scp_A.rms; }, [](const TradeOff& p) { return p.best_scp; }),
+       tradeOffPanel(
+           points, "Which way it pushes", "error of the force's direction, rms (degrees)",
+           [](const TradeOff& p) { return p.accuracy.direction_deg.rms; },
+           [](const TradeOff& p) { return p.best_direction; })},
+      "Left and down is better. Errors against exact; those of exact against the brute-force "
+      "oracle. moltact bench chart");
 }
 
 std::string sizeChart(const std::vector<SceneTimes>& times) {
@@ -70,10 +70,9 @@ std::string sizeChart(const std::vector<SceneTimes>& times) {
     for (const SceneTimes& scene : times)
       for (const TickTimes& row : scene.contact) {
         if (row.method->name != name) continue;
-        bytes.points.push_back({double(scene.spheres), double(row.footprint.bytes),
-                                readable(double(row.footprint.atoms_modelled)) + " modelled"});
-        ms.points.push_back(
-            {double(scene.spheres), 1e3 * (scene.scene_s + row.make_s + row.first_touch_s), ""});
+        bytes.points.push_back({double(scene.spheres), double(row.memory_usage.bytes),
+                                readable(double(row.memory_usage.atoms_modelled)) + " modelled"});
+        ms.points.push_back({double(scene.spheres), 1e3 * (scene.scene_s + row.make_s + row.first_touch_s), ""});
       }
     const auto by_size = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
     std::sort(bytes.points.begin(), bytes.points.end(), by_size);

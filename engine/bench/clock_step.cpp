@@ -9,14 +9,15 @@
 namespace moltact::bench {
 namespace {
 
-constexpr double kWidest_ns = 200.0;   // a coarser clock times nothing here
-constexpr double kReach_ns = 2000.0;   // longer differences say more of interruptions than of the clock
+constexpr double kWidest_ns = 200.0;  // a coarser clock times nothing here
+constexpr double kReach_ns = 2000.0;  // longer differences say more of interruptions than of the clock
 
 }  // namespace
 
 double stepOf(const std::vector<double>& differences_ns) {
-  // How well the differences lie on a comb: the length of the mean of exp(2 pi i d / step), 1 where all are multiples of it.
-  // Rounding to whole nanoseconds shortens it to sinc^2(1 / step); half of them between the teeth would make it 0.
+  // How well the differences lie on a comb: the length of the mean of exp(2 pi i d / step), 1 where all are multiples
+  // of it. Rounding to whole nanoseconds shortens it to sinc^2(1 / step); half of them between the teeth would make it
+  // 0.
   double shortest = kWidest_ns;  // no tooth is wider than the shortest difference
   for (const double d : differences_ns)
     if (d > 0) shortest = std::min(shortest, d + 1.0);

@@ -46,12 +46,10 @@ LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   // The held force is that of a place as far off as the device has moved since it was read, and of the
   // rounding.
   recent_m_.push_back(glm::length(moved_m));
-  if (recent_m_.size() > static_cast<std::size_t>(settings_.device.delay_ticks) + 1)
-    recent_m_.erase(recent_m_.begin());
+  if (recent_m_.size() > static_cast<std::size_t>(settings_.device.delay_ticks) + 1) recent_m_.erase(recent_m_.begin());
   double off_m = 0.87e-3 * settings_.device.resolution_mm;
   for (const double m : recent_m_) off_m += m;
-  if (out.contact.touching() || glm::length(device_.held().N) > 0)
-    sampling_ += k * off_m * glm::length(moved_m);
+  if (out.contact.touching() || glm::length(device_.held().N) > 0) sampling_ += k * off_m * glm::length(moved_m);
   place_mm_ = here;
   return out;
 }

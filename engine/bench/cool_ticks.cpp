@@ -11,7 +11,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr std::size_t kTurns = 4;       // of every method
+constexpr std::size_t kTurns = 4;        // of every method
 constexpr std::size_t kLine_bytes = 64;  // of a cache, or a part of one
 
 // A method on its way through the strokes.
@@ -98,17 +98,18 @@ ReportTable coolTable(const std::vector<CoolTimes>& cool, const std::vector<Tick
   for (const CoolTimes& c : cool)
     if (c.method->name == "exact") exact = &c;
   for (const CoolTimes& c : cool) {
-    const auto beside = std::find_if(hot.begin(), hot.end(), [&](const TickTimes& row) { return row.method == c.method; });
-    t.rows.push_back({std::string(c.method->name), beside == hot.end() ? Cell{} : Cell{beside->mean_ns}, c.sleeping_ns.p50,
-                      c.sleeping_ns.p99, c.sleeping_ns.max, c.thrashed_ns.p50, c.thrashed_ns.p99,
+    const auto beside =
+        std::find_if(hot.begin(), hot.end(), [&](const TickTimes& row) { return row.method == c.method; });
+    t.rows.push_back({std::string(c.method->name), beside == hot.end() ? Cell{} : Cell{beside->mean_ns},
+                      c.sleeping_ns.p50, c.sleeping_ns.p99, c.sleeping_ns.max, c.thrashed_ns.p50, c.thrashed_ns.p99,
                       ratio(c.sleeping_ns.p50, exact ? exact->sleeping_ns.p50 : 0),
                       ratio(c.thrashed_ns.p50, exact ? exact->thrashed_ns.p50 : 0), 100 * c.touching});
   }
   t.note = "Each ms: " + readable(cool.empty() ? 0 : double(cool.front().sleeping_ns.count)) +
            " ticks of each method, one a millisecond, the thread asleep between. Caches lost: " +
            readable(cool.empty() ? 0 : double(cool.front().thrashed_ns.count)) + " ticks, each after " +
-           readable(double(kThrashed_bytes >> 20)) + " MiB of other memory have been read and written. The clock steps by " +
-           readable(clockStep_ns()) + " ns.";
+           readable(double(kThrashed_bytes >> 20)) +
+           " MiB of other memory have been read and written. The clock steps by " + readable(clockStep_ns()) + " ns.";
   return t;
 }
 

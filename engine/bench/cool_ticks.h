@@ -1,6 +1,6 @@
-// What a hand meets: ticks in contact as the haptic thread runs them, one a millisecond with sleep between, and ticks after
-// something else has had the caches. Single ticks, timed by the clock; methods take turns. Runs on the calling thread.
-// Units: nanosecond.
+// What a hand meets: ticks in contact as the haptic thread runs them, one a millisecond with sleep between, and ticks
+// after something else has had the caches. Single ticks, timed by the clock; methods take turns. Runs on the calling
+// thread. Units: nanosecond.
 #pragma once
 
 #include <memory>
@@ -13,8 +13,8 @@ namespace moltact::bench {
 
 struct CoolTimes {
   const Method* method = nullptr;
-  Spread sleeping_ns;  ///< one tick a millisecond
-  Spread thrashed_ns;  ///< each tick after kThrashed_bytes have been read and written
+  Spread sleeping_ns;   ///< one tick a millisecond
+  Spread thrashed_ns;   ///< each tick after kThrashed_bytes have been read and written
   double touching = 0;  ///< share of these ticks in contact (0 to 1)
 };
 

@@ -14,8 +14,7 @@ namespace {
 constexpr double kDepth_A = 0.6, kStep_A = 0.02;
 
 // A circle of places, once round, started after a straight way in from `outside`.
-FeelPath round(std::string name, scenes::Scene scene, Vec3 centre, Vec3 u, Vec3 w, double radius,
-               Vec3 outside) {
+FeelPath round(std::string name, scenes::Scene scene, Vec3 centre, Vec3 u, Vec3 w, double radius, Vec3 outside) {
   FeelPath path{std::move(name), std::move(scene), {}, {}};
   const int ticks = static_cast<int>(2 * std::numbers::pi * radius / kStep_A);
   const Vec3 first = centre + u * radius;
@@ -34,16 +33,15 @@ std::vector<FeelPath> feelPaths() {
   const scenes::Scene one = scenes::oneBall();
   const double R = one.balls[0].radius_A + one.probe_A;
   // A plane in no relation to any mesh's own axes.
-  const Vec3 u = glm::normalize(Vec3(0.8, 0.5, -0.33)),
-             w = glm::normalize(glm::cross(u, Vec3(0.2, 0.9, 0.4)));
+  const Vec3 u = glm::normalize(Vec3(0.8, 0.5, -0.33)), w = glm::normalize(glm::cross(u, Vec3(0.2, 0.9, 0.4)));
   out.push_back(round("one sphere", one, Vec3(0), u, w, R - kDepth_A, u * (R + 0.5)));
 
   const scenes::Scene bond = scenes::bond();
   const double a = bond.balls[0].radius_A + bond.probe_A, b = bond.balls[1].radius_A + bond.probe_A,
                d = bond.balls[1].centre_A.x;
   const double x = (d * d - b * b + a * a) / (2 * d), circle = std::sqrt(a * a - x * x);
-  out.push_back(round("crease", bond, Vec3(x, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), circle - kDepth_A,
-                      Vec3(x, circle + 0.5, 0)));
+  out.push_back(
+      round("crease", bond, Vec3(x, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), circle - kDepth_A, Vec3(x, circle + 0.5, 0)));
 
   const scenes::Scene pit = scenes::pit();
   const double p = pit.balls[0].radius_A + pit.probe_A, side = pit.balls[1].centre_A.x;

@@ -61,8 +61,7 @@ Felt feltOn(const std::string& where, const Method& method, const std::shared_pt
       steps_wide += step > kForceWeberWide;
     }
   }
-  for (const double angle : direction)
-    seen += angle > kDirectionSeen_deg, blind += angle > kDirectionBlind_deg;
+  for (const double angle : direction) seen += angle > kDirectionSeen_deg, blind += angle > kDirectionBlind_deg;
   const double n = double(std::max<std::size_t>(out.ticks, 1));
   out.direction_deg = spreadOf(std::move(direction));
   out.direction_seen = double(seen) / n, out.direction_blind = double(blind) / n;
@@ -80,8 +79,7 @@ Felt together(const std::string& where, const std::vector<Felt>& parts) {
     const double before = double(out.ticks), now = double(p.ticks), all = std::max(before + now, 1.0);
     const auto mix = [&](double& a, double b) { a = (a * before + b * now) / all; };
     mix(out.direction_seen, p.direction_seen), mix(out.direction_blind, p.direction_blind);
-    mix(out.size, p.size), mix(out.size_wide, p.size_wide), mix(out.steps, p.steps),
-        mix(out.steps_wide, p.steps_wide);
+    mix(out.size, p.size), mix(out.size_wide, p.size_wide), mix(out.steps, p.steps), mix(out.steps_wide, p.steps_wide);
     mix(out.off, p.off), mix(out.lost, p.lost);
     mix(out.direction_deg.p50, p.direction_deg.p50), mix(out.direction_deg.p99, p.direction_deg.p99);
     out.direction_deg.max = std::max(out.direction_deg.max, p.direction_deg.max);
@@ -111,8 +109,8 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
     std::vector<Cell> row{std::string(f.method->name)};
     if (!ns.empty()) row.push_back(k < ns.size() && ns[k] > 0 ? Cell{ns[k]} : Cell{});
     for (const double value :
-         {f.direction_deg.p50, f.direction_deg.p99, 100 * f.direction_seen, 100 * f.direction_blind,
-          100 * f.size, 100 * f.size_wide, f.steps, f.steps_wide, 100 * f.off, 100 * f.lost})
+         {f.direction_deg.p50, f.direction_deg.p99, 100 * f.direction_seen, 100 * f.direction_blind, 100 * f.size,
+          100 * f.size_wide, f.steps, f.steps_wide, 100 * f.off, 100 * f.lost})
       row.push_back(value);
     t.rows.push_back(std::move(row));
   }
@@ -125,8 +123,8 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
 }
 
 std::string feltSentences(const std::vector<Felt>& rows) {
-  const auto sorted = [&](const char* what, const std::function<double(const Felt&)>& of, double never,
-                          double often, const char* unit, double times) {
+  const auto sorted = [&](const char* what, const std::function<double(const Felt&)>& of, double never, double often,
+                          const char* unit, double times) {
     std::vector<std::string> no, at_times, yes;
     for (const Felt& f : rows) {
       if (f.method->name == "exact") continue;
@@ -147,14 +145,13 @@ std::string feltSentences(const std::vector<Felt>& rows) {
              "A wrong direction, in the dark", [](const Felt& f) { return f.direction_blind; }, kNeverShare,
              kOftenShare, " % of ticks", 100) +
          sorted(
-             "A wrong direction, beside the picture", [](const Felt& f) { return f.direction_seen; },
-             kNeverShare, kOftenShare, " % of ticks", 100) +
+             "A wrong direction, beside the picture", [](const Felt& f) { return f.direction_seen; }, kNeverShare,
+             kOftenShare, " % of ticks", 100) +
          sorted(
              "A wrong size, by 10 %", [](const Felt& f) { return f.size_wide; }, kNeverShare, kOftenShare,
              " % of ticks", 100) +
          sorted(
-             "A step of 10 %", [](const Felt& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0,
-             " a second", 1) +
+             "A step of 10 %", [](const Felt& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " a second", 1) +
          "\nCannot: in at most " + constant(100 * kNeverShare) + " % of ticks, or at most " +
          constant(kNeverSteps_per_s) + " times a second; often: in more than " + constant(100 * kOftenShare) +
          " % of ticks, or more than once a second.\n";

@@ -27,10 +27,9 @@ struct Felt {
   double direction_blind = 0;      ///< share over kDirectionBlind_deg
   double size = 0, size_wide = 0;  ///< share whose force differs in size by over kForceWeber, kForceWeberWide
   double steps = 0,
-         steps_wide =
-             0;  ///< times a second: the force steps by those shares more than exact's does within two ticks
-  double off = 0;   ///< share with the SCP over kPlaceFelt_A from exact's
-  double lost = 0;  ///< share without contact
+         steps_wide = 0;  ///< times a second: the force steps by those shares more than exact's does within two ticks
+  double off = 0;         ///< share with the SCP over kPlaceFelt_A from exact's
+  double lost = 0;        ///< share without contact
 };
 
 /// One method along strokes; both trackers begin anew with each.

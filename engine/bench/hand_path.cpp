@@ -72,8 +72,7 @@ struct Row {
 };
 
 // Places at every tick from rows at their own times.
-void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, bool forces, double scale,
-            HandPath& out) {
+void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, bool forces, double scale, HandPath& out) {
   const double length_s = time_s.back() - time_s.front();
   const auto ticks = static_cast<std::size_t>(std::floor(length_s / kTick_s + 1e-6)) + 1;
   std::size_t row = 0;
@@ -81,8 +80,7 @@ void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, boo
     const double t = time_s.front() + double(k) * kTick_s;
     while (row + 2 < rows.size() && time_s[row + 1] < t) ++row;
     const std::size_t next = std::min(row + 1, rows.size() - 1);
-    const double part =
-        next == row ? 0.0 : std::clamp((t - time_s[row]) / (time_s[next] - time_s[row]), 0.0, 1.0);
+    const double part = next == row ? 0.0 : std::clamp((t - time_s[row]) / (time_s[next] - time_s[row]), 0.0, 1.0);
     const auto place = [&](const Row& r) { return Vec3(r.value[1], r.value[2], r.value[3]) * scale; };
     out.places.push_back(glm::mix(place(rows[row]), place(rows[next]), part));
     const auto& f = rows[part < 0.5 ? row : next].value;
@@ -111,11 +109,9 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
     ++line_number;
     if (line.empty()) continue;
     if (isComment(line)) {
-      const std::string_view said =
-          trimmed(line.substr(std::min(line.find_first_not_of("#%;/"), line.size())));
+      const std::string_view said = trimmed(line.substr(std::min(line.find_first_not_of("#%;/"), line.size())));
       const std::size_t colon = said.find(':');
-      if (colon == std::string_view::npos ||
-          said.substr(0, colon).find_first_of(" \t") != std::string_view::npos)
+      if (colon == std::string_view::npos || said.substr(0, colon).find_first_of(" \t") != std::string_view::npos)
         continue;
       const std::string key(trimmed(said.substr(0, colon))), value(trimmed(said.substr(colon + 1)));
       out.labels[key] = value;
@@ -138,10 +134,10 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       columns = columnsOf(fields.size());
     }
     if (fields.size() < columns->size())
-      return Problem{name, line_number, 1,
-                     "this row has " + std::to_string(fields.size()) + " numbers instead of " +
-                         std::to_string(columns->size()),
-                     "write every row alike"};
+      return Problem{
+          name, line_number, 1,
+          "this row has " + std::to_string(fields.size()) + " numbers instead of " + std::to_string(columns->size()),
+          "write every row alike"};
     Row row;
     row.line = line_number;
     for (std::size_t k = 0; k < columns->size(); ++k) {
@@ -155,8 +151,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
     rows.push_back(row);
   }
   if (rows.empty())
-    return Problem{name, 0, 0, "there is no row of numbers in this file",
-                   "write a row a tick: x y z, or t x y z"};
+    return Problem{name, 0, 0, "there is no row of numbers in this file", "write a row a tick: x y z, or t x y z"};
 
   const std::string unit = out.label("unit").empty() ? "mm" : out.label("unit");
   const double scale = unit == "A" || unit == "mm" ? 1.0 : unit == "cm" ? 10.0 : unit == "m" ? 1000.0 : 0.0;
@@ -165,11 +160,9 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   out.on_molecule = unit == "A";
   const std::string time_unit = out.label("time_unit").empty() ? "s" : out.label("time_unit");
   if (time_unit != "s" && time_unit != "ms")
-    return Problem{name, 0, 0, "the time unit \"" + time_unit + "\" is not known",
-                   "write \"# time_unit: s\" or ms"};
+    return Problem{name, 0, 0, "the time unit \"" + time_unit + "\" is not known", "write \"# time_unit: s\" or ms"};
   double tick_s = kTick_s;
-  for (const auto& [key, target] :
-       {std::pair<const char*, double*>{"tick_s", &tick_s}, {"probe_A", &out.probe_A}})
+  for (const auto& [key, target] : {std::pair<const char*, double*>{"tick_s", &tick_s}, {"probe_A", &out.probe_A}})
     if (const std::string said = out.label(key); !said.empty()) {
       const auto value = number(said);
       if (!value || *value < 0 || (*value == 0 && target == &tick_s))
@@ -193,13 +186,13 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   return out;
 }
 
-HandPath handPathOf(const DeviceTrace& trace, std::string name, Tracker* tracker) {
+HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* tracker) {
   HandPath out;
   out.name = std::move(name);
   out.labels = trace.labels;
   if (!trace.ticks.empty()) out.probe_A = trace.ticks.front().settings.probe_A;
   ServoStep step = trace.start.value_or(ServoStep());
-  for (const TraceTick& tick : trace.ticks) {
+  for (const RecordedTick& tick : trace.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
     const ServoSample sample = step.tick(tick.settings, tracker, tick.pose, tick.time);
     out.places.push_back(sample.hip.A);
@@ -233,8 +226,7 @@ HandPath laidOn(const HandPath& path, const BallScene& scene, double A_per_mm) {
   Vec3 at = 0.5 * (scene.low_A() + scene.high_A());
   at.z = scene.high_A().z + path.probe_A + 1;
   const double through = glm::length(scene.high_A() - scene.low_A()) + 2 * (path.probe_A + 1);
-  for (double gone = 0, gap = 0; gone < through && (gap = clearance(scene, path.probe_A, at)) > 1e-6;
-       gone += gap)
+  for (double gone = 0, gap = 0; gone < through && (gap = clearance(scene, path.probe_A, at)) > 1e-6; gone += gap)
     at.z -= gap;
   HandPath out = path;
   out.on_molecule = true;

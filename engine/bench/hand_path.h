@@ -19,14 +19,13 @@
 
 #include "engine/core/problem.h"
 #include "engine/haptics/ball_scene.h"
-#include "engine/servo/trace.h"
+#include "engine/servo/servo_recording.h"
 
 namespace moltact::bench {
 
 struct HandPath {
-  std::string name;  ///< the file's stem
-  std::map<std::string, std::string>
-      labels;  ///< "molecule", "device", "hand", "stroke" and what else it says
+  std::string name;                           ///< the file's stem
+  std::map<std::string, std::string> labels;  ///< "molecule", "device", "hand", "stroke" and what else it says
   double probe_A = kWaterProbe_A;
   bool on_molecule = true;      ///< places are in the molecule's space (A), else in a device's (mm)
   std::vector<Vec3> places;     ///< the HIP, a tick of 1 ms each
@@ -45,7 +44,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file);
 
 /// The HIP of each tick of a recording. `tracker`: as it was newly made for the recording (the clutch asks
 /// for the contact); with another or none the way is the same but where a clutch was held by the surface.
-HandPath handPathOf(const DeviceTrace& trace, std::string name, Tracker* tracker);
+HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* tracker);
 
 /// As rows of numbers with labels, to 0.001 A, so that readHandPath reads the same back.
 std::string textOf(const HandPath& path);

@@ -4,8 +4,7 @@
 
 namespace moltact::bench {
 
-std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands,
-                                    const std::vector<const Method*>& methods,
+std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands, const std::vector<const Method*>& methods,
                                     const std::vector<const Method*>& timed, double budget_s,
                                     const Progress& progress) {
   std::vector<HandReplay> out;
@@ -25,14 +24,12 @@ std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands,
     const Stroke stroke{{}, places};
     for (const Method* m : methods)
       one.felt.push_back(feltOn(hand.path.name, *m, hand.scene, hand.path.probe_A, {stroke}));
-    if (!places.empty() && !one.felt.empty())
-      one.touching = double(one.felt.front().ticks) / double(places.size());
+    if (!places.empty() && !one.felt.empty()) one.touching = double(one.felt.front().ticks) / double(places.size());
     one.tick_ns.resize(methods.size());
     // Every other of them is timed whole; the first place is the way there.
     if (places.size() > 1) {
       const Stroke again{{places.front()}, {places.begin() + 1, places.end()}};
-      const auto times =
-          timeMethods(timed, hand.scene, hand.path.probe_A, std::vector<Stroke>(6, again), budget_s);
+      const auto times = timeMethods(timed, hand.scene, hand.path.probe_A, std::vector<Stroke>(6, again), budget_s);
       for (const TickTimes& t : times)
         for (std::size_t k = 0; k < methods.size(); ++k)
           if (methods[k] == t.method) one.tick_ns[k] = t.mean_ns;
@@ -83,8 +80,7 @@ ReportTable handsFeltTable(const std::vector<HandReplay>& hands) {
     ns[m] = ticks > 0 ? ns[m] / ticks : 0;
   }
   ReportTable t = feltTable("hands_felt", "Every method along the recorded hands", all, ns);
-  t.note +=
-      " Median and p99 are means of the recordings', by ticks. The time is of all ticks, free ones too.";
+  t.note += " Median and p99 are means of the recordings', by ticks. The time is of all ticks, free ones too.";
   return t;
 }
 

@@ -26,10 +26,8 @@ struct HandReplay {
 };
 
 /// Every hand through every method; `timed` methods are also timed, for `budget_s` each.
-std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands,
-                                    const std::vector<const Method*>& methods,
-                                    const std::vector<const Method*>& timed, double budget_s,
-                                    const Progress& progress);
+std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands, const std::vector<const Method*>& methods,
+                                    const std::vector<const Method*>& timed, double budget_s, const Progress& progress);
 
 /// A row a hand: what it is.
 ReportTable handsTable(const std::vector<HandReplay>& hands);

@@ -64,13 +64,15 @@ std::vector<Vec3> slidingPath(const std::shared_ptr<const BallScene>& scene, dou
       reached = reached || depth >= depth_A;
     }
     // The way in from afar is not part of the path.
-    h += glm::normalize(way) * (reached || c.touching() ? kStep_A : std::max(kStep_A, 0.9 * clearance(*scene, probe_A, h)));
+    h += glm::normalize(way) *
+         (reached || c.touching() ? kStep_A : std::max(kStep_A, 0.9 * clearance(*scene, probe_A, h)));
     if (reached) path.push_back(h);
   }
   return path;
 }
 
-std::vector<Vec3> freePath(const std::shared_ptr<const BallScene>& scene, double probe_A, std::size_t ticks, unsigned seed) {
+std::vector<Vec3> freePath(const std::shared_ptr<const BallScene>& scene, double probe_A, std::size_t ticks,
+                           unsigned seed) {
   std::mt19937_64 random(seed);
   const Vec3 centre = middle(*scene);
   Vec3 h = centre + Vec3(glm::length(scene->high_A() - scene->low_A()), 0, 0);
@@ -82,8 +84,10 @@ std::vector<Vec3> freePath(const std::shared_ptr<const BallScene>& scene, double
     const double gap = clearance(*scene, probe_A, h);
     const Vec3 out = glm::normalize(h - centre);
     const Vec3 next = h + kStep_A * glm::normalize(heading + out * (gap < 0.5 ? 2.0 : gap > 3.0 ? -2.0 : 0.0));
-    if (clearance(*scene, probe_A, next) > 0.05) h = next;
-    else heading = randomDirection(random);
+    if (clearance(*scene, probe_A, next) > 0.05)
+      h = next;
+    else
+      heading = randomDirection(random);
     path.push_back(h);
   }
   return path;

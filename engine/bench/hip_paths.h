@@ -16,6 +16,7 @@ std::vector<Vec3> slidingPath(const std::shared_ptr<const BallScene>& scene, dou
                               std::size_t ticks, unsigned seed);
 
 /// `ticks` places of a HIP that wanders round the scene, 0.02 A a tick, 0.5 to 8 A off its surface.
-std::vector<Vec3> freePath(const std::shared_ptr<const BallScene>& scene, double probe_A, std::size_t ticks, unsigned seed);
+std::vector<Vec3> freePath(const std::shared_ptr<const BallScene>& scene, double probe_A, std::size_t ticks,
+                           unsigned seed);
 
 }  // namespace moltact::bench

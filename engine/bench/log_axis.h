@@ -13,8 +13,7 @@ class LogAxis {
   /// Covers the values above zero with a margin, drawn from `begin` to `end` (unit: pixel). Where two
   /// neighbours are more than three decades apart and `may_cut`, what lies between is cut to one decade's
   /// length.
-  LogAxis(const std::vector<double>& values, double begin, double end, bool may_cut)
-      : begin_(begin), end_(end) {
+  LogAxis(const std::vector<double>& values, double begin, double end, bool may_cut) : begin_(begin), end_(end) {
     std::vector<double> logs;
     for (const double v : values)
       if (v > 0 && std::isfinite(v)) logs.push_back(std::log10(v));

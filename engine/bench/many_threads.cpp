@@ -28,8 +28,7 @@ void inManyThreads(std::size_t count, const std::function<void(std::size_t)>& wo
   };
   {
     std::vector<std::jthread> others;
-    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k)
-      others.emplace_back([&] { run(false); });
+    for (unsigned k = 1; k < std::thread::hardware_concurrency(); ++k) others.emplace_back([&] { run(false); });
     run(true);
   }
   if (thrown) std::rethrow_exception(thrown);

@@ -67,7 +67,7 @@ std::optional<Split> split(PointL d, const std::array<PointL, 3>& n, int count, 
 // A straight or circular way: place(t) for t in [0, end], t a length.
 struct Way {
   PointL centre, u,
-      w;  // circular: centre + radius (u cos(t / radius) + w sin(t / radius)); straight: centre + t w
+      w;            // circular: centre + radius (u cos(t / radius) + w sin(t / radius)); straight: centre + t w
   Real radius = 0;  // 0: straight
   Real end = 0;
 
@@ -154,8 +154,7 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
       }
     }
     if (candidates.empty()) return {s, false, false};
-    if (std::any_of(candidates.begin(), candidates.end(),
-                    [](const Candidate& c) { return length(c.v) <= kRest; }))
+    if (std::any_of(candidates.begin(), candidates.end(), [](const Candidate& c) { return length(c.v) <= kRest; }))
       return {s, false, true};
 
     // Where several sets are possible (a holder about to let go, two balls with one tangent plane), the right
@@ -228,8 +227,8 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
 Oracle::Answer Oracle::step(Vec3 hip_A) {
   // The companions lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either
   // side.
-  static const std::array<PointL, 5> kOffsets{PointL{0, 0, 0}, PointL{1, 1, 1}, PointL{1, -1, -1},
-                                              PointL{-1, 1, -1}, PointL{-1, -1, 1}};
+  static const std::array<PointL, 5> kOffsets{PointL{0, 0, 0}, PointL{1, 1, 1}, PointL{1, -1, -1}, PointL{-1, 1, -1},
+                                              PointL{-1, -1, 1}};
   const auto hipOf = [&](std::size_t c) {
     return wide(hip_A) - origin_ + kOffsets[c] * (Real(kCompanion_A) / std::sqrt(Real(3)));
   };
@@ -243,8 +242,7 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
   answer.scp_A = hip_A;
   if (!been_outside_) {
     const bool inside = insideAny(hipOf(0));
-    for (std::size_t c = 1; c < flows_; ++c)
-      answer.decided = answer.decided && insideAny(hipOf(c)) == inside;
+    for (std::size_t c = 1; c < flows_; ++c) answer.decided = answer.decided && insideAny(hipOf(c)) == inside;
     been_outside_ = !inside;
     answer.started_inside = inside;
     s_.fill(hipOf(0));

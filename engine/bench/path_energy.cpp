@@ -11,11 +11,10 @@
 namespace moltact::bench {
 namespace {
 constexpr double kWayBack_A = 0.01;  // a tick
-constexpr double kJump = 4;  // times the stiffness times the way: no surface changes the force so fast
+constexpr double kJump = 4;          // times the stiffness times the way: no surface changes the force so fast
 }  // namespace
 
-double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path,
-                 const LoopSettings& loop) {
+double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, const LoopSettings& loop) {
   if (path.empty()) return 0;
   PassivityObserver observer;
   const auto forceAt = [&](const Vec3& hip, bool& touching) {

@@ -14,8 +14,7 @@ namespace moltact::bench {
 /// every ball, with neither contact nor force. The work is summed tick by tick with the uncut force of the
 /// spring, by the trapezoidal rule, so that no sampling is in it; where the force jumps within a tick the
 /// lesser of both sides counts. A path that is never released makes 0.
-double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path,
-                 const LoopSettings& loop);
+double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, const LoopSettings& loop);
 
 /// The path closed outside: from its end straight up to the true surface, back over it along the way of the
 /// right SCP, and so to its beginning; led once forward and once backward, for what turns round one way only

@@ -23,7 +23,7 @@ class PlainWall final : public Tracker {
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return 0; }
-  Footprint footprint() const noexcept override { return {}; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
 };
 
 }  // namespace moltact::bench

@@ -15,8 +15,7 @@ std::string shown(const Cell& cell) {
 
 // Width in characters, not bytes.
 std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 bool isNumbers(const ReportTable& table, std::size_t column) {
@@ -43,8 +42,7 @@ std::string readable(double value) {
   }
   if (value == std::floor(value) && size < 1e13) std::snprintf(digits, sizeof digits, "%.0f", value);
   const int whole = static_cast<int>(std::floor(std::log10(size) + 2e-3)) + 1;  // 99.97 reads 100
-  if (value != std::floor(value))
-    std::snprintf(digits, sizeof digits, "%.*f", std::clamp(3 - whole, 0, 6), value);
+  if (value != std::floor(value)) std::snprintf(digits, sizeof digits, "%.*f", std::clamp(3 - whole, 0, 6), value);
   std::string out = digits;
   const std::size_t dot = std::min(out.find('.'), out.size()), first = value < 0 ? 1 : 0;
   for (std::size_t at = dot; at > first + 3;) out.insert(at -= 3, " ");
@@ -60,7 +58,8 @@ std::string constant(double value) {
 std::string listed(const std::vector<std::string>& names) {
   if (names.empty()) return "none";
   std::string out;
-  for (std::size_t k = 0; k < names.size(); ++k) out += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
+  for (std::size_t k = 0; k < names.size(); ++k)
+    out += (k == 0 ? "" : k + 1 == names.size() ? " and " : ", ") + names[k];
   return out;
 }
 
@@ -96,8 +95,7 @@ std::string toMarkdown(const ReportTable& table) {
     out += '|';
     for (const Cell& cell : row) {
       std::string text = shown(cell);
-      for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2)
-        text.insert(at, 1, '\\');
+      for (std::size_t at = 0; (at = text.find('|', at)) != std::string::npos; at += 2) text.insert(at, 1, '\\');
       out.append(1, ' ').append(text).append(" |");
     }
     out += '\n';
@@ -114,8 +112,7 @@ std::string toCsv(const ReportTable& table) {
     return quoted + '"';
   };
   std::string out;
-  for (std::size_t c = 0; c < table.columns.size(); ++c)
-    out.append(c ? "," : "").append(field(table.columns[c].name));
+  for (std::size_t c = 0; c < table.columns.size(); ++c) out.append(c ? "," : "").append(field(table.columns[c].name));
   out += '\n';
   for (const auto& row : table.rows) {
     for (std::size_t c = 0; c < row.size(); ++c) {
@@ -132,20 +129,18 @@ std::string toCsv(const ReportTable& table) {
   return out;
 }
 
-ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value,
-                      std::string name, std::string title) {
+ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value, std::string name,
+                      std::string title) {
   ReportTable out{std::move(name), std::move(title), table.columns, {}, table.note};
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     if (table.columns[c].name != column) continue;
     for (const auto& row : table.rows)
-      if (const auto* text = std::get_if<std::string>(&row[c]); text && *text == value)
-        out.rows.push_back(row);
+      if (const auto* text = std::get_if<std::string>(&row[c]); text && *text == value) out.rows.push_back(row);
   }
   return out;
 }
 
-std::string replacedBetweenMarkers(const std::string& text, const std::string& name,
-                                   const std::string& content) {
+std::string replacedBetweenMarkers(const std::string& text, const std::string& name, const std::string& content) {
   const std::size_t begin = text.find("<!-- " + name + ":begin");
   const std::size_t end = text.find("<!-- " + name + ":end -->");
   if (begin == std::string::npos || end == std::string::npos || end < begin) return text;

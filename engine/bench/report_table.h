@@ -44,12 +44,11 @@ std::string toJson(const std::vector<ReportTable>& tables, const std::string& co
 
 /// The rows whose text in the column of that name is `value`, under another name and title; no rows where
 /// there is no such column.
-ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value,
-                      std::string name, std::string title);
+ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value, std::string name,
+                      std::string title);
 
 /// `text` with what stands between the lines "<!-- name:begin" … and "<!-- name:end -->" replaced by
 /// `content`; the text unchanged where the markers are not there.
-std::string replacedBetweenMarkers(const std::string& text, const std::string& name,
-                                   const std::string& content);
+std::string replacedBetweenMarkers(const std::string& text, const std::string& name, const std::string& content);
 
 }  // namespace moltact::bench

@@ -32,8 +32,7 @@ double shaking_mm(const std::vector<Vec3>& places) {
 // Collects what a tick shows.
 class Judge {
  public:
-  Judge(const StabilityScene& scene, const Method& method, const LoopSettings& loop,
-        const StabilityLimits& limits)
+  Judge(const StabilityScene& scene, const Method& method, const LoopSettings& loop, const StabilityLimits& limits)
       : loop_(loop), limits_(limits), check_jump_(scene.jump) {
     out_.scene = scene.name;
     out_.method = &method;
@@ -151,9 +150,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
   StabilityResult out = judge.result(scene.hand && scene.held_ticks ? held_mm : std::vector<Vec3>{});
   if (scene.energy) {
     out.energy_J = madeOverClosedPath(
-        [&] {
-          return method.make(std::make_shared<const BallScene>(scene.scene.balls), scene.scene.probe_A);
-        },
+        [&] { return method.make(std::make_shared<const BallScene>(scene.scene.balls), scene.scene.probe_A); },
         scene.scene, judge.path(), loop);
     out.loop_energy_J = device.made_J();
     out.sampling_J = device.samplingBound_J();

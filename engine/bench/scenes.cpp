@@ -71,8 +71,7 @@ Scene pit() {
 
 Scene tetrahedron() {
   const double h = 1.09 / std::sqrt(3.0);
-  return {"tetrahedron",
-          {{{0, 0, 0}, kC}, {{h, h, h}, kH}, {{h, -h, -h}, kH}, {{-h, h, -h}, kH}, {{-h, -h, h}, kH}}};
+  return {"tetrahedron", {{{0, 0, 0}, kC}, {{h, h, h}, kH}, {{h, -h, -h}, kH}, {{-h, h, -h}, kH}, {{-h, -h, h}, kH}}};
 }
 
 Scene cube() {
@@ -91,8 +90,7 @@ Scene shell() {
     for (int turn = 0; turn < 3; ++turn)
       for (int signs = 0; signs < 8; ++signs) {
         if (kind.x == 0 && (signs & 1)) continue;
-        const Vec3 v{signs & 1 ? -kind.x : kind.x, signs & 2 ? -kind.y : kind.y,
-                     signs & 4 ? -kind.z : kind.z};
+        const Vec3 v{signs & 1 ? -kind.x : kind.x, signs & 2 ? -kind.y : kind.y, signs & 4 ? -kind.z : kind.z};
         s.balls.push_back({Vec3(v[turn], v[(turn + 1) % 3], v[(turn + 2) % 3]) * scale, kC});
       }
   return s;
@@ -150,14 +148,12 @@ Scene hair(double overlap_A) {
 }
 
 Scene touchingAcross() {
-  return {
-      "touching in one point under a third", {{{0, 0, 0}, 1.5}, {{6, 0, 0}, 1.5}, {{3, 2.5, 0}, 1.0}}, 1.5};
+  return {"touching in one point under a third", {{{0, 0, 0}, 1.5}, {{6, 0, 0}, 1.5}, {{3, 2.5, 0}, 1.0}}, 1.5};
 }
 
 Scene nested() {
-  return {"nested",
-          {{{0, 0, 0}, 2.5}, {{0.25, 0, 0}, 1.0}, {{1.0, 0, 0}, 1.5}, {{0, 0, 0}, 1.0}, {{0, 3.0, 0}, 1.5}},
-          1.5};
+  return {
+      "nested", {{{0, 0, 0}, 2.5}, {{0.25, 0, 0}, 1.0}, {{1.0, 0, 0}, 1.5}, {{0, 0, 0}, 1.0}, {{0, 3.0, 0}, 1.5}}, 1.5};
 }
 
 Scene duplicates() {

@@ -1,5 +1,5 @@
-// The scenes in which haptic methods are known to fail, and HIP paths over them, for tests and benches. All are functions of their arguments and seed alone,
-// with the same numbers on every machine. Units: angstrom.
+// The scenes in which haptic methods are known to fail, and HIP paths over them, for tests and benches. All are
+// functions of their arguments and seed alone, with the same numbers on every machine. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -33,9 +33,8 @@ Scene pit();          ///< three carbons 2.5 apart: with the probe a pit on eith
 Scene tetrahedron();  ///< methane-like: C and four H at 1.09
 Scene cube();         ///< cubane-like: eight C at the corners of a cube of edge 1.57
 Scene shell();        ///< fullerene-like: 60 C on a truncated icosahedron of edge 1.43
-Scene cluster(
-    int n,
-    std::uint64_t seed);  ///< n random atoms of radii 1.1 to 2 in a cube, as dense as an organic crystal
+Scene cluster(int n,
+              std::uint64_t seed);  ///< n random atoms of radii 1.1 to 2 in a cube, as dense as an organic crystal
 
 /// n x n x n balls of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of
 /// each cell, on the face-centred lattice six (octahedral hole) and four (tetrahedral hole).

@@ -20,7 +20,7 @@ class SmallerProbe final : public Tracker {
     exact_.setProbe(std::max(0.0, probe_A - less_A_));
   }
   double probe_A() const noexcept override { return probe_A_; }
-  Footprint footprint() const noexcept override { return exact_.footprint(); }
+  MemoryUsage memoryUsage() const noexcept override { return exact_.memoryUsage(); }
 
  private:
   ExactTracker exact_;

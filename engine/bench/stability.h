@@ -17,11 +17,10 @@ namespace moltact::bench {
 
 /// What is more than this is a failure.
 struct StabilityLimits {
-  double place_A = kPlaceFelt_A;  ///< of the SCP from the right one: not true
-  double step_over_N =
-      kStepFelt_N;           ///< of the force's step from tick to tick over the true surface's: a jump
-  double jitter_mm = 0.055;  ///< of the held device from peak to peak: a step of its sensor
-  double energy_J = 1e-5;    ///< made over a closed path: a spring pressed 1 A deep holds 2.4e-3
+  double place_A = kPlaceFelt_A;     ///< of the SCP from the right one: not true
+  double step_over_N = kStepFelt_N;  ///< of the force's step from tick to tick over the true surface's: a jump
+  double jitter_mm = 0.055;          ///< of the held device from peak to peak: a step of its sensor
+  double energy_J = 1e-5;            ///< made over a closed path: a spring pressed 1 A deep holds 2.4e-3
 };
 
 /// One method in one scene, once. Counts are of ticks but where said.
@@ -32,22 +31,21 @@ struct StabilityResult {
   std::size_t ticks = 0;
   // How true:
   std::size_t contact_ticks = 0;  ///< in which the right answer or the method's touches
-  std::size_t off = 0;       ///< of these, SCP farther than place_A from the right one; all below are off too
-  std::size_t lost = 0;      ///< no contact, though the HIP in matter is held
-  std::size_t stuck = 0;     ///< contact where there is nothing to touch
-  std::size_t sunk = 0;      ///< SCP deeper than place_A in a sphere
-  double penetration_A = 0;  ///< deepest of the SCP in any tick
+  std::size_t off = 0;            ///< of these, SCP farther than place_A from the right one; all below are off too
+  std::size_t lost = 0;           ///< no contact, though the HIP in matter is held
+  std::size_t stuck = 0;          ///< contact where there is nothing to touch
+  std::size_t sunk = 0;           ///< SCP deeper than place_A in a sphere
+  double penetration_A = 0;       ///< deepest of the SCP in any tick
   // How stable:
-  std::size_t tunnelled =
-      0;  ///< times the HIP stood free behind a wall that still holds the right SCP over 0.5 A off
-  std::size_t jumps = 0;     ///< the force steps by step_over_N more than the true surface's
-  std::size_t broken = 0;    ///< the answer is not a finite place
-  double step_N = 0;         ///< greatest step of the force from tick to tick
-  double step_over_N = 0;    ///< greatest over the true surface's within two ticks; 0 where it has no meaning
-  double jitter_mm = 0;      ///< of the held device
-  double energy_J = 0;       ///< made over the closed path (path_energy.h)
-  double loop_energy_J = 0;  ///< made at the device, by sampling, delay and rounding too
-  double sampling_J = 0;  ///< the most that sampling, delay and rounding alone could have made in that motion
+  std::size_t tunnelled = 0;  ///< times the HIP stood free behind a wall that still holds the right SCP over 0.5 A off
+  std::size_t jumps = 0;      ///< the force steps by step_over_N more than the true surface's
+  std::size_t broken = 0;     ///< the answer is not a finite place
+  double step_N = 0;          ///< greatest step of the force from tick to tick
+  double step_over_N = 0;     ///< greatest over the true surface's within two ticks; 0 where it has no meaning
+  double jitter_mm = 0;       ///< of the held device
+  double energy_J = 0;        ///< made over the closed path (path_energy.h)
+  double loop_energy_J = 0;   ///< made at the device, by sampling, delay and rounding too
+  double sampling_J = 0;      ///< the most that sampling, delay and rounding alone could have made in that motion
 };
 
 struct StabilityOptions {
@@ -94,7 +92,6 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results);
 ReportTable deviceTable(const LoopSettings& loop = {});
 
 /// What the tables say, in sentences.
-std::string stabilitySentences(const std::vector<StabilityResult>& results,
-                               const StabilityLimits& limits = {});
+std::string stabilitySentences(const std::vector<StabilityResult>& results, const StabilityLimits& limits = {});
 
 }  // namespace moltact::bench

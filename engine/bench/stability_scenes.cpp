@@ -39,15 +39,11 @@ std::vector<StabilityScene> creases() {
   const Vec3 middle(x, 0, 0);
 
   StabilityScene along{"crease, along", "Does the force stay even along the seam of two spheres?", bond};
-  along.script = Script(middle + kY * (r + 0.5))
-                     .to(middle + kY * (r - 0.7))
-                     .arc(middle, kY, kZ, r - 0.7, 0, 1)
-                     .hold(kHeld)
-                     .ticks;
+  along.script =
+      Script(middle + kY * (r + 0.5)).to(middle + kY * (r - 0.7)).arc(middle, kY, kZ, r - 0.7, 0, 1).hold(kHeld).ticks;
   along.held_ticks = kHeld;
 
-  StabilityScene across{"crease, across", "Does the SCP pass from sphere to circle to sphere without a jump?",
-                        bond};
+  StabilityScene across{"crease, across", "Does the SCP pass from sphere to circle to sphere without a jump?", bond};
   Script over(middle + kY * (r + 0.6) - kX);
   for (int k = 0; k < 4; ++k) over.to(middle + kY * (r - 0.8) - kX).to(middle + kY * (r - 0.8) + kX);
   across.script = over.hold(kHeld).ticks;
@@ -59,8 +55,7 @@ StabilityScene pit() {
   const scenes::Scene scene = scenes::pit();
   const double side = scene.balls[1].centre_A.x, R = inflated(scene, 0);
   const Vec3 bottom(side / 2, side * std::sqrt(3.0) / 6, std::sqrt(R * R - side * side / 3));
-  StabilityScene out{"pit of three", "Does the SCP rest in the point and leave it over the right circle?",
-                     scene};
+  StabilityScene out{"pit of three", "Does the SCP rest in the point and leave it over the right circle?", scene};
   out.script = Script(bottom + kZ * 1.2)
                    .to(bottom - kZ * 0.9)
                    .hold(200)
@@ -135,8 +130,7 @@ StabilityScene graze() {
 
 StabilityScene passes(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
-  StabilityScene out{"passes at 0.05 to 12 A a tick", "Is no sphere missed, however fast the HIP comes?",
-                     scene};
+  StabilityScene out{"passes at 0.05 to 12 A a tick", "Is no sphere missed, however fast the HIP comes?", scene};
   // Each pass begins anew outside: with a SCP left behind, two answers would be right.
   scenes::Random random(seed);
   Script script(Vec3(60, 0, 0));
@@ -156,8 +150,8 @@ StabilityScene passes(std::uint64_t seed) {
 
 StabilityScene startInside() {
   const scenes::Scene scene = scenes::bond();
-  StabilityScene out{"start inside",
-                     "Is there no force until the HIP has been outside once, and a sound one then?", scene};
+  StabilityScene out{"start inside", "Is there no force until the HIP has been outside once, and a sound one then?",
+                     scene};
   out.script = Script(Vec3(0.3, 0.2, 0)).hold(200).to({0.3, 4.2, 0}).to({0.3, 2.4, 0}).hold(kHeld).ticks;
   out.held_ticks = kHeld;
   return out;
@@ -166,8 +160,8 @@ StabilityScene startInside() {
 StabilityScene onCentre() {
   const scenes::Scene scene = scenes::bond();
   const auto [x, r] = creaseOf(scene);
-  StabilityScene out{"HIP on a centre and on an axis",
-                     "Is the force finite and steady where all directions are alike?", scene};
+  StabilityScene out{"HIP on a centre and on an axis", "Is the force finite and steady where all directions are alike?",
+                     scene};
   // Exactly onto the first centre, along the axis through both, and back the way it came.
   Script script(Vec3(0, 4, 0));
   script.to({0, 0, 0}, 0.02)
@@ -184,8 +178,7 @@ StabilityScene onCentre() {
 StabilityScene deep(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
   StabilityScene out{"deeper than a radius",
-                     "Does the SCP keep its place on the surface while the HIP crosses several spheres?",
-                     scene};
+                     "Does the SCP keep its place on the surface while the HIP crosses several spheres?", scene};
   Script script(Vec3(14, 0.3, 0.2));
   const double edge = std::cbrt(200.0) / 2;
   const Vec3 middle(edge);
@@ -202,8 +195,7 @@ StabilityScene deep(std::uint64_t seed) {
 
 StabilityScene disturbed(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
-  StabilityScene out{"NaN, late, lost and doubled ticks", "Does a disturbed clock or reading leave no mark?",
-                     scene};
+  StabilityScene out{"NaN, late, lost and doubled ticks", "Does a disturbed clock or reading leave no mark?", scene};
   Script script(scenes::walk(scene, 1, seed, 0.008).front());
   script.path(scenes::walk(scene, 4000, seed, 0.008));
   scenes::Random random(seed);
@@ -268,9 +260,8 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   out.push_back(pit());
   out.push_back(seam("touching in one point", scenes::touching()));
   out.push_back(seam("overlapping by a hair", scenes::hair()));
-  out.push_back(walked("lattice, eight through a point",
-                       "Do many spheres through one point leave one answer?", scenes::simpleCubic(3),
-                       seed + 1));
+  out.push_back(walked("lattice, eight through a point", "Do many spheres through one point leave one answer?",
+                       scenes::simpleCubic(3), seed + 1));
   out.push_back(walked("cubane-like", "The same on eight atoms of a cube.", scenes::cube(), seed + 2));
   out.push_back(walked("fullerene-like", "The same on sixty atoms of a shell.", scenes::shell(), seed + 3));
   out.push_back(hole(-0.05));
@@ -279,27 +270,24 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   out.push_back(graze());
   out.push_back(passes(seed + 4));
   out.push_back(startInside());
+  out.push_back(walked("nested spheres", "Do spheres inside others stay unfelt?", scenes::nested(), seed + 5));
   out.push_back(
-      walked("nested spheres", "Do spheres inside others stay unfelt?", scenes::nested(), seed + 5));
-  out.push_back(walked("duplicate spheres", "Is an atom that is there twice felt once?", scenes::duplicates(),
-                       seed + 6));
+      walked("duplicate spheres", "Is an atom that is there twice felt once?", scenes::duplicates(), seed + 6));
   out.push_back(onCentre());
   out.push_back(deep(seed + 7));
   out.push_back(teleports(seed + 8));
   out.push_back(disturbed(seed + 9));
   out.push_back(probeChanges());
   out.push_back(swapped());
-  scenes::Scene far =
-      scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
-  out.push_back(walked("a million A from the origin", "Do digits run out far from the origin?",
-                       std::move(far), seed + 10));
+  scenes::Scene far = scenes::shifted(scenes::cluster(20, seed + 10), Vec3(1e6, -1e6, 1e6), "a million angstroms away");
+  out.push_back(
+      walked("a million A from the origin", "Do digits run out far from the origin?", std::move(far), seed + 10));
   return out;
 }
 
 StabilityScene turned(StabilityScene scene, std::uint64_t seed) {
   scenes::Random random(seed);
-  const Vec3 z = random.direction(), x = glm::normalize(glm::cross(z, random.direction())),
-             y = glm::cross(z, x);
+  const Vec3 z = random.direction(), x = glm::normalize(glm::cross(z, random.direction())), y = glm::cross(z, x);
   const Vec3 middle = middleOf(scene.scene);
   const auto turn = [&](Vec3& place) {
     const Vec3 p = place - middle;

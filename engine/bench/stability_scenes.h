@@ -25,10 +25,10 @@ struct StabilityScene {
   std::string question;  ///< what is asked of a method here, one sentence
   scenes::Scene scene;
   std::optional<scenes::Scene> second{};  ///< what `swap` brings
-  bool hand = true;            ///< closed loop with device and hand; false: the HIP is led directly
-  bool energy = true;          ///< energy has a meaning here (small steps, nothing changes under the finger)
-  bool jump = true;            ///< so has the step of the force against the true surface's
-  std::size_t held_ticks = 0;  ///< at the end the hand is held for so long, for the residual jitter
+  bool hand = true;                       ///< closed loop with device and hand; false: the HIP is led directly
+  bool energy = true;                     ///< energy has a meaning here (small steps, nothing changes under the finger)
+  bool jump = true;                       ///< so has the step of the force against the true surface's
+  std::size_t held_ticks = 0;             ///< at the end the hand is held for so long, for the residual jitter
   std::vector<StabilityTick> script{};
 };
 

@@ -64,8 +64,7 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
     const auto most = std::max_element(s.off_in.begin(), s.off_in.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     if (s.off_sum > 0 && most != s.off_in.end())
-      out +=
-          " Of what is off " + readable(100.0 * most->second / s.off_sum) + " % comes from \"" + most->first + "\".";
+      out += " Of what is off " + readable(100.0 * most->second / s.off_sum) + " % comes from \"" + most->first + "\".";
     out += '\n';
   }
 
@@ -100,18 +99,17 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
     if (s.jitter_mm > most_jitter) most_jitter = s.jitter_mm, shakiest = &s;
   }
   const std::string of_runs = " of " + readable(double(runs)) + " runs";
-  out += "* Share of ticks that are off, in percent, on the mean over scenes, the truest first: " +
-         listed(order) + ".\n";
-  out += "* The HIP tunnels, in so many" + of_runs + ": " + listed(tunnels) + ".\n";
   out +=
-      "* The force jumps, in so many" + of_runs + ": " + listed(jumps) + ". Never: " + listed(quiet) + ".\n";
+      "* Share of ticks that are off, in percent, on the mean over scenes, the truest first: " + listed(order) + ".\n";
+  out += "* The HIP tunnels, in so many" + of_runs + ": " + listed(tunnels) + ".\n";
+  out += "* The force jumps, in so many" + of_runs + ": " + listed(jumps) + ". Never: " + listed(quiet) + ".\n";
   out += "* Energy comes out of nothing, over " + constant(1e6 * limits.energy_J) +
          " uJ a closed path: " + listed(energy) + ".\n";
   out += "* " + (broken ? count(broken, " answer was", " answers were") + " no number."
                         : std::string("No answer was no number."));
   if (shakiest)
-    out += " What shook most when it was held was " + quoted(shakiest->method) + ", by " +
-           readable(most_jitter) + " mm, where a step of the sensor is " + constant(limits.jitter_mm) + "; " +
+    out += " What shook most when it was held was " + quoted(shakiest->method) + ", by " + readable(most_jitter) +
+           " mm, where a step of the sensor is " + constant(limits.jitter_mm) + "; " +
            (jitter ? "in " + count(jitter, " run", " runs") + " it was more." : "in no run it was more.");
   return out + '\n';
 }

@@ -50,13 +50,11 @@ std::string events(const StabilityCell& c) {
   return out.empty() ? "." : out;
 }
 
-ReportTable matrix(const std::vector<StabilityCell>& cells, ReportTable t,
-                   std::string (*text)(const StabilityCell&)) {
+ReportTable matrix(const std::vector<StabilityCell>& cells, ReportTable t, std::string (*text)(const StabilityCell&)) {
   const auto methods = inOrder<const Method*>(cells, [](const StabilityCell& c) { return c.method; });
   t.columns = {{"scene", "scene"}};
   for (const Method* m : methods) t.columns.push_back({std::string(m->name), std::string(m->name)});
-  for (const std::string& scene :
-       inOrder<std::string>(cells, [](const StabilityCell& c) { return c.scene; })) {
+  for (const std::string& scene : inOrder<std::string>(cells, [](const StabilityCell& c) { return c.scene; })) {
     std::vector<Cell> row(methods.size() + 1);
     row[0] = scene;
     for (const StabilityCell& c : cells)
@@ -69,8 +67,7 @@ ReportTable matrix(const std::vector<StabilityCell>& cells, ReportTable t,
 
 }  // namespace
 
-std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results,
-                                          const StabilityLimits& limits) {
+std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
   std::vector<StabilityCell> out;
   std::vector<double> off;
   double contact = 0, tunnelled = 0, jumps = 0, broken = 0;
@@ -95,8 +92,7 @@ std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& re
     c.with_energy += r.energy_J > limits.energy_J;
     c.jitter_mm = std::max(c.jitter_mm, r.jitter_mm);
     c.energy_J += r.energy_J;
-    const bool last =
-        k + 1 == results.size() || results[k + 1].scene != r.scene || results[k + 1].method != r.method;
+    const bool last = k + 1 == results.size() || results[k + 1].scene != r.scene || results[k + 1].method != r.method;
     if (!last) continue;
     c.off_percent = meanOf(off);
     const double share = contact > 0 ? kPer / contact : 0;
@@ -108,37 +104,36 @@ std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& re
 
 ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits) {
   const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
-  return matrix(cells,
-                {"fidelity_matrix",
-                 "How true: ticks in contact whose SCP is off (%)",
-                 {},
-                 {},
-                 "Off: more than " + constant(limits.place_A) + " A from the right place. Mean of " +
-                     std::to_string(draws) +
-                     " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 "
-                     "are exact with a probe smaller "
-                     "by so many angstroms: what they miss no method can be blamed for."},
-                [](const StabilityCell& c) { return withInterval(c.off_percent); });
+  return matrix(
+      cells,
+      {"fidelity_matrix",
+       "How true: ticks in contact whose SCP is off (%)",
+       {},
+       {},
+       "Off: more than " + constant(limits.place_A) + " A from the right place. Mean of " + std::to_string(draws) +
+           " draws ± half the 95 % interval of that mean. The columns exact-0.001 and exact-0.02 "
+           "are exact with a probe smaller "
+           "by so many angstroms: what they miss no method can be blamed for."},
+      [](const StabilityCell& c) { return withInterval(c.off_percent); });
 }
 
 ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits) {
   const std::size_t draws = cells.empty() ? 0 : cells.front().draws;
-  return matrix(
-      cells,
-      {"stability_matrix",
-       "How stable: events, and in how many draws",
-       {},
-       {},
-       "In brackets: in how many of " + std::to_string(draws) +
-           " draws. T times tunnelled and J force jumps of over " + constant(limits.step_over_N) +
-           " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
-           "closed path (uJ; counted as an event over " +
-           constant(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
-           constant(limits.jitter_mm) +
-           " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none, which with 95 % "
-           "confidence is a chance of under " +
-           brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % a draw."},
-      &events);
+  return matrix(cells,
+                {"stability_matrix",
+                 "How stable: events, and in how many draws",
+                 {},
+                 {},
+                 "In brackets: in how many of " + std::to_string(draws) +
+                     " draws. T times tunnelled and J force jumps of over " + constant(limits.step_over_N) +
+                     " N more than the true surface's, in 10 000 ticks of contact; E mean energy made over the "
+                     "closed path (uJ; counted as an event over " +
+                     constant(1e6 * limits.energy_J) + "); R greatest shaking of the held device, where over " +
+                     constant(limits.jitter_mm) +
+                     " mm (mm); N answers that are no number, in 10 000 ticks of contact; . none, which with 95 % "
+                     "confidence is a chance of under " +
+                     brief(draws ? 100 * (1 - std::pow(0.05, 1.0 / double(draws))) : 100) + " % a draw."},
+                &events);
 }
 
 ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
@@ -164,8 +159,7 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
                 "events are those of the table above."};
   const auto cells = stabilityCells(results, limits);
   for (const Method* m : inOrder<const Method*>(results, [](const StabilityResult& r) { return r.method; })) {
-    double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0,
-           energy = 0;
+    double contact = 0, sunk = 0, lost = 0, stuck = 0, deep = 0, tunnelled = 0, jumps = 0, jitter = 0, energy = 0;
     std::size_t runs = 0, unsound = 0, scenes = 0;
     std::vector<double> by_draw;
     for (const StabilityResult& r : results) {
@@ -173,14 +167,12 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
       if (r.draw >= by_draw.size()) by_draw.resize(r.draw + 1);
       by_draw[r.draw] += r.contact_ticks ? 100.0 * double(r.off) / double(r.contact_ticks) : 0.0;
       scenes += r.draw == 0;
-      contact += double(r.contact_ticks), sunk += double(r.sunk), lost += double(r.lost),
-          stuck += double(r.stuck);
+      contact += double(r.contact_ticks), sunk += double(r.sunk), lost += double(r.lost), stuck += double(r.stuck);
       tunnelled += double(r.tunnelled), jumps += double(r.jumps);
       deep = std::max(deep, r.penetration_A), jitter = std::max(jitter, r.jitter_mm),
       energy = std::max(energy, r.energy_J);
       ++runs;
-      unsound += r.broken || r.tunnelled || r.jumps || r.jitter_mm > limits.jitter_mm ||
-                 r.energy_J > limits.energy_J;
+      unsound += r.broken || r.tunnelled || r.jumps || r.jitter_mm > limits.jitter_mm || r.energy_J > limits.energy_J;
     }
     for (double& one : by_draw) one /= double(std::max<std::size_t>(scenes, 1));
     const MeanOf off = meanOf(by_draw);
@@ -195,20 +187,20 @@ ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const 
 ReportTable deviceTable(const LoopSettings& loop) {
   const DeviceParameters& d = loop.device;
   const auto n = [](double value) { return constant(value); };
-  return {"device_model",
-          "The simulated device",
-          {{"part", "part"}, {"figure", "figure"}},
-          {{std::string("mass, damping"), n(1e3 * d.mass_kg) + " g, " + n(d.damping_N_s_per_m) + " N s/m"},
-           {std::string("friction"),
-            n(d.friction_N) + " N tanh(speed / " + n(1e3 * d.friction_speed_m_per_s) + " mm/s)"},
-           {std::string("sensor"), "steps of " + n(d.resolution_mm) + " mm"},
-           {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held through a tick, late by ticks: " +
-                                     n(d.delay_ticks) + ", cut to " + n(d.max_force_N) + " N"},
-           {std::string("hand"), "a spring of " + n(loop.hand.stiffness_N_per_m) + " N/m with " +
-                                     n(loop.hand.damping_N_s_per_m) + " N s/m to the place it is led to"},
-           {std::string("spring between HIP and SCP"),
-            n(loop.stiffness_N_per_mm) + " N/mm at " + n(loop.workspace.A_per_mm) + " A/mm"}},
-          ""};
+  return {
+      "device_model",
+      "The simulated device",
+      {{"part", "part"}, {"figure", "figure"}},
+      {{std::string("mass, damping"), n(1e3 * d.mass_kg) + " g, " + n(d.damping_N_s_per_m) + " N s/m"},
+       {std::string("friction"), n(d.friction_N) + " N tanh(speed / " + n(1e3 * d.friction_speed_m_per_s) + " mm/s)"},
+       {std::string("sensor"), "steps of " + n(d.resolution_mm) + " mm"},
+       {std::string("loop"), n(1e-3 / d.tick_s) + " kHz, command held through a tick, late by ticks: " +
+                                 n(d.delay_ticks) + ", cut to " + n(d.max_force_N) + " N"},
+       {std::string("hand"), "a spring of " + n(loop.hand.stiffness_N_per_m) + " N/m with " +
+                                 n(loop.hand.damping_N_s_per_m) + " N s/m to the place it is led to"},
+       {std::string("spring between HIP and SCP"),
+        n(loop.stiffness_N_per_mm) + " N/mm at " + n(loop.workspace.A_per_mm) + " A/mm"}},
+      ""};
 }
 
 ReportTable stabilityFigures(const std::vector<StabilityResult>& results) {
@@ -236,10 +228,10 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results) {
                 {},
                 ""};
   for (const StabilityResult& r : results)
-    t.rows.push_back({r.scene, std::string(r.method->name), double(r.draw), double(r.ticks),
-                      double(r.contact_ticks), double(r.off), double(r.lost), double(r.stuck), double(r.sunk),
-                      std::max(0.0, r.penetration_A), double(r.tunnelled), double(r.jumps), double(r.broken),
-                      r.step_N, r.step_over_N, r.jitter_mm, r.energy_J, r.loop_energy_J, r.sampling_J});
+    t.rows.push_back({r.scene, std::string(r.method->name), double(r.draw), double(r.ticks), double(r.contact_ticks),
+                      double(r.off), double(r.lost), double(r.stuck), double(r.sunk), std::max(0.0, r.penetration_A),
+                      double(r.tunnelled), double(r.jumps), double(r.broken), r.step_N, r.step_over_N, r.jitter_mm,
+                      r.energy_J, r.loop_energy_J, r.sampling_J});
   return t;
 }
 

@@ -50,24 +50,22 @@ std::vector<StiffnessPlace> stiffnessPlaces() {
 
   const scenes::Scene pit = scenes::pit();
   const double side = pit.balls[1].centre_A.x, R = inflated(pit, 0);
-  out.push_back({"pit of three", pit,
-                 Vec3(side / 2, side * std::sqrt(3.0) / 6, std::sqrt(R * R - side * side / 3)),
+  out.push_back({"pit of three", pit, Vec3(side / 2, side * std::sqrt(3.0) / 6, std::sqrt(R * R - side * side / 3)),
                  Vec3(0, 0, 1)});
 
   const scenes::Scene cube = scenes::cube();
   const double edge = 1.57, r = inflated(cube, 0);
   Vec3 low(1e300), high(-1e300);
-  for (const Ball& ball : cube.balls)
-    low = glm::min(low, ball.centre_A), high = glm::max(high, ball.centre_A);
+  for (const Ball& ball : cube.balls) low = glm::min(low, ball.centre_A), high = glm::max(high, ball.centre_A);
   const Vec3 middle = 0.5 * (low + high);
-  out.push_back({"pit of four", cube, middle + Vec3(0, 0, edge / 2 + std::sqrt(r * r - edge * edge / 2)),
-                 Vec3(0, 0, 1)});
+  out.push_back(
+      {"pit of four", cube, middle + Vec3(0, 0, edge / 2 + std::sqrt(r * r - edge * edge / 2)), Vec3(0, 0, 1)});
 
   // The probe sticks where it touches all six: the ring's spheres meet the axis there.
   const scenes::Scene ring = scenes::ring(6, -0.05);
   const double circle = glm::length(ring.balls[0].centre_A), rr = inflated(ring, 0);
-  out.push_back({"hole too narrow", ring, Vec3(0, 0, std::sqrt(std::max(0.0, rr * rr - circle * circle))),
-                 Vec3(0, 0, 1)});
+  out.push_back(
+      {"hole too narrow", ring, Vec3(0, 0, std::sqrt(std::max(0.0, rr * rr - circle * circle))), Vec3(0, 0, 1)});
   return out;
 }
 
@@ -82,11 +80,11 @@ std::vector<StiffnessSetup> stiffnessSetups() {
           {"neither", smooth, kNoHand, 0.1, 0.001, 4000, 0.07}};
 }
 
-double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, const Vec3& surface,
-                      const Vec3& out, const glm::dmat3& turn, const StiffnessSetup& setup) {
+double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, const Vec3& surface, const Vec3& out,
+                      const glm::dmat3& turn, const StiffnessSetup& setup) {
   LoopSettings loop;
   loop.device = setup.device;
-  loop.workspace.turn = turn;
+  loop.workspace.rotation = turn;
   loop.workspace.centre_A = surface;
   const Vec3 from = surface + out * kOut_A, in = surface - out * kIn_A;
   // A constant push is a hand so soft that no way of the device changes its force.
@@ -102,8 +100,7 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
     if (pushed)
       for (double at = kOut_A; at > -kIn_A; at -= kCreep_A) {
         start = surface + out * at;
-        if (glm::length(springForce(loop, {start}, tracker->step({start}), setup.device.max_force_N).N) >=
-            setup.push_N)
+        if (glm::length(springForce(loop, {start}, tracker->step({start}), setup.device.max_force_N).N) >= setup.push_N)
           break;
       }
     ClosedLoop device(loop, {start});
@@ -157,8 +154,7 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
 
   std::vector<Stiffness> out;
   for (std::size_t s = 0; s < setups.size(); ++s) {
-    out.push_back(
-        {setups[s].name, "plain wall", nullptr, wall[s], std::vector<double>(directions.size(), 1.0)});
+    out.push_back({setups[s].name, "plain wall", nullptr, wall[s], std::vector<double>(directions.size(), 1.0)});
     for (const StiffnessPlace& place : places)
       for (const Method* method : options.methods)
         if (place.holds || setups[s].push_N == 0)
@@ -166,22 +162,19 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
                          std::vector<double>(directions.size())});
   }
   const auto named = [](const auto& all, const std::string& name) {
-    return std::size_t(
-        std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; }) -
-        all.begin());
+    return std::size_t(std::find_if(all.begin(), all.end(), [&](const auto& one) { return one.name == name; }) -
+                       all.begin());
   };
   inManyThreads(
       out.size() * directions.size(),
       [&](std::size_t k) {
-        const std::size_t row = k / directions.size(), d = k % directions.size(),
-                          s = named(setups, out[row].setup);
+        const std::size_t row = k / directions.size(), d = k % directions.size(), s = named(setups, out[row].setup);
         if (!out[row].method) return;
         const StiffnessPlace& place = places[named(places, out[row].place)];
         const auto balls = std::make_shared<const BallScene>(place.scene.balls);
         const double at_wall = wall[s][d];
-        const double limit =
-            stiffestStable([&] { return out[row].method->make(balls, place.scene.probe_A); }, place.surface,
-                           place.out, turnTo(directions[d], place.out), setups[s]);
+        const double limit = stiffestStable([&] { return out[row].method->make(balls, place.scene.probe_A); },
+                                            place.surface, place.out, turnTo(directions[d], place.out), setups[s]);
         out[row].limit_N_per_mm[d] = limit;
         out[row].of_wall[d] = at_wall > 0 ? limit / at_wall : 0;
       },
@@ -199,8 +192,7 @@ ReportTable stiffnessTable(const std::vector<Stiffness>& rows) {
                 ""};
   std::vector<const Method*> methods;
   for (const Stiffness& r : rows)
-    if (r.method && std::find(methods.begin(), methods.end(), r.method) == methods.end())
-      methods.push_back(r.method);
+    if (r.method && std::find(methods.begin(), methods.end(), r.method) == methods.end()) methods.push_back(r.method);
   for (const Method* m : methods) t.columns.push_back({std::string(m->name), std::string(m->name)});
   const auto shown = [](const Stiffness& r) {
     std::vector<double> sorted = r.limit_N_per_mm;
@@ -219,8 +211,7 @@ ReportTable stiffnessTable(const std::vector<Stiffness>& rows) {
       t.rows.push_back(std::vector<Cell>(3 + methods.size()));
       t.rows.back()[0] = r.setup, t.rows.back()[1] = r.place, t.rows.back()[2] = wall;
     }
-    t.rows.back()[3 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] =
-        shown(r);
+    t.rows.back()[3 + std::size_t(std::find(methods.begin(), methods.end(), r.method) - methods.begin())] = shown(r);
   }
   t.note = "Median over " + std::to_string(directions) +
            " directions of the device, in brackets the least. 0: it never comes to rest in contact.";
@@ -240,8 +231,8 @@ ReportTable stiffnessSetupsTable() {
   for (const StiffnessSetup& s : stiffnessSetups()) {
     const std::string by = s.push_N > 0 ? constant(s.push_N) + " N and no hand"
                                         : "a hand of " + constant(s.hand.stiffness_N_per_m) + " N/m and " +
-                                              constant(s.hand.damping_N_s_per_m) + " N s/m, led " +
-                                              constant(kIn_A) + " A under the surface";
+                                              constant(s.hand.damping_N_s_per_m) + " N s/m, led " + constant(kIn_A) +
+                                              " A under the surface";
     t.rows.push_back({s.name, s.device.friction_N, by, 1e3 * s.strike_N_s, 1e-3 * s.ticks});
   }
   return t;
@@ -289,8 +280,7 @@ std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
   }
   std::string out = "* With " + rows.front().setup + " a plain wall pressed straight along an axis holds " +
                     readable(straight) + " N/mm; along other directions " + readable(wall_low) + " to " +
-                    readable(wall_high) +
-                    ". The direction alone does that: the sensor's steps lie along its axes.\n";
+                    readable(wall_high) + ". The direction alone does that: the sensor's steps lie along its axes.\n";
   if (exact_rows)
     out += "* `exact` holds " + readable(exact_ratio / double(exact_rows)) +
            " times the wall's along the same directions, on the mean over places and set-ups.\n";

@@ -23,7 +23,7 @@ struct StiffnessPlace {
   std::string name;
   scenes::Scene scene;
   Vec3 surface{0.0}, out{0.0, 0.0, 1.0};  ///< where it is met, and the unit vector out of it
-  bool holds = true;  ///< what is pushed in stays there by itself; on a ridge only a hand holds it
+  bool holds = true;                      ///< what is pushed in stays there by itself; on a ridge only a hand holds it
 };
 
 /// One sphere, a crease, a pit, the pit of four spheres, a hole too narrow for the probe, a flat face of
@@ -35,7 +35,7 @@ struct StiffnessSetup {
   std::string name;
   DeviceParameters device;
   HandParameters hand;
-  double push_N = 0;  ///< with no hand: a constant push, under which the device begins at rest in the surface
+  double push_N = 0;          ///< with no hand: a constant push, under which the device begins at rest in the surface
   double strike_N_s = 0;      ///< straight in; without a hand so little that the device stays in contact
   int ticks = 0;              ///< until it must be at rest
   double begin_N_per_mm = 0;  ///< where the search begins, for all alike
@@ -48,8 +48,8 @@ std::vector<StiffnessSetup> stiffnessSetups();
 /// searched upward from the set-up's beginning in steps of 15 % to the first that does not, and then to 3 %;
 /// downward where the first does not. 0 where none down to 0.02 does, 20 where all do. `turn`: the device's
 /// axes in the scene. The device is struck while it is pressed.
-double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, const Vec3& surface,
-                      const Vec3& out, const glm::dmat3& turn, const StiffnessSetup& setup);
+double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, const Vec3& surface, const Vec3& out,
+                      const glm::dmat3& turn, const StiffnessSetup& setup);
 
 struct Stiffness {
   std::string setup, place;

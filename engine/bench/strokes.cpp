@@ -27,8 +27,7 @@ std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene
       const Contact c = guide.step({h});
       (reached ? one.counted : one.approach).push_back(h);
       if (!c.touching()) {
-        if (reached || glm::dot(h - centre, aim) > far)
-          break;  // came off, or found a way through: another side
+        if (reached || glm::dot(h - centre, aim) > far) break;  // came off, or found a way through: another side
         h += aim * std::max(kStrokeStep_A, 0.9 * clearance(*scene, probe_A, h));
         continue;
       }
@@ -45,10 +44,8 @@ std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene
   return out;
 }
 
-std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A,
-                                const StrokePlan& plan) {
-  const std::vector<Vec3> path =
-      freePath(scene, probe_A, plan.strokes * plan.ticks, static_cast<unsigned>(plan.seed));
+std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan) {
+  const std::vector<Vec3> path = freePath(scene, probe_A, plan.strokes * plan.ticks, static_cast<unsigned>(plan.seed));
   std::vector<Stroke> out(plan.strokes);
   for (std::size_t k = 0; k < plan.strokes; ++k) {
     const auto begin = path.begin() + static_cast<std::ptrdiff_t>(k * plan.ticks);

@@ -30,7 +30,6 @@ std::vector<Stroke> contactStrokes(const std::shared_ptr<const BallScene>& scene
                                    const StrokePlan& plan);
 
 /// Strokes in free space close to the surface (see freePath), 0.02 A a tick.
-std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A,
-                                const StrokePlan& plan);
+std::vector<Stroke> freeStrokes(const std::shared_ptr<const BallScene>& scene, double probe_A, const StrokePlan& plan);
 
 }  // namespace moltact::bench

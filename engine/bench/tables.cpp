@@ -60,7 +60,8 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
   return out;
 }
 
-std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls, std::size_t least_prepared) {
+std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls,
+                                    std::size_t least_prepared) {
   std::vector<const Method*> out;
   for (const Method* m : methods)
     if (m->most_balls == 0 || (balls <= m->most_balls && balls >= least_prepared)) out.push_back(m);
@@ -111,8 +112,9 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
                 {},
                 ""};
   const double step = clockStep_ns();
-  t.note = "Means are over whole strokes and stand; the rest is tick by tick, and the clock's readings step by " + readable(step) +
-           " ns, so that a single tick is known to within that (±). The clock's own cost, " + readable(clockCost_ns()) +
+  t.note = "Means are over whole strokes and stand; the rest is tick by tick, and the clock's readings step by " +
+           readable(step) + " ns, so that a single tick is known to within that (±). The clock's own cost, " +
+           readable(clockCost_ns()) +
            " ns, is taken off single ticks. Strokes in which the operating system took the processor away are dropped.";
   for (const SceneTimes& scene : times)
     for (const bool contact : {false, true}) {
@@ -121,9 +123,8 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
       for (const TickTimes& row : rows)
         t.rows.push_back({scene.scene, double(scene.spheres), std::string(contact ? "contact" : "free"),
                           std::string(row.method->name), row.mean_ns, row.single_ns.p50, step, row.single_ns.p99,
-                          row.single_ns.p9999, row.single_ns.max,
-                          ratio(row.mean_ns, exact ? exact->mean_ns : 0), 100 * row.touching,
-                          double(row.single_ns.count), double(row.dropped)});
+                          row.single_ns.p9999, row.single_ns.max, ratio(row.mean_ns, exact ? exact->mean_ns : 0),
+                          100 * row.touching, double(row.single_ns.count), double(row.dropped)});
     }
   return t;
 }
@@ -149,11 +150,11 @@ ReportTable readyTable(const std::vector<SceneTimes>& times) {
   for (const SceneTimes& scene : times) {
     const TickTimes* exact = rowOf(scene.contact, "exact");
     for (const TickTimes& row : scene.contact) {
-      const double bytes = double(row.footprint.bytes), modelled = double(row.footprint.atoms_modelled);
-      t.rows.push_back({scene.scene, double(scene.spheres), std::string(row.method->name),
-                        1e3 * scene.scene_s, 1e3 * row.make_s, 1e3 * row.first_touch_s,
+      const double bytes = double(row.memory_usage.bytes), modelled = double(row.memory_usage.atoms_modelled);
+      t.rows.push_back({scene.scene, double(scene.spheres), std::string(row.method->name), 1e3 * scene.scene_s,
+                        1e3 * row.make_s, 1e3 * row.first_touch_s,
                         1e3 * (scene.scene_s + row.make_s + row.first_touch_s), bytes,
-                        ratio(bytes, exact ? double(exact->footprint.bytes) : 0), modelled,
+                        ratio(bytes, exact ? double(exact->memory_usage.bytes) : 0), modelled,
                         100 * modelled / double(scene.spheres)});
     }
   }

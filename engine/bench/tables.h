@@ -35,7 +35,7 @@ struct TableOptions {
   std::vector<const Method*> methods;
   double probe_A = kWaterProbe_A;
   StrokePlan plan;
-  double budget_s = 0.5;  ///< of counted time a method, scene and motion
+  double budget_s = 0.5;           ///< of counted time a method, scene and motion
   std::size_t least_prepared = 0;  ///< methods that prepare a whole scene are left out of scenes of fewer balls
 };
 
@@ -47,8 +47,10 @@ struct SceneTimes {
   std::vector<TickTimes> free, contact;  ///< a row a method that bears the scene, in the order of the options
 };
 
-/// Those that are made for scenes of so many balls (Method::most_balls); those that prepare them not below `least_prepared`.
-std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls, std::size_t least_prepared = 0);
+/// Those that are made for scenes of so many balls (Method::most_balls); those that prepare them not below
+/// `least_prepared`.
+std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls,
+                                    std::size_t least_prepared = 0);
 
 std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
                                       const Progress& progress);

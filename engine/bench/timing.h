@@ -3,8 +3,8 @@
 //
 // The methods take turns stroke by stroke (A B A B …), so that a change of the machine's speed meets all
 // alike. Even strokes are timed whole, for the mean; odd ones tick by tick, for the percentiles, less the
-// clock's own cost, and known no better than to the clock's step (clock_step.h). A stroke during which the operating system took the processor away says nothing of the
-// method and is not counted.
+// clock's own cost, and known no better than to the clock's step (clock_step.h). A stroke during which the operating
+// system took the processor away says nothing of the method and is not counted.
 #pragma once
 
 #include <functional>
@@ -33,7 +33,7 @@ struct TickTimes {
   double touching = 0;       ///< share of counted ticks in contact (0 to 1)
   double make_s = 0;         ///< from the scene to a tracker that has answered its first tick, outside
   double first_touch_s = 0;  ///< the tick that first met the surface; 0 when none did
-  Footprint footprint;       ///< at the end
+  MemoryUsage memory_usage;  ///< at the end
 };
 
 /// Times the methods on the strokes. A method that has used `budget_s` of counted time drops out of later

@@ -15,12 +15,11 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
   at(0.1, "timing");
   std::vector<TradeOff> out;
   for (const TickTimes& t : timeMethods(options.methods, scene, options.probe_A, strokes, options.budget_s))
-    out.push_back({t.method, t.mean_ns, {}, t.footprint, false, false});
+    out.push_back({t.method, t.mean_ns, {}, t.memory_usage, false, false});
   for (std::size_t k = 0; k < out.size(); ++k) {
     at(0.3 + 0.7 * double(k) / double(out.size()), out[k].method->name);
-    out[k].accuracy = out[k].method->name == "exact"
-                          ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
-                          : accuracyOf(*out[k].method, scene, options.probe_A, strokes);
+    out[k].accuracy = out[k].method->name == "exact" ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
+                                                     : accuracyOf(*out[k].method, scene, options.probe_A, strokes);
   }
   std::vector<double> cost, scp, direction;
   for (const TradeOff& one : out) {
@@ -51,9 +50,9 @@ ReportTable tradeOffTable(const std::vector<TradeOff>& points, const TradeOffOpt
                  {"best", "best trade-off in"}},
                 {},
                 readable(double(options.plan.strokes)) + " strokes of " + readable(double(options.plan.ticks)) +
-                    " ticks over a protein-like cluster of " + readable(double(options.spheres)) + " spheres, the HIP " +
-                    readable(options.plan.depth_A) + " A deep, " + readable(kStrokeStep_A) + " A a tick, the probe " +
-                    readable(options.probe_A) +
+                    " ticks over a protein-like cluster of " + readable(double(options.spheres)) +
+                    " spheres, the HIP " + readable(options.plan.depth_A) + " A deep, " + readable(kStrokeStep_A) +
+                    " A a tick, the probe " + readable(options.probe_A) +
                     " A. Errors are against exact; those of exact are against the brute-force oracle."};
   for (const TradeOff& p : points) {
     const Accuracy& a = p.accuracy;
@@ -61,9 +60,9 @@ ReportTable tradeOffTable(const std::vector<TradeOff>& points, const TradeOffOpt
                              : p.best_scp                   ? "place"
                              : p.best_direction             ? "direction"
                                                             : "";
-    t.rows.push_back({std::string(p.method->name), p.tick_ns, a.scp_A.rms, a.scp_A.p50, a.scp_A.p99,
-                      a.scp_A.max, a.direction_deg.rms, a.direction_deg.p50, a.direction_deg.p99,
-                      100 * a.lost, double(p.footprint.bytes), best});
+    t.rows.push_back({std::string(p.method->name), p.tick_ns, a.scp_A.rms, a.scp_A.p50, a.scp_A.p99, a.scp_A.max,
+                      a.direction_deg.rms, a.direction_deg.p50, a.direction_deg.p99, 100 * a.lost,
+                      double(p.memory_usage.bytes), best});
   }
   return t;
 }

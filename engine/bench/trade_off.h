@@ -14,7 +14,7 @@ struct TradeOff {
   const Method* method = nullptr;
   double tick_ns = 0;  ///< mean in contact
   Accuracy accuracy;   ///< against exact; exact's own against the oracle
-  Footprint footprint;
+  MemoryUsage memory_usage;
   bool best_scp = false, best_direction = false;  ///< on the front of best trade-offs
 };
 

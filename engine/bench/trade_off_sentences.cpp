@@ -17,7 +17,8 @@ std::string seconds(double s) { return s < 1 ? readable(1e3 * s) + " ms" : reada
 }  // namespace
 
 std::string tradeOffSentences(const std::vector<TradeOff>& points) {
-  const auto exact = std::find_if(points.begin(), points.end(), [](const TradeOff& p) { return p.method->name == "exact"; });
+  const auto exact =
+      std::find_if(points.begin(), points.end(), [](const TradeOff& p) { return p.method->name == "exact"; });
   if (exact == points.end() || points.size() < 2 || !(exact->tick_ns > 0)) return "";
   std::vector<TradeOff> others;
   for (const TradeOff& p : points)
@@ -40,24 +41,28 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
     if (p.tick_ns < exact->tick_ns)
       faster.push_back(quoted(p.method) + " (" + readable(p.tick_ns / exact->tick_ns) + " times its time, off by " +
                        readable(p.accuracy.scp_A.rms) + " A)");
-  out += ".\n* Faster than `exact`: " + listed(faster) + ".\n* Memory after these strokes, of `exact`'s " + bytes(exact->footprint.bytes) + ":";
+  out += ".\n* Faster than `exact`: " + listed(faster) + ".\n* Memory after these strokes, of `exact`'s " +
+         bytes(exact->memory_usage.bytes) + ":";
   for (std::size_t k = 0; k < others.size(); ++k)
     out += (k ? ", " : " ") + quoted(others[k].method) + " " +
-           readable(double(others[k].footprint.bytes) / double(exact->footprint.bytes)) + " times";
+           readable(double(others[k].memory_usage.bytes) / double(exact->memory_usage.bytes)) + " times";
   return out + ".\n";
 }
 
 std::string coolSentences(const std::vector<CoolTimes>& cool) {
-  const auto exact = std::find_if(cool.begin(), cool.end(), [](const CoolTimes& c) { return c.method->name == "exact"; });
+  const auto exact =
+      std::find_if(cool.begin(), cool.end(), [](const CoolTimes& c) { return c.method->name == "exact"; });
   if (exact == cool.end() || exact->sleeping_ns.count == 0) return "";
-  std::string out = "A hand meets `exact` at " + readable(exact->sleeping_ns.p50) + " ns a tick, once a millisecond, and at " +
-                    readable(1e-3 * exact->thrashed_ns.p50) + " us where other work has emptied the caches: " +
-                    readable(1e-4 * exact->thrashed_ns.p50) + " % of the millisecond.";
+  std::string out = "A hand meets `exact` at " + readable(exact->sleeping_ns.p50) +
+                    " ns a tick, once a millisecond, and at " + readable(1e-3 * exact->thrashed_ns.p50) +
+                    " us where other work has emptied the caches: " + readable(1e-4 * exact->thrashed_ns.p50) +
+                    " % of the millisecond.";
   const auto slowest = std::max_element(cool.begin(), cool.end(), [](const CoolTimes& a, const CoolTimes& b) {
     return a.thrashed_ns.p50 < b.thrashed_ns.p50;
   });
   if (slowest != exact)
-    out += " The slowest of the others then, " + quoted(slowest->method) + ", takes " + readable(1e-3 * slowest->thrashed_ns.p50) + " us.";
+    out += " The slowest of the others then, " + quoted(slowest->method) + ", takes " +
+           readable(1e-3 * slowest->thrashed_ns.p50) + " us.";
   return out + "\n";
 }
 
@@ -73,28 +78,30 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
     if (!row || !(row->mean_ns > 0)) continue;
     if (!least || s.spheres < least->spheres) least = &s;
     if (!most || s.spheres > most->spheres) most = &s;
-    const bool any = std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->most_balls > 0; });
+    const bool any =
+        std::any_of(s.contact.begin(), s.contact.end(), [](const TickTimes& t) { return t.method->most_balls > 0; });
     if (any && (!prepared || s.spheres > prepared->spheres)) prepared = &s;
   }
   if (!least) return "";
   std::string out;
   if (most != least) {
     const double few = rowOf(least->contact, "exact")->mean_ns, many = rowOf(most->contact, "exact")->mean_ns;
-    out += "* Scale: from " + readable(double(least->spheres)) + " to " + readable(double(most->spheres)) + " spheres `exact`'s tick in contact goes from " +
-           readable(few) + " to " + readable(many) + " ns (" + readable(many / few) + " times), its memory a sphere from " +
-           readable(double(rowOf(least->contact, "exact")->footprint.bytes) / double(least->spheres)) + " to " +
-           readable(double(rowOf(most->contact, "exact")->footprint.bytes) / double(most->spheres)) + " bytes.\n";
+    out += "* Scale: from " + readable(double(least->spheres)) + " to " + readable(double(most->spheres)) +
+           " spheres `exact`'s tick in contact goes from " + readable(few) + " to " + readable(many) + " ns (" +
+           readable(many / few) + " times), its memory a sphere from " +
+           readable(double(rowOf(least->contact, "exact")->memory_usage.bytes) / double(least->spheres)) + " to " +
+           readable(double(rowOf(most->contact, "exact")->memory_usage.bytes) / double(most->spheres)) + " bytes.\n";
   }
   if (!prepared) return out;
   const TickTimes* exact = rowOf(prepared->contact, "exact");
   const auto ready = [&](const TickTimes& t) { return prepared->scene_s + t.make_s + t.first_touch_s; };
-  out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` can be touched after " + seconds(ready(*exact)) + ", with " +
-         bytes(exact->footprint.bytes) + " in the end";
+  out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` can be touched after " +
+         seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " in the end";
   for (const TickTimes& t : prepared->contact)
     if (t.method->most_balls > 0)
-      out += "; " + quoted(t.method) + ", which prepares the whole scene for one probe, after " + seconds(ready(t)) + " (" +
-             readable(ready(t) / ready(*exact)) + " times), with " + bytes(t.footprint.bytes) + " (" +
-             readable(double(t.footprint.bytes) / double(exact->footprint.bytes)) + " times)";
+      out += "; " + quoted(t.method) + ", which prepares the whole scene for one probe, after " + seconds(ready(t)) +
+             " (" + readable(ready(t) / ready(*exact)) + " times), with " + bytes(t.memory_usage.bytes) + " (" +
+             readable(double(t.memory_usage.bytes) / double(exact->memory_usage.bytes)) + " times)";
   return out + ".\n";
 }
 

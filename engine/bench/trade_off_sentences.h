@@ -1,5 +1,5 @@
-// What the tables of speed, accuracy and size say, in sentences: written anew with every run, so that they cannot disagree with
-// the tables. Markdown.
+// What the tables of speed, accuracy and size say, in sentences: written anew with every run, so that they cannot
+// disagree with the tables. Markdown.
 #pragma once
 
 #include <string>

@@ -1,5 +1,6 @@
 // Text that came from outside (names, titles, paths, messages that quote them) made safe to be shown: no sequence of it
-// steers a terminal, reorders what stands beside it, or begins a line of its own. Usable on every thread but the haptic one.
+// steers a terminal, reorders what stands beside it, or begins a line of its own. Usable on every thread but the haptic
+// one.
 #pragma once
 
 #include <cstddef>
@@ -36,11 +37,11 @@ inline CodePoint firstCodePoint(std::string_view text) {
   return sound ? CodePoint{code, length, true, false} : CodePoint{first, 1, false, false};
 }
 
-/// Whether a code point steers what shows it: C0 and C1 controls but tab and line end, DEL, and what turns the direction of the
-/// text round it (embeddings, overrides, isolates).
+/// Whether a code point steers what shows it: C0 and C1 controls but tab and line end, DEL, and what turns the
+/// direction of the text round it (embeddings, overrides, isolates).
 constexpr bool steersTerminal(std::uint32_t code) {
-  return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0) || (code >= 0x202A && code <= 0x202E) ||
-         (code >= 0x2066 && code <= 0x2069);
+  return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0) ||
+         (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
 /// Calls keep(bytes) and harmful(code, valid) in turn for every piece of the text; `also` says which other code points
@@ -64,11 +65,13 @@ void sortOut(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also)
   keepUpToHere();
 }
 
-/// The text with U+FFFD for each code point that steers a terminal and each byte that is no UTF-8. Line ends and tabs stay.
+/// The text with U+FFFD for each code point that steers a terminal and each byte that is no UTF-8. Line ends and tabs
+/// stay.
 inline std::string printable(std::string_view text) {
   std::string out;
   sortOut(
-      text, [&](std::string_view piece) { out += piece; }, [&](std::uint32_t, bool) { out += kReplacement; }, [](std::uint32_t) { return false; });
+      text, [&](std::string_view piece) { out += piece; }, [&](std::uint32_t, bool) { out += kReplacement; },
+      [](std::uint32_t) { return false; });
   return out;
 }
 
@@ -78,8 +81,10 @@ inline std::string oneLine(std::string_view text) {
   sortOut(
       text, [&](std::string_view piece) { out += piece; },
       [&](std::uint32_t code, bool valid) {
-        if (valid && (code == '\n' || code == '\t' || code == '\r')) out += ' ';
-        else out += kReplacement;
+        if (valid && (code == '\n' || code == '\t' || code == '\r'))
+          out += ' ';
+        else
+          out += kReplacement;
       },
       [](std::uint32_t code) { return code == '\n' || code == '\t'; });
   return out;

@@ -19,8 +19,8 @@ struct Problem {
   std::string message;  ///< what is wrong, in words of the person's world
   std::string remedy;   ///< what would mend it; may be empty
 
-  /// "file:line:column: message; remedy" on one line, leaving out what is not known. Names and what a message quotes may hold
-  /// anything; what would steer a terminal is replaced.
+  /// "file:line:column: message; remedy" on one line, leaving out what is not known. Names and what a message quotes
+  /// may hold anything; what would steer a terminal is replaced.
   std::string text() const {
     std::string out = oneLine(file);
     if (line) out += ':' + std::to_string(line);

@@ -1,5 +1,5 @@
-// Conversions between kinds of numbers that have a result for every number: the cast itself is undefined where the value does
-// not fit. Usable on every thread.
+// Conversions between kinds of numbers that have a result for every number: the cast itself is undefined where the
+// value does not fit. Usable on every thread.
 #pragma once
 
 #include <limits>
@@ -9,8 +9,7 @@ namespace moltact {
 
 /// The whole number of `value` towards zero, or the end of `To` that it lies beyond; 0 of NaN.
 template <class To, class From>
-  requires(std::is_integral_v<To> && std::is_floating_point_v<From>)
-constexpr To wholeOf(From value) {
+requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To wholeOf(From value) {
   // The greatest value of a wide integer rounds up to a power of two, which does not fit.
   constexpr From kBeyond = From(2) * From(std::numeric_limits<To>::max() / 2 + 1);
   if (!(value == value)) return To(0);

@@ -1,5 +1,5 @@
-// A name that is nearly always short, for things of which there are millions: 16 bytes where std::string takes 32. Any thread but
-// the haptic one.
+// A name that is nearly always short, for things of which there are millions: 16 bytes where std::string takes 32. Any
+// thread but the haptic one.
 #pragma once
 
 #include <cstdint>
@@ -70,8 +70,8 @@ class ShortText {
     std::memcpy(bytes_, other.bytes_, sizeof held);
     std::memcpy(other.bytes_, held, sizeof held);
   }
-  // The text and its length, or kOnHeap; then a pointer and a length of 4 bytes stand at the front. Aligned as a pointer is, so that
-  // leak checkers see it.
+  // The text and its length, or kOnHeap; then a pointer and a length of 4 bytes stand at the front. Aligned as a
+  // pointer is, so that leak checkers see it.
   alignas(char*) char bytes_[kInside + 1]{};
 };
 

@@ -32,9 +32,9 @@ class TripleBuffer {
  private:
   static constexpr std::uint8_t kIndex = 3, kFresh = 4;
   std::array<T, 3> slots_;
-  alignas(64) std::uint8_t back_ = 0;                 // writer's
+  alignas(64) std::uint8_t back_ = 0;  // writer's
   alignas(64) std::atomic<std::uint8_t> middle_{1};
-  alignas(64) std::uint8_t front_ = 2;                // reader's
+  alignas(64) std::uint8_t front_ = 2;  // reader's
 };
 
 }  // namespace moltact

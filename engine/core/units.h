@@ -28,19 +28,19 @@ struct ForceN {
   Vec3 N{0.0};
 };
 
-/// How the device's space lies in the molecule's: a scale, a turn and a centre.
-/// Valid range: A_per_mm > 0; `turn` a rotation matrix (orthonormal, determinant 1).
+/// How the device's space lies in the molecule's: a scale, a rotation and a centre.
+/// Valid range: A_per_mm > 0; `rotation` a rotation matrix (orthonormal, determinant 1).
 struct Workspace {
-  double A_per_mm = 0.25;   ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
-  Vec3 centre_A{0.0};       ///< the place in the molecule where the device's origin lies (unit: angstrom)
-  glm::dmat3 turn{1.0};     ///< the device's axes in the molecule's space, as columns (default: the same axes)
+  double A_per_mm = 0.25;    ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
+  Vec3 centre_A{0.0};        ///< the place in the molecule where the device's origin lies (unit: angstrom)
+  glm::dmat3 rotation{1.0};  ///< the device's axes in the molecule's space, as columns (default: the same axes)
 
-  PointA toMolecule(PointMm place) const { return {centre_A + turn * (place.mm * A_per_mm)}; }
-  PointMm toDevice(PointA place) const { return {glm::transpose(turn) * (place.A - centre_A) / A_per_mm}; }
+  PointA toMolecule(PointMm place) const { return {centre_A + rotation * (place.mm * A_per_mm)}; }
+  PointMm toDevice(PointA place) const { return {glm::transpose(rotation) * (place.A - centre_A) / A_per_mm}; }
 
   /// The spring's force (paper, section 3.3): stiffness (N/mm, in the device's space) times the way from HIP to SCP.
   ForceN spring(PointA hip, PointA scp, double stiffness_N_per_mm) const {
-    return {glm::transpose(turn) * (scp.A - hip.A) * (stiffness_N_per_mm / A_per_mm)};
+    return {glm::transpose(rotation) * (scp.A - hip.A) * (stiffness_N_per_mm / A_per_mm)};
   }
 };
 

@@ -1,5 +1,5 @@
-// Looks for a device that is waited for and opens it, on a thread of its own: a driver may take seconds to find that there is
-// none. Window's thread; nothing here waits but the destructor and take().
+// Looks for a device that is waited for and opens it, on a thread of its own: a driver may take seconds to find that
+// there is none. Window's thread; nothing here waits but the destructor and take().
 #pragma once
 
 #include <chrono>
@@ -13,7 +13,8 @@ namespace moltact {
 
 class DeviceSearch {
  public:
-  explicit DeviceSearch(std::string name) : found_(std::async(std::launch::async, [name = std::move(name)] { return openDevice(name); })) {}
+  explicit DeviceSearch(std::string name)
+      : found_(std::async(std::launch::async, [name = std::move(name)] { return openDevice(name); })) {}
 
   bool done() const { return found_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
   /// Once, when it is done: the device, or why there is none.

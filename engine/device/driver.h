@@ -16,13 +16,13 @@ namespace moltact {
 
 /// One device that a driver knows of.
 struct FoundDevice {
-  std::string name = {};  ///< as in `moltact device check NAME`: the driver's, with ":2" and so on from the second on
-  std::string title = {}; ///< what is written on it
-  std::string place = {}; ///< where it is plugged in, in the driver's words; may be empty
+  std::string name = {};   ///< as in `moltact device check NAME`: the driver's, with ":2" and so on from the second on
+  std::string title = {};  ///< what is written on it
+  std::string place = {};  ///< where it is plugged in, in the driver's words; may be empty
   bool usable = false;
-  std::string why = {};   ///< why it cannot be used and what would mend it; empty where it can
+  std::string why = {};  ///< why it cannot be used and what would mend it; empty where it can
   bool gives_force = false;
-  bool by_itself = false; ///< may be chosen without being asked for
+  bool by_itself = false;  ///< may be chosen without being asked for
 };
 
 struct DeviceDriver {
@@ -45,8 +45,8 @@ std::optional<FoundDevice> findDevice(std::string_view name);
 /// The one to use where nobody chose; never fails, for the mouse is always there.
 const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found);
 
-/// Opens the device of that name. A Problem where there is none of that name (it lists those there are), where it cannot
-/// be used, or where it fails to open.
+/// Opens the device of that name. A Problem where there is none of that name (it lists those there are), where it
+/// cannot be used, or where it fails to open.
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name);
 
 }  // namespace moltact

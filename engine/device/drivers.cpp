@@ -4,10 +4,11 @@
 
 namespace moltact {
 
-extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kDualShockDriver, kDualSenseDriver, kSimulatedDriver, kMouseDriver;
+extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kDualShockDriver,
+    kDualSenseDriver, kSimulatedDriver, kMouseDriver;
 
 std::span<const DeviceDriver> deviceDrivers() {
-  static const DeviceDriver kAll[] = {kOmniDriver,       kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver,
+  static const DeviceDriver kAll[] = {kOmniDriver,      kWoodenHapticsDriver, kOpenDriver,      kSpaceMouseDriver,
                                       kDualShockDriver, kDualSenseDriver,     kSimulatedDriver, kMouseDriver};
   return kAll;
 }
@@ -46,7 +47,8 @@ std::optional<FoundDevice> findDevice(std::string_view name) {
 }
 
 const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
-  const auto best = std::find_if(found.begin(), found.end(), [](const FoundDevice& one) { return one.usable && one.by_itself; });
+  const auto best =
+      std::find_if(found.begin(), found.end(), [](const FoundDevice& one) { return one.usable && one.by_itself; });
   return best != found.end() ? *best : found.back();
 }
 

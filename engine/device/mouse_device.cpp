@@ -17,14 +17,14 @@ void MouseDevice::lead(PointMm target) noexcept {
 }
 
 void MouseDevice::place(PointMm target) noexcept {
-  ++sent_.placements;
+  ++sent_.discontinuities;
   lead(target);
 }
 
 DevicePose MouseDevice::read(double dt_s) noexcept {
   const Lead& lead = lead_.read();
-  if (lead.placements != placed_) {
-    placed_ = pose_.placements = lead.placements;
+  if (lead.discontinuities != placed_) {
+    placed_ = pose_.discontinuities = lead.discontinuities;
     pose_.position = lead.target;
     return pose_;
   }

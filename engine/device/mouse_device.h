@@ -2,8 +2,8 @@
 // reads it; between two frames it glides, so that the HIP moves in small steps at 1 kHz.
 #pragma once
 
-#include "engine/device/device.h"
 #include "engine/core/triple_buffer.h"
+#include "engine/device/device.h"
 
 namespace moltact {
 
@@ -26,12 +26,12 @@ class MouseDevice final : public Device {
  private:
   struct Lead {
     PointMm target;
-    std::uint32_t placements = 0;
+    std::uint32_t discontinuities = 0;
   };
   DeviceInfo info_;
   TripleBuffer<Lead> lead_;
-  Lead sent_;               // the window's
-  DevicePose pose_;         // the haptic thread's
+  Lead sent_;        // the window's
+  DevicePose pose_;  // the haptic thread's
   std::uint32_t placed_ = 0;
 };
 

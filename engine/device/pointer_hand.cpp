@@ -17,8 +17,8 @@ bool finite(const ViewRays& r) {
          std::isfinite(r.width_px) && r.width_px > 0 && std::isfinite(r.height_px) && r.height_px > 0;
 }
 bool finite(const PointerInput& in) {
-  return std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) && std::isfinite(in.N_per_A) && finite(in.keys) &&
-         finite(in.rays) && (!in.pointer_px || finite(*in.pointer_px));
+  return std::isfinite(in.dt_s) && std::isfinite(in.force_N) && std::isfinite(in.push_notches) &&
+         std::isfinite(in.N_per_A) && finite(in.keys) && finite(in.rays) && (!in.pointer_px || finite(*in.pointer_px));
 }
 
 }  // namespace
@@ -42,7 +42,8 @@ PointA PointerHand::lead(const PointerInput& in, const BallScene& scene, double 
 
   // Sideways: in the open the aim follows the pointer; under a press it moves by the pointer's way times the gain.
   if (in.pointer_px) {
-    if (pressing_ && in.press) aim_ += (*in.pointer_px - last_pointer_) * yielding;
+    if (pressing_ && in.press)
+      aim_ += (*in.pointer_px - last_pointer_) * yielding;
     else if (aim_follows_ || *in.pointer_px != last_pointer_) {
       aim_ += (*in.pointer_px - aim_) * (1.0 - std::exp(-dt / 0.04));
       aim_follows_ = true;

@@ -1,9 +1,9 @@
 // A hand made out of a mouse or a keyboard: the probe hovers over the surface under the pointer, a press pushes it in.
 // Pure logic on the window's thread, once a frame; MouseDevice carries the result smoothly to the haptic thread.
 // What stands in for the felt resistance: the HIP goes under while the probe stays on the surface, the push slows down
-// and the pointer's gain falls as the force rises. A press that is held comes to rest at the depth where the spring gives
-// kRest_N; a notch makes that kNotch_N more or less, and the press keeps it. Met at a slant the surface pushes back less
-// than the spring gives at that depth, never more. Units: angstrom, pixel, newton, second.
+// and the pointer's gain falls as the force rises. A press that is held comes to rest at the depth where the spring
+// gives kRest_N; a notch makes that kNotch_N more or less, and the press keeps it. Met at a slant the surface pushes
+// back less than the spring gives at that depth, never more. Units: angstrom, pixel, newton, second.
 #pragma once
 
 #include <optional>
@@ -28,20 +28,22 @@ struct PointerInput {
 
 class PointerHand {
  public:
-  static constexpr double kHover_A = 0.35;         ///< how far before the surface the probe waits
+  static constexpr double kHover_A = 0.35;  ///< how far before the surface the probe waits
   static constexpr double kPressSpeed_A_per_s = 1.2;
-  static constexpr double kRest_N = 0.6;           ///< with so much force a held press comes to rest
-  static constexpr double kNotch_N = 0.2;          ///< a notch makes it so much harder or lighter
-  static constexpr double kLightest_N = 0.05;      ///< a press is never lighter
-  static constexpr double kLongestNotch_A = 0.3;   ///< where the surface hardly pushes back
-  static constexpr double kDeepest_A = 3.0;        ///< a press goes no further under the surface
-  static constexpr double kHalfGain_N = 1.0;       ///< at this force the pointer moves the probe half as far
+  static constexpr double kRest_N = 0.6;          ///< with so much force a held press comes to rest
+  static constexpr double kNotch_N = 0.2;         ///< a notch makes it so much harder or lighter
+  static constexpr double kLightest_N = 0.05;     ///< a press is never lighter
+  static constexpr double kLongestNotch_A = 0.3;  ///< where the surface hardly pushes back
+  static constexpr double kDeepest_A = 3.0;       ///< a press goes no further under the surface
+  static constexpr double kHalfGain_N = 1.0;      ///< at this force the pointer moves the probe half as far
 
   /// Where the HIP is to be led. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.
   PointA lead(const PointerInput& input, const BallScene& scene, double probe_A);
 
-  double depth_A() const { return depth_ > 0.0 ? depth_ : 0.0; }        ///< how far the press has gone under the surface; 0 when hovering
-  glm::dvec2 aim_px() const { return aim_; }       ///< the pixel the hand aims at; trails the pointer under force
+  double depth_A() const {
+    return depth_ > 0.0 ? depth_ : 0.0;
+  }                                           ///< how far the press has gone under the surface; 0 when hovering
+  glm::dvec2 aim_px() const { return aim_; }  ///< the pixel the hand aims at; trails the pointer under force
   /// Forgets where the hand was: at a new scene.
   void reset();
 

@@ -23,7 +23,8 @@ SimulatedDevice::SimulatedDevice(const DeviceParameters& device, const HandParam
     : info_(describe(device)), model_(std::make_shared<DeviceModel>(device, hand, ScriptedHand().place())) {}
 
 DevicePose SimulatedDevice::read(double) noexcept {
-  return {.position = {model_->sensed().mm - Vec3(0, 0, kBehind_mm)}, .connected = plugged_.load(std::memory_order_acquire)};
+  return {.position = {model_->sensed().mm - Vec3(0, 0, kBehind_mm)},
+          .connected = plugged_.load(std::memory_order_acquire)};
 }
 
 void SimulatedDevice::write(ForceN force) noexcept {
@@ -43,7 +44,9 @@ const DeviceDriver kSimulatedDriver{
     .name = "simulated",
     .sentence = "A simulated stylus in a hand that feels its way round the molecule: for demonstrations and tests.",
     .find = [] { return std::vector{FoundDevice{.title = "Simulated stylus", .usable = true, .gives_force = true}}; },
-    .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> { return std::unique_ptr<Device>(std::make_unique<SimulatedDevice>()); },
+    .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> {
+      return std::unique_ptr<Device>(std::make_unique<SimulatedDevice>());
+    },
 };
 
 }  // namespace moltact

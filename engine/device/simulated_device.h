@@ -1,5 +1,5 @@
-// A force-feedback stylus that is not there: the device model (device_model.h) in the scripted hand, or in a hand that a
-// test leads. The loop through it is closed: what is written moves it. Haptic thread but where said.
+// A force-feedback stylus that is not there: the device model (device_model.h) in the scripted hand, or in a hand that
+// a test leads. The loop through it is closed: what is written moves it. Haptic thread but where said.
 #pragma once
 
 #include <atomic>
@@ -11,7 +11,8 @@
 
 namespace moltact {
 
-/// What the scripted hand feels its way round lies so far behind the middle of the device's room: a molecule lies before it.
+/// What the scripted hand feels its way round lies so far behind the middle of the device's room: a molecule lies
+/// before it.
 inline constexpr double kBehind_mm = 45.0;
 
 class SimulatedDevice final : public Device {

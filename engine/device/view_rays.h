@@ -16,7 +16,8 @@ struct ViewRays {
   /// The unit direction through a pixel, counted from the upper left corner.
   Vec3 direction(glm::dvec2 px) const {
     const double scale = 2.0 * tan_half_fov / height_px;
-    return glm::normalize(forward + right * ((px.x - 0.5 * width_px) * scale) + up * ((0.5 * height_px - px.y) * scale));
+    return glm::normalize(forward + right * ((px.x - 0.5 * width_px) * scale) +
+                          up * ((0.5 * height_px - px.y) * scale));
   }
 
   /// The pixel in which a place is seen. Meaningless for places behind the eye.

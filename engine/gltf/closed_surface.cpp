@@ -40,7 +40,8 @@ class Cutter {
   ClosedSurface cut() {
     measure();
     // The ways from a corner of a cube to the opposite one along its edges: six tetrahedra, the same in every cube.
-    static constexpr std::array<std::array<int, 3>, 6> kWays{{{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
+    static constexpr std::array<std::array<int, 3>, 6> kWays{
+        {{0, 1, 2}, {0, 2, 1}, {1, 0, 2}, {1, 2, 0}, {2, 0, 1}, {2, 1, 0}}};
     glm::ivec3 c;
     for (c.z = 0; c.z + 1 < size_.z; ++c.z)
       for (c.y = 0; c.y + 1 < size_.y; ++c.y)
@@ -100,14 +101,17 @@ class Cutter {
   std::uint32_t corner(const glm::ivec3& a, const glm::ivec3& b) {
     const std::size_t ia = std::min(index(a), index(b)), ib = std::max(index(a), index(b));
     const glm::ivec3 way = glm::abs(b - a);
-    const auto [it, made] = corners_.try_emplace(ia * 8 + std::size_t(way.x + 2 * way.y + 4 * way.z), std::uint32_t(out_.places.size()));
+    const auto [it, made] =
+        corners_.try_emplace(ia * 8 + std::size_t(way.x + 2 * way.y + 4 * way.z), std::uint32_t(out_.places.size()));
     if (!made) return it->second;
     const Vec3 pa = place(index(a) == ia ? a : b), pb = place(index(a) == ia ? b : a);
     const double da = double(distance_[ia]), db = double(distance_[ib]);
     // Never on a point itself, where corners of several edges would fall together.
     const double t = std::clamp(da / (da - db), 0.01, 0.99);
     const Vec3 p = glm::mix(pa, pb, t);
-    const auto off = [&](std::uint32_t ball) { return std::abs(glm::distance(p, balls_[ball].centre_A) - balls_[ball].radius_A); };
+    const auto off = [&](std::uint32_t ball) {
+      return std::abs(glm::distance(p, balls_[ball].centre_A) - balls_[ball].radius_A);
+    };
     const std::uint32_t one = owner_[ia], other = owner_[ib];
     const std::uint32_t on = other == kNobody || (one != kNobody && off(one) <= off(other)) ? one : other;
     out_.places.push_back(glm::vec3(p - out_.middle_A));

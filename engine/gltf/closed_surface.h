@@ -1,23 +1,22 @@
 // The surface of the union of balls as closed triangles, for printing and slides. Pure function. Units: angstrom.
 //
-// A grid of cubes, each cut into six tetrahedra alike everywhere, so that neighbours share their edges and every edge of
-// the result belongs to exactly two triangles: closed, without holes or flaps. Corners lie within step^2 / (2 r) of the
-// surface of a ball of radius r; creases are cut off by at most a step. Voids inside give surfaces of their own.
+// A grid of cubes, each cut into six tetrahedra alike everywhere, so that neighbours share their edges and every edge
+// of the result belongs to exactly two triangles: closed, without holes or flaps. Corners lie within step^2 / (2 r) of
+// the surface of a ball of radius r; creases are cut off by at most a step. Voids inside give surfaces of their own.
 #pragma once
 
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <span>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "engine/core/ball.h"
 
 namespace moltact {
 
 struct ClosedSurface {
-  std::vector<glm::vec3> places;    ///< relative to `middle_A`
-  std::vector<glm::vec3> normals;   ///< outward, of the ball that each place lies on
+  std::vector<glm::vec3> places;         ///< relative to `middle_A`
+  std::vector<glm::vec3> normals;        ///< outward, of the ball that each place lies on
   std::vector<std::uint32_t> triangles;  ///< three indices each, counter-clockwise seen from outside
   std::vector<std::uint32_t> owners;     ///< for each triangle the ball that it lies on
   Vec3 middle_A{0.0};

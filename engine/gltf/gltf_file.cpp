@@ -5,11 +5,10 @@
 #include <cmath>
 #include <cstring>
 #include <fstream>
-#include <sstream>
-
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <glm/gtc/type_ptr.hpp>
+#include <sstream>
 // A system header, so that its warnings are not ours.
 #include <tiny_gltf.h>
 
@@ -51,7 +50,8 @@ class Reader {
  private:
   template <class T>
   const T& at(const std::vector<T>& all, int index, const char* what) const {
-    if (index < 0 || std::size_t(index) >= all.size()) throw Broken{std::string("names a ") + what + " that it does not hold"};
+    if (index < 0 || std::size_t(index) >= all.size())
+      throw Broken{std::string("names a ") + what + " that it does not hold"};
     return all[std::size_t(index)];
   }
 
@@ -59,7 +59,8 @@ class Reader {
     if (n.matrix.size() == 16) return glm::mat4(glm::make_mat4(n.matrix.data()));
     glm::dmat4 m(1.0);
     if (n.translation.size() == 3) m = glm::translate(m, glm::make_vec3(n.translation.data()));
-    if (n.rotation.size() == 4) m *= glm::mat4_cast(glm::dquat(n.rotation[3], n.rotation[0], n.rotation[1], n.rotation[2]));
+    if (n.rotation.size() == 4)
+      m *= glm::mat4_cast(glm::dquat(n.rotation[3], n.rotation[0], n.rotation[1], n.rotation[2]));
     if (n.scale.size() == 3) m = glm::scale(m, glm::make_vec3(n.scale.data()));
     return glm::mat4(m);
   }
@@ -84,9 +85,11 @@ class Reader {
     if (a.sparse.isSparse) throw Broken{"holds sparse lists of numbers, which are not read"};
     const tinygltf::BufferView& v = at(model_.bufferViews, a.bufferView, "view of a buffer");
     const tinygltf::Buffer& b = at(model_.buffers, v.buffer, "buffer");
-    const int component = tinygltf::GetComponentSizeInBytes(std::uint32_t(a.componentType)), parts = tinygltf::GetNumComponentsInType(std::uint32_t(a.type));
+    const int component = tinygltf::GetComponentSizeInBytes(std::uint32_t(a.componentType)),
+              parts = tinygltf::GetNumComponentsInType(std::uint32_t(a.type));
     const int stride = a.ByteStride(v);
-    if (a.type != shape || component <= 0 || parts <= 0 || stride < component * parts) throw Broken{"holds numbers of the wrong kind"};
+    if (a.type != shape || component <= 0 || parts <= 0 || stride < component * parts)
+      throw Broken{"holds numbers of the wrong kind"};
     const std::size_t size = std::size_t(component * parts);
     const bool fits = a.count > 0 && v.byteOffset <= b.data.size() && v.byteLength <= b.data.size() - v.byteOffset &&
                       a.byteOffset <= v.byteLength && size <= v.byteLength - a.byteOffset &&
@@ -108,7 +111,8 @@ class Reader {
   }
 
   void add(const tinygltf::Primitive& p, const glm::mat4& to_scene) {
-    if (p.mode != TINYGLTF_MODE_TRIANGLES) throw Broken{"holds lines, points or strips; only lists of triangles are read"};
+    if (p.mode != TINYGLTF_MODE_TRIANGLES)
+      throw Broken{"holds lines, points or strips; only lists of triangles are read"};
     const auto attribute = [&](const char* name) {
       const auto it = p.attributes.find(name);
       return it == p.attributes.end() ? -1 : it->second;
@@ -134,11 +138,13 @@ class Reader {
       std::array<SolidModel::Corner, 3> corners;
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t vertex = indices.data ? indexAt(indices, i + k) : i + k;
-        if (vertex >= places.count || (normals.data && vertex >= normals.count)) throw Broken{"names corners that it does not hold"};
+        if (vertex >= places.count || (normals.data && vertex >= normals.count))
+          throw Broken{"names corners that it does not hold"};
         corners[k].place = glm::vec3(to_scene * glm::vec4(vectorAt(places, vertex), 1.0f));
         if (normals.data) corners[k].normal = turn * vectorAt(normals, vertex);
         corners[k].colour = colour;
-        if (!std::isfinite(glm::dot(corners[k].place, glm::vec3(1.0f)))) throw Broken{"holds places that are no numbers"};
+        if (!std::isfinite(glm::dot(corners[k].place, glm::vec3(1.0f))))
+          throw Broken{"holds places that are no numbers"};
       }
       const glm::vec3 face = glm::cross(corners[1].place - corners[0].place, corners[2].place - corners[0].place);
       for (SolidModel::Corner& c : corners) {
@@ -156,7 +162,9 @@ class Reader {
 };
 
 // Textures are passed over and need not be decoded.
-bool passOver(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) { return true; }
+bool passOver(tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int, void*) {
+  return true;
+}
 
 class Writer {
  public:
@@ -209,12 +217,14 @@ class Writer {
   const std::array<int, 2>& listsOf(const GltfMesh& m) {
     for (const auto& [mesh, lists] : lists_)
       if (mesh->places == m.places && mesh->normals == m.normals) return lists;
-    const int places = addList(m.places, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
+    const int places =
+        addList(m.places, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
     glm::vec3 low = m.places.front(), high = low;
     for (const glm::vec3& p : m.places) low = glm::min(low, p), high = glm::max(high, p);
     model_.accessors.back().minValues = {low.x, low.y, low.z};
     model_.accessors.back().maxValues = {high.x, high.y, high.z};
-    const int normals = addList(m.normals, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
+    const int normals =
+        addList(m.normals, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_VEC3, TINYGLTF_TARGET_ARRAY_BUFFER);
     lists_.push_back({&m, {places, normals}});
     return lists_.back().second;
   }
@@ -222,7 +232,8 @@ class Writer {
   int indicesOf(const std::vector<std::uint32_t>& indices) {
     for (const auto& [known, list] : index_lists_)
       if (*known == indices) return list;
-    const int list = addList(indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+    const int list = addList(indices, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
+                             TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
     index_lists_.push_back({&indices, list});
     return list;
   }
@@ -253,8 +264,10 @@ class Writer {
       if (n.place != glm::vec3(0.0f)) out.translation = {n.place.x, n.place.y, n.place.z};
       if (n.scale != 1.0f) out.scale = {n.scale, n.scale, n.scale};
       model_.nodes.push_back(std::move(out));
-      if (n.parent == GltfNode::kNone) scene.nodes.push_back(int(k));
-      else model_.nodes[n.parent].children.push_back(int(k));
+      if (n.parent == GltfNode::kNone)
+        scene.nodes.push_back(int(k));
+      else
+        model_.nodes[n.parent].children.push_back(int(k));
     }
     model_.scenes.push_back(std::move(scene));
     model_.defaultScene = 0;
@@ -269,7 +282,8 @@ class Writer {
 }  // namespace
 
 Expected<SolidModel> readGltf(const std::filesystem::path& file) {
-  const auto problem = [&](const std::string& message, const std::string& remedy = "give a glTF 2.0 file (.glb or .gltf) with triangles") {
+  const auto problem = [&](const std::string& message,
+                           const std::string& remedy = "give a glTF 2.0 file (.glb or .gltf) with triangles") {
     return Problem{.file = file.string(), .message = message, .remedy = remedy};
   };
   std::error_code error;
@@ -304,7 +318,9 @@ std::optional<Problem> writeGlb(const std::filesystem::path& file, const GltfSce
   std::ostringstream out;
   tinygltf::TinyGLTF saver;
   if (!saver.WriteGltfSceneToStream(&writer.model(), out, false, true) || !out)
-    return Problem{.file = file.string(), .message = "the scene is too large for a glTF file", .remedy = "take a smaller molecule, or a coarser surface"};
+    return Problem{.file = file.string(),
+                   .message = "the scene is too large for a glTF file",
+                   .remedy = "take a smaller molecule, or a coarser surface"};
   return writeWhole(file, out.view());
 }
 

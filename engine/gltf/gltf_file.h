@@ -4,12 +4,11 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
-
-#include <glm/glm.hpp>
 
 #include "engine/core/problem.h"
 
@@ -29,8 +28,8 @@ struct SolidModel {
 inline constexpr std::size_t kMostModelTriangles = 50000;
 
 /// Reads the default scene of a .glb or .gltf file: triangles, transforms and base colours; textures, animations and
-/// cameras are passed over. Corners without a normal get their triangle's. A file that cannot be read, breaks the format
-/// or holds no triangles gives a problem.
+/// cameras are passed over. Corners without a normal get their triangle's. A file that cannot be read, breaks the
+/// format or holds no triangles gives a problem.
 Expected<SolidModel> readGltf(const std::filesystem::path& file);
 
 struct GltfMaterial {

@@ -6,12 +6,12 @@
 namespace moltact {
 namespace {
 
-constexpr int kMostTried = 6;          // touches among which every set of up to three is tried
-constexpr double kSteep = 1e-3;        // of the pull: what leads in by more does not graze
-constexpr double kParallel = 1e-26;    // squared sine, or squared volume, under which normals hold in fewer dimensions
+constexpr int kMostTried = 6;        // touches among which every set of up to three is tried
+constexpr double kSteep = 1e-3;      // of the displacement: what leads in by more does not graze
+constexpr double kParallel = 1e-26;  // squared sine, or squared volume, under which normals hold in fewer dimensions
 
-// What a set leaves of the pull, and how the way turns that it leads along: the acceleration at unit speed, toward the
-// holding sphere's or circle's centre.
+// What a set leaves of the displacement, and how the way turns that it leads along: the acceleration at unit speed,
+// toward the holding sphere's or circle's centre.
 struct Motion {
   Vec3 left{0.0}, turns{0.0};
 };
@@ -19,11 +19,15 @@ struct Motion {
 // Every set of up to three among a few touches, fewest first, until one is admitted.
 class Trial {
  public:
-  Trial(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted)
-      : pull_(pull), touches_(touches), contact_(contact_A), length_(glm::length(pull)), admitted_(admitted) {}
+  Trial(const Vec3& displacement, std::span<const Touch> touches, double contact_A, Admitted admitted)
+      : pull_(displacement),
+        touches_(touches),
+        contact_(contact_A),
+        length_(glm::length(displacement)),
+        admitted_(admitted) {}
 
-  // Adds a touch to those that are tried, in the list's order, so that of equals the first comes first; where there is no room, one
-  // that does not hold makes it.
+  // Adds a touch to those that are tried, in the list's order, so that of equals the first comes first; where there is
+  // no room, one that does not hold makes it.
   void add(int touch) {
     if (tried_count_ == kMostTried) {
       const auto holds = [&](int t) { return std::find(best_.by.begin(), best_.by.end(), t) != best_.by.end(); };
@@ -45,7 +49,8 @@ class Trial {
     for (int a = 0; a < n; ++a) {
       const Vec3& na = normal(a);
       const double push = glm::dot(pull_, na);
-      if (push < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, {pull_ - push * na, na * (-1.0 / touch(a).radius)})) return best_;
+      if (push < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, {pull_ - push * na, na * (-1.0 / touch(a).radius)}))
+        return best_;
     }
     for (int a = 0; a < n; ++a)
       for (int b = a + 1; b < n; ++b)
@@ -58,18 +63,21 @@ class Trial {
     return best_;
   }
 
-  // The touch that what is left of the pull leads into most, beyond rounding; -1: none.
+  // The touch that what is left of the displacement leads into most, beyond rounding; -1: none.
   int mostViolated() const {
     int worst = -1;
     double most = 1.0;
     for (std::size_t k = 0; k < touches_.size(); ++k)
       if (int(k) == best_.by[0] || int(k) == best_.by[1] || int(k) == best_.by[2])
         continue;
-      else if (const double v = violation(motion_, touches_[k]); v > most) most = v, worst = int(k);
+      else if (const double v = violation(motion_, touches_[k]); v > most)
+        most = v, worst = int(k);
     return worst;
   }
 
-  bool tries(int touch) const { return std::find(tried_.begin(), tried_.begin() + tried_count_, touch) != tried_.begin() + tried_count_; }
+  bool tries(int touch) const {
+    return std::find(tried_.begin(), tried_.begin() + tried_count_, touch) != tried_.begin() + tried_count_;
+  }
 
  private:
   const Vec3& normal(int a) const { return touch(a).normal; }
@@ -89,7 +97,8 @@ class Trial {
   bool offer(std::array<int, 3> by, int count, const Motion& motion) {
     double most = 0.0;
     for (int a = 0; a < tried_count_; ++a)  // those that hold are not led into
-      if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end()) most = std::max(most, violation(motion, touch(a)));
+      if (std::find(by.begin(), by.end(), tried_[std::size_t(a)]) == by.end())
+        most = std::max(most, violation(motion, touch(a)));
     if (most > 1.0 && most >= least_) return false;
     if (most <= 1.0 && passed_++ < admitted_.skip) return false;
     least_ = most;
@@ -99,7 +108,7 @@ class Trial {
     return most <= 1.0;
   }
 
-  // Both shares in the pull must be pushes, or none but for rounding.
+  // Both shares in the displacement must be pushes, or none but for rounding.
   bool pair(int a, int b) {
     const Vec3 &na = normal(a), &nb = normal(b), line = glm::cross(na, nb);
     const double sine2 = glm::dot(line, line);
@@ -111,7 +120,8 @@ class Trial {
     // On both spheres: turns . n_a = -1 / R_a and turns . n_b = -1 / R_b.
     const double bend_a = 1.0 / touch(a).radius, bend_b = 1.0 / touch(b).radius;
     const Vec3 turns = (na * (bend_b * cosine - bend_a) + nb * (bend_a * cosine - bend_b)) / sine2;
-    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2, {line * (glm::dot(pull_, line) / sine2), turns});
+    return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2,
+                 {line * (glm::dot(pull_, line) / sine2), turns});
   }
 
   bool triple(int a, int b, int c) {
@@ -120,7 +130,8 @@ class Trial {
     const double volume = glm::dot(ab, nc);
     if (volume * volume < kParallel) return false;
     const double side = volume < 0.0 ? 1.0 : -1.0;
-    if (side * glm::dot(pull_, bc) < -bound(a) || side * glm::dot(pull_, ca) < -bound(b) || side * glm::dot(pull_, ab) < -bound(c))
+    if (side * glm::dot(pull_, bc) < -bound(a) || side * glm::dot(pull_, ca) < -bound(b) ||
+        side * glm::dot(pull_, ab) < -bound(c))
       return false;
     return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], tried_[std::size_t(c)]}, 3, {});
   }
@@ -136,22 +147,23 @@ class Trial {
 };
 
 // One or two touches that rounding leaves no doubt of, as most places have; false otherwise.
-bool plainly(const Vec3& pull, std::span<const Touch> touches, double contact_A, ActiveSet& set) {
-  const double length = glm::length(pull), steep = kSteep * length;
-  const double into_0 = -glm::dot(pull, touches[0].normal);
+bool plainly(const Vec3& displacement, std::span<const Touch> touches, double contact_A, ActiveSet& set) {
+  const double length = glm::length(displacement), steep = kSteep * length;
+  const double into_0 = -glm::dot(displacement, touches[0].normal);
   if (touches.size() == 1) {
     if (into_0 > 0.0 && into_0 <= steep) return false;
     if (into_0 > 0.0) set = {.count = 1, .by = {0, -1, -1}};
     return true;
   }
-  const double into_1 = -glm::dot(pull, touches[1].normal), cosine = glm::dot(touches[0].normal, touches[1].normal);
+  const double into_1 = -glm::dot(displacement, touches[1].normal),
+               cosine = glm::dot(touches[0].normal, touches[1].normal);
   const double still_A = stillUnder_A(contact_A, length);
   const auto one = [&](int by, double into) {
-    const Vec3 left = pull + into * touches[std::size_t(by)].normal;
+    const Vec3 left = displacement + into * touches[std::size_t(by)].normal;
     set = {.count = 1, .by = {by, -1, -1}, .still = glm::dot(left, left) <= still_A * still_A};
     return true;
   };
-  // What is left of the pull on the one sphere leads into the other by so much.
+  // What is left of the displacement on the one sphere leads into the other by so much.
   const double then_1 = into_1 - into_0 * cosine, then_0 = into_0 - into_1 * cosine;
   if (into_0 > steep && then_1 <= 0.0) return one(0, into_0);
   if (into_1 > steep && then_0 <= 0.0) return one(1, into_1);
@@ -162,13 +174,14 @@ bool plainly(const Vec3& pull, std::span<const Touch> touches, double contact_A,
 
 }  // namespace
 
-ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted) noexcept {
+ActiveSet activeSet(const Vec3& displacement, std::span<const Touch> touches, double contact_A,
+                    Admitted admitted) noexcept {
   ActiveSet set;
   if (touches.empty()) return set;
-  if (touches.size() <= 2 && admitted.skip == 0 && plainly(pull, touches, contact_A, set)) return set;
-  Trial trial(pull, touches, contact_A, admitted);
-  // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson & Hanson
-  // 1974): what is left of the pull grows shorter, and no set comes twice.
+  if (touches.size() <= 2 && admitted.skip == 0 && plainly(displacement, touches, contact_A, set)) return set;
+  Trial trial(displacement, touches, contact_A, admitted);
+  // Each round adds the touch that the best motion so far leads into most, as non-negative least squares do (Lawson &
+  // Hanson 1974): what is left of the displacement grows shorter, and no set comes twice.
   for (int round = 0; round < 4 * kMostTried; ++round) {
     set = trial.best();
     const int worst = trial.mostViolated();

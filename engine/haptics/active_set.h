@@ -1,9 +1,9 @@
-// Which of the balls that the SCP touches hold it back: the active set of the projection of the pull on the cone of
-// allowed motions. Haptic thread; no allocation. Units: angstrom.
+// Which of the balls that the SCP touches hold it back: the active set of the projection of the displacement on the
+// cone of allowed motions. Haptic thread; no allocation. Units: angstrom.
 //
-// The steepest way down |x - h|^2 that leaves no touching ball is the projection v of d = h - s on {v : v.n_k >= 0}, n_k
-// the outward normals; by Caratheodory's theorem at most three normals are active in space. docs/exact-tracker.md derives
-// these bounds on rounding.
+// The steepest way down |x - h|^2 that leaves no touching ball is the projection v of d = h - s on {v : v.n_k >= 0},
+// n_k the outward normals; by Caratheodory's theorem at most three normals are active in space. docs/exact-tracker.md
+// derives these bounds on rounding.
 #pragma once
 
 #include <algorithm>
@@ -18,23 +18,25 @@ namespace moltact {
 
 /// A surface that a place touches.
 struct Touch {
-  Vec3 normal;       ///< unit but for rounding, outward
-  double radius;     ///< of curvature; infinite for a plane (unit: angstrom)
-  double gap;        ///< from the surface to the place: negative where it has sunk (unit: angstrom)
-  std::int32_t ball; ///< or whatever else the surface belongs to
+  Vec3 normal;        ///< unit but for rounding, outward
+  double radius;      ///< of curvature; infinite for a plane (unit: angstrom)
+  double gap;         ///< from the surface to the place: negative where it has sunk (unit: angstrom)
+  std::int32_t ball;  ///< or whatever else the surface belongs to
 };
 
-/// How much of a motion may lead into a touching surface by rounding of the pull and of the normal (unit: angstrom): 1/128 of
-/// what counts as touching, 16 times that for a place that has not yet sunk, and nothing for one that has sunk by three times it.
+/// How much of a motion may lead into a touching surface by rounding of the displacement and of the normal (unit:
+/// angstrom): 1/128 of what counts as touching, 16 times that for a place that has not yet sunk, and nothing for one
+/// that has sunk by three times it.
 inline double rounding_A(const Touch& touch, double contact_A, double pull_A) {
   const double gap = touch.gap / contact_A;
   const double share = 0.125 * std::clamp(1.0 + gap, 0.0, 1.0) + 0x1p-7 * std::clamp(0.5 * (3.0 + gap), 1e-6, 1.0);
   return contact_A * share * (1.0 + pull_A / touch.radius);
 }
 
-/// The sine under which a way may meet a touching sphere and not be blocked, for it sinks by no more than the place has room.
-/// The gap along the way is gap - sine t + bend t^2 / 2: with bend > 0 it is least at sine / bend; otherwise it is looked at where a
-/// tangent has left the sphere by contact_A. `bend` (unit: 1 / angstrom): how fast way and sphere part.
+/// The sine under which a way may meet a touching sphere and not be blocked, for it sinks by no more than the place has
+/// room. The gap along the way is gap - sine t + bend t^2 / 2: with bend > 0 it is least at sine / bend; otherwise it
+/// is looked at where a tangent has left the sphere by contact_A. `bend` (unit: 1 / angstrom): how fast way and sphere
+/// part.
 inline double grazing(const Touch& touch, double contact_A, double bend) {
   const double room = contact_A + touch.gap;
   if (bend > 0.0) return std::sqrt(2.0 * bend * std::max(room, contact_A / 16.0));
@@ -42,22 +44,24 @@ inline double grazing(const Touch& touch, double contact_A, double bend) {
   return std::max(0.0, room / way + 0.5 * bend * way);
 }
 
-/// What is left of the pull moves nothing where it is no longer than this (unit: angstrom).
+/// What is left of the displacement moves nothing where it is no longer than this (unit: angstrom).
 inline double stillUnder_A(double contact_A, double pull_A) { return 4.0 * contact_A * (1.0 + pull_A); }
 
 struct ActiveSet {
-  int count = 0;                       ///< 0 to 3; with three, nothing is left of the pull and the place holds
-  std::array<int, 3> by{-1, -1, -1};   ///< places in the list of touches
-  bool still = false;                  ///< nothing but rounding is left of the pull
-  bool found = true;                   ///< false: there are no more than Admitted::skip sets
+  int count = 0;                      ///< 0 to 3; with three, nothing is left of the displacement and the place holds
+  std::array<int, 3> by{-1, -1, -1};  ///< places in the list of touches
+  bool still = false;                 ///< nothing but rounding is left of the displacement
+  bool found = true;                  ///< false: there are no more than Admitted::skip sets
 };
 
 struct Admitted {
-  int skip = 0;        ///< where rounding admits several sets (a holder about to let go, two spheres with one tangent plane), so many are passed over
+  int skip = 0;  ///< where rounding admits several sets (a holder about to let go, two spheres with one tangent plane),
+                 ///< so many are passed over
   bool grazes = true;  ///< whether a way may graze a touching sphere; never so with planes
 };
 
 /// The set with the fewest holders that blocks all that must be blocked.
-ActiveSet activeSet(const Vec3& pull, std::span<const Touch> touches, double contact_A, Admitted admitted = {}) noexcept;
+ActiveSet activeSet(const Vec3& displacement, std::span<const Touch> touches, double contact_A,
+                    Admitted admitted = {}) noexcept;
 
 }  // namespace moltact

@@ -107,7 +107,8 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
     Cell& c = *cell;
     const auto begin = sorted_.begin() + c.begin;
     auto end = sorted_.begin() + c.end;
-    if (c.end - c.begin > 64)  // so full a cell is put in order first: equal balls lie side by side, the first of them first
+    if (c.end - c.begin >
+        64)  // so full a cell is put in order first: equal balls lie side by side, the first of them first
       std::sort(begin, end, [](const Sorted& a, const Sorted& b) {
         const auto key = [](const Sorted& s) {
           return std::tuple(s.ball.centre_A.x, s.ball.centre_A.y, s.ball.centre_A.z, s.ball.radius_A, s.index);
@@ -130,8 +131,8 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   makeCrowd(large_from_, static_cast<std::uint32_t>(sorted_.size()));
 }
 
-// A tree over a crowded part of the list: halves at the middle of the longest side, the radius being one of four, down to kLeaf
-// balls. Of radii the larger half comes first: those are met first.
+// A tree over a crowded part of the list: halves at the middle of the longest side, the radius being one of four, down
+// to kLeaf balls. Of radii the larger half comes first: those are met first.
 void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
   constexpr std::uint32_t kLeaf = 8;
   if (end - begin <= kCrowd) return;
@@ -151,13 +152,16 @@ void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
       bound.spread = std::max(bound.spread, glm::distance(bound.centre, sorted_[k].ball.centre_A));
       bound.largest = std::max(bound.largest, sorted_[k].ball.radius_A);
     }
-    bound.spread += 1e-9 + 1e-12 * (glm::length(bound.centre) + bound.spread);  // what is just within reach is not lost to rounding
+    bound.spread +=
+        1e-9 + 1e-12 * (glm::length(bound.centre) + bound.spread);  // what is just within reach is not lost to rounding
     bounds_.push_back(bound);
     if (!bound.leaf) {
       const Vec3 side = high - low;
       const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
       const bool by_radius = large - small > side[axis];
-      const auto key = [&](const Sorted& s) { return std::pair(by_radius ? s.ball.radius_A : s.ball.centre_A[axis], s.index); };
+      const auto key = [&](const Sorted& s) {
+        return std::pair(by_radius ? s.ball.radius_A : s.ball.centre_A[axis], s.index);
+      };
       const std::uint32_t middle = from + (to - from) / 2;
       std::nth_element(sorted_.begin() + from, sorted_.begin() + middle, sorted_.begin() + to,
                        [&](const Sorted& a, const Sorted& b) { return key(a) < key(b); });

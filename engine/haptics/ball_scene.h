@@ -19,7 +19,8 @@ namespace moltact {
 
 class BallScene {
  public:
-  /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check files).
+  /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
+  /// files).
   explicit BallScene(std::vector<Ball> balls);
 
   std::span<const Ball> balls() const { return balls_; }
@@ -36,8 +37,8 @@ class BallScene {
 
   /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
   /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of balls with the same
-  /// centre and radius only the first in the file is visited. No allocation; the order is fixed for a scene. `cost` counts
-  /// what is looked at beside balls: cells, and groups of balls in crowded cells.
+  /// centre and radius only the first in the file is visited. No allocation; the order is fixed for a scene. `cost`
+  /// counts what is looked at beside balls: cells, and groups of balls in crowded cells.
   template <class Visit>
   void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
     const double reach = margin_A + cell_radius_;
@@ -56,16 +57,20 @@ class BallScene {
     visitBox(place - Vec3(reach_A), place + Vec3(reach_A), inReach, visit);
   }
 
-  /// The same for the balls that come within margin_A of any place in the box [low, high]; where many balls crowd in a cell,
-  /// only for those in groups for which `mayMeet(centre, radius)` is true: the group's balls all lie in that ball.
+  /// The same for the balls that come within margin_A of any place in the box [low, high]; where many balls crowd in a
+  /// cell, only for those in groups for which `mayMeet(centre, radius)` is true: the group's balls all lie in that
+  /// ball.
   template <class MayMeet, class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, MayMeet&& mayMeet, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;
-    visitBox(low - Vec3(reach), high + Vec3(reach), [&](const Bound& b) { return mayMeet(b.centre, b.spread + b.largest); }, visit);
+    visitBox(
+        low - Vec3(reach), high + Vec3(reach), [&](const Bound& b) { return mayMeet(b.centre, b.spread + b.largest); },
+        visit);
   }
   template <class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, Visit&& visit) const {
-    visitNearBox(low, high, margin_A, [](const Vec3&, double) { return true; }, visit);
+    visitNearBox(
+        low, high, margin_A, [](const Vec3&, double) { return true; }, visit);
   }
 
   /// The edge of a grid cell (unit: angstrom): a good length for walking along a path piece by piece.
@@ -80,19 +85,22 @@ class BallScene {
     Ball ball;
     std::uint32_t index;
   };
-  // Cells with more than kCrowd balls (a hundred thousand within 0.1 A, say) have a tree, so that a visit costs what it finds.
+  // Cells with more than kCrowd balls (a hundred thousand within 0.1 A, say) have a tree, so that a visit costs what it
+  // finds.
   static constexpr std::uint32_t kCrowd = 64;
   struct Bound {
     Vec3 centre{0.0};
-    double spread = 0.0, largest = 0.0;       // no centre is farther from `centre`, no radius larger
-    std::uint32_t begin = 0, end = 0, next = 0;  // into sorted_; the place of the next tree node that is not below this one
+    double spread = 0.0, largest = 0.0;  // no centre is farther from `centre`, no radius larger
+    std::uint32_t begin = 0, end = 0,
+                  next = 0;  // into sorted_; the place of the next tree node that is not below this one
     bool leaf = false;
   };
   struct Crowd {
     std::uint32_t begin = 0, root = 0;  // of the cell in sorted_; of its tree in bounds_
   };
   static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
-  static constexpr double kHalfCells = 1 << 20;  // cells an axis holds on either side of the origin; farther ones fold into the last
+  static constexpr double kHalfCells =
+      1 << 20;  // cells an axis holds on either side of the origin; farther ones fold into the last
 
   std::int64_t cellOf(double x, double low) const {
     const double c = std::floor((x - low) / cell_);
@@ -131,7 +139,8 @@ class BallScene {
 
   template <class Accept, class Visit>
   [[gnu::noinline]] bool visitCrowd(std::uint32_t begin, Accept&& accept, Visit&& visit) const {
-    const auto crowd = std::lower_bound(crowds_.begin(), crowds_.end(), begin, [](const Crowd& c, std::uint32_t b) { return c.begin < b; });
+    const auto crowd = std::lower_bound(crowds_.begin(), crowds_.end(), begin,
+                                        [](const Crowd& c, std::uint32_t b) { return c.begin < b; });
     const std::uint32_t end = bounds_[crowd->root].next;
     for (std::uint32_t node = crowd->root; node < end;) {
       const Bound& b = bounds_[node];
@@ -174,11 +183,11 @@ class BallScene {
   void makeCrowd(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Ball> balls_;
-  std::vector<Sorted> sorted_;  // by cell, the cells along x, then y, then z: neighbours lie near in memory;
+  std::vector<Sorted> sorted_;    // by cell, the cells along x, then y, then z: neighbours lie near in memory;
   std::uint32_t large_from_ = 0;  // from here on the few balls much larger than the rest, tested at every visit
-  std::vector<Bound> bounds_;   // trees, each node before those below it
-  std::vector<Crowd> crowds_;   // by begin
-  std::vector<Cell> cells_;     // open addressing, at most half full
+  std::vector<Bound> bounds_;     // trees, each node before those below it
+  std::vector<Crowd> crowds_;     // by begin
+  std::vector<Cell> cells_;       // open addressing, at most half full
   std::size_t mask_ = 0;
   int shift_ = 62;  // 64 less the bits of a quarter of the table
   Vec3 low_{0.0}, high_{0.0}, grid_low_{0.0}, grid_high_{0.0};

@@ -23,12 +23,13 @@ class NearbyBalls {
  public:
   static constexpr std::size_t kMost = 256;  ///< the longest list that is kept
 
-  /// What becomes of a list that would be longer: the scene is visited each time, so that all is seen; or the list reaches less
-  /// far, so that no visit costs much.
+  /// What becomes of a list that would be longer: the scene is visited each time, so that all is seen; or the list
+  /// reaches less far, so that no visit costs much.
   enum class Crowded : std::uint8_t { VisitScene, ReachLess };
 
   /// A list serves until the place has moved by `margin_A`.
-  explicit NearbyBalls(std::shared_ptr<const BallScene> scene, double margin_A = 0.5, Crowded crowded = Crowded::VisitScene)
+  explicit NearbyBalls(std::shared_ptr<const BallScene> scene, double margin_A = 0.5,
+                       Crowded crowded = Crowded::VisitScene)
       : scene_(std::move(scene)),
         margin_(margin_A),
         crowded_(crowded),
@@ -52,11 +53,12 @@ class NearbyBalls {
   NearBall ball(std::int32_t i) const noexcept { return inflated(i, (*scene_)[std::size_t(i)]); }
 
   /// Calls visit(NearBall) once for each ball that comes within `within_A` of the place, and for some farther
-  /// ones; returns how near to the place all balls have been visited: at least within_A, but for Crowded::ReachLess. The
-  /// order follows from the places asked for.
+  /// ones; returns how near to the place all balls have been visited: at least within_A, but for Crowded::ReachLess.
+  /// The order follows from the places asked for.
   template <class Visit>
   double each(const Vec3& place, double within_A, Visit&& visit) noexcept {
-    if (!(glm::distance(place, around_) + within_A <= reach_)) [[unlikely]] look(place, within_A);
+    if (!(glm::distance(place, around_) + within_A <= reach_)) [[unlikely]]
+      look(place, within_A);
     if (fits_) {
       looked_ += count_;
       for (std::size_t k = 0; k < count_; ++k) visit(list_[k]);
@@ -93,7 +95,9 @@ class NearbyBalls {
  private:
   static constexpr double kLeastReach_A = 1e-7;
 
-  NearBall inflated(std::int32_t i, const Ball& b) const noexcept { return {b.centre_A - origin_, b.radius_A + probe_, i}; }
+  NearBall inflated(std::int32_t i, const Ball& b) const noexcept {
+    return {b.centre_A - origin_, b.radius_A + probe_, i};
+  }
 
   void look(const Vec3& place, double within_A) noexcept {
     const double wanted = within_A + margin_;
@@ -122,15 +126,18 @@ class NearbyBalls {
     reach_ = reach;
     count_ = 0;
     bool fits = true;
-    scene_->visitNear(origin_ + place, probe_ + reach_, [&](std::uint32_t i, const Ball& b) {
-      ++looked_;
-      const Vec3 m = place - (b.centre_A - origin_);
-      const double far = b.radius_A + probe_ + reach_;
-      if (glm::dot(m, m) > far * far) return true;
-      fits = count_ < kMost;
-      if (fits) list_[count_++] = inflated(std::int32_t(i), b);
-      return fits;
-    }, &looked_);
+    scene_->visitNear(
+        origin_ + place, probe_ + reach_,
+        [&](std::uint32_t i, const Ball& b) {
+          ++looked_;
+          const Vec3 m = place - (b.centre_A - origin_);
+          const double far = b.radius_A + probe_ + reach_;
+          if (glm::dot(m, m) > far * far) return true;
+          fits = count_ < kMost;
+          if (fits) list_[count_++] = inflated(std::int32_t(i), b);
+          return fits;
+        },
+        &looked_);
     return fits;
   }
 

@@ -27,12 +27,14 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
   return sweepFrom(scene, probe_A, Vec3(0.0), from, to, 0.0);
 }
 
-Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to, double contact_A) noexcept {
+Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
+              double contact_A) noexcept {
   constexpr double kSpare_A = 1e-6;  // more is looked at than rounding can hide
   const Vec3 way = to - from;
   double t0 = 0.0, t1 = 1.0;
   const Vec3 margin(probe_A + kSpare_A);
-  if (scene.size() == 0 || !clip(from, way, scene.low_A() - origin - margin, scene.high_A() - origin + margin, t0, t1)) return {};
+  if (scene.size() == 0 || !clip(from, way, scene.low_A() - origin - margin, scene.high_A() - origin + margin, t0, t1))
+    return {};
   const double whole = glm::length(way);
   if (!(whole > 0.0)) return {};
   const Vec3 along = way / whole;
@@ -49,7 +51,9 @@ Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const 
     scene.visitNearBox(
         origin + glm::min(p, q), origin + glm::max(p, q), probe_A + kSpare_A,
         [&](const Vec3& centre, double radius) { return first.mayMeet(centre - origin, radius + probe_A + kSpare_A); },
-        [&](std::uint32_t i, const Ball& b) { first.look(static_cast<std::int32_t>(i), b.centre_A - origin, b.radius_A + probe_A); });
+        [&](std::uint32_t i, const Ball& b) {
+          first.look(static_cast<std::int32_t>(i), b.centre_A - origin, b.radius_A + probe_A);
+        });
     if (piece == length || (first.ball() >= 0 && first.at() <= a + piece)) break;
   }
   if (first.ball() < 0) return {};
@@ -66,9 +70,8 @@ double clearance(const BallScene& scene, double probe_A, const Vec3& place) noex
   const double looked = 0.5 * scene.cell_A(), to_box = wayToBox(scene, probe_A, place);
   if (to_box > looked) return to_box;
   double best = looked;
-  scene.visitNear(place, probe_A + looked, [&](std::uint32_t, const Ball& b) {
-    lessenGap(best, place - b.centre_A, b.radius_A + probe_A);
-  });
+  scene.visitNear(place, probe_A + looked,
+                  [&](std::uint32_t, const Ball& b) { lessenGap(best, place - b.centre_A, b.radius_A + probe_A); });
   return best;
 }
 

@@ -12,15 +12,15 @@
 namespace moltact {
 
 struct Hit {
-  std::int32_t ball = -1;   ///< -1: nothing is met
-  double t = 1.0;           ///< where on the way from `from` (0) to `to` (1)
+  std::int32_t ball = -1;  ///< -1: nothing is met
+  double t = 1.0;          ///< where on the way from `from` (0) to `to` (1)
 };
 
 /// Finds the first of the balls that are looked at, one after the other, on a straight way.
 class FirstMet {
  public:
-  /// `along` is unit; balls farther than `length` are not met. A ball within `contact_A` of the start is touched: it is met
-  /// only where the way sinks by contact_A into it, so that a way along its surface is not stopped by rounding.
+  /// `along` is unit; balls farther than `length` are not met. A ball within `contact_A` of the start is touched: it is
+  /// met only where the way sinks by contact_A into it, so that a way along its surface is not stopped by rounding.
   FirstMet(const Vec3& start, const Vec3& along, double length, double contact_A = 0.0)
       : start_(start), along_(along), best_(length), contact_(contact_A) {}
 
@@ -77,8 +77,10 @@ inline void lessenGap(double& gap, const Vec3& from_centre, double radius) {
 /// already is met at t = 0 when the way leads into it and not at all when it leads out.
 Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& to) noexcept;
 
-/// The same for places given from `origin`, so that far from the zero point no digits are lost, with FirstMet's `contact_A`.
-Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to, double contact_A) noexcept;
+/// The same for places given from `origin`, so that far from the zero point no digits are lost, with FirstMet's
+/// `contact_A`.
+Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
+              double contact_A) noexcept;
 
 /// The distance from `place` to the box round all inflated balls, 0 inside it.
 double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept;

@@ -18,7 +18,7 @@ enum class Feature : std::uint8_t { Free, Sphere, Circle, Point };
 /// Why a tick gives no force although the HIP may be inside the molecule.
 enum class Fault : std::uint8_t {
   None,
-  NotFinite,      ///< the HIP was NaN, infinite or farther than kFarthest_A from the origin; the tracker keeps its state
+  NotFinite,  ///< the HIP was NaN, infinite or farther than kFarthest_A from the origin; the tracker keeps its state
   StartedInside,  ///< the HIP has been inside ever since the start; there is no force until it has been outside once
 };
 
@@ -26,11 +26,12 @@ enum class Fault : std::uint8_t {
 inline constexpr double kFarthest_A = 1e9;
 
 struct Contact {
-  PointA scp;                               ///< equals the HIP when free, but where a tick was cut short and lags; and when faulty, where the HIP is finite
+  PointA scp;  ///< equals the HIP when free, but where a tick was cut short and lags; and when faulty, where the HIP is
+               ///< finite
   std::array<std::int32_t, 3> atoms{-1, -1, -1};  ///< the atoms that hold the SCP, in ascending order; -1 where none
   Feature feature = Feature::Free;
   Fault fault = Fault::None;
-  Vec3 normal{0.0};                         ///< unit: the force's direction where a method shades it; zero: along SCP - HIP
+  Vec3 normal{0.0};  ///< unit: the force's direction where a method shades it; zero: along SCP - HIP
 
   bool touching() const { return feature != Feature::Free; }
 };
@@ -42,7 +43,7 @@ inline PointA springEnd(const Contact& contact, PointA hip) {
 }
 
 /// What a method keeps for the places it has been: "model no more than a scene needs", in numbers.
-struct Footprint {
+struct MemoryUsage {
   std::size_t atoms_modelled = 0;  ///< atoms for which anything beyond centre and radius is held now
   std::size_t bytes = 0;           ///< all memory of the method beyond the list of balls itself (unit: byte)
 };
@@ -62,7 +63,7 @@ class Tracker {
   virtual void setProbe(double probe_A) noexcept = 0;
 
   virtual double probe_A() const noexcept = 0;
-  virtual Footprint footprint() const noexcept = 0;
+  virtual MemoryUsage memoryUsage() const noexcept = 0;
 };
 
 /// The largest probe radius a tracker accepts (unit: angstrom).

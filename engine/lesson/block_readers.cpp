@@ -45,7 +45,8 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
     reading.error({1, 1}, "the front matter has no end", "close it with a line '---'");
     if (end > source.lineCount()) return source.bytes().size();
     // Prose between it and the first step is no list of keys.
-    const auto prose = std::find_if(lines.begin(), lines.end(), [](const BlockLine& l) { return stripped(l.text).empty(); });
+    const auto prose =
+        std::find_if(lines.begin(), lines.end(), [](const BlockLine& l) { return stripped(l.text).empty(); });
     lines.erase(prose, lines.end());
     --end;
   }
@@ -82,8 +83,9 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
     if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule) == known.end() && !reading.enough())
       reading.error(scene.molecule_place, "'" + scene.molecule + "' is not among the lesson's molecules",
-                    suggest(scene.molecule, known, "add it to the front matter or take one of") );
-  } else if (!before && std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
+                    suggest(scene.molecule, known, "add it to the front matter or take one of"));
+  } else if (!before &&
+             std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
     reading.error(block.place, "the lesson's first scene needs the key 'molecule'", "add a line 'molecule: …'");
   }
   if (takes("probe")) scene.probe_A = values["probe"].number;
@@ -127,8 +129,10 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     const TaskKind* found = findTaskKind(line.key);
     if (!found) continue;
     if (kind && kind != found) {
-      reading.error(line.key_place, "a touch block holds one task, but this one has '" + std::string(kind->name) + "' and '" +
-                    std::string(found->name) + "'", "write two touch blocks");
+      reading.error(line.key_place,
+                    "a touch block holds one task, but this one has '" + std::string(kind->name) + "' and '" +
+                        std::string(found->name) + "'",
+                    "write two touch blocks");
       return {};
     }
     kind = found;
@@ -159,7 +163,8 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     return task;
   }
 
-  // Without a kind, a misspelt one is the likeliest cause: each unknown key is told, with the kinds among the suggestions.
+  // Without a kind, a misspelt one is the likeliest cause: each unknown key is told, with the kinds among the
+  // suggestions.
   std::vector<std::string_view> names;
   for (const TaskKind& k : taskKinds()) names.push_back(k.name);
   const std::vector<std::string_view> kinds = names;
@@ -170,23 +175,28 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
   bool told = false;
   for (const KeyLine& line : lines)
     if (std::find(names.begin(), names.end(), line.key) == names.end()) {
-      reading.error(line.key_place, "touch has no key '" + line.key + "'", suggest(line.key, told ? names : kinds, "tasks"));
+      reading.error(line.key_place, "touch has no key '" + line.key + "'",
+                    suggest(line.key, told ? names : kinds, "tasks"));
       told = true;
     }
   if (!told)
-    reading.error(block.place, "the touch block names no task", "add a line that starts with " + joinedWithOr(kinds) + " and a colon");
+    reading.error(block.place, "the touch block names no task",
+                  "add a line that starts with " + joinedWithOr(kinds) + " and a colon");
   return {};
 }
 
 AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
   const auto keys = pointersTo(keysOf(KeyBlock::Answer));
-  const KeyValues values = readBlock(reading, linesOf(reading, block.lines), keys, blockName(KeyBlock::Answer), block.place);
+  const KeyValues values =
+      readBlock(reading, linesOf(reading, block.lines), keys, blockName(KeyBlock::Answer), block.place);
   AnswerSpec answer;
   answer.right = values["right"].text;
   answer.wrong = values["wrong"].text;
   const int given = values.has("number") + values.has("text") + values.has("free");
   if (given != 1) {
-    reading.error(block.place, given == 0 ? "the answer block says nothing about what is right" : "the answer block asks for more than one thing",
+    reading.error(block.place,
+                  given == 0 ? "the answer block says nothing about what is right"
+                             : "the answer block asks for more than one thing",
                   "give one of 'number: …', 'text: …' and 'free: yes'");
   } else if (values.has("number")) {
     answer.kind = AnswerSpec::Kind::Number;
@@ -195,14 +205,16 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
     answer.tolerance = tolerance.number;
     if (!number.words.empty()) answer.unit = number.words[0];
     if (values.has("tolerance") && number.words != tolerance.words)
-      reading.error(tolerance.place, "the tolerance and the number have different units",
-                    answer.unit.empty() ? "write the tolerance without a unit" : "write the tolerance in " + answer.unit);
+      reading.error(
+          tolerance.place, "the tolerance and the number have different units",
+          answer.unit.empty() ? "write the tolerance without a unit" : "write the tolerance in " + answer.unit);
     else if (answer.tolerance < 0.0)
       reading.error(tolerance.place, "the tolerance is below zero", "write it without the minus sign");
   } else if (values.has("text")) {
     answer.kind = AnswerSpec::Kind::Text;
     answer.texts = values["text"].words;
-    if (answer.texts.empty()) reading.error(values["text"].place, "this question has no right answer", "write the words that count as right");
+    if (answer.texts.empty())
+      reading.error(values["text"].place, "this question has no right answer", "write the words that count as right");
   }
   if (values.has("tolerance") && !values.has("number"))
     reading.error(values["tolerance"].place, "'tolerance' goes with 'number'", "take it out");

@@ -19,9 +19,9 @@ namespace moltact {
 using MoleculeByName = std::function<Expected<std::shared_ptr<const Molecule>>(const std::string& name)>;
 
 struct LessonCheck {
-  std::optional<Lesson> lesson;    ///< present where it could be read: a student could begin it, whatever `errors` says
-  std::vector<Problem> errors;     ///< in the order of the file, each at its place in it
-  std::vector<Problem> warnings;   ///< the same
+  std::optional<Lesson> lesson;   ///< present where it could be read: a student could begin it, whatever `errors` says
+  std::vector<Problem> errors;    ///< in the order of the file, each at its place in it
+  std::vector<Problem> warnings;  ///< the same
 };
 
 /// Reads and checks a lesson. `name` is the path of its file: links and pictures are looked up in its folder.

@@ -23,12 +23,14 @@ std::string nearestFile(const fs::path& missing, std::map<fs::path, std::vector<
   std::vector<std::string>& names = at->second;
   std::error_code error;
   if (is_new)
-    for (fs::directory_iterator it(folder, error), end; !error && it != end && names.size() < kMostNames; it.increment(error))
+    for (fs::directory_iterator it(folder, error), end; !error && it != end && names.size() < kMostNames;
+         it.increment(error))
       names.push_back(it->path().filename().string());
   std::sort(names.begin(), names.end());
   const std::vector<std::string_view> known(names.begin(), names.end());
   const std::string near = suggest(missing.filename().string(), known, "");
-  return near.starts_with("did you mean") ? near : "put it there, or mend its name; it is looked for in the lesson's folder";
+  return near.starts_with("did you mean") ? near
+                                          : "put it there, or mend its name; it is looked for in the lesson's folder";
 }
 
 class Files {
@@ -42,7 +44,8 @@ class Files {
     if (!scheme.empty())
       findings_.error(place, "the link '" + std::string(link) + "' leads to nothing that a lesson can show",
                       "link to a step (#…), a file beside the lesson or a web address (https://…)");
-    else if (const auto to = fileLink(lesson_file_, link); to && isThere("link", link, to->file, place) && !to->step.empty())
+    else if (const auto to = fileLink(lesson_file_, link);
+             to && isThere("link", link, to->file, place) && !to->step.empty())
       stepOf(*to, place);
   }
 
@@ -56,7 +59,8 @@ class Files {
     const std::string start = std::string("the ") + what + " '" + std::string(written) + "'";
     std::error_code error;
     if (written.starts_with('/'))
-      findings_.error(place, start + " leads to a place of this computer only", "put the file beside the lesson and write its name");
+      findings_.error(place, start + " leads to a place of this computer only",
+                      "put the file beside the lesson and write its name");
     else if (!fs::exists(file, error))
       findings_.error(place, start + " leads to no file", nearestFile(file, names_in_));
     else
@@ -77,7 +81,8 @@ class Files {
     }
     if (steps.empty() || std::find(steps.begin(), steps.end(), link.step) != steps.end()) return;
     const std::vector<std::string_view> ids(steps.begin(), steps.end());
-    findings_.error(place, "there is no step '#" + link.step + "' in " + link.file.filename().string(), suggest(link.step, ids, "steps"));
+    findings_.error(place, "there is no step '#" + link.step + "' in " + link.file.filename().string(),
+                    suggest(link.step, ids, "steps"));
   }
 
   const fs::path& lesson_file_;

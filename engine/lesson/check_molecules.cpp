@@ -43,9 +43,12 @@ class Check {
     if (known == found_.end()) known = found_.emplace(name, by_name_(name)).first;
     if (known->second) return known->second->get();
     const Problem& why = known->second.problem();
-    const auto same = [&](const Problem& p) { return p.line == place.line && p.column == place.column && p.message == why.message; };
+    const auto same = [&](const Problem& p) {
+      return p.line == place.line && p.column == place.column && p.message == why.message;
+    };
     // A scene that goes on from the one before names nothing anew.
-    if (std::none_of(findings_.errors.begin(), findings_.errors.end(), same)) findings_.error(place, why.message, why.remedy);
+    if (std::none_of(findings_.errors.begin(), findings_.errors.end(), same))
+      findings_.error(place, why.message, why.remedy);
     return nullptr;
   }
 
@@ -57,7 +60,8 @@ class Check {
       findings_.error(at(why), std::move(why.message), std::move(why.remedy));
       return;
     }
-    for (Problem& idle : selection.idleNames(molecule)) findings_.warning(at(idle), std::move(idle.message), std::move(idle.remedy));
+    for (Problem& idle : selection.idleNames(molecule))
+      findings_.warning(at(idle), std::move(idle.message), std::move(idle.remedy));
   }
 
   void crosses(const TaskSpec& task, const Molecule& molecule) {
@@ -67,7 +71,8 @@ class Check {
     for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
       const auto atom = static_cast<std::int32_t>(i);
       if (!from.has(atom) || !to.has(atom)) continue;
-      findings_.error(to_value.place, "the start and the end of the crossing have atoms in common", "choose atoms that are only in one");
+      findings_.error(to_value.place, "the start and the end of the crossing have atoms in common",
+                      "choose atoms that are only in one");
       return;
     }
   }
@@ -80,7 +85,9 @@ class Check {
 
 }  // namespace
 
-void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings) { Check(lesson, molecule, findings).run(); }
+void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& findings) {
+  Check(lesson, molecule, findings).run();
+}
 
 void moleculeList(const Lesson& lesson, Findings& findings) {
   std::unordered_set<std::string_view> used, listed;
@@ -90,7 +97,8 @@ void moleculeList(const Lesson& lesson, Findings& findings) {
     if (!listed.insert(name).second)
       findings.error(lesson.molecule_places[i], "'" + name + "' is listed twice", "take one of the two out");
     else if (!used.contains(name))
-      findings.error(lesson.molecule_places[i], "no scene uses '" + name + "'", "take it out, or add a scene with 'molecule: " + name + "'");
+      findings.error(lesson.molecule_places[i], "no scene uses '" + name + "'",
+                     "take it out, or add a scene with 'molecule: " + name + "'");
   }
 }
 

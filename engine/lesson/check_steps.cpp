@@ -22,7 +22,8 @@ std::vector<char> reached(const Lesson& lesson) {
   const auto follow = [&](const RichText& text) {
     for (const TextRun& run : text)
       if (run.link.starts_with('#'))
-        if (const auto step = step_of.find(std::string_view(run.link).substr(1)); step != step_of.end()) reach(step->second);
+        if (const auto step = step_of.find(std::string_view(run.link).substr(1)); step != step_of.end())
+          reach(step->second);
   };
   for (std::size_t i = 0; i < lesson.steps.size(); ++i)
     if (!lesson.steps[i].aside) reach(i);
@@ -46,8 +47,10 @@ bool saysSomething(const Step& step) {
 void comparesLocked(const Step& step, Findings& findings) {
   if (!step.scene.locks("method")) return;
   for (const TaskSpec& task : step.tasks)
-    if (const Value& methods = task.values["compare"]; task.kind == "compare" && !methods.words.empty() && methods.words[0] != "places")
-      findings.error(methods.place, "the student cannot switch methods here, for they are locked", "take 'method' out of 'locked', or this task");
+    if (const Value& methods = task.values["compare"];
+        task.kind == "compare" && !methods.words.empty() && methods.words[0] != "places")
+      findings.error(methods.place, "the student cannot switch methods here, for they are locked",
+                     "take 'method' out of 'locked', or this task");
 }
 
 }  // namespace

@@ -17,7 +17,8 @@ struct Findings {
     if (!enough()) errors.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
   }
   void warning(Place place, std::string message, std::string remedy) {
-    if (!enoughProblems(warnings)) warnings.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
+    if (!enoughProblems(warnings))
+      warnings.push_back({file, place.line, place.column, std::move(message), std::move(remedy)});
   }
 };
 

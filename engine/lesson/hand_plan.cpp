@@ -9,13 +9,13 @@
 namespace moltact {
 namespace {
 
-constexpr double kBefore_A = 1.0;      // the hand begins so far before a place
-constexpr double kSettle_s = 0.3;      // in which the force after a new beginning has grown to its full size
-constexpr double kApart_A = 0.5;       // places nearer to each other than this are one
-constexpr double kStep_A = 0.4;        // of a slide, between two looks for the surface
-constexpr double kRoom_A = 1.5;        // more room than this round a place is no better
-constexpr int kDirections = 60;        // in which an atom's face is looked at
-constexpr double kSpacing_A = 0.4;     // of places in a crease
+constexpr double kBefore_A = 1.0;   // the hand begins so far before a place
+constexpr double kSettle_s = 0.3;   // in which the force after a new beginning has grown to its full size
+constexpr double kApart_A = 0.5;    // places nearer to each other than this are one
+constexpr double kStep_A = 0.4;     // of a slide, between two looks for the surface
+constexpr double kRoom_A = 1.5;     // more room than this round a place is no better
+constexpr int kDirections = 60;     // in which an atom's face is looked at
+constexpr double kSpacing_A = 0.4;  // of places in a crease
 
 // How far the nearest atom that does not hold the probe is away from it there.
 double room(const HandView& view, const SurfacePlace& place) {
@@ -36,12 +36,15 @@ std::vector<std::uint32_t> everyAtom(const BallScene& balls) {
   return all;
 }
 
-std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature, std::size_t at_most,
-                                     const std::function<bool(const SurfacePlace&)>& wanted) {
+std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature,
+                                     std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
   std::vector<SurfacePlace> found;
-  if (feature == Feature::Sphere) found = facePlaces(view.balls, atoms, view.probe_A, kDirections);
-  else if (feature == Feature::Circle) found = creasePlaces(view.balls, atoms, view.probe_A, kSpacing_A);
-  else if (feature == Feature::Point) found = pitPlaces(view.balls, atoms, view.probe_A);
+  if (feature == Feature::Sphere)
+    found = facePlaces(view.balls, atoms, view.probe_A, kDirections);
+  else if (feature == Feature::Circle)
+    found = creasePlaces(view.balls, atoms, view.probe_A, kSpacing_A);
+  else if (feature == Feature::Point)
+    found = pitPlaces(view.balls, atoms, view.probe_A);
   if (wanted) std::erase_if(found, [&](const SurfacePlace& p) { return !wanted(p); });
   std::vector<std::pair<double, std::size_t>> order;
   for (std::size_t k = 0; k < found.size(); ++k) order.emplace_back(-room(view, found[k]), k);
@@ -51,7 +54,8 @@ std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::
     const std::size_t k = ordered.second;  // no binding, which clang before 16 lets no lambda take
     if (out.size() >= at_most) break;
     const auto near = [&](const SurfacePlace& p) { return glm::distance(p.scp_A, found[k].scp_A) < kApart_A; };
-    if (std::none_of(out.begin(), out.end(), near) && openFromOutside(view.balls, found[k], view.probe_A)) out.push_back(found[k]);
+    if (std::none_of(out.begin(), out.end(), near) && openFromOutside(view.balls, found[k], view.probe_A))
+      out.push_back(found[k]);
   }
   return out;
 }
@@ -68,7 +72,8 @@ void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wa
   plan.push_back({.to = PointA{place.scp_A - place.outward * depth_A}, .wait_s = wait_s});
 }
 
-void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A, double speed_A_per_s) {
+void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
+           double speed_A_per_s) {
   const double length = glm::distance(from.scp_A, to.scp_A);
   const int steps = std::max(1, int(std::ceil(length / kStep_A)));
   const double far = glm::distance(view.balls.low_A(), view.balls.high_A()) + 2.0 * view.probe_A + 1.0;

@@ -1,6 +1,6 @@
-// What a hand should do to carry out a task: the student made of code follows it (engine/lesson/student), and each kind of
-// task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt then takes other places.
-// Not for the haptic thread. Units: angstrom, second, newton.
+// What a hand should do to carry out a task: the scripted learner follows it (engine/lesson/student), and each kind of
+// task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt then takes other
+// places. Not for the haptic thread. Units: angstrom, second, newton.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@ namespace moltact {
 
 /// One thing to do. The hand first goes, then waits, then answers.
 struct HandAct {
-  std::optional<PointA> to = {};      ///< where the HIP goes in a straight line
+  std::optional<PointA> to = {};  ///< where the HIP goes in a straight line
   double speed_A_per_s = 3.0;
-  bool placed = false;                ///< it is there at once, as a mouse's hand that hovers over another place
+  bool placed = false;  ///< it is there at once, as a mouse's hand that hovers over another place
   double wait_s = 0.0;
-  std::string method = {};            ///< a haptic method to be chosen before anything else; empty: none
+  std::string method = {};  ///< a haptic method to be chosen before anything else; empty: none
   std::optional<TaskAnswer> answer = {};
 };
 
@@ -33,17 +33,18 @@ using HandPlan = std::vector<HandAct>;
 struct HandView {
   const BallScene& balls;
   double probe_A = kWaterProbe_A;
-  double N_per_A = 1.0;   ///< the spring's force for a HIP so deep under the surface
+  double N_per_A = 1.0;  ///< the spring's force for a HIP so deep under the surface
   PointA hip{};
-  int attempt = 0;        ///< 0 for the first plan of a task; each further one should differ
+  int attempt = 0;  ///< 0 for the first plan of a task; each further one should differ
 };
 
 /// The atoms of the scene, 0 to n - 1.
 std::vector<std::uint32_t> everyAtom(const BallScene& balls);
 
-/// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no two
-/// within 0.5 A. `at_most` of them; where `wanted` is given, of those for which it says true.
-std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature, std::size_t at_most = 40,
+/// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no
+/// two within 0.5 A. `at_most` of them; where `wanted` is given, of those for which it says true.
+std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature,
+                                     std::size_t at_most = 40,
                                      const std::function<bool(const SurfacePlace&)>& wanted = {});
 
 /// The place for an attempt: the first, then others in turn. Nothing where there is none.
@@ -56,6 +57,7 @@ double depthFor(const HandView& view, double force_N);
 void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wait_s);
 
 /// From one place to another over the surface, `depth_A` under it all the way.
-void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A, double speed_A_per_s = 3.0);
+void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
+           double speed_A_per_s = 3.0);
 
 }  // namespace moltact

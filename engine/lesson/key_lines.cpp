@@ -8,7 +8,8 @@ namespace moltact {
 namespace {
 
 Place shifted(Place place, std::string_view line, std::string_view part) {
-  return {place.line, place.column + characterCount(line.substr(0, static_cast<std::size_t>(part.data() - line.data())))};
+  return {place.line,
+          place.column + characterCount(line.substr(0, static_cast<std::size_t>(part.data() - line.data())))};
 }
 
 Problem problemAt(Place place, std::string message, std::string remedy) {
@@ -42,7 +43,8 @@ std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector
     if (body == "-" || body.starts_with("- ")) {
       const std::string_view item = stripped(body.substr(1));
       if (out.empty())
-        problems.push_back(problemAt(shifted(line.place, text, body), "a list without a key", "write 'key:' on the line above"));
+        problems.push_back(
+            problemAt(shifted(line.place, text, body), "a list without a key", "write 'key:' on the line above"));
       else if (!item.empty())
         out.back().items.push_back({std::string(item), shifted(line.place, text, item)});
       continue;
@@ -50,12 +52,14 @@ std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector
     const std::size_t colon = body.find(':');
     const std::string_view key = stripped(body.substr(0, colon));
     if (colon == std::string_view::npos || key.empty()) {
-      problems.push_back(problemAt(shifted(line.place, text, body), "'" + std::string(body) + "' is not a key and its value",
+      problems.push_back(problemAt(shifted(line.place, text, body),
+                                   "'" + std::string(body) + "' is not a key and its value",
                                    "write it as 'key: value'"));
       continue;
     }
     const std::string_view value = stripped(body.substr(colon + 1));
-    out.push_back({std::string(key), std::string(value), shifted(line.place, text, key), shifted(line.place, text, value), {}});
+    out.push_back(
+        {std::string(key), std::string(value), shifted(line.place, text, key), shifted(line.place, text, value), {}});
   }
   return out;
 }
@@ -79,8 +83,9 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
     seen.push_back(key->name);
     if (!line.items.empty() && (key->type != ValueType::TextList || !line.value.empty())) {
       problems.push_back(problemAt(line.items[0].place, "'" + line.key + "' takes no list here",
-                                   key->type == ValueType::TextList ? "write every item on a line of its own that starts with '- '"
-                                                                    : "write one value after the colon"));
+                                   key->type == ValueType::TextList
+                                       ? "write every item on a line of its own that starts with '- '"
+                                       : "write one value after the colon"));
       continue;
     }
     Expected<Value> value = line.items.empty() ? parseValue(*key, line.value) : Expected<Value>(listValue(*key, line));

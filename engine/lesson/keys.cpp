@@ -7,82 +7,152 @@ namespace moltact {
 namespace {
 
 /// What a student may be kept from changing: keys of a scene, by their names.
-const std::vector<std::string_view> kLockable{"panels", "method", "force", "probe", "stiffness", "show", "magnify", "all"};
+const std::vector<std::string_view> kLockable{"panels",    "method", "force",   "probe",
+                                              "stiffness", "show",   "magnify", "all"};
 
 std::vector<KeySpec> frontMatterKeys() {
   return {
-      {.name = "title", .type = ValueType::Text, .meaning = "The lesson's name, as its card shows it.", .required = true},
-      {.name = "minutes", .type = ValueType::Count, .meaning = "How many minutes a student needs.", .required = true,
-       .least = 1, .most = 600},
-      {.name = "level", .type = ValueType::Word, .meaning = "Whom the lesson is for.", .fallback = "beginner",
+      {.name = "title",
+       .type = ValueType::Text,
+       .meaning = "The lesson's name, as its card shows it.",
+       .required = true},
+      {.name = "minutes",
+       .type = ValueType::Count,
+       .meaning = "How many minutes a student needs.",
+       .required = true,
+       .least = 1,
+       .most = 600},
+      {.name = "level",
+       .type = ValueType::Word,
+       .meaning = "Whom the lesson is for.",
+       .fallback = "beginner",
        .words = {"beginner", "intermediate", "advanced"}},
-      {.name = "goals", .type = ValueType::TextList, .meaning = "What a student can do or tell afterwards, one line each.",
+      {.name = "goals",
+       .type = ValueType::TextList,
+       .meaning = "What a student can do or tell afterwards, one line each.",
        .required = true},
-      {.name = "molecules", .type = ValueType::TextList,
-       .meaning = "The molecules that the scenes use, by their names in the library.", .required = true},
+      {.name = "molecules",
+       .type = ValueType::TextList,
+       .meaning = "The molecules that the scenes use, by their names in the library.",
+       .required = true},
       {.name = "author", .type = ValueType::Text, .meaning = "Who wrote the lesson.", .required = true},
-      {.name = "licence", .type = ValueType::Text, .meaning = "The terms under which others may use it, for example CC-BY-4.0.",
+      {.name = "licence",
+       .type = ValueType::Text,
+       .meaning = "The terms under which others may use it, for example CC-BY-4.0.",
        .required = true},
-      {.name = "locked", .type = ValueType::WordList,
-       .meaning = "What the student cannot change in menus and panels in the whole lesson, for studies: keys of the scenes, or all of them.",
+      {.name = "locked",
+       .type = ValueType::WordList,
+       .meaning = "What the student cannot change in menus and panels in the whole lesson, for studies: keys of the "
+                  "scenes, or all of them.",
        .words = kLockable},
   };
 }
 
 std::vector<KeySpec> sceneKeys() {
   return {
-      {.name = "molecule", .type = ValueType::Text,
-       .meaning = "The molecule on the stage. A scene that names one starts anew; a scene that does not changes only what it says."},
-      {.name = "probe", .type = ValueType::Quantity, .meaning = "The probe's radius, by which every atom grows.",
-       .fallback = "1.4 Å", .dimension = Dimension::Length, .most = kLargestProbe_A},
-      {.name = "stiffness", .type = ValueType::Quantity, .meaning = "How hard the surface pushes back for the way pushed in.",
-       .fallback = "500 N/m", .dimension = Dimension::Stiffness, .least = 0.01, .most = 5.0},
-      {.name = "method", .type = ValueType::Word, .meaning = "The haptic method that finds the contact point.",
-       .fallback = "exact", .words = methodNames()},
-      {.name = "force", .type = ValueType::Word, .meaning = "Whether the hand feels the force.", .fallback = "on",
+      {.name = "molecule",
+       .type = ValueType::Text,
+       .meaning = "The molecule on the stage. A scene that names one starts anew; a scene that does not changes only "
+                  "what it says."},
+      {.name = "probe",
+       .type = ValueType::Quantity,
+       .meaning = "The probe's radius, by which every atom grows.",
+       .fallback = "1.4 Å",
+       .dimension = Dimension::Length,
+       .most = kLargestProbe_A},
+      {.name = "stiffness",
+       .type = ValueType::Quantity,
+       .meaning = "How hard the surface pushes back for the way pushed in.",
+       .fallback = "500 N/m",
+       .dimension = Dimension::Stiffness,
+       .least = 0.01,
+       .most = 5.0},
+      {.name = "method",
+       .type = ValueType::Word,
+       .meaning = "The haptic method that finds the contact point.",
+       .fallback = "exact",
+       .words = methodNames()},
+      {.name = "force",
+       .type = ValueType::Word,
+       .meaning = "Whether the hand feels the force.",
+       .fallback = "on",
        .words = {"on", "off"}},
-      {.name = "show", .type = ValueType::WordList, .meaning = "The parts of the picture that are drawn.",
+      {.name = "show",
+       .type = ValueType::WordList,
+       .meaning = "The parts of the picture that are drawn.",
        .fallback = "atoms, probe, force, target",
        .words = {"atoms", "spheres", "circles", "points", "cones", "facets", "hip", "scp", "force", "probe", "target"}},
-      {.name = "colour", .type = ValueType::Word,
-       .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else has its elements' colours.",
-       .fallback = "element", .words = {"element", "chain"}},
-      {.name = "panels", .type = ValueType::WordList,
-       .meaning = "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with touch), 'none' leaves "
+      {.name = "colour",
+       .type = ValueType::Word,
+       .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else "
+                  "has its elements' colours.",
+       .fallback = "element",
+       .words = {"element", "chain"}},
+      {.name = "panels",
+       .type = ValueType::WordList,
+       .meaning = "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with "
+                  "touch), 'none' leaves "
                   "the molecule and the text alone. Left out, those stay that the student has opened.",
        .words = {"touch", "methods", "none"}},
       {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
-      {.name = "view", .type = ValueType::View,
-       .meaning = "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would look at the student lies "
+      {.name = "view",
+       .type = ValueType::View,
+       .meaning = "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would "
+                  "look at the student lies "
                   "across; 'facing' turns these atoms to the front.",
-       .fallback = "side", .words = {"side", "front", "back", "left", "right", "top", "bottom"}},
-      {.name = "magnify", .type = ValueType::Target,
-       .meaning = "Atoms that are to fill the room of the hand: they are felt larger, and the view comes close to them; with 'view' they can "
+       .fallback = "side",
+       .words = {"side", "front", "back", "left", "right", "top", "bottom"}},
+      {.name = "magnify",
+       .type = ValueType::Target,
+       .meaning = "Atoms that are to fill the room of the hand: they are felt larger, and the view comes close to "
+                  "them; with 'view' they can "
                   "be turned to the front. 'none' ends what an earlier scene magnified.",
        .words = {"none"}},
-      {.name = "locked", .type = ValueType::WordList,
-       .meaning = "What the student cannot change here, besides what the front matter locks.", .words = kLockable},
+      {.name = "locked",
+       .type = ValueType::WordList,
+       .meaning = "What the student cannot change here, besides what the front matter locks.",
+       .words = kLockable},
   };
 }
 
 std::vector<KeySpec> touchKeys() {
   return {
-      {.name = "say", .type = ValueType::Text, .meaning = "What the student is asked to do, in one sentence.", .required = true},
-      {.name = "called", .type = ValueType::Text,
-       .meaning = "What the target is called in the middle of a sentence, for example 'the oxygen atom'; without it the "
-                  "program makes a name from the selection."},
-      {.name = "praise", .type = ValueType::Text, .meaning = "What is said when the task is done.", .fallback = "Done."},
+      {.name = "say",
+       .type = ValueType::Text,
+       .meaning = "What the student is asked to do, in one sentence.",
+       .required = true},
+      {.name = "called",
+       .type = ValueType::Text,
+       .meaning =
+           "What the target is called in the middle of a sentence, for example 'the oxygen atom'; without it the "
+           "program makes a name from the selection."},
+      {.name = "praise",
+       .type = ValueType::Text,
+       .meaning = "What is said when the task is done.",
+       .fallback = "Done."},
   };
 }
 
 std::vector<KeySpec> answerKeys() {
   return {
-      {.name = "number", .type = ValueType::Number, .meaning = "The right number; with its unit if it is a physical quantity."},
-      {.name = "tolerance", .type = ValueType::Number, .meaning = "How far from the right number still counts as right, in the same unit."},
-      {.name = "text", .type = ValueType::TextList, .meaning = "Words that count as right, in capitals or small letters."},
-      {.name = "free", .type = ValueType::Word, .meaning = "A free answer that is kept for the teacher and not judged.", .words = {"yes"}},
+      {.name = "number",
+       .type = ValueType::Number,
+       .meaning = "The right number; with its unit if it is a physical quantity."},
+      {.name = "tolerance",
+       .type = ValueType::Number,
+       .meaning = "How far from the right number still counts as right, in the same unit."},
+      {.name = "text",
+       .type = ValueType::TextList,
+       .meaning = "Words that count as right, in capitals or small letters."},
+      {.name = "free",
+       .type = ValueType::Word,
+       .meaning = "A free answer that is kept for the teacher and not judged.",
+       .words = {"yes"}},
       {.name = "right", .type = ValueType::Text, .meaning = "What is said to a right answer.", .fallback = "Right."},
-      {.name = "wrong", .type = ValueType::Text, .meaning = "What is said to a wrong answer.", .fallback = "Not yet. Try again."},
+      {.name = "wrong",
+       .type = ValueType::Text,
+       .meaning = "What is said to a wrong answer.",
+       .fallback = "Not yet. Try again."},
   };
 }
 
@@ -90,10 +160,14 @@ std::vector<KeySpec> answerKeys() {
 
 std::string_view blockName(KeyBlock block) {
   switch (block) {
-    case KeyBlock::FrontMatter: return "front matter";
-    case KeyBlock::Scene: return "scene";
-    case KeyBlock::Touch: return "touch";
-    case KeyBlock::Answer: break;
+    case KeyBlock::FrontMatter:
+      return "front matter";
+    case KeyBlock::Scene:
+      return "scene";
+    case KeyBlock::Touch:
+      return "touch";
+    case KeyBlock::Answer:
+      break;
   }
   return "answer";
 }

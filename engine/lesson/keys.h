@@ -40,8 +40,9 @@ enum class ValueType : std::uint8_t {
 struct KeySpec {
   std::string_view name;
   ValueType type = ValueType::Text;
-  std::string_view meaning;               ///< one sentence for authors
-  std::string_view fallback = {};         ///< the value taken where the key is missing, as an author would write it; may be empty
+  std::string_view meaning;  ///< one sentence for authors
+  std::string_view fallback =
+      {};  ///< the value taken where the key is missing, as an author would write it; may be empty
   bool required = false;
   Dimension dimension = Dimension::None;  ///< of Quantity and Range
   double least = 0.0;                     ///< smallest value (in the code's unit), for Count, Quantity and Range
@@ -54,14 +55,14 @@ const std::vector<KeySpec>& keysOf(KeyBlock block);
 
 /// A value as read. Which members are filled follows from the key's type.
 struct Value {
-  Place place;                     ///< where the value stands; line 0 for a fallback
-  std::string text;                ///< as written
-  double number = 0.0;             ///< Count, Number, Quantity (in the code's unit)
-  double low = 0.0, high = 0.0;    ///< Range (in the code's unit)
-  std::vector<std::string> words;  ///< Word (one), WordList, TextList, Target, Path and View where a word was given
-  std::vector<Place> places;       ///< of each of `words`, for WordList and TextList; of each of `path`
-  Selection selection;             ///< Selection, Target and View where atoms were given
-  std::vector<Selection> path = {};///< Path where atoms were given, in order
+  Place place;                       ///< where the value stands; line 0 for a fallback
+  std::string text;                  ///< as written
+  double number = 0.0;               ///< Count, Number, Quantity (in the code's unit)
+  double low = 0.0, high = 0.0;      ///< Range (in the code's unit)
+  std::vector<std::string> words;    ///< Word (one), WordList, TextList, Target, Path and View where a word was given
+  std::vector<Place> places;         ///< of each of `words`, for WordList and TextList; of each of `path`
+  Selection selection;               ///< Selection, Target and View where atoms were given
+  std::vector<Selection> path = {};  ///< Path where atoms were given, in order
 };
 
 /// Where the selection of a value begins: behind the word "facing" of a View.

@@ -37,8 +37,8 @@ struct Subheading {
 struct ListBlock {
   struct Item {
     RichText text;
-    int depth = 0;       ///< 0 for the outermost list
-    int number = 0;      ///< counted from the list's start; 0 for a bullet, -1 for a further paragraph of the item above
+    int depth = 0;   ///< 0 for the outermost list
+    int number = 0;  ///< counted from the list's start; 0 for a bullet, -1 for a further paragraph of the item above
   };
   std::vector<Item> items;
 };
@@ -68,23 +68,24 @@ struct QuestionHere {
   std::size_t index = 0;
 };
 
-using Block = std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, CodeText, TaskHere, QuestionHere>;
+using Block =
+    std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, CodeText, TaskHere, QuestionHere>;
 
 /// What is on the stage. Complete: what a scene block left out has been filled in.
 struct SceneSpec {
-  std::string molecule;                ///< name in the library
-  double probe_A = 1.4;                ///< unit: angstrom
-  double stiffness_N_per_mm = 0.5;     ///< unit: newton per millimetre, in the device's space
-  std::string method = "exact";        ///< as in findMethod
-  bool force = true;                   ///< false: the hand feels nothing
-  std::vector<std::string> show;       ///< names of the picture's parts
-  std::string colour = "element";      ///< what the atoms' colours tell: "element" or "chain"
-  std::vector<std::string> panels;     ///< "touch", "methods", or "none"; empty: as the student has them
-  std::vector<std::string> locked;     ///< keys that the student cannot change, those of the front matter too
-  Selection highlight;                 ///< may select nothing
-  std::string view = "side";           ///< side, front, back, left, right, top or bottom; empty where `facing` is given
-  Selection facing;                    ///< atoms to be turned to the front
-  Selection magnify;                   ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
+  std::string molecule;             ///< name in the library
+  double probe_A = 1.4;             ///< unit: angstrom
+  double stiffness_N_per_mm = 0.5;  ///< unit: newton per millimetre, in the device's space
+  std::string method = "exact";     ///< as in findMethod
+  bool force = true;                ///< false: the hand feels nothing
+  std::vector<std::string> show;    ///< names of the picture's parts
+  std::string colour = "element";   ///< what the atoms' colours tell: "element" or "chain"
+  std::vector<std::string> panels;  ///< "touch", "methods", or "none"; empty: as the student has them
+  std::vector<std::string> locked;  ///< keys that the student cannot change, those of the front matter too
+  Selection highlight;              ///< may select nothing
+  std::string view = "side";        ///< side, front, back, left, right, top or bottom; empty where `facing` is given
+  Selection facing;                 ///< atoms to be turned to the front
+  Selection magnify;  ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
   Place place, molecule_place, highlight_place, view_place, magnify_place;
 
   /// Whether the student is kept from changing what a key says ("force").
@@ -95,14 +96,14 @@ struct SceneSpec {
 
 /// Something to do by touch. What its values mean is known to its kind (tasks/registry.h).
 struct TaskSpec {
-  std::string kind;    ///< "reach"
-  KeyValues values;    ///< every key of the kind and the common ones, fallbacks filled in
+  std::string kind;  ///< "reach"
+  KeyValues values;  ///< every key of the kind and the common ones, fallbacks filled in
   Place place;
 };
 
 struct Choice {
   RichText text, feedback;
-  std::string link;    ///< "#step-id" that the feedback's first link to a step leads to; may be empty
+  std::string link;  ///< "#step-id" that the feedback's first link to a step leads to; may be empty
   bool right = false;
   Place place;
 };
@@ -118,10 +119,10 @@ struct AnswerSpec {
 };
 
 struct Question {
-  std::string id;                    ///< slug of its heading, unique in the step
-  RichText title;                    ///< what is asked
-  std::vector<RichText> prompt;      ///< paragraphs between the heading and the choices
-  std::vector<Choice> choices;       ///< empty where `answer` is given
+  std::string id;                ///< slug of its heading, unique in the step
+  RichText title;                ///< what is asked
+  std::vector<RichText> prompt;  ///< paragraphs between the heading and the choices
+  std::vector<Choice> choices;   ///< empty where `answer` is given
   std::optional<AnswerSpec> answer;
   Place place;
 
@@ -133,9 +134,9 @@ struct Question {
 };
 
 struct Step {
-  std::string id;        ///< slug of its heading, unique in the lesson
-  std::string title;     ///< without the "Aside:" of a side path
-  bool aside = false;    ///< a side path: Next passes over it, only links lead to it, and its Next leads back
+  std::string id;      ///< slug of its heading, unique in the lesson
+  std::string title;   ///< without the "Aside:" of a side path
+  bool aside = false;  ///< a side path: Next passes over it, only links lead to it, and its Next leads back
   std::vector<Block> blocks;
   std::vector<TaskSpec> tasks;
   std::vector<Question> questions;
@@ -151,8 +152,8 @@ struct Lesson {
   std::vector<std::string> goals, molecules;
   std::vector<Place> molecule_places;  ///< of each of `molecules`
   std::vector<std::string> locked;     ///< in every scene
-  std::vector<Block> introduction;  ///< what stands before the first step
-  std::vector<Step> steps;          ///< at least one
+  std::vector<Block> introduction;     ///< what stands before the first step
+  std::vector<Step> steps;             ///< at least one
 
   /// The index of a step by its id, or no value.
   std::optional<std::size_t> find(std::string_view id) const {

@@ -96,9 +96,12 @@ LessonFolder lessonsIn(const fs::path& folder) {
   }
   std::sort(out.lessons.begin(), out.lessons.end());
   std::sort(out.others.begin(), out.others.end());
-  if (error) out.trouble = Problem{folder.string(), 0, 0, "the folder cannot be read: " + error.message(), "check that you may read it"};
+  if (error)
+    out.fault =
+        Problem{folder.string(), 0, 0, "the folder cannot be read: " + error.message(), "check that you may read it"};
   else if (out.lessons.empty())
-    out.trouble = Problem{folder.string(), 0, 0, "there is no lesson in this folder", "name a folder with lessons, files that end in .md"};
+    out.fault = Problem{folder.string(), 0, 0, "there is no lesson in this folder",
+                        "name a folder with lessons, files that end in .md"};
   return out;
 }
 

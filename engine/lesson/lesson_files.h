@@ -31,7 +31,7 @@ std::string_view linkScheme(std::string_view link);
 struct LessonFolder {
   std::vector<std::filesystem::path> lessons;  ///< ascending
   std::vector<std::filesystem::path> others;   ///< Markdown without anything of a lesson, such as README.md
-  std::optional<Problem> trouble;              ///< the folder cannot be read, or holds no lesson
+  std::optional<Problem> fault;                ///< the folder cannot be read, or holds no lesson
 };
 
 /// The Markdown files in a folder and the folders in it, but hidden ones. A lesson is told by its front matter or by a

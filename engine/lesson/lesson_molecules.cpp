@@ -16,7 +16,8 @@ Expected<std::shared_ptr<const Molecule>> read(const fs::path& file) {
   const Problem& why = molecule.problem();
   std::string where = fs::path(why.file).filename().string();
   if (why.line) where += ", line " + std::to_string(why.line);
-  return Problem{{}, 0, 0, "the molecule's file cannot be used: " + (where.empty() ? "" : where + ": ") + why.message, why.remedy};
+  return Problem{
+      {}, 0, 0, "the molecule's file cannot be used: " + (where.empty() ? "" : where + ": ") + why.message, why.remedy};
 }
 
 }  // namespace
@@ -25,11 +26,21 @@ Expected<fs::path> lessonMoleculeFile(const fs::path& lesson_file, const std::st
   std::error_code error;
   if (const fs::path beside = lesson_file.parent_path() / name; fs::is_regular_file(beside, error)) return beside;
   if (name.find('/') != std::string::npos)
-    return Problem{{}, 0, 0, "there is no file '" + name + "' beside the lesson", "check its name; it is looked for in the lesson's folder"};
+    return Problem{{},
+                   0,
+                   0,
+                   "there is no file '" + name + "' beside the lesson",
+                   "check its name; it is looked for in the lesson's folder"};
   Expected<fs::path> known = findMolecule(name, MoleculeFolders::ofThisComputer());
-  if (!known) return Problem{{}, 0, 0, "there is no molecule '" + name + "' in the library nor beside the lesson", known.problem().remedy};
+  if (!known)
+    return Problem{
+        {}, 0, 0, "there is no molecule '" + name + "' in the library nor beside the lesson", known.problem().remedy};
   if (!fs::is_regular_file(*known, error))
-    return Problem{{}, 0, 0, "there is no file '" + name + "' beside the lesson", "check its name; it is looked for in the lesson's folder"};
+    return Problem{{},
+                   0,
+                   0,
+                   "there is no file '" + name + "' beside the lesson",
+                   "check its name; it is looked for in the lesson's folder"};
   return known;
 }
 
@@ -38,7 +49,8 @@ Expected<std::shared_ptr<const Molecule>> LessonMolecules::find(const fs::path& 
   if (!file) return file.problem();
   std::error_code error;
   const fs::file_time_type written = fs::last_write_time(*file, error);
-  if (const auto kept = kept_.find(*file); kept != kept_.end() && kept->second.written == written) return kept->second.molecule;
+  if (const auto kept = kept_.find(*file); kept != kept_.end() && kept->second.written == written)
+    return kept->second.molecule;
   return kept_.insert_or_assign(*file, Kept{written, read(*file)}).first->second.molecule;
 }
 

@@ -11,8 +11,8 @@
 
 namespace moltact {
 
-/// The file that a lesson means by a molecule's name: one in the lesson's folder, else of the library, else one that was
-/// fetched. A problem without a place where there is none.
+/// The file that a lesson means by a molecule's name: one in the lesson's folder, else of the library, else one that
+/// was fetched. A problem without a place where there is none.
 Expected<std::filesystem::path> lessonMoleculeFile(const std::filesystem::path& lesson_file, const std::string& name);
 
 /// Keeps what it has read while it lives; a file that has changed since is read again.

@@ -9,7 +9,8 @@
 
 namespace moltact {
 
-/// A ball round the atoms that the scene magnifies, as large as they are felt with its probe; nothing where it magnifies none.
+/// A ball round the atoms that the scene magnifies, as large as they are felt with its probe; nothing where it
+/// magnifies none.
 std::optional<Region> magnifiedRegion(const SceneSpec& scene, const Molecule& molecule);
 
 }  // namespace moltact

@@ -13,8 +13,8 @@ using Kind = MarkdownBlock::Kind;
 /// Entities that authors of lessons write; every other stays as it was written.
 std::string entityText(std::string_view entity) {
   constexpr std::pair<std::string_view, std::string_view> kKnown[] = {
-      {"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&apos;", "'"}, {"&nbsp;", "\xC2\xA0"},
-      {"&rarr;", "→"}, {"&Aring;", "Å"}, {"&alpha;", "α"}, {"&beta;", "β"}, {"&deg;", "°"}, {"&ndash;", "–"},
+      {"&amp;", "&"},  {"&lt;", "<"},    {"&gt;", ">"},    {"&quot;", "\""}, {"&apos;", "'"}, {"&nbsp;", "\xC2\xA0"},
+      {"&rarr;", "→"}, {"&Aring;", "Å"}, {"&alpha;", "α"}, {"&beta;", "β"},  {"&deg;", "°"},  {"&ndash;", "–"},
   };
   for (const auto& [name, text] : kKnown)
     if (entity == name) return std::string(text);
@@ -27,10 +27,15 @@ std::string entityText(std::string_view entity) {
     if (whole && code > 0 && code < 0x110000 && (code < 0xD800 || code >= 0xE000)) {
       std::string out;
       const auto put = [&](unsigned byte) { out.push_back(static_cast<char>(byte)); };
-      if (code < 0x80) put(code);
-      else if (code < 0x800) put(0xC0 | code >> 6), put(0x80 | (code & 0x3F));
-      else if (code < 0x10000) put(0xE0 | code >> 12), put(0x80 | (code >> 6 & 0x3F)), put(0x80 | (code & 0x3F));
-      else put(0xF0 | code >> 18), put(0x80 | (code >> 12 & 0x3F)), put(0x80 | (code >> 6 & 0x3F)), put(0x80 | (code & 0x3F));
+      if (code < 0x80)
+        put(code);
+      else if (code < 0x800)
+        put(0xC0 | code >> 6), put(0x80 | (code & 0x3F));
+      else if (code < 0x10000)
+        put(0xE0 | code >> 12), put(0x80 | (code >> 6 & 0x3F)), put(0x80 | (code & 0x3F));
+      else
+        put(0xF0 | code >> 18), put(0x80 | (code >> 12 & 0x3F)), put(0x80 | (code >> 6 & 0x3F)),
+            put(0x80 | (code & 0x3F));
       return out;
     }
   }
@@ -66,7 +71,8 @@ class Builder {
     if (status == 0) return std::move(stack_.front());
     const Place place = source_.at(offset_);
     if (status == kTooDeep)
-      return Problem{source_.name(), place.line, place.column, "lists and quotes are nested too deeply", "use fewer levels"};
+      return Problem{source_.name(), place.line, place.column, "lists and quotes are nested too deeply",
+                     "use fewer levels"};
     return Problem{source_.name(), place.line, place.column, "this text cannot be parsed as Markdown",
                    "look for very long or broken lines here"};
   }
@@ -96,8 +102,12 @@ class Builder {
   int enter(MD_BLOCKTYPE type, void* detail) {
     if (stack_.size() > kDeepestMarkdown) return kTooDeep;
     switch (type) {
-      case MD_BLOCK_QUOTE: push(Kind::Quote); break;
-      case MD_BLOCK_UL: push(Kind::List); break;
+      case MD_BLOCK_QUOTE:
+        push(Kind::Quote);
+        break;
+      case MD_BLOCK_UL:
+        push(Kind::List);
+        break;
       case MD_BLOCK_OL:
         push(Kind::List);
         stack_.back().ordered = true;
@@ -110,7 +120,9 @@ class Builder {
         stack_.back().ticked = item.is_task && item.task_mark != ' ';
         break;
       }
-      case MD_BLOCK_HR: push(Kind::Rule); break;
+      case MD_BLOCK_HR:
+        push(Kind::Rule);
+        break;
       case MD_BLOCK_H:
         push(Kind::Heading);
         stack_.back().level = static_cast<int>(static_cast<MD_BLOCK_H_DETAIL*>(detail)->level);
@@ -123,9 +135,14 @@ class Builder {
         line_open_ = false;
         break;
       }
-      case MD_BLOCK_HTML: push(Kind::Html); break;
-      case MD_BLOCK_P: push(Kind::Paragraph); break;
-      default: break;
+      case MD_BLOCK_HTML:
+        push(Kind::Html);
+        break;
+      case MD_BLOCK_P:
+        push(Kind::Paragraph);
+        break;
+      default:
+        break;
     }
     return 0;
   }
@@ -141,9 +158,15 @@ class Builder {
 
   int span(MD_SPANTYPE type, void* detail, int step) {
     switch (type) {
-      case MD_SPAN_EM: italic_ += step; break;
-      case MD_SPAN_STRONG: bold_ += step; break;
-      case MD_SPAN_CODE: code_ += step; break;
+      case MD_SPAN_EM:
+        italic_ += step;
+        break;
+      case MD_SPAN_STRONG:
+        bold_ += step;
+        break;
+      case MD_SPAN_CODE:
+        code_ += step;
+        break;
       case MD_SPAN_A:
         links_ += step;
         if (step < 0) placeLink();
@@ -154,11 +177,13 @@ class Builder {
         if (step > 0 && images_ == 1) {
           // md4c does not say where the picture stands: it is the next that begins behind the text so far.
           const std::size_t at = source_.bytes().find("![", offset_);
-          stack_.back().images.push_back({attributeText(static_cast<MD_SPAN_IMG_DETAIL*>(detail)->src), {},
+          stack_.back().images.push_back({attributeText(static_cast<MD_SPAN_IMG_DETAIL*>(detail)->src),
+                                          {},
                                           source_.at(at == std::string_view::npos ? offset_ : at)});
         }
         break;
-      default: break;
+      default:
+        break;
     }
     return 0;
   }
@@ -169,7 +194,8 @@ class Builder {
     const std::size_t bracket = line.find("](");
     const bool written = bracket != std::string_view::npos && stripped(line.substr(bracket + 2)).starts_with(link_);
     // Its runs are the last ones.
-    for (auto run = stack_.back().text.rbegin(); run != stack_.back().text.rend() && run->link == link_ && run->link_place.line == 0; ++run)
+    for (auto run = stack_.back().text.rbegin();
+         run != stack_.back().text.rend() && run->link == link_ && run->link_place.line == 0; ++run)
       run->link_place = written ? source_.at(offset_ + bracket + 2) : run->place;
   }
 
@@ -182,14 +208,23 @@ class Builder {
     } else {
       std::string words;
       switch (type) {
-        case MD_TEXT_BR: words = "\n"; break;
-        case MD_TEXT_SOFTBR: words = " "; break;
-        case MD_TEXT_ENTITY: words = entityText(piece); break;
-        case MD_TEXT_NULLCHAR: words = "\xEF\xBF\xBD"; break;
+        case MD_TEXT_BR:
+          words = "\n";
+          break;
+        case MD_TEXT_SOFTBR:
+          words = " ";
+          break;
+        case MD_TEXT_ENTITY:
+          words = entityText(piece);
+          break;
+        case MD_TEXT_NULLCHAR:
+          words = "\xEF\xBF\xBD";
+          break;
         case MD_TEXT_HTML:
           if (block.kind != Kind::Html) return 0;
           [[fallthrough]];
-        default: words = std::string(piece);
+        default:
+          words = std::string(piece);
       }
       if (images_ > 0) {
         if (!block.images.empty()) block.images.back().description += words;
@@ -245,6 +280,8 @@ class Builder {
 
 }  // namespace
 
-Expected<MarkdownBlock> parseMarkdown(const SourceText& source, std::size_t from) { return Builder(source, from).build(); }
+Expected<MarkdownBlock> parseMarkdown(const SourceText& source, std::size_t from) {
+  return Builder(source, from).build();
+}
 
 }  // namespace moltact

@@ -14,15 +14,15 @@ namespace moltact {
 struct MarkdownBlock {
   enum class Kind : std::uint8_t { Root, Heading, Paragraph, Code, List, Item, Quote, Html, Rule };
   Kind kind = Kind::Root;
-  Place place;                      ///< of its first text
-  int level = 0;                    ///< Heading: 1 to 6
-  bool ordered = false;             ///< List
-  int start = 1;                    ///< List, where ordered
+  Place place;                           ///< of its first text
+  int level = 0;                         ///< Heading: 1 to 6
+  bool ordered = false;                  ///< List
+  int start = 1;                         ///< List, where ordered
   bool is_task = false, ticked = false;  ///< Item of a task list: "- [x]"
-  std::string info;                 ///< Code: the word after the fence
-  std::vector<BlockLine> lines;     ///< Code: its lines
-  RichText text;                    ///< Heading, Paragraph, and an Item's own text; Html: as written
-  std::vector<Image> images;        ///< pictures in `text`
+  std::string info;                      ///< Code: the word after the fence
+  std::vector<BlockLine> lines;          ///< Code: its lines
+  RichText text;                         ///< Heading, Paragraph, and an Item's own text; Html: as written
+  std::vector<Image> images;             ///< pictures in `text`
   std::vector<MarkdownBlock> children;
 };
 

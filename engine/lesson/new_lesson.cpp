@@ -86,7 +86,9 @@ std::string_view bare(std::string_view name) {
 std::string lessonTitle(std::string_view name) {
   std::string out(bare(name));
   // A file's name becomes words.
-  if (out.find(' ') == std::string::npos) std::replace_if(out.begin(), out.end(), [](char c) { return c == '-' || c == '_'; }, ' ');
+  if (out.find(' ') == std::string::npos)
+    std::replace_if(
+        out.begin(), out.end(), [](char c) { return c == '-' || c == '_'; }, ' ');
   if (!out.empty() && out[0] >= 'a' && out[0] <= 'z') out[0] = static_cast<char>(out[0] - 'a' + 'A');
   return out;
 }
@@ -96,6 +98,8 @@ std::string lessonFileName(std::string_view name) {
   return std::any_of(stem.begin(), stem.end(), counts) ? stem + ".md" : std::string();
 }
 
-std::string newLessonText(std::string_view title) { return "---\ntitle: " + std::string(title) + '\n' + std::string(kRest); }
+std::string newLessonText(std::string_view title) {
+  return "---\ntitle: " + std::string(title) + '\n' + std::string(kRest);
+}
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// Fenced blocks without an end. CommonMark lets such a block run to the end of the file, and a lesson would silently lose
-// all that follows.
+// Fenced blocks without an end. CommonMark lets such a block run to the end of the file, and a lesson would silently
+// lose all that follows.
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -11,7 +11,7 @@ namespace {
 
 struct Fence {
   char sign = '`';
-  std::size_t count = 0;    // of signs
+  std::size_t count = 0;  // of signs
   std::string_view info;
   Place place;
 };

@@ -1,4 +1,5 @@
-// What is told of a lesson, which a person reads from the top: so many problems and no more. Any thread but the haptic one.
+// What is told of a lesson, which a person reads from the top: so many problems and no more. Any thread but the haptic
+// one.
 #pragma once
 
 #include <algorithm>

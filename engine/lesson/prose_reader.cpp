@@ -20,7 +20,8 @@ void takeOffStart(RichText& text, std::size_t bytes) {
     bytes -= now;
     if (text.front().text.empty()) text.erase(text.begin());
   }
-  if (!text.empty()) text.front().text.erase(0, std::min(text.front().text.find_first_not_of(" \n"), text.front().text.size()));
+  if (!text.empty())
+    text.front().text.erase(0, std::min(text.front().text.find_first_not_of(" \n"), text.front().text.size()));
 }
 
 /// The paragraphs in a quote; lists in it become paragraphs, one an item.
@@ -36,7 +37,8 @@ void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
   const auto strip = [&](std::size_t bytes) {
     takeOffStart(paragraphs[0], bytes);
     if (plainText(paragraphs[0]).empty()) paragraphs.erase(paragraphs.begin());
-    if (paragraphs.empty()) reading.error(block.place, "this note is empty", "write its text on the next line, after '> '");
+    if (paragraphs.empty())
+      reading.error(block.place, "this note is empty", "write its text on the next line, after '> '");
   };
   if (!start.starts_with("[!")) {
     blocks.push_back(Quote{std::move(paragraphs)});
@@ -56,7 +58,8 @@ void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       blocks.push_back(Quote{std::move(paragraphs)});
     }
   } else {
-    reading.error(block.place, "'[!" + word + "]' is no kind of note", "write [!TIP] for a hint or [!NOTE] and 'Teacher:' for the teacher");
+    reading.error(block.place, "'[!" + word + "]' is no kind of note",
+                  "write [!TIP] for a hint or [!NOTE] and 'Teacher:' for the teacher");
   }
 }
 
@@ -68,7 +71,8 @@ void readList(Reading& reading, const MarkdownBlock& list, int depth, ListBlock&
     line.number = list.ordered ? number++ : 0;
     line.text = item.text;
     if (item.is_task)
-      reading.error(item.place, "a task list outside a question", "put '### Question: …' above it, or take out the '[ ]'");
+      reading.error(item.place, "a task list outside a question",
+                    "put '### Question: …' above it, or take out the '[ ]'");
     for (const Image& image : item.images) pictures.push_back(image);
     bool placed = !line.text.empty();
     if (placed) out.items.push_back(line);
@@ -117,9 +121,11 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
     case Kind::Paragraph:
       if (!block.text.empty() && !stripped(plainText(block.text)).empty()) blocks.push_back(Paragraph{block.text});
       for (const Image& image : block.images) {
-        if (image.path.empty()) reading.error(block.place, "a picture without a file", "write ![what it shows](picture.png)");
+        if (image.path.empty())
+          reading.error(block.place, "a picture without a file", "write ![what it shows](picture.png)");
         if (image.description.empty())
-          reading.warning(block.place, "a picture without a description", "write what it shows between the square brackets");
+          reading.warning(block.place, "a picture without a description",
+                          "write what it shows between the square brackets");
         blocks.push_back(image);
       }
       break;
@@ -131,7 +137,9 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       blocks.insert(blocks.end(), pictures.begin(), pictures.end());
       break;
     }
-    case Kind::Quote: readQuote(reading, block, blocks); break;
+    case Kind::Quote:
+      readQuote(reading, block, blocks);
+      break;
     case Kind::Code: {
       CodeText code;
       for (const BlockLine& line : block.lines) code.text += line.text + '\n';
@@ -145,7 +153,8 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       else if (html.find("-->") == std::string::npos)
         reading.error(block.place, "this comment has no end, so nothing below it is shown", "close it with '-->'");
       break;
-    default: break;
+    default:
+      break;
   }
 }
 
@@ -172,11 +181,15 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
       for (const TextRun& run : choice.feedback)
         if (choice.link.empty() && run.link.starts_with('#')) choice.link = run.link;
     }
-    if (plainText(choice.text).empty()) reading.error(item.place, "an empty choice", "write what can be chosen, then → and the feedback");
+    if (plainText(choice.text).empty())
+      reading.error(item.place, "an empty choice", "write what can be chosen, then → and the feedback");
     else if (choice.feedback.empty())
-      reading.warning(item.place, "this choice has no feedback", "write → after it and tell the student why it is right or wrong");
-    if (const auto [twin, is_new] = lines.emplace(plainText(choice.text), item.place.line); !is_new && !choice.text.empty())
-      reading.error(item.place, "this choice is there twice", "take one of the two out; the other is on line " + std::to_string(twin->second));
+      reading.warning(item.place, "this choice has no feedback",
+                      "write → after it and tell the student why it is right or wrong");
+    if (const auto [twin, is_new] = lines.emplace(plainText(choice.text), item.place.line);
+        !is_new && !choice.text.empty())
+      reading.error(item.place, "this choice is there twice",
+                    "take one of the two out; the other is on line " + std::to_string(twin->second));
     out.push_back(std::move(choice));
   }
   return out;
@@ -189,7 +202,8 @@ void checkQuestion(Reading& reading, const Question& question) {
     return;
   }
   if (question.choices.empty())
-    reading.error(question.place, "this question has nothing to answer", "add a list of choices '- [x] …' or an answer block");
+    reading.error(question.place, "this question has nothing to answer",
+                  "add a list of choices '- [x] …' or an answer block");
   else if (question.choices.size() == 1)
     reading.error(question.place, "this question has only one choice", "add another line '- [ ] …'");
   else if (question.rightChoices() == 0)

@@ -17,11 +17,12 @@ struct Unit {
 
 // U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages give either.
 constexpr Unit kUnits[] = {
-    {"Å", Dimension::Length, 1.0},        {"\xE2\x84\xAB", Dimension::Length, 1.0}, {"A", Dimension::Length, 1.0},
-    {"nm", Dimension::Length, 10.0},      {"pm", Dimension::Length, 0.01},
-    {"N", Dimension::Force, 1.0},         {"mN", Dimension::Force, 0.001},
-    {"s", Dimension::Time, 1.0},          {"ms", Dimension::Time, 0.001},           {"min", Dimension::Time, 60.0},
-    {"N/mm", Dimension::Stiffness, 1.0},  {"N/m", Dimension::Stiffness, 0.001},
+    {"Å", Dimension::Length, 1.0},       {"\xE2\x84\xAB", Dimension::Length, 1.0},
+    {"A", Dimension::Length, 1.0},       {"nm", Dimension::Length, 10.0},
+    {"pm", Dimension::Length, 0.01},     {"N", Dimension::Force, 1.0},
+    {"mN", Dimension::Force, 0.001},     {"s", Dimension::Time, 1.0},
+    {"ms", Dimension::Time, 0.001},      {"min", Dimension::Time, 60.0},
+    {"N/mm", Dimension::Stiffness, 1.0}, {"N/m", Dimension::Stiffness, 0.001},
 };
 
 Problem problemAt(std::string_view text, std::size_t offset, std::string message, std::string remedy = {}) {
@@ -72,33 +73,48 @@ Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::si
 
 std::string_view dimensionName(Dimension dimension) {
   switch (dimension) {
-    case Dimension::Length: return "a length";
-    case Dimension::Force: return "a force";
-    case Dimension::Time: return "a time";
-    case Dimension::Stiffness: return "a stiffness";
-    case Dimension::None: break;
+    case Dimension::Length:
+      return "a length";
+    case Dimension::Force:
+      return "a force";
+    case Dimension::Time:
+      return "a time";
+    case Dimension::Stiffness:
+      return "a stiffness";
+    case Dimension::None:
+      break;
   }
   return "a number";
 }
 
 std::string_view unitsFor(Dimension dimension) {
   switch (dimension) {
-    case Dimension::Length: return "Å or nm";
-    case Dimension::Force: return "N or mN";
-    case Dimension::Time: return "s or min";
-    case Dimension::Stiffness: return "N/m or N/mm";
-    case Dimension::None: break;
+    case Dimension::Length:
+      return "Å or nm";
+    case Dimension::Force:
+      return "N or mN";
+    case Dimension::Time:
+      return "s or min";
+    case Dimension::Stiffness:
+      return "N/m or N/mm";
+    case Dimension::None:
+      break;
   }
   return "";
 }
 
 std::string_view codeUnit(Dimension dimension) {
   switch (dimension) {
-    case Dimension::Length: return "Å";
-    case Dimension::Force: return "N";
-    case Dimension::Time: return "s";
-    case Dimension::Stiffness: return "N/mm";
-    case Dimension::None: break;
+    case Dimension::Length:
+      return "Å";
+    case Dimension::Force:
+      return "N";
+    case Dimension::Time:
+      return "s";
+    case Dimension::Stiffness:
+      return "N/mm";
+    case Dimension::None:
+      break;
   }
   return "";
 }

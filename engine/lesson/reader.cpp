@@ -33,21 +33,22 @@ class Walk {
       reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, "the lesson has no steps",
                      "start each step with a heading '## …'");
     } else if (!scene_stated_) {
-      reading_.error(lesson_.steps[0].place, "the first step has no scene", "add a fenced block 'scene' with 'molecule: …'");
+      reading_.error(lesson_.steps[0].place, "the first step has no scene",
+                     "add a fenced block 'scene' with 'molecule: …'");
     }
     return !too_many_;
   }
 
  private:
   Step* step() { return lesson_.steps.empty() ? nullptr : &lesson_.steps.back(); }
-  const Step* lastMainStep() const {
-    return last_main_ ? &lesson_.steps[*last_main_] : nullptr;
-  }
+  const Step* lastMainStep() const { return last_main_ ? &lesson_.steps[*last_main_] : nullptr; }
   std::vector<Block>& blocks() { return step() ? step()->blocks : lesson_.introduction; }
 
   void take(const MarkdownBlock& block) {
     switch (block.kind) {
-      case Kind::Heading: heading(block); return;
+      case Kind::Heading:
+        heading(block);
+        return;
       case Kind::Code:
         if (block.info == "scene") return scene(block);
         if (block.info == "touch") return touch(block);
@@ -56,18 +57,21 @@ class Walk {
         break;
       case Kind::List:
         if (in_question_ && step()->questions.back().choices.empty() && !block.children.empty() &&
-            std::any_of(block.children.begin(), block.children.end(), [](const MarkdownBlock& i) { return i.is_task; })) {
+            std::any_of(block.children.begin(), block.children.end(),
+                        [](const MarkdownBlock& i) { return i.is_task; })) {
           step()->questions.back().choices = reading::readChoices(reading_, block);
           return;
         }
         break;
       case Kind::Paragraph:
-        if (in_question_ && step()->questions.back().choices.empty() && !step()->questions.back().answer && block.images.empty()) {
+        if (in_question_ && step()->questions.back().choices.empty() && !step()->questions.back().answer &&
+            block.images.empty()) {
           step()->questions.back().prompt.push_back(block.text);
           return;
         }
         break;
-      default: break;
+      default:
+        break;
     }
     reading::readProse(reading_, block, blocks());
   }
@@ -78,7 +82,8 @@ class Walk {
       reading_.error(block.place, "a question on the wrong level of heading", "write it as '### Question: …'");
     if (block.level == 1) {
       // Many editors want a first heading; the title in the front matter is the one that is shown.
-      if (step()) reading_.error(block.place, "a heading of the first level inside the lesson", "start each step with '## …'");
+      if (step())
+        reading_.error(block.place, "a heading of the first level inside the lesson", "start each step with '## …'");
       return;
     }
     endQuestion();
@@ -90,7 +95,8 @@ class Walk {
   void startStep(const MarkdownBlock& block, const std::string& title) {
     if (lesson_.steps.size() == kMostLessonSteps) {
       too_many_ = true;
-      reading_.error(block.place, "a lesson of more than " + std::to_string(kMostLessonSteps) + " steps", "split it into several lessons");
+      reading_.error(block.place, "a lesson of more than " + std::to_string(kMostLessonSteps) + " steps",
+                     "split it into several lessons");
       return;
     }
     Step next;
@@ -103,7 +109,8 @@ class Walk {
       reading_.error(block.place, "the first step is an aside", "start with a step that every student sees: '## …'");
     if (next.title.empty()) reading_.error(block.place, "a step without a name", "write its name after '## '");
     if (const auto [twin, is_new] = step_lines_.emplace(next.id, block.place.line); !is_new && !next.id.empty())
-      reading_.error(block.place, "two steps are called '" + title + "'", "rename one; the other is on line " + std::to_string(twin->second));
+      reading_.error(block.place, "two steps are called '" + title + "'",
+                     "rename one; the other is on line " + std::to_string(twin->second));
     question_lines_.clear();
     // What an aside puts on the stage is gone where the student has passed it over.
     if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
@@ -126,12 +133,14 @@ class Walk {
       left -= now;
     }
     std::erase_if(question.title, [](const TextRun& r) { return r.text.empty(); });
-    if (!question.title.empty() && question.title.front().text.starts_with(' ')) question.title.front().text.erase(0, 1);
+    if (!question.title.empty() && question.title.front().text.starts_with(' '))
+      question.title.front().text.erase(0, 1);
     const std::string_view asked = stripped(std::string_view(title).substr(kQuestion.size()));
     if (asked.empty()) reading_.error(block.place, "a question without words", "write it after 'Question:'");
     question.id = slug(asked);
     if (const auto [twin, is_new] = question_lines_.emplace(question.id, block.place.line); !is_new && !asked.empty())
-      reading_.error(block.place, "this question is asked twice in one step", "rename one; the other is on line " + std::to_string(twin->second));
+      reading_.error(block.place, "this question is asked twice in one step",
+                     "rename one; the other is on line " + std::to_string(twin->second));
     step()->questions.push_back(std::move(question));
     step()->blocks.push_back(QuestionHere{step()->questions.size() - 1});
     in_question_ = true;
@@ -143,7 +152,8 @@ class Walk {
   }
 
   bool outsideStep(const MarkdownBlock& block) {
-    if (!step()) reading_.error(block.place, "a " + block.info + " block before the first step", "put it below a heading '## …'");
+    if (!step())
+      reading_.error(block.place, "a " + block.info + " block before the first step", "put it below a heading '## …'");
     return !step();
   }
 
@@ -192,7 +202,7 @@ class Walk {
   Reading& reading_;
   Lesson& lesson_;
   bool in_question_ = false, scene_stated_ = false, too_many_ = false;
-  std::optional<std::size_t> last_main_;  // the last step that is no aside
+  std::optional<std::size_t> last_main_;                                      // the last step that is no aside
   std::unordered_map<std::string, std::size_t> step_lines_, question_lines_;  // by id; the questions of this step
 };
 
@@ -200,13 +210,16 @@ class Walk {
 std::optional<Problem> badBytes(const SourceText& source) {
   if (source.bytes().size() > kLargestLesson)
     return Problem{source.name(), 0, 0, "a lesson of more than 1 MiB", "split it into several lessons"};
-  if (stripped(source.bytes()).empty()) return Problem{source.name(), 1, 1, "the file is empty", "start from the text of another lesson"};
+  if (stripped(source.bytes()).empty())
+    return Problem{source.name(), 1, 1, "the file is empty", "start from the text of another lesson"};
   for (std::size_t n = 1; n <= source.lineCount(); ++n)
     if (source.line(n).size() > kLongestLessonLine)
-      return Problem{source.name(), n, 1, "a line of more than " + std::to_string(kLongestLessonLine) + " bytes", "break it into several lines"};
+      return Problem{source.name(), n, 1, "a line of more than " + std::to_string(kLongestLessonLine) + " bytes",
+                     "break it into several lines"};
   if (const std::size_t bad = firstBadByte(source.bytes()); bad != std::string_view::npos) {
     const Place place = source.at(bad);
-    return Problem{source.name(), place.line, place.column, "this is not UTF-8 text", "save the file in the encoding UTF-8"};
+    return Problem{source.name(), place.line, place.column, "this is not UTF-8 text",
+                   "save the file in the encoding UTF-8"};
   }
   return {};
 }
@@ -222,9 +235,12 @@ std::string plainText(const RichText& text) {
 std::string slug(std::string_view heading) {
   std::string out;
   for (const char c : stripped(heading)) {
-    if (c >= 'A' && c <= 'Z') out += static_cast<char>(c - 'A' + 'a');
-    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || (c & 0x80)) out += c;
-    else if (c == ' ') out += '-';
+    if (c >= 'A' && c <= 'Z')
+      out += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || (c & 0x80))
+      out += c;
+    else if (c == ' ')
+      out += '-';
   }
   return out;
 }
@@ -254,14 +270,17 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
     std::erase_if(reading.errors, follows);
     std::erase_if(reading.warnings, follows);
     for (const Place place : open_fences)
-      reading.error(place, "this fenced block has no end, so what follows it is not read", "close it with a line of its own: ```");
+      reading.error(place, "this fenced block has no end, so what follows it is not read",
+                    "close it with a line of its own: ```");
   }
   orderProblems(reading.errors);
   orderProblems(reading.warnings);
   out.errors = std::move(reading.errors);
   out.warnings = std::move(reading.warnings);
-  if (out.errors.empty()) out.lesson = std::move(lesson);
-  else if (tree && open_fences.empty()) out.partial = std::move(lesson);
+  if (out.errors.empty())
+    out.lesson = std::move(lesson);
+  else if (tree && open_fences.empty())
+    out.partial = std::move(lesson);
   return out;
 }
 

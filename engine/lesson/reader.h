@@ -24,10 +24,10 @@
 namespace moltact {
 
 struct LessonReading {
-  std::optional<Lesson> lesson;    ///< present exactly when there are no errors
-  std::optional<Lesson> partial;   ///< what was understood of a lesson with errors: for more checks, not for students
-  std::vector<Problem> errors;     ///< every error, in the order of the file
-  std::vector<Problem> warnings;   ///< what was read but will not be used, in the order of the file
+  std::optional<Lesson> lesson;   ///< present exactly when there are no errors
+  std::optional<Lesson> partial;  ///< what was understood of a lesson with errors: for more checks, not for students
+  std::vector<Problem> errors;    ///< every error, in the order of the file
+  std::vector<Problem> warnings;  ///< what was read but will not be used, in the order of the file
 };
 
 /// `name` is the file's name as messages give it.

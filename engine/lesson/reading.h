@@ -20,7 +20,8 @@ struct Reading {
     if (!enough()) errors.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
   }
   void warning(Place place, std::string message, std::string remedy = {}) {
-    if (!enoughProblems(warnings)) warnings.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
+    if (!enoughProblems(warnings))
+      warnings.push_back({source.name(), place.line, place.column, std::move(message), std::move(remedy)});
   }
   /// Takes over problems that do not name the file yet.
   void add(std::vector<Problem> problems) {
@@ -35,7 +36,8 @@ struct Reading {
 /// Reads the front matter into the lesson; the offset of the first byte after it.
 std::size_t readFrontMatter(Reading& reading, Lesson& lesson);
 
-/// Where fenced blocks begin that have no end: the file ends in them, or a block of a lesson begins in a block of a lesson.
+/// Where fenced blocks begin that have no end: the file ends in them, or a block of a lesson begins in a block of a
+/// lesson.
 std::vector<Place> findOpenFences(const SourceText& source, std::size_t from);
 
 /// Reads a scene block upon the scene of the step before (nullptr for the first).

@@ -51,18 +51,31 @@ std::string limits(const KeySpec& key) {
 
 std::string valueOf(const KeySpec& key) {
   switch (key.type) {
-    case ValueType::Text: return "a line of text";
-    case ValueType::TextList: return "texts, each on a line of its own that starts with `- `, or parted by commas";
-    case ValueType::Count: return "a whole number" + limits(key);
-    case ValueType::Number: return "a number, with its unit if it has one";
-    case ValueType::Quantity: return std::string(dimensionName(key.dimension)) + limits(key);
-    case ValueType::Range: return std::string(dimensionName(key.dimension)) + " from … to …" + limits(key);
-    case ValueType::Word: return codeList(key.words);
-    case ValueType::WordList: return someOf(key.words);
-    case ValueType::Selection: return "a [selection](#selections)";
-    case ValueType::Target: return codeList(key.words) + ", or a [selection](#selections)";
-    case ValueType::Path: return codeList(key.words) + (key.words.empty() ? "" : ", or ") + "[selections](#selections) with `then` between them";
-    case ValueType::View: return codeList(key.words) + ", or `facing` and a [selection](#selections)";
+    case ValueType::Text:
+      return "a line of text";
+    case ValueType::TextList:
+      return "texts, each on a line of its own that starts with `- `, or parted by commas";
+    case ValueType::Count:
+      return "a whole number" + limits(key);
+    case ValueType::Number:
+      return "a number, with its unit if it has one";
+    case ValueType::Quantity:
+      return std::string(dimensionName(key.dimension)) + limits(key);
+    case ValueType::Range:
+      return std::string(dimensionName(key.dimension)) + " from … to …" + limits(key);
+    case ValueType::Word:
+      return codeList(key.words);
+    case ValueType::WordList:
+      return someOf(key.words);
+    case ValueType::Selection:
+      return "a [selection](#selections)";
+    case ValueType::Target:
+      return codeList(key.words) + ", or a [selection](#selections)";
+    case ValueType::Path:
+      return codeList(key.words) + (key.words.empty() ? "" : ", or ") +
+             "[selections](#selections) with `then` between them";
+    case ValueType::View:
+      return codeList(key.words) + ", or `facing` and a [selection](#selections)";
   }
   return {};
 }
@@ -77,17 +90,22 @@ std::string cell(std::string_view text) {
 void table(std::ostream& out, const std::vector<KeySpec>& keys) {
   out << "| key | left out | value | what it is |\n| --- | --- | --- | --- |\n";
   for (const KeySpec& k : keys)
-    out << "| `" << k.name << "` | " << (k.required ? "*needed*" : k.fallback.empty() ? "—" : cell(code(k.fallback))) << " | " << cell(valueOf(k))
-        << " | " << cell(k.meaning) << " |\n";
+    out << "| `" << k.name << "` | "
+        << (k.required           ? "*needed*"
+            : k.fallback.empty() ? "—"
+                                 : cell(code(k.fallback)))
+        << " | " << cell(valueOf(k)) << " | " << cell(k.meaning) << " |\n";
   out << '\n';
 }
 
 void tasks(std::ostream& out) {
-  out << "## Touch tasks\n\nA fenced block `touch` holds one task. Its kind is the key with which the block's first line usually starts; a block has the "
+  out << "## Touch tasks\n\nA fenced block `touch` holds one task. Its kind is the key with which the block's first "
+         "line usually starts; a block has the "
          "keys of its kind and these, which every kind has:\n\n";
   table(out, keysOf(KeyBlock::Touch));
   out << "These are the kinds:\n\n| kind | what the student does |\n| --- | --- |\n";
-  for (const TaskKind& kind : taskKinds()) out << "| [`" << kind.name << "`](#" << kind.name << ") | " << cell(kind.meaning) << " |\n";
+  for (const TaskKind& kind : taskKinds())
+    out << "| [`" << kind.name << "`](#" << kind.name << ") | " << cell(kind.meaning) << " |\n";
   out << '\n';
   for (const TaskKind& kind : taskKinds()) {
     out << "### " << kind.name << "\n\n" << kind.meaning << "\n\n";
@@ -96,7 +114,8 @@ void tasks(std::ostream& out) {
 }
 
 void units(std::ostream& out) {
-  out << "## Quantities\n\nA quantity is a number and its unit: `4 Å`, `0.3 N`. A number without its unit is an error. The decimal sign is a "
+  out << "## Quantities\n\nA quantity is a number and its unit: `4 Å`, `0.3 N`. A number without its unit is an error. "
+         "The decimal sign is a "
          "point.\n\n| quantity | units |\n| --- | --- |\n";
   for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness})
     out << "| " << dimensionName(d) << " | " << unitsFor(d) << " |\n";
@@ -104,7 +123,8 @@ void units(std::ostream& out) {
 }
 
 void selections(std::ostream& out) {
-  out << "## Selections\n\nA selection names atoms, in the words that molecular viewers share. Names are written as in the molecule's file; the words of "
+  out << "## Selections\n\nA selection names atoms, in the words that molecular viewers share. Names are written as in "
+         "the molecule's file; the words of "
          "the language in small letters.\n\n| words | atoms |\n| --- | --- |\n";
   for (const SelectionWord& w : selectionWords()) out << "| `" << w.word << "` | " << cell(w.meaning) << " |\n";
   out << R"(| `within` | atoms near others, those included: `within 5 Å of (ligand HEM)` |
@@ -124,11 +144,13 @@ std::string lessonReference() {
   std::ostringstream out;
   out << kHead << "\n## Front matter\n\nBetween two lines `---` at the start of the file.\n\n";
   table(out, keysOf(KeyBlock::FrontMatter));
-  out << "## Scenes\n\nA fenced block `scene` says what is on the stage in its step and those after it. A scene that names a molecule starts anew; one that "
+  out << "## Scenes\n\nA fenced block `scene` says what is on the stage in its step and those after it. A scene that "
+         "names a molecule starts anew; one that "
          "does not keeps all that it does not say.\n\n";
   table(out, keysOf(KeyBlock::Scene));
   tasks(out);
-  out << "## Answers\n\nA fenced block `answer` below `### Question: …` asks for a number or for words, where a list of choices would give the answer away. It "
+  out << "## Answers\n\nA fenced block `answer` below `### Question: …` asks for a number or for words, where a list "
+         "of choices would give the answer away. It "
          "has one of `number`, `text` and `free`.\n\n";
   table(out, keysOf(KeyBlock::Answer));
   units(out);

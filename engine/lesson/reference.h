@@ -1,5 +1,5 @@
-// The authors' reference of every key, fence, task, unit and word of selections, as a Markdown page. It is made from the
-// tables with which lessons are read, so it cannot say anything else than they do. Pure function.
+// The authors' reference of every key, fence, task, unit and word of selections, as a Markdown page. It is made from
+// the tables with which lessons are read, so it cannot say anything else than they do. Pure function.
 #pragma once
 
 #include <string>

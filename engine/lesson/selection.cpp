@@ -37,20 +37,32 @@ bool matches(const Node& node, const Molecule& m, std::size_t index) {
   const Residue* r = residueOf(m, a);
   const auto isKind = [&](ResidueKind kind) { return r && r->kind == kind; };
   switch (node.kind) {
-    case SelectionKind::All: return true;
-    case SelectionKind::Chain: return r && r->chain < m.chains.size() && contains(node.names, m.chains[r->chain].name);
-    case SelectionKind::Residue: return r && inRanges(node.numbers, r->number, r->insertion);
-    case SelectionKind::Resname: return r && contains(node.names, r->name);
-    case SelectionKind::Name: return contains(node.names, atomName(a));
+    case SelectionKind::All:
+      return true;
+    case SelectionKind::Chain:
+      return r && r->chain < m.chains.size() && contains(node.names, m.chains[r->chain].name);
+    case SelectionKind::Residue:
+      return r && inRanges(node.numbers, r->number, r->insertion);
+    case SelectionKind::Resname:
+      return r && contains(node.names, r->name);
+    case SelectionKind::Name:
+      return contains(node.names, atomName(a));
     case SelectionKind::Element:
       return std::find(node.elements.begin(), node.elements.end(), a.atomic_number) != node.elements.end();
-    case SelectionKind::AtomIndex: return inRanges(node.numbers, static_cast<long>(index), ' ');
-    case SelectionKind::Ligand: return isKind(ResidueKind::Ligand) && (node.names.empty() || contains(node.names, r->name));
-    case SelectionKind::Protein: return isKind(ResidueKind::AminoAcid);
-    case SelectionKind::Nucleic: return isKind(ResidueKind::Nucleotide);
-    case SelectionKind::Water: return isKind(ResidueKind::Water);
-    case SelectionKind::Ion: return isKind(ResidueKind::Ion);
-    default: return false;
+    case SelectionKind::AtomIndex:
+      return inRanges(node.numbers, static_cast<long>(index), ' ');
+    case SelectionKind::Ligand:
+      return isKind(ResidueKind::Ligand) && (node.names.empty() || contains(node.names, r->name));
+    case SelectionKind::Protein:
+      return isKind(ResidueKind::AminoAcid);
+    case SelectionKind::Nucleic:
+      return isKind(ResidueKind::Nucleotide);
+    case SelectionKind::Water:
+      return isKind(ResidueKind::Water);
+    case SelectionKind::Ion:
+      return isKind(ResidueKind::Ion);
+    default:
+      return false;
   }
 }
 
@@ -89,8 +101,10 @@ Mask evaluate(const Node& node, const Molecule& m) {
       for (char& c : inner) c = !c;
       return inner;
     }
-    case SelectionKind::Within: return within(evaluate(*node.left, m), node.distance_A, m);
-    default: break;
+    case SelectionKind::Within:
+      return within(evaluate(*node.left, m), node.distance_A, m);
+    default:
+      break;
   }
   Mask out(m.atoms.size(), 0);
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = matches(node, m, i);
@@ -119,12 +133,18 @@ std::string Selection::noun() const {
   const Node& n = *root_;
   const bool one_name = n.names.size() == 1, one_number = n.numbers.size() == 1;
   switch (n.kind) {
-    case SelectionKind::All: return "the surface";
-    case SelectionKind::Protein: return "the protein";
-    case SelectionKind::Nucleic: return "the nucleic acid";
-    case SelectionKind::Water: return "a water molecule";
-    case SelectionKind::Ion: return "an ion";
-    case SelectionKind::Ligand: return one_name ? "the ligand " + n.names[0] : "the ligand";
+    case SelectionKind::All:
+      return "the surface";
+    case SelectionKind::Protein:
+      return "the protein";
+    case SelectionKind::Nucleic:
+      return "the nucleic acid";
+    case SelectionKind::Water:
+      return "a water molecule";
+    case SelectionKind::Ion:
+      return "an ion";
+    case SelectionKind::Ligand:
+      return one_name ? "the ligand " + n.names[0] : "the ligand";
     case SelectionKind::Chain:
       if (one_name) return "chain " + n.names[0];
       break;
@@ -135,7 +155,8 @@ std::string Selection::noun() const {
       if (one_name) return "an atom " + n.names[0];
       break;
     case SelectionKind::Residue:
-      if (one_number) return (n.numbers[0].first == n.numbers[0].last ? "residue " : "residues ") + rangeText(n.numbers[0]);
+      if (one_number)
+        return (n.numbers[0].first == n.numbers[0].last ? "residue " : "residues ") + rangeText(n.numbers[0]);
       break;
     case SelectionKind::AtomIndex:
       if (one_number && n.numbers[0].first == n.numbers[0].last) return "atom " + rangeText(n.numbers[0]);
@@ -147,7 +168,8 @@ std::string Selection::noun() const {
         return (vowel ? "an " : "a ") + name + " atom";
       }
       break;
-    default: break;
+    default:
+      break;
   }
   return "the place you look for";
 }

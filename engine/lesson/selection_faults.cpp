@@ -70,8 +70,11 @@ Problem faultOf(const Node& leaf, const Molecule& molecule) {
   const std::string name = leaf.names.empty() ? std::string() : leaf.names.front();
   std::set<std::string> there;
   const auto named = [&](const char* what, const char* list) {
-    return Problem{{}, 0, leaf.columns.empty() ? leaf.column : leaf.columns[0],
-                   std::string(what) + " '" + name + "'" + not_in + " (" + list + ": " + listed(there) + ")", remedyFor(name, there)};
+    return Problem{{},
+                   0,
+                   leaf.columns.empty() ? leaf.column : leaf.columns[0],
+                   std::string(what) + " '" + name + "'" + not_in + " (" + list + ": " + listed(there) + ")",
+                   remedyFor(name, there)};
   };
   const auto plain = [&](const std::string& text) {
     return Problem{{}, 0, leaf.columns.empty() ? leaf.column : leaf.columns[0], text, "name atoms that it has"};
@@ -92,22 +95,29 @@ Problem faultOf(const Node& leaf, const Molecule& molecule) {
       return named("atom name", "names");
     case SelectionKind::Element:
       for (const Atom& a : molecule.atoms) there.emplace(element(a.atomic_number).symbol);
-      return plain("element '" + std::string(element(leaf.elements[0]).symbol) + "'" + not_in + " (elements: " + listed(there) + ")");
+      return plain("element '" + std::string(element(leaf.elements[0]).symbol) + "'" + not_in +
+                   " (elements: " + listed(there) + ")");
     case SelectionKind::AtomIndex:
       return plain("atom " + rangeText(leaf.numbers[0]) + not_in + " (" + std::to_string(molecule.atoms.size()) +
                    " atoms, counted from 0)");
     case SelectionKind::Residue: {
       const std::string text = "residue " + rangeText(leaf.numbers[0]) + not_in;
       if (molecule.residues.empty()) return plain(text + " (it has no residues)");
-      const auto [low, high] = std::minmax_element(molecule.residues.begin(), molecule.residues.end(),
-                                                   [](const Residue& a, const Residue& b) { return a.number < b.number; });
+      const auto [low, high] =
+          std::minmax_element(molecule.residues.begin(), molecule.residues.end(),
+                              [](const Residue& a, const Residue& b) { return a.number < b.number; });
       return plain(text + " (residues: " + std::to_string(low->number) + " to " + std::to_string(high->number) + ")");
     }
-    case SelectionKind::Protein: return plain("protein" + not_in);
-    case SelectionKind::Nucleic: return plain("nucleic acid" + not_in);
-    case SelectionKind::Water: return plain("water" + not_in);
-    case SelectionKind::Ion: return plain("an ion" + not_in);
-    default: return plain("no atom of " + place + " is selected");
+    case SelectionKind::Protein:
+      return plain("protein" + not_in);
+    case SelectionKind::Nucleic:
+      return plain("nucleic acid" + not_in);
+    case SelectionKind::Water:
+      return plain("water" + not_in);
+    case SelectionKind::Ion:
+      return plain("an ion" + not_in);
+    default:
+      return plain("no atom of " + place + " is selected");
   }
 }
 

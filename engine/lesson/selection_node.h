@@ -10,7 +10,22 @@
 namespace moltact {
 
 enum class SelectionKind : std::uint8_t {
-  All, Chain, Residue, Resname, Name, Element, AtomIndex, Ligand, Protein, Nucleic, Water, Ion, Within, Not, And, Or
+  All,
+  Chain,
+  Residue,
+  Resname,
+  Name,
+  Element,
+  AtomIndex,
+  Ligand,
+  Protein,
+  Nucleic,
+  Water,
+  Ion,
+  Within,
+  Not,
+  And,
+  Or
 };
 
 /// Numbers from `first` to `last`, both included.
@@ -24,12 +39,12 @@ std::string rangeText(const NumberRange& range);
 
 struct SelectionNode {
   SelectionKind kind = SelectionKind::All;
-  std::size_t column = 1;                 ///< where its word stands in the text
-  std::vector<std::size_t> columns;       ///< where each of its names, numbers or elements stands
-  std::vector<std::string> names;         ///< chains, residue names, atom names
-  std::vector<NumberRange> numbers;       ///< residues, atom indices
-  std::vector<std::uint8_t> elements;     ///< atomic numbers
-  double distance_A = 0.0;                ///< of Within
+  std::size_t column = 1;                            ///< where its word stands in the text
+  std::vector<std::size_t> columns;                  ///< where each of its names, numbers or elements stands
+  std::vector<std::string> names;                    ///< chains, residue names, atom names
+  std::vector<NumberRange> numbers;                  ///< residues, atom indices
+  std::vector<std::uint8_t> elements;                ///< atomic numbers
+  double distance_A = 0.0;                           ///< of Within
   std::shared_ptr<const SelectionNode> left, right;  ///< `left` alone for Within and Not
 };
 

@@ -19,7 +19,7 @@ constexpr std::string_view kJoiners[] = {"and", "or", "not", "within", "of"};
 
 struct Token {
   std::string_view text;
-  std::size_t at = 0;   // byte in the text
+  std::size_t at = 0;  // byte in the text
   bool quoted = false;
   bool end() const { return !quoted && text.empty(); }
   bool is(std::string_view word) const { return !quoted && text == word; }
@@ -61,8 +61,7 @@ class Parser {
       if (next_.is(")"))
         fail(next_, "a closing bracket without its opening one", "take it out");
       else
-        fail(next_, "'" + std::string(next_.text) + "' does not belong here",
-             "join two selections with 'and' or 'or'");
+        fail(next_, "'" + std::string(next_.text) + "' does not belong here", "join two selections with 'and' or 'or'");
     }
     if (problem_) return *problem_;
     return Selection(std::string(stripped(text_)), std::move(root));
@@ -95,7 +94,8 @@ class Parser {
       return;
     }
     const std::size_t start = at_;
-    while (at_ < text_.size() && !isSpace(text_[at_]) && text_[at_] != '(' && text_[at_] != ')' && text_[at_] != '"') ++at_;
+    while (at_ < text_.size() && !isSpace(text_[at_]) && text_[at_] != '(' && text_[at_] != ')' && text_[at_] != '"')
+      ++at_;
     next_.text = text_.substr(start, at_ - start);
   }
 
@@ -110,7 +110,8 @@ class Parser {
   NodePtr readOr(int depth) {
     NodePtr left = readAnd(depth);
     while (left && next_.is("or")) {
-      if (++joined_ > kMostJoined) return fail(next_, "the selection is too long", "use ranges or several names: residue 10-20 25");
+      if (++joined_ > kMostJoined)
+        return fail(next_, "the selection is too long", "use ranges or several names: residue 10-20 25");
       advance();
       NodePtr right = readAnd(depth);
       if (!right) return nullptr;
@@ -132,8 +133,7 @@ class Parser {
   }
 
   NodePtr readNot(int depth) {
-    if (depth >= kDeepestSelection)
-      return fail(next_, "the selection is nested too deeply", "use fewer brackets");
+    if (depth >= kDeepestSelection) return fail(next_, "the selection is nested too deeply", "use fewer brackets");
     if (next_.is("not")) {
       advance();
       NodePtr inner = readNot(depth + 1);
@@ -165,7 +165,8 @@ class Parser {
       if (!problem_) problem_ = std::move(p);
       return nullptr;
     }
-    if (*distance < 0.0) return fail({written, start, false}, "a distance below zero", "write: within 5 Å of (resname HEM)");
+    if (*distance < 0.0)
+      return fail({written, start, false}, "a distance below zero", "write: within 5 Å of (resname HEM)");
     advance();
     NodePtr inner = readNot(depth + 1);
     if (!inner) return nullptr;
@@ -181,12 +182,15 @@ class Parser {
     const SelectionWord* word = findWord(token);
     if (!word) {
       if (token.end() || isJoiner(token))
-        return fail(token, token.end() ? "the selection ends too early" : "a selection is missing before '" + std::string(token.text) + "'",
+        return fail(token,
+                    token.end() ? "the selection ends too early"
+                                : "a selection is missing before '" + std::string(token.text) + "'",
                     "for example: resname HEM");
       std::vector<std::string_view> known;
       for (const SelectionWord& w : selectionWords()) known.push_back(w.word);
       known.insert(known.end(), std::begin(kJoiners), std::end(kJoiners) - 1);
-      return fail(token, "'" + std::string(token.text) + "' is no word of a selection", suggest(token.text, known, "words"));
+      return fail(token, "'" + std::string(token.text) + "' is no word of a selection",
+                  suggest(token.text, known, "words"));
     }
     advance();
     Node node;
@@ -201,9 +205,10 @@ class Parser {
     }
     if (count == 0 && word->takes != Takes::OptionalNames) {
       constexpr std::string_view kExamples[] = {"", "name CA", "", "residue 52", "atom 0", "element O"};
-      return fail(next_, "'" + std::string(word->word) + "' needs something after it",
-                  "for example: " + (word->takes == Takes::Names ? std::string(word->word) + " A"
-                                                                 : std::string(kExamples[static_cast<int>(word->takes)])));
+      return fail(
+          next_, "'" + std::string(word->word) + "' needs something after it",
+          "for example: " + (word->takes == Takes::Names ? std::string(word->word) + " A"
+                                                         : std::string(kExamples[static_cast<int>(word->takes)])));
     }
     return std::make_shared<const Node>(std::move(node));
   }
@@ -211,16 +216,21 @@ class Parser {
   bool readItem(const SelectionWord& word, Node& node) {
     switch (word.takes) {
       case Takes::Names:
-      case Takes::OptionalNames: node.names.emplace_back(next_.text); return true;
+      case Takes::OptionalNames:
+        node.names.emplace_back(next_.text);
+        return true;
       case Takes::Elements: {
         const std::uint8_t number = atomicNumber(next_.text);
-        if (number == 0) fail(next_, "'" + std::string(next_.text) + "' is no chemical element", "write its symbol: C, N, O, Fe");
+        if (number == 0)
+          fail(next_, "'" + std::string(next_.text) + "' is no chemical element", "write its symbol: C, N, O, Fe");
         node.elements.push_back(number);
         return number != 0;
       }
       case Takes::Residues:
-      case Takes::Indices: return readRange(word, node);
-      case Takes::Nothing: break;
+      case Takes::Indices:
+        return readRange(word, node);
+      case Takes::Nothing:
+        break;
     }
     return false;
   }

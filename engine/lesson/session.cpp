@@ -32,13 +32,15 @@ bool sameShape(const Step& a, const Step& b) {
   for (std::size_t i = 0; i < a.tasks.size(); ++i)
     if (a.tasks[i].kind != b.tasks[i].kind) return false;
   for (std::size_t i = 0; i < a.questions.size(); ++i)
-    if (a.questions[i].id != b.questions[i].id || a.questions[i].choices.size() != b.questions[i].choices.size()) return false;
+    if (a.questions[i].id != b.questions[i].id || a.questions[i].choices.size() != b.questions[i].choices.size())
+      return false;
   return true;
 }
 
 }  // namespace
 
-LessonSession::StepState::StepState(const Step& step) : tasks_done(step.tasks.size(), 0), finished(step.tasks.size()), questions(step.questions.size()) {}
+LessonSession::StepState::StepState(const Step& step)
+    : tasks_done(step.tasks.size(), 0), finished(step.tasks.size()), questions(step.questions.size()) {}
 
 LessonSession::LessonSession(std::shared_ptr<const Lesson> lesson) : lesson_(std::move(lesson)) {
   for (const Step& s : lesson_->steps) states_.emplace_back(s);
@@ -74,8 +76,8 @@ void LessonSession::back() {
   if (!hasBack()) return;
   std::size_t before = step_;
   // The first step is no aside.
-  if (!step().aside)
-    do --before;
+  if (!step().aside) do
+      --before;
     while (lesson_->steps[before].aside);
   enter(step().aside ? main_step_ : before);
 }
@@ -191,7 +193,8 @@ bool LessonSession::write(std::size_t question, std::string text) {
   bool right = true;
   if (answer->kind == AnswerSpec::Kind::Number) right = numberIsRight(*answer, text);
   if (answer->kind == AnswerSpec::Kind::Text)
-    right = std::any_of(answer->texts.begin(), answer->texts.end(), [&](const std::string& t) { return folded(t) == folded(text); });
+    right = std::any_of(answer->texts.begin(), answer->texts.end(),
+                        [&](const std::string& t) { return folded(t) == folded(text); });
   state().questions[question].written = std::move(text);
   record(question, right);
   return right;
@@ -232,7 +235,8 @@ double LessonSession::progress() const {
     seen += s.seen;
     ++steps;
   }
-  return all ? static_cast<double>(done) / static_cast<double>(all) : static_cast<double>(seen) / static_cast<double>(steps);
+  return all ? static_cast<double>(done) / static_cast<double>(all)
+             : static_cast<double>(seen) / static_cast<double>(steps);
 }
 
 bool LessonSession::finished() const { return progress() >= 1.0; }
@@ -262,7 +266,8 @@ void LessonSession::replaceLesson(std::shared_ptr<const Lesson> lesson) {
   states_.clear();
   for (const Step& s : lesson_->steps) {
     states_.emplace_back(s);
-    if (const auto before = old->find(s.id); before && sameShape(old->steps[*before], s)) states_.back() = std::move(old_states[*before]);
+    if (const auto before = old->find(s.id); before && sameShape(old->steps[*before], s))
+      states_.back() = std::move(old_states[*before]);
   }
   const Step& was = old->steps[step_];
   const std::size_t now = lesson_->find(was.id).value_or(std::min(step_, lesson_->steps.size() - 1));

@@ -17,26 +17,26 @@ namespace moltact {
 /// How a task stands.
 struct TaskStatus {
   bool done = false;
-  bool current = false;    ///< the one that the student is at now; at most one in a step
-  double progress = 0.0;   ///< 0 to 1
-  std::string say;         ///< what the lesson asks for
-  std::string sentence;    ///< what to do next, or the praise; empty for tasks whose turn has not come
+  bool current = false;   ///< the one that the student is at now; at most one in a step
+  double progress = 0.0;  ///< 0 to 1
+  std::string say;        ///< what the lesson asks for
+  std::string sentence;   ///< what to do next, or the praise; empty for tasks whose turn has not come
 };
 
 /// How a question stands.
 struct QuestionStatus {
-  bool answered_right = false;     ///< stays once it is so; a free answer counts as right
+  bool answered_right = false;  ///< stays once it is so; a free answer counts as right
   int attempts = 0;
-  std::vector<std::size_t> chosen; ///< the choices of the last attempt, ascending
-  std::string written;             ///< the text of the last attempt
-  bool last_right = false;         ///< of the last attempt
+  std::vector<std::size_t> chosen;  ///< the choices of the last attempt, ascending
+  std::string written;              ///< the text of the last attempt
+  bool last_right = false;          ///< of the last attempt
 };
 
 /// What was done in a lesson, by the ids of its steps and questions: what a session is taken up from.
 struct SessionMemory {
   struct StepMemory {
-    std::string step;                                            ///< id
-    std::vector<std::size_t> tasks_done;                         ///< indices of tasks
+    std::string step;                                               ///< id
+    std::vector<std::size_t> tasks_done;                            ///< indices of tasks
     std::vector<std::pair<std::string, QuestionStatus>> questions;  ///< by the question's id
   };
   std::string step;  ///< id of the step to begin at
@@ -60,15 +60,15 @@ class LessonSession {
 
   bool hasNext() const { return step().aside || mainStepAfter(step_) < lesson_->steps.size(); }
   bool hasBack() const { return step().aside || step_ > 0; }
-  /// Moves on or back, passing asides over; does nothing at the ends. From an aside both lead to the step from which the
-  /// student came to it. A student may always move on: `stepDone` tells whether anything is left.
+  /// Moves on or back, passing asides over; does nothing at the ends. From an aside both lead to the step from which
+  /// the student came to it. A student may always move on: `stepDone` tells whether anything is left.
   void next();
   void back();
   /// Follows a link "#step-id" (or the id alone). False, without moving, where there is no such step.
   bool goTo(std::string_view link);
 
-  /// The molecule on the stage, once it has been read: the tasks of the step need it to know their atoms. Null while there
-  /// is none; tasks then wait. Keeps what has been done.
+  /// The molecule on the stage, once it has been read: the tasks of the step need it to know their atoms. Null while
+  /// there is none; tasks then wait. Keeps what has been done.
   void setMolecule(std::shared_ptr<const Molecule> molecule);
 
   /// Null while there is none.
@@ -82,7 +82,8 @@ class LessonSession {
   TaskStatus task(std::size_t index) const;
   const QuestionStatus& question(std::size_t index) const { return state().questions[index]; }
 
-  /// A task of the current step, for its buttons, curves and figures; null while there is no molecule and it is not done.
+  /// A task of the current step, for its buttons, curves and figures; null while there is no molecule and it is not
+  /// done.
   const Task* taskAt(std::size_t index) const;
   /// The index of the task that the student is at; the number of tasks when all are done.
   std::size_t currentTask() const;
@@ -99,8 +100,8 @@ class LessonSession {
   /// Answers a question of the current step with choices. Gives whether it is right: exactly the right ones. An index
   /// out of range makes the answer wrong.
   bool choose(std::size_t question, std::vector<std::size_t> choices);
-  /// Answers a question that has an answer block. Numbers may have their unit or leave it out; words are compared without
-  /// capitals and outer spaces. An empty text is no attempt and gives false.
+  /// Answers a question that has an answer block. Numbers may have their unit or leave it out; words are compared
+  /// without capitals and outer spaces. An empty text is no attempt and gives false.
   bool write(std::size_t question, std::string text);
   /// What is said to the last attempt at a question: the feedback of each chosen choice, or of the answer block.
   std::vector<RichText> feedback(std::size_t question) const;
@@ -119,12 +120,13 @@ class LessonSession {
   /// Every task of the step is done and every question answered rightly.
   bool stepDone() const { return stepDone(step_); }
   bool stepDone(std::size_t step) const;
-  /// Tasks and questions done, of all in the lesson, 0 to 1; the share of steps seen where it has none. Asides do not count.
+  /// Tasks and questions done, of all in the lesson, 0 to 1; the share of steps seen where it has none. Asides do not
+  /// count.
   double progress() const;
   bool finished() const;
 
-  /// Takes a lesson that was read again: the student stays on the step of the same id (else of the same number), and keeps
-  /// what was done in steps whose tasks and questions are the same in number and kind.
+  /// Takes a lesson that was read again: the student stays on the step of the same id (else of the same number), and
+  /// keeps what was done in steps whose tasks and questions are the same in number and kind.
   void replaceLesson(std::shared_ptr<const Lesson> lesson);
 
  private:
@@ -138,7 +140,7 @@ class LessonSession {
 
   StepState& state() { return states_[step_]; }
   const StepState& state() const { return states_[step_]; }
-  std::size_t mainStepAfter(std::size_t step) const;   // the number of steps where there is none
+  std::size_t mainStepAfter(std::size_t step) const;  // the number of steps where there is none
   void keepIfDone(std::size_t task);
   void enter(std::size_t step);
   void makeTasks();

@@ -47,20 +47,25 @@ void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, do
 
 }  // namespace
 
-std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, int directions) {
+std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+                                     int directions) {
   std::vector<SurfacePlace> out;
   for (const std::uint32_t a : atoms)
     for (int k = 0; k < directions; ++k) {
       // A spiral of even steps from pole to pole, turned by the golden angle at each.
       const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
       const Vec3 u(r * std::cos(turn), r * std::sin(turn), z);
-      SurfacePlace place{scene[a].centre_A + u * (scene[a].radius_A + probe_A), u, {static_cast<std::int32_t>(a), -1, -1}, Feature::Sphere};
+      SurfacePlace place{scene[a].centre_A + u * (scene[a].radius_A + probe_A),
+                         u,
+                         {static_cast<std::int32_t>(a), -1, -1},
+                         Feature::Sphere};
       if (!covered(scene, place.scp_A, probe_A, place.atoms)) out.push_back(place);
     }
   return out;
 }
 
-std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, double spacing_A) {
+std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
+                                       double spacing_A) {
   std::vector<SurfacePlace> out;
   visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const paper::IntersectionCircle& crease) {
     const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x);
@@ -68,7 +73,10 @@ std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const s
     for (int k = 0; k < count; ++k) {
       const double turn = 2.0 * std::numbers::pi * k / count;
       const Vec3 u = x * std::cos(turn) + y * std::sin(turn);
-      SurfacePlace place{crease.centre + u * crease.radius, u, {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), -1}, Feature::Circle};
+      SurfacePlace place{crease.centre + u * crease.radius,
+                         u,
+                         {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), -1},
+                         Feature::Circle};
       if (!covered(scene, place.scp_A, probe_A, place.atoms)) out.push_back(place);
     }
   });
@@ -90,9 +98,11 @@ std::vector<SurfacePlace> pitPlaces(const BallScene& scene, std::span<const std:
       const double middle = std::atan2(cy, cx), half = std::acos(k / size);
       for (const double turn : {middle - half, middle + half}) {
         const Vec3 place = crease.centre + (x * std::cos(turn) + y * std::sin(turn)) * crease.radius;
-        const std::array<std::int32_t, 3> by{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), static_cast<std::int32_t>(c)};
+        const std::array<std::int32_t, 3> by{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
+                                             static_cast<std::int32_t>(c)};
         Vec3 outward(0.0);
-        for (const std::int32_t atom : by) outward += glm::normalize(place - scene[static_cast<std::size_t>(atom)].centre_A);
+        for (const std::int32_t atom : by)
+          outward += glm::normalize(place - scene[static_cast<std::size_t>(atom)].centre_A);
         if (glm::length(outward) > 1e-6 && !covered(scene, place, probe_A, by))
           out.push_back({place, glm::normalize(outward), by, Feature::Point});
       }

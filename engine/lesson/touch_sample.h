@@ -9,13 +9,14 @@
 namespace moltact {
 
 struct TouchSample {
-  double time_s = 0.0;     ///< since the servo loop started; never goes back
-  PointA hip;              ///< where the hand is (unit: angstrom)
-  Contact contact;         ///< what the tracker gave for it
-  ForceN force;            ///< on the hand, in the device's space (unit: newton)
-  double probe_A = 1.4;    ///< the probe's radius at that tick (unit: angstrom)
-  std::string_view method = {};  ///< name of the haptic method in use; from the table of methods, so it outlives the sample
-  Contact exact;           ///< what the exact tracker gives for the same hand, where the method in use is compared with it
+  double time_s = 0.0;   ///< since the servo loop started; never goes back
+  PointA hip;            ///< where the hand is (unit: angstrom)
+  Contact contact;       ///< what the tracker gave for it
+  ForceN force;          ///< on the hand, in the device's space (unit: newton)
+  double probe_A = 1.4;  ///< the probe's radius at that tick (unit: angstrom)
+  std::string_view method =
+      {};         ///< name of the haptic method in use; from the table of methods, so it outlives the sample
+  Contact exact;  ///< what the exact tracker gives for the same hand, where the method in use is compared with it
 };
 
 }  // namespace moltact

@@ -33,8 +33,10 @@ std::vector<std::string_view> commaParts(std::string_view text) {
 }
 
 Expected<Value> bounded(const KeySpec& key, std::string_view text, Value value, double low, double high) {
-  if (low < key.least) return at(text, text, quoted(text) + " is too small", "the smallest is " + plain(key.least, key.dimension));
-  if (high > key.most) return at(text, text, quoted(text) + " is too large", "the largest is " + plain(key.most, key.dimension));
+  if (low < key.least)
+    return at(text, text, quoted(text) + " is too small", "the smallest is " + plain(key.least, key.dimension));
+  if (high > key.most)
+    return at(text, text, quoted(text) + " is too large", "the largest is " + plain(key.most, key.dimension));
   return value;
 }
 
@@ -109,7 +111,8 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
   for (bool more = true; more;) {
     bool quoted_name = false;
     std::size_t end = 0;
-    while (end < rest.size() && (quoted_name || !rest.substr(end).starts_with(kThen))) quoted_name = quoted_name != (rest[end++] == '"');
+    while (end < rest.size() && (quoted_name || !rest.substr(end).starts_with(kThen)))
+      quoted_name = quoted_name != (rest[end++] == '"');
     more = end < rest.size();
     const std::string_view part = stripped(rest.substr(0, end));
     if (part.empty() || part == "then" || part.starts_with("then ") || part.ends_with(" then"))
@@ -130,7 +133,8 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
   value.text = std::string(text);
   if (text.empty()) return Problem{{}, 0, 1, quoted(key.name) + " has no value", "write it after the colon"};
   switch (key.type) {
-    case ValueType::Text: return value;
+    case ValueType::Text:
+      return value;
     case ValueType::TextList:
       for (const std::string_view part : commaParts(text))
         if (!part.empty()) {
@@ -138,8 +142,10 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
           value.places.push_back({0, at(text, part, {}).column});
         }
       return value;
-    case ValueType::Count: return countValue(key, text, std::move(value));
-    case ValueType::Number: return numberValue(text, std::move(value));
+    case ValueType::Count:
+      return countValue(key, text, std::move(value));
+    case ValueType::Number:
+      return numberValue(text, std::move(value));
     case ValueType::Quantity: {
       const auto number = parseQuantity(text, key.dimension);
       if (!number) return number.problem();
@@ -153,11 +159,16 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
       value.high = range->high;
       return bounded(key, text, std::move(value), range->low, range->high);
     }
-    case ValueType::Word: return wordsValue(key, text, std::move(value), false);
-    case ValueType::WordList: return wordsValue(key, text, std::move(value), true);
-    case ValueType::Selection: return selectionValue(text, text, std::move(value));
-    case ValueType::Target: return targetValue(key, text, std::move(value));
-    case ValueType::Path: return pathValue(key, text, std::move(value));
+    case ValueType::Word:
+      return wordsValue(key, text, std::move(value), false);
+    case ValueType::WordList:
+      return wordsValue(key, text, std::move(value), true);
+    case ValueType::Selection:
+      return selectionValue(text, text, std::move(value));
+    case ValueType::Target:
+      return targetValue(key, text, std::move(value));
+    case ValueType::Path:
+      return pathValue(key, text, std::move(value));
     case ValueType::View:
       if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
       return wordsValue(key, text, std::move(value), false);

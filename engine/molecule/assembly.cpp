@@ -1,5 +1,6 @@
-// The biological assembly of a molecule: copies of its chains, turned and shifted. Each atom's copies are looked through for
-// those that lie on one another by a grid, each residue's chain is named once, and the atoms are written once.
+// The biological assembly of a molecule: copies of its chains, turned and shifted. Each atom's copies are looked
+// through for those that lie on one another by a grid, each residue's chain is named once, and the atoms are written
+// once.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -13,7 +14,7 @@ namespace {
 constexpr std::size_t kMostBytes = kMaxMoleculeAtoms * kMoleculeBytesAnAtom;
 constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is carried onto itself
 
-Vec3 carried(const ParsedOperator& op, const Vec3& place_A) { return op.turn * place_A + op.shift_A; }
+Vec3 carried(const ParsedOperator& op, const Vec3& place_A) { return op.rotation * place_A + op.shift_A; }
 
 /// Places no two of which lie nearer than kSamePlace_A.
 class Places {
@@ -49,7 +50,8 @@ class Places {
   static constexpr double kCell_A = 4 * kSamePlace_A;
   static std::int64_t cell(double x) { return static_cast<std::int64_t>(std::floor(x / kCell_A)); }
   std::size_t slotOf(std::int64_t x, std::int64_t y, std::int64_t z) const {
-    const std::uint64_t hash = std::uint64_t(x) * 0x9E3779B97F4A7C15u ^ std::uint64_t(y) * 0xC2B2AE3D27D4EB4Fu ^ std::uint64_t(z) * 0x165667B19E3779F9u;
+    const std::uint64_t hash = std::uint64_t(x) * 0x9E3779B97F4A7C15u ^ std::uint64_t(y) * 0xC2B2AE3D27D4EB4Fu ^
+                               std::uint64_t(z) * 0x165667B19E3779F9u;
     return (hash ^ hash >> 29) & (slots_.size() - 1);
   }
   struct Slot {
@@ -92,7 +94,8 @@ class Assembler {
  private:
   // Another molecule is made beside the one that is there.
   Problem tooMuchMemory() const {
-    return {file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " takes more than 3 GB of memory", "read it without one"};
+    return {file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " takes more than 3 GB of memory",
+            "read it without one"};
   }
 
   std::optional<Problem> gather() {
@@ -102,7 +105,8 @@ class Assembler {
     chain_of_.resize(m_.residues.size());
     for (std::uint32_t i = 0; i < m_.residues.size(); ++i) {
       const std::string_view chain = m_.chains[m_.residues[i].chain].name, label = grown_.labelChain(i);
-      const bool as_before = i > 0 && chains_[chain_of_[i - 1]].chain == chain && chains_[chain_of_[i - 1]].label == label;
+      const bool as_before =
+          i > 0 && chains_[chain_of_[i - 1]].chain == chain && chains_[chain_of_[i - 1]].label == label;
       if (as_before) {
         chain_of_[i] = chain_of_[i - 1];
       } else {
@@ -136,7 +140,8 @@ class Assembler {
       std::vector<std::uint32_t> in;
       const auto find = [&](const std::vector<std::string>& names, const auto& where) {
         for (const std::string& name : names)
-          if (const auto found = where.find(name); found != where.end()) in.insert(in.end(), found->second.begin(), found->second.end());
+          if (const auto found = where.find(name); found != where.end())
+            in.insert(in.end(), found->second.begin(), found->second.end());
       };
       if (!part.operators.empty()) find(part.chains, by_chain), find(part.label_chains, by_label);
       std::sort(in.begin(), in.end());
@@ -144,7 +149,8 @@ class Assembler {
       for (const std::uint32_t c : in) {
         const std::size_t atoms = chains_[c].atoms;
         if (part.operators.size() > (kMaxMoleculeAtoms - bits) / atoms)
-          return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " has more than 25 million atoms", "read it without one"};
+          return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " has more than 25 million atoms",
+                         "read it without one"};
         chains_[c].uses.push_back({p, bits});
         chains_in_[p].push_back({c, bits});
         bits += atoms * part.operators.size();
@@ -171,7 +177,9 @@ class Assembler {
               const Vec3 place = carried(operators[o], from);
               for (int axis = 0; axis < 3; ++axis)
                 if (!(std::abs(place[axis]) <= kMaxCoordinate_A))
-                  return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " has atoms farther out than 1e9 A", "read it without one"};
+                  return Problem{file_, 0, 0,
+                                 "the assembly " + inQuotes(assembly_.name) + " has atoms farther out than 1e9 A",
+                                 "read it without one"};
               const bool kept = copies == 1 || places.add(place);
               keep_[bit + o] = kept;
               kept_ += kept;
@@ -184,7 +192,8 @@ class Assembler {
 
   std::optional<Problem> write() {
     if (kept_ == 0)
-      return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " names no chain of the file", "read it without one"};
+      return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " names no chain of the file",
+                     "read it without one"};
     // The copies are like what they are copied from.
     if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMostBytes) return tooMuchMemory();
     GrowingMolecule out;
@@ -204,7 +213,8 @@ class Assembler {
       for (std::size_t o = 0; o < operators.size(); ++o) {
         for (const auto& [c, first_bit] : chains_in_[p]) named[c] = 0;
         for (const std::uint32_t r : residues)
-          if (auto problem = copy(out, r, operators[o], bit_of[chain_of_[r]] + o, operators.size(), named, name_of)) return problem;
+          if (auto problem = copy(out, r, operators[o], bit_of[chain_of_[r]] + o, operators.size(), named, name_of))
+            return problem;
       }
     }
     out.close();
@@ -213,7 +223,8 @@ class Assembler {
   }
 
   // The atoms of a residue that an operator carries to a new place.
-  std::optional<Problem> copy(GrowingMolecule& out, std::uint32_t r, const ParsedOperator& op, std::size_t bit, std::size_t stride, std::vector<char>& named,
+  std::optional<Problem> copy(GrowingMolecule& out, std::uint32_t r, const ParsedOperator& op, std::size_t bit,
+                              std::size_t stride, std::vector<char>& named,
                               std::vector<std::pair<std::string, std::string>>& name_of) {
     const Residue& residue = m_.residues[r];
     const std::uint32_t c = chain_of_[r];
@@ -240,7 +251,7 @@ class Assembler {
   const ParsedAssembly& assembly_;
   const std::string& file_;
   std::vector<ChainParts> chains_;
-  std::vector<std::uint32_t> chain_of_, atom_in_chain_;   // of each residue: its chain, and its first atom in that
+  std::vector<std::uint32_t> chain_of_, atom_in_chain_;  // of each residue: its chain, and its first atom in that
   std::vector<std::vector<std::pair<std::uint32_t, std::size_t>>> chains_in_;  // of each part, with their first bit
   std::vector<bool> keep_;
   std::size_t kept_ = 0;
@@ -249,10 +260,12 @@ class Assembler {
 
 }  // namespace
 
-std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies, const std::string& name,
-                                     const std::string& file) {
-  if (assemblies.empty()) return Problem{file, 0, 0, "the file describes no biological assembly", "read it without one"};
-  const auto found = std::find_if(assemblies.begin(), assemblies.end(), [&](const ParsedAssembly& a) { return a.name == name; });
+std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
+                                     const std::string& name, const std::string& file) {
+  if (assemblies.empty())
+    return Problem{file, 0, 0, "the file describes no biological assembly", "read it without one"};
+  const auto found =
+      std::find_if(assemblies.begin(), assemblies.end(), [&](const ParsedAssembly& a) { return a.name == name; });
   if (found == assemblies.end()) {
     constexpr std::size_t kMostNamed = 50;
     std::string names;

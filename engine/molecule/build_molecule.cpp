@@ -36,7 +36,8 @@ std::size_t dropWaters(GrowingMolecule& grown) {
     if (water(r)) continue;
     for (std::uint32_t k = 0; k < r.atom_count; ++k) {
       const Atom atom = atoms[r.first_atom + k];
-      out.put(kept++, atom, {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion}, grown.hetero_of[i]);
+      out.put(kept++, atom, {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion},
+              grown.hetero_of[i]);
     }
   }
   atoms.resize(kept);
@@ -50,28 +51,32 @@ std::size_t dropWaters(GrowingMolecule& grown) {
 AtomSieve::AtomSieve(const TextSource& text, const ReadOptions& options)
     : options_(options), text_(text), file_(text.file()), out_(!options.assembly.empty()) {}
 
-// How long the lines are is known after some of them. What is kept of the atoms grows into one room that is large enough for all, for
-// while a list moves to a larger room both are held.
+// How long the lines are is known after some of them. What is kept of the atoms grows into one room that is large
+// enough for all, for while a list moves to a larger room both are held.
 void AtomSieve::expectMore() {
   constexpr std::size_t kTelling = 10'000;
   if (atoms_++ == 0) before_ = text_.givenBytes();
   const std::vector<Atom>& kept = out_.molecule.atoms;
   if (atoms_ != kTelling && (atoms_ < kTelling || kept.size() + waiting_.size() < kept.capacity())) return;
-  const double share = double(text_.expectedBytes() - std::min(before_, text_.expectedBytes())) / double(text_.givenBytes() - before_ + 1);
+  const double share = double(text_.expectedBytes() - std::min(before_, text_.expectedBytes())) /
+                       double(text_.givenBytes() - before_ + 1);
   const double likely = double(kept.size() + waiting_.size()) * std::max(1.01 * share, 1.1);
-  if (likely > double(kept.capacity())) out_.expect(static_cast<std::size_t>(std::min(likely, double(kMaxMoleculeAtoms))));
+  if (likely > double(kept.capacity()))
+    out_.expect(static_cast<std::size_t>(std::min(likely, double(kMaxMoleculeAtoms))));
 }
 
 std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
   if (element(atom.atomic_number).source != RadiusSource::Default) return -1;
   constexpr std::size_t kLongestShown = 25;
-  const std::string_view symbol =
-      atom.atomic_number > 0 && atom.atomic_number <= kElementCount ? element(atom.atomic_number).symbol : atom.element.substr(0, kLongestShown);
+  const std::string_view symbol = atom.atomic_number > 0 && atom.atomic_number <= kElementCount
+                                      ? element(atom.atomic_number).symbol
+                                      : atom.element.substr(0, kLongestShown);
   const auto found = unknown_of_.find(symbol);
   if (found != unknown_of_.end()) return found->second;
   // Beyond so many, one stands for the rest.
   const bool rest = unknown_.size() >= kMostUnknownElements;
-  if (!rest || unknown_.size() == kMostUnknownElements) unknown_.push_back({rest ? std::string() : std::string(symbol)});
+  if (!rest || unknown_.size() == kMostUnknownElements)
+    unknown_.push_back({rest ? std::string() : std::string(symbol)});
   if (rest) return static_cast<std::int32_t>(kMostUnknownElements);
   const auto index = static_cast<std::int32_t>(unknown_.size() - 1);
   unknown_of_.emplace(symbol, index);
@@ -81,11 +86,12 @@ std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
 std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
   for (int k = 0; k < 3; ++k)
     if (!(std::abs(from.position_A[k]) <= kMaxCoordinate_A))
-      return Problem{file_, from.line, 0, "the atom " + inQuotes(from.name) + " lies farther out than 1e9 A", "correct its coordinates"};
+      return Problem{file_, from.line, 0, "the atom " + inQuotes(from.name) + " lies farther out than 1e9 A",
+                     "correct its coordinates"};
   if (auto problem = out_.full(file_, from.line)) return problem;
   expectMore();
-  const bool same_place = !waiting_.empty() && from.number == number_ && from.insertion == insertion_ && from.chain == chain_ &&
-                          from.label_chain == label_chain_;
+  const bool same_place = !waiting_.empty() && from.number == number_ && from.insertion == insertion_ &&
+                          from.chain == chain_ && from.label_chain == label_chain_;
   if (!same_place || waiting_.size() == kMostAtPlace) {
     endPlace();
     chain_ = from.chain, label_chain_ = from.label_chain;
@@ -177,18 +183,21 @@ void AtomSieve::warnOfElements(std::vector<std::string>& warnings) const {
   std::map<std::string_view, std::size_t> counts;
   for (const Unknown& u : unknown_)
     if (const std::size_t count = u.elsewhere + (waters ? u.in_water : 0)) {
-      if (&u - unknown_.data() < std::ptrdiff_t(kMostUnknownElements)) counts[u.symbol] += count;
-      else rest += count;
+      if (&u - unknown_.data() < std::ptrdiff_t(kMostUnknownElements))
+        counts[u.symbol] += count;
+      else
+        rest += count;
     }
   for (const auto& [symbol, count] : counts) {
     if (++named > kMostNamed) {
       rest += count;
       continue;
     }
-    warnings.push_back("No van der Waals radius is known for the element " + inQuotes(symbol) + " (" + counted(count, "atom", "atoms") +
-                       "); 1.70 A was taken.");
+    warnings.push_back("No van der Waals radius is known for the element " + inQuotes(symbol) + " (" +
+                       counted(count, "atom", "atoms") + "); 1.70 A was taken.");
   }
-  if (rest) warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") + " of further unknown elements.");
+  if (rest)
+    warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") + " of further unknown elements.");
 }
 
 Expected<Molecule> AtomSieve::finish(ParsedHead head) {
@@ -196,7 +205,8 @@ Expected<Molecule> AtomSieve::finish(ParsedHead head) {
   out_.close();
   Molecule& out = out_.molecule;
   if (out.atoms.empty())
-    return Problem{file_, 0, 0, "the file holds no atoms" + (head.models > 1 ? " in model " + std::to_string(options_.model) : ""),
+    return Problem{file_, 0, 0,
+                   "the file holds no atoms" + (head.models > 1 ? " in model " + std::to_string(options_.model) : ""),
                    "take a coordinate file from the PDB (www.rcsb.org)"};
   if (!options_.waters) {
     const std::size_t waters = dropWaters(out_);
@@ -213,9 +223,11 @@ Expected<Molecule> AtomSieve::finish(ParsedHead head) {
   out.alternates_left_out = static_cast<std::uint32_t>(alternates_left_out_);
   out.waters_left_out = waters;
   if (head.models > 1)
-    out.warnings.push_back("The file has " + std::to_string(head.models) + " models; this is model " + std::to_string(options_.model) + ".");
+    out.warnings.push_back("The file has " + std::to_string(head.models) + " models; this is model " +
+                           std::to_string(options_.model) + ".");
   if (alternates_left_out_)
-    out.warnings.push_back(counted(alternates_left_out_, "atom", "atoms") + " at a less occupied alternate location left out.");
+    out.warnings.push_back(counted(alternates_left_out_, "atom", "atoms") +
+                           " at a less occupied alternate location left out.");
   if (waters) out.warnings.push_back(counted(waters, "water molecule", "water molecules") + " left out.");
   out.warnings.insert(out.warnings.end(), head.warnings.begin(), head.warnings.end());
   out.warnings.insert(out.warnings.end(), warnings.begin(), warnings.end());

@@ -74,16 +74,14 @@ Problem unknown(const std::string& name, const std::vector<CatalogueEntry>& entr
   std::string nearest;
   std::size_t distance = 4;  // farther than three letters is no likeness
   for (const CatalogueEntry& e : entries)
-    if (const std::size_t d = editDistance(wanted, e.id);
-        d < distance && d < std::max(wanted.size(), e.id.size())) {
+    if (const std::size_t d = editDistance(wanted, e.id); d < distance && d < std::max(wanted.size(), e.id.size())) {
       distance = d;
       nearest = e.id;
     }
   std::string remedy;
   if (!nearest.empty()) remedy = "did you mean '" + nearest + "'?";
   if (!pdbId(name).empty())
-    remedy += (remedy.empty() ? "" : " ") +
-              std::string("'moltact fetch " + name + "' downloads an entry of the PDB");
+    remedy += (remedy.empty() ? "" : " ") + std::string("'moltact fetch " + name + "' downloads an entry of the PDB");
   if (remedy.empty()) {
     remedy = "name a file, or one of:";
     for (const CatalogueEntry& e : entries) remedy += ' ' + e.id;
@@ -111,8 +109,7 @@ MoleculeFolders MoleculeFolders::ofThisComputer() { return {moleculesFolder(), u
 
 Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& folders) {
   if (name.empty())
-    return Problem{"", 0, 0, "no molecule is named",
-                   "name a file or a molecule of the library, such as 1ubq"};
+    return Problem{"", 0, 0, "no molecule is named", "name a file or a molecule of the library, such as 1ubq"};
   std::error_code error;
   // A folder of the same name must not hide a molecule of the library.
   const bool is_path =

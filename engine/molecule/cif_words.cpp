@@ -20,7 +20,8 @@ bool beginsWith(std::string_view word, std::string_view start) {
 }  // namespace
 
 Problem CifWords::problemHere(const std::string& what) const {
-  return {text_.file(), line_, column_, "it is not sound mmCIF: " + what, "correct the file, or take it again from its source"};
+  return {text_.file(), line_, column_, "it is not sound mmCIF: " + what,
+          "correct the file, or take it again from its source"};
 }
 
 CifWords::Kind CifWords::fail(const std::string& what) {
@@ -66,7 +67,9 @@ CifWords::Kind CifWords::next() {
   if (first == '\'' || first == '"') {
     // A quote ends the text where a blank follows it.
     std::size_t end = 1;
-    while ((end = rest_.find(first, end)) != std::string_view::npos && end + 1 < rest_.size() && !isBlank(rest_[end + 1])) ++end;
+    while ((end = rest_.find(first, end)) != std::string_view::npos && end + 1 < rest_.size() &&
+           !isBlank(rest_[end + 1]))
+      ++end;
     if (end == std::string_view::npos) return fail("the quoted text has no end");
     word_ = rest_.substr(1, end - 1);
     rest_.remove_prefix(end + 1);
@@ -88,7 +91,8 @@ CifWords::Kind CifWords::next() {
     case 's':
       if (beginsWith(word_, "save_")) return Kind::Save;
       break;
-    default: break;
+    default:
+      break;
   }
   null_ = word_ == "." || word_ == "?";
   return Kind::Value;

@@ -15,8 +15,7 @@ Problem downloadProblem(const DownloadResult& result, const std::string& id, con
                         const fs::path& file) {
   switch (result.failure) {
     case DownloadFailure::NotFound:
-      return {id, 0, 0, "the Protein Data Bank has no such entry (tried " + url + ")",
-              "check the id at www.rcsb.org"};
+      return {id, 0, 0, "the Protein Data Bank has no such entry (tried " + url + ")", "check the id at www.rcsb.org"};
     case DownloadFailure::BrokenOff:
       return {id, 0, 0, "broken off; nothing was kept of it", ""};
     case DownloadFailure::TooLarge:
@@ -25,17 +24,14 @@ Problem downloadProblem(const DownloadResult& result, const std::string& id, con
       return {id, 0, 0, "the server refused " + url + ": " + result.detail,
               "try again later, or download the file by hand and put it at " + file.string()};
     default:
-      return {
-          id, 0, 0, "cannot reach " + url + ": " + result.detail,
-          "are you online? Otherwise download the file on another computer and put it at " + file.string()};
+      return {id, 0, 0, "cannot reach " + url + ": " + result.detail,
+              "are you online? Otherwise download the file on another computer and put it at " + file.string()};
   }
 }
 
 }  // namespace
 
-std::string entryUrl(const std::string& pdb_id) {
-  return "https://files.rcsb.org/download/" + pdb_id + ".cif.gz";
-}
+std::string entryUrl(const std::string& pdb_id) { return "https://files.rcsb.org/download/" + pdb_id + ".cif.gz"; }
 
 Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folder, const std::string& mirror,
                                   bool again, const std::function<bool()>& broken_off) {

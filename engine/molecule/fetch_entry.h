@@ -24,6 +24,7 @@ std::string entryUrl(const std::string& pdb_id);
 /// lies there already is kept unless `again`. `url`, where not empty, takes the place of the archive's
 /// address (a mirror). Ends with a Problem soon after `broken_off` (may be empty) gives true; nothing is left then.
 Expected<FetchedEntry> fetchEntry(const std::string& id, const std::filesystem::path& folder,
-                                  const std::string& url = {}, bool again = false, const std::function<bool()>& broken_off = {});
+                                  const std::string& url = {}, bool again = false,
+                                  const std::function<bool()>& broken_off = {});
 
 }  // namespace moltact

@@ -8,8 +8,8 @@
 namespace moltact {
 namespace {
 
-// Where the next one needs room: as much as the whole molecule will need if it goes on like this, so that nothing large is
-// copied from a smaller room to a larger one, which would take both for a while.
+// Where the next one needs room: as much as the whole molecule will need if it goes on like this, so that nothing large
+// is copied from a smaller room to a larger one, which would take both for a while.
 template <class T>
 void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expected) {
   if (list.size() < list.capacity()) return;
@@ -24,7 +24,8 @@ std::size_t heapBytes(std::string_view text) { return text.size() > ShortText::k
 }  // namespace
 
 Problem tooManyAtoms(const std::string& file, std::size_t line) {
-  return {file, line, 0, "more than " + std::to_string(kMaxMoleculeAtoms / 1'000'000) + " million atoms", "split the file, or keep one model"};
+  return {file, line, 0, "more than " + std::to_string(kMaxMoleculeAtoms / 1'000'000) + " million atoms",
+          "split the file, or keep one model"};
 }
 
 void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::min(atoms, kMaxMoleculeAtoms)); }
@@ -32,14 +33,16 @@ void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::mi
 std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_t line) const {
   if (molecule.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
   if (bytes() > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
-    return Problem{file, line, 0, "its residues and chains take more than 3 GB of memory", "split the file, or keep one model"};
+    return Problem{file, line, 0, "its residues and chains take more than 3 GB of memory",
+                   "split the file, or keep one model"};
   return std::nullopt;
 }
 
 std::size_t GrowingMolecule::bytes() const {
   const Molecule& m = molecule;
   return m.atoms.size() * sizeof(Atom) + m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
-         label_of_.size() * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 + text_bytes_;
+         label_of_.size() * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
+         text_bytes_;
 }
 
 std::string_view GrowingMolecule::labelChain(std::size_t residue) const {
@@ -73,7 +76,9 @@ void GrowingMolecule::put(std::size_t at, const Atom& atom, const Place& place, 
     }
     if (!label_of_.empty() || !label_chain_.empty()) {
       makeRoom(label_of_, m.atoms.size(), expected);
-      const std::uint32_t number = names_label_chains_ ? static_cast<std::uint32_t>(labels_.size()) : static_cast<std::uint32_t>(std::hash<std::string_view>()(label_chain_)) | 1u;
+      const std::uint32_t number = names_label_chains_
+                                       ? static_cast<std::uint32_t>(labels_.size())
+                                       : static_cast<std::uint32_t>(std::hash<std::string_view>()(label_chain_)) | 1u;
       label_of_.push_back(label_chain_.empty() ? 0 : number);
     }
     makeRoom(m.residues, m.atoms.size(), expected);

@@ -22,8 +22,7 @@ std::string Molecule::describe(std::size_t index) const {
     std::string name(element(atom.atomic_number).name);
     return (name.empty() ? residue.name.string() : name) + ' ' + std::to_string(residue.number);
   }
-  std::string out =
-      atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
+  std::string out = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   out += " of ";
   std::string name = residue.name.string();
   // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/units.h"
 #include "engine/core/ball.h"
 #include "engine/core/short_text.h"
+#include "engine/core/units.h"
 
 namespace moltact {
 
@@ -18,40 +18,40 @@ inline constexpr std::uint32_t kNoResidue = 0xFFFFFFFFu;
 
 /// One atom.
 struct Atom {
-  PointA position;                    ///< centre
-  double radius_A = 0.0;              ///< van der Waals radius (unit: angstrom)
-  std::uint32_t residue = kNoResidue; ///< index into Molecule::residues, or kNoResidue (an .xyzr file has none)
-  std::uint8_t atomic_number = 0;     ///< 1 = H, 6 = C, …; 0 = not known
-  std::array<char, 6> name{};         ///< the atom's name in its residue ("CA", "O5'"), zero-terminated
+  PointA position;                     ///< centre
+  double radius_A = 0.0;               ///< van der Waals radius (unit: angstrom)
+  std::uint32_t residue = kNoResidue;  ///< index into Molecule::residues, or kNoResidue (an .xyzr file has none)
+  std::uint8_t atomic_number = 0;      ///< 1 = H, 6 = C, …; 0 = not known
+  std::array<char, 6> name{};          ///< the atom's name in its residue ("CA", "O5'"), zero-terminated
 };
 
 enum class ResidueKind : std::uint8_t { AminoAcid, Nucleotide, Water, Ligand, Ion, Other };
 
 /// One residue: a run of atoms that belong together.
 struct Residue {
-  ShortText name;              ///< "ASP", "HEM", "DA"
-  int number = 0;              ///< as in the file
-  char insertion = ' ';        ///< insertion code, a space where there is none
-  std::uint32_t chain = 0;     ///< index into Molecule::chains
+  ShortText name;           ///< "ASP", "HEM", "DA"
+  int number = 0;           ///< as in the file
+  char insertion = ' ';     ///< insertion code, a space where there is none
+  std::uint32_t chain = 0;  ///< index into Molecule::chains
   std::uint32_t first_atom = 0, atom_count = 0;
   ResidueKind kind = ResidueKind::Other;
 };
 
 struct Chain {
-  ShortText name;              ///< "A"
+  ShortText name;  ///< "A"
   std::uint32_t first_residue = 0, residue_count = 0;
 };
 
 struct Molecule {
-  std::string id;                    ///< short name for the screen: "1UBQ", "benzene"
-  std::string title;                 ///< one line on what it is; may be empty
+  std::string id;     ///< short name for the screen: "1UBQ", "benzene"
+  std::string title;  ///< one line on what it is; may be empty
   std::vector<Atom> atoms;
   std::vector<Residue> residues;
   std::vector<Chain> chains;
-  std::vector<std::string> warnings; ///< what the reader left out, replaced or guessed, one sentence each
-  std::uint32_t waters_left_out = 0;     ///< water molecules in the file that are not among the atoms
-  std::uint32_t alternates_left_out = 0; ///< atoms at another alternate location than the one kept
-  std::uint32_t models_in_file = 1;      ///< of which this is one
+  std::vector<std::string> warnings;      ///< what the reader left out, replaced or guessed, one sentence each
+  std::uint32_t waters_left_out = 0;      ///< water molecules in the file that are not among the atoms
+  std::uint32_t alternates_left_out = 0;  ///< atoms at another alternate location than the one kept
+  std::uint32_t models_in_file = 1;       ///< of which this is one
 
   /// The atoms as balls for a tracker, in the same order, radii not yet inflated.
   std::vector<Ball> balls() const;

@@ -1,5 +1,5 @@
-// What a format's reader hands on, atom by atom, and what makes a molecule of it by the rules of reader.h. Nothing but the
-// molecule itself grows with the file. Inside engine/molecule only. Units: angstrom.
+// What a format's reader hands on, atom by atom, and what makes a molecule of it by the rules of reader.h. Nothing but
+// the molecule itself grows with the file. Inside engine/molecule only. Units: angstrom.
 #pragma once
 
 #include <cstddef>
@@ -36,7 +36,7 @@ struct ParsedAtom {
 
 /// A turn and a shift that copy a part of the molecule into its biological assembly.
 struct ParsedOperator {
-  glm::dmat3 turn{1.0};
+  glm::dmat3 rotation{1.0};
   Vec3 shift_A{0.0};
 };
 
@@ -67,7 +67,8 @@ class GrowingMolecule {
     int number = 0;
     char insertion = ' ';
   };
-  /// `names_label_chains`: their names are needed later, for an assembly; otherwise it is only kept which residues have the same.
+  /// `names_label_chains`: their names are needed later, for an assembly; otherwise it is only kept which residues have
+  /// the same.
   explicit GrowingMolecule(bool names_label_chains = false) : names_label_chains_(names_label_chains) {}
   /// Makes room for about so many atoms.
   void expect(std::size_t atoms);
@@ -90,10 +91,11 @@ class GrowingMolecule {
 
  private:
   bool names_label_chains_;
-  std::string label_chain_;               // of the last residue
-  std::vector<std::uint32_t> label_of_;   // of each residue: index into labels_ from 1, or without names a hash; 0: none. Empty: all have none
-  std::vector<ShortText> labels_;         // one for each run of it
-  std::size_t text_bytes_ = 0;  // of names that are too long to stand in their own objects
+  std::string label_chain_;  // of the last residue
+  std::vector<std::uint32_t>
+      label_of_;  // of each residue: index into labels_ from 1, or without names a hash; 0: none. Empty: all have none
+  std::vector<ShortText> labels_;  // one for each run of it
+  std::size_t text_bytes_ = 0;     // of names that are too long to stand in their own objects
 };
 
 /// Takes the atoms of one model and keeps what the rules of reader.h keep.
@@ -108,10 +110,10 @@ class AtomSieve {
   // What is known of an atom besides what becomes part of the molecule, while its place is not whole.
   struct Waiting {
     Atom atom;
-    std::uint64_t name = 0;       // of the whole name
+    std::uint64_t name = 0;  // of the whole name
     double occupancy = 1.0;
-    std::uint32_t residue = 0;    // index into residues_
-    std::int32_t unknown = -1;    // index into unknown_, where no radius is known
+    std::uint32_t residue = 0;  // index into residues_
+    std::int32_t unknown = -1;  // index into unknown_, where no radius is known
     char alternate = ' ';
     bool hetero = false;
   };
@@ -143,8 +145,8 @@ class AtomSieve {
 };
 
 /// Puts the assembly `name` in the place of the molecule. Copies of a chain are named, …
-std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies, const std::string& name,
-                                     const std::string& file);
+std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
+                                     const std::string& name, const std::string& file);
 
 /// The readers behind the table of formats.
 Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options);

@@ -1,5 +1,5 @@
-// Reads mmCIF files as their text comes: the rows of _atom_site one by one, so that a value that is no number is told and
-// nothing but the molecule grows; of the rest only what names the entry and describes its assemblies.
+// Reads mmCIF files as their text comes: the rows of _atom_site one by one, so that a value that is no number is told
+// and nothing but the molecule grows; of the rest only what names the entry and describes its assemblies.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -37,18 +37,20 @@ enum Column {
 };
 
 constexpr std::string_view kAtomTags[] = {
-    "_atom_site.Cartn_x",       "_atom_site.Cartn_y",       "_atom_site.Cartn_z",           "_atom_site.type_symbol",       "_atom_site.label_atom_id",
-    "_atom_site.auth_atom_id",  "_atom_site.label_comp_id", "_atom_site.auth_comp_id",      "_atom_site.label_asym_id",     "_atom_site.auth_asym_id",
-    "_atom_site.label_seq_id",  "_atom_site.auth_seq_id",   "_atom_site.pdbx_PDB_ins_code", "_atom_site.label_alt_id",      "_atom_site.occupancy",
-    "_atom_site.group_PDB",     "_atom_site.pdbx_PDB_model_num"};
-constexpr std::string_view kGeneratorTags[] = {"_pdbx_struct_assembly_gen.assembly_id", "_pdbx_struct_assembly_gen.oper_expression",
+    "_atom_site.Cartn_x",           "_atom_site.Cartn_y",      "_atom_site.Cartn_z",       "_atom_site.type_symbol",
+    "_atom_site.label_atom_id",     "_atom_site.auth_atom_id", "_atom_site.label_comp_id", "_atom_site.auth_comp_id",
+    "_atom_site.label_asym_id",     "_atom_site.auth_asym_id", "_atom_site.label_seq_id",  "_atom_site.auth_seq_id",
+    "_atom_site.pdbx_PDB_ins_code", "_atom_site.label_alt_id", "_atom_site.occupancy",     "_atom_site.group_PDB",
+    "_atom_site.pdbx_PDB_model_num"};
+constexpr std::string_view kGeneratorTags[] = {"_pdbx_struct_assembly_gen.assembly_id",
+                                               "_pdbx_struct_assembly_gen.oper_expression",
                                                "_pdbx_struct_assembly_gen.asym_id_list"};
 constexpr std::string_view kOperatorTags[] = {
-    "_pdbx_struct_oper_list.id",
-    "_pdbx_struct_oper_list.matrix[1][1]", "_pdbx_struct_oper_list.matrix[1][2]", "_pdbx_struct_oper_list.matrix[1][3]",
-    "_pdbx_struct_oper_list.matrix[2][1]", "_pdbx_struct_oper_list.matrix[2][2]", "_pdbx_struct_oper_list.matrix[2][3]",
-    "_pdbx_struct_oper_list.matrix[3][1]", "_pdbx_struct_oper_list.matrix[3][2]", "_pdbx_struct_oper_list.matrix[3][3]",
-    "_pdbx_struct_oper_list.vector[1]",    "_pdbx_struct_oper_list.vector[2]",    "_pdbx_struct_oper_list.vector[3]"};
+    "_pdbx_struct_oper_list.id",           "_pdbx_struct_oper_list.matrix[1][1]", "_pdbx_struct_oper_list.matrix[1][2]",
+    "_pdbx_struct_oper_list.matrix[1][3]", "_pdbx_struct_oper_list.matrix[2][1]", "_pdbx_struct_oper_list.matrix[2][2]",
+    "_pdbx_struct_oper_list.matrix[2][3]", "_pdbx_struct_oper_list.matrix[3][1]", "_pdbx_struct_oper_list.matrix[3][2]",
+    "_pdbx_struct_oper_list.matrix[3][3]", "_pdbx_struct_oper_list.vector[1]",    "_pdbx_struct_oper_list.vector[2]",
+    "_pdbx_struct_oper_list.vector[3]"};
 constexpr std::string_view kEntryTags[] = {"_entry.id"};
 constexpr std::string_view kTitleTags[] = {"_struct.title"};
 
@@ -57,8 +59,11 @@ struct TableTags {
   std::string_view category;
   std::span<const std::string_view> tags;
 };
-constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags}, {"_pdbx_struct_assembly_gen.", kGeneratorTags}, {"_pdbx_struct_oper_list.", kOperatorTags},
-                                 {"_entry.", kEntryTags}, {"_struct.", kTitleTags}};
+constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags},
+                                 {"_pdbx_struct_assembly_gen.", kGeneratorTags},
+                                 {"_pdbx_struct_oper_list.", kOperatorTags},
+                                 {"_entry.", kEntryTags},
+                                 {"_struct.", kTitleTags}};
 
 constexpr const char* kRemedy = "correct the file, or take it again from its source";
 constexpr std::size_t kMostModels = 100'000, kMostOperators = 100'000, kMostCopies = 1'000'000;
@@ -136,7 +141,7 @@ std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Opera
         if (product.size() > kMostCopies) break;  // too many, which is told of the whole
         for (const ParsedOperator& q : bracket) {
           if (product.size() > kMostCopies) break;
-          product.push_back({p.turn * q.turn, p.turn * q.shift_A + p.shift_A});
+          product.push_back({p.rotation * q.rotation, p.rotation * q.shift_A + p.shift_A});
         }
       }
       out = std::move(product);
@@ -184,8 +189,11 @@ class Reader {
           if (auto problem = readPair(kind)) return problem;
           break;
         }
-        case Kind::Save: kind = words_.next(); break;  // a dictionary's own; none is in a molecule's file
-        default: return words_.problemHere("a value without a tag: " + inQuotes(words_.text()));
+        case Kind::Save:
+          kind = words_.next();
+          break;  // a dictionary's own; none is in a molecule's file
+        default:
+          return words_.problemHere("a value without a tag: " + inQuotes(words_.text()));
       }
     }
     if (words_.problem() || text_.problem()) return std::nullopt;
@@ -213,7 +221,10 @@ class Reader {
   std::optional<Problem> readPair(Kind& kind) {
     const std::string tag(words_.text());
     kind = words_.next();
-    if (kind == Kind::End) return words_.problem() || text_.problem() ? std::nullopt : std::optional(words_.problemHere("the tag " + inQuotes(tag) + " has no value"));
+    if (kind == Kind::End)
+      return words_.problem() || text_.problem()
+                 ? std::nullopt
+                 : std::optional(words_.problemHere("the tag " + inQuotes(tag) + " has no value"));
     if (kind != Kind::Value) return words_.problemHere("the tag " + inQuotes(tag) + " has no value");
     const auto table = done_ ? std::nullopt : tableOf(tag);
     if (const auto column = table ? columnOf(*table, tag) : std::nullopt) {
@@ -232,7 +243,9 @@ class Reader {
       if (columns.empty() && !done_) table = tableOf(words_.text());
       columns.push_back(table ? columnOf(*table, words_.text()) : std::nullopt);
     }
-    if (columns.empty()) return words_.problem() || text_.problem() ? std::nullopt : std::optional(words_.problemHere("a loop without tags"));
+    if (columns.empty())
+      return words_.problem() || text_.problem() ? std::nullopt
+                                                 : std::optional(words_.problemHere("a loop without tags"));
     Row row;
     std::size_t at = 0;
     for (; kind == Kind::Value; kind = words_.next()) {
@@ -249,7 +262,8 @@ class Reader {
 
   std::optional<Problem> readRow(Table table, const Row& row) {
     switch (table) {
-      case Table::Atoms: return atom(row);
+      case Table::Atoms:
+        return atom(row);
       case Table::Generators:
         return options_.assembly.empty() ? std::nullopt : generator(row);
       case Table::Operators:
@@ -301,7 +315,8 @@ class Reader {
     if (current_ != options_.model) return std::nullopt;
     ParsedAtom out;
     for (int k = 0; k < 3; ++k)
-      if (const Cell& cell = row[static_cast<std::size_t>(kX + k)]; cell.null || !cifNumber(cell.text, out.position_A[k]))
+      if (const Cell& cell = row[static_cast<std::size_t>(kX + k)];
+          cell.null || !cifNumber(cell.text, out.position_A[k]))
         return rowProblem(std::string("Cartn_") + "xyz"[k] + " is not a number: " + inQuotes(cell.text));
     out.name = firstOf(row[kAuthName], row[kName]);
     out.residue = firstOf(row[kAuthComp], row[kComp]);
@@ -316,12 +331,13 @@ class Reader {
       out.insertion = number.back();
       number.remove_suffix(1);
     }
-    if (!number.empty() && !parseInteger(number, out.number)) return rowProblem("the residue number is not a number: " + inQuotes(number));
+    if (!number.empty() && !parseInteger(number, out.number))
+      return rowProblem("the residue number is not a number: " + inQuotes(number));
     if (const std::string_view alternate = row[kAlternate].said(); !alternate.empty()) out.alternate = alternate[0];
     if (row[kOccupancy].says() && !cifNumber(row[kOccupancy].text, out.occupancy)) {
       if (head_.warnings.size() < 20)
-        head_.warnings.push_back("Row " + std::to_string(rows_) + " of the _atom_site table: the occupancy " + inQuotes(row[kOccupancy].text) +
-                                 " is not a number and was taken as 1.");
+        head_.warnings.push_back("Row " + std::to_string(rows_) + " of the _atom_site table: the occupancy " +
+                                 inQuotes(row[kOccupancy].text) + " is not a number and was taken as 1.");
       out.occupancy = 1.0;
     }
     out.hetero = row[kGroup].said() == "HETATM";
@@ -334,14 +350,16 @@ class Reader {
     for (std::size_t k = 0; k < std::size(kOperatorTags); ++k)
       if (!row[k].there) return std::nullopt;  // not the whole table
     for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)].text, op.turn[j][i]);
+      for (int j = 0; j < 3; ++j)
+        sound &= cifNumber(row[static_cast<std::size_t>(1 + 3 * i + j)].text, op.rotation[j][i]);
       sound &= cifNumber(row[static_cast<std::size_t>(10 + i)].text, op.shift_A[i]);
     }
     if (sound) {
       operators_.emplace(row[0].said(), op);
       kept_ += row[0].text.size();
     } else if (head_.warnings.size() < 40) {
-      head_.warnings.push_back("The assembly operator " + inQuotes(row[0].text) + " holds what is not a number and was left out.");
+      head_.warnings.push_back("The assembly operator " + inQuotes(row[0].text) +
+                               " holds what is not a number and was left out.");
     }
     if (operators_.size() > kMostOperators || kept_ > kMostKept)
       return Problem{file_, 0, 0, "more than 100 000 operators of assemblies", "read it without an assembly"};
@@ -353,7 +371,8 @@ class Reader {
       if (!row[k].there) return std::nullopt;
     Generator& g = generators_.emplace_back();
     for (std::size_t k = 0; k < g.size(); ++k) g[k] = row[k].said(), kept_ += g[k].size() + sizeof(std::string);
-    if (kept_ > kMostKept) return Problem{file_, 0, 0, "more than 32 MiB of descriptions of assemblies", "read it without an assembly"};
+    if (kept_ > kMostKept)
+      return Problem{file_, 0, 0, "more than 32 MiB of descriptions of assemblies", "read it without an assembly"};
     return std::nullopt;
   }
 
@@ -371,7 +390,9 @@ class Reader {
         }
         part.operators = operatorsOf(g[1], operators_);
         copies += part.operators.size();
-        if (copies > kMostCopies) return Problem{file_, 0, 0, "the assembly " + inQuotes(g[0]) + " has more than a million copies", "read it without one"};
+        if (copies > kMostCopies)
+          return Problem{file_, 0, 0, "the assembly " + inQuotes(g[0]) + " has more than a million copies",
+                         "read it without one"};
       }
       if (head_.assemblies.empty() || head_.assemblies.back().name != g[0]) head_.assemblies.push_back({g[0], {}});
       head_.assemblies.back().parts.push_back(std::move(part));

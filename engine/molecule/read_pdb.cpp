@@ -29,9 +29,9 @@ struct Sieve {
   std::string kept;  // lines of 80 columns and a line feed
   std::vector<std::string> warnings;
   int models = 0;
-  std::size_t atoms_in_file = 0;     // of all models
-  std::size_t atoms_in_first = 0;    // of model 1
-  std::size_t atoms_by_master = 0;   // as the MASTER record counts them; 0 where it does not
+  std::size_t atoms_in_file = 0;    // of all models
+  std::size_t atoms_in_first = 0;   // of model 1
+  std::size_t atoms_by_master = 0;  // as the MASTER record counts them; 0 where it does not
   bool ends_in_atom = false;
 };
 
@@ -83,7 +83,8 @@ gemmi::Element elementOf(const char* line, bool has_element) {
 }
 
 /// Checks one ATOM or HETATM line and adds its atom; a problem where it cannot be read.
-std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_view line, const std::string& file, std::size_t number) {
+std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_view line, const std::string& file,
+                               std::size_t number) {
   constexpr const char* kRemedy =
       "the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF";
   if (line.size() < 54)
@@ -101,13 +102,11 @@ std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_vie
     const std::string_view field = line.substr(f.first, f.width);
     if (!parseNumber(field, atom.position_A[k]) || std::abs(atom.position_A[k]) > kMaxCoordinate_A)
       return Problem{file, number, f.first + 1,
-                     std::string(f.name) + " (" + columns(f) + ") is not a number: " + inQuotes(field),
-                     kRemedy};
+                     std::string(f.name) + " (" + columns(f) + ") is not a number: " + inQuotes(field), kRemedy};
   }
   if (!isResidueNumber(clean.substr(22, 4)))
     return Problem{file, number, 23,
-                   "the residue number (columns 23-26) is not a number: " + inQuotes(clean.substr(22, 4)),
-                   kRemedy};
+                   "the residue number (columns 23-26) is not a number: " + inQuotes(clean.substr(22, 4)), kRemedy};
   const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
   if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, atom.occupancy)) {
     if (!blank && sieve.warnings.size() < kMostLineWarnings)
@@ -150,8 +149,8 @@ void warnOfCut(Sieve& sieve) {
   if (sieve.ends_in_atom)
     sieve.warnings.push_back("The file ends with an atom and has no END record after it: it may be cut short.");
   // Of several models the PDB counts the first alone, other programs all.
-  if (sieve.atoms_by_master && sieve.atoms_in_file <= kMostByMaster &&
-      sieve.atoms_by_master != sieve.atoms_in_file && sieve.atoms_by_master != sieve.atoms_in_first)
+  if (sieve.atoms_by_master && sieve.atoms_in_file <= kMostByMaster && sieve.atoms_by_master != sieve.atoms_in_file &&
+      sieve.atoms_by_master != sieve.atoms_in_first)
     sieve.warnings.push_back("The MASTER record counts " + std::to_string(sieve.atoms_by_master) +
                              " atoms, but the file has " + std::to_string(sieve.atoms_in_file) +
                              ": it may be cut short or edited.");
@@ -190,7 +189,8 @@ std::optional<Problem> sift(Sieve& sieve, AtomSieve& builder, TextSource& text, 
       in_model = false;
     } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350")) {
       if (sieve.kept.size() > kMostHead)
-        return Problem{text.file(), text.number(), 0, "more than 32 MiB of titles and descriptions of assemblies", "take the file again from its source"};
+        return Problem{text.file(), text.number(), 0, "more than 32 MiB of titles and descriptions of assemblies",
+                       "take the file again from its source"};
       std::string kept(line.substr(0, kLineWidth));
       for (char& c : kept)
         if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = ' ';
@@ -232,8 +232,7 @@ Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
   if (sieve.models == 0)
     return Problem{file, 0, 0, "there is no ATOM or HETATM line in it",
                    "take a coordinate file from the PDB (www.rcsb.org)"};
-  if (options.model < 1 || options.model > sieve.models)
-    return noSuchModel(file, options.model, sieve.models);
+  if (options.model < 1 || options.model > sieve.models) return noSuchModel(file, options.model, sieve.models);
   warnOfCut(sieve);
   ParsedHead head;
   head.warnings = sieve.warnings;

@@ -10,8 +10,7 @@
 namespace moltact {
 namespace {
 
-constexpr const char* kFormatRemedy =
-    "write four numbers a line, x y z r in angstroms, with blanks between them";
+constexpr const char* kFormatRemedy = "write four numbers a line, x y z r in angstroms, with blanks between them";
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
@@ -58,10 +57,10 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
                        "expected the number " + std::string(kColumn[count]) + ", found " + inQuotes(word),
                        kFormatRemedy};
       if (!std::isfinite(value[count]) || std::abs(value[count]) > kMaxCoordinate_A)
-        return Problem{file, line_number, column,
-                       std::string(kColumn[count]) + " is " + inQuotes(word) +
-                           ", which is not a finite number up to 1e9 A",
-                       "correct or remove the line"};
+        return Problem{
+            file, line_number, column,
+            std::string(kColumn[count]) + " is " + inQuotes(word) + ", which is not a finite number up to 1e9 A",
+            "correct or remove the line"};
       if (count == 3 && value[3] < 0)
         return Problem{file, line_number, column, "the radius is negative: " + inQuotes(word),
                        "give a radius of 0 A or more"};

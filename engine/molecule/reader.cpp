@@ -87,8 +87,7 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
 
 }  // namespace
 
-Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path,
-                                     const ReadOptions& options) {
+Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path, const ReadOptions& options) {
   TextSource text(memorySource(bytes), bytes.size(), kMaxMoleculeBytes, path.string());
   return readText(text, path, options);
 }
@@ -97,7 +96,8 @@ Expected<Molecule> readMolecule(const std::filesystem::path& path, const ReadOpt
   try {
     auto open = openFile(path, kMaxMoleculeBytes, kTooLargeRemedy);
     if (!open) return open.problem();
-    TextSource text(fileSource(std::move(open->in), open->size, path.string()), open->size, kMaxMoleculeBytes, path.string());
+    TextSource text(fileSource(std::move(open->in), open->size, path.string()), open->size, kMaxMoleculeBytes,
+                    path.string());
     return readText(text, path, options);
   } catch (const std::bad_alloc&) {
     return Problem{path.string(), 0, 0, "there is not enough memory to read it",

@@ -28,7 +28,8 @@ class Memory final : public ByteSource {
 
 class File final : public ByteSource {
  public:
-  File(std::ifstream in, std::size_t size, std::string name) : in_(std::move(in)), size_(size), name_(std::move(name)) {}
+  File(std::ifstream in, std::size_t size, std::string name)
+      : in_(std::move(in)), size_(size), name_(std::move(name)) {}
   std::size_t read(char* to, std::size_t most) override {
     most = std::min(most, size_ - taken_);  // what is written to its end meanwhile is not read
     if (most == 0) return 0;
@@ -67,8 +68,10 @@ class Gzip final : public ByteSource {
         if (stream_.avail_in < 2) refill();
         // What follows a member and is none is passed over, as gzip does.
         const bool more = stream_.avail_in >= 2 && stream_.next_in[0] == 0x1f && stream_.next_in[1] == 0x8b;
-        if (more) inflateReset(&stream_);
-        else ended_ = true;
+        if (more)
+          inflateReset(&stream_);
+        else
+          ended_ = true;
       } else if (status == Z_BUF_ERROR || (status == Z_OK && n == 0 && stream_.avail_in == 0)) {
         if (packed_ended_) problem_ = broken("the gzip file is cut short");
       } else if (status != Z_OK) {
@@ -176,8 +179,10 @@ bool TextSource::fill() {
   end_ += n;
   taken_ += n;
   if (taken_ > most_)
-    problem_ = Problem{file_, 0, 0, (packed_ ? "it unpacks to more than " : "it is larger than ") + std::to_string(most_ >> 20) + " MiB",
-                       "split it, or keep one model"};
+    problem_ =
+        Problem{file_, 0, 0,
+                (packed_ ? "it unpacks to more than " : "it is larger than ") + std::to_string(most_ >> 20) + " MiB",
+                "split it, or keep one model"};
   return n > 0 && !problem_;
 }
 

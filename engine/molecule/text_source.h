@@ -1,5 +1,5 @@
-// The text of a molecule's file, line by line: from memory, from a file or unpacked from gzip on the way, so that no more
-// than a piece of it is held. Inside engine/molecule only.
+// The text of a molecule's file, line by line: from memory, from a file or unpacked from gzip on the way, so that no
+// more than a piece of it is held. Inside engine/molecule only.
 #pragma once
 
 #include <fstream>
@@ -50,10 +50,10 @@ class TextSource {
   /// What follows, up to 64 KiB of it, without taking it.
   std::string_view ahead();
   const std::optional<Problem>& problem() const { return problem_; }
-  bool blank() const { return blank_; }                     ///< no line so far held anything
+  bool blank() const { return blank_; }  ///< no line so far held anything
   /// How many bytes of text the whole is, as a guess that gets better the more of it was read; at most `most`.
   std::size_t expectedBytes() const;
-  std::size_t givenBytes() const { return given_; }         ///< of the lines so far
+  std::size_t givenBytes() const { return given_; }  ///< of the lines so far
   const std::string& file() const { return file_; }
 
  private:

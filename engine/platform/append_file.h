@@ -1,5 +1,5 @@
-// A file that only grows, each time by a whole piece or not at all, and that one program writes at a time. The operating
-// system's edge; any one thread but the haptic one (it waits for the disk).
+// A file that only grows, each time by a whole piece or not at all, and that one program writes at a time. The
+// operating system's edge; any one thread but the haptic one (it waits for the disk).
 #pragma once
 
 #include <filesystem>
@@ -27,11 +27,12 @@ class AppendFile {
   AppendFile& operator=(AppendFile&& other) noexcept;
   ~AppendFile();
 
-  /// Hands the bytes to the system: from then on they outlive this program. On a Problem (a full disk) the file is as it
-  /// was before.
+  /// Hands the bytes to the system: from then on they outlive this program. On a Problem (a full disk) the file is as
+  /// it was before.
   std::optional<Problem> append(std::string_view bytes);
 
-  /// Waits until the disk has all of it: from then on it outlives the computer. With a file just made, its name as well.
+  /// Waits until the disk has all of it: from then on it outlives the computer. With a file just made, its name as
+  /// well.
   std::optional<Problem> sync();
 
   /// Cuts the file to so many bytes.
@@ -42,8 +43,9 @@ class AppendFile {
 
   std::filesystem::path path_;
   int handle_ = -1;
-  std::filesystem::path empty_;  // the file while nothing is in it: as named, or a draft; none where it was there before
-  bool unsynced_name_ = false;   // its folder's entry has not been synchronised yet
+  std::filesystem::path
+      empty_;                   // the file while nothing is in it: as named, or a draft; none where it was there before
+  bool unsynced_name_ = false;  // its folder's entry has not been synchronised yet
 };
 
 }  // namespace moltact

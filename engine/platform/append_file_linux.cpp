@@ -19,7 +19,9 @@ Expected<AppendFile> AppendFile::open(const std::filesystem::path& path, Begin b
   if (begin == Begin::Replace && ::stat(path.c_str(), &there) == 0 && !S_ISREG(there.st_mode)) begin = Begin::Continue;
   AppendFile file(path, -1);
   // Folders that know no locks (some network ones) do without.
-  const auto lockedByAnother = [](int handle) { return uninterrupted([&] { return ::flock(handle, LOCK_EX | LOCK_NB); }) != 0 && errno == EWOULDBLOCK; };
+  const auto lockedByAnother = [](int handle) {
+    return uninterrupted([&] { return ::flock(handle, LOCK_EX | LOCK_NB); }) != 0 && errno == EWOULDBLOCK;
+  };
   if (begin == Begin::Replace) {
     file.path_ = behindLinks(path);
     if (const int old = ::open(file.path_.c_str(), O_RDONLY | O_CLOEXEC); old >= 0) {
@@ -98,7 +100,8 @@ std::optional<Problem> AppendFile::sync() {
 }
 
 std::optional<Problem> AppendFile::cut(std::uintmax_t bytes) {
-  if (uninterrupted([&] { return ::ftruncate(handle_, static_cast<off_t>(bytes)); }) != 0) return writingProblem(path_, errno);
+  if (uninterrupted([&] { return ::ftruncate(handle_, static_cast<off_t>(bytes)); }) != 0)
+    return writingProblem(path_, errno);
   return std::nullopt;
 }
 

@@ -1,6 +1,6 @@
-// The loudspeaker: asks for samples on a thread of its own and plays them. OpenAL is loaded when the first sound is wanted
-// and not before, so a program that stays silent pays nothing, and a computer without it still starts.
-// Where there is no sound card, no library or the card goes away, `trouble` says so and nothing else happens.
+// The loudspeaker: asks for samples on a thread of its own and plays them. OpenAL is loaded when the first sound is
+// wanted and not before, so a program that stays silent pays nothing, and a computer without it still starts. Where
+// there is no sound card, no library or the card goes away, `fault` says so and nothing else happens.
 #pragma once
 
 #include <functional>
@@ -26,11 +26,11 @@ class AudioOutput {
 
   State state() const;
   /// Why nothing is played, in one sentence; empty unless state() is Silent.
-  std::string trouble() const;
+  std::string fault() const;
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace moltact

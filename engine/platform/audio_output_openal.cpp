@@ -1,4 +1,4 @@
-#include "engine/platform/audio_output.h"
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <array>
@@ -12,7 +12,7 @@
 #include <thread>
 #include <vector>
 
-#include <dlfcn.h>
+#include "engine/platform/audio_output.h"
 
 #define AL_NO_PROTOTYPES
 #define ALC_NO_PROTOTYPES
@@ -55,13 +55,15 @@ struct OpenAl {
       to = reinterpret_cast<std::remove_reference_t<decltype(to)>>(dlsym(library, name));
       return to != nullptr;
     };
-    return get("alcOpenDevice", openDevice) && get("alcCloseDevice", closeDevice) && get("alcCreateContext", createContext) &&
-           get("alcDestroyContext", destroyContext) && get("alcMakeContextCurrent", makeContextCurrent) &&
-           get("alcGetIntegerv", getDeviceInteger) && get("alcIsExtensionPresent", isExtensionPresent) &&
-           get("alGenSources", genSources) && get("alGenBuffers", genBuffers) && get("alDeleteSources", deleteSources) &&
-           get("alDeleteBuffers", deleteBuffers) && get("alBufferData", bufferData) && get("alSourceQueueBuffers", queueBuffers) &&
-           get("alSourceUnqueueBuffers", unqueueBuffers) && get("alGetSourcei", getSource) && get("alSourcePlay", play) &&
-           get("alSourceStop", stop) && get("alGetError", error);
+    return get("alcOpenDevice", openDevice) && get("alcCloseDevice", closeDevice) &&
+           get("alcCreateContext", createContext) && get("alcDestroyContext", destroyContext) &&
+           get("alcMakeContextCurrent", makeContextCurrent) && get("alcGetIntegerv", getDeviceInteger) &&
+           get("alcIsExtensionPresent", isExtensionPresent) && get("alGenSources", genSources) &&
+           get("alGenBuffers", genBuffers) && get("alDeleteSources", deleteSources) &&
+           get("alDeleteBuffers", deleteBuffers) && get("alBufferData", bufferData) &&
+           get("alSourceQueueBuffers", queueBuffers) && get("alSourceUnqueueBuffers", unqueueBuffers) &&
+           get("alGetSourcei", getSource) && get("alSourcePlay", play) && get("alSourceStop", stop) &&
+           get("alGetError", error);
   }
 };
 
@@ -78,18 +80,18 @@ void hushLibraries() {
 
 }  // namespace
 
-struct AudioOutput::Parts {
+struct AudioOutput::Impl {
   int samples_per_s;
   Fill fill;
   std::atomic<State> state{State::Opening};
-  std::string trouble;  // written before `state` becomes Silent, then never again
+  std::string fault;  // written before `state` becomes Silent, then never again
   std::mutex mutex;
   std::condition_variable wake;
   bool end = false;
   std::thread thread;
 
   void fail(const char* why) {
-    trouble = why;
+    fault = why;
     state = State::Silent;
   }
 
@@ -104,8 +106,10 @@ struct AudioOutput::Parts {
     ALCdevice* device = al.openDevice(nullptr);
     if (!device) return fail("There is no sound: this computer has no sound card that can be opened now.");
     ALCcontext* context = al.createContext(device, nullptr);
-    if (context && al.makeContextCurrent(context)) stream(al, device);
-    else fail("There is no sound: the sound card refuses to play.");
+    if (context && al.makeContextCurrent(context))
+      stream(al, device);
+    else
+      fail("There is no sound: the sound card refuses to play.");
     al.makeContextCurrent(nullptr);
     if (context) al.destroyContext(context);
     al.closeDevice(device);
@@ -122,13 +126,16 @@ struct AudioOutput::Parts {
       fill(samples);
       std::transform(samples.begin(), samples.end(), words.begin(),
                      [](float s) { return std::int16_t(std::lround(32767.0f * std::clamp(s, -1.0f, 1.0f))); });
-      al.bufferData(buffer, AL_FORMAT_MONO16, words.data(), ALsizei(words.size() * sizeof(std::int16_t)), samples_per_s);
+      al.bufferData(buffer, AL_FORMAT_MONO16, words.data(), ALsizei(words.size() * sizeof(std::int16_t)),
+                    samples_per_s);
       al.queueBuffers(source, 1, &buffer);
     };
     for (const ALuint b : buffers) queue(b);
     al.play(source);
-    if (al.error() != AL_NO_ERROR) fail("There is no sound: the sound card refuses to play.");
-    else state = State::Playing;
+    if (al.error() != AL_NO_ERROR)
+      fail("There is no sound: the sound card refuses to play.");
+    else
+      state = State::Playing;
     const bool tells_loss = al.isExtensionPresent(device, "ALC_EXT_disconnect");
     while (state == State::Playing && !napOrEnd()) {
       ALCint connected = 1;
@@ -151,24 +158,24 @@ struct AudioOutput::Parts {
   }
 };
 
-AudioOutput::AudioOutput(int samples_per_s, Fill fill) : parts_(std::make_unique<Parts>()) {
+AudioOutput::AudioOutput(int samples_per_s, Fill fill) : impl_(std::make_unique<Impl>()) {
   hushLibraries();
-  parts_->samples_per_s = samples_per_s;
-  parts_->fill = std::move(fill);
-  parts_->thread = std::thread([p = parts_.get()] { p->run(); });
+  impl_->samples_per_s = samples_per_s;
+  impl_->fill = std::move(fill);
+  impl_->thread = std::thread([p = impl_.get()] { p->run(); });
 }
 
 AudioOutput::~AudioOutput() {
   {
-    const std::lock_guard lock(parts_->mutex);
-    parts_->end = true;
+    const std::lock_guard lock(impl_->mutex);
+    impl_->end = true;
   }
-  parts_->wake.notify_one();
-  parts_->thread.join();
+  impl_->wake.notify_one();
+  impl_->thread.join();
 }
 
-AudioOutput::State AudioOutput::state() const { return parts_->state; }
+AudioOutput::State AudioOutput::state() const { return impl_->state; }
 
-std::string AudioOutput::trouble() const { return state() == State::Silent ? parts_->trouble : std::string(); }
+std::string AudioOutput::fault() const { return state() == State::Silent ? impl_->fault : std::string(); }
 
 }  // namespace moltact

@@ -35,8 +35,7 @@ DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
   if (sink.too_large) return DownloadFailure::TooLarge;
   if (sink.ended) return DownloadFailure::BrokenOff;
   if (sink.not_taken) return DownloadFailure::NotTaken;
-  if (status == 404 || status == 410 || code == CURLE_FILE_COULDNT_READ_FILE)
-    return DownloadFailure::NotFound;
+  if (status == 404 || status == 410 || code == CURLE_FILE_COULDNT_READ_FILE) return DownloadFailure::NotFound;
   if (code == CURLE_HTTP_RETURNED_ERROR || code == CURLE_URL_MALFORMAT || code == CURLE_UNSUPPORTED_PROTOCOL)
     return DownloadFailure::Refused;
   return DownloadFailure::Offline;
@@ -44,8 +43,8 @@ DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
 
 }  // namespace
 
-DownloadResult download(const std::string& url, std::size_t most_bytes, const std::function<bool(std::string_view)>& take,
-                        const std::function<bool()>& broken_off) {
+DownloadResult download(const std::string& url, std::size_t most_bytes,
+                        const std::function<bool(std::string_view)>& take, const std::function<bool()>& broken_off) {
   static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
   const std::unique_ptr<CURL, void (*)(CURL*)> curl(started == CURLE_OK ? curl_easy_init() : nullptr,
                                                     curl_easy_cleanup);

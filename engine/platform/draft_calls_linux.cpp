@@ -26,7 +26,8 @@ fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.p
 std::string draftName(const fs::path& file) {
   std::uint32_t number = 0;
   if (::getrandom(&number, sizeof number, GRND_NONBLOCK) != ssize_t(sizeof number))
-    number = std::uint32_t(std::chrono::steady_clock::now().time_since_epoch().count()) ^ std::uint32_t(::getpid()) << 12;
+    number = std::uint32_t(std::chrono::steady_clock::now().time_since_epoch().count()) ^ std::uint32_t(::getpid())
+                                                                                              << 12;
   char digits[kDigits + 1];
   std::snprintf(digits, sizeof digits, "%08x", number);
   const std::string name = file.filename().string();
@@ -34,7 +35,8 @@ std::string draftName(const fs::path& file) {
 }
 
 bool isDraftName(std::string_view name) {
-  if (!name.starts_with(kDraft) || name.size() <= kDraft.size() + kDigits || name[kDraft.size() + kDigits] != '-') return false;
+  if (!name.starts_with(kDraft) || name.size() <= kDraft.size() + kDigits || name[kDraft.size() + kDigits] != '-')
+    return false;
   const std::string_view digits = name.substr(kDraft.size(), kDigits);
   return digits.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
@@ -48,7 +50,8 @@ void removeOrphans(const fs::path& folder) {
     const int handle = ::open(it->path().c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
     if (handle < 0) continue;
     struct stat is {};
-    if (::fstat(handle, &is) == 0 && S_ISREG(is.st_mode) && ::flock(handle, LOCK_EX | LOCK_NB) == 0) ::unlink(it->path().c_str());
+    if (::fstat(handle, &is) == 0 && S_ISREG(is.st_mode) && ::flock(handle, LOCK_EX | LOCK_NB) == 0)
+      ::unlink(it->path().c_str());
     ::close(handle);
   }
 }
@@ -124,7 +127,8 @@ int openDraft(const fs::path& file, int flags, fs::path& draft) {
     if (handle < 0) return -1;
     // Folders that know no locks (some network ones) do without: nothing there is taken for an orphan either.
     uninterrupted([&] { return ::flock(handle, LOCK_EX); });
-    struct stat before {}, is {};
+    struct stat before {
+    }, is{};
     if (::fstat(handle, &is) == 0 && is.st_nlink == 0) {  // another program took it for an orphan before it was locked
       ::close(handle);
       continue;

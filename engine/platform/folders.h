@@ -15,8 +15,9 @@ std::filesystem::path moleculesFolder();  ///< homeFolder()/molecules
 std::filesystem::path lessonsFolder();    ///< homeFolder()/lessons
 std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 
-/// The folder that an environment variable names. Empty where it is not set or names none from the root: the XDG base directory
-/// specification says that a relative path is to be ignored, and a relative home would be another one in every folder.
+/// The folder that an environment variable names. Empty where it is not set or names none from the root: the XDG base
+/// directory specification says that a relative path is to be ignored, and a relative home would be another one in
+/// every folder.
 std::filesystem::path folderFromEnvironment(const char* name);
 
 /// Where the program keeps what the user fetched or made: $XDG_DATA_HOME/moltact, else

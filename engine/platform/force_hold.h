@@ -1,6 +1,7 @@
-// The end of all force of this process, whatever ends it: what a driver does last for its device is kept here and done by the
-// handlers of signals, at exit() and by std::terminate; and one word says to every thread whether force may be given at all. The
-// handlers are installed when the first LastAct is armed. What can be done for which device: docs/safety.md.
+// The end of all force of this process, whatever ends it: what a driver does last for its device is kept here and done
+// by the handlers of signals, at exit() and by std::terminate; and one word says to every thread whether force may be
+// given at all. The handlers are installed when the first LastAct is armed. What can be done for which device:
+// docs/safety.md.
 #pragma once
 
 #include <cstdint>
@@ -20,16 +21,16 @@ bool forceHeld() noexcept;
 void holdForce(Hold why) noexcept;
 void letForce(Hold why) noexcept;
 
-/// Holds the force for good and does every armed act: for a way out that no destructor sees. Waits for what other threads have
-/// to do for it, kPatience_ms at most.
+/// Holds the force for good and does every armed act: for a way out that no destructor sees. Waits for what other
+/// threads have to do for it, kPatience_ms at most.
 void endForce() noexcept;
 inline constexpr int kPatience_ms = 40;
 
 /// What a driver does last for one device, where the process ends otherwise than by its destructors.
 class LastAct {
  public:
-  /// Called in a signal's handler, on any thread, at any place of the program, again and again until it says true: only what is
-  /// safe there. True: the last that the device was given is no force.
+  /// Called in a signal's handler, on any thread, at any place of the program, again and again until it says true: only
+  /// what is safe there. True: the last that the device was given is no force.
   using Act = bool (*)(void* data) noexcept;
 
   LastAct() = default;
@@ -48,8 +49,8 @@ class LastAct {
   int place_ = -1;
 };
 
-/// A last report for a file of the system that is written to as it is, such as a hidraw node: it is opened a second time, so
-/// that the report can be written whoever holds the other one.
+/// A last report for a file of the system that is written to as it is, such as a hidraw node: it is opened a second
+/// time, so that the report can be written whoever holds the other one.
 class LastReport {
  public:
   LastReport() = default;
@@ -69,7 +70,8 @@ class LastReport {
   LastAct act_;  // last, so that it ends first
 };
 
-/// Lets a crash by a full stack be handled on the calling thread while there is one. For threads that read what others wrote.
+/// Lets a crash by a full stack be handled on the calling thread while there is one. For threads that read what others
+/// wrote.
 class CrashStack {
  public:
   CrashStack() noexcept;

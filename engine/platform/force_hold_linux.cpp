@@ -1,5 +1,3 @@
-#include "engine/platform/force_hold.h"
-
 #include <fcntl.h>
 #include <time.h>
 #include <unistd.h>
@@ -11,6 +9,8 @@
 #include <csignal>
 #include <cstdlib>
 #include <mutex>
+
+#include "engine/platform/force_hold.h"
 
 namespace moltact {
 namespace {
@@ -46,7 +46,8 @@ std::int64_t now_ns() noexcept {
   return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
 }
 
-// Each act until it is done. A thread that was about to give a force when the hold came may do so after the act: so once more.
+// Each act until it is done. A thread that was about to give a force when the hold came may do so after the act: so
+// once more.
 void doActs() noexcept {
   constexpr long kLook_ns = 200'000, kOvertaken_ns = 1'000'000;
   std::array<bool, LastAct::kMost> done{};
@@ -56,14 +57,16 @@ void doActs() noexcept {
     return every;
   };
   if (std::none_of(places.begin(), places.end(), [](const Place& p) { return p.act.load(); })) return;
-  for (const std::int64_t until_ns = now_ns() + kPatience_ms * std::int64_t{1'000'000}; !all() && now_ns() < until_ns;) rest(kLook_ns);
+  for (const std::int64_t until_ns = now_ns() + kPatience_ms * std::int64_t{1'000'000}; !all() && now_ns() < until_ns;)
+    rest(kLook_ns);
   rest(kOvertaken_ns);
   for (Place& place : places) doIt(place);
 }
 
 // What ends a process: its own faults, whoever takes them otherwise; and what others send, where nobody takes it.
 constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
-constexpr std::array kSent{SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGALRM, SIGUSR1, SIGUSR2, SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR, SIGSTKFLT};
+constexpr std::array kSent{SIGHUP,  SIGINT,  SIGQUIT,   SIGTERM, SIGPIPE, SIGALRM, SIGUSR1,  SIGUSR2,
+                           SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR,  SIGSTKFLT};
 // What stops it, with all its threads as they are.
 constexpr std::array kStops{SIGTSTP, SIGTTIN, SIGTTOU};
 std::array<struct sigaction, 65> before;
@@ -72,7 +75,8 @@ void onEnd(int signal, siginfo_t* info, void*) noexcept {
   endForce();
   // Then as if there had been no handler: what faults does so again, what was sent is sent again.
   sigaction(signal, &before[std::size_t(signal)], nullptr);
-  const bool again = info && info->si_code > 0 && (signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL);
+  const bool again =
+      info && info->si_code > 0 && (signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL);
   if (!again) raise(signal);
 }
 
@@ -104,7 +108,9 @@ void install() noexcept {
     std::call_once(once, [] {
       for (const int signal : kFaults) take(signal, onEnd, true);
       for (const int signal : kSent) take(signal, onEnd, false);
-      for (const int signal : kStops) take(signal, [](int s, siginfo_t*, void*) { onStop(s); }, false);
+      for (const int signal : kStops)
+        take(
+            signal, [](int s, siginfo_t*, void*) { onStop(s); }, false);
       std::atexit([] { endForce(); });
       std::at_quick_exit([] { endForce(); });
     });

@@ -1,13 +1,13 @@
-// A person's or the system's wish to end the program (Ctrl-C, the terminal closed, the session's end) seen by the window or a
-// command, so that a device is closed and what was done is saved in order. Not for the haptic thread.
+// A person's or the system's wish to end the program (Ctrl-C, the terminal closed, the session's end) seen by the
+// window or a command, so that a device is closed and what was done is saved in order. Not for the haptic thread.
 #pragma once
 
 #include <memory>
 
 namespace moltact {
 
-/// While there is one, the first such wish ends all force at once (force_hold.h) and shows here; the second ends the program as
-/// ever. One at a time. Outlives the device.
+/// While there is one, the first such wish ends all force at once (force_hold.h) and shows here; the second ends the
+/// program as ever. One at a time. Outlives the device.
 class InterruptWatch {
  public:
   InterruptWatch();

@@ -1,7 +1,6 @@
-#include <csignal>
-
 #include <array>
 #include <atomic>
+#include <csignal>
 
 #include "engine/platform/force_hold.h"
 #include "engine/platform/interrupt.h"

@@ -9,7 +9,8 @@ namespace moltact {
 namespace {
 
 Problem noContext(const std::string& what) {
-  return {.file = {}, .message = "no off-screen OpenGL: " + what,
+  return {.file = {},
+          .message = "no off-screen OpenGL: " + what,
           .remedy = "install the packages libegl1 and libgl1-mesa-dri (software OpenGL 3.3)"};
 }
 
@@ -40,14 +41,26 @@ Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
   if (gl->display_ == EGL_NO_DISPLAY) return noContext("EGL gives no display (" + eglCode() + ")");
   if (!eglBindAPI(EGL_OPENGL_API)) return noContext("EGL here does not offer desktop OpenGL (" + eglCode() + ")");
 
-  const EGLint want[] = {EGL_SURFACE_TYPE, EGL_PBUFFER_BIT, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_RED_SIZE, 8,
-                         EGL_GREEN_SIZE, 8, EGL_BLUE_SIZE, 8, EGL_ALPHA_SIZE, 8, EGL_NONE};
+  const EGLint want[] = {EGL_SURFACE_TYPE,
+                         EGL_PBUFFER_BIT,
+                         EGL_RENDERABLE_TYPE,
+                         EGL_OPENGL_BIT,
+                         EGL_RED_SIZE,
+                         8,
+                         EGL_GREEN_SIZE,
+                         8,
+                         EGL_BLUE_SIZE,
+                         8,
+                         EGL_ALPHA_SIZE,
+                         8,
+                         EGL_NONE};
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(gl->display_, want, &config, 1, &count) || count == 0)
     return noContext("EGL has no suitable configuration (" + eglCode() + ")");
-  const EGLint version[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_CONTEXT_MINOR_VERSION, 3,
-                            EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
+  const EGLint version[] = {
+      EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
+      EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   gl->context_ = eglCreateContext(gl->display_, config, EGL_NO_CONTEXT, version);
   if (gl->context_ == EGL_NO_CONTEXT) return noContext("OpenGL 3.3 core is not offered (" + eglCode() + ")");
   const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
@@ -56,9 +69,7 @@ Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
   return {std::move(gl)};
 }
 
-bool OffscreenGl::makeCurrent() {
-  return eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE;
-}
+bool OffscreenGl::makeCurrent() { return eglMakeCurrent(display_, surface_, surface_, context_) == EGL_TRUE; }
 
 // The display is one for the whole program, so it is not terminated: another context may live on it.
 OffscreenGl::~OffscreenGl() {

@@ -11,8 +11,8 @@ namespace moltact {
 
 class SharedLibrary {
  public:
-  /// Loads the first of `names` that is found, by the system's own search or as a path. A Problem in the loader's words: of
-  /// the first that is there and cannot be loaded, else of the first.
+  /// Loads the first of `names` that is found, by the system's own search or as a path. A Problem in the loader's
+  /// words: of the first that is there and cannot be loaded, else of the first.
   static Expected<SharedLibrary> open(std::span<const std::string> names);
 
   /// The address of a function, or nullptr.

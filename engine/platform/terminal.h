@@ -1,6 +1,6 @@
-// The terminal, or whatever standard input, output and error are: the one place that writes to it. What is written may hold names
-// and texts of files that others made; nothing of it steers the terminal (engine/core/printable.h), and a value begins no line of
-// its own. Any one thread but the haptic one.
+// The terminal, or whatever standard input, output and error are: the one place that writes to it. What is written may
+// hold names and texts of files that others made; nothing of it steers the terminal (engine/core/printable.h), and a
+// value begins no line of its own. Any one thread but the haptic one.
 #pragma once
 
 #include <ostream>
@@ -17,8 +17,8 @@ struct Lines {
   std::string_view text;
 };
 
-/// Writes to standard output or error. What is written literally in the program keeps its line ends; every other text comes
-/// onto one line.
+/// Writes to standard output or error. What is written literally in the program keeps its line ends; every other text
+/// comes onto one line.
 class TerminalText {
  public:
   explicit TerminalText(std::ostream& to) : to_(to) {}
@@ -39,8 +39,7 @@ class TerminalText {
   TerminalText& operator<<(const std::string& value) { return *this << std::string_view(value); }
   // Not for arrays: a literal would be taken for a pointer.
   template <class Pointer>
-    requires std::is_same_v<Pointer, const char*>
-  TerminalText& operator<<(const Pointer& value) {
+  requires std::is_same_v<Pointer, const char*> TerminalText& operator<<(const Pointer& value) {
     return *this << std::string_view(value);
   }
   TerminalText& operator<<(Lines value) {
@@ -48,8 +47,7 @@ class TerminalText {
     return *this;
   }
   template <class Number>
-    requires std::is_arithmetic_v<Number>
-  TerminalText& operator<<(Number value) {
+  requires std::is_arithmetic_v<Number> TerminalText& operator<<(Number value) {
     to_ << value;
     return *this;
   }
@@ -69,7 +67,8 @@ TerminalText err();
 std::ostream& cleanOut();
 std::ostream& cleanErr();
 
-/// Sends what is kept back; false where something of standard output could not be written (a full disk behind a redirection).
+/// Sends what is kept back; false where something of standard output could not be written (a full disk behind a
+/// redirection).
 bool terminalWritten();
 
 /// A line on standard error that stands in the place of the last one, while that is a terminal; empty: it goes.
@@ -81,7 +80,7 @@ bool standardErrorIsTerminal();
 enum class Typed {
   Nothing,  ///< yet
   Line,
-  End,      ///< nothing more will come
+  End,  ///< nothing more will come
 };
 /// Waits for a line on standard input, at most so long; a signal ends the wait. Reads it without the C and C++ streams.
 Typed typedLine(std::string& line, int wait_ms);

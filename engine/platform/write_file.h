@@ -1,7 +1,8 @@
-// The one way to write a file whole: into a draft of its own beside it, flushed to the disk, and put in its place by one
-// rename. Whoever reads the file meets what it was or what it is to be, never less, whatever ends the program or fills the disk;
-// two who write it at once each have a draft, and the later one's stands. A draft whose program was killed goes when anything is written
-// in its folder again. Files that grow while they are written: append_file.h. Any one thread but the haptic one.
+// The one way to write a file whole: into a draft of its own beside it, flushed to the disk, and put in its place by
+// one rename. Whoever reads the file meets what it was or what it is to be, never less, whatever ends the program or
+// fills the disk; two who write it at once each have a draft, and the later one's stands. A draft whose program was
+// killed goes when anything is written in its folder again. Files that grow while they are written: append_file.h. Any
+// one thread but the haptic one.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +19,10 @@ enum class IfThere {
   Refuse,  ///< a Problem; what is there stays
 };
 
-/// Writes the file; its folder must be there. A link is followed, and what is no ordinary file (a pipe, a device) is written to
-/// as it is. A Problem that a person can act on where that cannot be; then everything is as it was.
-std::optional<Problem> writeWhole(const std::filesystem::path& file, std::string_view bytes, IfThere there = IfThere::Replace);
+/// Writes the file; its folder must be there. A link is followed, and what is no ordinary file (a pipe, a device) is
+/// written to as it is. A Problem that a person can act on where that cannot be; then everything is as it was.
+std::optional<Problem> writeWhole(const std::filesystem::path& file, std::string_view bytes,
+                                  IfThere there = IfThere::Replace);
 
 /// The same in pieces.
 class Draft {
@@ -41,12 +43,13 @@ class Draft {
   std::optional<Problem> commit();
 
  private:
-  struct Works;
-  explicit Draft(std::unique_ptr<Works> works);
-  std::unique_ptr<Works> works_;
+  struct Impl;
+  explicit Draft(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
-/// From here on a limit on the size of files (`ulimit -f`) is an error like a full disk, and not the end of the program.
+/// From here on a limit on the size of files (`ulimit -f`) is an error like a full disk, and not the end of the
+/// program.
 void takeSizeLimitsAsErrors();
 
 }  // namespace moltact

@@ -13,13 +13,13 @@ namespace moltact {
 namespace fs = std::filesystem;
 using namespace platform;
 
-struct Draft::Works {
+struct Draft::Impl {
   fs::path named, file, draft;  // as the person named it, behind its links, and beside that
   int handle = -1;
   bool refuse = false, whole = true;  // a pipe or a device is written to as it is: no draft
   std::string waiting;
 
-  ~Works() {
+  ~Impl() {
     if (handle >= 0) ::close(handle);
     if (!draft.empty() && whole) ::unlink(draft.c_str());
   }
@@ -36,44 +36,44 @@ struct Draft::Works {
   }
 };
 
-Draft::Draft(std::unique_ptr<Works> works) : works_(std::move(works)) {}
+Draft::Draft(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 Draft::Draft(Draft&&) noexcept = default;
 Draft& Draft::operator=(Draft&&) noexcept = default;
 Draft::~Draft() = default;
 
 Expected<Draft> Draft::begin(const fs::path& file, IfThere there) {
-  auto works = std::make_unique<Works>();
-  works->named = file;
-  works->refuse = there == IfThere::Refuse;
+  auto impl = std::make_unique<Impl>();
+  impl->named = file;
+  impl->refuse = there == IfThere::Refuse;
   struct stat is {};
   const bool exists = ::stat(file.c_str(), &is) == 0;
-  if (exists && S_ISDIR(is.st_mode)) return works->problem(EISDIR);
-  if (works->refuse && ::lstat(file.c_str(), &is) == 0) return works->problem(EEXIST);
+  if (exists && S_ISDIR(is.st_mode)) return impl->problem(EISDIR);
+  if (impl->refuse && ::lstat(file.c_str(), &is) == 0) return impl->problem(EEXIST);
   if (exists && !S_ISREG(is.st_mode)) {
-    works->whole = false;
-    works->draft = file;
-    works->handle = uninterrupted([&] { return ::open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY); });
+    impl->whole = false;
+    impl->draft = file;
+    impl->handle = uninterrupted([&] { return ::open(file.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY); });
   } else {
-    works->file = behindLinks(file);
-    works->handle = openDraft(works->file, O_WRONLY, works->draft);
-    if (works->handle < 0) works->draft.clear();
+    impl->file = behindLinks(file);
+    impl->handle = openDraft(impl->file, O_WRONLY, impl->draft);
+    if (impl->handle < 0) impl->draft.clear();
   }
-  if (works->handle < 0) return works->problem(errno);
-  return Draft(std::move(works));
+  if (impl->handle < 0) return impl->problem(errno);
+  return Draft(std::move(impl));
 }
 
 std::optional<Problem> Draft::append(std::string_view bytes) {
   constexpr std::size_t kMostWaiting = std::size_t{1} << 20;
-  works_->waiting += bytes;
-  return works_->waiting.size() < kMostWaiting ? std::nullopt : works_->send();
+  impl_->waiting += bytes;
+  return impl_->waiting.size() < kMostWaiting ? std::nullopt : impl_->send();
 }
 
-const fs::path& Draft::path() const { return works_->draft; }
+const fs::path& Draft::path() const { return impl_->draft; }
 
-std::optional<Problem> Draft::flush() { return works_->send(); }
+std::optional<Problem> Draft::flush() { return impl_->send(); }
 
 std::optional<Problem> Draft::commit() {
-  Works& w = *works_;
+  Impl& w = *impl_;
   if (auto problem = w.send()) return problem;
   if (!w.whole) return std::nullopt;
   if (syncData(w.handle) != 0) return w.problem(errno);

@@ -12,15 +12,27 @@ constexpr Colour rgb(int red, int green, int blue) { return Colour(float(red), f
 // Okabe and Ito's eight colours; black is too dark for shade, so carbon is a grey.
 Colour safeColour(std::uint8_t atomic_number) {
   switch (atomic_number) {
-    case 1: return rgb(240, 240, 240);
-    case 6: return rgb(110, 110, 110);
-    case 7: return rgb(0, 114, 178);
-    case 8: return rgb(213, 94, 0);
-    case 9: case 17: case 35: case 53: return rgb(86, 180, 233);
-    case 15: return rgb(204, 121, 167);
-    case 16: return rgb(240, 228, 66);
-    case 26: return rgb(0, 158, 115);
-    default: return rgb(230, 159, 0);
+    case 1:
+      return rgb(240, 240, 240);
+    case 6:
+      return rgb(110, 110, 110);
+    case 7:
+      return rgb(0, 114, 178);
+    case 8:
+      return rgb(213, 94, 0);
+    case 9:
+    case 17:
+    case 35:
+    case 53:
+      return rgb(86, 180, 233);
+    case 15:
+      return rgb(204, 121, 167);
+    case 16:
+      return rgb(240, 228, 66);
+    case 26:
+      return rgb(0, 158, 115);
+    default:
+      return rgb(230, 159, 0);
   }
 }
 
@@ -28,7 +40,8 @@ Colour safeColour(std::uint8_t atomic_number) {
 Colour softened(const Colour& pure) { return pure * 0.88f + 0.05f; }
 
 // Paul Tol's "bright" scheme of 2018, beginning with what is far from the colour of targets.
-constexpr std::array kChains{rgb(68, 119, 170), rgb(34, 136, 51), rgb(170, 51, 119), rgb(102, 204, 238), rgb(238, 102, 119), rgb(204, 187, 68), rgb(187, 187, 187)};
+constexpr std::array kChains{rgb(68, 119, 170),  rgb(34, 136, 51),  rgb(170, 51, 119), rgb(102, 204, 238),
+                             rgb(238, 102, 119), rgb(204, 187, 68), rgb(187, 187, 187)};
 
 }  // namespace
 

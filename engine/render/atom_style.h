@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-
 #include <glm/glm.hpp>
 
 namespace moltact {
@@ -13,20 +12,22 @@ using Colour = glm::vec3;
 /// Which colours tell elements apart.
 enum class ElementColours : std::uint8_t {
   Customary,        ///< carbon grey, oxygen red, nitrogen blue, as chemists know them
-  ColourBlindSafe,  ///< as near to them as the palette of Okabe and Ito (2008) allows, which every kind of colour vision tells apart
+  ColourBlindSafe,  ///< as near to them as the palette of Okabe and Ito (2008) allows, which every kind of colour
+                    ///< vision tells apart
 };
 
 /// What an atom's colour tells.
 enum class ColourBy : std::uint8_t {
   Element,
-  Chain,    ///< its chain; what is no protein and no nucleic acid keeps its element's colour
+  Chain,  ///< its chain; what is no protein and no nucleic acid keeps its element's colour
 };
 
 /// The element's colour (engine/molecule/elements.h), softened so that light and shade stay visible on it.
 /// `atomic_number` 0 or beyond the table gives the colour of the unknown element.
 Colour elementColour(std::uint8_t atomic_number, ElementColours colours = ElementColours::Customary);
 
-/// The colour of a molecule's chain, counted from 0: seven that every kind of colour vision tells apart, then again from the first.
+/// The colour of a molecule's chain, counted from 0: seven that every kind of colour vision tells apart, then again
+/// from the first.
 Colour chainColour(std::uint32_t chain);
 
 }  // namespace moltact

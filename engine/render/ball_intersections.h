@@ -1,4 +1,5 @@
-// Where spheres meet, for drawing (paper, section 4.3, equations 3 and 4; section 4.4). Pure functions. Units: angstrom.
+// Where spheres meet, for drawing (paper, section 4.3, equations 3 and 4; section 4.4). Pure functions. Units:
+// angstrom.
 #pragma once
 
 #include <array>

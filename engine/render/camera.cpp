@@ -25,9 +25,7 @@ Vec3 Camera::toView(PointA place) const {
   return glm::conjugate(orientation) * (place.A - target.A) - Vec3(0, 0, distance_A);
 }
 
-PointA Camera::fromView(const Vec3& view) const {
-  return {target.A + orientation * (view + Vec3(0, 0, distance_A))};
-}
+PointA Camera::fromView(const Vec3& view) const { return {target.A + orientation * (view + Vec3(0, 0, distance_A))}; }
 
 double Camera::tanHalfY() const { return std::tan(0.5 * fov_y_rad); }
 
@@ -45,8 +43,7 @@ Vec3 Camera::project(PointA place, int width_px, int height_px) const {
 }
 
 void Camera::orbit(double right_rad, double down_rad) {
-  const glm::dquat turn =
-      glm::angleAxis(-right_rad, Vec3(0, 1, 0)) * glm::angleAxis(-down_rad, Vec3(1, 0, 0));
+  const glm::dquat turn = glm::angleAxis(-right_rad, Vec3(0, 1, 0)) * glm::angleAxis(-down_rad, Vec3(1, 0, 0));
   orientation = glm::normalize(orientation * turn);
 }
 
@@ -69,8 +66,8 @@ void Camera::lookFrom(double azimuth_rad, double elevation_rad) {
 }
 
 void Camera::lookSideOn(const Molecule& molecule) {
-  constexpr double kLong = 1.3;  // so many times as far spread along the longest axis as across it
-  constexpr double kEndOn = 0.7; // of the axis toward the eye
+  constexpr double kLong = 1.3;   // so many times as far spread along the longest axis as across it
+  constexpr double kEndOn = 0.7;  // of the axis toward the eye
   if (molecule.atoms.size() < 2) return;
   Vec3 middle(0.0);
   for (const Atom& a : molecule.atoms) middle += a.position.A / double(molecule.atoms.size());
@@ -97,9 +94,9 @@ void Camera::face(PointA place) {
 
 void Camera::fit(const Molecule& molecule, double aspect, double margin, double grown_A) {
   if (molecule.atoms.empty()) return;
-  // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the eye
-  // at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides' largest
-  // bounds meet at the best m, so the picture is filled from edge to edge in perspective too.
+  // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the
+  // eye at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides'
+  // largest bounds meet at the best m, so the picture is filled from edge to edge in perspective too.
   const glm::dquat to_axes = glm::conjugate(orientation);
   const Vec3 origin = molecule.atoms[0].position.A;
   const double slope[2] = {tanHalfY() * aspect * (1 - margin), tanHalfY() * (1 - margin)};
@@ -115,7 +112,8 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin, double 
       behind[k] = std::max(behind[k], p.z + (widened - p[k]) / slope[k]);
     }
   }
-  const Vec3 middle(0.5 * slope[0] * (ahead[0] - behind[0]), 0.5 * slope[1] * (ahead[1] - behind[1]), 0.5 * (low + high));
+  const Vec3 middle(0.5 * slope[0] * (ahead[0] - behind[0]), 0.5 * slope[1] * (ahead[1] - behind[1]),
+                    0.5 * (low + high));
   const double back = 0.5 * std::max(ahead[0] + behind[0], ahead[1] + behind[1]) - middle.z;
   target.A = origin + orientation * middle;
   distance_A = std::clamp(back, kNearest_A, kFarthestBack_A);

@@ -1,7 +1,7 @@
 // An orbit camera: it looks at a target from a distance and turns about it. Plain data and arithmetic in double
-// precision; usable on every thread. Units: angstrom, radian, pixel (origin at the picture's upper left corner, y down).
-// The camera's own axes are x right, y up, z toward the viewer. What is sent to the graphics card is relative to the
-// target, so a molecule a million angstroms from the origin looks as it does at the origin.
+// precision; usable on every thread. Units: angstrom, radian, pixel (origin at the picture's upper left corner, y
+// down). The camera's own axes are x right, y up, z toward the viewer. What is sent to the graphics card is relative to
+// the target, so a molecule a million angstroms from the origin looks as it does at the origin.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -47,7 +47,8 @@ struct Camera {
   /// The half line from the eye through a place in the picture; (0, 0) is the upper left corner of the first pixel.
   Ray rayThrough(double x_px, double y_px, int width_px, int height_px) const;
 
-  /// Where a place appears in the picture (unit: pixel), and its depth in z (unit: angstrom; not positive: behind the eye).
+  /// Where a place appears in the picture (unit: pixel), and its depth in z (unit: angstrom; not positive: behind the
+  /// eye).
   Vec3 project(PointA place, int width_px, int height_px) const;
 
   /// How large one pixel is at a depth (unit: angstrom).
@@ -57,20 +58,22 @@ struct Camera {
   void orbit(double right_rad, double down_rad);
   /// Turns about the line of sight, counter-clockwise as seen for positive angles.
   void roll(double angle_rad);
-  /// Comes closer for factors above 1; the distance stays within 0.5 A and 1e7 A. Other than positive finite factors are ignored.
+  /// Comes closer for factors above 1; the distance stays within 0.5 A and 1e7 A. Other than positive finite factors
+  /// are ignored.
   void zoom(double factor);
   /// Moves with the hand: what lies at the target's depth follows a drag of so many pixels.
   void pan(double dx_px, double dy_px, int height_px);
   /// Looks from an azimuth (about +y, 0 = from +z, positive = from +x) and an elevation (positive = from above).
   void lookFrom(double azimuth_rad, double elevation_rad);
-  /// Looks at a long molecule from the side: where its longest axis would look at the eye it is turned to lie across the picture, by
-  /// the shortest way; else the orientation stays.
+  /// Looks at a long molecule from the side: where its longest axis would look at the eye it is turned to lie across
+  /// the picture, by the shortest way; else the orientation stays.
   void lookSideOn(const Molecule& molecule);
-  /// Turns so that the place lies between the eye and the target; places within 0.1 A of the target can be turned nowhere.
+  /// Turns so that the place lies between the eye and the target; places within 0.1 A of the target can be turned
+  /// nowhere.
   void face(PointA place);
   /// Moves the target to the middle of the atoms and back until all of them, whole, fit into a picture of this shape;
-  /// `margin` is the free share of the picture's half height (default 0.08), and every atom counts as `grown_A` larger than
-  /// it is (default 0). The orientation stays.
+  /// `margin` is the free share of the picture's half height (default 0.08), and every atom counts as `grown_A` larger
+  /// than it is (default 0). The orientation stays.
   void fit(const Molecule& molecule, double aspect, double margin = 0.08, double grown_A = 0.0);
   /// The same for one ball.
   void fit(PointA centre, double radius_A, double aspect, double margin = 0.08);

@@ -19,7 +19,8 @@ std::string logOf(GLuint object, bool program) {
 }
 
 Problem shaderProblem(const std::string& name, const std::string& log) {
-  return {.file = {}, .message = "the graphics driver refuses the shader '" + name + "': " + log,
+  return {.file = {},
+          .message = "the graphics driver refuses the shader '" + name + "': " + log,
           .remedy = "OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver"};
 }
 

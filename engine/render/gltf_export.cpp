@@ -26,7 +26,8 @@ class Elements {
   Elements(GltfScene& scene, ElementColours colours) : scene_(scene), colours_(colours) {}
   std::size_t operator[](std::uint8_t atomic_number) {
     const auto [it, made] = known_.try_emplace(atomic_number, scene_.materials.size());
-    if (made) scene_.materials.push_back({std::string(element(atomic_number).name), elementColour(atomic_number, colours_)});
+    if (made)
+      scene_.materials.push_back({std::string(element(atomic_number).name), elementColour(atomic_number, colours_)});
     return it->second;
   }
 
@@ -60,13 +61,16 @@ void addBalls(const Molecule& molecule, const ExportOptions& options, const Vec3
       if (new_group) scene.nodes.push_back({.name = "chain " + molecule.chains[chain].name.string(), .parent = 0});
       parent = group->second;
     }
-    scene.nodes.push_back({.name = molecule.describe(i), .mesh = mesh->second, .parent = parent,
+    scene.nodes.push_back({.name = molecule.describe(i),
+                           .mesh = mesh->second,
+                           .parent = parent,
                            .place = glm::vec3((atom.position.A - middle_A) * unit),
                            .scale = float((atom.radius_A + options.probe_A) * unit)});
   }
 }
 
-void addSurface(const Molecule& molecule, const ExportOptions& options, const std::vector<Ball>& balls, double step_A, GltfScene& scene) {
+void addSurface(const Molecule& molecule, const ExportOptions& options, const std::vector<Ball>& balls, double step_A,
+                GltfScene& scene) {
   const ClosedSurface surface = closedSurface(balls, step_A);
   const auto unit = float(kNm_per_A * options.units_per_nm);
   GltfMesh mesh{.name = "surface", .places = surface.places, .normals = surface.normals, .parts = {}};
@@ -76,7 +80,8 @@ void addSurface(const Molecule& molecule, const ExportOptions& options, const st
     const std::size_t material = elements[molecule.atoms[surface.owners[t]].atomic_number];
     while (mesh.parts.size() <= material) mesh.parts.push_back({.indices = {}, .material = mesh.parts.size()});
     auto& indices = mesh.parts[material].indices;
-    indices.insert(indices.end(), surface.triangles.begin() + std::ptrdiff_t(3 * t), surface.triangles.begin() + std::ptrdiff_t(3 * t + 3));
+    indices.insert(indices.end(), surface.triangles.begin() + std::ptrdiff_t(3 * t),
+                   surface.triangles.begin() + std::ptrdiff_t(3 * t + 3));
   }
   scene.meshes.push_back(std::move(mesh));
   scene.nodes.push_back({.name = scene.title, .mesh = 0});
@@ -87,11 +92,12 @@ void addSurface(const Molecule& molecule, const ExportOptions& options, const st
 GltfMesh ballMesh() {
   // An icosahedron, each triangle cut in four three times.
   const float g = 0.5f * (1.0f + std::sqrt(5.0f));
-  std::vector<glm::vec3> places{{-1, g, 0}, {1, g, 0}, {-1, -g, 0}, {1, -g, 0}, {0, -1, g}, {0, 1, g},
-                                {0, -1, -g}, {0, 1, -g}, {g, 0, -1}, {g, 0, 1}, {-g, 0, -1}, {-g, 0, 1}};
+  std::vector<glm::vec3> places{{-1, g, 0},  {1, g, 0},  {-1, -g, 0}, {1, -g, 0}, {0, -1, g},  {0, 1, g},
+                                {0, -1, -g}, {0, 1, -g}, {g, 0, -1},  {g, 0, 1},  {-g, 0, -1}, {-g, 0, 1}};
   for (glm::vec3& p : places) p = glm::normalize(p);
-  std::vector<std::uint32_t> faces{0, 11, 5, 0, 5, 1, 0, 1, 7, 0, 7, 10, 0, 10, 11, 1, 5, 9, 5, 11, 4, 11, 10, 2, 10, 7, 6, 7, 1, 8,
-                                   3, 9, 4, 3, 4, 2, 3, 2, 6, 3, 6, 8, 3, 8, 9, 4, 9, 5, 2, 4, 11, 6, 2, 10, 8, 6, 7, 9, 8, 1};
+  std::vector<std::uint32_t> faces{0, 11, 5,  0, 5,  1, 0, 1, 7, 0, 7,  10, 0, 10, 11, 1, 5, 9, 5, 11,
+                                   4, 11, 10, 2, 10, 7, 6, 7, 1, 8, 3,  9,  4, 3,  4,  2, 3, 2, 6, 3,
+                                   6, 8,  3,  8, 9,  4, 9, 5, 2, 4, 11, 6,  2, 10, 8,  6, 7, 9, 8, 1};
   for (int round = 0; round < 3; ++round) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
     const auto middle = [&](std::uint32_t a, std::uint32_t b) {
@@ -101,7 +107,8 @@ GltfMesh ballMesh() {
     };
     std::vector<std::uint32_t> finer;
     for (std::size_t k = 0; k < faces.size(); k += 3) {
-      const std::uint32_t a = faces[k], b = faces[k + 1], c = faces[k + 2], ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+      const std::uint32_t a = faces[k], b = faces[k + 1], c = faces[k + 2], ab = middle(a, b), bc = middle(b, c),
+                          ca = middle(c, a);
       finer.insert(finer.end(), {a, ab, ca, b, bc, ab, c, ca, bc, ab, bc, ca});
     }
     faces = std::move(finer);
@@ -110,7 +117,8 @@ GltfMesh ballMesh() {
 }
 
 Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions& options) {
-  if (molecule.atoms.empty()) return Problem{.file = {}, .message = "there are no atoms to save", .remedy = "open a molecule first"};
+  if (molecule.atoms.empty())
+    return Problem{.file = {}, .message = "there are no atoms to save", .remedy = "open a molecule first"};
   std::vector<Ball> balls = molecule.balls();
   for (Ball& b : balls) b.radius_A += options.probe_A;
   Vec3 low = balls[0].centre_A, high = low;
@@ -122,7 +130,8 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
   GltfScene scene;
   scene.title = molecule.id.empty() ? "molecule" : molecule.id;
   scene.notes = {{"unit", number(1.0 / options.units_per_nm, "nm")},
-                 {"middle", number(middle_A.x, "") + number(middle_A.y, "") + number(middle_A.z, "angstrom in the molecule's file")},
+                 {"middle", number(middle_A.x, "") + number(middle_A.y, "") +
+                                number(middle_A.z, "angstrom in the molecule's file")},
                  {"probe", number(options.probe_A, "angstrom")}};
   if (!molecule.title.empty()) scene.notes.push_back({"title", molecule.title});
   if (options.style == ExportStyle::Balls) {
@@ -131,8 +140,10 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
   }
   const double step_A = options.step_A > 0 ? options.step_A : usualStep_A(balls);
   if (cellCount(balls, step_A) > kMostCells)
-    return Problem{.file = {}, .message = "a surface with steps of " + number(step_A, "A") + " is too fine for a molecule of this size",
-                   .remedy = "take coarser steps, " + number(usualStep_A(balls), "A") + " for example"};
+    return Problem{
+        .file = {},
+        .message = "a surface with steps of " + number(step_A, "A") + " is too fine for a molecule of this size",
+        .remedy = "take coarser steps, " + number(usualStep_A(balls), "A") + " for example"};
   scene.notes.push_back({"step", number(step_A, "angstrom")});
   addSurface(molecule, options, balls, step_A, scene);
   return scene;

@@ -15,8 +15,8 @@ enum class ExportStyle {
 
 struct ExportOptions {
   ExportStyle style = ExportStyle::Balls;
-  double probe_A = 0.0;   ///< every atom is inflated by this: 1.4 gives the surface that a water molecule feels
-  double step_A = 0.0;    ///< fineness of the surface; 0: by the molecule's size
+  double probe_A = 0.0;  ///< every atom is inflated by this: 1.4 gives the surface that a water molecule feels
+  double step_A = 0.0;   ///< fineness of the surface; 0: by the molecule's size
   double units_per_nm = 1.0;
   ElementColours colours = ElementColours::Customary;
 };

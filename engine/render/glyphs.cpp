@@ -32,14 +32,16 @@ class Maker {
     const bool water = scene_.water && std::abs(scene_.probe_A - kWaterProbe_A) < 0.35;
     shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.75f);
     addCircle(out_.strokes, {.colour = scene_.theme.probe, .alpha = 0.75f, .hidden = 0.25f, .width_px = 1.5f},
-              scene_.camera, silhouetteCentre(scp_, scene_.probe_A), toEye(scp_), silhouetteRadius(scp_, scene_.probe_A));
+              scene_.camera, silhouetteCentre(scp_, scene_.probe_A), toEye(scp_),
+              silhouetteRadius(scp_, scene_.probe_A));
     if (!water) return;
     Vec3 side = glm::cross(toEye(scp_), outward_);
     side = glm::length(side) > 1e-3 ? glm::normalize(side) : anyNormal(outward_);
     const double half = 0.5 * kWaterAngle_deg * std::numbers::pi / 180;
     solid(scp_, 0.62, elementColour(8), 0.35f);
     for (const double sign : {-1.0, 1.0})
-      solid(scp_ + kWaterBond_A * (std::cos(half) * outward_ + sign * std::sin(half) * side), 0.44, elementColour(1), 0.35f);
+      solid(scp_ + kWaterBond_A * (std::cos(half) * outward_ + sign * std::sin(half) * side), 0.44, elementColour(1),
+            0.35f);
   }
 
   void hip() {
@@ -47,8 +49,8 @@ class Maker {
     solid(scene_.hip->A, r, scene_.theme.hip, 0.75f);
     if (!touching_) return;
     // Seen along the push the probe stands before the hand: a ring shows through it how far the hand has gone under.
-    addCircle(out_.strokes, {.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.9f, .width_px = 2.4f}, scene_.camera,
-              scene_.hip->A, toEye(scene_.hip->A), 1.5 * r, 48);
+    addCircle(out_.strokes, {.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.9f, .width_px = 2.4f},
+              scene_.camera, scene_.hip->A, toEye(scene_.hip->A), 1.5 * r, 48);
     out_.strokes.begin({.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.7f, .width_px = 2.0f});
     out_.strokes.point(view(scene_.hip->A));
     out_.strokes.point(view(scp_));
@@ -102,8 +104,8 @@ class Maker {
     }
   }
 
-  // A ring round each of a few atoms; many are told by their colour and stripes alone, for rings by the hundred hide them
-  // and take longer to draw than all else.
+  // A ring round each of a few atoms; many are told by their colour and stripes alone, for rings by the hundred hide
+  // them and take longer to draw than all else.
   void highlights(const BallScene& balls) {
     constexpr std::size_t kMostRings = 120;
     if (scene_.highlighted.size() > kMostRings) return;
@@ -127,7 +129,8 @@ class Maker {
       const double ring = b.radius_A + 0.10;
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.3f, .width_px = 4.6f},
                                    Stroke{.colour = kTouchedRing, .alpha = 1.0f, .hidden = 0.3f, .width_px = 2.2f}})
-        addCircle(out_.strokes, stroke, scene_.camera, silhouetteCentre(b.centre_A, ring), toEye(b.centre_A), silhouetteRadius(b.centre_A, ring));
+        addCircle(out_.strokes, stroke, scene_.camera, silhouetteCentre(b.centre_A, ring), toEye(b.centre_A),
+                  silhouetteRadius(b.centre_A, ring));
     }
   }
 

@@ -35,7 +35,8 @@ struct Glyphs {
 /// How long the model at the HIP is drawn, in a picture 800 pixels high.
 inline constexpr double kHandLength_px = 170;
 
-/// O-H distance (unit: angstrom) and H-O-H angle (unit: degree) of water in the gas phase (Benedict, Gailar & Plyler 1956).
+/// O-H distance (unit: angstrom) and H-O-H angle (unit: degree) of water in the gas phase (Benedict, Gailar & Plyler
+/// 1956).
 inline constexpr double kWaterBond_A = 0.9572, kWaterAngle_deg = 104.52;
 
 /// Adds everything but the haptic shapes. `model` may be null.

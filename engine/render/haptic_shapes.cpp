@@ -10,9 +10,10 @@
 namespace moltact {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr std::size_t kFacetedAtoms = 6;    // whose triangles are drawn at most
-constexpr double kFacetsAtMost = 700.0;     // triangles drawn of one atom, nearly: fine meshes show a patch round the contact
+constexpr double kTwoPi = 2 * std::numbers::pi;
+constexpr std::size_t kFacetedAtoms = 6;  // whose triangles are drawn at most
+constexpr double kFacetsAtMost =
+    700.0;  // triangles drawn of one atom, nearly: fine meshes show a patch round the contact
 
 struct Arc {
   Vec3 centre, u, v;  // u and v at right angles, both as long as the radius
@@ -24,7 +25,8 @@ class Drawer {
   Drawer(const ViewScene& scene, const MoleculeModel& model, Strokes& strokes, std::vector<LooseSphere>& dots)
       : scene_(scene), model_(model), strokes_(strokes), dots_(dots) {
     for (const std::int32_t a : scene.contact.atoms)
-      if (scene.contact.touching() && a >= 0 && std::size_t(a) < model.scene.size()) in_use_.push_back(std::uint32_t(a));
+      if (scene.contact.touching() && a >= 0 && std::size_t(a) < model.scene.size())
+        in_use_.push_back(std::uint32_t(a));
     focus_ = scene.contact.touching() ? scene.contact.scp.A : scene.hip ? scene.hip->A : scene.camera.target.A;
     if (scene.haptic_atoms.empty()) {
       if (scene.hip) atoms_ = nearestAtoms(model.scene, {focus_}, scene.probe_A, 2.5, scene.haptic_atoms_at_most);
@@ -44,7 +46,8 @@ class Drawer {
       const bool held = isInUse(a);
       const Stroke ring{.colour = scene_.theme.surface,
                         .alpha = (held ? 0.9f : 0.62f) * strength(a) * scene_.theme.wire_strength,
-                        .hidden = 0.10f, .width_px = held ? 1.5f : 1.2f};
+                        .hidden = 0.10f,
+                        .width_px = held ? 1.5f : 1.2f};
       // Meridians and parallels about the camera's upright, so that every sphere reads the same from every side.
       const Vec3 pole = scene_.camera.up(), e1 = scene_.camera.right(), e2 = scene_.camera.back();
       constexpr int kMeridians = 6, kParallels = 5;
@@ -94,9 +97,11 @@ class Drawer {
           if (far > reach) continue;
           const float fading = share < 1.0 ? float(std::clamp(3.0 * (1.0 - far / reach), 0.0, 1.0)) : 1.0f;
           const bool held = isInUse(a);
-          freeLine(p, q, {.colour = scene_.theme.surface,
-                          .alpha = (held ? 0.95f : 0.5f) * fading * scene_.theme.wire_strength,
-                          .hidden = 0.06f, .width_px = held ? 1.4f : 1.1f});
+          freeLine(p, q,
+                   {.colour = scene_.theme.surface,
+                    .alpha = (held ? 0.95f : 0.5f) * fading * scene_.theme.wire_strength,
+                    .hidden = 0.06f,
+                    .width_px = held ? 1.4f : 1.1f});
         }
       }
     }
@@ -108,9 +113,11 @@ class Drawer {
       if (!c) return;
       const bool held = holds(a, b);
       const Vec3 u = anyNormal(c->axis);
-      const Stroke stroke{.colour = held ? scene_.theme.in_use : scene_.theme.surface,
-                          .alpha = held ? 1.0f : std::min(1.0f, 0.9f * std::min(strength(a), strength(b)) * scene_.theme.wire_strength),
-                          .hidden = held ? 0.4f : 0.12f, .width_px = held ? 2.8f : 1.7f};
+      const Stroke stroke{
+          .colour = held ? scene_.theme.in_use : scene_.theme.surface,
+          .alpha = held ? 1.0f : std::min(1.0f, 0.9f * std::min(strength(a), strength(b)) * scene_.theme.wire_strength),
+          .hidden = held ? 0.4f : 0.12f,
+          .width_px = held ? 2.8f : 1.7f};
       gatherNeighbours(a, b);
       const Arc arc{c->centre_A, c->radius_A * u, c->radius_A * glm::cross(c->axis, u)};
       freeArcs(arc, stroke);
@@ -141,14 +148,16 @@ class Drawer {
       const Vec3 u = anyNormal(c->axis), v = glm::cross(c->axis, u);
       for (const std::uint32_t apex : {a, b}) {
         const Stroke stroke{.colour = glm::mix(scene_.theme.in_use, scene_.theme.hip, apex == a ? 0.0f : 0.45f),
-                            .alpha = 0.75f, .hidden = 0.45f, .width_px = 1.1f};
+                            .alpha = 0.75f,
+                            .hidden = 0.45f,
+                            .width_px = 1.1f};
         constexpr int kLines = 18;
         for (int i = 0; i < kLines; ++i) {
-          const double t = kTurn * i / kLines;
+          const double t = kTwoPi * i / kLines;
           strokes_.begin(stroke);
           strokes_.point(glm::vec3(scene_.camera.toView({inflated(apex).centre_A})));
-          strokes_.point(glm::vec3(
-              scene_.camera.toView({c->centre_A + c->radius_A * (std::cos(t) * u + std::sin(t) * v)})));
+          strokes_.point(
+              glm::vec3(scene_.camera.toView({c->centre_A + c->radius_A * (std::cos(t) * u + std::sin(t) * v)})));
         }
       }
       addCircle(strokes_, {.colour = scene_.theme.in_use, .alpha = 0.8f, .hidden = 0.5f, .width_px = 1.4f},
@@ -179,7 +188,8 @@ class Drawer {
     model_.scene.visitNear(b.centre_A, b.radius_A + scene_.probe_A, [&](std::uint32_t i, const Ball& n) {
       if (i == a || ((i == more) || ...)) return;
       if (n.centre_A == b.centre_A && n.radius_A <= model_.scene[a].radius_A) return;  // a duplicate covers nothing
-      if (glm::length(n.centre_A - b.centre_A) < b.radius_A + n.radius_A + scene_.probe_A) neighbours_.push_back(inflated(i));
+      if (glm::length(n.centre_A - b.centre_A) < b.radius_A + n.radius_A + scene_.probe_A)
+        neighbours_.push_back(inflated(i));
     });
   }
 
@@ -196,10 +206,10 @@ class Drawer {
     double before = freedom(arc.at(0));
     bool open = false;
     for (int i = 0; i <= kPieces; ++i) {
-      const double t = kTurn * i / kPieces;
+      const double t = kTwoPi * i / kPieces;
       const double now = freedom(arc.at(t));
       if (i > 0 && (before > 0) != (now > 0)) {
-        double out = before > 0 ? t - kTurn / kPieces : t, in = before > 0 ? t : t - kTurn / kPieces;
+        double out = before > 0 ? t - kTwoPi / kPieces : t, in = before > 0 ? t : t - kTwoPi / kPieces;
         for (int k = 0; k < 16; ++k) {
           const double middle = 0.5 * (out + in);
           (freedom(arc.at(middle)) > 0 ? out : in) = middle;
@@ -220,7 +230,8 @@ class Drawer {
   // The parts of a straight line outside the gathered spheres.
   void freeLine(const Vec3& p, const Vec3& q, const Stroke& stroke) {
     constexpr double kPiece_A = 0.15;
-    const int pieces = neighbours_.empty() ? 1 : std::clamp(wholeOf<int>(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
+    const int pieces =
+        neighbours_.empty() ? 1 : std::clamp(wholeOf<int>(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
     bool open = false;
     const auto emit = [&](double t) { strokes_.point(glm::vec3(scene_.camera.toView({p + (q - p) * t}))); };
     for (int i = 0; i < pieces; ++i) {
@@ -268,7 +279,7 @@ void addCircle(Strokes& strokes, const Stroke& stroke, const Camera& camera, con
   const Vec3 u = anyNormal(axis), v = glm::cross(axis, u);
   strokes.begin(stroke);
   for (int i = 0; i <= pieces; ++i) {
-    const double t = kTurn * (i % pieces) / pieces;
+    const double t = kTwoPi * (i % pieces) / pieces;
     strokes.point(glm::vec3(camera.toView({centre + radius_A * (std::cos(t) * u + std::sin(t) * v)})));
   }
 }

@@ -11,8 +11,9 @@
 
 namespace moltact {
 
-/// Adds the shapes that `scene` shows. Only what lies on the felt surface is drawn strongly: parts of a sphere or circle
-/// inside another inflated sphere are left out. The strength falls off with the distance from the SCP (or the HIP, when free).
+/// Adds the shapes that `scene` shows. Only what lies on the felt surface is drawn strongly: parts of a sphere or
+/// circle inside another inflated sphere are left out. The strength falls off with the distance from the SCP (or the
+/// HIP, when free).
 void addHapticShapes(const ViewScene& scene, const MoleculeModel& model, Strokes& strokes,
                      std::vector<LooseSphere>& dots);
 

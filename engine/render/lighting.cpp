@@ -32,7 +32,7 @@ void setLighting(const GlProgram& program, const Projection& projection, const L
   glUniform3f(program.uniform("u_fade"), lighting.fade_from_A, 1.0f / lighting.fade_over_A, lighting.fade_most);
   glUniform2f(program.uniform("u_tan"), projection.tan_x, projection.tan_y);
   glUniform2f(program.uniform("u_depth"), projection.depthScale(), projection.depthOffset());
-  glUniformMatrix3fv(program.uniform("u_turn"), 1, GL_FALSE, &lighting.turn[0][0]);
+  glUniformMatrix3fv(program.uniform("u_turn"), 1, GL_FALSE, &lighting.rotation[0][0]);
 }
 
 }  // namespace moltact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/exposure.h"
+#include "engine/render/ambient_occlusion.h"
 
 namespace moltact {
 namespace {
@@ -28,12 +28,11 @@ std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom&
 
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(ballsOf(*molecule)) {
   paint(elements, colour_by);
-  for (const Exposure& e : exposures(scene.balls()))
-    exposure.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |
-                       packSigned(e.level) << 24);
+  for (const AmbientOcclusion& e : ambientOcclusion(scene.balls()))
+    ambient_occlusion.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |
+                                packSigned(e.level) << 24);
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
-  for (const Ball& b : scene.balls())
-    reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
+  for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
 }
 
 void MoleculeModel::paint(ElementColours wanted, ColourBy by) {

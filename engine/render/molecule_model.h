@@ -1,5 +1,5 @@
-// What the renderer keeps of a molecule between pictures: balls, colours, exposure, and a grid to find neighbours.
-// Made once for a molecule; only its colours change. Units: angstrom.
+// What the renderer keeps of a molecule between pictures: balls, colours, ambient_occlusion, and a grid to find
+// neighbours. Made once for a molecule; only its colours change. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ struct MoleculeModel {
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
   BallScene scene;
-  std::vector<std::uint32_t> colour;    ///< bytes red, green, blue, 255 from the lowest
-  std::vector<std::uint32_t> exposure;  ///< signed bytes slope x, y, z, level from the lowest
+  std::vector<std::uint32_t> colour;             ///< bytes red, green, blue, 255 from the lowest
+  std::vector<std::uint32_t> ambient_occlusion;  ///< signed bytes slope x, y, z, level from the lowest
   Vec3 middle_A{0.0};
   double reach_A = 0.0;  ///< all balls lie within this of the middle
 };

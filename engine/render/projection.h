@@ -12,8 +12,11 @@ struct Projection {
   DepthRange depth;
 
   Projection(const Camera& camera, int width, int height, DepthRange range)
-      : width_px(width), height_px(height), tan_x(float(camera.tanHalfX(width, height))),
-        tan_y(float(camera.tanHalfY())), depth(range) {}
+      : width_px(width),
+        height_px(height),
+        tan_x(float(camera.tanHalfX(width, height))),
+        tan_y(float(camera.tanHalfY())),
+        depth(range) {}
 
   /// Window depth (0 near, 1 far) of a depth d is scale - offset / d.
   float depthScale() const { return float(depth.far_A / (depth.far_A - depth.near_A)); }

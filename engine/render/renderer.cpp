@@ -27,7 +27,7 @@ Lighting lightingOf(const ViewScene& scene, const MoleculeModel* model, const De
   Lighting lighting;
   lighting.background_top = scene.theme.background_top;
   lighting.background_bottom = scene.theme.background_bottom;
-  lighting.turn = glm::mat3(glm::transpose(glm::mat3_cast(scene.camera.orientation)));
+  lighting.rotation = glm::mat3(glm::transpose(glm::mat3_cast(scene.camera.orientation)));
   if (model && model->reach_A > 0) {
     const double depth = -scene.camera.toView({model->middle_A}).z;
     const double front = std::max(depth - model->reach_A, range.near_A), back = depth + model->reach_A;
@@ -91,14 +91,14 @@ struct LayerKey {
 };
 
 bool sameOptions(const RenderOptions& a, const RenderOptions& b) {
-  return a.samples == b.samples && a.outlines == b.outlines && a.line_scale == b.line_scale && a.smooth_glyphs == b.smooth_glyphs &&
-         a.occlusion_cull == b.occlusion_cull;
+  return a.samples == b.samples && a.outlines == b.outlines && a.line_scale == b.line_scale &&
+         a.smooth_glyphs == b.smooth_glyphs && a.occlusion_cull == b.occlusion_cull;
 }
 
 }  // namespace
 
-struct Renderer::Parts {
-  Parts(SphereImpostors b, Wireframe w, SolidMesh m, Resolve r)
+struct Renderer::Impl {
+  Impl(SphereImpostors b, Wireframe w, SolidMesh m, Resolve r)
       : balls(std::move(b)), wires(std::move(w)), mesh(std::move(m)), resolve(std::move(r)) {}
 
   SphereImpostors balls;
@@ -126,7 +126,8 @@ Renderer::~Renderer() = default;
 
 Expected<std::unique_ptr<Renderer>> Renderer::create() {
   if (epoxy_gl_version() < 33)
-    return Problem{.file = {}, .message = "the graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
+    return Problem{.file = {},
+                   .message = "the graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
                               std::to_string(epoxy_gl_version() % 10),
                    .remedy = "OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver"};
   auto balls = SphereImpostors::build();
@@ -138,18 +139,19 @@ Expected<std::unique_ptr<Renderer>> Renderer::create() {
   auto resolve = Resolve::build();
   if (!resolve) return resolve.problem();
   std::unique_ptr<Renderer> made(new Renderer);
-  made->parts_ = std::make_unique<Parts>(*std::move(balls), *std::move(wires), *std::move(mesh), *std::move(resolve));
+  made->impl_ = std::make_unique<Impl>(*std::move(balls), *std::move(wires), *std::move(mesh), *std::move(resolve));
   return {std::move(made)};
 }
 
-bool Renderer::Parts::drawLayer(const ViewScene& scene, const Projection& projection, const Lighting& lighting,
-                                LayerKey wanted) {
+bool Renderer::Impl::drawLayer(const ViewScene& scene, const Projection& projection, const Lighting& lighting,
+                               LayerKey wanted) {
   count.atoms_redrawn = !(have_layer && wanted == key);
   if (!count.atoms_redrawn) return true;
   have_layer = false;
   const int width = wanted.width * wanted.samples, height = wanted.height * wanted.samples;
   const bool direct = wanted.samples == 1;
-  if ((wanted.resolved && !layer.resize(wanted.width, wanted.height)) || (!direct && !raw.resize(width, height))) return false;
+  if ((wanted.resolved && !layer.resize(wanted.width, wanted.height)) || (!direct && !raw.resize(width, height)))
+    return false;
   (direct ? layer : raw).bind();
   glDepthMask(GL_TRUE);
   glClearDepth(1.0);
@@ -172,8 +174,8 @@ bool Renderer::Parts::drawLayer(const ViewScene& scene, const Projection& projec
   return true;
 }
 
-void Renderer::Parts::drawGlyphs(const ViewScene& scene, const Projection& projection, const Lighting& lighting,
-                                 float line_scale) {
+void Renderer::Impl::drawGlyphs(const ViewScene& scene, const Projection& projection, const Lighting& lighting,
+                                float line_scale) {
   glyphs.clear();
   dots.clear();
   addGlyphs(scene, model.get(), glyphs);
@@ -196,10 +198,11 @@ void Renderer::Parts::drawGlyphs(const ViewScene& scene, const Projection& proje
 
 std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int height_px,
                                       const RenderOptions& options) {
-  Parts& p = *parts_;
+  Impl& p = *impl_;
   const auto tooLarge = [&] {
     p.have_layer = p.have_picture = false;
-    return Problem{.file = {}, .message = "a picture of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
+    return Problem{.file = {},
+                   .message = "a picture of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
                               " pixels is refused by the graphics driver",
                    .remedy = "ask for a smaller one"};
   };
@@ -211,11 +214,14 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   }
   // Errors that others left behind are not this picture's; a lost context would report for ever.
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
-    if (i == 15) return Problem{.file = {}, .message = "the graphics context is lost", .remedy = "start the program again"};
+    if (i == 15)
+      return Problem{.file = {}, .message = "the graphics context is lost", .remedy = "start the program again"};
   const CallersState state;
   if (!p.model || p.model->molecule != scene.molecule)
-    p.model = scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
-  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by)) p.model->paint(scene.elements, scene.colour_by);
+    p.model =
+        scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
+  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by))
+    p.model->paint(scene.elements, scene.colour_by);
   p.count.atoms = p.model ? p.model->scene.size() : 0;
   if (!p.picture.resize(width_px, height_px)) return tooLarge();
 
@@ -226,11 +232,20 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   } else {
     const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, p.model.get()));
     const Lighting lighting = lightingOf(scene, p.model.get(), projection.depth);
-    LayerKey key{.molecule = scene.molecule, .elements = scene.elements, .colour_by = scene.colour_by, .camera = scene.camera, .width = width_px, .height = height_px,
+    LayerKey key{.molecule = scene.molecule,
+                 .elements = scene.elements,
+                 .colour_by = scene.colour_by,
+                 .camera = scene.camera,
+                 .width = width_px,
+                 .height = height_px,
                  .samples = std::clamp(options.samples, 1, 4),
-                 .outlines = options.outlines, .cull = options.occlusion_cull, .atoms = scene.shown.has(Shape::Atoms),
-                 .top = scene.theme.background_top, .bottom = scene.theme.background_bottom,
-                 .tint = scene.theme.target, .tinted = {}};
+                 .outlines = options.outlines,
+                 .cull = options.occlusion_cull,
+                 .atoms = scene.shown.has(Shape::Atoms),
+                 .top = scene.theme.background_top,
+                 .bottom = scene.theme.background_bottom,
+                 .tint = scene.theme.target,
+                 .tinted = {}};
     if (scene.shown.has(Shape::Target)) key.tinted = scene.highlighted;
     std::sort(key.tinted.begin(), key.tinted.end());
     const int samples = key.samples;
@@ -246,7 +261,8 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
     glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     to.bind();
     // A large picture is looked at whole: its lines grow with it.
-    const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f) * float(height) / float(height_px);
+    const float line_scale =
+        options.line_scale * std::max(1.0f, float(height_px) / 800.0f) * float(height) / float(height_px);
     p.drawGlyphs(scene, Projection(scene.camera, width, height, projection.depth), lighting, line_scale);
     if (all_smooth) {
       p.picture.bind();
@@ -255,7 +271,8 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   }
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
     p.have_layer = p.have_picture = false;
-    return Problem{.file = {}, .message = "the graphics driver reports error " + std::to_string(error) + " while drawing",
+    return Problem{.file = {},
+                   .message = "the graphics driver reports error " + std::to_string(error) + " while drawing",
                    .remedy = "LIBGL_ALWAYS_SOFTWARE=1 uses the software driver"};
   }
   p.last = scene;
@@ -264,10 +281,10 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   return std::nullopt;
 }
 
-unsigned Renderer::textureId() const { return parts_->picture.colour(); }
+unsigned Renderer::textureId() const { return impl_->picture.colour(); }
 
 void Renderer::copyTo(int x_px, int y_px) const {
-  const GlTarget& from = parts_->picture;
+  const GlTarget& from = impl_->picture;
   GLint read = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
@@ -277,7 +294,7 @@ void Renderer::copyTo(int x_px, int y_px) const {
 }
 
 Picture Renderer::readPixels() const {
-  const GlTarget& from = parts_->picture;
+  const GlTarget& from = impl_->picture;
   Picture picture{from.width(), from.height(), {}};
   picture.rgb.resize(std::size_t(3) * from.width() * from.height());
   GLint read = 0;
@@ -295,8 +312,8 @@ Picture Renderer::readPixels() const {
 
 void Renderer::finish() const { glFinish(); }
 
-void Renderer::invalidate() { parts_->have_layer = parts_->have_picture = false; }
+void Renderer::invalidate() { impl_->have_layer = impl_->have_picture = false; }
 
-const RenderCount& Renderer::count() const { return parts_->count; }
+const RenderCount& Renderer::count() const { return impl_->count; }
 
 }  // namespace moltact

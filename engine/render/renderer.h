@@ -12,10 +12,12 @@
 namespace moltact {
 
 struct RenderOptions {
-  int samples = 1;          ///< samples along each pixel's edge for the atoms, 1 to 4: 2 smooths the edges at 4 times the cost (default 1)
-  bool smooth_glyphs = false;  ///< the samples count for probe, arrow and shapes too: for pictures that are kept (default off)
-  bool outlines = true;     ///< dark rims round atoms that stand in front of others (default on)
-  float line_scale = 1.0f;  ///< multiplies line widths, for displays with small pixels (default 1)
+  int samples = 1;  ///< samples along each pixel's edge for the atoms, 1 to 4: 2 smooths the edges at 4 times the cost
+                    ///< (default 1)
+  bool smooth_glyphs =
+      false;  ///< the samples count for probe, arrow and shapes too: for pictures that are kept (default off)
+  bool outlines = true;        ///< dark rims round atoms that stand in front of others (default on)
+  float line_scale = 1.0f;     ///< multiplies line widths, for displays with small pixels (default 1)
   bool occlusion_cull = true;  ///< leave out atoms that are hidden by others; the picture is the same (default on)
 };
 
@@ -33,11 +35,10 @@ class Renderer {
   Renderer(const Renderer&) = delete;
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Draws into the renderer's own texture. Where graphics are slow, a smaller size with a smaller line_scale, stretched
-  /// by whoever shows the texture, keeps a turning picture fluent.
-  /// Sizes are 1 to 16384 pixels. Does nothing if nothing has changed since the
-  /// last call. The framebuffer, the viewport and the drawing state of the caller are put back. Returns what went wrong
-  /// (a size that the driver refuses, a lost context), or nothing.
+  /// Draws into the renderer's own texture. Where graphics are slow, a smaller size with a smaller line_scale,
+  /// stretched by whoever shows the texture, keeps a turning picture fluent. Sizes are 1 to 16384 pixels. Does nothing
+  /// if nothing has changed since the last call. The framebuffer, the viewport and the drawing state of the caller are
+  /// put back. Returns what went wrong (a size that the driver refuses, a lost context), or nothing.
   std::optional<Problem> draw(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options = {});
 
   /// The last picture as an OpenGL texture (RGBA8, first row at the bottom), for ImGui::Image with uv (0,1) to (1,0).
@@ -59,8 +60,8 @@ class Renderer {
 
  private:
   Renderer();
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace moltact

@@ -59,7 +59,8 @@ void SolidMesh::addCone(const glm::vec3& a, const glm::vec3& b, float radius_a, 
   const float length = glm::length(b - a);
   if (!(length > 0)) return;
   const glm::vec3 axis = (b - a) / length;
-  const glm::vec3 u = glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
+  const glm::vec3 u =
+      glm::normalize(glm::cross(axis, std::abs(axis.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0)));
   const glm::vec3 v = glm::cross(axis, u);
   const float rise = (radius_a - radius_b) / length;
   constexpr int kSides = 28;

@@ -10,7 +10,8 @@ namespace moltact {
 namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 
-// The cell in which a place from -1 to 1 lies. A ball close before the eye reaches as far beyond the picture as one likes.
+// The cell in which a place from -1 to 1 lies. A ball close before the eye reaches as far beyond the picture as one
+// likes.
 int cellAt(float place, float cell) { return wholeOf<int>((place + 1) / cell); }
 
 // The slopes (sideways over ahead) of the two tangents from the eye to a disc; `side` and `depth` are its centre.
@@ -21,8 +22,7 @@ glm::vec2 tangents(float side, float depth, float radius) {
 }
 }  // namespace
 
-bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out,
-                   float rim) {
+bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out, float rim) {
   const float depth = -centre.z;
   if (!(depth - radius > float(projection.depth.near_A))) return false;
   const float widened = radius + rim * depth;
@@ -141,8 +141,10 @@ bool SphereCull::hidden(const DrawnSphere& s) const {
 // A cell is covered where the rays through its four corners all hit the ball, since the image of a ball is convex. Over
 // such a cell the front is nowhere deeper than at the deepest corner: 1 / depth of a convex front is concave.
 void SphereCull::cover(const DrawnSphere& s) {
-  const int x0 = std::max(0, wholeOf<int>(std::ceil((s.low.x + 1) / cell_x_))), x1 = std::min(cells_x_, cellAt(s.high.x, cell_x_));
-  const int y0 = std::max(0, wholeOf<int>(std::ceil((s.low.y + 1) / cell_y_))), y1 = std::min(cells_y_, cellAt(s.high.y, cell_y_));
+  const int x0 = std::max(0, wholeOf<int>(std::ceil((s.low.x + 1) / cell_x_))),
+            x1 = std::min(cells_x_, cellAt(s.high.x, cell_x_));
+  const int y0 = std::max(0, wholeOf<int>(std::ceil((s.low.y + 1) / cell_y_))),
+            y1 = std::min(cells_y_, cellAt(s.high.y, cell_y_));
   if (x1 <= x0) return;
   const float r2 = s.radius * s.radius, depth = -s.centre.z;
   for (int y = y0; y <= y1; ++y) {

@@ -3,9 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
-
 #include <glm/glm.hpp>
+#include <vector>
 
 #include "engine/haptics/ball_scene.h"
 #include "engine/render/projection.h"
@@ -20,8 +19,10 @@ struct DrawnSphere {
   std::uint32_t index = 0;          ///< into the scene
 };
 
-/// The image box of a ball widened by a rim (its width at depth 1); false when it touches the plane at near_A or lies outside the picture.
-bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out, float rim = 0);
+/// The image box of a ball widened by a rim (its width at depth 1); false when it touches the plane at near_A or lies
+/// outside the picture.
+bool projectSphere(const Projection& projection, const glm::vec3& centre, float radius, DrawnSphere& out,
+                   float rim = 0);
 
 class SphereCull {
  public:

@@ -9,17 +9,17 @@ const char* const kVertexText = R"(
 layout(location = 0) in vec2 a_corner;
 layout(location = 1) in vec4 a_sphere;
 layout(location = 2) in vec4 a_colour;
-layout(location = 3) in vec4 a_exposure;
+layout(location = 3) in vec4 a_ambient;
 uniform vec2 u_tan;
 uniform mat3 u_turn;
 out vec3 v_ray;      // z is -1; x and y are linear over the picture
-flat out vec4 v_sphere, v_colour, v_exposure;
+flat out vec4 v_sphere, v_colour, v_ambient;
 out float v_y;
 void main() {
   v_ray = vec3(a_corner * u_tan, -1.0);
   v_sphere = a_sphere;
   v_colour = a_colour;
-  v_exposure = vec4(u_turn * a_exposure.xyz, a_exposure.w);
+  v_ambient = vec4(u_turn * a_ambient.xyz, a_ambient.w);
   v_y = a_corner.y;
   gl_Position = vec4(a_corner, 0.0, 1.0);
 }
@@ -30,7 +30,7 @@ void main() {
 // grow into each other have none between them; its normal is square to the ray, so it is shade.
 const char* const kCutText = R"(
 in vec3 v_ray;
-flat in vec4 v_sphere, v_colour, v_exposure;
+flat in vec4 v_sphere, v_colour, v_ambient;
 in float v_y;
 uniform vec2 u_depth;
 uniform float u_rim;
@@ -56,7 +56,7 @@ const char* const kSolidText = R"(
 void main() {
   vec3 n;
   float facing, depth = cut(n, facing);
-  float open = clamp(v_exposure.w + dot(v_exposure.xyz, n), 0.0, 1.0);
+  float open = clamp(v_ambient.w + dot(v_ambient.xyz, n), 0.0, 1.0);
   vec3 base = v_colour.rgb * v_colour.rgb;
   bool striped = v_colour.a > 0.994 && v_colour.a < 0.998;
   if (striped) {
@@ -95,15 +95,14 @@ Expected<SphereImpostors> SphereImpostors::build() {
     GlStream::floats(0, 2, sizeof(Vertex), offsetof(Vertex, x));
     GlStream::floats(1, 4, sizeof(Vertex), offsetof(Vertex, centre_x));
     GlStream::bytes4(2, sizeof(Vertex), offsetof(Vertex, colour));
-    GlStream::bytes4(3, sizeof(Vertex), offsetof(Vertex, exposure), true);
+    GlStream::bytes4(3, sizeof(Vertex), offsetof(Vertex, ambient_occlusion), true);
   }
   return {std::move(made)};
 }
 
-void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour, std::uint32_t exposure) {
+void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour, std::uint32_t ambient_occlusion) {
   for (const glm::vec2 corner : {s.low, glm::vec2(s.high.x, s.low.y), glm::vec2(s.low.x, s.high.y), s.high})
-    vertices_.push_back(
-        {corner.x, corner.y, s.centre.x, s.centre.y, s.centre.z, s.radius, colour, exposure});
+    vertices_.push_back({corner.x, corner.y, s.centre.x, s.centre.y, s.centre.z, s.radius, colour, ambient_occlusion});
 }
 
 void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting) {
@@ -124,12 +123,12 @@ void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, 
 }
 
 void SphereImpostors::drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
-                                   std::span<const std::uint32_t> tinted, std::uint32_t tint,
-                                   float rim, const Projection& projection, const Lighting& lighting) {
+                                   std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim,
+                                   const Projection& projection, const Lighting& lighting) {
   const std::uint32_t striped = (tint & 0x00FFFFFFu) | packColour({}, kStriped);
   for (const DrawnSphere& s : spheres) {
     const bool is_tinted = std::binary_search(tinted.begin(), tinted.end(), s.index);
-    push(s, is_tinted ? striped : model.colour[s.index], model.exposure[s.index]);
+    push(s, is_tinted ? striped : model.colour[s.index], model.ambient_occlusion[s.index]);
   }
   flush(Pass::Solid, rim, projection, lighting);
 }

@@ -17,7 +17,7 @@ struct Lighting {
   glm::vec3 background_top{0.0f}, background_bottom{0.0f};  ///< what distance fades into
   float fade_from_A = 1e9f, fade_over_A = 1.0f;             ///< depth where the fading begins, and over what length
   float fade_most = 0.0f;                                   ///< share of background at the far end (0 to 1)
-  glm::mat3 turn{1.0f};                                     ///< from the molecule's axes to the camera's
+  glm::mat3 rotation{1.0f};                                 ///< from the molecule's axes to the camera's
 };
 
 /// A ball that belongs to no molecule: HIP, SCP, the atoms of the probe.
@@ -31,17 +31,18 @@ class SphereImpostors {
  public:
   /// How balls meet what is already drawn.
   enum class Pass {
-    Solid,   ///< opaque, lit
-    Ghost,   ///< only where something nearer hides it, at the colour's opacity
-    Shell,   ///< a clear bubble: strongest at its rim
+    Solid,  ///< opaque, lit
+    Ghost,  ///< only where something nearer hides it, at the colour's opacity
+    Shell,  ///< a clear bubble: strongest at its rim
   };
 
   static Expected<SphereImpostors> build();
 
-  /// The `tinted` balls (ascending) get the colour `tint`, and stripes. `rim` is the width at depth 1 of a dark edge round each ball that stands well in front of what is behind it.
+  /// The `tinted` balls (ascending) get the colour `tint`, and stripes. `rim` is the width at depth 1 of a dark edge
+  /// round each ball that stands well in front of what is behind it.
   void drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
-                    std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim,
-                    const Projection& projection, const Lighting& lighting);
+                    std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim, const Projection& projection,
+                    const Lighting& lighting);
   void drawLoose(std::span<const LooseSphere> spheres, Pass pass, const Projection& projection,
                  const Lighting& lighting);
 
@@ -49,10 +50,10 @@ class SphereImpostors {
   struct Vertex {
     float x, y;
     float centre_x, centre_y, centre_z, radius;
-    std::uint32_t colour, exposure;
+    std::uint32_t colour, ambient_occlusion;
   };
   SphereImpostors() : stream_(std::make_unique<GlStream>()) {}
-  void push(const DrawnSphere& sphere, std::uint32_t colour, std::uint32_t exposure);
+  void push(const DrawnSphere& sphere, std::uint32_t colour, std::uint32_t ambient_occlusion);
   void flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting);
 
   GlProgram solid_, shell_;
@@ -63,8 +64,8 @@ class SphereImpostors {
 /// Sets the uniforms `Lighting` and `Projection` of a program that uses kLightingText; the program must be in use.
 void setLighting(const GlProgram& program, const Projection& projection, const Lighting& lighting);
 
-/// GLSL: vec3 lit(vec3 base, vec3 normal, float facing, float depth, float open, float y_ndc) and what it needs; `base` is
-/// the squared colour, `facing` the cosine between the normal and the way to the eye.
+/// GLSL: vec3 lit(vec3 base, vec3 normal, float facing, float depth, float open, float y_ndc) and what it needs; `base`
+/// is the squared colour, `facing` the cosine between the normal and the way to the eye.
 extern const char* const kLightingText;
 
 }  // namespace moltact

@@ -12,8 +12,10 @@ constexpr std::array kShapes{
     ShapeName{Shape::Spheres, "spheres", "the atoms' spheres inflated by the probe, which the hand feels", true},
     ShapeName{Shape::Circles, "circles", "circles where two inflated spheres meet", true},
     ShapeName{Shape::Points, "points", "points where three inflated spheres meet", true},
-    ShapeName{Shape::Cones, "cones", "the two cones that share the circle in use, with the atoms' centres as apexes", true},
-    ShapeName{Shape::Facets, "facets", "the triangles round the contact, while a method that feels triangles is in use", true},
+    ShapeName{Shape::Cones, "cones", "the two cones that share the circle in use, with the atoms' centres as apexes",
+              true},
+    ShapeName{Shape::Facets, "facets", "the triangles round the contact, while a method that feels triangles is in use",
+              true},
     ShapeName{Shape::Hip, "hip", "the haptic interface point: where the hand is", true},
     ShapeName{Shape::Scp, "scp", "the surface contact point: the hand's proxy on the surface", true},
     ShapeName{Shape::Force, "force", "an arrow for the force on the hand", false},
@@ -46,24 +48,39 @@ Expected<ShapeSet> parseShapes(std::string_view names) {
     if (known) continue;
     std::string list;
     for (const ShapeName& s : kShapes) list += std::string(s.name) + ", ";
-    return Problem{.file = {}, .message = "there is no shape named '" + std::string(name) + "'",
+    return Problem{.file = {},
+                   .message = "there is no shape named '" + std::string(name) + "'",
                    .remedy = "the names are " + list + "and the groups haptic, all and none"};
   }
   return set;
 }
 
 Theme darkTheme() {
-  return {.background_top = hex(0x232B38), .background_bottom = hex(0x0D1117),
-          .surface = hex(0x7FC4E8), .in_use = hex(0xFFD166),
-          .hip = hex(0xFF5D8F), .scp = hex(0xFFFFFF), .force = hex(0x3DDC97), .probe = hex(0xA9D6F5),
-          .target = hex(0xFFB000), .wire_strength = 1.0f, .fade = 0.6f};
+  return {.background_top = hex(0x232B38),
+          .background_bottom = hex(0x0D1117),
+          .surface = hex(0x7FC4E8),
+          .in_use = hex(0xFFD166),
+          .hip = hex(0xFF5D8F),
+          .scp = hex(0xFFFFFF),
+          .force = hex(0x3DDC97),
+          .probe = hex(0xA9D6F5),
+          .target = hex(0xFFB000),
+          .wire_strength = 1.0f,
+          .fade = 0.6f};
 }
 
 Theme lightTheme() {
-  return {.background_top = hex(0xFFFFFF), .background_bottom = hex(0xDDE4EC),
-          .surface = hex(0x1E5F8C), .in_use = hex(0xC2410C),
-          .hip = hex(0xD6246E), .scp = hex(0x101820), .force = hex(0x0B8457), .probe = hex(0x2F78B4),
-          .target = hex(0xE07A00), .wire_strength = 1.25f, .fade = 0.42f};
+  return {.background_top = hex(0xFFFFFF),
+          .background_bottom = hex(0xDDE4EC),
+          .surface = hex(0x1E5F8C),
+          .in_use = hex(0xC2410C),
+          .hip = hex(0xD6246E),
+          .scp = hex(0x101820),
+          .force = hex(0x0B8457),
+          .probe = hex(0x2F78B4),
+          .target = hex(0xE07A00),
+          .wire_strength = 1.25f,
+          .fade = 0.42f};
 }
 
 bool sameView(const ViewScene& a, const ViewScene& b) {
@@ -78,10 +95,11 @@ bool sameView(const ViewScene& a, const ViewScene& b) {
     return p.centre.A == q.centre.A && p.radius_A == q.radius_A && p.reached == q.reached;
   };
   return a.blank == b.blank && a.molecule == b.molecule && a.camera == b.camera && a.shown == b.shown &&
-         a.theme == b.theme && a.elements == b.elements && a.colour_by == b.colour_by && samePlace(a.hip, b.hip) && sameContact(a.contact, b.contact) &&
-         a.force_N == b.force_N && a.probe_A == b.probe_A && a.arrow_A_per_N == b.arrow_A_per_N &&
-         a.haptic_atoms == b.haptic_atoms && a.haptic_atoms_at_most == b.haptic_atoms_at_most &&
-         a.facets == b.facets && a.water == b.water && a.hand == b.hand && a.left_hand == b.left_hand && a.highlighted == b.highlighted &&
+         a.theme == b.theme && a.elements == b.elements && a.colour_by == b.colour_by && samePlace(a.hip, b.hip) &&
+         sameContact(a.contact, b.contact) && a.force_N == b.force_N && a.probe_A == b.probe_A &&
+         a.arrow_A_per_N == b.arrow_A_per_N && a.haptic_atoms == b.haptic_atoms &&
+         a.haptic_atoms_at_most == b.haptic_atoms_at_most && a.facets == b.facets && a.water == b.water &&
+         a.hand == b.hand && a.left_hand == b.left_hand && a.highlighted == b.highlighted &&
          std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), sameTarget);
 }
 

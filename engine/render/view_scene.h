@@ -42,9 +42,7 @@ class ShapeSet {
     for (const Shape s : shapes) set(s);
   }
   constexpr bool has(Shape s) const { return bits_ >> unsigned(s) & 1u; }
-  constexpr void set(Shape s, bool on = true) {
-    bits_ = on ? bits_ | 1u << unsigned(s) : bits_ & ~(1u << unsigned(s));
-  }
+  constexpr void set(Shape s, bool on = true) { bits_ = on ? bits_ | 1u << unsigned(s) : bits_ & ~(1u << unsigned(s)); }
   friend constexpr bool operator==(const ShapeSet&, const ShapeSet&) = default;
 
  private:
@@ -61,10 +59,10 @@ Expected<ShapeSet> parseShapes(std::string_view names);
 /// The colours of everything that is not an atom.
 struct Theme {
   Colour background_top, background_bottom;
-  Colour surface;   ///< wires of the haptic surface
-  Colour in_use;    ///< the feature the SCP lies on
+  Colour surface;  ///< wires of the haptic surface
+  Colour in_use;   ///< the feature the SCP lies on
   Colour hip, scp, force, probe;
-  Colour target;    ///< task targets and highlighted atoms
+  Colour target;               ///< task targets and highlighted atoms
   float wire_strength = 1.0f;  ///< wires need more weight on a light ground (default 1)
   float fade = 0.6f;           ///< how much of the background the farthest atom takes on, 0 to 1 (default 0.6)
   bool operator==(const Theme&) const = default;
@@ -92,15 +90,17 @@ struct ViewScene {
   Contact contact;            ///< its SCP and atoms are used while touching
   double force_N = 0.0;       ///< length of the force, along SCP - HIP
   double probe_A = kWaterProbe_A;
-  bool water = true;          ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
-  std::shared_ptr<const SolidModel> hand;  ///< stands with its origin at the HIP, its +y toward the person's hand; may be null
-  bool left_hand = false;     ///< the hand comes from the left (default: from the right)
+  bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
+  std::shared_ptr<const SolidModel>
+      hand;                    ///< stands with its origin at the HIP, its +y toward the person's hand; may be null
+  bool left_hand = false;      ///< the hand comes from the left (default: from the right)
   double arrow_A_per_N = 2.0;  ///< length of the force arrow (default 2 A for 1 N)
 
   std::vector<std::uint32_t> haptic_atoms;  ///< whose haptic shapes are drawn; empty: those nearest to the SCP
   std::size_t haptic_atoms_at_most = 14;    ///< how many are taken when haptic_atoms is empty (default 14)
 
-  std::shared_ptr<const SphereMesh> facets;  ///< what the method in use feels for a ball of radius 1; null: no triangles
+  std::shared_ptr<const SphereMesh>
+      facets;  ///< what the method in use feels for a ball of radius 1; null: no triangles
 
   std::vector<std::uint32_t> highlighted;  ///< atoms marked in the target's colour; out-of-range ones are ignored
   std::vector<TargetMarker> targets;

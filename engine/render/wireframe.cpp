@@ -62,7 +62,9 @@ void Wireframe::pushPiece(std::span<const glm::vec3> ndc, const Strokes::Line& l
   };
   Vertex before[2]{};
   for (std::size_t i = 0; i < ndc.size(); ++i) {
-    const glm::vec2 in = i > 0 ? direction(i - 1, i) : closed ? direction(ndc.size() - 2, ndc.size() - 1) : direction(0, 1);
+    const glm::vec2 in = i > 0    ? direction(i - 1, i)
+                         : closed ? direction(ndc.size() - 2, ndc.size() - 1)
+                                  : direction(0, 1);
     const glm::vec2 out = i + 1 < ndc.size() ? direction(i, i + 1) : closed ? direction(0, 1) : in;
     glm::vec2 along = in + out;
     const float n = glm::length(along);

@@ -14,9 +14,9 @@ namespace moltact {
 
 struct Stroke {
   glm::vec3 colour{1.0f};
-  float alpha = 1.0f;        ///< opacity where in sight
-  float hidden = 0.15f;      ///< share of alpha where hidden (default 0.15)
-  float width_px = 1.5f;     ///< (default 1.5)
+  float alpha = 1.0f;     ///< opacity where in sight
+  float hidden = 0.15f;   ///< share of alpha where hidden (default 0.15)
+  float width_px = 1.5f;  ///< (default 1.5)
 };
 
 /// Lines through places in the camera's axes, gathered for one picture.

@@ -7,9 +7,12 @@ namespace moltact {
 
 std::string_view nameOf(InputWay way) {
   switch (way) {
-    case InputWay::Device: return "device";
-    case InputWay::Mouse: return "mouse";
-    case InputWay::Keyboard: return "keyboard";
+    case InputWay::Device:
+      return "device";
+    case InputWay::Mouse:
+      return "mouse";
+    case InputWay::Keyboard:
+      return "keyboard";
   }
   return "mouse";
 }
@@ -50,8 +53,9 @@ std::string utcText(std::chrono::system_clock::time_point when) {
   const year_month_day date(day);
   const hh_mm_ss time(floor<seconds>(when - day));
   char text[40];
-  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02dZ", int(date.year()), unsigned(date.month()), unsigned(date.day()),
-                int(time.hours().count()), int(time.minutes().count()), int(time.seconds().count()));
+  std::snprintf(text, sizeof text, "%04d-%02u-%02uT%02d:%02d:%02dZ", int(date.year()), unsigned(date.month()),
+                unsigned(date.day()), int(time.hours().count()), int(time.minutes().count()),
+                int(time.seconds().count()));
   return text;
 }
 

@@ -1,6 +1,7 @@
 // One student's way through one lesson as its file keeps it: what happened, in order. Plain data, any thread but the
 // haptic one. How it stands in a file: attempt_lines.h; docs/results.md describes the format for readers.
-// Units: second of use since the attempt began (`t_s`: time while the program was shut does not count), angstrom, newton.
+// Units: second of use since the attempt began (`t_s`: time while the program was shut does not count), angstrom,
+// newton.
 #pragma once
 
 #include <array>
@@ -23,9 +24,9 @@ enum class InputWay : std::uint8_t { Device, Mouse, Keyboard };
 std::string_view nameOf(InputWay way);
 
 struct QuestionOutline {
-  std::string id, text;               ///< plain text
-  std::vector<std::string> choices;   ///< plain text; empty where an answer is written
-  std::vector<std::size_t> right;     ///< indices of the right choices
+  std::string id, text;              ///< plain text
+  std::vector<std::string> choices;  ///< plain text; empty where an answer is written
+  std::vector<std::size_t> right;    ///< indices of the right choices
 };
 
 struct TaskOutline {
@@ -40,9 +41,9 @@ struct StepOutline {
 
 /// What a lesson asked, so that an attempt can be read without the lesson's file.
 struct LessonOutline {
-  std::string file;   ///< its name without folders: "first-touch.md"
+  std::string file;  ///< its name without folders: "first-touch.md"
   std::string title;
-  std::string hash;   ///< of the file's bytes, as contentHash() gives it
+  std::string hash;  ///< of the file's bytes, as contentHash() gives it
   std::vector<StepOutline> steps;
 
   /// Tasks and questions of all steps.
@@ -62,10 +63,10 @@ inline constexpr int kAttemptFormat = 1;
 
 struct AttemptHeader {
   int format = kAttemptFormat;
-  std::string program;     ///< version of the program
-  std::string began;       ///< "2026-11-21T10:58:14Z"
-  std::string student;     ///< a name or code; empty where none was given
-  std::string device;      ///< name of the device at the start
+  std::string program;  ///< version of the program
+  std::string began;    ///< "2026-11-21T10:58:14Z"
+  std::string student;  ///< a name or code; empty where none was given
+  std::string device;   ///< name of the device at the start
   bool gives_force = false;
   LessonOutline lesson;
 };
@@ -78,7 +79,7 @@ struct LoggedFigure {
 };
 
 struct StepEntered {
-  std::string step;        ///< id
+  std::string step;  ///< id
 };
 struct Answered {
   std::string step, question;       ///< ids
@@ -93,22 +94,22 @@ struct HintOpened {
 };
 struct TaskBegun {
   std::string step;
-  std::size_t task = 0;    ///< index in the step
+  std::size_t task = 0;  ///< index in the step
 };
 struct TaskDone {
   std::string step;
   std::size_t task = 0;
-  double took_s = 0.0;     ///< since it was begun
+  double took_s = 0.0;  ///< since it was begun
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
 };
-/// Of a task that asks to draw a force curve before it is felt: the one or the other. Values at even distances from 0 to
-/// `to_A`, both ends included; NaN where nothing was felt.
+/// Of a task that asks to draw a force curve before it is felt: the one or the other. Values at even distances from 0
+/// to `to_A`, both ends included; NaN where nothing was felt.
 struct CurveKept {
   std::string step;
   std::size_t task = 0;
-  bool felt = false;            ///< else drawn
-  std::string axis;             ///< "depth" or "way"
+  bool felt = false;                ///< else drawn
+  std::string axis;                 ///< "depth" or "way"
   double to_A = 1.0, most_N = 1.0;  ///< the ends of the axes
   std::vector<double> force_N;
 };
@@ -118,14 +119,15 @@ struct TouchBegan {
 };
 struct TouchEnded {
   double from_s = 0.0;
-  std::vector<std::int32_t> atoms;  ///< every atom that held the probe, in the order in which it first did; at most kMostTouched
-  std::size_t crossings = 0;        ///< how often the probe came from one set of atoms to another
+  std::vector<std::int32_t>
+      atoms;  ///< every atom that held the probe, in the order in which it first did; at most kMostTouched
+  std::size_t crossings = 0;  ///< how often the probe came from one set of atoms to another
   double peak_N = 0.0, mean_N = 0.0;
-  double path_A = 0.0;              ///< of the SCP
+  double path_A = 0.0;  ///< of the SCP
   InputWay by = InputWay::Mouse;
 };
-/// A touch that goes on, as it is so far: what is left of it where the program is killed. A TouchEnded with the same `from_s`
-/// takes its place.
+/// A touch that goes on, as it is so far: what is left of it where the program is killed. A TouchEnded with the same
+/// `from_s` takes its place.
 struct TouchSoFar {
   double from_s = 0.0;
   std::size_t crossings = 0;
@@ -142,8 +144,8 @@ struct InputChanged {
 };
 /// What is on the stage, as far as playing the trace back needs it.
 struct StageSet {
-  std::string molecule;     ///< id
-  std::string file;         ///< its name without folders
+  std::string molecule;  ///< id
+  std::string file;      ///< its name without folders
   std::size_t atoms = 0;
   Workspace workspace;
   double probe_A = kWaterProbe_A;
@@ -152,44 +154,44 @@ struct StageSet {
   bool force_on = true;
 };
 /// How the person looked at it (engine/render/camera.h).
-struct ViewTurned {
+struct ViewRotated {
   std::array<double, 4> orientation{1, 0, 0, 0};  ///< quaternion: w, x, y, z
   Vec3 target_A{0.0};
   double distance_A = 50.0;
 };
-struct TraceSample {
+struct HipSample {
   double t_s = 0.0;
   PointA hip, scp;
-  ForceN force;             ///< in the device's space
+  ForceN force;  ///< in the device's space
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
 };
 /// The way of the hand for up to kTraceChunk_s. A gap between two samples is a hand at rest.
-struct TraceChunk {
-  std::vector<TraceSample> samples;
+struct HipChunk {
+  std::vector<HipSample> samples;
 };
 struct LessonReread {
   LessonOutline lesson;
 };
 /// The same attempt was taken up again after the program had been shut.
 struct Resumed {
-  std::string at;           ///< UTC
+  std::string at;  ///< UTC
   std::string program, device;
   bool gives_force = false;
 };
 struct ProgressMade {
-  std::string step;         ///< where the student is
+  std::string step;              ///< where the student is
   std::size_t done = 0, of = 0;  ///< tasks and questions; steps seen where the lesson has none
 };
 /// A guess written down before touching, while waiting for a turn at the device.
 struct Predicted {
   std::string student;
-  std::string step;         ///< where the class was
+  std::string step;  ///< where the class was
   std::string question, text;
 };
 /// The program or the lesson was closed, or the turn was passed on.
 struct Left {
-  std::string at;           ///< UTC
+  std::string at;  ///< UTC
 };
 
 /// The lesson is open and looked at: told where nothing else has told the time for kHeartbeat_s.
@@ -197,8 +199,9 @@ struct StillHere {};
 /// What is killed is known to so much of its end (unit: second of use).
 inline constexpr double kHeartbeat_s = 0.9;
 
-using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan, TouchEnded, InputChanged,
-                                 StageSet, ViewTurned, TraceChunk, LessonReread, Resumed, ProgressMade, Predicted, Left, TouchSoFar, StillHere>;
+using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan,
+                                 TouchEnded, InputChanged, StageSet, ViewRotated, HipChunk, LessonReread, Resumed,
+                                 ProgressMade, Predicted, Left, TouchSoFar, StillHere>;
 
 struct AttemptEvent {
   double t_s = 0.0;

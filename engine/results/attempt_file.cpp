@@ -18,9 +18,7 @@ namespace {
 constexpr const char* kTooLarge = "attempts are far smaller: check what file it is";
 
 // The last line where no line end follows it: whole (it reads as an object), or cut off.
-bool reads(std::string_view line) {
-  return bool(readEventLine(line)) || bool(readHeaderLine(line));
-}
+bool reads(std::string_view line) { return bool(readEventLine(line)) || bool(readHeaderLine(line)); }
 
 // The bytes after the last line end, and where they begin; read from the end, for most of a file need not be looked at.
 struct Tail {
@@ -68,9 +66,9 @@ bool beginsAsAttempt(const fs::path& file) {
   return bool(readHeaderLine(std::string_view(line).substr(0, line.find('\n'))));
 }
 
-// Earlier versions counted the times within a line (when a touch began, the samples of the trace) from when the attempt was
-// taken up again, and the line's own time from its beginning. Each can be told from the other: a touch began when its `touch` line
-// says, and a line of the trace has the time of its last sample.
+// Earlier versions counted the times within a line (when a touch began, the samples of the trace) from when the attempt
+// was taken up again, and the line's own time from its beginning. Each can be told from the other: a touch began when
+// its `touch` line says, and a line of the trace has the time of its last sample.
 class TimesWithin {
  public:
   void mend(AttemptEvent& event) {
@@ -78,11 +76,13 @@ class TimesWithin {
     const auto differ = [](double a, double b) { return std::abs(a - b) > kSame_s; };
     if (std::holds_alternative<Resumed>(event.what)) resumed_s_ = event.t_s;
     if (std::holds_alternative<TouchBegan>(event.what)) began_s_ = event.t_s;
-    if (auto* touch = std::get_if<TouchEnded>(&event.what); touch && resumed_s_ > 0.0 && !differ(touch->from_s + resumed_s_, began_s_)) touch->from_s = began_s_;
-    if (auto* chunk = std::get_if<TraceChunk>(&event.what); chunk && !chunk->samples.empty()) {
+    if (auto* touch = std::get_if<TouchEnded>(&event.what);
+        touch && resumed_s_ > 0.0 && !differ(touch->from_s + resumed_s_, began_s_))
+      touch->from_s = began_s_;
+    if (auto* chunk = std::get_if<HipChunk>(&event.what); chunk && !chunk->samples.empty()) {
       const double off_s = event.t_s - chunk->samples.back().t_s;
       if (differ(off_s, 0.0) && !differ(off_s, resumed_s_))
-        for (TraceSample& s : chunk->samples) s.t_s += off_s;
+        for (HipSample& s : chunk->samples) s.t_s += off_s;
     }
   }
 
@@ -153,13 +153,17 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
     if (depth == ReadDepth::NoTrace && leadingKind(line) == "trace") continue;
     Expected<std::optional<AttemptEvent>> event = readEventLine(line);
     if (!event) {
-      if (last) out.torn = true;
-      else out.problems.push_back({file.string(), number, 0, event.problem().message, event.problem().remedy});
+      if (last)
+        out.torn = true;
+      else
+        out.problems.push_back({file.string(), number, 0, event.problem().message, event.problem().remedy});
       continue;
     }
     if (!*event) continue;
     if (const auto* again = std::get_if<LessonReread>(&(*event)->what)) out.header.lesson = again->lesson;
-    if (depth == ReadDepth::NoTrace && (std::holds_alternative<ViewTurned>((*event)->what) || std::holds_alternative<TraceChunk>((*event)->what))) continue;
+    if (depth == ReadDepth::NoTrace &&
+        (std::holds_alternative<ViewRotated>((*event)->what) || std::holds_alternative<HipChunk>((*event)->what)))
+      continue;
     within.mend(**event);
     out.events.push_back(**std::move(event));
   }
@@ -170,7 +174,8 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
 Expected<std::vector<fs::path>> attemptFiles(const fs::path& named) {
   std::error_code error;
   if (!fs::is_directory(named, error)) {
-    if (!fs::exists(named, error)) return Problem{named.string(), 0, 0, "there is no such file or folder", "check the name"};
+    if (!fs::exists(named, error))
+      return Problem{named.string(), 0, 0, "there is no such file or folder", "check the name"};
     return std::vector<fs::path>{named};
   }
   std::vector<fs::path> out;

@@ -105,24 +105,24 @@ struct FactWriter {
     out["centre_A"] = rounded(e.workspace.centre_A);
     out["turn"] = Json::array();
     for (int column = 0; column < 3; ++column)
-      for (int row = 0; row < 3; ++row) out["turn"].push_back(e.workspace.turn[column][row]);
+      for (int row = 0; row < 3; ++row) out["turn"].push_back(e.workspace.rotation[column][row]);
     out["probe_A"] = rounded(e.probe_A);
     out["stiffness_N_per_mm"] = rounded(e.stiffness_N_per_mm);
     out["method"] = e.method;
     out["force_on"] = e.force_on;
   }
-  void operator()(const ViewTurned& e) {
+  void operator()(const ViewRotated& e) {
     for (const double q : e.orientation) out["orientation"].push_back(std::round(q * 1e5) / 1e5);
     out["target_A"] = rounded(e.target_A);
     out["distance_A"] = rounded(e.distance_A);
   }
-  void operator()(const TraceChunk& e) {
+  void operator()(const HipChunk& e) {
     Json ms = Json::array(), hip = Json::array(), scp = Json::array(), force = Json::array(), atoms = Json::array();
     std::string features;
     std::array<std::int32_t, 3> held{-1, -1, -1};
     const double from_s = e.samples.empty() ? 0.0 : e.samples.front().t_s;
     for (std::size_t i = 0; i < e.samples.size(); ++i) {
-      const TraceSample& s = e.samples[i];
+      const HipSample& s = e.samples[i];
       ms.push_back(std::llround((s.t_s - from_s) * 1000.0));
       append(hip, s.hip.A);
       features += kFeatureSigns[static_cast<std::size_t>(s.feature)];
@@ -177,8 +177,8 @@ struct FactWriter {
 
 std::string_view kindOf(const AttemptFact& fact) {
   constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> kKinds{
-      "step", "answer", "hint", "task", "done", "curve", "touch", "released", "input", "stage", "view", "trace", "lesson", "resumed",
-      "progress", "prediction", "left", "touching", "still"};
+      "step", "answer", "hint",   "task",    "done",     "curve",      "touch", "released", "input", "stage",
+      "view", "trace",  "lesson", "resumed", "progress", "prediction", "left",  "touching", "still"};
   return kKinds[fact.index()];
 }
 
@@ -205,7 +205,8 @@ double number(const Json& value, const char* key) {
   if (!value.is_number()) throw Lacking{std::string("'") + key + "' is no number"};
   const double number = value.get<double>();
   const AttemptRange* range = attemptRange(key);
-  if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number))) return number;
+  if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number)))
+    return number;
   if (range && range->whole) throw Lacking{std::string("'") + key + "' is no whole number that fits"};
   throw Lacking{std::string("'") + key + "' is a number that no Moltact writes"};
 }
@@ -214,7 +215,9 @@ double numberOr(const Json& from, const char* key, double otherwise) {
   return from.contains(key) ? numberAt(from, key) : otherwise;
 }
 
-std::size_t count(const Json& value, const char* key) { return static_cast<std::size_t>(std::max(0.0, number(value, key))); }
+std::size_t count(const Json& value, const char* key) {
+  return static_cast<std::size_t>(std::max(0.0, number(value, key)));
+}
 std::size_t countAt(const Json& from, const char* key) { return count(need(from, key), key); }
 
 const Json& list(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
@@ -228,9 +231,7 @@ const Json& listOrNone(const Json& from, const char* key, std::size_t most = ~st
   return from.contains(key) ? list(from, key, most) : kNone;
 }
 
-std::int32_t atom(const Json& value) {
-  return static_cast<std::int32_t>(number(value, "atoms"));
-}
+std::int32_t atom(const Json& value) { return static_cast<std::int32_t>(number(value, "atoms")); }
 
 bool flag(const Json& from, const char* key) {
   const Json& value = need(from, key);
@@ -247,7 +248,8 @@ InputWay way(const Json& from) {
 
 std::vector<double> numbers(const Json& from, const char* key, std::size_t size) {
   const Json& values = list(from, key);
-  if (values.size() != size) throw Lacking{std::string("'") + key + "' should hold " + std::to_string(size) + " numbers"};
+  if (values.size() != size)
+    throw Lacking{std::string("'") + key + "' should hold " + std::to_string(size) + " numbers"};
   std::vector<double> out;
   for (const Json& v : values) out.push_back(number(v, key));
   return out;
@@ -267,10 +269,13 @@ LessonOutline outline(const Json& from) {
   object(from, "lesson");
   LessonOutline out{text(from, "file", true), text(from, "title", true), text(from, "hash", false), {}};
   for (const Json& step : list(from, "steps", kMostSteps)) {
-    StepOutline& s = out.steps.emplace_back(StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
-    for (const Json& task : listOrNone(step, "tasks")) s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false)});
+    StepOutline& s = out.steps.emplace_back(
+        StepOutline{text(object(step, "steps"), "id", true), text(step, "title", false), {}, {}});
+    for (const Json& task : listOrNone(step, "tasks"))
+      s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false)});
     for (const Json& question : listOrNone(step, "questions")) {
-      QuestionOutline& q = s.questions.emplace_back(QuestionOutline{text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}});
+      QuestionOutline& q = s.questions.emplace_back(
+          QuestionOutline{text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}});
       for (const Json& choice : listOrNone(question, "choices")) q.choices.push_back(text(choice, "choices"));
       for (const Json& right : listOrNone(question, "right")) q.right.push_back(count(right, "right"));
     }
@@ -278,7 +283,7 @@ LessonOutline outline(const Json& from) {
   return out;
 }
 
-TraceChunk trace(const Json& from) {
+HipChunk trace(const Json& from) {
   const Json& ms = list(from, "ms");
   const std::string features = text(from, "feature", true);
   const std::size_t n = ms.size();
@@ -292,11 +297,11 @@ TraceChunk trace(const Json& from) {
   }
   const double from_s = numberAt(from, "from");
   const Json& changes = listOrNone(from, "atoms");
-  TraceChunk out;
+  HipChunk out;
   std::array<std::int32_t, 3> held{-1, -1, -1};
   std::size_t change = 0;
   for (std::size_t i = 0, k = 0; i < n; ++i) {
-    TraceSample s;
+    HipSample s;
     s.t_s = from_s + number(ms[i], "ms") / 1000.0;
     s.hip.A = s.scp.A = {hip[3 * i], hip[3 * i + 1], hip[3 * i + 2]};
     const std::size_t feature = kFeatureSigns.find(features[i]);
@@ -309,7 +314,8 @@ TraceChunk trace(const Json& from) {
       if (change < changes.size() && changes[change].is_array() && !changes[change].empty() &&
           count(changes[change][0], "atoms") == i) {
         held = {-1, -1, -1};
-        for (std::size_t a = 1; a < std::min<std::size_t>(4, changes[change].size()); ++a) held[a - 1] = atom(changes[change][a]);
+        for (std::size_t a = 1; a < std::min<std::size_t>(4, changes[change].size()); ++a)
+          held[a - 1] = atom(changes[change][a]);
         ++change;
       }
       s.atoms = held;
@@ -329,8 +335,13 @@ std::vector<std::int32_t> atoms(const Json& from) {
 std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "step") return StepEntered{text(j, "step", true)};
   if (kind == "answer") {
-    Answered a{text(j, "step", true), text(j, "question", true), static_cast<int>(numberAt(j, "attempt")),
-               {}, text(j, "written", false), flag(j, "right"), way(j)};
+    Answered a{text(j, "step", true),
+               text(j, "question", true),
+               static_cast<int>(numberAt(j, "attempt")),
+               {},
+               text(j, "written", false),
+               flag(j, "right"),
+               way(j)};
     for (const Json& c : listOrNone(j, "chosen")) a.chosen.push_back(count(c, "chosen"));
     return a;
   }
@@ -343,40 +354,59 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     return d;
   }
   if (kind == "curve") {
-    CurveKept c{text(j, "step", true), countAt(j, "task"), text(j, "of", true) == "felt", text(j, "axis", false), numberAt(j, "to_A"), numberAt(j, "most_N"), {}};
-    for (const Json& f : list(j, "force_N", kMostCurveValues)) c.force_N.push_back(f.is_null() ? std::nan("") : number(f, "force_N"));
+    CurveKept c{text(j, "step", true),
+                countAt(j, "task"),
+                text(j, "of", true) == "felt",
+                text(j, "axis", false),
+                numberAt(j, "to_A"),
+                numberAt(j, "most_N"),
+                {}};
+    for (const Json& f : list(j, "force_N", kMostCurveValues))
+      c.force_N.push_back(f.is_null() ? std::nan("") : number(f, "force_N"));
     return c;
   }
   if (kind == "touch") return TouchBegan{atoms(j)};
   if (kind == "released")
-    return TouchEnded{numberAt(j, "from"), atoms(j), j.contains("crossings") ? countAt(j, "crossings") : 0, numberAt(j, "peak_N"),
-                      numberOr(j, "mean_N", 0.0), numberOr(j, "path_A", 0.0), way(j)};
+    return TouchEnded{numberAt(j, "from"),
+                      atoms(j),
+                      j.contains("crossings") ? countAt(j, "crossings") : 0,
+                      numberAt(j, "peak_N"),
+                      numberOr(j, "mean_N", 0.0),
+                      numberOr(j, "path_A", 0.0),
+                      way(j)};
   if (kind == "input") return InputChanged{way(j), text(j, "device", false), flag(j, "gives_force")};
   if (kind == "stage") {
-    StageSet s{text(j, "molecule", true), text(j, "file", true), countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
-               numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
+    StageSet s{
+        text(j, "molecule", true),         text(j, "file", true),   countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
+        numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
     s.workspace.A_per_mm = numberAt(j, "A_per_mm");
     s.workspace.centre_A = vector(j, "centre_A");
     const std::vector<double> turn = numbers(j, "turn", 9);
-    for (int k = 0; k < 9; ++k) s.workspace.turn[k / 3][k % 3] = turn[static_cast<std::size_t>(k)];
+    for (int k = 0; k < 9; ++k) s.workspace.rotation[k / 3][k % 3] = turn[static_cast<std::size_t>(k)];
     constexpr double kOff = 1e-3;
-    const glm::dmat3 product = glm::transpose(s.workspace.turn) * s.workspace.turn;
+    const glm::dmat3 product = glm::transpose(s.workspace.rotation) * s.workspace.rotation;
     for (int k = 0; k < 9; ++k)
-      if (std::abs(product[k / 3][k % 3] - (k % 4 == 0)) > kOff || glm::determinant(s.workspace.turn) < 0.0) throw Lacking{"'turn' is no rotation"};
+      if (std::abs(product[k / 3][k % 3] - (k % 4 == 0)) > kOff || glm::determinant(s.workspace.rotation) < 0.0)
+        throw Lacking{"'turn' is no rotation"};
     return s;
   }
   if (kind == "view") {
     const std::vector<double> q = numbers(j, "orientation", 4);
-    if (const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); std::abs(length - 1.0) > 1e-2) throw Lacking{"'orientation' is no rotation"};
-    return ViewTurned{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
+    if (const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); std::abs(length - 1.0) > 1e-2)
+      throw Lacking{"'orientation' is no rotation"};
+    return ViewRotated{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
   }
   if (kind == "trace") return trace(j);
   if (kind == "lesson") return LessonReread{outline(need(j, "lesson"))};
-  if (kind == "resumed") return Resumed{text(j, "at", true), text(j, "program", false), text(j, "device", false), flag(j, "gives_force")};
+  if (kind == "resumed")
+    return Resumed{text(j, "at", true), text(j, "program", false), text(j, "device", false), flag(j, "gives_force")};
   if (kind == "progress") return ProgressMade{text(j, "step", true), countAt(j, "done"), countAt(j, "of")};
-  if (kind == "prediction") return Predicted{text(j, "student", true), text(j, "step", false), text(j, "question", true), text(j, "text", true)};
+  if (kind == "prediction")
+    return Predicted{text(j, "student", true), text(j, "step", false), text(j, "question", true),
+                     text(j, "text", true)};
   if (kind == "touching")
-    return TouchSoFar{numberAt(j, "from"), countAt(j, "crossings"), numberAt(j, "peak_N"), numberAt(j, "mean_N"), numberAt(j, "path_A"), way(j)};
+    return TouchSoFar{numberAt(j, "from"),   countAt(j, "crossings"), numberAt(j, "peak_N"),
+                      numberAt(j, "mean_N"), numberAt(j, "path_A"),   way(j)};
   if (kind == "still") return StillHere{};
   if (kind == "left") return Left{text(j, "at", true)};
   return std::nullopt;

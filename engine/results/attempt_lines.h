@@ -21,15 +21,15 @@ inline constexpr std::string_view kHeaderBegins = R"({"kind":"attempt")";
 /// Whether a first line, or the part of it that there is, begins so.
 bool mayBeginAttempt(std::string_view line);
 
-/// The kind of a line without parsing it, whatever blanks stand in it: most bytes of a file are of the kind "trace". Empty where its first
-/// key is another, as a program that sorts keys writes it: then only reading the line tells.
+/// The kind of a line without parsing it, whatever blanks stand in it: most bytes of a file are of the kind "trace".
+/// Empty where its first key is another, as a program that sorts keys writes it: then only reading the line tells.
 std::string_view leadingKind(std::string_view line);
 
 /// The first line of a file. A Problem (without file and line) where it is none. Unknown keys are passed over.
 Expected<AttemptHeader> readHeaderLine(std::string_view line);
 
-/// Any other line; no value for a kind that is not known (of a newer format). A Problem (without file and line) where it is
-/// no JSON object, or where a key that its kind needs is missing or of another type.
+/// Any other line; no value for a kind that is not known (of a newer format). A Problem (without file and line) where
+/// it is no JSON object, or where a key that its kind needs is missing or of another type.
 Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line);
 
 /// Longer lines are refused (unit: byte).

@@ -17,8 +17,10 @@ std::string fileName(const AttemptHeader& header) {
   if (out.size() > 60) out.resize(60);
   out += '-';
   for (const char c : header.began) {
-    if (c == 'T') out += '-';
-    else if (std::isdigit(static_cast<unsigned char>(c))) out += c;
+    if (c == 'T')
+      out += '-';
+    else if (std::isdigit(static_cast<unsigned char>(c)))
+      out += c;
   }
   return out;
 }
@@ -28,13 +30,14 @@ void moveBy(double s, AttemptEvent& event) {
   event.t_s += s;
   if (auto* touch = std::get_if<TouchEnded>(&event.what)) touch->from_s += s;
   if (auto* touch = std::get_if<TouchSoFar>(&event.what)) touch->from_s += s;
-  if (auto* chunk = std::get_if<TraceChunk>(&event.what))
-    for (TraceSample& sample : chunk->samples) sample.t_s += s;
+  if (auto* chunk = std::get_if<HipChunk>(&event.what))
+    for (HipSample& sample : chunk->samples) sample.t_s += s;
 }
 
 bool isDeed(const AttemptFact& fact) {
-  return std::holds_alternative<TouchBegan>(fact) || std::holds_alternative<Answered>(fact) || std::holds_alternative<HintOpened>(fact) ||
-         std::holds_alternative<TaskDone>(fact) || std::holds_alternative<Predicted>(fact);
+  return std::holds_alternative<TouchBegan>(fact) || std::holds_alternative<Answered>(fact) ||
+         std::holds_alternative<HintOpened>(fact) || std::holds_alternative<TaskDone>(fact) ||
+         std::holds_alternative<Predicted>(fact);
 }
 
 }  // namespace
@@ -52,15 +55,17 @@ void AttemptLog::write(std::string line) {
   writer_->append(std::move(line));
 }
 
-void AttemptLog::beat(double t_s) {
+void AttemptLog::heartbeat(double t_s) {
   if (writer_ && t_s + from_s_ - told_s_ >= kHeartbeat_s) add({t_s, StillHere{}});
 }
 
 void AttemptLog::add(AttemptEvent event) {
   if (!writer_ && folder_.empty()) return;
   moveBy(from_s_, event);
-  if (!std::holds_alternative<TraceChunk>(event.what) && !std::holds_alternative<ViewTurned>(event.what)) told_s_ = std::max(told_s_, event.t_s);
-  const bool step = std::holds_alternative<StepEntered>(event.what), gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;  // of our own lines
+  if (!std::holds_alternative<HipChunk>(event.what) && !std::holds_alternative<ViewRotated>(event.what))
+    told_s_ = std::max(told_s_, event.t_s);
+  const bool step = std::holds_alternative<StepEntered>(event.what),
+             gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;  // of our own lines
   if (!writer_ && (gone_on || isDeed(event.what))) {
     writer_.emplace(AttemptWriter::startNew(folder_, name_));
     write(std::exchange(before_, {}));
@@ -68,7 +73,7 @@ void AttemptLog::add(AttemptEvent event) {
   std::string line = lineOf(event);
   if (!writer_) {
     // A hand that only moves about does not fill the memory.
-    if (before_.size() < kProgressEvery || !std::holds_alternative<TraceChunk>(event.what)) before_ += line;
+    if (before_.size() < kProgressEvery || !std::holds_alternative<HipChunk>(event.what)) before_ += line;
     return;
   }
   write(std::move(line));

@@ -1,6 +1,6 @@
-// An attempt while it goes on: takes its events and has them written. Nothing is kept of a lesson that was only looked at:
-// the file begins with the first deed (a touch, an answer, a hint, a step gone on to). Window's thread; never waits, but in
-// its destructor.
+// An attempt while it goes on: takes its events and has them written. Nothing is kept of a lesson that was only looked
+// at: the file begins with the first deed (a touch, an answer, a hint, a step gone on to). Window's thread; never
+// waits, but in its destructor.
 #pragma once
 
 #include <filesystem>
@@ -21,16 +21,16 @@ class AttemptLog {
 
   /// `event.t_s` is the time of use since this object was made.
   void add(AttemptEvent event);
-  /// Once a frame: tells the time where nothing else has for kHeartbeat_s, so that what is killed is known almost to its end. Views and the hand's
-  /// way do not count, for a report passes over them.
-  void beat(double t_s);
+  /// Once a frame: tells the time where nothing else has for kHeartbeat_s, so that what is killed is known almost to
+  /// its end. Views and the hand's way do not count, for a report passes over them.
+  void heartbeat(double t_s);
 
   /// The file has been begun.
   bool begun() const { return writer_.has_value(); }
   /// The file; empty before it is there.
   std::filesystem::path file() const { return writer_ ? writer_->file() : std::filesystem::path(); }
   /// As AttemptWriter has them.
-  std::optional<Problem> takeTrouble() { return writer_ ? writer_->takeTrouble() : std::nullopt; }
+  std::optional<Problem> takeFault() { return writer_ ? writer_->takeFault() : std::nullopt; }
   bool takeRecovered() { return writer_ && writer_->takeRecovered(); }
   bool flush() { return !writer_ || writer_->flush(); }
 
@@ -41,10 +41,10 @@ class AttemptLog {
   void write(std::string line);
 
   std::filesystem::path folder_;
-  std::string name_;       // of the new file
-  std::string before_;     // lines of which none is a deed
+  std::string name_;    // of the new file
+  std::string before_;  // lines of which none is a deed
   double from_s_ = 0.0;
-  double told_s_ = 0.0;    // the latest time that a report reads, from_s_ counted in
+  double told_s_ = 0.0;  // the latest time that a report reads, from_s_ counted in
   std::size_t since_progress_ = 0;
   std::optional<AttemptEvent> progress_;
   std::optional<AttemptWriter> writer_;

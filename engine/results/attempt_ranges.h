@@ -1,5 +1,5 @@
-// What the numbers of an attempt may be: a table by key, of what a program of ours can have written. A line with a number outside it is passed
-// over and told, so that nobody downstream has to doubt one. Any thread but the haptic one.
+// What the numbers of an attempt may be: a table by key, of what a program of ours can have written. A line with a
+// number outside it is passed over and told, so that nobody downstream has to doubt one. Any thread but the haptic one.
 #pragma once
 
 #include <cstddef>

@@ -14,7 +14,7 @@ namespace moltact {
 namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
-struct AttemptWriter::Works {
+struct AttemptWriter::Impl {
   // Fixed before the thread begins:
   fs::path folder, wanted;
   std::string name;  // empty: `wanted` is taken up again
@@ -24,7 +24,7 @@ struct AttemptWriter::Works {
   std::condition_variable woken, rested;
   std::string waiting;  // whole lines
   fs::path opened;
-  std::optional<Problem> trouble;
+  std::optional<Problem> fault;
   bool recovered = false, stop = false;
   std::uint64_t asked = 0, served = 0;  // rounds that flush() waits for
 
@@ -40,7 +40,7 @@ struct AttemptWriter::Works {
   void run();
 };
 
-std::optional<Problem> AttemptWriter::Works::open() {
+std::optional<Problem> AttemptWriter::Impl::open() {
   if (name.empty()) {
     mendAttempt(wanted);
     Expected<AppendFile> again = AppendFile::open(wanted, AppendFile::Begin::Continue);
@@ -54,16 +54,21 @@ std::optional<Problem> AttemptWriter::Works::open() {
         return problem;
       }
   } else {
-    if (folder.empty()) return Problem{{}, 0, 0, "this computer tells no folder to keep results in", "set HOME or XDG_DATA_HOME"};
+    if (folder.empty())
+      return Problem{{}, 0, 0, "this computer tells no folder to keep results in", "set HOME or XDG_DATA_HOME"};
     std::error_code error;
     fs::create_directories(folder, error);
-    if (error) return Problem{folder.string(), 0, 0, "the folder cannot be made (" + error.message() + ")", "allow writing there, or free some space"};
+    if (error)
+      return Problem{folder.string(), 0, 0, "the folder cannot be made (" + error.message() + ")",
+                     "allow writing there, or free some space"};
     for (int number = 1; !file; ++number) {
       wanted = folder / (name + (number > 1 ? "-" + std::to_string(number) : "") + ".jsonl");
       if (fs::exists(wanted, error)) continue;
       Expected<AppendFile> made = AppendFile::open(wanted, AppendFile::Begin::New);
-      if (made) file.emplace(std::move(*made));
-      else if (!fs::exists(wanted, error)) return made.problem();
+      if (made)
+        file.emplace(std::move(*made));
+      else if (!fs::exists(wanted, error))
+        return made.problem();
     }
   }
   const std::lock_guard held(lock);
@@ -71,7 +76,7 @@ std::optional<Problem> AttemptWriter::Works::open() {
   return std::nullopt;
 }
 
-std::optional<Problem> AttemptWriter::Works::write(const std::string& lines) {
+std::optional<Problem> AttemptWriter::Impl::write(const std::string& lines) {
   if (!file)
     if (std::optional<Problem> problem = open()) return problem;
   if (std::optional<Problem> problem = file->append(lines)) return problem;
@@ -79,18 +84,20 @@ std::optional<Problem> AttemptWriter::Works::write(const std::string& lines) {
   return std::nullopt;
 }
 
-void AttemptWriter::Works::tell(std::optional<Problem> problem) {
-  if (problem && !failing) trouble = std::move(problem);
+void AttemptWriter::Impl::tell(std::optional<Problem> problem) {
+  if (problem && !failing) fault = std::move(problem);
   if (!problem && failing) recovered = true;
 }
 
-void AttemptWriter::Works::run() {
+void AttemptWriter::Impl::run() {
   std::unique_lock held(lock);
   for (;;) {
     const auto pause = failing ? kRetry_s : kSync_s;
     const auto wake = [&] { return stop || asked > served || (!waiting.empty() && !failing); };
-    if (unsynced || failing) woken.wait_for(held, std::chrono::duration<double>(pause), wake);
-    else woken.wait(held, wake);
+    if (unsynced || failing)
+      woken.wait_for(held, std::chrono::duration<double>(pause), wake);
+    else
+      woken.wait(held, wake);
     const bool last = stop;
     const std::uint64_t serving = asked;
     std::string lines = std::exchange(waiting, {});
@@ -119,68 +126,68 @@ void AttemptWriter::Works::run() {
   }
 }
 
-AttemptWriter::AttemptWriter(std::unique_ptr<Works> works) : works_(std::move(works)) {
-  works_->thread = std::thread([w = works_.get()] { w->run(); });
+AttemptWriter::AttemptWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
+  impl_->thread = std::thread([w = impl_.get()] { w->run(); });
 }
 AttemptWriter::AttemptWriter(AttemptWriter&&) noexcept = default;
 AttemptWriter& AttemptWriter::operator=(AttemptWriter&& other) noexcept {
-  std::swap(works_, other.works_);
+  std::swap(impl_, other.impl_);
   return *this;
 }
 
 AttemptWriter AttemptWriter::startNew(fs::path folder, std::string name) {
-  auto works = std::make_unique<Works>();
-  works->folder = std::move(folder);
-  works->name = std::move(name);
-  return AttemptWriter(std::move(works));
+  auto impl = std::make_unique<Impl>();
+  impl->folder = std::move(folder);
+  impl->name = std::move(name);
+  return AttemptWriter(std::move(impl));
 }
 
 AttemptWriter AttemptWriter::goOn(fs::path file) {
-  auto works = std::make_unique<Works>();
-  works->wanted = std::move(file);
-  return AttemptWriter(std::move(works));
+  auto impl = std::make_unique<Impl>();
+  impl->wanted = std::move(file);
+  return AttemptWriter(std::move(impl));
 }
 
 AttemptWriter::~AttemptWriter() {
-  if (!works_) return;
+  if (!impl_) return;
   {
-    const std::lock_guard held(works_->lock);
-    works_->stop = true;
+    const std::lock_guard held(impl_->lock);
+    impl_->stop = true;
   }
-  works_->woken.notify_one();
-  works_->thread.join();
+  impl_->woken.notify_one();
+  impl_->thread.join();
 }
 
 void AttemptWriter::append(std::string line) {
   {
-    const std::lock_guard held(works_->lock);
-    if (works_->waiting.size() + line.size() > kMostWaiting) return;
-    works_->waiting += line;
+    const std::lock_guard held(impl_->lock);
+    if (impl_->waiting.size() + line.size() > kMostWaiting) return;
+    impl_->waiting += line;
   }
-  works_->woken.notify_one();
+  impl_->woken.notify_one();
 }
 
-std::optional<Problem> AttemptWriter::takeTrouble() {
-  const std::lock_guard held(works_->lock);
-  return std::exchange(works_->trouble, std::nullopt);
+std::optional<Problem> AttemptWriter::takeFault() {
+  const std::lock_guard held(impl_->lock);
+  return std::exchange(impl_->fault, std::nullopt);
 }
 
 bool AttemptWriter::takeRecovered() {
-  const std::lock_guard held(works_->lock);
-  return std::exchange(works_->recovered, false);
+  const std::lock_guard held(impl_->lock);
+  return std::exchange(impl_->recovered, false);
 }
 
 bool AttemptWriter::flush() {
-  std::unique_lock held(works_->lock);
-  const std::uint64_t mine = ++works_->asked;
-  works_->woken.notify_one();
-  works_->rested.wait(held, [&] { return works_->served >= mine; });
-  return works_->waiting.empty();
+  std::unique_lock held(impl_->lock);
+  const std::uint64_t mine = ++impl_->asked;
+  impl_->woken.notify_one();
+  impl_->rested.wait(held, [&] { return impl_->served >= mine; });
+  return impl_->waiting.empty();
 }
 
 fs::path AttemptWriter::file() const {
-  const std::lock_guard held(works_->lock);
-  return works_->opened;
+  const std::lock_guard held(impl_->lock);
+  return impl_->opened;
 }
 
 }  // namespace moltact

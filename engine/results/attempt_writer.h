@@ -29,8 +29,8 @@ class AttemptWriter {
   void append(std::string line);
 
   /// What keeps the lines from being written: once each time that it begins, then nothing until it has gone.
-  std::optional<Problem> takeTrouble();
-  /// Lines have been written again after trouble: true once.
+  std::optional<Problem> takeFault();
+  /// Lines have been written again after fault: true once.
   bool takeRecovered();
   /// Tries to write what waits and comes back when that has been done. False where lines still wait.
   bool flush();
@@ -38,15 +38,15 @@ class AttemptWriter {
   /// The file; empty until it has been opened.
   std::filesystem::path file() const;
 
-  static constexpr double kSync_s = 1.0;    ///< at most so long between two waits for the disk
-  static constexpr double kRetry_s = 3.0;   ///< after trouble
+  static constexpr double kSync_s = 1.0;   ///< at most so long between two waits for the disk
+  static constexpr double kRetry_s = 3.0;  ///< after fault
   /// Beyond so much that waits in memory (unit: byte) the newest lines are dropped; the lines before stay whole.
   static constexpr std::size_t kMostWaiting = std::size_t{32} << 20;
 
  private:
-  struct Works;
-  explicit AttemptWriter(std::unique_ptr<Works> works);
-  std::unique_ptr<Works> works_;
+  struct Impl;
+  explicit AttemptWriter(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace moltact

@@ -16,14 +16,16 @@ bool beginsFormula(std::uint32_t c) {
   return kSigns.find(char32_t(c)) != kSigns.npos;
 }
 
-// What a spreadsheet may cut off before it looks whether a cell is a formula: blanks of every width, marks without one, and what
-// stands for a control character.
+// What a spreadsheet may cut off before it looks whether a cell is a formula: blanks of every width, marks without one,
+// and what stands for a control character.
 bool mayBeCutOff(std::uint32_t c) {
-  return c == ' ' || c == '\t' || c == '\n' || c == 0xA0 || c == 0xAD || c == 0x34F || c == 0x61C || c == 0x1680 || c == 0x180E || (c >= 0x2000 && c <= 0x200F) ||
-         c == 0x2028 || c == 0x2029 || c == 0x202F || (c >= 0x205F && c <= 0x2065) || c == 0x3000 || c == 0x3164 || c == 0xFEFF || c == 0xFFA0 || c == 0xFFFD;
+  return c == ' ' || c == '\t' || c == '\n' || c == 0xA0 || c == 0xAD || c == 0x34F || c == 0x61C || c == 0x1680 ||
+         c == 0x180E || (c >= 0x2000 && c <= 0x200F) || c == 0x2028 || c == 0x2029 || c == 0x202F ||
+         (c >= 0x205F && c <= 0x2065) || c == 0x3000 || c == 0x3164 || c == 0xFEFF || c == 0xFFA0 || c == 0xFFFD;
 }
 
-// A cell may begin anew after these where a spreadsheet parts by another sign than the comma, as it does in many countries.
+// A cell may begin anew after these where a spreadsheet parts by another sign than the comma, as it does in many
+// countries.
 bool maySeparate(std::uint32_t c) { return c == ';' || c == '\t' || c == '\n'; }
 
 // An apostrophe before all that a spreadsheet could take for a formula.
@@ -33,7 +35,8 @@ std::string harmless(std::string_view text) {
   std::size_t begin = 0;  // of what would be the cell, in `out`
   while (!text.empty()) {
     const CodePoint c = firstCodePoint(text);
-    const bool odd = out.empty() && (c.code == '\t' || c.code == '\n' || c.code == 0xFFFD);  // no text of a person begins so
+    const bool odd =
+        out.empty() && (c.code == '\t' || c.code == '\n' || c.code == 0xFFFD);  // no text of a person begins so
     if (odd || (at_begin && beginsFormula(c.code))) out.insert(begin, "'");
     at_begin = at_begin && mayBeCutOff(c.code);
     out += text.substr(0, c.bytes);
@@ -87,15 +90,39 @@ class Row {
 std::string answerText(const QuestionOutline& question, const AnswerScore& answer) {
   if (!answer.written.empty()) return answer.written;
   std::string out;
-  for (const std::size_t c : answer.chosen) out += (out.empty() ? "" : " | ") + (c < question.choices.size() ? question.choices[c] : "?");
+  for (const std::size_t c : answer.chosen)
+    out += (out.empty() ? "" : " | ") + (c < question.choices.size() ? question.choices[c] : "?");
   return out;
 }
 
 void head(std::string& out, const ClassSummary& summary) {
   Row row(out);
-  for (const char* name : {"student", "lesson", "lesson_file", "began_utc", "attempts", "done", "of", "done_percent", "finished", "last_step",
-                           "minutes", "questions", "answered", "right_at_first_try", "hints", "touches", "touch_s", "peak_force_N",
-                           "mean_force_N", "path_A", "crossings", "input", "device_percent", "mouse_percent", "keyboard_percent", "device",
+  for (const char* name : {"student",
+                           "lesson",
+                           "lesson_file",
+                           "began_utc",
+                           "attempts",
+                           "done",
+                           "of",
+                           "done_percent",
+                           "finished",
+                           "last_step",
+                           "minutes",
+                           "questions",
+                           "answered",
+                           "right_at_first_try",
+                           "hints",
+                           "touches",
+                           "touch_s",
+                           "peak_force_N",
+                           "mean_force_N",
+                           "path_A",
+                           "crossings",
+                           "input",
+                           "device_percent",
+                           "mouse_percent",
+                           "keyboard_percent",
+                           "device",
                            "force_feedback"})
     row.text(name);
   for (const LessonSummary& lesson : summary.lessons)
@@ -141,8 +168,10 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
   const auto way = p.way();
   row.text(way ? std::string(nameOf(*way)) : "");
   for (const double s : p.touch_ways_s) {
-    if (p.touch_s > 0) row.value(100.0 * s / p.touch_s, 1);
-    else row.empty();
+    if (p.touch_s > 0)
+      row.value(100.0 * s / p.touch_s, 1);
+    else
+      row.empty();
   }
   row.text(p.device);
   row.text(p.gives_force ? "yes" : "no");
@@ -150,19 +179,25 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
     for (const StepOutline& step : lesson.lesson.steps) {
       const bool mine = &lesson == &of;
       const auto time = p.step_s.find(step.id);
-      if (mine && time != p.step_s.end()) row.value(time->second / 60.0, 2);
-      else row.empty();
+      if (mine && time != p.step_s.end())
+        row.value(time->second / 60.0, 2);
+      else
+        row.empty();
       for (const QuestionOutline& q : step.questions) {
         const auto answer = p.answers.find({step.id, q.id});
         const bool given = mine && answer != p.answers.end();
-        if (given) row.text(answerText(q, answer->second)), row.whole(std::size_t(answer->second.tries));
-        else row.empty(), row.empty();
+        if (given)
+          row.text(answerText(q, answer->second)), row.whole(std::size_t(answer->second.tries));
+        else
+          row.empty(), row.empty();
       }
       for (std::size_t t = 0; t < step.tasks.size(); ++t) {
         const auto task = p.tasks.find({step.id, t});
         const bool done = mine && task != p.tasks.end() && task->second.done;
-        if (done) row.value(task->second.took_s, 1), row.text(std::string(nameOf(task->second.by)));
-        else row.empty(), row.empty();
+        if (done)
+          row.value(task->second.took_s, 1), row.text(std::string(nameOf(task->second.by)));
+        else
+          row.empty(), row.empty();
       }
     }
 }

@@ -1,5 +1,5 @@
-// A class as a table for spreadsheets: RFC 4180, UTF-8 with a byte order mark (without it some take the file for another
-// encoding), one row for each person and lesson. The columns are described in docs/results.md.
+// A class as a table for spreadsheets: RFC 4180, UTF-8 with a byte order mark (without it some take the file for
+// another encoding), one row for each person and lesson. The columns are described in docs/results.md.
 #pragma once
 
 #include <string>
@@ -8,9 +8,9 @@
 
 namespace moltact {
 
-/// The whole file. Text that a spreadsheet could take for a formula gets an apostrophe before it, so that nothing written by a student is
-/// ever computed: text that begins with = + - or @ in any width, after whatever blanks or invisible signs, also after a
-/// semicolon, a tab or a line end within. Control characters are replaced.
+/// The whole file. Text that a spreadsheet could take for a formula gets an apostrophe before it, so that nothing
+/// written by a student is ever computed: text that begins with = + - or @ in any width, after whatever blanks or
+/// invisible signs, also after a semicolon, a tab or a line end within. Control characters are replaced.
 std::string classCsv(const ClassSummary& summary);
 
 }  // namespace moltact

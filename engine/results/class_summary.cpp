@@ -11,9 +11,11 @@ namespace {
 
 // "(no name, 21 Nov 10:58)" of "2026-11-21T10:58:14Z".
 std::string nameless(const std::string& began) {
-  static constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun", "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  static constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
+                                      "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0;
-  if (std::sscanf(began.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d", &year, &month, &day, &hour, &minute, &second) != 6 || month < 1 || month > 12)
+  if (std::sscanf(began.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d", &year, &month, &day, &hour, &minute, &second) != 6 ||
+      month < 1 || month > 12)
     return "(no name)";
   char text[48];
   std::snprintf(text, sizeof text, "(no name, %d %s %02d:%02d)", day, kMonths[std::size_t(month - 1)], hour, minute);
@@ -67,8 +69,10 @@ class Counting {
   }
   void operator()(const CurveKept& e) {
     TaskScore& task = p_.tasks[{e.step, e.task}];
-    if (e.felt) task.felt = e;
-    else if (!task.drawn) task.drawn = e;
+    if (e.felt)
+      task.felt = e;
+    else if (!task.drawn)
+      task.drawn = e;
   }
   void operator()(const TouchBegan&) { endOpenTouch(); }
   void operator()(const TouchSoFar& e) {
@@ -99,7 +103,8 @@ class Counting {
     const double lasted_s = std::max(0.0, until_s - e.from_s);
     ++p_.touches;
     p_.crossings += e.crossings;
-    p_.mean_N = p_.touch_s + lasted_s > 0.0 ? (p_.mean_N * p_.touch_s + e.mean_N * lasted_s) / (p_.touch_s + lasted_s) : 0.0;
+    p_.mean_N =
+        p_.touch_s + lasted_s > 0.0 ? (p_.mean_N * p_.touch_s + e.mean_N * lasted_s) / (p_.touch_s + lasted_s) : 0.0;
     p_.touch_s += lasted_s;
     p_.peak_N = std::max(p_.peak_N, e.peak_N);
     p_.path_A += e.path_A;
@@ -143,7 +148,8 @@ std::optional<InputWay> PersonScore::way() const {
 }
 
 ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
-  std::stable_sort(attempts.begin(), attempts.end(), [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
+  std::stable_sort(attempts.begin(), attempts.end(),
+                   [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
   ClassSummary out;
   out.attempts = attempts.size();
 
@@ -159,7 +165,8 @@ ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
     std::snprintf(code, sizeof code, "S%02zu", codes.size() + 1);
     std::string shown = anonymous ? code : named ? a.header.student : nameless(a.header.began);
     // Two without a name in the same minute are two.
-    for (int more = 2; !named && !anonymous && std::find(nobodies.begin(), nobodies.end(), shown) != nobodies.end(); ++more)
+    for (int more = 2; !named && !anonymous && std::find(nobodies.begin(), nobodies.end(), shown) != nobodies.end();
+         ++more)
       shown = nameless(a.header.began) + " #" + std::to_string(more);
     (named || anonymous ? names : nobodies).push_back(shown);
     return codes[key] = shown;
@@ -191,7 +198,8 @@ ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
         }
       lesson.people.push_back(std::move(score));
     }
-    std::stable_sort(lesson.people.begin(), lesson.people.end(), [](const PersonScore& a, const PersonScore& b) { return a.named > b.named; });
+    std::stable_sort(lesson.people.begin(), lesson.people.end(),
+                     [](const PersonScore& a, const PersonScore& b) { return a.named > b.named; });
     out.lessons.push_back(std::move(lesson));
   }
   std::sort(out.lessons.begin(), out.lessons.end(), [](const LessonSummary& a, const LessonSummary& b) {

@@ -1,6 +1,6 @@
-// What a class did, counted from its attempts: plain numbers, from which the CSV and the page are written. Any thread but
-// the haptic one. A person is a student's name, or an attempt where no name was given. Several attempts of a person at a
-// lesson count together: the farthest progress, all the time, and of each question the first answer ever given.
+// What a class did, counted from its attempts: plain numbers, from which the CSV and the page are written. Any thread
+// but the haptic one. A person is a student's name, or an attempt where no name was given. Several attempts of a person
+// at a lesson count together: the farthest progress, all the time, and of each question the first answer ever given.
 #pragma once
 
 #include <array>
@@ -22,8 +22,8 @@ struct AnswerScore {
   std::vector<std::size_t> chosen;  ///< of the first answer
   std::string written;
   bool first_right = false, right = false;
-  int tries = 0;                    ///< until the first right one, or all where there is none
-  InputWay by = InputWay::Mouse;    ///< of the first answer
+  int tries = 0;                  ///< until the first right one, or all where there is none
+  InputWay by = InputWay::Mouse;  ///< of the first answer
 };
 
 struct TaskScore {
@@ -36,17 +36,17 @@ struct TaskScore {
 
 /// One person at one lesson.
 struct PersonScore {
-  std::string person;               ///< the name, or "(no name, 21 Nov 10:58)"
+  std::string person;  ///< the name, or "(no name, 21 Nov 10:58)"
   bool named = false;
-  std::string began;                ///< the first attempt's
+  std::string began;  ///< the first attempt's
   std::size_t attempts = 0;
-  std::size_t done = 0, of = 0;     ///< of the attempt that came farthest
-  std::string last_step;            ///< title of the step where the last attempt stands
+  std::size_t done = 0, of = 0;  ///< of the attempt that came farthest
+  std::string last_step;         ///< title of the step where the last attempt stands
   double time_s = 0.0;
   std::size_t hints = 0, touches = 0, crossings = 0;
   double touch_s = 0.0, peak_N = 0.0, mean_N = 0.0, path_A = 0.0;
-  WayShares touch_ways_s{};         ///< time of touch with each way of input
-  std::string device;               ///< of the last attempt
+  WayShares touch_ways_s{};  ///< time of touch with each way of input
+  std::string device;        ///< of the last attempt
   bool gives_force = false;
   std::map<std::string, double> step_s;                                ///< by step id
   std::map<std::pair<std::string, std::string>, AnswerScore> answers;  ///< by step and question id
@@ -72,7 +72,8 @@ struct ClassSummary {
   std::size_t attempts = 0;
 };
 
-/// Attempts in any order. With `anonymous`, names become "S01", "S02" …, in an order that tells nothing about the names.
+/// Attempts in any order. With `anonymous`, names become "S01", "S02" …, in an order that tells nothing about the
+/// names.
 ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous = false);
 
 /// The value below which a share of sorted values lies, with linear interpolation; 0 of none.

@@ -44,7 +44,8 @@ std::vector<double> sortedValues(const std::vector<Measured>& values) {
 std::string mark(InputWay way, double x, double y) {
   const std::string look = " class=\"mark " + wayClass(way) + "\"/>";
   if (way == InputWay::Device) return format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.2\"", x, y) + look;
-  if (way == InputWay::Mouse) return format("<rect x=\"%.1f\" y=\"%.1f\" width=\"5.6\" height=\"5.6\"", x - 2.8, y - 2.8) + look;
+  if (way == InputWay::Mouse)
+    return format("<rect x=\"%.1f\" y=\"%.1f\" width=\"5.6\" height=\"5.6\"", x - 2.8, y - 2.8) + look;
   return format("<path d=\"M%.1f %.1fl3.4 6h-6.8z\"", x, y - 3.4) + look;
 }
 
@@ -53,12 +54,23 @@ std::string mark(InputWay way, double x, double y) {
 std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : printable(text)) switch (c) {
-      case '&': out += "&amp;"; break;
-      case '<': out += "&lt;"; break;
-      case '>': out += "&gt;"; break;
-      case '"': out += "&quot;"; break;
-      case '\'': out += "&#39;"; break;
-      default: out += c;
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      case '\'':
+        out += "&#39;";
+        break;
+      default:
+        out += c;
     }
   return out;
 }
@@ -85,7 +97,8 @@ std::string waysText(const PersonScore& person) {
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
   if (shares.size() == 1) return std::string(nameOf(shares[0].second));
   std::string out;
-  for (const auto& [s, w] : shares) out += (out.empty() ? "" : ", ") + std::string(nameOf(w)) + " " + percent(s / person.touch_s);
+  for (const auto& [s, w] : shares)
+    out += (out.empty() ? "" : ", ") + std::string(nameOf(w)) + " " + percent(s / person.touch_s);
   return out;
 }
 
@@ -97,7 +110,8 @@ double roundAbove(double value) {
 }
 
 std::string histogram(const std::string& title, const std::string& unit, std::vector<Measured> values) {
-  std::erase_if(values, [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0 || m.value > kGreatest; });
+  std::erase_if(values,
+                [](const Measured& m) { return !std::isfinite(m.value) || m.value < 0.0 || m.value > kGreatest; });
   if (values.empty()) return {};
   const std::vector<double> sorted = sortedValues(values);
   // Counts have a bar each, which stands over its number.
@@ -118,7 +132,10 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
   const int tick = std::max(1, static_cast<int>(roundStep(std::max(1.0, most / 4.5))));
   for (int n = 0; n <= most; n += tick) {
     const double y = kTop + kHigh - n * unit_high;
-    svg += format("<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/><text class=\"axis\" x=\"%.0f\" y=\"%.1f\" text-anchor=\"end\">%d</text>", kLeft, y, kWide, kLeft - 5, y + 3.5, n);
+    svg += format(
+        "<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/><text class=\"axis\" x=\"%.0f\" y=\"%.1f\" "
+        "text-anchor=\"end\">%d</text>",
+        kLeft, y, kWide, kLeft - 5, y + 3.5, n);
   }
   for (std::size_t b = 0; b < bins; ++b) {
     double y = kTop + kHigh;
@@ -126,18 +143,24 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
       const double high = counts[b][std::size_t(w)] * unit_high;
       if (high <= 0) continue;
       y -= high;
-      svg += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"", kLeft + each * double(b) + 1, y, each - 2, high) + " class=\"bar " + wayClass(w) + "\"/>";
+      svg += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"", kLeft + each * double(b) + 1, y,
+                    each - 2, high) +
+             " class=\"bar " + wayClass(w) + "\"/>";
     }
   }
   const int digits = digitsFor(width);
   const std::size_t every = bins > 6 ? 2 : 1;
   for (std::size_t b = 0; b < bins + !counted; b += every)
-    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"%.0f\" text-anchor=\"middle\">%.*f</text>", kLeft + each * (double(b) + (counted ? 0.5 : 0.0)), kTop + kHigh + 14, digits, first + width * double(b));
+    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"%.0f\" text-anchor=\"middle\">%.*f</text>",
+                  kLeft + each * (double(b) + (counted ? 0.5 : 0.0)), kTop + kHigh + 14, digits,
+                  first + width * double(b));
   const double median = quantile(sorted, 0.5), x = kLeft + each * ((median - first) / width + (counted ? 0.5 : 0.0));
   svg += format("<path class=\"median\" d=\"M%.1f %.0fv%.0f\"/>", x, kTop - 4, kHigh + 4);
   svg += "</svg>";
-  return "<figure class=\"histogram\"><figcaption><div><b>" + escaped(title) + "</b>" + (unit.empty() ? "" : ", " + escaped(unit)) + "</div><span>median " +
-         number(median, std::min(3, digits + 1)) + (unit.empty() ? "" : " " + escaped(unit)) + ", n = " + std::to_string(values.size()) + "</span></figcaption>" + svg + "</figure>";
+  return "<figure class=\"histogram\"><figcaption><div><b>" + escaped(title) + "</b>" +
+         (unit.empty() ? "" : ", " + escaped(unit)) + "</div><span>median " + number(median, std::min(3, digits + 1)) +
+         (unit.empty() ? "" : " " + escaped(unit)) + ", n = " + std::to_string(values.size()) + "</span></figcaption>" +
+         svg + "</figure>";
 }
 
 namespace {
@@ -149,15 +172,18 @@ double stripX(double value, double most) {
 }  // namespace
 
 std::string strip(const std::vector<Measured>& values, double most) {
-  std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 22\" role=\"img\" aria-label=\"" + std::to_string(values.size()) + " values\"><path class=\"grid\" d=\"M6 11h408\"/>";
+  std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 22\" role=\"img\" aria-label=\"" +
+                    std::to_string(values.size()) + " values\"><path class=\"grid\" d=\"M6 11h408\"/>";
   const std::vector<double> sorted = sortedValues(values);
   if (sorted.size() >= 4) {
     const double from = stripX(quantile(sorted, 0.25), most), to = stripX(quantile(sorted, 0.75), most);
-    svg += format("<rect class=\"box\" x=\"%.1f\" y=\"3\" width=\"%.1f\" height=\"16\" rx=\"2\"/>", from, std::max(1.0, to - from));
+    svg += format("<rect class=\"box\" x=\"%.1f\" y=\"3\" width=\"%.1f\" height=\"16\" rx=\"2\"/>", from,
+                  std::max(1.0, to - from));
   }
   // Marks that would cover each other go up and down by turns.
   std::vector<Measured> by_value = values;
-  std::stable_sort(by_value.begin(), by_value.end(), [](const Measured& a, const Measured& b) { return a.value < b.value; });
+  std::stable_sort(by_value.begin(), by_value.end(),
+                   [](const Measured& a, const Measured& b) { return a.value < b.value; });
   static constexpr std::array kShift{0.0, -5.0, 5.0, -2.5, 2.5};
   double last = -100;
   std::size_t row = 0;
@@ -179,7 +205,10 @@ std::string stripScale(double most, const std::string& unit) {
   for (int k = 0; k <= steps; ++k) {
     const double v = step * k;
     const bool last = k == steps;
-    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"12\" text-anchor=\"%s\">%.*f%s</text>", stripX(v, most), v == 0 ? "start" : v > most * 0.999 ? "end" : "middle",
+    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"12\" text-anchor=\"%s\">%.*f%s</text>", stripX(v, most),
+                  v == 0             ? "start"
+                  : v > most * 0.999 ? "end"
+                                     : "middle",
                   digitsFor(step), v, last ? (" " + escaped(unit)).c_str() : "");
   }
   return svg + "</svg>";
@@ -188,12 +217,16 @@ std::string stripScale(double most, const std::string& unit) {
 namespace {
 
 // The parts of a line where it has values, in a box of the given size; newlines of the path begin anew after a gap.
-std::string linePath(const std::vector<double>& values, double most, double left, double top, double wide, double high) {
+std::string linePath(const std::vector<double>& values, double most, double left, double top, double wide,
+                     double high) {
   std::string path;
   bool on = false;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const bool there = std::isfinite(values[k]);
-    if (there) path += format("%c%.1f %.1f", on ? 'L' : 'M', left + wide * double(k) / double(std::max<std::size_t>(1, values.size() - 1)), top + high * (1.0 - std::clamp(values[k] / most, 0.0, 1.0)));
+    if (there)
+      path += format("%c%.1f %.1f", on ? 'L' : 'M',
+                     left + wide * double(k) / double(std::max<std::size_t>(1, values.size() - 1)),
+                     top + high * (1.0 - std::clamp(values[k] / most, 0.0, 1.0)));
     on = there;
   }
   return path;
@@ -205,19 +238,29 @@ std::string curves(const std::string& title, const CurveKept& drawn, const std::
   constexpr double kLeft = 24, kTop = 6, kWide = 166, kHigh = 84;
   const double most = drawn.most_N > 0.0 ? drawn.most_N : 1.0;
   std::string svg = "<svg viewBox=\"0 0 196 108\" role=\"img\" aria-label=\"" + escaped(title) + "\">";
-  for (const double part : {0.0, 0.5, 1.0}) svg += format("<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/>", kLeft, kTop + kHigh * part, kWide);
-  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g</text><text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">0</text>", kLeft - 4, kTop + 8, most, kLeft - 4, kTop + kHigh + 3);
-  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g Å</text>", kLeft + kWide, kTop + kHigh + 14, drawn.to_A);
-  svg += "<text class=\"axis\" x=\"" + format("%.0f", kLeft) + "\" y=\"" + format("%.0f", kTop + kHigh + 14) + "\">N against " + escaped(drawn.axis.empty() ? "depth" : drawn.axis) + "</text>";
+  for (const double part : {0.0, 0.5, 1.0})
+    svg += format("<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/>", kLeft, kTop + kHigh * part, kWide);
+  svg += format(
+      "<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g</text><text class=\"axis\" x=\"%.0f\" "
+      "y=\"%.0f\" text-anchor=\"end\">0</text>",
+      kLeft - 4, kTop + 8, most, kLeft - 4, kTop + kHigh + 3);
+  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g Å</text>", kLeft + kWide,
+                kTop + kHigh + 14, drawn.to_A);
+  svg += "<text class=\"axis\" x=\"" + format("%.0f", kLeft) + "\" y=\"" + format("%.0f", kTop + kHigh + 14) +
+         "\">N against " + escaped(drawn.axis.empty() ? "depth" : drawn.axis) + "</text>";
   if (felt) svg += "<path class=\"felt\" d=\"" + linePath(felt->force_N, most, kLeft, kTop, kWide, kHigh) + "\"/>";
   svg += "<path class=\"drawn\" d=\"" + linePath(drawn.force_N, most, kLeft, kTop, kWide, kHigh) + "\"/></svg>";
-  return "<figure class=\"curve\"><figcaption>" + escaped(title) + (felt ? "" : " <span>not felt</span>") + "</figcaption>" + svg + "</figure>";
+  return "<figure class=\"curve\"><figcaption>" + escaped(title) + (felt ? "" : " <span>not felt</span>") +
+         "</figcaption>" + svg + "</figure>";
 }
 
 std::string bar(double share, bool right) {
   const double wide = 198.0 * std::clamp(share, 0.0, 1.0);
-  return format("<svg class=\"share\" viewBox=\"0 0 200 14\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect class=\"track\" x=\"0.5\" y=\"0.5\" width=\"199\" height=\"13\" rx=\"3\"/>"
-                "<rect class=\"%s\" x=\"1\" y=\"1\" width=\"%.1f\" height=\"12\" rx=\"2.5\"/></svg>", right ? "full" : "hatched", wide);
+  return format(
+      "<svg class=\"share\" viewBox=\"0 0 200 14\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect "
+      "class=\"track\" x=\"0.5\" y=\"0.5\" width=\"199\" height=\"13\" rx=\"3\"/>"
+      "<rect class=\"%s\" x=\"1\" y=\"1\" width=\"%.1f\" height=\"12\" rx=\"2.5\"/></svg>",
+      right ? "full" : "hatched", wide);
 }
 
 std::string patterns() {

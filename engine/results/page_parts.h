@@ -1,5 +1,5 @@
-// Small pieces of the class page: escaped text, numbers, and charts as SVG that read in black and white (a way of input is
-// a pattern as well as a colour). Any thread but the haptic one.
+// Small pieces of the class page: escaped text, numbers, and charts as SVG that read in black and white (a way of input
+// is a pattern as well as a colour). Any thread but the haptic one.
 #pragma once
 
 #include <string>

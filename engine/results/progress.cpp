@@ -97,7 +97,8 @@ std::vector<LessonProgress> readProgress(const fs::path& folder, const std::opti
   }
   std::vector<LessonProgress> out;
   for (auto& [name, progress] : by_lesson) out.push_back(std::move(progress));
-  std::sort(out.begin(), out.end(), [](const LessonProgress& a, const LessonProgress& b) { return a.touched > b.touched; });
+  std::sort(out.begin(), out.end(),
+            [](const LessonProgress& a, const LessonProgress& b) { return a.touched > b.touched; });
   return out;
 }
 

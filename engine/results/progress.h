@@ -18,15 +18,15 @@
 namespace moltact {
 
 struct LessonProgress {
-  std::string lesson;          ///< the lesson file's name without folders: "first-touch.md"
+  std::string lesson;  ///< the lesson file's name without folders: "first-touch.md"
   std::string title;
-  std::string student;         ///< of the last attempt; empty where no name was given
-  std::filesystem::path file;  ///< the last attempt
-  std::string began;           ///< when the last attempt began: "2026-11-21T10:58:14Z"
+  std::string student;                      ///< of the last attempt; empty where no name was given
+  std::filesystem::path file;               ///< the last attempt
+  std::string began;                        ///< when the last attempt began: "2026-11-21T10:58:14Z"
   std::filesystem::file_time_type touched;  ///< when it was written last
   std::string step, step_title;             ///< where the student was
   std::size_t done = 0, of = 0;             ///< tasks and questions of the last attempt
-  bool finished = false;       ///< some attempt was finished, not necessarily the last
+  bool finished = false;                    ///< some attempt was finished, not necessarily the last
   std::size_t attempts = 0;
 
   double share() const { return of ? double(done) / double(of) : 0.0; }
@@ -34,10 +34,11 @@ struct LessonProgress {
   bool canResume() const { return done < of; }
 };
 
-/// One entry a lesson that was ever begun, the last one touched first. Reads the two ends of each file only, so that hundreds
-/// of attempts take no longer than a frame or two. What is no attempt is passed over. `student`: only attempts under
-/// this name (no value: all).
-std::vector<LessonProgress> readProgress(const std::filesystem::path& folder, const std::optional<std::string>& student = {});
+/// One entry a lesson that was ever begun, the last one touched first. Reads the two ends of each file only, so that
+/// hundreds of attempts take no longer than a frame or two. What is no attempt is passed over. `student`: only attempts
+/// under this name (no value: all).
+std::vector<LessonProgress> readProgress(const std::filesystem::path& folder,
+                                         const std::optional<std::string>& student = {});
 
 /// What a session needs to go on where an attempt ended; LessonSession::restore takes it.
 SessionMemory memoryOf(const Attempt& attempt);

@@ -37,7 +37,8 @@ std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, doubl
     for (std::size_t q = 0; q < step.questions.size(); ++q) {
       const QuestionStatus& status = session.question(s, q);
       if (status.attempts > seen_[s].attempts[q])
-        out.push_back({t_s, Answered{step.id, step.questions[q].id, status.attempts, status.chosen, status.written, status.last_right, by}});
+        out.push_back({t_s, Answered{step.id, step.questions[q].id, status.attempts, status.chosen, status.written,
+                                     status.last_right, by}});
       seen_[s].attempts[q] = status.attempts;
     }
     for (std::size_t t = 0; t < step.tasks.size(); ++t) {
@@ -45,7 +46,8 @@ std::vector<AttemptEvent> SessionWatch::look(const LessonSession& session, doubl
       if (done && !seen_[s].tasks_done[t]) {
         const bool timed = s == step_ && t == task_;
         TaskDone fact{step.id, t, timed ? t_s - task_begun_s_ : 0.0, by, {}};
-        for (const TaskFigure& f : session.figuresOf(s, t)) fact.figures.push_back({std::string(f.name), f.value, std::string(f.unit)});
+        for (const TaskFigure& f : session.figuresOf(s, t))
+          fact.figures.push_back({std::string(f.name), f.value, std::string(f.unit)});
         out.push_back({t_s, std::move(fact)});
       }
       seen_[s].tasks_done[t] = done;
@@ -78,7 +80,8 @@ void SessionWatch::lookAtCurves(const LessonSession& session, double t_s, std::v
     CurveSeen& before = curves_[t];
     const CurveSeen seen = now ? CurveSeen{now->drawing, now->agreement.has_value()} : CurveSeen();
     const auto tell = [&](bool felt, const std::vector<double>& force_N) {
-      out.push_back({t_s, CurveKept{session.step().id, t, felt, std::string(now->x_name), now->x_most, now->most_N, force_N}});
+      out.push_back(
+          {t_s, CurveKept{session.step().id, t, felt, std::string(now->x_name), now->x_most, now->most_N, force_N}});
     };
     if (before.drawing && !seen.drawing) tell(false, now->drawn);
     if (seen.compared && !before.compared) tell(true, now->felt);

@@ -1,5 +1,5 @@
-// Turns what changes in a lesson's session into events of an attempt, by comparing it with what it was at the last look.
-// Window's thread, once a frame: cheap where nothing changed.
+// Turns what changes in a lesson's session into events of an attempt, by comparing it with what it was at the last
+// look. Window's thread, once a frame: cheap where nothing changed.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,8 @@ namespace moltact {
 
 class SessionWatch {
  public:
-  /// What the session holds now is known already: nothing of it becomes an event, but for the step where the student is.
+  /// What the session holds now is known already: nothing of it becomes an event, but for the step where the student
+  /// is.
   void begin(const LessonSession& session);
 
   /// What has happened since the last look. `by`: what led the probe and gave answers meanwhile.
@@ -34,7 +35,8 @@ class SessionWatch {
 
   const Lesson* lesson_ = nullptr;
   std::vector<StepSeen> seen_;
-  std::size_t step_ = ~std::size_t{0}, task_ = ~std::size_t{0};  // the step and task under way; none: the largest number
+  std::size_t step_ = ~std::size_t{0},
+              task_ = ~std::size_t{0};  // the step and task under way; none: the largest number
   double task_begun_s_ = 0.0;
   std::vector<CurveSeen> curves_;  // of the step where the student is
 };

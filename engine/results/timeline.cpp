@@ -8,7 +8,8 @@ namespace {
 // The last of a list in order of time that is not after `t_s`; null where there is none.
 template <class List>
 auto lastUpTo(const List& list, double t_s) -> const typename List::value_type* {
-  const auto after = std::upper_bound(list.begin(), list.end(), t_s, [](double t, const auto& item) { return t < item.t_s; });
+  const auto after =
+      std::upper_bound(list.begin(), list.end(), t_s, [](double t, const auto& item) { return t < item.t_s; });
   return after == list.begin() ? nullptr : &*std::prev(after);
 }
 
@@ -18,7 +19,8 @@ void sortByTime(List& list) {
 }
 
 const StepOutline* stepOf(const LessonOutline& lesson, const std::string& id) {
-  const auto found = std::find_if(lesson.steps.begin(), lesson.steps.end(), [&](const StepOutline& s) { return s.id == id; });
+  const auto found =
+      std::find_if(lesson.steps.begin(), lesson.steps.end(), [&](const StepOutline& s) { return s.id == id; });
   return found == lesson.steps.end() ? nullptr : &*found;
 }
 
@@ -29,7 +31,8 @@ std::string answerText(const LessonOutline& lesson, const Answered& a) {
   if (!step) return out;
   for (const QuestionOutline& q : step->questions)
     if (q.id == a.question)
-      for (const std::size_t c : a.chosen) out += (out.empty() ? "" : ", ") + (c < q.choices.size() ? q.choices[c] : std::string("?"));
+      for (const std::size_t c : a.chosen)
+        out += (out.empty() ? "" : ", ") + (c < q.choices.size() ? q.choices[c] : std::string("?"));
   return out;
 }
 
@@ -37,11 +40,14 @@ std::string answerText(const LessonOutline& lesson, const Answered& a) {
 
 Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length_s_(0.0) {
   length_s_ = attempt.end_s();
-  const auto mark = [&](double t_s, TimelineMark::Kind kind, std::string text) { marks_.push_back({t_s, kind, std::move(text)}); };
+  const auto mark = [&](double t_s, TimelineMark::Kind kind, std::string text) {
+    marks_.push_back({t_s, kind, std::move(text)});
+  };
   for (AttemptEvent& e : attempt.events) {
-    if (auto* chunk = std::get_if<TraceChunk>(&e.what)) samples_.insert(samples_.end(), chunk->samples.begin(), chunk->samples.end());
+    if (auto* chunk = std::get_if<HipChunk>(&e.what))
+      samples_.insert(samples_.end(), chunk->samples.begin(), chunk->samples.end());
     if (auto* stage = std::get_if<StageSet>(&e.what)) stages_.push_back({e.t_s, std::move(*stage)});
-    if (auto* view = std::get_if<ViewTurned>(&e.what)) views_.push_back({e.t_s, *view});
+    if (auto* view = std::get_if<ViewRotated>(&e.what)) views_.push_back({e.t_s, *view});
     if (auto* input = std::get_if<InputChanged>(&e.what)) inputs_.push_back({e.t_s, input->by});
     if (auto* step = std::get_if<StepEntered>(&e.what)) {
       const StepOutline* known = stepOf(header_.lesson, step->step);
@@ -49,7 +55,9 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
     }
     if (auto* done = std::get_if<TaskDone>(&e.what)) {
       const StepOutline* known = stepOf(header_.lesson, done->step);
-      mark(e.t_s, TimelineMark::Kind::Task, "Done: " + (known && done->task < known->tasks.size() ? known->tasks[done->task].say : std::string("a task")));
+      mark(e.t_s, TimelineMark::Kind::Task,
+           "Done: " +
+               (known && done->task < known->tasks.size() ? known->tasks[done->task].say : std::string("a task")));
     }
     if (auto* answer = std::get_if<Answered>(&e.what))
       mark(e.t_s, answer->right ? TimelineMark::Kind::Right : TimelineMark::Kind::Wrong,
@@ -64,13 +72,13 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
   if (!samples_.empty()) length_s_ = std::max(length_s_, samples_.back().t_s);
 }
 
-std::optional<TraceSample> Timeline::hand(double t_s) const {
-  const TraceSample* before = lastUpTo(samples_, t_s);
+std::optional<HipSample> Timeline::hand(double t_s) const {
+  const HipSample* before = lastUpTo(samples_, t_s);
   if (!before) return std::nullopt;
-  TraceSample out = *before;
+  HipSample out = *before;
   out.t_s = t_s;
   if (before == &samples_.back()) return out;
-  const TraceSample& after = *(before + 1);
+  const HipSample& after = *(before + 1);
   const double span_s = after.t_s - before->t_s;
   // From stage to stage there is no way; one that was put elsewhere, or let go, was not drawn there.
   const StageSet *here = stage(before->t_s), *there = stage(after.t_s);
@@ -91,7 +99,7 @@ const StageSet* Timeline::stage(double t_s) const {
   return found ? &found->fact : nullptr;
 }
 
-const ViewTurned* Timeline::view(double t_s) const {
+const ViewRotated* Timeline::view(double t_s) const {
   const auto* found = lastUpTo(views_, t_s);
   return found ? &found->fact : nullptr;
 }
@@ -99,7 +107,8 @@ const ViewTurned* Timeline::view(double t_s) const {
 double Timeline::nextAfter(double t_s) const {
   double next = length_s_;
   const auto earlier = [&](const auto& list) {
-    const auto found = std::upper_bound(list.begin(), list.end(), t_s, [](double t, const auto& item) { return t < item.t_s; });
+    const auto found =
+        std::upper_bound(list.begin(), list.end(), t_s, [](double t, const auto& item) { return t < item.t_s; });
     if (found != list.end()) next = std::min(next, found->t_s);
   };
   earlier(samples_);

@@ -1,5 +1,6 @@
-// An attempt laid out in time, to be played back: where the hand was at any moment, what was on the stage, how it was seen,
-// and the marks at which something happened. Any thread but the haptic one. Units: second of use, angstrom, newton.
+// An attempt laid out in time, to be played back: where the hand was at any moment, what was on the stage, how it was
+// seen, and the marks at which something happened. Any thread but the haptic one. Units: second of use, angstrom,
+// newton.
 #pragma once
 
 #include <optional>
@@ -28,13 +29,13 @@ class Timeline {
   /// In order of time.
   const std::vector<TimelineMark>& marks() const { return marks_; }
 
-  /// The hand at a moment, between two samples of the trace on the straight way from one to the other; no value before the
-  /// first. The contact is the earlier sample's.
-  std::optional<TraceSample> hand(double t_s) const;
+  /// The hand at a moment, between two samples of the trace on the straight way from one to the other; no value before
+  /// the first. The contact is the earlier sample's.
+  std::optional<HipSample> hand(double t_s) const;
   /// What was on the stage; null before the first molecule.
   const StageSet* stage(double t_s) const;
   /// How it was looked at; null where that is not known.
-  const ViewTurned* view(double t_s) const;
+  const ViewRotated* view(double t_s) const;
   /// When the hand moves or a mark comes next; the end where there is neither.
   double nextAfter(double t_s) const;
   InputWay input(double t_s) const;
@@ -48,9 +49,9 @@ class Timeline {
     Fact fact;
   };
   AttemptHeader header_;
-  std::vector<TraceSample> samples_;
+  std::vector<HipSample> samples_;
   std::vector<At<StageSet>> stages_;
-  std::vector<At<ViewTurned>> views_;
+  std::vector<At<ViewRotated>> views_;
   std::vector<At<InputWay>> inputs_;
   std::vector<TimelineMark> marks_;
   double length_s_ = 0.0;

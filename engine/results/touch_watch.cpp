@@ -36,7 +36,8 @@ void TouchWatch::follow(const TouchSample& s, double t_s, InputWay by) {
     touch_.atoms = s.contact.atoms;
   }
   each([&](std::int32_t a) {
-    if (told.atoms.size() < kMostTouched && std::find(told.atoms.begin(), told.atoms.end(), a) == told.atoms.end()) told.atoms.push_back(a);
+    if (told.atoms.size() < kMostTouched && std::find(told.atoms.begin(), told.atoms.end(), a) == told.atoms.end())
+      told.atoms.push_back(a);
   });
   const double force_N = glm::length(s.force.N);
   told.peak_N = std::max(told.peak_N, force_N);
@@ -57,11 +58,12 @@ void TouchWatch::end() {
 }
 
 void TouchWatch::trace(const TouchSample& s, double t_s) {
-  const TraceSample now{t_s, s.hip, s.contact.scp, s.force, s.contact.feature, s.contact.atoms};
+  const HipSample now{t_s, s.hip, s.contact.scp, s.force, s.contact.feature, s.contact.atoms};
   if (has_before_) {
     const bool changed = now.feature != before_.feature || now.atoms != before_.atoms;
     if (t_s - before_.t_s < (changed ? kChange_s : kSample_s)) return;
-    const bool still = !changed && glm::distance(now.hip.A, before_.hip.A) < kStill_A && glm::distance(now.force.N, before_.force.N) < 0.005;
+    const bool still = !changed && glm::distance(now.hip.A, before_.hip.A) < kStill_A &&
+                       glm::distance(now.force.N, before_.force.N) < 0.005;
     if (still) {
       rested_ = true;
       resting_ = now;
@@ -77,13 +79,13 @@ void TouchWatch::trace(const TouchSample& s, double t_s) {
 
 void TouchWatch::breakOff() {
   if (touching_) end();
-  if (!trace_.empty()) ready_.push_back({trace_.back().t_s, TraceChunk{std::exchange(trace_, {})}});
+  if (!trace_.empty()) ready_.push_back({trace_.back().t_s, HipChunk{std::exchange(trace_, {})}});
   has_before_ = rested_ = false;
 }
 
 std::vector<AttemptEvent> TouchWatch::take(double t_s) {
   if (!trace_.empty() && t_s - trace_.front().t_s >= kTraceChunk_s)
-    ready_.push_back({trace_.back().t_s, TraceChunk{std::exchange(trace_, {})}});
+    ready_.push_back({trace_.back().t_s, HipChunk{std::exchange(trace_, {})}});
   if (touching_ && touch_.last_s - touch_.told_s >= kHeartbeat_s) {
     const TouchEnded& now = touch_.told;
     ready_.push_back({touch_.last_s, TouchSoFar{now.from_s, now.crossings, now.peak_N, mean_N(), now.path_A, now.by}});

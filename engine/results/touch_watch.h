@@ -16,14 +16,14 @@ class TouchWatch {
   /// The stage or the attempt changes: a touch under way ends here.
   void breakOff();
 
-  /// What has become whole since the last call: touches at once, the trace at least every kTraceChunk_s; and of a touch that
-  /// goes on, every kHeartbeat_s, what it is so far.
+  /// What has become whole since the last call: touches at once, the trace at least every kTraceChunk_s; and of a touch
+  /// that goes on, every kHeartbeat_s, what it is so far.
   std::vector<AttemptEvent> take(double t_s);
 
-  static constexpr double kSample_s = 1.0 / 60.0;    ///< the trace has a sample at most so often
-  static constexpr double kChange_s = 1.0 / 250.0;   ///< but so often where the feature or the atoms change
-  static constexpr double kStill_A = 0.002;          ///< a hand that has moved less gives none
-  static constexpr double kTraceChunk_s = 0.5;       ///< what a line of the trace holds at most
+  static constexpr double kSample_s = 1.0 / 60.0;   ///< the trace has a sample at most so often
+  static constexpr double kChange_s = 1.0 / 250.0;  ///< but so often where the feature or the atoms change
+  static constexpr double kStill_A = 0.002;         ///< a hand that has moved less gives none
+  static constexpr double kTraceChunk_s = 0.5;      ///< what a line of the trace holds at most
 
  private:
   struct Touch {
@@ -40,10 +40,10 @@ class TouchWatch {
 
   bool touching_ = false;
   Touch touch_;
-  std::vector<TraceSample> trace_;
-  TraceSample before_;      // the last of the trace
+  std::vector<HipSample> trace_;
+  HipSample before_;  // the last of the trace
   bool has_before_ = false, rested_ = false;
-  TraceSample resting_;     // of a hand at rest, written when it moves again
+  HipSample resting_;  // of a hand at rest, written when it moves again
   std::vector<AttemptEvent> ready_;
 };
 

@@ -80,7 +80,8 @@ void Turns::leave(std::string_view name) {
   const std::size_t index = std::size_t(found - names_.begin());
   names_.erase(found);
   if (names_.empty()) return end();
-  if (index < at_) --at_;
+  if (index < at_)
+    --at_;
   else if (index == at_) {
     at_ %= names_.size();
     left_s_ = turn_s_;

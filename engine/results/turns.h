@@ -1,5 +1,5 @@
-// Who is at the one device of a class, who is next, and for how long: a round of turns of set length. Pure logic on a given
-// clock; window's thread. Unit: second.
+// Who is at the one device of a class, who is next, and for how long: a round of turns of set length. Pure logic on a
+// given clock; window's thread. Unit: second.
 #pragma once
 
 #include <string>
@@ -13,8 +13,8 @@ class Turns {
   static constexpr double kShortest_s = 15.0, kLongest_s = 3600.0;
 
   enum class State {
-    Off,      ///< there are no turns
-    HandOver, ///< the next student is called; the time waits
+    Off,       ///< there are no turns
+    HandOver,  ///< the next student is called; the time waits
     Running,
     Paused,
   };

@@ -1,5 +1,6 @@
 // Reaching farther than the device does: while the clutch's button is held the probe stays and the hand goes back; and
-// where the hand is pushed beyond the edge of its room, the probe goes on slowly. Haptic thread. Units: millimetre, second.
+// where the hand is pushed beyond the edge of its room, the probe goes on slowly. Haptic thread. Units: millimetre,
+// second.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +20,16 @@ class Clutch {
  public:
   static constexpr double kEdge_mm = 10.0;
   static constexpr double kDrift_mm_per_s = 20.0;  ///< at the very edge
-  static constexpr double kStill_mm = 0.2, kLetGo_s = 1.5;  ///< a stylus that moved no farther for so long lies in its stand or hangs
+  static constexpr double kStill_mm = 0.2,
+                          kLetGo_s = 1.5;  ///< a stylus that moved no farther for so long lies in its stand or hangs
 
   void restart() noexcept { offset_mm_ = Vec3(0.0), held_ = false; }
 
-  /// Where the probe is for that pose, in the device's space and beyond. Non-finite places pass as they are. `push` is the way
-  /// in which a surface pushed the hand in the last tick (length 1, or none): at the edge the probe goes on along the surface
-  /// and off it, never deeper.
-  PointMm place(const DevicePose& pose, const ClutchSettings& settings, const Vec3& workspace_mm, const Vec3& push, double dt_s) noexcept {
+  /// Where the probe is for that pose, in the device's space and beyond. Non-finite places pass as they are. `push` is
+  /// the way in which a surface pushed the hand in the last tick (length 1, or none): at the edge the probe goes on
+  /// along the surface and off it, never deeper.
+  PointMm place(const DevicePose& pose, const ClutchSettings& settings, const Vec3& workspace_mm, const Vec3& push,
+                double dt_s) noexcept {
     const Vec3& now = pose.position.mm;
     if (!finite(now)) return pose.position;
     const bool holds = pose.buttons & settings.buttons;
@@ -36,7 +39,7 @@ class Clutch {
     const bool moves = glm::distance(now, rest_mm_) > kStill_mm;
     still_s_ = moves ? 0.0 : still_s_ + dt_s;
     if (moves) rest_mm_ = now;
-    if (settings.at_edge && !holds && !pose.trouble && still_s_ < kLetGo_s) {
+    if (settings.at_edge && !holds && !pose.fault && still_s_ < kLetGo_s) {
       const Vec3 onward = drift(now, workspace_mm) * (kDrift_mm_per_s * dt_s);
       offset_mm_ += onward - push * std::min(0.0, glm::dot(onward, push));
     }

@@ -18,10 +18,11 @@ using Clock = std::chrono::steady_clock;
 using Fault = FaultyDevice::Fault;
 
 constexpr double kPull_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
-constexpr double kStill_mm = 0.5;  // a place at rest wanders by no more
+constexpr double kStill_mm = 0.5;     // a place at rest wanders by no more
 constexpr double kStaleShare = 0.05;  // of the ticks: a computer that is busy with other things has some
-constexpr double kBack_s = 8.0;    // by then the force is back after a fault; a loop that stood stays soft for some seconds
-constexpr double kOver_s = 1.0;    // by then a fault is over
+constexpr double kBack_s =
+    8.0;  // by then the force is back after a fault; a loop that stood stays soft for some seconds
+constexpr double kOver_s = 1.0;  // by then a fault is over
 constexpr auto kStep = std::chrono::milliseconds(10);
 
 std::string text(const char* format, auto... values) {
@@ -32,7 +33,8 @@ std::string text(const char* format, auto... values) {
 
 class Check {
  public:
-  Check(std::unique_ptr<Device> device, const DeviceCheckOptions& options) : options_(options), gives_(device->info().gives_force) {
+  Check(std::unique_ptr<Device> device, const DeviceCheckOptions& options)
+      : options_(options), gives_(device->info().gives_force) {
     settings_.workspace.A_per_mm = 1.0;
     settings_.stiffness_N_per_mm = kWall_N_per_mm;
     settings_.max_force_N = std::min(kMost_N, device->info().max_force_N);
@@ -46,18 +48,23 @@ class Check {
     if (!ready()) stop_ = stopped() ? "broken off" : notReady();
     quiet("places at rest", [this] { still(); });
     if (!gives_) return out_;
-    part("gentle pull", text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kPull_N),
+    part("gentle pull",
+         text("The device will pull to the right with %.1f N, slowly growing. Hold it lightly.", kPull_N),
          [this] { pull(); });
     part("stopped by the panic key", "It will pull again and be stopped in between.", [this] { panic(); });
-    part("late, lost and doubled ticks", "It will pull while the program ticks badly: the force goes and comes back softly.",
-         [this] { badTicks(); });
+    part("late, lost and doubled ticks",
+         "It will pull while the program ticks badly: the force goes and comes back softly.", [this] { badTicks(); });
     part("misread places", "It will pull while its places are misread: the force goes and comes back softly.",
          [this] { badPlaces(); });
-    part("a window that stands", "It will pull while the window stands: you feel nothing of that.", [this] { standingWindow(); });
-    part("another scene in contact", "It will pull to the right and to the left by turns, softly each time.", [this] { swaps(); });
-    part("wall", "There will be a wall in the middle, facing you. Press on it and let go, a few times.", [this] { wall(); });
+    part("a window that stands", "It will pull while the window stands: you feel nothing of that.",
+         [this] { standingWindow(); });
+    part("another scene in contact", "It will pull to the right and to the left by turns, softly each time.",
+         [this] { swaps(); });
+    part("wall", "There will be a wall in the middle, facing you. Press on it and let go, a few times.",
+         [this] { wall(); });
     if (options_.unplug_s > 0.0)
-      part("unplugged and plugged in", "It will pull, and you will be asked to pull out its plug.", [this] { unplug(); });
+      part("unplugged and plugged in", "It will pull, and you will be asked to pull out its plug.",
+           [this] { unplug(); });
     return out_;
   }
 
@@ -127,7 +134,7 @@ class Check {
   }
 
   void feel(std::unique_ptr<Tracker> tracker) {
-    ++settings_.placements;
+    ++settings_.discontinuities;
     servo_.setSettings(settings_);
     servo_.setTracker(std::move(tracker));
   }
@@ -136,15 +143,19 @@ class Check {
   template <class Body>
   void quiet(const char* name, Body body) {
     out_.push_back({.name = name});
-    if (stopped()) out_.back().found = stop_;
-    else doPart(body);
+    if (stopped())
+      out_.back().found = stop_;
+    else
+      doPart(body);
     if (options_.checked) options_.checked(out_.back());
   }
   template <class Body>
   void part(const char* name, const std::string& question, Body body) {
     out_.push_back({.name = name, .forces = true});
-    if (stopped() || (options_.ask && !options_.ask(question)) || stopped()) out_.back().found = stop_.empty() ? "not wanted" : stop_;
-    else doPart(body);
+    if (stopped() || (options_.ask && !options_.ask(question)) || stopped())
+      out_.back().found = stop_.empty() ? "not wanted" : stop_;
+    else
+      doPart(body);
     if (options_.checked) options_.checked(out_.back());
   }
   template <class Body>
@@ -155,8 +166,10 @@ class Check {
     servo_.drain([](const ServoSample&) {});
     body();
     feel(nullptr);
-    if (stopped()) found(false, "broken off");
-    else if (!out_.back().passed && !status_.text.empty()) out_.back().found += ". " + status_.text;
+    if (stopped())
+      found(false, "broken off");
+    else if (!out_.back().passed && !status_.text.empty())
+      out_.back().found += ". " + status_.text;
     if (!out_.back().passed && stop_.empty()) stop_ = "an earlier part failed";
   }
   void found(bool passed, std::string words) {
@@ -166,8 +179,9 @@ class Check {
   // What holds of every tick that the device was given, and that it was given some force.
   void foundSound(bool as_wanted, const std::string& words) {
     const bool sound = !all_.broken && all_.ticks > 0 && all_.greatest_N <= settings_.max_force_N + 1e-9;
-    found(sound && as_wanted, words + text("; %llu ticks, at most %.2f N", static_cast<unsigned long long>(all_.ticks), all_.greatest_N) +
-                                  (all_.broken ? std::string("; ") + all_.broken : ""));
+    found(sound && as_wanted,
+          words + text("; %llu ticks, at most %.2f N", static_cast<unsigned long long>(all_.ticks), all_.greatest_N) +
+              (all_.broken ? std::string("; ") + all_.broken : ""));
   }
 
   void still() {
@@ -187,8 +201,8 @@ class Check {
     const std::string rest = wandered <= kStill_mm ? "" : " (more than a device at rest: was it held still?)";
     const bool fresh = !seen.ticks.empty() && double(stale) <= kStaleShare * double(seen.ticks.size());
     found(fresh && strange == 0 && seen.connected && status_.ready && seen.given.greatest_N == 0.0,
-          text("%zu ticks, wandered %.3f mm%s, %zu places strange, %zu stale, latest tick %.1f ms late", seen.ticks.size(),
-               wandered, rest.c_str(), strange, stale, seen.latest_ms));
+          text("%zu ticks, wandered %.3f mm%s, %zu places strange, %zu stale, latest tick %.1f ms late",
+               seen.ticks.size(), wandered, rest.c_str(), strange, stale, seen.latest_ms));
   }
 
   void pull() {
@@ -211,7 +225,8 @@ class Check {
       stopped_ticks += s.limits.has(Limit::Panic);
       forced += s.limits.has(Limit::Panic) && s.force.N != Vec3(0.0);
     }
-    foundSound(stopped_ticks > 0 && forced == 0, text("%zu ticks stopped, %zu of them with force", stopped_ticks, forced));
+    foundSound(stopped_ticks > 0 && forced == 0,
+               text("%zu ticks stopped, %zu of them with force", stopped_ticks, forced));
   }
 
   // One after the other, each from full force.
@@ -232,18 +247,18 @@ class Check {
                text("%zu of %zu faults met its force, which %s after the last", felt, faults.size(),
                     back ? "came back" : "did not come back"));
   }
-  void badTicks() {
-    suffer({{Fault::Late, 15}, {Fault::Doubled, 50}, {Fault::Lost, 60}, {Fault::Stands, 60}});
-  }
+  void badTicks() { suffer({{Fault::Late, 15}, {Fault::Doubled, 50}, {Fault::Lost, 60}, {Fault::Stands, 60}}); }
   void badPlaces() {
-    suffer({{Fault::Leaps, 1}, {Fault::NotANumber, 50}, {Fault::Leaps, 5}, {Fault::Frozen, 100}, {Fault::NotANumber, 1}});
+    suffer(
+        {{Fault::Leaps, 1}, {Fault::NotANumber, 50}, {Fault::Leaps, 5}, {Fault::Frozen, 100}, {Fault::NotANumber, 1}});
   }
 
   void standingWindow() {
     feelPull();
     feltAgain();
     const auto end = Clock::now() + std::chrono::duration<double>(options_.part_s);
-    while (Clock::now() < end && !stopped()) std::this_thread::sleep_for(kStep);  // nobody asks the device nor takes the ticks
+    while (Clock::now() < end && !stopped())
+      std::this_thread::sleep_for(kStep);  // nobody asks the device nor takes the ticks
     const Seen seen = watch(0.1);
     foundSound(seen.given.last_N > 0.5 * kPull_N, text("the window stood for %.1f s", options_.part_s));
   }
@@ -256,14 +271,16 @@ class Check {
       ticks.insert(ticks.end(), seen.ticks.begin(), seen.ticks.end());
     }
     // From each tick on in which the contact was placed anew, softly from what there was.
-    ForceJudge judge(settings_.max_force_N);
+    ForceMonitor judge(settings_.max_force_N);
     std::size_t placed = 0;
     const char* broken = nullptr;
     for (const ServoSample& s : ticks) {
       if (s.placed) judge.expectSoft(), ++placed;
-      if (const char* now = judge.judge(s.force.N, {.at_once = s.limits.has(Limit::LateLoop)}); now && !broken) broken = now;
+      if (const char* now = judge.judge(s.force.N, {.at_once = s.limits.has(Limit::LateLoop)}); now && !broken)
+        broken = now;
     }
-    foundSound(placed >= 6 && !broken, text("%zu times placed anew", placed) + (broken ? std::string(", ") + broken : ""));
+    foundSound(placed >= 6 && !broken,
+               text("%zu times placed anew", placed) + (broken ? std::string(", ") + broken : ""));
   }
 
   void wall() {
@@ -274,8 +291,8 @@ class Check {
       touching += s.contact.touching();
       damped += s.limits.has(Limit::Damping) || s.limits.has(Limit::EnergyCut);
     }
-    foundSound(seen.connected, text("%zu of %zu ticks in contact, %zu in which made energy was braked away%s", touching, seen.ticks.size(), damped,
-                                    touching ? "" : "; nobody pressed on it"));
+    foundSound(seen.connected, text("%zu of %zu ticks in contact, %zu in which made energy was braked away%s", touching,
+                                    seen.ticks.size(), damped, touching ? "" : "; nobody pressed on it"));
   }
 
   void unplug() {
@@ -288,7 +305,8 @@ class Check {
     if (options_.tell) options_.tell("Now plug it in again, and hold it lightly.");
     if (!waitForPlug(true)) return notDone("it was not plugged in again");
     const bool back = feltAgain();
-    foundSound(silent && back, (silent ? "no force" : text("%.2f N", away.given.last_N)) + " while it was away, " + (back ? "and softly back" : "and none after it"));
+    foundSound(silent && back, (silent ? "no force" : text("%.2f N", away.given.last_N)) + " while it was away, " +
+                                   (back ? "and softly back" : "and none after it"));
   }
   bool waitForPlug(bool in) {
     return watchUntil(options_.unplug_s, [&](const Seen&) {

@@ -1,5 +1,5 @@
-// Which device leads in this tick: the one that was chosen while it is there, else the fallback, in the same tick in which
-// it went; and back again when it comes. Haptic thread.
+// Which device leads in this tick: the one that was chosen while it is there, else the fallback, in the same tick in
+// which it went; and back again when it comes. Haptic thread.
 #pragma once
 
 #include "engine/device/device.h"

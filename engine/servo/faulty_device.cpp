@@ -14,7 +14,8 @@ constexpr int kLatest_ms = 15;
 
 }  // namespace
 
-FaultyDevice::FaultyDevice(std::unique_ptr<Device> device) : device_(std::move(device)), judge_(device_->info().max_force_N) {}
+FaultyDevice::FaultyDevice(std::unique_ptr<Device> device)
+    : device_(std::move(device)), judge_(device_->info().max_force_N) {}
 
 void FaultyDevice::inject(Fault fault, int ticks) {
   left_.store(ticks);
@@ -75,8 +76,9 @@ DevicePose FaultyDevice::read(double dt_s) noexcept {
   if (std::exchange(judged_, &info) != &info) judge_.otherDevice(info.max_force_N);
   if (pose.connected && pose.fresh) fresh_.fetch_add(1, std::memory_order_relaxed);
   // What the device does by itself is a fault like those that are put here.
-  const bool stood = std::exchange(stood_, false), came_or_went = std::exchange(was_connected_, pose.connected) != pose.connected;
-  const bool bad = misread(pose) || pose.trouble || !pose.connected || !finite(pose.position.mm);
+  const bool stood = std::exchange(stood_, false),
+             came_or_went = std::exchange(was_connected_, pose.connected) != pose.connected;
+  const bool bad = misread(pose) || pose.fault || !pose.connected || !finite(pose.position.mm);
   if (stood || came_or_went || std::exchange(was_bad_, bad) || bad) judge_.expectSoft();
   judge_.lasting(bad);
   // What else is wrong, such as a loop that is late by itself, is not known here.
@@ -93,10 +95,17 @@ bool FaultyDevice::misread(DevicePose& pose) noexcept {
       sleepUntil(monotonic_ns() + left_.exchange(0) * kPeriod_ns);
       stood_ = true;
       break;
-    case Fault::Leaps: pose.position.mm.x += odd ? kLeap_mm : -kLeap_mm; break;
-    case Fault::NotANumber: pose.position.mm.y = odd ? std::nan("") : HUGE_VAL; break;
-    case Fault::Frozen: pose.fresh = false; break;
-    default: return false;
+    case Fault::Leaps:
+      pose.position.mm.x += odd ? kLeap_mm : -kLeap_mm;
+      break;
+    case Fault::NotANumber:
+      pose.position.mm.y = odd ? std::nan("") : HUGE_VAL;
+      break;
+    case Fault::Frozen:
+      pose.fresh = false;
+      break;
+    default:
+      return false;
   }
   passed();
   return fault == Fault::Leaps || fault == Fault::NotANumber;

@@ -1,6 +1,7 @@
-// A device with faults put between it and the loop: ticks that come late, twice or not at all, a loop that stands, places that
-// were misread. Everything that is then given to the device is judged (force_judge.h). It brings a clock where the device has
-// none, so that the ticks are its own. Faults are asked for by one thread and done on the loop's. Units: millimetre, newton.
+// A device with faults put between it and the loop: ticks that come late, twice or not at all, a loop that stands,
+// places that were misread. Everything that is then given to the device is judged (force_judge.h). It brings a clock
+// where the device has none, so that the ticks are its own. Faults are asked for by one thread and done on the loop's.
+// Units: millimetre, newton.
 #pragma once
 
 #include <atomic>
@@ -9,7 +10,7 @@
 #include <thread>
 
 #include "engine/device/device.h"
-#include "engine/servo/force_judge.h"
+#include "engine/servo/force_monitor.h"
 
 namespace moltact {
 
@@ -37,9 +38,9 @@ class FaultyDevice final : public Device, private TickTarget {
   struct Given {
     const char* broken = nullptr;  ///< the first promise that was broken
     std::uint64_t ticks = 0;
-    std::uint64_t fresh = 0;       ///< with a fresh place of the device itself
+    std::uint64_t fresh = 0;  ///< with a fresh place of the device itself
     double greatest_N = 0;
-    double last_N = 0;             ///< the newest
+    double last_N = 0;  ///< the newest
   };
   Given given();
 
@@ -73,8 +74,8 @@ class FaultyDevice final : public Device, private TickTarget {
   int late_ = 0;
 
   // The tick's.
-  ForceJudge judge_;
-  ForceJudge::Tick now_;
+  ForceMonitor judge_;
+  ForceMonitor::Tick now_;
   const DeviceInfo* judged_ = nullptr;
   bool was_connected_ = true, was_bad_ = false, stood_ = false;
 

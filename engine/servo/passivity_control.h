@@ -1,6 +1,6 @@
 // Observer and controller of passivity (Hannaford & Ryu 2002), with the spring's store as the reference: a passive
-// surface gives back no more than it was given. What sampling, delay or a method's leaps make beyond that is a debt; what
-// the device's own damping and friction take pays it, and what is left is taken back by braking. Haptic thread.
+// surface gives back no more than it was given. What sampling, delay or a method's leaps make beyond that is a debt;
+// what the device's own damping and friction take pays it, and what is left is taken back by braking. Haptic thread.
 // Units: joule, metre, newton, second.
 #pragma once
 
@@ -8,8 +8,8 @@
 #include <array>
 #include <cstddef>
 
-#include "engine/servo/safety_limits.h"
 #include "engine/core/units.h"
+#include "engine/servo/safety_limits.h"
 
 namespace moltact {
 

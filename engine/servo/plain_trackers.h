@@ -1,4 +1,5 @@
-// Methods without a molecule, for trying a device: what they feel like is known beforehand. Haptic thread. Units: angstrom.
+// Methods without a molecule, for trying a device: what they feel like is known beforehand. Haptic thread. Units:
+// angstrom.
 #pragma once
 
 #include "engine/haptics/tracker.h"
@@ -10,10 +11,11 @@ class PlainTracker : public Tracker {
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return kWaterProbe_A; }
-  Footprint footprint() const noexcept override { return {}; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
 };
 
-/// Pulls along x with a force that does not depend on the place: the spring is stretched by `stretch_A` wherever the hand is.
+/// Pulls along x with a force that does not depend on the place: the spring is stretched by `stretch_A` wherever the
+/// hand is.
 class PullTracker final : public PlainTracker {
  public:
   explicit PullTracker(double stretch_A) : stretch_A_(stretch_A) {}

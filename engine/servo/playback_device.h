@@ -3,15 +3,15 @@
 
 #include <atomic>
 
-#include "engine/servo/trace.h"
+#include "engine/servo/servo_recording.h"
 
 namespace moltact {
 
 class PlaybackDevice final : public Device {
  public:
   /// At the recording's end the hand stays where it is. Without a tick in it the hand rests at the origin.
-  explicit PlaybackDevice(DeviceTrace trace) : trace_(std::move(trace)) {
-    if (!trace_.ticks.empty()) static_cast<DeviceFigures&>(info_) = trace_.ticks.front().device;
+  explicit PlaybackDevice(ServoRecording recording) : trace_(std::move(recording)) {
+    if (!trace_.ticks.empty()) static_cast<DeviceSpecs&>(info_) = trace_.ticks.front().device;
     info_.gives_force = false;
     info_.name = "Recorded hand";
   }
@@ -20,19 +20,21 @@ class PlaybackDevice final : public Device {
   DevicePose read(double) noexcept override {
     if (trace_.ticks.empty()) return {};
     const std::size_t now = next_.load(std::memory_order_relaxed);
-    if (now + 1 < trace_.ticks.size()) next_.store(now + 1, std::memory_order_relaxed);
-    else ended_.store(true, std::memory_order_relaxed);
+    if (now + 1 < trace_.ticks.size())
+      next_.store(now + 1, std::memory_order_relaxed);
+    else
+      ended_.store(true, std::memory_order_relaxed);
     return trace_.ticks[now].pose;
   }
   void write(ForceN) noexcept override {}
 
   /// Any thread: the tick that is read next, what it was recorded with, and whether the last has been read.
   std::size_t at() const noexcept { return next_.load(std::memory_order_relaxed); }
-  const DeviceTrace& trace() const noexcept { return trace_; }
+  const ServoRecording& recording() const noexcept { return trace_; }
   bool ended() const noexcept { return trace_.ticks.empty() || ended_.load(std::memory_order_relaxed); }
 
  private:
-  DeviceTrace trace_;
+  ServoRecording trace_;
   DeviceInfo info_;
   std::atomic<std::size_t> next_{0};
   std::atomic<bool> ended_{false};

@@ -10,11 +10,13 @@ namespace {
 double usable(double figure) { return std::isfinite(figure) ? std::max(0.0, figure) : 0.0; }
 
 // Ours, or what keeps clear of the device's own limit; one that is none counts as none.
-double within(double ours, double of_device) { return of_device > 0.0 ? std::min(ours, safety::kOfOwnLimit * of_device) : ours; }
+double within(double ours, double of_device) {
+  return of_device > 0.0 ? std::min(ours, safety::kOfOwnLimit * of_device) : ours;
+}
 
 }  // namespace
 
-void SafetyStage::setDevice(const DeviceFigures& device) noexcept {
+void SafetyStage::setDevice(const DeviceSpecs& device) noexcept {
   peak_N_ = usable(device.max_force_N);
   continuous_N_ = std::min(peak_N_, usable(device.continuous_force_N));
   max_stiffness_ = usable(device.max_stiffness_N_per_mm);
@@ -34,8 +36,8 @@ void SafetyStage::setDevice(const DeviceFigures& device) noexcept {
   restart();
 }
 
-bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
-  acted_ = Limits();
+bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexcept {
+  acted_ = LimitFlags();
   fault_ = false;
   bool forget = false;
 
@@ -57,8 +59,8 @@ bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
   const bool known = finite(pose.position.mm);
   if (!known) acted_.add(Limit::NotFinite);
   if (!pose.connected) acted_.add(Limit::Unplugged);
-  if (pose.trouble) acted_.add(Limit::DeviceFault);
-  fault_ = fault_ || !known || !pose.connected || pose.trouble;
+  if (pose.fault) acted_.add(Limit::DeviceFault);
+  fault_ = fault_ || !known || !pose.connected || pose.fault;
   heat_.told(double(pose.motor_heat));
   const double unseen_s = stale_s_ + elapsed_s;
   stale_s_ = pose.fresh && known ? 0.0 : unseen_s;
@@ -70,7 +72,7 @@ bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
 
   moved_m_ = Vec3(0.0);
   if (known) {
-    if (!placed_ || back || pose.placements != placements_) {
+    if (!placed_ || back || pose.discontinuities != discontinuities_) {
       speed_.restart();
     } else {
       moved_m_ = 1e-3 * (pose.position.mm - place_mm_);
@@ -82,7 +84,7 @@ bool SafetyStage::look(const DevicePose& pose, const TickTime& time) noexcept {
       }
     }
     place_mm_ = pose.position.mm;
-    placements_ = pose.placements;
+    discontinuities_ = pose.discontinuities;
     placed_ = true;
     speed_.add(1e-3 * place_mm_, elapsed_s);
   }
@@ -120,8 +122,8 @@ double SafetyStage::stored_J(double stretch_mm, double stiffness_N_per_mm, doubl
   return k * s <= most_N ? 0.5 * k * s * s : most_N * s - 0.5 * most_N * most_N / k;
 }
 
-// Above kSlowing of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing. What
-// brakes the hand stays.
+// Above kSlowing of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing.
+// What brakes the hand stays.
 Vec3 SafetyStage::slowed(Vec3 force) noexcept {
   const Vec3 speed = speed_.m_per_s();
   const double fast = glm::length(speed);
@@ -167,7 +169,7 @@ Vec3 SafetyStage::slewed(const Vec3& force) noexcept {
   return force_N_ + change * (most / size);
 }
 
-ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
+ForceN SafetyStage::output(const WantedForce& wanted) noexcept {
   heat_.add(closes_loop_ ? glm::length(force_N_) : 0.0, elapsed_s_);
 
   Vec3 force = wanted.force_N;
@@ -184,13 +186,16 @@ ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
     force *= most / size;
   }
 
-  if (!wanted.on || fault_) restart();
-  else gain_ = std::min(1.0, gain_ + dt_s_ / safety::kSoftStart_s);
+  if (!wanted.on || fault_)
+    restart();
+  else
+    gain_ = std::min(1.0, gain_ + dt_s_ / safety::kSoftStart_s);
   WantedForce known = wanted;
   known.stretch_mm = stretch_mm;
   force = braked(slowed(force), known);
   // Braking is a force like any other.
-  if (const double most = allowed_N(wanted.most_N), braked_size = glm::length(force); braked_size > most) force *= most / braked_size;
+  if (const double most = allowed_N(wanted.most_N), braked_size = glm::length(force); braked_size > most)
+    force *= most / braked_size;
 
   // What follows only takes away: braking too ends where no force is to be.
   if (gain_ < 1.0 && size > 0.0) acted_.add(Limit::SoftStart);
@@ -213,7 +218,7 @@ ForceN SafetyStage::give(const WantedForce& wanted) noexcept {
   return {force};
 }
 
-double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceFigures& device) noexcept {
+double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept {
   return std::min(asked_N_per_mm, SafetyStage(device).stiffnessBound_N_per_mm());
 }
 

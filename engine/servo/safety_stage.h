@@ -5,9 +5,9 @@
 
 #include "engine/device/device.h"
 #include "engine/servo/hand_speed.h"
-#include "engine/servo/heat_budget.h"
 #include "engine/servo/passivity_control.h"
 #include "engine/servo/safety_limits.h"
+#include "engine/servo/thermal_model.h"
 
 namespace moltact {
 
@@ -29,27 +29,28 @@ struct WantedForce {
 class SafetyStage {
  public:
   /// Figures of a device at hand. The force of the next ticks begins softly.
-  explicit SafetyStage(const DeviceFigures& device) noexcept { setDevice(device); }
-  void setDevice(const DeviceFigures& device) noexcept;
+  explicit SafetyStage(const DeviceSpecs& device) noexcept { setDevice(device); }
+  void setDevice(const DeviceSpecs& device) noexcept;
 
   /// First, with the place as read. True: the contact that was is none any more, for the place leapt, the device was
   /// gone, or nothing was known of it for kOff_s; the tracker is to begin anew.
-  bool look(const DevicePose& pose, const TickTime& time) noexcept;
+  bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
   /// The stiffness to feel with for the one that is asked (unit: N/mm): bounded so that the loop is stable, and changed
   /// slowly. Non-finite: none.
   double stiffness(double asked_N_per_mm) noexcept;
 
-  /// Last: the force to give in this tick. Always finite and within the device's greatest; none at all in a tick with a fault.
-  ForceN give(const WantedForce& wanted) noexcept;
+  /// Last: the force to give in this tick. Always finite and within the device's greatest; none at all in a tick with a
+  /// fault.
+  ForceN output(const WantedForce& wanted) noexcept;
 
   /// A new tracker, a hand that was placed anew, a tracker's fault: full force is to be reached softly from nothing.
   void restart() noexcept { gain_ = 0.0; }
   /// Panic: no force at all from this tick on, without a way down, until false again.
   void stop(bool stopped) noexcept { stopped_ = stopped; }
 
-  Limits acted() const noexcept { return acted_; }        ///< in this tick
-  double stiffnessBound_N_per_mm() const noexcept;        ///< with the delay as measured of late
+  LimitFlags acted() const noexcept { return acted_; }                ///< in this tick
+  double stiffnessBound_N_per_mm() const noexcept;                    ///< with the delay as measured of late
   double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 as warm as the motors may be
 
  private:
@@ -68,22 +69,22 @@ class SafetyStage {
   // What is known of the hand.
   HandSpeed speed_;
   Vec3 place_mm_{0.0}, moved_m_{0.0};
-  bool placed_ = false;           // place_mm_ holds a place
-  std::uint32_t placements_ = 0;
+  bool placed_ = false;  // place_mm_ holds a place
+  std::uint32_t discontinuities_ = 0;
   double stale_s_ = 0, delay_s_ = 0;
   double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // since the last tick; the same, but never more than a tick
-  bool off_ = false;              // nothing has been known of the hand for kOff_s, or it is gone
+  bool off_ = false;                             // nothing has been known of the hand for kOff_s, or it is gone
 
   // What is given.
-  HeatBudget heat_;
+  ThermalModel heat_;
   PassivityControl passivity_;
   double gain_ = 0, stiffness_ = 0, stretch_mm_ = 0;
   bool fault_ = false, stopped_ = false;
   Vec3 force_N_{0.0};
-  Limits acted_;
+  LimitFlags acted_;
 };
 
 /// The stiffness that is felt of the one that is asked, at the delay of the device's own figures (unit: N/mm).
-double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceFigures& device) noexcept;
+double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept;
 
 }  // namespace moltact

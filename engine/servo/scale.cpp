@@ -24,8 +24,8 @@ std::string twoDigits(double value) {
 
 }  // namespace
 
-Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceFigures& device) {
-  const Vec3 room = finite(device.workspace_mm) ? device.workspace_mm : DeviceFigures{}.workspace_mm;
+Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceSpecs& device) {
+  const Vec3 room = finite(device.workspace_mm) ? device.workspace_mm : DeviceSpecs{}.workspace_mm;
   const double half_mm = 0.5 * std::min({room.x, room.y, room.z});
   if (!finite(centre.A) || !std::isfinite(radius_A) || !(half_mm > 0) || !std::isfinite(half_mm)) return now;
   Workspace out = now;
@@ -40,11 +40,13 @@ Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA h
   if (!(A_per_mm > 0.0) || !std::isfinite(A_per_mm) || !finite(hand.mm) || !finite(hip.A)) return now;
   Workspace out = now;
   out.A_per_mm = A_per_mm;
-  out.centre_A = hip.A - now.turn * (hand.mm * A_per_mm);
+  out.centre_A = hip.A - now.rotation * (hand.mm * A_per_mm);
   return out;
 }
 
-std::string lengthScale(const Workspace& workspace) { return "1 mm here is " + twoDigits(workspace.A_per_mm) + " Å there"; }
+std::string lengthScale(const Workspace& workspace) {
+  return "1 mm here is " + twoDigits(workspace.A_per_mm) + " Å there";
+}
 
 std::optional<double> carbonPush_pN(double overlap_A) {
   constexpr double kTouch_A = 3.40, kDepth_kcal_per_mol = 0.107, kPn_A_mol_per_kcal = 69.477;
@@ -57,7 +59,8 @@ std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm)
   const std::string length = lengthScale(workspace);
   if (!(stiffness_N_per_mm > 0.0)) return length + "; nothing pushes back.";
   const std::optional<double> push = carbonPush_pN(workspace.A_per_mm / stiffness_N_per_mm);
-  return length + (push ? ", 1 N here would be " + twoDigits(*push) + " pN there." : "; 1 N here presses deeper than atoms can go there.");
+  return length + (push ? ", 1 N here would be " + twoDigits(*push) + " pN there."
+                        : "; 1 N here presses deeper than atoms can go there.");
 }
 
 std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm) {
@@ -67,7 +70,8 @@ std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm) {
   const std::optional<double> push = carbonPush_pN(depth_A);
   if (!push) return deep + ": so far into each other no two atoms can be pressed.";
   return deep + ". Two carbon atoms pressed that far into each other would push back with " + twoDigits(*push) +
-         " pN. The spring in your hand grows evenly with depth; between atoms the force grows ever faster, and a little farther off they attract.";
+         " pN. The spring in your hand grows evenly with depth; between atoms the force grows ever faster, and a "
+         "little farther off they attract.";
 }
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// The scale between a device and a molecule: what it is for a part of the molecule that is to fill the device's room, and
-// what a person is told of it. Any thread but the haptic one. Units: angstrom, millimetre, newton, piconewton.
+// The scale between a device and a molecule: what it is for a part of the molecule that is to fill the device's room,
+// and what a person is told of it. Any thread but the haptic one. Units: angstrom, millimetre, newton, piconewton.
 #pragma once
 
 #include <optional>
@@ -18,32 +18,34 @@ struct Region {
   double radius_A = 0.0;
 };
 
-/// The workspace in which a ball round `centre` fills the device's room as far as its narrowest side allows: the paper's
-/// active haptic workspace, set round a selection. `radius_A` is clamped so that the scale stays within the figures above;
-/// what is not finite leaves `now` as it is.
-Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceFigures& device);
+/// The workspace in which a ball round `centre` fills the device's room as far as its narrowest side allows: the
+/// paper's active haptic workspace, set round a selection. `radius_A` is clamped so that the scale stays within the
+/// figures above; what is not finite leaves `now` as it is.
+Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceSpecs& device);
 
-inline Workspace magnified(const Workspace& now, const Region& region, const DeviceFigures& device) {
+inline Workspace magnified(const Workspace& now, const Region& region, const DeviceSpecs& device) {
   return magnified(now, region.centre, region.radius_A, device);
 }
 
-/// Another scale for a hand that stays where it is, at `hand` and at `hip`. Scales that are no number or not above 0 change nothing.
+/// Another scale for a hand that stays where it is, at `hand` and at `hip`. Scales that are no number or not above 0
+/// change nothing.
 Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA hip);
 
 /// "1 mm here is 0.2 Å there".
 std::string lengthScale(const Workspace& workspace);
 
-/// The force (unit: pN) with which two carbon atoms push each other apart that lie `overlap_A` nearer than they touch: the
-/// yardstick for what a press would be between atoms. The van der Waals term of the Tripos 5.2 force field (Clark, Cramer &
-/// Van Opdenbosch, J. Comput. Chem. 10, 982, 1989), which takes carbon's radius as 1.70 Å, as Bondi and the balls here do:
-/// F = 12 e/R ((R/r)^13 - (R/r)^7), R = 3.40 Å, e = 0.107 kcal/mol, r = R - overlap. Nothing where they do not overlap, and
-/// where they overlap by more than kDeepest_A, which no such term describes.
+/// The force (unit: pN) with which two carbon atoms push each other apart that lie `overlap_A` nearer than they touch:
+/// the yardstick for what a press would be between atoms. The van der Waals term of the Tripos 5.2 force field (Clark,
+/// Cramer & Van Opdenbosch, J. Comput. Chem. 10, 982, 1989), which takes carbon's radius as 1.70 Å, as Bondi and the
+/// balls here do: F = 12 e/R ((R/r)^13 - (R/r)^7), R = 3.40 Å, e = 0.107 kcal/mol, r = R - overlap. Nothing where they
+/// do not overlap, and where they overlap by more than kDeepest_A, which no such term describes.
 std::optional<double> carbonPush_pN(double overlap_A);
 
-inline constexpr double kDeepest_A = 1.0;  ///< there two carbon atoms push with 2 nN, of the order of what breaks a covalent bond
+inline constexpr double kDeepest_A =
+    1.0;  ///< there two carbon atoms push with 2 nN, of the order of what breaks a covalent bond
 
-/// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there": how deep 1 N presses with a spring of `stiffness_N_per_mm`, told by
-/// carbonPush_pN(); in words where it tells nothing.
+/// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there": how deep 1 N presses with a spring of
+/// `stiffness_N_per_mm`, told by carbonPush_pN(); in words where it tells nothing.
 std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm);
 
 /// What that force is, and what the spring leaves out: three sentences, or one where there is no such force.

@@ -6,26 +6,29 @@
 
 namespace moltact {
 
-ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose, const TickTime& time) noexcept {
+ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose,
+                            const TickTime& time) noexcept {
   ServoSample out;
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
-  const bool lost = safety_.look(pose, time);
+  const bool lost = safety_.beginTick(pose, time);
   // A hand that is placed anew, or leapt, is where it is.
-  if (lost || settings.placements != placements_ || pose.placements != hand_placements_) clutch_.restart();
+  if (lost || settings.discontinuities != discontinuities_ || pose.discontinuities != hand_discontinuities_)
+    clutch_.restart();
   out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, push_, kTick_s);
   out.buttons = pose.buttons;
   out.hip = settings.workspace.toMolecule(out.hand);
   out.has_tracker = tracker != nullptr;
-  out.placements = settings.placements;
+  out.discontinuities = settings.discontinuities;
 
   // A new tracker comes as its maker left it: one that was led to the hand keeps the contact over a change of method.
-  out.placed = std::exchange(other_device_, false) || lost || settings.placements != placements_ || pose.placements != hand_placements_;
+  out.placed = std::exchange(other_device_, false) || lost || settings.discontinuities != discontinuities_ ||
+               pose.discontinuities != hand_discontinuities_;
   const bool changed = tracker != last_tracker_ || out.placed;
   if (tracker && out.placed) tracker->reset();
   last_tracker_ = tracker;
-  placements_ = settings.placements;
-  hand_placements_ = pose.placements;
+  discontinuities_ = settings.discontinuities;
+  hand_discontinuities_ = pose.discontinuities;
   // At another scale the same way in gives another force.
   const bool rescaled = std::exchange(A_per_mm_, settings.workspace.A_per_mm) != settings.workspace.A_per_mm;
   if (changed || rescaled) safety_.restart();
@@ -42,10 +45,10 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
     }
     out.probe_A = tracker->probe_A();
     out.contact = tracker->step(out.hip);
-    out.footprint = tracker->footprint();
+    out.memory_usage = tracker->memoryUsage();
     wanted = feel(settings, out);
   }
-  out.force = safety_.give(wanted);
+  out.force = safety_.output(wanted);
   out.limits = safety_.acted();
   out.stiffness_bound_N_per_mm = safety_.stiffnessBound_N_per_mm();
   return out;
@@ -53,7 +56,8 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
 
 WantedForce ServoStep::feel(const ServoSettings& settings, const ServoSample& sample) noexcept {
   const Contact& contact = sample.contact;
-  WantedForce wanted{.most_N = settings.max_force_N, .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
+  WantedForce wanted{.most_N = settings.max_force_N,
+                     .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
   if (!contact.touching()) return wanted;
   wanted.stiffness_N_per_mm = safety_.stiffness(settings.stiffness_N_per_mm);
   wanted.force_N = settings.workspace.spring(sample.hip, springEnd(contact, sample.hip), wanted.stiffness_N_per_mm).N;

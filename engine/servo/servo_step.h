@@ -12,16 +12,18 @@
 
 namespace moltact {
 
-/// What the program asks of the servo loop; handed over whole. Values out of range are clamped, non-finite ones ignored.
+/// What the program asks of the servo loop; handed over whole. Values out of range are clamped, non-finite ones
+/// ignored.
 struct ServoSettings {
   Workspace workspace;
-  double stiffness_N_per_mm = 0.5;  ///< of the spring between HIP and SCP, in the device's space (0 to 5); less where it would buzz
-  double max_force_N = 3.3;         ///< the force's norm is clamped to this
-  double probe_A = kWaterProbe_A;   ///< reached gradually, kProbeSlew_A_per_s
-  bool force_on = true;             ///< false: contact is followed, but no force is given
-  ClutchSettings clutch;            ///< how the hand reaches farther than the device
-  bool panic = false;               ///< true: no force from the next tick on, whatever else holds
-  std::uint32_t placements = 0;     ///< raised by one: forget the contact and begin anew where the HIP is
+  double stiffness_N_per_mm =
+      0.5;  ///< of the spring between HIP and SCP, in the device's space (0 to 5); less where it would buzz
+  double max_force_N = 3.3;           ///< the force's norm is clamped to this
+  double probe_A = kWaterProbe_A;     ///< reached gradually, kProbeSlew_A_per_s
+  bool force_on = true;               ///< false: contact is followed, but no force is given
+  ClutchSettings clutch;              ///< how the hand reaches farther than the device
+  bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
+  std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and begin anew where the HIP is
 };
 
 inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may swell under the finger
@@ -29,39 +31,42 @@ inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may
 /// What one tick found: whole, for the screen, the lesson and the log.
 struct ServoSample {
   std::uint64_t tick = 0;
-  double time_s = 0;       ///< since the loop began
-  PointMm hand;            ///< the device's place, moved on by the clutch
-  PointA hip;              ///< the same in the molecule's space
+  double time_s = 0;  ///< since the loop began
+  PointMm hand;       ///< the device's place, moved on by the clutch
+  PointA hip;         ///< the same in the molecule's space
   Contact contact;
-  ForceN force;            ///< as given to the device, after every limit
-  Limits limits;           ///< those that changed the force of this tick
-  double probe_A = 0;      ///< in force at this tick
-  Footprint footprint;     ///< of the tracker
+  ForceN force;              ///< as given to the device, after every limit
+  LimitFlags limits;         ///< those that changed the force of this tick
+  double probe_A = 0;        ///< in force at this tick
+  MemoryUsage memory_usage;  ///< of the tracker
   std::uint32_t buttons = 0;
-  float work_us = 0;       ///< how long the tick took (0 on a virtual clock)
-  float late_us = 0;       ///< how long after its due time it began (0 on a virtual clock)
-  double stiffness_bound_N_per_mm = 0;  ///< the stiffest spring that is given, for the device and the delay as measured of late
+  float work_us = 0;  ///< how long the tick took (0 on a virtual clock)
+  float late_us = 0;  ///< how long after its due time it began (0 on a virtual clock)
+  double stiffness_bound_N_per_mm =
+      0;  ///< the stiffest spring that is given, for the device and the delay as measured of late
   bool has_tracker = false;
-  std::uint32_t scene = 0;       ///< the number that the tracker was handed over with (0 from tick() itself)
-  std::uint32_t placements = 0;  ///< of the settings in force at this tick
-  bool placed = false;     ///< the contact was forgotten before this tick: hand or scene were placed anew, or the hand was lost
+  std::uint32_t scene = 0;            ///< the number that the tracker was handed over with (0 from tick() itself)
+  std::uint32_t discontinuities = 0;  ///< of the settings in force at this tick
+  bool placed =
+      false;  ///< the contact was forgotten before this tick: hand or scene were placed anew, or the hand was lost
 };
 
 class ServoStep {
  public:
-  explicit ServoStep(const DeviceFigures& device = {}) : workspace_mm_(device.workspace_mm), safety_(device) {}
+  explicit ServoStep(const DeviceSpecs& device = {}) : workspace_mm_(device.workspace_mm), safety_(device) {}
 
   /// Another device is read from now on: its figures hold, the contact is forgotten, and the force starts softly.
-  void setDevice(const DeviceFigures& device) noexcept {
+  void setDevice(const DeviceSpecs& device) noexcept {
     safety_.setDevice(device);
     clutch_.restart();
     workspace_mm_ = device.workspace_mm;
     other_device_ = true;
   }
 
-  /// One tick. `tracker` may be null: no molecule, no force. Pass a changed tracker freely: it is not reset, and the force
-  /// starts softly.
-  ServoSample tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose, const TickTime& time = {}) noexcept;
+  /// One tick. `tracker` may be null: no molecule, no force. Pass a changed tracker freely: it is not reset, and the
+  /// force starts softly.
+  ServoSample tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose,
+                   const TickTime& time = {}) noexcept;
 
   /// As if it had met no tracker yet: the next one counts as new.
   void forgetTracker() noexcept { last_tracker_ = nullptr; }
@@ -74,7 +79,7 @@ class ServoStep {
 
   std::uint64_t tick_ = 0;
   const Tracker* last_tracker_ = nullptr;
-  std::uint32_t placements_ = 0, hand_placements_ = 0;
+  std::uint32_t discontinuities_ = 0, hand_discontinuities_ = 0;
   bool other_device_ = false;
   double A_per_mm_ = 0;
   Vec3 workspace_mm_;

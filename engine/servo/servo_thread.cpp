@@ -23,10 +23,10 @@ void ServoThread::start() {
   switch_.emplace(fallback_, chosen_.get());
   time_ = {};
   const std::int64_t begun_ns = last_ns_ = monotonic_ns();
-  device_beat_ns_.store(0, std::memory_order_relaxed);
+  device_tick_ns_.store(0, std::memory_order_relaxed);
   stop_.store(false, std::memory_order_release);
   // From here on the device's clock may already tick, and last_ns_ is its own.
-  if (chosen_ && chosen_->startClock(*this)) device_beat_ns_.store(begun_ns, std::memory_order_release);
+  if (chosen_ && chosen_->startClock(*this)) device_tick_ns_.store(begun_ns, std::memory_order_release);
   thread_ = std::thread([this] { run(); });
 }
 
@@ -39,7 +39,8 @@ void ServoThread::release() {
   released_.store(true, std::memory_order_release);
   const std::int64_t until_ns = monotonic_ns() + kRelease_ms * std::int64_t{1'000'000};
   // One tick more than the one that gave none: it may have begun before.
-  for (int none = 0; chosen_ && none < 2 && monotonic_ns() < until_ns; none = gives_.load(std::memory_order_acquire) ? 0 : none + 1)
+  for (int none = 0; chosen_ && none < 2 && monotonic_ns() < until_ns;
+       none = gives_.load(std::memory_order_acquire) ? 0 : none + 1)
     std::this_thread::sleep_for(std::chrono::nanoseconds(kPeriod_ns));
 }
 
@@ -71,7 +72,8 @@ void ServoThread::record(bool on) {
 
 void ServoThread::setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene) {
   collect();
-  auto next = std::unique_ptr<Handed>(new Handed{std::move(tracker), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
+  auto next = std::unique_ptr<Handed>(new Handed{
+      std::move(tracker), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
   delete arriving_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
@@ -84,7 +86,7 @@ void ServoThread::run() noexcept {
     sleepUntil(due_ns);
     const std::int64_t began_ns = monotonic_ns();
     // While the device's own clock ticks this one only watches; when that stops, this one takes over.
-    if (began_ns - device_beat_ns_.load(std::memory_order_acquire) > kOwnClock_ns) beat(due_ns);
+    if (began_ns - device_tick_ns_.load(std::memory_order_acquire) > kOwnClock_ns) tickOnce(due_ns);
 
     // A few missed ticks are caught up one after the other; after a long stall the loop begins anew from now.
     due_ns += kPeriod_ns;
@@ -96,25 +98,25 @@ void ServoThread::run() noexcept {
 }
 
 void ServoThread::tickOfDevice() noexcept {
-  device_beat_ns_.store(monotonic_ns(), std::memory_order_release);
-  if (!stop_.load(std::memory_order_acquire)) beat(std::nullopt);
+  device_tick_ns_.store(monotonic_ns(), std::memory_order_release);
+  if (!stop_.load(std::memory_order_acquire)) tickOnce(std::nullopt);
 }
 
 // The newest settings; without force where their owner stands still or lets it go, or the process ends.
-ServoSettings ServoThread::heardSettings(double dt_s) noexcept {
+ServoSettings ServoThread::watchedSettings(double dt_s) noexcept {
   ServoSettings settings = settings_.read();
-  const std::uint32_t heard = heard_.load(std::memory_order_relaxed);
-  unheard_s_ = heard != heard_last_ ? 0.0 : unheard_s_ + std::max(0.0, dt_s);
-  heard_last_ = heard;
-  if (expects_.load(std::memory_order_relaxed) && unheard_s_ > kUnheard_s) settings.force_on = false;
+  const std::uint32_t heartbeat = heartbeat_.load(std::memory_order_relaxed);
+  silent_s_ = heartbeat != last_heartbeat_ ? 0.0 : silent_s_ + std::max(0.0, dt_s);
+  last_heartbeat_ = heartbeat;
+  if (expects_.load(std::memory_order_relaxed) && silent_s_ > kWatchdog_s) settings.force_on = false;
   if (released_.load(std::memory_order_acquire)) settings.force_on = false;
   if (forceHeld()) settings.panic = true;
   return settings;
 }
 
-void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
+void ServoThread::tickOnce(std::optional<std::int64_t> due_ns) noexcept {
   // Both clocks at once, which happens for a tick when one takes over from the other: the first one ticks.
-  if (beating_.test_and_set(std::memory_order_acquire)) return;
+  if (ticking_.test_and_set(std::memory_order_acquire)) return;
   const std::int64_t began_ns = monotonic_ns();
 
   // A new tracker is taken only when the place for the old one is free, so that nothing is ever destroyed here.
@@ -134,7 +136,7 @@ void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
     recording_->start = *step_;
     recording_->started = true;
   }
-  const ServoSettings settings = heardSettings(time_.dt_s);
+  const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, *step_);
   ServoSample sample = step_->tick(settings, current_ ? current_->tracker.get() : nullptr, pose, time_);
   const TickTime time_was = time_;
@@ -148,9 +150,10 @@ void ServoThread::beat(std::optional<std::int64_t> due_ns) noexcept {
   sample.late_us = float(late_ns) * 1e-3f;
   latest_.write(sample);
   samples_.push(sample);
-  if (records) recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force, switch_->fallenBack(),
-                                      sample.contact.touching(), sample.limits});
-  beating_.clear(std::memory_order_release);
+  if (records)
+    recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,
+                           switch_->fallenBack(), sample.contact.touching(), sample.limits});
+  ticking_.clear(std::memory_order_release);
 }
 
 }  // namespace moltact

@@ -1,6 +1,6 @@
 // The haptic thread: reads the device, steps the tracker, writes the force, 1000 times a second, at real-time priority
-// where the system allows it; by a device's own clock where it brings one. Everything crosses to and from it whole and without locks.
-// All public functions are for the owning thread (the window's), none blocks but the destructor.
+// where the system allows it; by a device's own clock where it brings one. Everything crosses to and from it whole and
+// without locks. All public functions are for the owning thread (the window's), none blocks but the destructor.
 #pragma once
 
 #include <atomic>
@@ -9,20 +9,20 @@
 #include <optional>
 #include <thread>
 
+#include "engine/core/sample_ring.h"
+#include "engine/core/triple_buffer.h"
 #include "engine/device/device.h"
 #include "engine/platform/realtime.h"
-#include "engine/core/sample_ring.h"
 #include "engine/servo/device_switch.h"
+#include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_step.h"
-#include "engine/servo/trace.h"
-#include "engine/core/triple_buffer.h"
 
 namespace moltact {
 
 class ServoThread final : private TickTarget {
  public:
-  /// Starts the loop at once. `fallback` is read while no other device is chosen or the chosen one is gone; it must outlive
-  /// the thread.
+  /// Starts the loop at once. `fallback` is read while no other device is chosen or the chosen one is gone; it must
+  /// outlive the thread.
   explicit ServoThread(Device& fallback);
   /// Lets the force go along the slew, ends the loop and waits for it (some ticks, at most about kRelease_ms).
   ~ServoThread();
@@ -31,29 +31,29 @@ class ServoThread final : private TickTarget {
 
   void setSettings(const ServoSettings& settings) noexcept {
     settings_.write(settings);
-    heard_.fetch_add(1, std::memory_order_relaxed);
+    heartbeat_.fetch_add(1, std::memory_order_relaxed);
   }
 
-  /// From now on the owner hands settings over at least every kUnheard_s. While it does not, its panic key is not heard
-  /// either, and no force is given.
+  /// From now on the owner hands settings over at least every kWatchdog_s. While it does not, its panic key is not
+  /// heartbeat either, and no force is given.
   void expectSettings() noexcept { expects_.store(true, std::memory_order_relaxed); }
-  static constexpr double kUnheard_s = 1.0;
+  static constexpr double kWatchdog_s = 1.0;
 
   /// Hands over the tracker of a scene (null: none), whose number comes back in every sample that this tracker makes.
-  /// Settings set before are in force when it is first stepped. The old one comes back and is destroyed here, never on the
-  /// loop.
+  /// Settings set before are in force when it is first stepped. The old one comes back and is destroyed here, never on
+  /// the loop.
   void setTracker(std::unique_ptr<Tracker> tracker, std::uint32_t scene = 0);
 
-  /// The device to be felt with from now on; null: the fallback. The old one's force goes along the slew, then the loop stands
-  /// for some ticks, without force, and the old device is closed here.
+  /// The device to be felt with from now on; null: the fallback. The old one's force goes along the slew, then the loop
+  /// stands for some ticks, without force, and the old device is closed here.
   void setDevice(std::unique_ptr<Device> device);
   /// The chosen device, for its info() and status(); null where none is.
   Device* device() const noexcept { return chosen_.get(); }
   /// Whether the fallback stands in, at the newest tick, for a chosen device that is gone.
   bool fallenBack() const noexcept { return fallen_back_.load(std::memory_order_relaxed); }
 
-  /// Lets the force go, along the slew, and gives none from then on; returns when there is none, after kRelease_ms at the
-  /// latest. For the program's end, before anything else is done there.
+  /// Lets the force go, along the slew, and gives none from then on; returns when there is none, after kRelease_ms at
+  /// the latest. For the program's end, before anything else is done there.
   void endForce();
   static constexpr int kRelease_ms = 50;
 
@@ -69,13 +69,14 @@ class ServoThread final : private TickTarget {
     while (samples_.pop(sample)) take(sample);
   }
 
-  /// Records every tick with all that it depended on, from the tick in which the next tracker is handed over, until false.
+  /// Records every tick with all that it depended on, from the tick in which the next tracker is handed over, until
+  /// false.
   void record(bool on);
   /// Calls take(tick) for each recorded tick since the last call (the last 4 s at most), and tells in `start` the state
   /// that the first began from.
   template <class Take>
   void drainRecording(ServoStep& start, Take&& take) {
-    TraceTick tick;
+    RecordedTick tick;
     while (recording_ && recording_->ring.pop(tick)) {
       start = recording_->start;
       take(tick);
@@ -100,15 +101,15 @@ class ServoThread final : private TickTarget {
   void finish();
   void run() noexcept;
   void tickOfDevice() noexcept override;
-  ServoSettings heardSettings(double dt_s) noexcept;
+  ServoSettings watchedSettings(double dt_s) noexcept;
   // One tick, due at `due_ns`; without it a tick after the last, as a device's own clock counts.
-  void beat(std::optional<std::int64_t> due_ns) noexcept;
+  void tickOnce(std::optional<std::int64_t> due_ns) noexcept;
   void collect();
 
   Device& fallback_;
   std::unique_ptr<Device> chosen_;
   TripleBuffer<ServoSettings> settings_;
-  std::atomic<std::uint32_t> heard_{0};  // how often settings were handed over
+  std::atomic<std::uint32_t> heartbeat_{0};  // how often settings were handed over
   std::atomic<bool> expects_{false};
   TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
@@ -117,13 +118,13 @@ class ServoThread final : private TickTarget {
     std::unique_ptr<Tracker> tracker;
     std::uint32_t scene = 0;
   };
-  std::atomic<Handed*> arriving_{nullptr};    // the next
-  std::atomic<Handed*> leaving_{nullptr};     // one that the loop has put down
-  Handed* current_ = nullptr;                 // the loop's
+  std::atomic<Handed*> arriving_{nullptr};  // the next
+  std::atomic<Handed*> leaving_{nullptr};   // one that the loop has put down
+  Handed* current_ = nullptr;               // the loop's
   std::atomic<RealtimeStatus> realtime_{RealtimeStatus::Starting};
   std::atomic<std::uint64_t> missed_{0};
   struct Recording {
-    SampleRing<TraceTick, 4096> ring;
+    SampleRing<RecordedTick, 4096> ring;
     ServoStep start;       // written before the first tick is pushed
     bool begun = false;    // the loop's: the tracker that it is to begin with is there
     bool started = false;  // the loop's: the state at its first tick is kept
@@ -136,14 +137,14 @@ class ServoThread final : private TickTarget {
   bool for_good_ = false;              // and no other is to have any
   std::atomic<bool> gives_{false};     // the newest tick gave the chosen device some
   // A tick's own, taken by whoever ticks: the loop's clock or the device's.
-  std::atomic_flag beating_ = ATOMIC_FLAG_INIT;
+  std::atomic_flag ticking_ = ATOMIC_FLAG_INIT;
   std::optional<ServoStep> step_;
   std::optional<DeviceSwitch> switch_;
   TickTime time_;
-  std::uint32_t heard_last_ = 0;
-  double unheard_s_ = 0;
+  std::uint32_t last_heartbeat_ = 0;
+  double silent_s_ = 0;
   std::int64_t last_ns_ = 0;
-  std::atomic<std::int64_t> device_beat_ns_{0};
+  std::atomic<std::int64_t> device_tick_ns_{0};
   std::thread thread_;
 };
 

@@ -7,18 +7,20 @@
 
 namespace moltact {
 
-static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 208 && sizeof(HeatBudget) == 16 && sizeof(Clutch) == 88 &&
-                  sizeof(SafetyStage) == 784 && sizeof(ServoStep) == 960,
+static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 208 && sizeof(ThermalModel) == 16 &&
+                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 784 && sizeof(ServoStep) == 960,
               "a member more is to be named below, or a replay is not the same");
 
-// Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is called
-// as each(prefix, name, value, least, greatest).
+// Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is
+// called as each(prefix, name, value, least, greatest).
 struct StepState {
-  static constexpr double kAny = 1e12;  // of any unit: what is far beyond every device, and whose squares are still numbers
+  static constexpr double kAny =
+      1e12;  // of any unit: what is far beyond every device, and whose squares are still numbers
 
   template <class Each>
   static void vector(Each& each, const std::string& prefix, const std::string& name, Vec3& v, double most = kAny) {
-    each(prefix, name + ".x", v.x, -most, most), each(prefix, name + ".y", v.y, -most, most), each(prefix, name + ".z", v.z, -most, most);
+    each(prefix, name + ".x", v.x, -most, most), each(prefix, name + ".y", v.y, -most, most),
+        each(prefix, name + ".z", v.z, -most, most);
   }
 
   template <class Each>
@@ -27,7 +29,8 @@ struct StepState {
       vector(each, p, "place_m." + std::to_string(k), s.ring_[k].place_m);
       each(p, "time_s." + std::to_string(k), s.ring_[k].time_s, 0.0, kAny);
     }
-    each(p, "next", s.next_, std::size_t{0}, s.ring_.size() - 1), each(p, "count", s.count_, std::size_t{0}, s.ring_.size());
+    each(p, "next", s.next_, std::size_t{0}, s.ring_.size() - 1),
+        each(p, "count", s.count_, std::size_t{0}, s.ring_.size());
     each(p, "time_s", s.time_s_, 0.0, kAny);
   }
 
@@ -38,13 +41,14 @@ struct StepState {
   }
 
   template <class Each>
-  static void of(Each& each, const std::string& p, HeatBudget& s) {
+  static void of(Each& each, const std::string& p, ThermalModel& s) {
     each(p, "heat_N2", s.heat_N2_, 0.0, kAny), each(p, "told", s.told_, -kAny, kAny);
   }
 
   template <class Each>
   static void of(Each& each, const std::string& p, Clutch& s) {
-    vector(each, p, "offset_mm", s.offset_mm_), vector(each, p, "last_mm", s.last_mm_), vector(each, p, "rest_mm", s.rest_mm_);
+    vector(each, p, "offset_mm", s.offset_mm_), vector(each, p, "last_mm", s.last_mm_),
+        vector(each, p, "rest_mm", s.rest_mm_);
     each(p, "still_s", s.still_s_, 0.0, kAny), each(p, "held", s.held_, false, true);
   }
 
@@ -55,10 +59,12 @@ struct StepState {
     each(p, "damping", s.damping_, 0.0, kAny), each(p, "friction_N", s.friction_N_, 0.0, kAny);
     each(p, "resolution_m", s.resolution_m_, 0.0, kAny), each(p, "device_delay_s", s.device_delay_s_, 0.0, kAny);
     each(p, "fastest_m_per_s", s.fastest_m_per_s_, 0.0, safety::kFastest_m_per_s);
-    each(p, "rise_N_per_s", s.rise_N_per_s_, 0.0, safety::kSlew_N_per_s), each(p, "closes_loop", s.closes_loop_, false, true);
+    each(p, "rise_N_per_s", s.rise_N_per_s_, 0.0, safety::kSlew_N_per_s),
+        each(p, "closes_loop", s.closes_loop_, false, true);
     of(each, p + "speed.", s.speed_);
     vector(each, p, "place_mm", s.place_mm_), vector(each, p, "moved_m", s.moved_m_);
-    each(p, "placed", s.placed_, false, true), each(p, "placements", s.placements_, std::uint32_t{0}, ~std::uint32_t{0});
+    each(p, "placed", s.placed_, false, true),
+        each(p, "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
     each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kOff_s);
     each(p, "elapsed_s", s.elapsed_s_, 0.0, safety::kStale_s), each(p, "dt_s", s.dt_s_, 0.0, kTick_s);
     each(p, "off", s.off_, false, true);
@@ -72,9 +78,10 @@ struct StepState {
 
   template <class Each>
   static void of(Each& each, ServoStep& s) {
-    each("", "tick", s.tick_, std::uint64_t{0}, ~std::uint64_t{0} >> 1);  // its count is a time, which must not run over
-    each("", "placements", s.placements_, std::uint32_t{0}, ~std::uint32_t{0});
-    each("", "hand_placements", s.hand_placements_, std::uint32_t{0}, ~std::uint32_t{0});
+    each("", "tick", s.tick_, std::uint64_t{0},
+         ~std::uint64_t{0} >> 1);  // its count is a time, which must not run over
+    each("", "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
+    each("", "hand_placements", s.hand_discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
     each("", "other_device", s.other_device_, false, true), each("", "A_per_mm", s.A_per_mm_, -kAny, kAny);
     vector(each, "", "workspace_mm", s.workspace_mm_), vector(each, "", "push", s.push_, 2.0);
     of(each, "clutch.", s.clutch_), of(each, "safety.", s.safety_);
@@ -91,9 +98,12 @@ struct Writer {
   void operator()(const std::string& prefix, const std::string& name, T& value, T, T) {
     char text[64];
     std::to_chars_result end{};
-    if constexpr (std::is_same_v<T, double>) end = std::to_chars(text, text + sizeof text, value, std::chars_format::hex);
-    else if constexpr (std::is_same_v<T, bool>) end = std::to_chars(text, text + sizeof text, int(value));
-    else end = std::to_chars(text, text + sizeof text, value);
+    if constexpr (std::is_same_v<T, double>)
+      end = std::to_chars(text, text + sizeof text, value, std::chars_format::hex);
+    else if constexpr (std::is_same_v<T, bool>)
+      end = std::to_chars(text, text + sizeof text, int(value));
+    else
+      end = std::to_chars(text, text + sizeof text, value);
     out.append(prefix).append(name).append("=").append(text, end.ptr) += '\n';
   }
 };
@@ -114,8 +124,10 @@ struct Reader {
     const char* const last = text.data() + text.size();
     std::conditional_t<std::is_same_v<T, bool>, int, T> read{};
     std::from_chars_result end{};
-    if constexpr (std::is_same_v<T, double>) end = std::from_chars(text.data(), last, read, std::chars_format::hex);
-    else end = std::from_chars(text.data(), last, read);
+    if constexpr (std::is_same_v<T, double>)
+      end = std::from_chars(text.data(), last, read, std::chars_format::hex);
+    else
+      end = std::from_chars(text.data(), last, read);
     if (end.ec != std::errc{} || end.ptr != last || !(read >= least && read <= greatest)) {
       wrong = "has a " + prefix + name + " that cannot be";
       return;
@@ -135,12 +147,15 @@ std::string stateText(const ServoStep& step) {
 }
 
 Expected<ServoStep> stepFromText(std::string_view text) {
-  const auto problem = [](std::string what) { return Problem{"", 0, 0, "the state that the recording begins from " + std::move(what), "record it anew"}; };
+  const auto problem = [](std::string what) {
+    return Problem{"", 0, 0, "the state that the recording begins from " + std::move(what), "record it anew"};
+  };
   Reader reader;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size()), equals = text.find('=');
     if (equals >= end) return problem("holds a line without a value");
-    if (!reader.values.emplace(text.substr(0, equals), text.substr(equals + 1, end - equals - 1)).second) return problem("says a value twice");
+    if (!reader.values.emplace(text.substr(0, equals), text.substr(equals + 1, end - equals - 1)).second)
+      return problem("says a value twice");
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   ServoStep step;

@@ -31,9 +31,12 @@ double advance(double& phase, double hertz) {
 // How loud each note of the chord is, so that the power is the same for one, two and three.
 std::array<double, 3> notesOf(Feature feature) {
   switch (feature) {
-    case Feature::Circle: return {std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};
-    case Feature::Point: return {std::numbers::inv_sqrt3, std::numbers::inv_sqrt3, std::numbers::inv_sqrt3};
-    default: return {1.0, 0.0, 0.0};
+    case Feature::Circle:
+      return {std::numbers::sqrt2 / 2, 0.0, std::numbers::sqrt2 / 2};
+    case Feature::Point:
+      return {std::numbers::inv_sqrt3, std::numbers::inv_sqrt3, std::numbers::inv_sqrt3};
+    default:
+      return {1.0, 0.0, 0.0};
   }
 }
 
@@ -113,8 +116,8 @@ void TouchSynth::render(std::span<float> out) noexcept {
 }
 
 bool TouchSynth::silent() const noexcept {
-  return felt_.feature == Feature::Free && loudness_ == 0.0 && knock_.level == 0.0 && knock_.rising == 0 && tick_.level == 0.0 &&
-         tick_.rising == 0;
+  return felt_.feature == Feature::Free && loudness_ == 0.0 && knock_.level == 0.0 && knock_.rising == 0 &&
+         tick_.level == 0.0 && tick_.rising == 0;
 }
 
 }  // namespace moltact

@@ -1,6 +1,6 @@
-// What touching sounds like: a tone whose pitch is the force, as many notes as atoms hold the probe, a knock at contact,
-// a tick for each new atom that is reached. Arithmetic only: no device, no clock, no allocation; the same samples
-// whatever the size of the blocks. One thread at a time. Units: newton, hertz, second; samples from -1 to 1.
+// What touching sounds like: a tone whose pitch is the force, as many notes as atoms hold the probe, a knock at
+// contact, a tick for each new atom that is reached. Arithmetic only: no device, no clock, no allocation; the same
+// samples whatever the size of the blocks. One thread at a time. Units: newton, hertz, second; samples from -1 to 1.
 //
 //   heard                       felt
 //   pitch                       force: 330 Hz without force, 8 semitones higher for each newton (3 N: two octaves)

@@ -46,13 +46,11 @@ std::string makeAlphaHelix() {
                angle[3] = {kCA_C_N, kC_N_CA, kN_CA_C};
   while (chain.size() < 3 * (kResidues + 2)) {
     const std::size_t k = chain.size(), kind = k % 3;
-    chain.push_back(
-        place(chain[k - 3], chain[k - 2], chain[k - 1], length[kind], angle[kind], torsion[kind]));
+    chain.push_back(place(chain[k - 3], chain[k - 2], chain[k - 1], length[kind], angle[kind], torsion[kind]));
   }
   // The axis: the C-alphas turn about it, so the second differences of their places point to it.
   const auto ca = [&](int i) { return chain[static_cast<std::size_t>(3 * i + 1)]; };
-  const Vec3 in1 = glm::normalize(ca(5) - 2.0 * ca(6) + ca(7)),
-             in2 = glm::normalize(ca(6) - 2.0 * ca(7) + ca(8));
+  const Vec3 in1 = glm::normalize(ca(5) - 2.0 * ca(6) + ca(7)), in2 = glm::normalize(ca(6) - 2.0 * ca(7) + ca(8));
   const Vec3 z = glm::normalize(glm::cross(in1, in2));
   const double turn = std::acos(glm::dot(in1, in2));
   const Vec3 across = (ca(7) - ca(6)) - glm::dot(ca(7) - ca(6), z) * z;

@@ -104,8 +104,7 @@ char partner(char base) { return base == 'A' ? 'T' : base == 'T' ? 'A' : base ==
 std::string makeBDna() {
   std::vector<MadeAtom> atoms;
   const int length = static_cast<int>(kSequence.size());
-  for (int i = 0; i < length; ++i)
-    addNucleotide(atoms, {{'A', 1.0}, i + 1, kSequence[static_cast<std::size_t>(i)], i});
+  for (int i = 0; i < length; ++i) addNucleotide(atoms, {{'A', 1.0}, i + 1, kSequence[static_cast<std::size_t>(i)], i});
   for (int i = 0; i < length; ++i) {
     const int step = length - 1 - i;
     addNucleotide(atoms, {{'B', -1.0}, i + 1, partner(kSequence[static_cast<std::size_t>(step)]), step});

@@ -1,5 +1,5 @@
-// Writes the molecules that are built from published geometry into a folder, and what is cut out of the 2hhb.pdb that lies
-// there: moltact_generate_molecules FOLDER
+// Writes the molecules that are built from published geometry into a folder, and what is cut out of the 2hhb.pdb that
+// lies there: moltact_generate_molecules FOLDER
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -21,8 +21,12 @@ int main(int argc, char** argv) {
     return 1;
   }
   const std::pair<const char*, std::string> made[] = {
-      {"argon.pdb", makeArgon(1)}, {"argon-pair.pdb", makeArgon(2)}, {"argon-triangle.pdb", makeArgon(3)},
-      {"water.pdb", makeWater()},  {"benzene.pdb", makeBenzene()},   {"alpha-helix.pdb", makeAlphaHelix()},
+      {"argon.pdb", makeArgon(1)},
+      {"argon-pair.pdb", makeArgon(2)},
+      {"argon-triangle.pdb", makeArgon(3)},
+      {"water.pdb", makeWater()},
+      {"benzene.pdb", makeBenzene()},
+      {"alpha-helix.pdb", makeAlphaHelix()},
       {"b-dna.pdb", makeBDna()},
       {"haem-alpha.pdb", makeHaemPocket(entry.str(), 'A')},
       {"haem-beta.pdb", makeHaemPocket(entry.str(), 'B')},

@@ -1,11 +1,11 @@
-// A haem of deoxyhaemoglobin with the four residues that stand nearest to its iron, cut out of PDB entry 2HHB and turned.
+// A haem of deoxyhaemoglobin with the four residues that stand nearest to its iron, cut out of PDB entry 2HHB and
+// turned.
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 #include <sstream>
 #include <stdexcept>
-
-#include <glm/geometric.hpp>
 
 #include "molecules/generator/pdb_writer.h"
 
@@ -26,7 +26,8 @@ MadeAtom atomOf(const std::string& line) {
   if (a.element.size() == 2 && a.element != "FE") a.element.resize(1);
   a.chain = line[21];
   a.number = std::atoi(line.substr(22, 4).c_str());
-  a.position_A = {std::atof(line.substr(30, 8).c_str()), std::atof(line.substr(38, 8).c_str()), std::atof(line.substr(46, 8).c_str())};
+  a.position_A = {std::atof(line.substr(30, 8).c_str()), std::atof(line.substr(38, 8).c_str()),
+                  std::atof(line.substr(46, 8).c_str())};
   a.hetero = line.starts_with("HETATM");
   return a;
 }
@@ -48,7 +49,8 @@ std::string makeHaemPocket(const std::string& entry, char chain) {
   for (std::string line; std::getline(lines, line);) {
     if (!line.starts_with("ATOM  ") && !line.starts_with("HETATM")) continue;
     const MadeAtom a = atomOf(line);
-    const bool wanted = a.residue == "HEM" || (!a.hetero && std::find(kept.begin(), kept.end(), a.number) != kept.end());
+    const bool wanted =
+        a.residue == "HEM" || (!a.hetero && std::find(kept.begin(), kept.end(), a.number) != kept.end());
     if (a.chain == chain && wanted) atoms.push_back(a);
   }
 
@@ -67,11 +69,13 @@ std::string makeHaemPocket(const std::string& entry, char chain) {
     const double y = glm::dot(p, up), z = glm::dot(p, front);
     a.position_A = {glm::dot(p, right), c * y - s * z, s * y + c * z};
   }
-  return writePdb(std::string("A HAEM AND FOUR RESIDUES OF THE ") + (alpha ? "ALPHA" : "BETA") + " CHAIN OF DEOXYHAEMOGLOBIN",
-                  {std::string("FROM PDB ENTRY 2HHB (CC0), CHAIN ") + chain + ", TURNED: THE IRON AT THE ORIGIN",
-                   alpha ? "PHE 43 (CD1), HIS 58 (E7), VAL 62 (E11), HIS 87 (F8)" : "PHE 42 (CD1), HIS 63 (E7), VAL 67 (E11), HIS 92 (F8)",
-                   "MADE BY MOLTACT_GENERATE_MOLECULES"},
-                  atoms);
+  return writePdb(
+      std::string("A HAEM AND FOUR RESIDUES OF THE ") + (alpha ? "ALPHA" : "BETA") + " CHAIN OF DEOXYHAEMOGLOBIN",
+      {std::string("FROM PDB ENTRY 2HHB (CC0), CHAIN ") + chain + ", TURNED: THE IRON AT THE ORIGIN",
+       alpha ? "PHE 43 (CD1), HIS 58 (E7), VAL 62 (E11), HIS 87 (F8)"
+             : "PHE 42 (CD1), HIS 63 (E7), VAL 67 (E11), HIS 92 (F8)",
+       "MADE BY MOLTACT_GENERATE_MOLECULES"},
+      atoms);
 }
 
 }  // namespace moltact::generator

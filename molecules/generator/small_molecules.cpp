@@ -31,13 +31,13 @@ std::string makeBenzene() {
   constexpr double kC_C = 1.397, kC_H = 1.084;  // in a regular hexagon the radius equals the side
   std::vector<MadeAtom> atoms;
   for (int i = 0; i < 6; ++i)
-    atoms.push_back({std::string("C").append(std::to_string(i + 1)), "BNZ", "C", 'A', 1,
-                     onCircle(kC_C, 90 - 60 * i), true});
+    atoms.push_back(
+        {std::string("C").append(std::to_string(i + 1)), "BNZ", "C", 'A', 1, onCircle(kC_C, 90 - 60 * i), true});
   for (int i = 0; i < 6; ++i)
-    atoms.push_back({std::string("H").append(std::to_string(i + 1)), "BNZ", "H", 'A', 1,
-                     onCircle(kC_C + kC_H, 90 - 60 * i), true});
-  return writePdb("BENZENE",
-                  {"C-C 1.397 A, C-H 1.084 A: B. P. STOICHEFF, CAN. J. PHYS. 32, 339 (1954)", kMaker}, atoms);
+    atoms.push_back(
+        {std::string("H").append(std::to_string(i + 1)), "BNZ", "H", 'A', 1, onCircle(kC_C + kC_H, 90 - 60 * i), true});
+  return writePdb("BENZENE", {"C-C 1.397 A, C-H 1.084 A: B. P. STOICHEFF, CAN. J. PHYS. 32, 339 (1954)", kMaker},
+                  atoms);
 }
 
 std::string makeArgon(int count) {
@@ -46,8 +46,7 @@ std::string makeArgon(int count) {
   const double radius_A = count > 1 ? kAr_Ar / (2 * std::sin(std::numbers::pi / count)) : 0.0;
   std::vector<MadeAtom> atoms;
   for (int i = 0; i < count; ++i)
-    atoms.push_back(
-        {"AR", "AR", "AR", 'A', i + 1, onCircle(radius_A, (count == 2 ? 0 : 90) + i * angle_deg), true});
+    atoms.push_back({"AR", "AR", "AR", 'A', i + 1, onCircle(radius_A, (count == 2 ? 0 : 90) + i * angle_deg), true});
   const char* titles[] = {"ONE ARGON ATOM", "TWO ARGON ATOMS", "THREE ARGON ATOMS"};
   std::vector<std::string> remarks;
   if (count > 1) remarks = {"AR-AR 3.76 A: E. A. COLBOURN, A. E. DOUGLAS, J. CHEM. PHYS. 65, 1741 (1976)"};

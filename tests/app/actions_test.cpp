@@ -1,12 +1,13 @@
 // The table of actions and what hangs on it: menus, tool bar, shortcuts and their sheet; undo; preferences.
+#include "app/ui/actions.h"
+
 #include <cmath>
 #include <set>
 
-#include "app/ui/actions.h"
-#include "app/ui/extensions.h"
-#include "app/ui/key_names.h"
-#include "app/ui/number_text.h"
-#include "app/ui/theme.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/key_names.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/theme.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
@@ -55,12 +56,15 @@ TEST_CASE("keys are named in capitals or not, joined by plus; an unknown name gi
 TEST_CASE("F1 and ? open a sheet with every shortcut of the table") {
   for (const char* way : {"F1", "?"}) {
     auto d = startWith("argon");
-    if (*way == '?') d->type("?");
-    else d->tap(way);
+    if (*way == '?')
+      d->type("?");
+    else
+      d->tap(way);
     d->frames(3);
     REQUIRE(d->shows("controls/close"));
     for (const Action& a : allActions())
-      if (!a.shortcut.empty()) CHECK(contains(d->text("controls/command/" + std::string(a.name)), std::string(a.shortcut)));
+      if (!a.shortcut.empty())
+        CHECK(contains(d->text("controls/command/" + std::string(a.name)), std::string(a.shortcut)));
   }
 }
 
@@ -157,7 +161,9 @@ TEST_CASE("preferences change the theme, the size and the atoms' colours at once
   CHECK(difference(customary, d->picture()) > 0.05);
 }
 
-TEST_CASE("letters grow by themselves: at 150 % a line of text is 1.5 times as high, and the tool bar's signs stay as they are") {
+TEST_CASE(
+    "letters grow by themselves: at 150 % a line of text is 1.5 times as high, and the tool bar's signs stay as they "
+    "are") {
   auto d = startWith("argon");
   const auto high = [](const char* name) { return widgets().find(name)->high.y - widgets().find(name)->low.y; };
   const float sign = high("tool/open"), row = high("show/hip"), words = look().font(Font::Body)->FontSize;
@@ -173,7 +179,8 @@ TEST_CASE("letters grow by themselves: at 150 % a line of text is 1.5 times as h
   CHECK(high("tool/open") == sign);
 }
 
-TEST_CASE("colours that are not the customary ones are named in the view, commonest element first, chains in their order") {
+TEST_CASE(
+    "colours that are not the customary ones are named in the view, commonest element first, chains in their order") {
   auto d = startWith("1ubq");
   CHECK_FALSE(d->shows("view/legend"));
   d->app().settings.colour_blind_safe = true;
@@ -184,7 +191,9 @@ TEST_CASE("colours that are not the customary ones are named in the view, common
   CHECK_FALSE(d->shows("view/legend"));
 }
 
-TEST_CASE("a molecule coloured by chain shows as many colours as it has chains, what is no chain keeps its own, and undo brings the elements back") {
+TEST_CASE(
+    "a molecule coloured by chain shows as many colours as it has chains, what is no chain keeps its own, and undo "
+    "brings the elements back") {
   auto d = startWith("2hhb");
   d->app().messages = {};
   d->frames(10);
@@ -204,8 +213,11 @@ TEST_CASE("a molecule coloured by chain shows as many colours as it has chains, 
 
 TEST_CASE("a lesson's scene colours by chain until another scene says otherwise, and locks it with what is shown") {
   Scratch scratch;
-  const auto file = scratch.file("mine.md", "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq, argon\nauthor: A\nlicence: L\n---\n"
-                                            "## One\n```scene\nmolecule: 1ubq\ncolour: chain\nlocked: show\n```\nText.\n## Two\nText.\n## Three\n```scene\nmolecule: argon\n```\nText.\n");
+  const auto file =
+      scratch.file("mine.md",
+                   "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq, argon\nauthor: A\nlicence: L\n---\n"
+                   "## One\n```scene\nmolecule: 1ubq\ncolour: chain\nlocked: show\n```\nText.\n## Two\nText.\n## "
+                   "Three\n```scene\nmolecule: argon\n```\nText.\n");
   auto d = startWith(file.string());
   CHECK(d->text("view/legend") == "chain A");
   d->app().scene.colour_by = ColourBy::Element;

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/results/class_summary.h"
 #include "engine/results/progress.h"
 #include "tests/app/driver_fixture.h"
@@ -80,8 +80,8 @@ TEST_CASE("a lesson that is only looked at leaves no file; a touch, a hint and a
   CHECK(all<StageSet>(attempt).front()->atoms == 1);
   // The trace is the way that was felt: outside the inflated atom always, for the SCP.
   std::size_t held = 0;
-  for (const TraceChunk* chunk : all<TraceChunk>(attempt))
-    for (const TraceSample& s : chunk->samples) held += s.feature == Feature::Sphere;
+  for (const HipChunk* chunk : all<HipChunk>(attempt))
+    for (const HipSample& s : chunk->samples) held += s.feature == Feature::Sphere;
   CHECK(held > 10);
 }
 
@@ -161,7 +161,8 @@ TEST_CASE("a disk that is full is told once in words to act on, and the lesson g
   driver->app().extensions().recorder.flush();
   driver->frames(5);
   const std::vector<Message>& messages = driver->app().messages.all();
-  const auto told = std::count_if(messages.begin(), messages.end(), [](const Message& m) { return contains(m.text, "not being kept"); });
+  const auto told = std::count_if(messages.begin(), messages.end(),
+                                  [](const Message& m) { return contains(m.text, "not being kept"); });
   CHECK(told == 1);
   CHECK(driver->app().lesson.session()->taskDone(0, 0));
   driver->app().messages = {};

@@ -15,7 +15,9 @@ void writePress(const std::filesystem::path& file) {
   std::ofstream out(file);
   out << "# a made-up hand\n# columns: t x y z fx fy fz\n";
   int row = 0;
-  const auto add = [&](double x, double z) { out << 0.001 * row++ << ' ' << x << " 0 " << z << " 0 0 " << (z < 4 ? 1 : 0) << '\n'; };
+  const auto add = [&](double x, double z) {
+    out << 0.001 * row++ << ' ' << x << " 0 " << z << " 0 0 " << (z < 4 ? 1 : 0) << '\n';
+  };
   for (int k = 0; k <= 400; ++k) add(0, 20 - 0.05 * k);
   for (int k = 0; k <= 400; ++k) add(0.01 * k, 0);
   for (int k = 0; k <= 400; ++k) add(4, 0.05 * k);
@@ -42,7 +44,8 @@ TEST_CASE("anyone's hand is replayed through the methods that are asked for: row
   CHECK(touching < 80);
 }
 
-TEST_CASE("a hand that says no molecule, a row that is broken, and --docs beside --recording are told, with status 1 or 2") {
+TEST_CASE(
+    "a hand that says no molecule, a row that is broken, and --docs beside --recording are told, with status 1 or 2") {
   const CommandPlace place;
   writePress(place.folder / "press.txt");
   Run run = place.run("bench hands --quick --recording press.txt");
@@ -57,7 +60,9 @@ TEST_CASE("a hand that says no molecule, a row that is broken, and --docs beside
   CHECK(run.err.find("--docs") != std::string::npos);
 }
 
-TEST_CASE("the way of a recorded hand is written as rows of numbers, from before the first touch to the last, and is replayed like any") {
+TEST_CASE(
+    "the way of a recorded hand is written as rows of numbers, from before the first touch to the last, and is "
+    "replayed like any") {
   const CommandPlace place;
   REQUIRE(place.run("device record simulated argon-triangle --seconds 2.5 --out hand.trace").status == 0);
   const Run run = place.run("device path hand.trace --out hand.hand --touching 0.05 --label 'hand=a test'");
@@ -80,7 +85,8 @@ TEST_CASE("the tables and sentences of the hands are written between the markers
   CHECK_MESSAGE(run.status == 0, run.err);
   const std::string page = contents(place.folder / "docs" / "hands.md");
   for (const char* name : {"hands", "hands_felt", "hands_sentences"}) {
-    const std::size_t begin = page.find(std::string("<!-- ") + name + ":begin"), end = page.find(std::string("<!-- ") + name + ":end");
+    const std::size_t begin = page.find(std::string("<!-- ") + name + ":begin"),
+                      end = page.find(std::string("<!-- ") + name + ":end");
     REQUIRE(begin != std::string::npos);
     CHECK(end > begin + 200);
     CHECK(page.substr(begin, end - begin).find("mesh80") == std::string::npos);

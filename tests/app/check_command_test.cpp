@@ -1,6 +1,5 @@
 // moltact check as an author and an editor call it.
 #include <doctest/doctest.h>
-
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,7 +21,9 @@ struct Folder {
   fs::path path = fs::temp_directory_path() / ("moltact-check-command-" + std::to_string(::getpid()));
   Folder() { fs::create_directories(path); }
   ~Folder() { fs::remove_all(path); }
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name, std::ios::binary) << text; }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(path / name, std::ios::binary) << text;
+  }
 };
 
 struct Run {
@@ -33,7 +34,8 @@ struct Run {
 /// Runs `moltact ARGUMENTS` in a folder.
 Run runMoltact(const fs::path& folder, const std::string& arguments) {
   Run run;
-  const std::string line = "cd '" + folder.string() + "' && MOLTACT_HOME='" MOLTACT_SOURCE_DIR "' '" MOLTACT_BINARY "' " + arguments + " 2>&1";
+  const std::string line = "cd '" + folder.string() +
+                           "' && MOLTACT_HOME='" MOLTACT_SOURCE_DIR "' '" MOLTACT_BINARY "' " + arguments + " 2>&1";
   FILE* pipe = ::popen(line.c_str(), "r");
   REQUIRE(pipe);
   for (int c; (c = std::fgetc(pipe)) != EOF;) run.out += char(c);
@@ -67,13 +69,15 @@ TEST_CASE("a folder with a good lesson, one with a warning and a README passes, 
   const Run run = runMoltact(folder.path, "check .");
   CHECK(run.status == 0);
   CHECK(run.out ==
-        "./b.md:14:4: warning: 'scenes' is no block of a lesson and is shown as it stands; did you mean 'scene'?\n```scenes\n   ^\n"
+        "./b.md:14:4: warning: 'scenes' is no block of a lesson and is shown as it stands; did you mean "
+        "'scene'?\n```scenes\n   ^\n"
         "./README.md: no lesson, passed over\n2 lessons checked: no errors, 1 warning\n");
 }
 
 TEST_CASE("--json prints one document with place, severity, message and remedy of each problem, and exits with 1") {
   const Folder folder;
-  folder.write("l.md", kGood + "```touch\nreach: all\nsay: S\nnear: 4\n```\n### Question: Q?\n- [x] a\n- [ ] b → No.\n");
+  folder.write("l.md",
+               kGood + "```touch\nreach: all\nsay: S\nnear: 4\n```\n### Question: Q?\n- [x] a\n- [ ] b → No.\n");
   const Run run = runMoltact(folder.path, "check l.md gone.md --json");
   CHECK(run.status == 1);
   const auto json = nlohmann::json::parse(run.out);
@@ -81,8 +85,12 @@ TEST_CASE("--json prints one document with place, severity, message and remedy o
   CHECK(json["errors"] == 2);
   CHECK(json["warnings"] == 1);
   REQUIRE(json["problems"].size() == 3);
-  CHECK(json["problems"][0] == nlohmann::json{{"file", "l.md"}, {"line", 17}, {"column", 7}, {"severity", "error"},
-                                             {"message", "'4' needs a unit: Å or nm"}, {"remedy", ""}});
+  CHECK(json["problems"][0] == nlohmann::json{{"file", "l.md"},
+                                              {"line", 17},
+                                              {"column", 7},
+                                              {"severity", "error"},
+                                              {"message", "'4' needs a unit: Å or nm"},
+                                              {"remedy", ""}});
   CHECK(json["problems"][1]["severity"] == "warning");
   CHECK(json["problems"][1]["line"] == 20);
   CHECK(json["problems"][2]["file"] == "gone.md");
@@ -92,12 +100,14 @@ TEST_CASE("--json prints one document with place, severity, message and remedy o
 TEST_CASE("a folder without lessons, a missing file and no argument at all end with a message") {
   const Folder folder;
   CHECK(runMoltact(folder.path, "check .").out ==
-        ".: error: there is no lesson in this folder; name a folder with lessons, files that end in .md\n0 lessons checked: 1 error\n");
+        ".: error: there is no lesson in this folder; name a folder with lessons, files that end in .md\n0 lessons "
+        "checked: 1 error\n");
   CHECK(runMoltact(folder.path, "check gone.md").status == 1);
   CHECK(runMoltact(folder.path, "check").status == 2);
 }
 
-TEST_CASE("the caret stands under its letter behind tabs, letters of two bytes, wide letters and letters set upon others") {
+TEST_CASE(
+    "the caret stands under its letter behind tabs, letters of two bytes, wide letters and letters set upon others") {
   CHECK(sourceExcerpt("abc", 2) == "abc\n ^\n");
   CHECK(sourceExcerpt("abc", 4) == "abc\n   ^\n");
   CHECK(sourceExcerpt("abc", 99) == "abc\n   ^\n");
@@ -110,7 +120,8 @@ TEST_CASE("the caret stands under its letter behind tabs, letters of two bytes, 
 
 TEST_CASE("of a line of 300 letters, 96 round the caret are shown") {
   const std::string line = std::string(149, 'a') + "X" + std::string(150, 'b');
-  CHECK(sourceExcerpt(line, 150) == "…" + std::string(64, 'a') + "X" + std::string(31, 'b') + "…\n" + std::string(65, ' ') + "^\n");
+  CHECK(sourceExcerpt(line, 150) ==
+        "…" + std::string(64, 'a') + "X" + std::string(31, 'b') + "…\n" + std::string(65, ' ') + "^\n");
   CHECK(sourceExcerpt(line, 1) == std::string(96, 'a') + "…\n^\n");
 }
 

@@ -1,7 +1,7 @@
 // A class at one device, by the menus and buttons a teacher uses. Oracle: who was called, and the attempts' files.
 #include <algorithm>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -16,7 +16,8 @@ void touch(Driver& driver) {
   driver.frames(10);
 }
 
-TEST_CASE("2 students take turns of 30 s: each is called, what each does is kept under the name, those who wait predict") {
+TEST_CASE(
+    "2 students take turns of 30 s: each is called, what each does is kept under the name, those who wait predict") {
   const ScratchFolder scratch;
   Driver::Options options;
   options.application.attempts_folder = scratch.path;

@@ -22,7 +22,8 @@ inline std::string contents(const std::filesystem::path& file) {
 }
 
 struct CommandPlace {
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("moltact-command-" + std::to_string(::getpid()));
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("moltact-command-" + std::to_string(::getpid()));
   CommandPlace() { std::filesystem::create_directories(folder); }
   ~CommandPlace() { std::filesystem::remove_all(folder); }
   CommandPlace(const CommandPlace&) = delete;
@@ -32,8 +33,8 @@ struct CommandPlace {
   Run run(const std::string& arguments, const std::string& before = "", const std::string& input = "") const {
     const std::filesystem::path out = folder / "run.out", err = folder / "run.err";
     std::ofstream(folder / "run.in") << input;
-    const std::string line = "cd '" + folder.string() + "'; " + before + " '" MOLTACT_BINARY "' " + arguments + " <'" + (folder / "run.in").string() + "' >'" + out.string() +
-                             "' 2>'" + err.string() + "'";
+    const std::string line = "cd '" + folder.string() + "'; " + before + " '" MOLTACT_BINARY "' " + arguments + " <'" +
+                             (folder / "run.in").string() + "' >'" + out.string() + "' 2>'" + err.string() + "'";
     const int status = std::system(line.c_str());
     return {WEXITSTATUS(status), contents(out), contents(err)};
   }

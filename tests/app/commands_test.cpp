@@ -1,8 +1,8 @@
 // The headless commands as a person calls them: what they print, where errors go, the exit status.
 #include <doctest/doctest.h>
-
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
 #include <array>
 #include <cstdio>
@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
-#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -77,16 +76,19 @@ constexpr const char* kOneBall = "0 0 0 1.6\n";
 
 }  // namespace
 
-TEST_CASE("replay on one ball of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - HIP)") {
+TEST_CASE(
+    "replay on one ball of 3 A writes the SCP 3 A from the centre, 17 digits that read back the same, and k (SCP - "
+    "HIP)") {
   const Folder folder;
   write(folder / "one.xyzr", kOneBall);
   write(folder / "hip.csv", "x,y,z\n0,0,5\n0,0.3,2.5\n0.1,0.3,2.4\n0,0,7\n");
-  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" +
-                                      (folder / "trace.csv") + "' --stiffness 2");
+  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") +
+                                      "' --out '" + (folder / "trace.csv") + "' --stiffness 2");
   CAPTURE(run.err);
   REQUIRE(run.status == 0);
   const std::string text = contents(folder / "trace.csv");
-  CHECK(text.starts_with("tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n"));
+  CHECK(text.starts_with(
+      "tick,hip_x,hip_y,hip_z,contact,scp_x,scp_y,scp_z,force_x,force_y,force_z,feature,atom1,atom2,atom3\n"));
   const auto trace = rows(text);
   REQUIRE(trace.size() == 5);
   CHECK(trace[1][4] == "0");
@@ -103,13 +105,16 @@ TEST_CASE("replay on one ball of 3 A writes the SCP 3 A from the centre, 17 digi
   CHECK(trace[4][4] == "0");
 }
 
-TEST_CASE("replay --time prints one JSON object with ticks, contact_ticks and mean, p50, p99, p99.99, max for free and contact") {
+TEST_CASE(
+    "replay --time prints one JSON object with ticks, contact_ticks and mean, p50, p99, p99.99, max for free and "
+    "contact") {
   const Folder folder;
   write(folder / "one.xyzr", kOneBall);
   std::string path = "x,y,z\n";
   for (int k = 0; k < 2000; ++k) path += "0,0," + std::to_string(5.0 - 0.0015 * k) + "\n";
   write(folder / "hip.csv", path);
-  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --time");
+  const Run run =
+      moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --time");
   REQUIRE(run.status == 0);
   const auto json = nlohmann::json::parse(run.out);
   CHECK(json["ticks"] == 2000);
@@ -123,7 +128,8 @@ TEST_CASE("replay says on stderr that the HIP starts inside and that a place was
   const Folder folder;
   write(folder / "one.xyzr", kOneBall);
   write(folder / "hip.csv", "x,y,z\n0,0,1\n0,0,1.1\n0,0,4\n0,0,2.5\nnan,0,0\n0,0,2.4\n");
-  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" + (folder / "t.csv") + "'");
+  const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") +
+                                      "' --out '" + (folder / "t.csv") + "'");
   REQUIRE(run.status == 0);
   CHECK(run.err.find("starts inside the molecule: no force for the first 2 ticks") != std::string::npos);
   CHECK(run.err.find("1 places were not finite") != std::string::npos);
@@ -153,7 +159,8 @@ TEST_CASE("a broken path file ends with 1 and names file, line, column and what 
   };
   for (const auto& one : cases) {
     write(folder / "hip.csv", one.text);
-    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" + (folder / "t.csv") + "'");
+    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") +
+                                        "' --out '" + (folder / "t.csv") + "'");
     CAPTURE(run.err);
     CHECK(run.status == 1);
     CHECK(run.out.empty());
@@ -182,7 +189,8 @@ TEST_CASE("a path file that is a device, a pipe, a folder or larger than 1 GiB i
   };
   for (const auto& one : cases) {
     // A pipe that is read would block for ever.
-    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --time --path '" + one.path + "'", "timeout 60 ");
+    const Run run =
+        moltact(folder, "replay '" + (folder / "one.xyzr") + "' --time --path '" + one.path + "'", "timeout 60 ");
     CHECK(run.status == 1);
     CHECK(run.err == "moltact: " + one.path + ": " + one.says + "\n");
   }
@@ -190,7 +198,9 @@ TEST_CASE("a path file that is a device, a pipe, a folder or larger than 1 GiB i
 
 // The sanitizers reserve more address space than any limit here.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-TEST_CASE("1000 MiB under a limit of 900 MiB end with 1: a path for want of memory, a molecule at its first line, which is too long") {
+TEST_CASE(
+    "1000 MiB under a limit of 900 MiB end with 1: a path for want of memory, a molecule at its first line, which is "
+    "too long") {
   const Folder folder;
   write(folder / "one.xyzr", kOneBall);
   for (const char* name : {"large.pdb", "large.csv"}) {
@@ -213,7 +223,8 @@ TEST_CASE("a path file may begin with a byte order mark and have blanks around i
   write(folder / "one.xyzr", kOneBall);
   const auto trace = [&](const std::string& text) {
     write(folder / "hip.csv", text);
-    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --out '" + (folder / "t.csv") + "'");
+    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") +
+                                        "' --out '" + (folder / "t.csv") + "'");
     CAPTURE(run.err);
     CHECK(run.status == 0);
     return contents(folder / "t.csv");
@@ -224,7 +235,8 @@ TEST_CASE("a path file may begin with a byte order mark and have blanks around i
   CHECK(trace("x,y,z\n+0,+1,+5.0\n0,-2.5,+1e0\n") == plain);
   for (const char* row : {"+,1,2", "+-1,1,2", "++1,1,2", "+ 1,1,2"}) {
     write(folder / "hip.csv", std::string("x,y,z\n") + row + "\n");
-    const Run run = moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --time");
+    const Run run =
+        moltact(folder, "replay '" + (folder / "one.xyzr") + "' --path '" + (folder / "hip.csv") + "' --time");
     CAPTURE(row);
     CHECK(run.status == 1);
     CHECK(run.err.find("a number was expected here") != std::string::npos);
@@ -267,7 +279,8 @@ TEST_CASE("options that are NaN, infinite or out of range end with 2 and name th
   }
 }
 
-TEST_CASE("wrong usage ends with 2, a missing molecule or an unwritable trace with 1, --help with 0 for every command") {
+TEST_CASE(
+    "wrong usage ends with 2, a missing molecule or an unwritable trace with 1, --help with 0 for every command") {
   const Folder folder;
   write(folder / "one.xyzr", kOneBall);
   write(folder / "hip.csv", "x,y,z\n0,0,5\n");
@@ -290,10 +303,12 @@ TEST_CASE("wrong usage ends with 2, a missing molecule or an unwritable trace wi
 TEST_CASE("the window's command without a display ends with 1 and names the commands that need none") {
   const Folder folder;
   const std::string out = folder / "o", err = folder / "e";
-  const int status = std::system(("env -u DISPLAY -u WAYLAND_DISPLAY '" MOLTACT_BINARY "' >'" + out + "' 2>'" + err + "'").c_str());
+  const int status =
+      std::system(("env -u DISPLAY -u WAYLAND_DISPLAY '" MOLTACT_BINARY "' >'" + out + "' 2>'" + err + "'").c_str());
   CHECK(WEXITSTATUS(status) == 1);
   const std::string text = contents(err);
-  for (const char* command : {"info", "render", "check", "play", "report", "bench"}) CHECK(text.find(command) != std::string::npos);
+  for (const char* command : {"info", "render", "check", "play", "report", "bench"})
+    CHECK(text.find(command) != std::string::npos);
 }
 
 TEST_CASE("info counts 602 atoms of ubiquitin, as text and as JSON") {

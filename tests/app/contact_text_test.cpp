@@ -1,10 +1,11 @@
+#include "app/ui/scene/contact_text.h"
+
 #include <doctest/doctest.h>
 
 #include <random>
 
-#include "app/ui/contact_text.h"
-#include "app/ui/number_text.h"
-#include "app/ui/state_line.h"
+#include "app/ui/scene/state_line.h"
+#include "app/ui/widgets/number_text.h"
 #include "engine/molecule/reader.h"
 
 using namespace moltact;
@@ -35,22 +36,26 @@ Contact on(Feature feature, std::array<std::int32_t, 3> atoms) {
 TEST_CASE("ball, crease and pit are told with element, atom, residue and newtons to one place") {
   const Molecule m = read(kTwoResidues, "two.pdb");
   CHECK(contactText(&m, on(Feature::Sphere, {2, -1, -1}), 0.449) == "touching: oxygen O of Asp 52, 0.4 N");
-  CHECK(contactText(&m, on(Feature::Circle, {1, 2, -1}), 1.2) == "touching: carbon C of Asp 52, crease with its oxygen O, 1.2 N");
+  CHECK(contactText(&m, on(Feature::Circle, {1, 2, -1}), 1.2) ==
+        "touching: carbon C of Asp 52, crease with its oxygen O, 1.2 N");
   CHECK(contactText(&m, on(Feature::Point, {1, 2, 3}), 1.25) ==
         "touching: carbon C of Asp 52, pit with its oxygen O and nitrogen N of Tyr 53, 1.2 N");
   CHECK(touchedText(m, on(Feature::Point, {0, 1, 2})) == "carbon CA of Asp 52, pit with its carbon C and oxygen O");
-  CHECK(touchedText(m, on(Feature::Point, {3, 1, 2})) == "nitrogen N of Tyr 53, pit with carbon C and oxygen O of Asp 52");
+  CHECK(touchedText(m, on(Feature::Point, {3, 1, 2})) ==
+        "nitrogen N of Tyr 53, pit with carbon C and oxygen O of Asp 52");
   CHECK(contactText(&m, on(Feature::Circle, {2, 3, -1}), 3.0, false) ==
         "touching: oxygen O of Asp 52, crease with nitrogen N of Tyr 53, force is off");
   CHECK(contactText(&m, {}, 0) == "not touching");
   CHECK(contactText(nullptr, {}, 0) == "no molecule");
 }
 
-TEST_CASE("of two chains the text names the chain; atoms without residues are counted; atoms out of range are left out") {
+TEST_CASE(
+    "of two chains the text names the chain; atoms without residues are counted; atoms out of range are left out") {
   std::string two = kTwoResidues;
   for (std::size_t at = two.find(" A  53"); at != std::string::npos; at = two.find(" A  53")) two.replace(at, 2, " B");
   const Molecule m = read(two, "two.pdb");
-  CHECK(touchedText(m, on(Feature::Circle, {1, 3, -1})) == "carbon C of Asp 52 (chain A), crease with nitrogen N of Tyr 53 (chain B)");
+  CHECK(touchedText(m, on(Feature::Circle, {1, 3, -1})) ==
+        "carbon C of Asp 52 (chain A), crease with nitrogen N of Tyr 53 (chain B)");
   CHECK(touchedText(m, on(Feature::Circle, {1, 77, -1})) == "carbon C of Asp 52 (chain A)");
   const Molecule bare = read("0 0 0 1.5\n2 0 0 1.5\n", "bare.xyzr");
   CHECK(touchedText(bare, on(Feature::Circle, {0, 1, -1})) == "atom 0, crease with atom 1");
@@ -66,7 +71,8 @@ TEST_CASE("whereto the surface pushes is told in eight directions, and straight 
   CHECK(pushText({-0.4, -0.4, 0.82}) == "pushed down and to the left");
 }
 
-TEST_CASE("in prose a point between digits becomes a comma where that is preferred, but not in versions and addresses") {
+TEST_CASE(
+    "in prose a point between digits becomes a comma where that is preferred, but not in versions and addresses") {
   setDecimalComma(true);
   CHECK(localProse("A ball of 1.4 Å, then 3.28 Å. Next 0.5.") == "A ball of 1,4 Å, then 3,28 Å. Next 0,5.");
   CHECK(localProse("version 1.4.2, doi 10.1038/227, v1.4, 10.1.b") == "version 1.4.2, doi 10.1038/227, v1.4, 10.1.b");
@@ -76,11 +82,14 @@ TEST_CASE("in prose a point between digits becomes a comma where that is preferr
 }
 
 TEST_CASE("a number stays with its unit and not with a word") {
-  CHECK(withUnitsKept("by 0.08 Å and 26 N/m; 20 % of 3 atoms, 2 s.") == "by 0.08\u00a0Å and 26\u00a0N/m; 20\u00a0% of 3 atoms, 2\u00a0s.");
+  CHECK(withUnitsKept("by 0.08 Å and 26 N/m; 20 % of 3 atoms, 2 s.") ==
+        "by 0.08\u00a0Å and 26\u00a0N/m; 20\u00a0% of 3 atoms, 2\u00a0s.");
   CHECK(withUnitsKept("5 more, 7 nmr") == "5 more, 7 nmr");
 }
 
-TEST_CASE("for reading the line changes at most every 0.4 s, for speaking every 1.5 s, however fast the force trembles; seed 11") {
+TEST_CASE(
+    "for reading the line changes at most every 0.4 s, for speaking every 1.5 s, however fast the force trembles; seed "
+    "11") {
   for (const StateLine::Pace pace : {StateLine::reading(), StateLine::speaking()}) {
     std::mt19937 random(11);
     StateLine line(pace);

@@ -23,11 +23,15 @@ std::string contents(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-fs::path scratch(const char* name) { return fs::temp_directory_path() / ("moltact-device-" + std::to_string(::getpid()) + name); }
+fs::path scratch(const char* name) {
+  return fs::temp_directory_path() / ("moltact-device-" + std::to_string(::getpid()) + name);
+}
 
 Run moltact(const std::string& arguments, const std::string& before = "", const std::string& input = "</dev/null") {
   const fs::path out = scratch(".out"), err = scratch(".err");
-  const int status = std::system((before + " '" MOLTACT_BINARY "' " + arguments + ' ' + input + " >'" + out.string() + "' 2>'" + err.string() + "'").c_str());
+  const int status = std::system((before + " '" MOLTACT_BINARY "' " + arguments + ' ' + input + " >'" + out.string() +
+                                  "' 2>'" + err.string() + "'")
+                                     .c_str());
   const Run run{WEXITSTATUS(status), contents(out), contents(err)};
   fs::remove(out);
   fs::remove(err);
@@ -73,12 +77,17 @@ std::string standIn(const fs::path& log, const char* style = "") {
   return "MOLTACT_LIBHD='" MOLTACT_STAND_IN_LIBHD "' STAND_IN_LOG='" + log.string() + "' " + style;
 }
 
-TEST_CASE("an Omni that is calibrated by the person: the terminal shows what to do and Enter says that it is done; then the places are checked, and without "
-          "an answer nothing else is, which the exit status says") {
+TEST_CASE(
+    "an Omni that is calibrated by the person: the terminal shows what to do and Enter says that it is done; then the "
+    "places are checked, and without "
+    "an answer nothing else is, which the exit status says") {
   const fs::path log = scratch(".log"), keys = scratch(".keys");
   std::ofstream(keys) << "\n";
-  const Run run = moltact("device check omni --seconds 2", standIn(log, "STAND_IN_STYLE=1"), "<'" + keys.string() + "'");
-  CHECK(contains(run.out, "Hold the arm in its resting place, all joints at right angles as in the maker's picture. Then press Enter."));
+  const Run run =
+      moltact("device check omni --seconds 2", standIn(log, "STAND_IN_STYLE=1"), "<'" + keys.string() + "'");
+  CHECK(contains(
+      run.out,
+      "Hold the arm in its resting place, all joints at right angles as in the maker's picture. Then press Enter."));
   CHECK_FALSE(contains(run.out, "inkwell"));
   CHECK(contains(run.out, "passed   places at rest"));
   CHECK(contains(run.out, "left out gentle pull"));
@@ -92,8 +101,10 @@ TEST_CASE("an Omni that is calibrated by the person: the terminal shows what to 
 Run interrupted(const std::string& arguments, const std::string& before, const std::string& sign) {
   const fs::path out = scratch(".out"), err = scratch(".err");
   fs::remove(out);
-  const std::string command = before + " '" MOLTACT_BINARY "' " + arguments + " </dev/null >'" + out.string() + "' 2>'" + err.string() + "' & pid=$!; " +
-                              "for k in $(seq 600); do grep -q '" + sign + "' '" + out.string() + "' 2>/dev/null && break; sleep 0.1; done; sleep 0.5; kill -INT $pid; wait $pid";
+  const std::string command = before + " '" MOLTACT_BINARY "' " + arguments + " </dev/null >'" + out.string() +
+                              "' 2>'" + err.string() + "' & pid=$!; " + "for k in $(seq 600); do grep -q '" + sign +
+                              "' '" + out.string() +
+                              "' 2>/dev/null && break; sleep 0.1; done; sleep 0.5; kill -INT $pid; wait $pid";
   const int status = std::system(command.c_str());
   const Run run{WEXITSTATUS(status), contents(out), contents(err)};
   fs::remove(out);
@@ -101,7 +112,9 @@ Run interrupted(const std::string& arguments, const std::string& before, const s
   return run;
 }
 
-TEST_CASE("Ctrl-C in a check and in a recording: the device is closed in order, without force, and what was recorded until then is kept") {
+TEST_CASE(
+    "Ctrl-C in a check and in a recording: the device is closed in order, without force, and what was recorded until "
+    "then is kept") {
   const fs::path log = scratch(".log"), file = scratch(".trace");
   const Run check = interrupted("device check omni --yes --seconds 600", standIn(log), "Lay the stylus down");
   CHECK(check.status == 130);
@@ -109,7 +122,8 @@ TEST_CASE("Ctrl-C in a check and in a recording: the device is closed in order, 
   CHECK(contains(check.out, "left out gentle pull"));
   CHECK(contains(check.err, "broken off; the device was closed without force"));
   CHECK(contains(contents(log), " N at most, 0 N at the stop, 0 errors"));
-  const Run record = interrupted("device record omni 1ubq --seconds 600 --out '" + file.string() + "'", standIn(log), "Recording");
+  const Run record =
+      interrupted("device record omni 1ubq --seconds 600 --out '" + file.string() + "'", standIn(log), "Recording");
   CHECK(record.status == 0);
   CHECK(contains(contents(log), " N at most, 0 N at the stop"));
   CHECK(contains(moltact("device replay '" + file.string() + "'").out, "the same forces to the last bit"));

@@ -1,12 +1,12 @@
-// A device over a lesson and over two starts: it is unplugged in a step and comes back in it; the one that was chosen is
-// remembered, waited for, and leads when it is there.
+// A device over a lesson and over two starts: it is unplugged in a step and comes back in it; the one that was chosen
+// is remembered, waited for, and leads when it is there.
 #include <chrono>
 #include <cstdlib>
 #include <future>
 #include <thread>
 
-#include "app/ui/device_link.h"
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
@@ -59,7 +59,9 @@ say: Touch valine 70.
 
 }  // namespace
 
-TEST_CASE("unplugged in a lesson's step, by a script: the mouse does the step's task, the stylus leads again when it is back, and the step is the same") {
+TEST_CASE(
+    "unplugged in a lesson's step, by a script: the mouse does the step's task, the stylus leads again when it is "
+    "back, and the step is the same") {
   const Scratch scratch;
   auto d = startWith("");
   const std::string script = "open " + scratch.file("held.md", kLesson).string() + R"(
@@ -116,7 +118,9 @@ TEST_CASE("a device that was chosen is in use at the next start; the mouse that 
   CHECK(d->text("status/device") == "Mouse");
 }
 
-TEST_CASE("a device that was chosen and is not there is told once, the mouse leads, and within some seconds of its coming it leads") {
+TEST_CASE(
+    "a device that was chosen and is not there is told once, the mouse leads, and within some seconds of its coming it "
+    "leads") {
   const Scratch scratch;
   const auto file = scratch.file("settings.json", R"({"device": "omni"})");
   LibHd lib("/nowhere/libHD.so");
@@ -136,7 +140,9 @@ TEST_CASE("a device that was chosen and is not there is told once, the mouse lea
   CHECK(d->app().settings.device == "omni");
 }
 
-TEST_CASE("who chooses another device while one is waited for is asked no more for the first; a name that no driver has is forgotten") {
+TEST_CASE(
+    "who chooses another device while one is waited for is asked no more for the first; a name that no driver has is "
+    "forgotten") {
   const Scratch scratch;
   {
     auto d = startWith("1ubq", keeping(scratch.file("settings.json", R"({"device": "spacemouse"})")));
@@ -156,7 +162,9 @@ TEST_CASE("the open device page shows within two seconds what was plugged in, an
   bool there = false;
   d->app().extensions().device.lookBy([&] {
     std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
-    if (there) found.insert(found.begin(), {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+    if (there)
+      found.insert(found.begin(),
+                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
     return found;
   });
   d->tap("Ctrl+D");
@@ -174,8 +182,10 @@ TEST_CASE("the open device page shows within two seconds what was plugged in, an
   CHECK_FALSE(told(*d, "plugged in"));
 }
 
-TEST_CASE("where nobody chose, a device that gives force and is plugged in later is offered and does not lead by itself; chosen, the offer goes, and so it does when "
-          "the device is gone") {
+TEST_CASE(
+    "where nobody chose, a device that gives force and is plugged in later is offered and does not lead by itself; "
+    "chosen, the offer goes, and so it does when "
+    "the device is gone") {
   const LibHd lib(MOLTACT_STAND_IN_LIBHD);
   Driver::Options options;
   options.application.devices_unasked = true;
@@ -187,7 +197,9 @@ TEST_CASE("where nobody chose, a device that gives force and is plugged in later
   bool there = false;
   d->app().extensions().device.lookBy([&] {
     std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
-    if (there) found.insert(found.begin(), {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+    if (there)
+      found.insert(found.begin(),
+                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
     return found;
   });
   d->frames(320);
@@ -203,7 +215,8 @@ TEST_CASE("where nobody chose, a device that gives force and is plugged in later
   d->frames(320);
   REQUIRE(told(*d, "plugged in"));
   for (std::size_t k = 0; k < d->app().messages.all().size(); ++k)
-    if (contains(d->app().messages.all()[k].text, "plugged in")) CHECK(d->click("message/" + std::to_string(k) + "/device"));
+    if (contains(d->app().messages.all()[k].text, "plugged in"))
+      CHECK(d->click("message/" + std::to_string(k) + "/device"));
   d->frames(3);
   CHECK(d->click("device/omni"));
   d->frames(3);

@@ -1,8 +1,8 @@
 // A device in the window, on the frames' clock: chosen on the page, felt, unplugged, stopped.
 #include <cmath>
 
-#include "app/ui/device_link.h"
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/device/simulated_device.h"
 #include "engine/servo/safety_stage.h"
 #include "engine/servo/scale.h"
@@ -41,7 +41,9 @@ std::unique_ptr<Driver> pressing() {
 
 }  // namespace
 
-TEST_CASE("the device page lists what can be used and why the rest cannot, and a chosen stylus leads: live place, scale and limits") {
+TEST_CASE(
+    "the device page lists what can be used and why the rest cannot, and a chosen stylus leads: live place, scale and "
+    "limits") {
   auto d = startWith();
   d->tap("Ctrl+D");
   d->frames(3);
@@ -54,7 +56,8 @@ TEST_CASE("the device page lists what can be used and why the rest cannot, and a
   CHECK(d->text("device/name") == "Simulated stylus");
   CHECK(contains(d->text("device/live"), " mm; force "));
   CHECK(contains(d->text("device/scale"), "1 mm here is 0.25 Å there, 1 N here would be 130 pN there."));
-  CHECK(contains(d->text("device/scale reason"), "Two carbon atoms pressed that far into each other would push back with "));
+  CHECK(contains(d->text("device/scale reason"),
+                 "Two carbon atoms pressed that far into each other would push back with "));
   // A spring harder than the stylus can hold counts as hard as it is felt.
   const double bound = SafetyStage(d->app().scene.servo().device()).stiffnessBound_N_per_mm();
   d->app().scene.servo_settings.stiffness_N_per_mm = 2 * bound;
@@ -113,14 +116,16 @@ TEST_CASE("the gentle force of the device page pulls with 0.4 N for 4 s, and the
   CHECK(d->app().scene.servo().newest().scene == d->app().scene.servo().scene());
 }
 
-TEST_CASE("a cap that is turned fully for a second turns the view by 1.5 rad to the right; pulled up it moves half the view's height, toward the person it comes "
-          "2.2 times as close") {
+TEST_CASE(
+    "a cap that is turned fully for a second turns the view by 1.5 rad to the right; pulled up it moves half the "
+    "view's height, toward the person it comes "
+    "2.2 times as close") {
   auto d = startWith();
   ViewWish wish;
   d->app().scene.servo().setDevice(std::make_unique<Cap>(wish));
   d->frames(2);
   const Camera before = d->app().scene.camera;
-  wish.turn = {0, 1, 0};
+  wish.rotation = {0, 1, 0};
   d->frames(60);
   wish = {};
   d->frames(2);
@@ -144,7 +149,7 @@ TEST_CASE("with a stylus the screen's right is the device's right, also after th
   auto d = pressing();
   d->drag("view", 150, 40, 1);
   d->frames(3);
-  const glm::dmat3& turn = d->app().scene.servo_settings.workspace.turn;
+  const glm::dmat3& turn = d->app().scene.servo_settings.workspace.rotation;
   CHECK(glm::distance(turn[0], d->app().scene.camera.right()) < 1e-6);
   CHECK(glm::distance(turn[2], d->app().scene.camera.back()) < 1e-6);
 }

@@ -1,8 +1,9 @@
-// How a molecule lies in the room of a device that is held: an Omni's, 160 x 120 x 70 mm. Oracle: the balls' own distances.
+// How a molecule lies in the room of a device that is held: an Omni's, 160 x 120 x 70 mm. Oracle: the balls' own
+// distances.
 #include <cmath>
 
-#include "app/ui/device_link.h"
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/haptics/sweep.h"
 #include "tests/app/driver_fixture.h"
 
@@ -25,7 +26,9 @@ class Held final : public Device {
     return {.position = {place_mm}, .connected = connected};
   }
   void write(ForceN) noexcept override {}
-  DeviceStatus status() override { return {.connected = connected, .ready = connected, .text = connected ? "" : "It is unplugged."}; }
+  DeviceStatus status() override {
+    return {.connected = connected, .ready = connected, .text = connected ? "" : "It is unplugged."};
+  }
   Vec3 place_mm, goal_mm;
   bool connected = true;
 
@@ -47,7 +50,8 @@ const ServoSample& now(Driver& d) { return d.app().scene.log().latest(); }
 // The gap between the probe and the nearest ball (unit: angstrom), ball by ball.
 double gap_A(Driver& d) {
   double least = 1e9;
-  for (const Ball& b : d.app().scene.stage().molecule->balls()) least = std::min(least, glm::distance(b.centre_A, now(d).hip.A) - b.radius_A - now(d).probe_A);
+  for (const Ball& b : d.app().scene.stage().molecule->balls())
+    least = std::min(least, glm::distance(b.centre_A, now(d).hip.A) - b.radius_A - now(d).probe_A);
   return least;
 }
 
@@ -60,8 +64,10 @@ void go(Driver& d, Held& stylus, Vec3 to_mm) {
 
 }  // namespace
 
-TEST_CASE("a stylus in the middle of an Omni's room is free before the molecule, as far as its surface lies behind; 35 mm farther it touches, with the scale of the "
-          "mouse, and drawn back to the person's edge it is free again: for molecules of 2 to 4600 atoms") {
+TEST_CASE(
+    "a stylus in the middle of an Omni's room is free before the molecule, as far as its surface lies behind; 35 mm "
+    "farther it touches, with the scale of the "
+    "mouse, and drawn back to the person's edge it is free again: for molecules of 2 to 4600 atoms") {
   for (const char* molecule : {"argon-pair", "benzene", "b-dna", "1ubq", "1hel", "2hhb"}) {
     CAPTURE(std::string(molecule));
     auto d = startWith(molecule);
@@ -87,7 +93,9 @@ TEST_CASE("a stylus in the middle of an Omni's room is free before the molecule,
   }
 }
 
-TEST_CASE("wherever the hand is in its room when the device is chosen, and whichever way the view is turned then, it does not begin inside") {
+TEST_CASE(
+    "wherever the hand is in its room when the device is chosen, and whichever way the view is turned then, it does "
+    "not begin inside") {
   auto d = startWith("1ubq");
   int deep = 0;
   for (const Vec3 at : {Vec3(0, 0, -34), Vec3(60, -40, -30), Vec3(-50, 30, 0), Vec3(20, 20, 34), Vec3(-75, 0, -34)}) {
@@ -106,7 +114,9 @@ TEST_CASE("wherever the hand is in its room when the device is chosen, and which
   CHECK(deep > 0);  // the molecule went back for some
 }
 
-TEST_CASE("turned in contact the force is gone and grows from nothing, and what is in the middle of the view is what the hand meets") {
+TEST_CASE(
+    "turned in contact the force is gone and grows from nothing, and what is in the middle of the view is what the "
+    "hand meets") {
   auto d = startWith("1ubq");
   Held& stylus = hold(*d);
   go(*d, stylus, {0, 0, -24});
@@ -128,10 +138,10 @@ TEST_CASE("a view that is moved aside brings another part before the hand; broug
   auto d = startWith("1ubq");
   hold(*d);
   const Vec3 before = d->app().scene.servo_settings.workspace.centre_A;
-  const std::uint32_t placements = d->app().scene.servo_settings.placements;
+  const std::uint32_t discontinuities = d->app().scene.servo_settings.discontinuities;
   d->app().scene.camera.zoom(1.5);
   d->frames(3);
-  CHECK(d->app().scene.servo_settings.placements == placements);
+  CHECK(d->app().scene.servo_settings.discontinuities == discontinuities);
   d->app().scene.camera.pan(120, 0, 700);
   d->frames(3);
   const Camera& camera = d->app().scene.camera;
@@ -140,7 +150,9 @@ TEST_CASE("a view that is moved aside brings another part before the hand; broug
   CHECK(glm::distance(before, d->app().scene.servo_settings.workspace.centre_A) > 1.0);
 }
 
-TEST_CASE("a front that lies farther to the side than the room is reached by the edge: held there the probe goes on until it meets nothing more") {
+TEST_CASE(
+    "a front that lies farther to the side than the room is reached by the edge: held there the probe goes on until it "
+    "meets nothing more") {
   auto d = startWith("1ubq");
   Held& stylus = hold(*d);
   go(*d, stylus, {79, 0, 10});
@@ -150,8 +162,10 @@ TEST_CASE("a front that lies farther to the side than the room is reached by the
   CHECK(glm::dot(now(*d).hip.A, d->app().scene.camera.right()) > x_A + 5.0);
 }
 
-TEST_CASE("unplugged the mouse has its own mapping, as if no device had been there, and its probe is where it was; plugged in again the stylus is free before the "
-          "molecule") {
+TEST_CASE(
+    "unplugged the mouse has its own mapping, as if no device had been there, and its probe is where it was; plugged "
+    "in again the stylus is free before the "
+    "molecule") {
   auto d = startWith("1ubq");
   const Workspace mouse = d->app().scene.servo_settings.workspace;
   d->point("view", 0.55, 0.45);
@@ -163,7 +177,7 @@ TEST_CASE("unplugged the mouse has its own mapping, as if no device had been the
   const Workspace& now_w = d->app().scene.servo_settings.workspace;
   CHECK(now_w.centre_A == mouse.centre_A);
   CHECK(now_w.A_per_mm == mouse.A_per_mm);
-  CHECK(now_w.turn == mouse.turn);
+  CHECK(now_w.rotation == mouse.rotation);
   CHECK(glm::distance(now(*d).hip.A, d->app().scene.controls.lead().A) < 0.05);
   CHECK(now(*d).contact.fault == Fault::None);
   stylus.place_mm = stylus.goal_mm = Vec3(0);

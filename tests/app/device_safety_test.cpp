@@ -1,11 +1,11 @@
-// What stands between a device and a hand, through the window: the panic key and the gentle force whatever is shown, each
-// limit's words while it acts, and the device's own words. Oracle: what a device made for the test was given.
+// What stands between a device and a hand, through the window: the panic key and the gentle force whatever is shown,
+// each limit's words while it acts, and the device's own words. Oracle: what a device made for the test was given.
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
-#include "app/ui/device_link.h"
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/servo/plain_trackers.h"
 #include "tests/app/driver_fixture.h"
 
@@ -65,7 +65,9 @@ std::unique_ptr<Tracker> pull(Driver& d, double N) {
 class Told final : public PlainTracker {
  public:
   explicit Told(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
-  Contact step(PointA hip) noexcept override { return {.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  Contact step(PointA hip) noexcept override {
+    return {.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+  }
 
  private:
   std::function<Vec3(Vec3)> scp_;
@@ -82,7 +84,9 @@ bool told(Driver& d, const std::string& part) { return !message(d, part).empty()
 
 }  // namespace
 
-TEST_CASE("while a recorded hand is shown no gentle force begins; one that pulls when it is shown ends at once, and the force is 0 from then on") {
+TEST_CASE(
+    "while a recorded hand is shown no gentle force begins; one that pulls when it is shown ends at once, and the "
+    "force is 0 from then on") {
   auto d = startWith();
   Led& stylus = lead(*d);
   d->tap("Ctrl+D");
@@ -124,8 +128,10 @@ TEST_CASE("a class takes turns while a force is tried: as the device changes han
   CHECK(stylus.given_N == Vec3(0));
 }
 
-TEST_CASE("F9 stops all force within two frames whatever is shown: the scene, a try, a recorded hand, the welcome page, a page, a field that is typed into, "
-          "another step, another molecule") {
+TEST_CASE(
+    "F9 stops all force within two frames whatever is shown: the scene, a try, a recorded hand, the welcome page, a "
+    "page, a field that is typed into, "
+    "another step, another molecule") {
   struct Case {
     const char* name;
     std::function<void(Driver&)> begin;
@@ -134,11 +140,20 @@ TEST_CASE("F9 stops all force within two frames whatever is shown: the scene, a 
       {"the scene", [](Driver&) {}},
       {"a try", [](Driver& d) { d.app().extensions().device.tryForce(d.app()); }},
       {"a recorded hand", [](Driver& d) { d.app().scene.play(ServoSample()); }},
-      {"turns", [](Driver& d) { d.app().extensions().turns.begin(d.app(), {"K1", "K2"}, 30.0); }},
+      {"turns",
+       [](Driver& d) {
+         d.app().extensions().turns.begin(d.app(), {"K1", "K2"}, 30.0);
+       }},
       {"welcome", [](Driver& d) { d.app().panels.welcome = true; }},
       {"open page", [](Driver& d) { d.app().panels.open_page = true; }},
       {"preferences", [](Driver& d) { d.app().panels.preferences_page = true; }},
-      {"a field", [](Driver& d) { d.app().panels.turns_page = true; d.frames(3); d.click("turns/names"); d.type("K"); }},
+      {"a field",
+       [](Driver& d) {
+         d.app().panels.turns_page = true;
+         d.frames(3);
+         d.click("turns/names");
+         d.type("K");
+       }},
       {"a file dialog", [](Driver& d) { d.tap("Ctrl+Shift+S"); }},
       {"another step", [](Driver& d) { d.app().lesson.next(); }},
       {"another molecule", [](Driver& d) { d.app().open("1hel"); }},
@@ -164,8 +179,10 @@ TEST_CASE("F9 stops all force within two frames whatever is shown: the scene, a 
   }
 }
 
-TEST_CASE("the gentle force is 0.4 N to the device's right although the view was turned, the spring is soft, the lesson wants no force and the page of welcome "
-          "stands there; F9 ends it, and it does not come back") {
+TEST_CASE(
+    "the gentle force is 0.4 N to the device's right although the view was turned, the spring is soft, the lesson "
+    "wants no force and the page of welcome "
+    "stands there; F9 ends it, and it does not come back") {
   auto d = startWith();
   Led& stylus = lead(*d);
   d->drag("view", 200, 60, 1);
@@ -190,8 +207,8 @@ TEST_CASE("the gentle force is 0.4 N to the device's right although the view was
 TEST_CASE("each limit is named on the device page and says its sentence over the view while it acts") {
   struct Case {
     Limit limit;
-    std::function<void(Driver&)> set;   // the settings and the method
-    Led::Path path;                     // the hand
+    std::function<void(Driver&)> set;  // the settings and the method
+    Led::Path path;                    // the hand
     double for_s = 1.0;
   };
   const double turn = 2 * 3.14159265358979;
@@ -202,7 +219,9 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
   const Led::Path still = [](double) { return DevicePose{}; };
   // To and fro along x, up to `fast_mm_per_s`.
   const auto shaken = [turn](double fast_mm_per_s, double Hz) {
-    return [=](double t) { return DevicePose{.position = {{fast_mm_per_s / (turn * Hz) * std::sin(turn * Hz * t), 0, 0}}}; };
+    return [=](double t) {
+      return DevicePose{.position = {{fast_mm_per_s / (turn * Hz) * std::sin(turn * Hz * t), 0, 0}}};
+    };
   };
   const std::vector<Case> cases{
       {Limit::Clamp, strong(9.0), still},
@@ -210,18 +229,33 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
       {Limit::Slew, method([side = 1.0](Vec3 hip) mutable { return hip + Vec3(side = -side, 0, 0); }), still},
       {Limit::StalePlace, strong(1.0), [](double t) { return DevicePose{.position = {}, .fresh = t < 0.5}; }},
       {Limit::Speed, strong(0.5), shaken(950, 3)},
-      {Limit::Stiffness, [](Driver& d) { d.app().scene.servo_settings.stiffness_N_per_mm = 2.0; d.app().scene.servo().setTracker(pull(d, 1.0)); }, still},
+      {Limit::Stiffness,
+       [](Driver& d) {
+         d.app().scene.servo_settings.stiffness_N_per_mm = 2.0;
+         d.app().scene.servo().setTracker(pull(d, 1.0));
+       },
+       still},
       // A force along the hand's way, wherever it goes, makes energy without end.
-      {Limit::Damping, strong(1.0), [](double t) { return DevicePose{.position = {{20 * t, 0, 0}}}; }},
-      {Limit::EnergyCut, strong(3.0), [](double t) { return DevicePose{.position = {{300 * t, 0, 0}}}; }},
+      {Limit::Damping, strong(1.0),
+       [](double t) {
+         return DevicePose{.position = {{20 * t, 0, 0}}};
+       }},
+      {Limit::EnergyCut, strong(3.0),
+       [](double t) {
+         return DevicePose{.position = {{300 * t, 0, 0}}};
+       }},
       {Limit::NotFinite, method([](Vec3) { return Vec3(std::nan("")); }), still},
       {Limit::LateLoop, strong(1.0), still},
-      {Limit::Jump, strong(1.0), [](double t) { return DevicePose{.position = {{t < 0.8 ? 0.0 : 60.0, 0, 0}}}; }},
-      {Limit::DeviceFault, strong(1.0), [](double) { return DevicePose{.position = {}, .trouble = true}; }},
+      {Limit::Jump, strong(1.0),
+       [](double t) {
+         return DevicePose{.position = {{t < 0.8 ? 0.0 : 60.0, 0, 0}}};
+       }},
+      {Limit::DeviceFault, strong(1.0), [](double) { return DevicePose{.position = {}, .fault = true}; }},
       {Limit::SoftStart, strong(1.0), still, 0.2},
   };
   for (const Case& c : cases) {
-    const auto words = std::find_if(limitWords().begin(), limitWords().end(), [&](const LimitWords& w) { return w.limit == c.limit; });
+    const auto words =
+        std::find_if(limitWords().begin(), limitWords().end(), [&](const LimitWords& w) { return w.limit == c.limit; });
     CAPTURE(words->name);
     for (const bool page : {true, false}) {
       auto d = startWith();
@@ -232,7 +266,8 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
       for (int k = 0; k < int(c.for_s * 12) && !seen; ++k) {
         if (c.limit == Limit::LateLoop) d->app().scene.servo().standStill(0.05);
         d->frames(5);
-        seen = page ? contains(d->text("device/acting"), std::string(words->name)) : d->shows("limits") && contains(d->text("limits"), std::string(words->sentence));
+        seen = page ? contains(d->text("device/acting"), std::string(words->name))
+                    : d->shows("limits") && contains(d->text("limits"), std::string(words->sentence));
       }
       // A soft start begins every touch and has no word over the view.
       CHECK(seen == (page || c.limit != Limit::SoftStart));
@@ -245,7 +280,7 @@ TEST_CASE("a soft start that begins again and again for 1.5 s is told over the v
   lead(*d, {}, kDeep_mm);
   d->app().scene.servo().setTracker(pull(*d, 1.0));
   for (int k = 0; k < 30; ++k) {
-    ++d->app().scene.servo_settings.placements;
+    ++d->app().scene.servo_settings.discontinuities;
     d->frames(6);
   }
   CHECK(contains(d->text("limits"), "The force grows slowly from nothing."));
@@ -264,7 +299,9 @@ TEST_CASE("the soft start of a gentle force shows on the page, although its tick
   CHECK(d->text("device/acting") == "No limit acts.");
 }
 
-TEST_CASE("the stiffness in force stands on the page: half of 2.2 N s/m over 1.5 ms, less as soon as the device is slower than its figures say") {
+TEST_CASE(
+    "the stiffness in force stands on the page: half of 2.2 N s/m over 1.5 ms, less as soon as the device is slower "
+    "than its figures say") {
   auto d = startWith();
   lead(*d);
   d->tap("Ctrl+D");
@@ -273,9 +310,12 @@ TEST_CASE("the stiffness in force stands on the page: half of 2.2 N s/m over 1.5
   CHECK(d->app().scene.servo().newest().stiffness_bound_N_per_mm == doctest::Approx(0.5 * 2.2 / 1.5));
 }
 
-TEST_CASE("a device that wants to be calibrated says over the view what to do, with the button for it; ready again, that is told and the rest goes") {
+TEST_CASE(
+    "a device that wants to be calibrated says over the view what to do, with the button for it; ready again, that is "
+    "told and the rest goes") {
   auto d = startWith();
-  Led& stylus = lead(*d, [](double t) { return DevicePose{.position = {}, .trouble = t < 2.0}; }, kDeep_mm);
+  Led& stylus = lead(
+      *d, [](double t) { return DevicePose{.position = {}, .fault = t < 2.0}; }, kDeep_mm);
   d->app().scene.servo().setTracker(pull(*d, 1.0));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
@@ -305,7 +345,7 @@ TEST_CASE("a device that wants to be calibrated says over the view what to do, w
   CHECK_FALSE(told(*d, "inkwell"));
 }
 
-TEST_CASE("trouble that a device tells of is told for as long as it lasts") {
+TEST_CASE("fault that a device tells of is told for as long as it lasts") {
   auto d = startWith();
   Led& stylus = lead(*d);
   stylus.said.text = "The motors are too warm.";

@@ -5,13 +5,16 @@
 
 using namespace moltact::test;
 
-TEST_CASE("an empty MOLTACT_LIBHD is as good as none: the library is looked for where it may be, and the remedy names the variable") {
+TEST_CASE(
+    "an empty MOLTACT_LIBHD is as good as none: the library is looked for where it may be, and the remedy names the "
+    "variable") {
   const CommandPlace place;
   for (const char* variable : {"env MOLTACT_LIBHD=''", "env -u MOLTACT_LIBHD"}) {
     const std::string out = place.run("devices", variable).out;
     CHECK(out.find("hdInitDevice") == std::string::npos);
     // Where OpenHaptics is installed there is nothing to be told.
-    if (out.find("could not be loaded") != std::string::npos) CHECK(out.find("MOLTACT_LIBHD=/path/libHD.so") != std::string::npos);
+    if (out.find("could not be loaded") != std::string::npos)
+      CHECK(out.find("MOLTACT_LIBHD=/path/libHD.so") != std::string::npos);
   }
 }
 

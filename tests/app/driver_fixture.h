@@ -1,19 +1,20 @@
 // The application on EGL without a display, driven as a person would: what the tests of this folder share.
 #pragma once
 
+#include <doctest/doctest.h>
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <memory>
 #include <string>
 
-#include <doctest/doctest.h>
-#include <unistd.h>
-
-#include "app/ui/driver.h"
+#include "app/ui/shell/driver.h"
 
 namespace moltact {
 
-/// A driver with ubiquitin on the stage, or whatever else is asked for; fails the test where off-screen OpenGL is missing.
+/// A driver with ubiquitin on the stage, or whatever else is asked for; fails the test where off-screen OpenGL is
+/// missing.
 inline std::unique_ptr<Driver> startWith(const std::string& what = "1ubq", Driver::Options options = {}) {
   Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(options));
   if (!made) FAIL(made.problem().text());
@@ -26,11 +27,14 @@ inline std::unique_ptr<Driver> startWith(const std::string& what = "1ubq", Drive
 }
 
 /// The lesson that a newcomer begins with, as it comes with the program.
-inline void openFirst(Driver& driver) { driver.app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md"); }
+inline void openFirst(Driver& driver) {
+  driver.app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
+}
 
 /// A folder of its own, gone at the end.
 struct Scratch {
-  std::filesystem::path folder = std::filesystem::temp_directory_path() / ("moltact-app-test-" + std::to_string(::getpid()));
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("moltact-app-test-" + std::to_string(::getpid()));
   Scratch() { std::filesystem::create_directories(folder); }
   ~Scratch() { std::filesystem::remove_all(folder); }
   std::filesystem::path file(const std::string& name, const std::string& text) const {
@@ -46,7 +50,8 @@ inline double difference(const Picture& a, const Picture& b) {
   std::size_t differ = 0;
   const std::size_t pixels = a.rgb.size() / 3;
   for (std::size_t k = 0; k < pixels; ++k)
-    differ += a.rgb[3 * k] != b.rgb[3 * k] || a.rgb[3 * k + 1] != b.rgb[3 * k + 1] || a.rgb[3 * k + 2] != b.rgb[3 * k + 2];
+    differ +=
+        a.rgb[3 * k] != b.rgb[3 * k] || a.rgb[3 * k + 1] != b.rgb[3 * k + 1] || a.rgb[3 * k + 2] != b.rgb[3 * k + 2];
   return double(differ) / double(pixels);
 }
 

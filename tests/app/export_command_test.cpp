@@ -1,11 +1,10 @@
 // `moltact export` as a person calls it: exit status and the file that it leaves.
+#include <doctest/doctest.h>
 #include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
 #include <string>
-
-#include <doctest/doctest.h>
 
 #include "engine/gltf/gltf_file.h"
 
@@ -22,7 +21,9 @@ int run(const std::string& arguments) {
 
 }  // namespace
 
-TEST_CASE("export leaves benzene as 12 balls or as a surface, which read back; wrong usage gives 2, a missing molecule 1, and no file") {
+TEST_CASE(
+    "export leaves benzene as 12 balls or as a surface, which read back; wrong usage gives 2, a missing molecule 1, "
+    "and no file") {
   const std::string out = " '" + kOut.string() + "'";
   REQUIRE(run("benzene" + out) == 0);
   const auto balls = readGltf(kOut);

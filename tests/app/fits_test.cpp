@@ -1,7 +1,7 @@
 // Nothing is cut off: every widget of every page lies in the window that it stands in, at each scale and in each theme.
 #include <functional>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -31,8 +31,12 @@ struct Files {
   std::string lesson, wrong, attempt;
 
   Files() {
-    const std::string head = "---\ntitle: A lesson of a length that a title may have\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\nlocked: all\n---\n";
-    const std::string text = "## One\n```scene\nmolecule: 1ubq\ncolour: chain\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## Two\nText.\n";
+    const std::string head =
+        "---\ntitle: A lesson of a length that a title may have\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: "
+        "A\nlicence: L\nlocked: all\n---\n";
+    const std::string text =
+        "## One\n```scene\nmolecule: 1ubq\ncolour: chain\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## "
+        "Two\nText.\n";
     lesson = (scratch.path / "mine.md").string();
     wrong = (scratch.path / "wrong.md").string();
     attempt = (scratch.path / "mine.jsonl").string();
@@ -57,7 +61,10 @@ const Page kPages[] = {
     {"lesson", [](Driver&) {}},
     {"touch details", [](Driver& d) { d.app().panels.touch_details = true; }},
     {"methods", [](Driver& d) { d.app().panels.showMethods(true); }},
-    {"message", [](Driver& d) { d.app().messages.error("benzene.pdb:12:3: this is no number; write one there and open the file again"); }},
+    {"message",
+     [](Driver& d) {
+       d.app().messages.error("benzene.pdb:12:3: this is no number; write one there and open the file again");
+     }},
     {"controls", [](Driver& d) { d.app().panels.controls_page = true; }},
     {"about", [](Driver& d) { d.app().panels.about_page = true; }},
     {"preferences", [](Driver& d) { d.app().panels.preferences_page = true; }},
@@ -80,7 +87,8 @@ void closeAll(Driver& d) {
   PanelState& p = d.app().panels;
   for (int k = 0; k < 2; ++k) {
     d.tap("Escape");
-    p.welcome = p.controls_page = p.about_page = p.preferences_page = p.open_page = p.device_page = p.turns_page = false;
+    p.welcome = p.controls_page = p.about_page = p.preferences_page = p.open_page = p.device_page = p.turns_page =
+        false;
     d.app().file_dialog.close();
     d.frames(2);
   }

@@ -1,5 +1,5 @@
-// Every command that writes a file, on a disk with no room, past a limit on files, and with what was there before. Oracle: the bytes
-// before, and a listing of the folder.
+// Every command that writes a file, on a disk with no room, past a limit on files, and with what was there before.
+// Oracle: the bytes before, and a listing of the folder.
 #include <arpa/inet.h>
 #include <doctest/doctest.h>
 #include <netinet/in.h>
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 struct Case {
   std::string arguments;  ///< writes small/FILE
   std::string file;
-  bool replaces = true;   ///< what is there is replaced; else refused
+  bool replaces = true;  ///< what is there is replaced; else refused
 };
 
 std::vector<Case> cases() {
@@ -46,13 +46,18 @@ void prepare(const CommandPlace& place) {
   fs::copy_file(MOLTACT_SOURCE_DIR "/molecules/1ubq.pdb", place.folder / "5adh.pdb.gz");
 }
 
-TEST_CASE("on a full disk every command that writes fails with a message, and keeps what was there, with nothing beside it") {
+TEST_CASE(
+    "on a full disk every command that writes fails with a message, and keeps what was there, with nothing beside it") {
   const CommandPlace place;
   prepare(place);
   // A disk of the test's own in a view of the system of its own; "$0" is the program.
-  const std::string fill = "mkdir -p \"$(dirname small/$FILE)\"; [ -z \"$OLD\" ] || printf older >small/$FILE; head -c 100000 /dev/zero >small/fill 2>/dev/null; ";
-  const std::string list = "; s=$?; cat small/$FILE >kept 2>/dev/null; find small -type f | sort >listing; umount small; exit $s";
-  if (place.run("--version", "unshare -m sh -c 'mount -t tmpfs -o size=16k tmpfs small && \"$0\" \"$@\"'").status != 0) {
+  const std::string fill =
+      "mkdir -p \"$(dirname small/$FILE)\"; [ -z \"$OLD\" ] || printf older >small/$FILE; head -c 100000 /dev/zero "
+      ">small/fill 2>/dev/null; ";
+  const std::string list =
+      "; s=$?; cat small/$FILE >kept 2>/dev/null; find small -type f | sort >listing; umount small; exit $s";
+  if (place.run("--version", "unshare -m sh -c 'mount -t tmpfs -o size=16k tmpfs small && \"$0\" \"$@\"'").status !=
+      0) {
     MESSAGE("left out: no disk may be mounted here");
     return;
   }
@@ -61,18 +66,24 @@ TEST_CASE("on a full disk every command that writes fails with a message, and ke
       CAPTURE(c.arguments);
       CAPTURE(old);
       fs::remove(place.folder / "kept");
-      const std::string before = "export MOLTACT_HOME='" MOLTACT_SOURCE_DIR "' XDG_DATA_HOME=\"$PWD/small\" FILE=" + c.file + " OLD=" + (old ? "1" : "") +
-                                 "; unshare -m sh -c 'mount -t tmpfs -o size=16k tmpfs small || exit 99; " + fill + "\"$0\" \"$@\"" + list + "'";
+      const std::string before =
+          "export MOLTACT_HOME='" MOLTACT_SOURCE_DIR "' XDG_DATA_HOME=\"$PWD/small\" FILE=" + c.file +
+          " OLD=" + (old ? "1" : "") + "; unshare -m sh -c 'mount -t tmpfs -o size=16k tmpfs small || exit 99; " +
+          fill + "\"$0\" \"$@\"" + list + "'";
       const Run run = place.run(c.arguments, before);
       CHECK_MESSAGE(run.status == 1, run.status, run.out, run.err);
       const bool refused = old && !c.replaces;
-      CHECK_MESSAGE((run.err + run.out).find(refused ? "already" : "the disk is full") != std::string::npos, run.err, run.out);
+      CHECK_MESSAGE((run.err + run.out).find(refused ? "already" : "the disk is full") != std::string::npos, run.err,
+                    run.out);
       CHECK(contents(place.folder / "kept") == (old ? "older" : ""));
-      CHECK(contents(place.folder / "listing") == (old ? (c.file < "fill" ? "small/" + c.file + "\nsmall/fill\n" : "small/fill\nsmall/" + c.file + "\n") : "small/fill\n"));
+      CHECK(contents(place.folder / "listing") ==
+            (old ? (c.file < "fill" ? "small/" + c.file + "\nsmall/fill\n" : "small/fill\nsmall/" + c.file + "\n")
+                 : "small/fill\n"));
     }
 }
 
-TEST_CASE("past a limit on the size of files every command that writes fails with a message, and keeps what was there") {
+TEST_CASE(
+    "past a limit on the size of files every command that writes fails with a message, and keeps what was there") {
   for (const Case& c : cases()) {
     if (c.file.find('/') != std::string::npos) continue;  // a fetched entry has its own folder; the way is the same
     const CommandPlace place;
@@ -106,7 +117,9 @@ TEST_CASE("a fetch that is broken off leaves nothing and ends with 130") {
   const CommandPlace place;
   const std::string url = "http://127.0.0.1:" + std::to_string(ntohs(address.sin_port)) + "/5ADH.cif.gz";
   // A shell's background jobs ignore SIGINT; SIGTERM is the same wish.
-  place.run("fetch 5adh --url " + url + " 2>fetch.err & P=$!; sleep 2; kill -TERM $P; wait $P; echo $? >status; find data -type f", "export XDG_DATA_HOME=\"$PWD/data\"; ");
+  place.run("fetch 5adh --url " + url +
+                " 2>fetch.err & P=$!; sleep 2; kill -TERM $P; wait $P; echo $? >status; find data -type f",
+            "export XDG_DATA_HOME=\"$PWD/data\"; ");
   ::close(server);
   CHECK(contents(place.folder / "status") == "130\n");
   CHECK(contents(place.folder / "run.out").empty());

@@ -1,4 +1,5 @@
-// Names and texts that try to steer a terminal, in every place where a command could print them. Oracle: the bytes of what came out.
+// Names and texts that try to steer a terminal, in every place where a command could print them. Oracle: the bytes of
+// what came out.
 #include <doctest/doctest.h>
 
 #include <filesystem>
@@ -16,8 +17,13 @@ namespace {
 namespace fs = std::filesystem;
 
 // A title of the window, a cleared screen, C1 as UTF-8 and as a byte, DEL, a turned direction, and a line of its own.
-const std::string kText = "\x1b]0;owned\x07\x1b[2J\xc2\x9b" "31m\x7f\xe2\x80\xae" "evil";
-const std::string kName = kText + "\x9b" "5n\nforged";
+const std::string kText =
+    "\x1b]0;owned\x07\x1b[2J\xc2\x9b"
+    "31m\x7f\xe2\x80\xae"
+    "evil";
+const std::string kName = kText +
+                          "\x9b"
+                          "5n\nforged";
 
 // Empty, or what is wrong with it.
 std::string fault(std::string_view printed) {
@@ -33,14 +39,24 @@ std::string fault(std::string_view printed) {
 
 std::string atom(int serial, const char* record, const std::string& residue, char chain, int number, double x) {
   char line[100];
-  std::snprintf(line, sizeof line, "%-6s%5d  C   %3s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", record, serial, residue.c_str(), chain, number, x, 0.0, 0.0);
+  std::snprintf(line, sizeof line, "%-6s%5d  C   %3s %c%4d    %8.3f%8.3f%8.3f  1.00  0.00           C\n", record,
+                serial, residue.c_str(), chain, number, x, 0.0, 0.0);
   return line;
 }
 
-const std::string kPdb = "HEADER    X                                       01-JAN-00   1EVL\nTITLE     " + kText + "\n" + atom(1, "ATOM", "ALA", '\x1b', 1, 0.0) + atom(2, "HETATM", "\x1b[2", '\x07', 2, 4.0);
-const std::string kCif = "data_" "X\n_struct.title\n;\n" + kText + "\nforged\n;\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_site.auth_asym_id\n_atom_site.auth_comp_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nHETATM C '" + kText + "' '" + kText + "' 0 0 0\nHETATM N '" + kText + "' '" + kText + "' 2 0 0\n";
+const std::string kPdb = "HEADER    X                                       01-JAN-00   1EVL\nTITLE     " + kText +
+                         "\n" + atom(1, "ATOM", "ALA", '\x1b', 1, 0.0) + atom(2, "HETATM", "\x1b[2", '\x07', 2, 4.0);
+const std::string kCif =
+    "data_"
+    "X\n_struct.title\n;\n" +
+    kText +
+    "\nforged\n;\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_site.auth_asym_id\n_atom_site.auth_comp_"
+    "id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\nHETATM C '" +
+    kText + "' '" + kText + "' 0 0 0\nHETATM N '" + kText + "' '" + kText + "' 2 0 0\n";
 
-const std::string kLesson = "---\ntitle: " + kText + "\nmolecule: " + "own.pdb\n---\n\n# " + kText + "\n\nText " + kText + "\n\n## Question: " + kText + "?\n\n- [ ] " + kText + " a\n- [x] " + kText + " b\n\n```" + kText + "\nkey " + kText + ": 1\n```\n";
+const std::string kLesson = "---\ntitle: " + kText + "\nmolecule: " + "own.pdb\n---\n\n# " + kText + "\n\nText " +
+                            kText + "\n\n## Question: " + kText + "?\n\n- [ ] " + kText + " a\n- [x] " + kText +
+                            " b\n\n```" + kText + "\nkey " + kText + ": 1\n```\n";
 
 std::string newLesson(const CommandPlace& place) {
   place.run("new-lesson 'A good one' --folder made");
@@ -49,10 +65,13 @@ std::string newLesson(const CommandPlace& place) {
 
 std::string quoted(const std::string& word) { return "'" + word + "'"; }
 
-TEST_CASE("every command, fed hostile names and files, prints nothing that steers a terminal and no line that is forged") {
+TEST_CASE(
+    "every command, fed hostile names and files, prints nothing that steers a terminal and no line that is forged") {
   const CommandPlace place;
   const fs::path& at = place.folder;
-  const auto put = [&](const std::string& name, const std::string& bytes) { std::ofstream(at / name, std::ios::binary) << bytes; };
+  const auto put = [&](const std::string& name, const std::string& bytes) {
+    std::ofstream(at / name, std::ios::binary) << bytes;
+  };
   put(kName + ".pdb", kPdb);
   put(kName + ".cif", kCif);
   put("own.pdb", kPdb);
@@ -74,32 +93,82 @@ TEST_CASE("every command, fed hostile names and files, prints nothing that steer
   const std::string evil = quoted(kName);
   const auto file = [&](const char* ending) { return quoted(kName + ending); };
   int tried = 0, replaced = 0;
-  for (const std::string& arguments : std::vector<std::string>{
-           evil, "--" + evil, evil + " --screenshot /none/" + file(".png"), "--screenshot x.png --script " + file(".script"), "--screenshot x.png --script " + evil,
-           "--screenshot x.png --size " + evil, file(".md") + " --screenshot x.png --state-text -", "--screenshot x.png --state-text /none/" + evil,
-           "info " + evil, "info " + file(".pdb"), "info " + file(".cif"), "info --json " + file(".pdb"), "info --json " + file(".cif"), "info bad.pdb", "info bad.cif", "info bad.xyzr",
-           "info own.pdb --assembly " + evil, "info own.pdb --model " + evil,
-           "replay " + file(".pdb") + " --path " + file(".csv") + " --out /none/" + evil, "replay own.pdb --path " + evil + " --time", "replay own.pdb --path bad.csv --time",
-           "replay own.pdb --path " + file(".csv") + " --time --method " + evil,
-           "play " + file(".md") + " --demonstrate", "play " + evil + " --demonstrate", "play good.md --answers " + file(".txt"), "play good.md --answers " + evil,
-           "play --json " + file(".md") + " --demonstrate",
-           "check " + file(".md"), "check " + evil, "check " + file(" folder"), "check --json " + file(".md"), "check --json " + file(" folder"),
-           "render own.pdb --out /none/" + evil, "render own.pdb --out x.png --size " + evil, "render own.pdb --out x.png --hip " + evil, "render own.pdb --out x.png --show " + evil,
-           "export " + file(".pdb") + " " + file(".glb"), "export own.pdb " + evil, "export own.pdb /none/" + file(".glb"),
-           "fetch " + evil, "fetch 5adh --url file:///none/" + evil, "fetch 5adh --url " + evil, "fetch 5adh --url \"file://$PWD/own.pdb\"",
-           "report " + file(".jsonl") + " b.jsonl " + evil + " --csv " + file("-out.csv"), "report b.jsonl --csv x.csv", "report " + file(".jsonl") + " --html /none/" + evil,
-           "bench feel --methods " + evil, "bench feel --docs " + evil, "bench feel --json /dev/null/" + evil, "bench " + evil,
-           "devices", "devices --json", "device check " + evil, "device record " + evil + " own.pdb --out x.trace", "device record simulated " + evil + " --out x.trace",
-           "device record simulated own.pdb --seconds 0.1 --out " + file("-new.trace"), "device replay " + file(".trace"), "device replay " + evil, "device replay " + file("-new.trace"),
-           "new-lesson " + evil, "new-lesson " + quoted(kText), "new-lesson name --folder " + file("-lessons"), "new-lesson name --folder " + file(".md"), "lesson-reference", "lesson-reference " + evil}) {
-    const Run run = place.run(arguments, "env MOLTACT_LIBHD=" + quoted("/none/" + kName + ".so") + " HOME=" + quoted(at.string() + "/" + kName));
+  for (const std::string& arguments :
+       std::vector<std::string>{evil,
+                                "--" + evil,
+                                evil + " --screenshot /none/" + file(".png"),
+                                "--screenshot x.png --script " + file(".script"),
+                                "--screenshot x.png --script " + evil,
+                                "--screenshot x.png --size " + evil,
+                                file(".md") + " --screenshot x.png --state-text -",
+                                "--screenshot x.png --state-text /none/" + evil,
+                                "info " + evil,
+                                "info " + file(".pdb"),
+                                "info " + file(".cif"),
+                                "info --json " + file(".pdb"),
+                                "info --json " + file(".cif"),
+                                "info bad.pdb",
+                                "info bad.cif",
+                                "info bad.xyzr",
+                                "info own.pdb --assembly " + evil,
+                                "info own.pdb --model " + evil,
+                                "replay " + file(".pdb") + " --path " + file(".csv") + " --out /none/" + evil,
+                                "replay own.pdb --path " + evil + " --time",
+                                "replay own.pdb --path bad.csv --time",
+                                "replay own.pdb --path " + file(".csv") + " --time --method " + evil,
+                                "play " + file(".md") + " --demonstrate",
+                                "play " + evil + " --demonstrate",
+                                "play good.md --answers " + file(".txt"),
+                                "play good.md --answers " + evil,
+                                "play --json " + file(".md") + " --demonstrate",
+                                "check " + file(".md"),
+                                "check " + evil,
+                                "check " + file(" folder"),
+                                "check --json " + file(".md"),
+                                "check --json " + file(" folder"),
+                                "render own.pdb --out /none/" + evil,
+                                "render own.pdb --out x.png --size " + evil,
+                                "render own.pdb --out x.png --hip " + evil,
+                                "render own.pdb --out x.png --show " + evil,
+                                "export " + file(".pdb") + " " + file(".glb"),
+                                "export own.pdb " + evil,
+                                "export own.pdb /none/" + file(".glb"),
+                                "fetch " + evil,
+                                "fetch 5adh --url file:///none/" + evil,
+                                "fetch 5adh --url " + evil,
+                                "fetch 5adh --url \"file://$PWD/own.pdb\"",
+                                "report " + file(".jsonl") + " b.jsonl " + evil + " --csv " + file("-out.csv"),
+                                "report b.jsonl --csv x.csv",
+                                "report " + file(".jsonl") + " --html /none/" + evil,
+                                "bench feel --methods " + evil,
+                                "bench feel --docs " + evil,
+                                "bench feel --json /dev/null/" + evil,
+                                "bench " + evil,
+                                "devices",
+                                "devices --json",
+                                "device check " + evil,
+                                "device record " + evil + " own.pdb --out x.trace",
+                                "device record simulated " + evil + " --out x.trace",
+                                "device record simulated own.pdb --seconds 0.1 --out " + file("-new.trace"),
+                                "device replay " + file(".trace"),
+                                "device replay " + evil,
+                                "device replay " + file("-new.trace"),
+                                "new-lesson " + evil,
+                                "new-lesson " + quoted(kText),
+                                "new-lesson name --folder " + file("-lessons"),
+                                "new-lesson name --folder " + file(".md"),
+                                "lesson-reference",
+                                "lesson-reference " + evil}) {
+    const Run run = place.run(arguments, "env MOLTACT_LIBHD=" + quoted("/none/" + kName + ".so") +
+                                             " HOME=" + quoted(at.string() + "/" + kName));
     CAPTURE(arguments);
     CAPTURE(run.status);
     CHECK_MESSAGE(fault(run.out).empty(), fault(run.out), ": ", printable(run.out));
     CHECK_MESSAGE(fault(run.err).empty(), fault(run.err), ": ", printable(run.err));
     CHECK(run.err.find("it could not go on") == std::string::npos);
     CHECK((run.status >= 0 && run.status < 126));
-    if (arguments.find("--json ") != std::string::npos && run.status == 0 && !run.out.empty()) CHECK(nlohmann::json::accept(run.out));
+    if (arguments.find("--json ") != std::string::npos && run.status == 0 && !run.out.empty())
+      CHECK(nlohmann::json::accept(run.out));
     ++tried;
     replaced += (run.out + run.err).find(kReplacement) != std::string::npos;
   }
@@ -113,7 +182,9 @@ TEST_CASE("every command, fed hostile names and files, prints nothing that steer
   const Run play = place.run("play --json good.md --answers " + file(".txt"));
   CHECK(play.status == 1);
   REQUIRE(place.run("check --json " + file(".md")).status == 1);
-  CHECK(nlohmann::json::parse(place.run("check --json " + file(".md")).out)["problems"][0]["file"].get<std::string>().find("\x1b]0;owned") == 0);
+  CHECK(nlohmann::json::parse(place.run("check --json " + file(".md")).out)["problems"][0]["file"]
+            .get<std::string>()
+            .find("\x1b]0;owned") == 0);
 }
 
 TEST_CASE("what is piped into a full disk or past a limit on files is told, and the status is not 0") {
@@ -123,9 +194,13 @@ TEST_CASE("what is piped into a full disk or past a limit on files is told, and 
 }
 
 // The same by the sources: nothing else writes to the terminal, and nothing else writes files whole.
-TEST_CASE("in app and engine only engine/platform/terminal_linux.cpp writes to the terminal, and only engine/platform opens files for writing") {
-  const std::regex terminal(R"(std::(cout|cerr|clog|wcout|puts|putchar|printf|fprintf|vprintf|fputs|print|println)\b|\b(printf|fprintf|puts|putchar|perror)\s*\(|\bstd(out|err)\b|STD(OUT|ERR)_FILENO)");
-  const std::regex files(R"(\bofstream\b|std::fstream\b|\bfopen\s*\(|fs::rename\b|filesystem::rename\b|std::rename\b|fs::copy_file\b|O_WRONLY|O_RDWR|O_CREAT)");
+TEST_CASE(
+    "in app and engine only engine/platform/terminal_linux.cpp writes to the terminal, and only engine/platform opens "
+    "files for writing") {
+  const std::regex terminal(
+      R"(std::(cout|cerr|clog|wcout|puts|putchar|printf|fprintf|vprintf|fputs|print|println)\b|\b(printf|fprintf|puts|putchar|perror)\s*\(|\bstd(out|err)\b|STD(OUT|ERR)_FILENO)");
+  const std::regex files(
+      R"(\bofstream\b|std::fstream\b|\bfopen\s*\(|fs::rename\b|filesystem::rename\b|std::rename\b|fs::copy_file\b|O_WRONLY|O_RDWR|O_CREAT)");
   std::size_t looked_at = 0;
   std::string found;
   for (const char* room : {"app", "engine"})

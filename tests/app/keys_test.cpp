@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <set>
 
-#include "app/ui/extensions.h"
-#include "app/ui/key_focus.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/key_focus.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
@@ -33,7 +33,9 @@ std::vector<std::string> tabbed(Driver& d, const char* key = "Tab") {
 
 }  // namespace
 
-TEST_CASE("Tab leads once through every control of each step of a lesson, of the touch panel and the tool bar, scrolled into sight, and back to the molecule") {
+TEST_CASE(
+    "Tab leads once through every control of each step of a lesson, of the touch panel and the tool bar, scrolled into "
+    "sight, and back to the molecule") {
   auto d = startWith(MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md");
   const std::size_t steps = d->app().lesson.session()->lesson().steps.size();
   for (std::size_t k = 0; k < steps; ++k) {
@@ -66,7 +68,8 @@ TEST_CASE("Tab goes round every control of each page, and Enter presses the one 
     }
     std::string close;
     for (const auto& [name, record] : widgets().all())
-      if (record.key_stop && !name.starts_with("tool/") && !name.starts_with("show/") && name.find("/") != std::string::npos && name != "view/reset")
+      if (record.key_stop && !name.starts_with("tool/") && !name.starts_with("show/") &&
+          name.find("/") != std::string::npos && name != "view/reset")
         CHECK_MESSAGE(seen.contains(name), name);
     for (const std::string& name : seen)
       if (name.ends_with("/close")) close = name;
@@ -137,7 +140,9 @@ TEST_CASE("F6 leads from panel to panel, from the molecule to the molecule") {
   CHECK(std::count(firsts.begin(), firsts.end(), "tool") == 1);
 }
 
-TEST_CASE("F10, Alt and Alt with a letter open the menus; arrows go from line to line and menu to menu, Enter chooses, Escape closes") {
+TEST_CASE(
+    "F10, Alt and Alt with a letter open the menus; arrows go from line to line and menu to menu, Enter chooses, "
+    "Escape closes") {
   auto d = startWith("argon");
   d->tap("F10");
   d->frames(3);
@@ -181,8 +186,10 @@ TEST_CASE("F10, Alt and Alt with a letter open the menus; arrows go from line to
 
 TEST_CASE("a link in the lesson's text is followed by keys") {
   Scratch scratch;
-  const auto file = scratch.file("mine.md", "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
-                                            "## One\n```scene\nmolecule: argon\n```\nSee [the second](#two) step.\n## Two\nText.\n");
+  const auto file =
+      scratch.file("mine.md",
+                   "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+                   "## One\n```scene\nmolecule: argon\n```\nSee [the second](#two) step.\n## Two\nText.\n");
   auto d = startWith(file.string());
   d->tap("Tab");
   d->frames(2);

@@ -1,13 +1,12 @@
 // A lesson's file while it is open in the window: it is read again as its author saves it, and what is wrong is listed.
 #include <doctest/doctest.h>
-
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 #include <string>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/results/attempt_file.h"
 #include "tests/app/driver_fixture.h"
 
@@ -49,7 +48,7 @@ TEST_CASE("a lesson that is saved again is shown at once, on the same step and w
   d->frames(3);
   d->app().lesson.session()->choose(0, {0});
   const auto camera = d->app().scene.camera.orientation;
-  const auto placements = d->app().scene.servo_settings.placements;
+  const auto discontinuities = d->app().scene.servo_settings.discontinuities;
   save(file, kHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
   d->frames(kSeen_frames);
   CHECK(d->text("lesson/step") == "Two");
@@ -57,12 +56,12 @@ TEST_CASE("a lesson that is saved again is shown at once, on the same step and w
   CHECK(d->app().lesson.session()->question(0).answered_right);
   CHECK(contains(d->text("message/0"), "Read again: mine.md"));
   // The force begins from nothing, and the view stays as it was.
-  CHECK(d->app().scene.servo_settings.placements == placements + 1);
+  CHECK(d->app().scene.servo_settings.discontinuities == discontinuities + 1);
   CHECK(d->app().scene.camera.orientation == camera);
   // A mere touch of the file changes nothing.
   save(file, kHead + kOne + "## Between\nNew.\n" + kTwo + "More text.\n");
   d->frames(kSeen_frames);
-  CHECK(d->app().scene.servo_settings.placements == placements + 1);
+  CHECK(d->app().scene.servo_settings.discontinuities == discontinuities + 1);
 }
 
 TEST_CASE("a step that gets another probe is set up anew when the lesson is read again") {
@@ -107,7 +106,8 @@ TEST_CASE("what is done before and after a lesson is read again stands in one at
   CHECK(reread == 1);
 }
 
-TEST_CASE("a probe that a task asked for is the scene's again when the lesson is read again in the middle of the task") {
+TEST_CASE(
+    "a probe that a task asked for is the scene's again when the lesson is read again in the middle of the task") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
   const std::string task = "```touch\nsame: anywhere\nprobe: 3 Å\ntrials: 2\nfor: 0.2 s\nsay: S\n```\n";
@@ -155,7 +155,9 @@ TEST_CASE("with errors the last good lesson stays and they are listed with line 
   CHECK(d->text("lesson/place") == "Step 1 of 1");
 }
 
-TEST_CASE("a file that is gone or empty for a second, as while an editor saves, raises nothing; one that stays gone for 4 s is told") {
+TEST_CASE(
+    "a file that is gone or empty for a second, as while an editor saves, raises nothing; one that stays gone for 4 s "
+    "is told") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
   save(file, kHead + kOne);
@@ -201,7 +203,8 @@ TEST_CASE("a lesson that cannot be opened leaves the one that is open, lists why
   CHECK_FALSE(d->shows("lesson-problems"));
 }
 
-TEST_CASE("a lesson with an empty selection opens and says so; a picture that is put beside it mends it without a save") {
+TEST_CASE(
+    "a lesson with an empty selection opens and says so; a picture that is put beside it mends it without a save") {
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md";
   save(file, kHead + kOne + "![A ring](ring.png)\n\n```touch\nreach: protein\nsay: S\n```\n");
@@ -226,9 +229,11 @@ TEST_CASE("files dropped on the window are opened, molecules too") {
 TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   AuthorFolder scratch;
   const fs::path file = scratch / "study.md";
-  save(file, "---\ntitle: Study\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nlocked: method\n---\n"
-             "## One\n```scene\nmolecule: argon\nprobe: 2 Å\nforce: off\npanels: none\nlocked: force, probe, stiffness, show, panels\n```\nText.\n"
-             "## Two\n```scene\nmolecule: argon\n```\nText.\n");
+  save(file,
+       "---\ntitle: Study\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\nlocked: method\n---\n"
+       "## One\n```scene\nmolecule: argon\nprobe: 2 Å\nforce: off\npanels: none\nlocked: force, probe, stiffness, "
+       "show, panels\n```\nText.\n"
+       "## Two\n```scene\nmolecule: argon\n```\nText.\n");
   auto d = startWith(file.string());
   Application& app = d->app();
   CHECK(app.layout().touch.empty());
@@ -261,7 +266,9 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
 TEST_CASE("an aside has no place in the row of steps, and its only button leads back to the step that linked to it") {
   AuthorFolder scratch;
   const fs::path file = scratch / "aside.md";
-  save(file, kHead + "## One\n```scene\nmolecule: argon\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## Two\nText.\n");
+  save(file,
+       kHead +
+           "## One\n```scene\nmolecule: argon\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## Two\nText.\n");
   auto d = startWith(file.string());
   CHECK(d->text("lesson/place") == "Step 1 of 2");
   REQUIRE(d->app().lesson.follow("#aside-more"));

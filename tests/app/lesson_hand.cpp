@@ -5,16 +5,16 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/device/pointer_hand.h"
 
 namespace moltact {
 namespace {
 
-constexpr int kAttempts = 24;                 // in a row that bring a task no further
+constexpr int kAttempts = 24;  // in a row that bring a task no further
 constexpr double kOrbit_rad_per_px = 0.008, kOrbit_rad_per_s = 1.4;
-constexpr double kSeen = 0.5;                 // a slide goes on while the surface looks at the student so much (cosine)
-constexpr double kSame_A = 0.1;               // sideways: nearer than this a plan only pushes deeper
+constexpr double kSeen = 0.5;    // a slide goes on while the surface looks at the student so much (cosine)
+constexpr double kSame_A = 0.1;  // sideways: nearer than this a plan only pushes deeper
 
 // With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
 void takePicture(Driver& d, const std::string& name) {
@@ -22,7 +22,8 @@ void takePicture(Driver& d, const std::string& name) {
   if (!folder) return;
   d.closeEyes(false);
   d.frames(2);
-  if (const auto problem = writePng(std::string(folder) + "/" + name + ".png", d.picture())) std::fputs(problem->text().c_str(), stderr);
+  if (const auto problem = writePng(std::string(folder) + "/" + name + ".png", d.picture()))
+    std::fputs(problem->text().c_str(), stderr);
   d.closeEyes(true);
 }
 
@@ -50,7 +51,8 @@ bool LessonHand::finishLesson() {
     const std::string step = session().step().id;
     for (std::size_t t = 0; t < session().step().tasks.size(); ++t) {
       const bool done = doTask(t);
-      takePicture(d_, d_.app().lesson.file().stem().string() + "-" + std::to_string(session().stepIndex()) + "-" + std::to_string(t) + (mouse() ? "-mouse" : "-keys"));
+      takePicture(d_, d_.app().lesson.file().stem().string() + "-" + std::to_string(session().stepIndex()) + "-" +
+                          std::to_string(t) + (mouse() ? "-mouse" : "-keys"));
       lift();
       if (done) continue;
       failed_ += step + ", task " + std::to_string(t + 1) + ": " + session().task(t).sentence + '\n';
@@ -58,8 +60,10 @@ bool LessonHand::finishLesson() {
     }
     for (std::size_t q = 0; q < session().step().questions.size(); ++q) answerRightly(q);
     if (!session().hasNext()) return session().finished();
-    if (mouse()) d_.click("lesson/next");
-    else d_.tap("Alt+Right");
+    if (mouse())
+      d_.click("lesson/next");
+    else
+      d_.tap("Alt+Right");
     d_.frames(10);
   }
 }
@@ -70,8 +74,11 @@ bool LessonHand::doTask(std::size_t task) {
   double best = -1.0;
   for (int attempt = 0, idle = 0; goesOn(task) && idle < kAttempts; ++attempt, ++idle) {
     const Stage& stage = d_.app().scene.stage();
-    const HandPlan plan = session().taskAt(task)->demonstrate({.balls = *stage.balls, .probe_A = d_.app().scene.servo_settings.probe_A, .N_per_A = N_per_A(),
-                                                               .hip = d_.app().scene.log().latest().hip, .attempt = attempt});
+    const HandPlan plan = session().taskAt(task)->demonstrate({.balls = *stage.balls,
+                                                               .probe_A = d_.app().scene.servo_settings.probe_A,
+                                                               .N_per_A = N_per_A(),
+                                                               .hip = d_.app().scene.log().latest().hip,
+                                                               .attempt = attempt});
     follow(plan, task);
     if (!goesOn(task)) return true;
     const double progress = session().task(task).progress;
@@ -89,8 +96,10 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
       // The whole slide is to be seen from the front, its first place above all.
       const Vec3 first = k + 1 < plan.size() && plan[k + 1].to ? plan[k + 1].to->A : act.to->A;
       Vec3 front = act.to->A - first;
-      for (std::size_t n = k + 2; n < plan.size() && plan[n].to && !plan[n].placed && n < k + 12; ++n) front += 0.5 * outward(plan[n].to->A);
-      if (glm::dot(front, act.to->A - first) < kSeen * glm::length(front) * glm::distance(act.to->A, first)) front = act.to->A - first;
+      for (std::size_t n = k + 2; n < plan.size() && plan[n].to && !plan[n].placed && n < k + 12; ++n)
+        front += 0.5 * outward(plan[n].to->A);
+      if (glm::dot(front, act.to->A - first) < kSeen * glm::length(front) * glm::distance(act.to->A, first))
+        front = act.to->A - first;
       face(front);
       pointAt(first);
       continue;
@@ -98,7 +107,8 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
     if (act.to) {
       const Vec3 deeper = k > 0 && plan[k - 1].to ? plan[k - 1].to->A - act.to->A : Vec3(0.0);
       const Vec3 front = outward(act.to->A);
-      const bool began = k > 0 && plan[k - 1].placed, straight = !began && glm::length(deeper - front * glm::dot(deeper, front)) < kSame_A;
+      const bool began = k > 0 && plan[k - 1].placed,
+                 straight = !began && glm::length(deeper - front * glm::dot(deeper, front)) < kSame_A;
       if (began) press();
       if (began || straight) {
         // A plan comes to a place from 1 A outside.
@@ -124,23 +134,32 @@ void LessonHand::answerRightly(std::size_t q) {
   const Question& asked = session().step().questions[q];
   const std::string name = "question/" + std::to_string(q);
   if (asked.choices.empty()) {
-    if (mouse()) d_.click(name + "/field");
-    else d_.tap("A");
+    if (mouse())
+      d_.click(name + "/field");
+    else
+      d_.tap("A");
     d_.frames(3);
     d_.type(unitText(*asked.answer));
-    if (mouse()) d_.click(name + "/check");
-    else d_.tap(asked.answer->kind == AnswerSpec::Kind::Free ? "Ctrl+Enter" : "Enter");
+    if (mouse())
+      d_.click(name + "/check");
+    else
+      d_.tap(asked.answer->kind == AnswerSpec::Kind::Free ? "Ctrl+Enter" : "Enter");
   } else {
     for (std::size_t k = 0; k < asked.choices.size(); ++k) {
       if (!asked.choices[k].right) continue;
-      if (mouse()) d_.click(name + "/" + std::to_string(k));
-      else d_.tap(std::to_string(k + 1));
+      if (mouse())
+        d_.click(name + "/" + std::to_string(k));
+      else
+        d_.tap(std::to_string(k + 1));
     }
-    if (asked.rightChoices() > 1 && mouse()) d_.click(name + "/check");
-    else if (asked.rightChoices() > 1) d_.tap("Enter");
+    if (asked.rightChoices() > 1 && mouse())
+      d_.click(name + "/check");
+    else if (asked.rightChoices() > 1)
+      d_.tap("Enter");
   }
   d_.frames(3);
-  if (!session().question(q).answered_right) failed_ += session().step().id + ", question " + std::to_string(q + 1) + '\n';
+  if (!session().question(q).answered_right)
+    failed_ += session().step().id + ", question " + std::to_string(q + 1) + '\n';
 }
 
 void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
@@ -150,8 +169,10 @@ void LessonHand::tell(std::size_t task, const TaskAnswer& answer) {
   if (mouse()) lift();
   for (const TaskButton& b : session().taskAt(task)->buttons()) {
     if (b.word != answer.word) continue;
-    if (mouse()) d_.click(name + "/" + std::string(b.word));
-    else d_.tap(b.key == '\n' ? std::string("Enter") : std::string(1, b.key));
+    if (mouse())
+      d_.click(name + "/" + std::string(b.word));
+    else
+      d_.tap(b.key == '\n' ? std::string("Enter") : std::string(1, b.key));
     break;
   }
   lift();
@@ -243,8 +264,10 @@ void LessonHand::pointAt(const Vec3& place_A) {
 
 void LessonHand::press() {
   if (pressing_) return;
-  if (mouse()) d_.press();
-  else d_.hold("Space");
+  if (mouse())
+    d_.press();
+  else
+    d_.hold("Space");
   pressing_ = true;
   pushed_N_ = PointerHand::kRest_N;
   d_.frames(45);
@@ -253,16 +276,20 @@ void LessonHand::press() {
 void LessonHand::lift() {
   holdArrows({0, 0});
   if (!pressing_) return;
-  if (mouse()) d_.release();
-  else d_.letGo("Space");
+  if (mouse())
+    d_.release();
+  else
+    d_.letGo("Space");
   pressing_ = false;
   d_.frames(15);
 }
 
 void LessonHand::push(double force_N) {
   for (; pushed_N_ < force_N && pushed_N_ < 10.0; pushed_N_ += PointerHand::kNotch_N) {
-    if (mouse()) d_.wheel(1);
-    else d_.tap("plus");
+    if (mouse())
+      d_.wheel(1);
+    else
+      d_.tap("plus");
     d_.frames(3);
   }
 }
@@ -276,7 +303,8 @@ void LessonHand::lead(const Vec3& place_A, std::size_t task) {
     if (mouse()) {
       const ImVec2 now = ImGui::GetIO().MousePos;
       const Rectangle& view = d_.app().layout().view;
-      const glm::dvec2 step = way * std::min(1.0, 3.0 / glm::length(way)), to = (glm::dvec2(now.x, now.y) + step - glm::dvec2(view.low)) / size;
+      const glm::dvec2 step = way * std::min(1.0, 3.0 / glm::length(way)),
+                       to = (glm::dvec2(now.x, now.y) + step - glm::dvec2(view.low)) / size;
       d_.point("view", to.x, to.y);
     } else {
       const auto sign = [](double v) { return v > 0.7 * kNear_px ? 1 : v < -0.7 * kNear_px ? -1 : 0; };

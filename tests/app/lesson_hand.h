@@ -1,10 +1,10 @@
-// A student at the window who knows where to go: carries out what each kind of task shows (Task::demonstrate) with the mouse
-// alone or with the keyboard alone, through the application's input queue. What it cannot do, no hand can.
+// A student at the window who knows where to go: carries out what each kind of task shows (Task::demonstrate) with the
+// mouse alone or with the keyboard alone, through the application's input queue. What it cannot do, no hand can.
 #pragma once
 
 #include <string>
 
-#include "app/ui/driver.h"
+#include "app/ui/shell/driver.h"
 #include "engine/lesson/session.h"
 
 namespace moltact {

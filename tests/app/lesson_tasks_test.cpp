@@ -1,7 +1,7 @@
 // Every kind of task in the window, on the frames' clock: with the keyboard alone, with the mouse alone, in the dark.
 #include <cmath>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {

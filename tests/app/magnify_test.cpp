@@ -52,7 +52,9 @@ glm::dvec2 probePixel(Driver& d) {
 
 }  // namespace
 
-TEST_CASE("Ctrl+G magnifies round the probe: 0.25 A a mm becomes 0.1, hand and probe stay, the picture grows as much about it; again, and all is as before") {
+TEST_CASE(
+    "Ctrl+G magnifies round the probe: 0.25 A a mm becomes 0.1, hand and probe stay, the picture grows as much about "
+    "it; again, and all is as before") {
   auto d = startWith();
   d->point("view", 0.55, 0.45);
   d->frames(30);
@@ -64,7 +66,8 @@ TEST_CASE("Ctrl+G magnifies round the probe: 0.25 A a mm becomes 0.1, hand and p
   d->tap("Ctrl+G");
   d->frames(30);
   CHECK(scale(*d) == doctest::Approx(0.1));
-  CHECK(contains(d->text("status/scale"), "1 mm here is 0.1 Å there, 1 N here would be 18 pN there, magnified 2.5 times"));
+  CHECK(contains(d->text("status/scale"),
+                 "1 mm here is 0.1 Å there, 1 N here would be 18 pN there, magnified 2.5 times"));
   CHECK(d->app().scene.camera.distance_A == doctest::Approx(camera.distance_A * scale(*d) / whole));
   const ServoSample after = d->app().scene.log().latest();
   CHECK(glm::distance(after.hip.A, before.hip.A) < 0.05);
@@ -127,7 +130,9 @@ TEST_CASE("what was magnified by hand is undone and redone, and so is its end by
   CHECK(d->app().scene.camera.distance_A == doctest::Approx(near.distance_A));
 }
 
-TEST_CASE("a device with another room is chosen while residue 44 is magnified: it fills that room, and the force begins at nothing") {
+TEST_CASE(
+    "a device with another room is chosen while residue 44 is magnified: it fills that room, and the force begins at "
+    "nothing") {
   const Scratch scratch;
   auto d = startWith("");
   d->app().open(scratch.file("magnified.md", kLesson));
@@ -144,13 +149,15 @@ TEST_CASE("a device with another room is chosen while residue 44 is magnified: i
   const Vec3 room = d->app().scene.servo().device().workspace_mm;
   CHECK(scale(*d) == doctest::Approx(2 * radius_A / std::min({room.x, room.y, room.z})));
   // Its middle lies straight behind the middle of the room, and the hand begins free before it.
-  const Vec3 off = d->app().lesson.region()->centre.A - d->app().scene.servo_settings.workspace.centre_A, back = d->app().scene.camera.back();
+  const Vec3 off = d->app().lesson.region()->centre.A - d->app().scene.servo_settings.workspace.centre_A,
+             back = d->app().scene.camera.back();
   CHECK(glm::length(off - back * glm::dot(off, back)) < 1e-9);
   CHECK(glm::dot(off, back) < 0.0);
   CHECK(d->app().scene.log().force_N() < 0.05);
 }
 
-TEST_CASE("a lesson's step magnifies residue 44 so that it fills the hand's room and the view, and the next step ends it") {
+TEST_CASE(
+    "a lesson's step magnifies residue 44 so that it fills the hand's room and the view, and the next step ends it") {
   const Scratch scratch;
   auto d = startWith("");
   d->app().open(scratch.file("magnified.md", kLesson));

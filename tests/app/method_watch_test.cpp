@@ -1,9 +1,9 @@
 // What is measured of the methods, from ticks made by hand.
+#include "app/ui/scene/method_watch.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
-
-#include "app/ui/method_watch.h"
 
 namespace moltact {
 namespace {

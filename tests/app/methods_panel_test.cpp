@@ -38,8 +38,9 @@ TEST_CASE("switching through families and grades while pressing keeps the contac
   REQUIRE(d->app().scene.log().touching());
   const struct {
     const char *family, *grade, *method;
-  } walk[] = {{"Mesh", "80", "mesh80"}, {"Exact", nullptr, "exact"}, {"Mesh", "320", "mesh320"}, {"Grid", "0.8 Å", "grid08"},
-              {"Exact", nullptr, "exact"}, {"Paper", nullptr, "paper"}, {"Grid", "0.2 Å", "grid02"}, {"Mesh", "5120", "mesh5120"}};
+  } walk[] = {{"Mesh", "80", "mesh80"},    {"Exact", nullptr, "exact"}, {"Mesh", "320", "mesh320"},
+              {"Grid", "0.8 Å", "grid08"}, {"Exact", nullptr, "exact"}, {"Paper", nullptr, "paper"},
+              {"Grid", "0.2 Å", "grid02"}, {"Mesh", "5120", "mesh5120"}};
   for (const auto& [family, grade, method] : walk) {
     CAPTURE(method);
     CHECK(d->click(std::string("method/") + family));
@@ -90,8 +91,9 @@ TEST_CASE("a lesson's step opens the panel with its method, and another lesson c
 
 TEST_CASE("the key of methods does not switch, for a frame either, what a lesson has locked") {
   const Scratch scratch;
-  const auto file = scratch.file("locked.md", "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
-                                              "## One\n```scene\nmolecule: argon\npanels: methods\nlocked: method\n```\nText.\n");
+  const auto file = scratch.file("locked.md",
+                                 "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
+                                 "## One\n```scene\nmolecule: argon\npanels: methods\nlocked: method\n```\nText.\n");
   auto d = startWith(file.string());
   const auto family = d->app().scene.method();
   REQUIRE(d->text("method/Exact") == "on");
@@ -142,7 +144,8 @@ wait 30
 wheel 5
 wait 90
 expect task/0 done
-)", "failures");
+)",
+                  "failures");
   }();
   if (problem) FAIL(problem->text());
 }

@@ -1,6 +1,5 @@
 // `moltact play` as a person calls it: what it prints and its exit status.
 #include <doctest/doctest.h>
-
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -13,7 +12,8 @@
 namespace {
 
 const std::string kLessons = MOLTACT_SOURCE_DIR "/lessons/";
-const std::filesystem::path kFolder = std::filesystem::temp_directory_path() / ("moltact-play-" + std::to_string(::getpid()));
+const std::filesystem::path kFolder =
+    std::filesystem::temp_directory_path() / ("moltact-play-" + std::to_string(::getpid()));
 
 struct Run {
   int status = -1;
@@ -28,7 +28,8 @@ std::string contents(const std::filesystem::path& file) {
 Run play(const std::string& arguments, const std::string& answers = {}) {
   std::filesystem::create_directories(kFolder);
   std::ofstream(kFolder / "answers.txt") << answers;
-  const std::string command = "MOLTACT_HOME='" MOLTACT_SOURCE_DIR "' '" MOLTACT_BINARY "' play " + arguments + " >'" + (kFolder / "out").string() + "' 2>'" + (kFolder / "err").string() + "'";
+  const std::string command = "MOLTACT_HOME='" MOLTACT_SOURCE_DIR "' '" MOLTACT_BINARY "' play " + arguments + " >'" +
+                              (kFolder / "out").string() + "' 2>'" + (kFolder / "err").string() + "'";
   const int status = std::system(command.c_str());
   Run run{WEXITSTATUS(status), contents(kFolder / "out"), contents(kFolder / "err")};
   std::filesystem::remove_all(kFolder);
@@ -64,7 +65,8 @@ TEST_CASE("play --demonstrate finishes the first lesson with status 0 and prints
 }
 
 TEST_CASE("play --answers does the first step of the first lesson, tells what is left and ends with status 1") {
-  const Run run = play("'" + kLessons + "first-touch.md'" + withAnswers(), "touch element Ar\npress 0.9 N\nnext\nanswer 1: One\n");
+  const Run run =
+      play("'" + kLessons + "first-touch.md'" + withAnswers(), "touch element Ar\npress 0.9 N\nnext\nanswer 1: One\n");
   CHECK(run.status == 1);
   CHECK(run.out.find("wrong: One") != std::string::npos);
   CHECK(run.err.find("left in: two-atoms-and-a-crease") != std::string::npos);

@@ -1,7 +1,7 @@
 // An attempt made in one window is played back in another. Oracle: the attempt's own trace.
 #include <algorithm>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -124,14 +124,16 @@ TEST_CASE("files that are no attempts, and a molecule that is not there, are tol
   CHECK(contains(driver->text("message/0"), "nowhere.pdb, is not on this computer"));
 }
 
-TEST_CASE("an attempt with a force of 1e37 N, a year's gap and a view from 1e9 A away plays, and once it is closed the molecule is seen as before") {
+TEST_CASE(
+    "an attempt with a force of 1e37 N, a year's gap and a view from 1e9 A away plays, and once it is closed the "
+    "molecule is seen as before") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "far.jsonl";
   StageSet stage = std::get<StageSet>(sampleEvents()[1].what);
   std::string bytes = lineOf(sampleHeader()) + lineOf({0.0, stage});
-  TraceChunk chunk;
+  HipChunk chunk;
   for (int k = 0; k < 5; ++k) {
-    TraceSample s;
+    HipSample s;
     s.t_s = 0.1 * k;
     s.hip.A = s.scp.A = {k == 3 ? 2e9 : 30.0, 29.0, k == 4 ? -2e9 : 14.0};
     s.force.N = {1000.0, -1000.0, 1000.0};
@@ -139,9 +141,13 @@ TEST_CASE("an attempt with a force of 1e37 N, a year's gap and a view from 1e9 A
     s.atoms = {k == 2 ? 2147483647 : 5, -1, -1};
     chunk.samples.push_back(s);
   }
-  bytes += lineOf({0.4, chunk}) + lineOf({0.5, ViewTurned{{0.5, 0.5, 0.5, 0.5}, {2e9, -2e9, 2e9}, 1e8}}) + lineOf({3e7, ViewTurned{{1, 0, 0, 0}, {2e9, 0, 0}, 0.1}});
-  bytes += R"({"kind":"trace","t":0.6,"from":0.6,"ms":[0],"feature":"S","hip":[30,29,14],"scp":[30,29,14],"force":[1e37,0,0],"atoms":[[0,5]]})" "\n";
-  bytes += R"({"kind":"view","t":0.7,"orientation":[0,0,0,0],"target_A":[1e300,0,0],"distance_A":1e-300})" "\n";
+  bytes += lineOf({0.4, chunk}) + lineOf({0.5, ViewRotated{{0.5, 0.5, 0.5, 0.5}, {2e9, -2e9, 2e9}, 1e8}}) +
+           lineOf({3e7, ViewRotated{{1, 0, 0, 0}, {2e9, 0, 0}, 0.1}});
+  bytes +=
+      R"({"kind":"trace","t":0.6,"from":0.6,"ms":[0],"feature":"S","hip":[30,29,14],"scp":[30,29,14],"force":[1e37,0,0],"atoms":[[0,5]]})"
+      "\n";
+  bytes += R"({"kind":"view","t":0.7,"orientation":[0,0,0,0],"target_A":[1e300,0,0],"distance_A":1e-300})"
+           "\n";
   writeFile(file, bytes);
   const auto driver = startWith("1ubq", small());
   Application& app = driver->app();
@@ -151,9 +157,12 @@ TEST_CASE("an attempt with a force of 1e37 N, a year's gap and a view from 1e9 A
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
   const auto told = [&](const std::string& part) {
-    return std::any_of(app.messages.all().begin(), app.messages.all().end(), [&](const Message& m) { return contains(m.text, part); });
+    return std::any_of(app.messages.all().begin(), app.messages.all().end(),
+                       [&](const Message& m) { return contains(m.text, part); });
   };
-  CHECK(told("2 lines of far.jsonl could not be read and are left out. The first: line 6, 'force' is a number that no Moltact writes."));
+  CHECK(
+      told("2 lines of far.jsonl could not be read and are left out. The first: line 6, 'force' is a number that no "
+           "Moltact writes."));
   playback.skips_rests = false;
   for (const double t_s : {0.0, 0.15, 0.25, 0.31, 0.4, 0.45, 0.55, 0.65, 1e7, 3e7}) {
     playback.seek(t_s);

@@ -1,8 +1,8 @@
 // A hand recorded in the window and played back in it. Oracle: the file's own ticks, and the replay to the last bit.
 #include <cmath>
 
-#include "app/ui/device_link.h"
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/extensions.h"
 #include "engine/haptics/methods.h"
 #include "engine/molecule/reader.h"
 #include "tests/app/driver_fixture.h"
@@ -36,24 +36,27 @@ std::filesystem::path recorded(const Scratch& scratch) {
 
 TEST_CASE("what the device page records replays to the last bit, and touches") {
   const Scratch scratch;
-  const Expected<DeviceTrace> trace = readTrace(recorded(scratch));
+  const Expected<ServoRecording> trace = readServoRecording(recorded(scratch));
   REQUIRE(trace);
   CHECK(trace->labels.at("molecule") == "1ubq");
   CHECK(trace->labels.at("method") == "exact");
   CHECK(trace->labels.at("balls").starts_with("602 "));
   CHECK(trace->ticks.size() > 5900);
   double greatest = 0;
-  for (const TraceTick& tick : trace->ticks) greatest = std::max(greatest, glm::length(tick.force.N));
+  for (const RecordedTick& tick : trace->ticks) greatest = std::max(greatest, glm::length(tick.force.N));
   CHECK(greatest > 0.5);
   const Expected<Molecule> molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/1ubq.pdb");
   REQUIRE(molecule);
-  const auto tracker = findMethod("exact")->make(std::make_shared<const BallScene>(molecule->balls()), trace->ticks.front().settings.probe_A);
+  const auto tracker = findMethod("exact")->make(std::make_shared<const BallScene>(molecule->balls()),
+                                                 trace->ticks.front().settings.probe_A);
   const ReplayResult result = replay(*trace, tracker.get());
   CHECK(result.ticks == trace->ticks.size());
   CHECK_FALSE(result.first_difference);
 }
 
-TEST_CASE("Record on the device page asks for a file and records into it; the words over the view lead back to the page, where it is stopped") {
+TEST_CASE(
+    "Record on the device page asks for a file and records into it; the words over the view lead back to the page, "
+    "where it is stopped") {
   const Scratch scratch;
   Driver::Options options;
   options.height = 1300;  // the whole page
@@ -71,18 +74,21 @@ TEST_CASE("Record on the device page asks for a file and records into it; the wo
   CHECK(d->app().extensions().hand_recorder.recording());
   std::string message;
   for (std::size_t k = 0; k < d->app().messages.all().size(); ++k)
-    if (contains(d->app().messages.all()[k].text, "The hand is recorded in 1ubq.trace.")) message = "message/" + std::to_string(k);
+    if (contains(d->app().messages.all()[k].text, "The hand is recorded in 1ubq.trace."))
+      message = "message/" + std::to_string(k);
   CHECK(d->click(message + "/device"));
   d->frames(5);
   CHECK(d->click("device/record"));
   CHECK_FALSE(d->app().extensions().hand_recorder.recording());
-  CHECK(readTrace(scratch.folder / "1ubq.trace")->ticks.size() > 900);
+  CHECK(readServoRecording(scratch.folder / "1ubq.trace")->ticks.size() > 900);
 }
 
-TEST_CASE("a recording that is opened brings its molecule, leads the hand over it as it was led, with no device open, and gives back what led before") {
+TEST_CASE(
+    "a recording that is opened brings its molecule, leads the hand over it as it was led, with no device open, and "
+    "gives back what led before") {
   const Scratch scratch;
   const std::filesystem::path file = recorded(scratch);
-  const DeviceTrace trace = *readTrace(file);
+  const ServoRecording trace = *readServoRecording(file);
   auto d = startWith("1hel");
   d->app().extensions().device.choose(d->app(), "simulated");
   d->frames(10);
@@ -100,10 +106,10 @@ TEST_CASE("a recording that is opened brings its molecule, leads the hand over i
   for (int k = 0; k < 300; ++k) {
     d->frames(1);
     const ServoSample& now = d->app().scene.log().latest();
-    if (now.placements != d->app().scene.servo_settings.placements) continue;
+    if (now.discontinuities != d->app().scene.servo_settings.discontinuities) continue;
     const std::size_t at = std::size_t(std::lround(player.at_s() / kTick_s)) - 1;
     REQUIRE(at < trace.ticks.size());
-    const TraceTick& tick = trace.ticks[at];
+    const RecordedTick& tick = trace.ticks[at];
     CHECK(glm::distance(now.hip.A, tick.settings.workspace.toMolecule(tick.pose.position).A) < 1e-9);
     ++compared;
     touching += now.contact.touching();
@@ -165,14 +171,14 @@ Press.
 
 TEST_CASE("a recording whose molecule has changed since says so, and is played all the same") {
   const Scratch scratch;
-  DeviceTrace trace = *readTrace(recorded(scratch));
+  ServoRecording trace = *readServoRecording(recorded(scratch));
   trace.labels["balls"] = "601 0000000000000000";
   const std::filesystem::path other = scratch.folder / "other.trace";
   {
-    auto writer = TraceWriter::create(other);
+    auto writer = ServoRecordingWriter::create(other);
     REQUIRE(writer);
     REQUIRE_FALSE(writer->begin(trace.labels, *trace.start));
-    for (const TraceTick& tick : trace.ticks) REQUIRE_FALSE(writer->add(tick));
+    for (const RecordedTick& tick : trace.ticks) REQUIRE_FALSE(writer->add(tick));
     REQUIRE_FALSE(writer->finish());
   }
   auto d = startWith("1ubq");
@@ -182,7 +188,9 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
   CHECK(d->app().extensions().hand_recorder.playing());
 }
 
-TEST_CASE("another device that is chosen while a recording plays ends it; a text is told and changes nothing; another method ends a recording") {
+TEST_CASE(
+    "another device that is chosen while a recording plays ends it; a text is told and changes nothing; another method "
+    "ends a recording") {
   const Scratch scratch;
   const std::filesystem::path file = recorded(scratch);
   auto d = startWith("1ubq");
@@ -207,7 +215,7 @@ TEST_CASE("another device that is chosen while a recording plays ends it; a text
   d->app().scene.useMethod("penalty");
   d->frames(3);
   CHECK_FALSE(recorder.recording());
-  CHECK(readTrace(scratch.folder / "second.trace")->ticks.size() > 900);
+  CHECK(readServoRecording(scratch.folder / "second.trace")->ticks.size() > 900);
 }
 
 }  // namespace moltact

@@ -1,6 +1,5 @@
 // `moltact render` as a person calls it: exit status and the file that it leaves.
 #include <doctest/doctest.h>
-
 #include <sys/wait.h>
 
 #include <cstdlib>

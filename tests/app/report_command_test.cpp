@@ -27,9 +27,12 @@ Ended report(const std::string& arguments) {
   return out;
 }
 
-TEST_CASE("a folder with 2 attempts, one of them damaged, and 2 files that are none gives both reports and names what was passed over") {
+TEST_CASE(
+    "a folder with 2 attempts, one of them damaged, and 2 files that are none gives both reports and names what was "
+    "passed over") {
   const ScratchFolder scratch;
-  const fs::path results = scratch.path / "results", csv = scratch.path / "class.csv", html = scratch.path / "class.html";
+  const fs::path results = scratch.path / "results", csv = scratch.path / "class.csv",
+                 html = scratch.path / "class.html";
   fs::create_directory(results);
   writeFile(results / "a.jsonl", sampleFile());
   std::string damaged = sampleFile();
@@ -40,7 +43,8 @@ TEST_CASE("a folder with 2 attempts, one of them damaged, and 2 files that are n
   writeFile(results / "e.txt", "nor this");
   const Ended ended = report(results.string() + " --csv " + csv.string() + " --html " + html.string());
   CHECK(ended.status == 0);
-  for (const char* part : {"b.jsonl:2: it is no JSON object", "c.jsonl:1: it is no attempt at a lesson", "d.jsonl: it is empty", "1 student, 1 lesson, 2 attempts"})
+  for (const char* part : {"b.jsonl:2: it is no JSON object", "c.jsonl:1: it is no attempt at a lesson",
+                           "d.jsonl: it is empty", "1 student, 1 lesson, 2 attempts"})
     CHECK_MESSAGE(ended.said.find(part) != std::string::npos, ended.said);
   CHECK(ended.said.find("e.txt") == std::string::npos);
   CHECK(bytesOf(csv).starts_with("\xEF\xBB\xBFstudent,lesson,"));

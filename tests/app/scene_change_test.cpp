@@ -1,6 +1,7 @@
 // From one scene to the next, on the frames' clock: a frame is 1/60 s.
-#include "app/ui/extensions.h"
-#include "app/ui/scene_change.h"
+#include "app/ui/extensions/scene_change.h"
+
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
@@ -12,7 +13,9 @@ double turn_rad(const Camera& a, const Camera& b) {
 
 }  // namespace
 
-TEST_CASE("between two cameras a quarter turn apart the half is an eighth turn, the middle of the targets, the mean distance by factors") {
+TEST_CASE(
+    "between two cameras a quarter turn apart the half is an eighth turn, the middle of the targets, the mean distance "
+    "by factors") {
   Camera a, b;
   b.target.A = Vec3(4, 0, 0);
   b.distance_A = 90;
@@ -26,7 +29,9 @@ TEST_CASE("between two cameras a quarter turn apart the half is an eighth turn, 
   CHECK(turn_rad(between(a, b, 1), b) < 1e-6);
 }
 
-TEST_CASE("a scene that begins again glides the camera back in 0.6 s without a jump; with reduced motion it is there at once") {
+TEST_CASE(
+    "a scene that begins again glides the camera back in 0.6 s without a jump; with reduced motion it is there at "
+    "once") {
   for (const bool reduced : {false, true}) {
     auto d = startWith("1ubq");
     Application& app = d->app();
@@ -58,7 +63,9 @@ TEST_CASE("a scene that begins again glides the camera back in 0.6 s without a j
   }
 }
 
-TEST_CASE("Home glides for 0.6 s and ends where it would have jumped to; pressed again on its way it is one way, and undo glides back") {
+TEST_CASE(
+    "Home glides for 0.6 s and ends where it would have jumped to; pressed again on its way it is one way, and undo "
+    "glides back") {
   auto d = startWith("1ubq");
   Application& app = d->app();
   app.settings.reduced_motion = false;

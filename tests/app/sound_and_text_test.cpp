@@ -5,7 +5,7 @@
 #include <sstream>
 #include <thread>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
@@ -74,7 +74,9 @@ TEST_CASE("without a sound card sound that is switched on is told once, and once
   }
 }
 
-TEST_CASE("the state text tells the step, its task and what is touched, one line each; a folder that is not there is a problem") {
+TEST_CASE(
+    "the state text tells the step, its task and what is touched, one line each; a folder that is not there is a "
+    "problem") {
   const auto file = std::filesystem::temp_directory_path() / "moltact_state_text.txt";
   auto d = startWith("");
   StateText& text = d->app().extensions().state_text;

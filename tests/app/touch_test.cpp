@@ -12,7 +12,8 @@ double notch_A(Driver& d) {
 
 }  // namespace
 
-TEST_CASE("pressing on the protein for 2 s gives a force of 0.6 N or less at a slant, and the status bar says touching") {
+TEST_CASE(
+    "pressing on the protein for 2 s gives a force of 0.6 N or less at a slant, and the status bar says touching") {
   auto d = startWith();
   REQUIRE(d->point("view"));
   CHECK(d->text("status/contact") == "free");
@@ -141,7 +142,7 @@ TEST_CASE("a larger probe while touching carries the hand's proxy outward") {
 TEST_CASE("a hand that is placed inside is told to come out once") {
   auto d = startWith("argon");
   d->app().scene.servo().mouse().place(d->app().scene.stage().workspace.toDevice({Vec3(0.0)}));
-  ++d->app().scene.servo_settings.placements;
+  ++d->app().scene.servo_settings.discontinuities;
   d->app().scene.servo().setSettings(d->app().scene.servo_settings);
   // One tick before the hand is led out again by the pointer's place.
   d->app().scene.advance(0.001, 0.0, false);

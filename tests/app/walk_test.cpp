@@ -1,11 +1,11 @@
-// A student's whole way: the welcome page, a lesson, a wrong answer, a hint, preferences, back and on where he was, the lesson
-// saved anew by its author meanwhile, and the report on what he did.
+// A student's whole way: the welcome page, a lesson, a wrong answer, a hint, preferences, back and on where he was, the
+// lesson saved anew by its author meanwhile, and the report on what he did.
 #include <sys/wait.h>
 
 #include <chrono>
 #include <cstdlib>
 
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
 #include "tests/app/driver_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -37,7 +37,8 @@ struct ClassFolder {
   }
   std::string report() const {
     const std::string folder = scratch.path.string();
-    const std::string command = "'" MOLTACT_BINARY "' report '" + attempts.string() + "' --csv '" + folder + "/class.csv' --html '" + folder + "/class.html' >'" + folder + "/said'";
+    const std::string command = "'" MOLTACT_BINARY "' report '" + attempts.string() + "' --csv '" + folder +
+                                "/class.csv' --html '" + folder + "/class.html' >'" + folder + "/said'";
     CHECK(WEXITSTATUS(std::system(command.c_str())) == 0);
     return bytesOf(scratch.path / "said");
   }
@@ -57,7 +58,8 @@ std::string cell(const std::string& csv, const std::string& column) {
   bool quoted = false;
   std::string field;
   for (std::size_t k = csv.starts_with("\xEF\xBB\xBF") ? 3 : 0; k < csv.size(); ++k) {
-    if (csv[k] == '"') quoted = !quoted;
+    if (csv[k] == '"')
+      quoted = !quoted;
     else if (!quoted && (csv[k] == ',' || csv[k] == '\n')) {
       rows.back().push_back(std::exchange(field, {}));
       if (csv[k] == '\n') rows.emplace_back();
@@ -74,7 +76,9 @@ std::string cell(const std::string& csv, const std::string& column) {
 
 }  // namespace
 
-TEST_CASE("a student goes from the welcome page through a step, a wrong and a right answer, a hint and the preferences; his lesson is reloaded, his class reported") {
+TEST_CASE(
+    "a student goes from the welcome page through a step, a wrong and a right answer, a hint and the preferences; his "
+    "lesson is reloaded, his class reported") {
   ClassFolder klass;
   Driver::Options options;
   options.application.attempts_folder = klass.attempts;
@@ -106,7 +110,8 @@ expect question/0/feedback Yes. It touches both
 key Alt+Left
 wait 3
 expect lesson/place Step 1 of
-)", "walk");
+)",
+         "walk");
 
   // The first hint of the step opens and closes.
   std::string hint;
@@ -131,7 +136,8 @@ key Alt+Right
 wait 3
 point question/0/feedback
 expect question/0/feedback Yes. It touches both
-)", "walk on");
+)",
+         "walk on");
   CHECK(d->app().settings.theme == ThemeChoice::Dark);
 
   // The author saves: the step, its answers and the view stay. An error keeps the last good version until it is mended.
@@ -145,7 +151,8 @@ expect lesson/place Step 2 of
 expect lesson/0 Here, said anew
 point question/0/feedback
 expect question/0/feedback Yes. It touches both
-)", "reload");
+)",
+         "reload");
   CHECK(d->app().scene.camera == camera);
   klass.save(klass.with("feel: crease", "feel: creese"));
   runAll(*d, R"(
@@ -156,7 +163,8 @@ expect lesson/0 Here, said anew
 click lesson-problems/show
 wait 3
 expect lesson-problem/0 crease
-)", "reload with an error");
+)",
+         "reload with an error");
   klass.save(klass.text);
   runAll(*d, R"(
 wait 60
@@ -172,7 +180,8 @@ expect welcome/next Back to First touch
 click welcome/molecule/benzene
 wait 10
 expect status/molecule benzene
-)", "mended, and away");
+)",
+         "mended, and away");
   CHECK_FALSE(d->shows("lesson-problems"));
 
   REQUIRE(d->app().extensions().recorder.flush());
@@ -188,7 +197,9 @@ expect status/molecule benzene
   const std::string column = "first-touch.md#" + d->app().lesson.session()->lesson().steps[1].id + "/" + question.id;
   CHECK(cell(csv, column + " first answer") == plainText(question.choices[0].text));
   CHECK(cell(csv, column + " tries") == "2");
-  for (const std::string& part : {std::string("First touch"), plainText(question.title), plainText(question.choices[0].text)}) CHECK(contains(html, part));
+  for (const std::string& part :
+       {std::string("First touch"), plainText(question.title), plainText(question.choices[0].text)})
+    CHECK(contains(html, part));
 }
 
 TEST_CASE("with keys alone the preferences are reached, walked through and changed") {

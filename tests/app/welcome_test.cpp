@@ -1,8 +1,8 @@
 // The welcome page: cards, their pictures, progress, keys.
 #include <sstream>
 
-#include "app/ui/extensions.h"
-#include "app/ui/library.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/files/library.h"
 #include "engine/lesson/reader.h"
 #include "engine/results/attempt_lines.h"
 #include "tests/app/driver_fixture.h"

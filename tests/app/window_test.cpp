@@ -3,8 +3,8 @@
 #include <new>
 #include <stdexcept>
 
-#include "app/ui/loader.h"
-#include "app/ui/settings.h"
+#include "app/ui/files/settings.h"
+#include "app/ui/scene/loader.h"
 #include "tests/app/driver_fixture.h"
 
 namespace moltact {
@@ -20,7 +20,8 @@ TEST_CASE("a broken file leaves the scene and shows the reason until it is dismi
   const auto before = d->app().scene.stage().molecule;
   while (d->click("message/0/dismiss")) {
   }
-  d->app().open(scratch.file("broken.pdb", "ATOM      1  N   ALA A   1      xx.xxx  13.207   2.100  1.00  0.00           N\n"));
+  d->app().open(
+      scratch.file("broken.pdb", "ATOM      1  N   ALA A   1      xx.xxx  13.207   2.100  1.00  0.00           N\n"));
   d->frames(2);
   CHECK(d->app().scene.stage().molecule == before);
   CHECK(contains(d->text("message/0"), "broken.pdb"));
@@ -158,7 +159,8 @@ TEST_CASE("the theme switches from the menu, and most of the window changes with
 
 TEST_CASE("resizing down to 64 by 64 and up again keeps the program running") {
   auto d = startWith();
-  for (const auto& [width, height] : {std::pair{640, 480}, {64, 64}, {3000, 200}, {200, 1500}, {1280, 800}}) d->resize(width, height);
+  for (const auto& [width, height] : {std::pair{640, 480}, {64, 64}, {3000, 200}, {200, 1500}, {1280, 800}})
+    d->resize(width, height);
   CHECK(d->shows("view"));
 }
 
@@ -244,15 +246,16 @@ TEST_CASE("settings come back as they were kept, and a broken file gives the def
   REQUIRE(saveSettings(s, file).empty());
   const LoadedSettings again = loadSettings(file);
   CHECK(again.settings == s);
-  CHECK(again.trouble.empty());
-  CHECK(loadSettings(scratch.folder / "none.json").trouble.empty());
+  CHECK(again.fault.empty());
+  CHECK(loadSettings(scratch.folder / "none.json").fault.empty());
   for (const char* broken : {"", "{", "[1,2]", "{\"scale\": 1e999}", "\xff\xfe"}) {
     const LoadedSettings told = loadSettings(scratch.file("broken.json", broken));
     CHECK(told.settings == Settings());
     CAPTURE(broken);
-    CHECK_FALSE(told.trouble.empty());
+    CHECK_FALSE(told.fault.empty());
   }
-  const LoadedSettings odd = loadSettings(scratch.file("odd.json", R"({"scale": 900, "theme": 7, "recent": [1, "/x"]})"));
+  const LoadedSettings odd =
+      loadSettings(scratch.file("odd.json", R"({"scale": 900, "theme": 7, "recent": [1, "/x"]})"));
   CHECK(odd.settings.scale == 3.0);
   CHECK(odd.settings.recent.size() == 1);
 }

@@ -39,9 +39,7 @@ Problem refused(const std::string& text) {
   return path.problem();
 }
 
-std::shared_ptr<const BallScene> oneBall() {
-  return std::make_shared<const BallScene>(scenes::oneBall().balls);
-}
+std::shared_ptr<const BallScene> oneBall() { return std::make_shared<const BallScene>(scenes::oneBall().balls); }
 
 // exact with the force turned by an angle and scaled.
 struct Wrong {
@@ -61,7 +59,7 @@ struct Wrong {
     void reset() noexcept override { exact_.reset(); }
     void setProbe(double probe_A) noexcept override { exact_.setProbe(probe_A); }
     double probe_A() const noexcept override { return exact_.probe_A(); }
-    Footprint footprint() const noexcept override { return {}; }
+    MemoryUsage memoryUsage() const noexcept override { return {}; }
 
    private:
     ExactTracker exact_;
@@ -148,8 +146,7 @@ TEST_CASE("a way that was written is read back the same to 0.001 A, with its lab
   CHECK(back.labels.at("hand") == "a test");
   CHECK(back.probe_A == 1.2);
   REQUIRE(back.places.size() == 50);
-  for (int k = 0; k < 50; ++k)
-    CHECK(glm::distance(back.places[std::size_t(k)], path.places[std::size_t(k)]) < 0.001);
+  for (int k = 0; k < 50; ++k) CHECK(glm::distance(back.places[std::size_t(k)], path.places[std::size_t(k)]) < 0.001);
 }
 
 TEST_CASE(
@@ -170,10 +167,10 @@ TEST_CASE(
 TEST_CASE(
     "the way of a recording is the place that its workspace gives in each tick, and touched where the "
     "tracker touches") {
-  DeviceTrace trace;
+  ServoRecording trace;
   trace.labels = {{"molecule", "argon"}};
   for (int k = 0; k < 200; ++k) {
-    TraceTick tick;
+    RecordedTick tick;
     tick.settings.workspace.centre_A = {0, 0, 2};
     tick.settings.probe_A = 1.4;
     tick.pose.position = {{0.5, 0, 20 - 0.1 * k}};

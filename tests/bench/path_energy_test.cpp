@@ -37,7 +37,7 @@ class TurnedForce final : public Tracker {
   void reset() noexcept override { exact_.reset(); }
   void setProbe(double probe_A) noexcept override { exact_.setProbe(probe_A); }
   double probe_A() const noexcept override { return exact_.probe_A(); }
-  Footprint footprint() const noexcept override { return {}; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
   ExactTracker exact_;
@@ -59,8 +59,8 @@ scenes::Path rounds(double surface_A, double depth_A, double turns, double step_
 
 double made(const char* method, const scenes::Scene& scene, const scenes::Path& path) {
   return madeOverClosedPath(
-      [&] { return findMethod(method)->make(std::make_shared<const BallScene>(scene.balls), scene.probe_A); },
-      scene, path, {});
+      [&] { return findMethod(method)->make(std::make_shared<const BallScene>(scene.balls), scene.probe_A); }, scene,
+      path, {});
 }
 
 }  // namespace
@@ -73,8 +73,7 @@ TEST_CASE(
   const auto turnedBy = [&](double angle, double turns) {
     return madeOverClosedPath(
         [&] {
-          return std::make_unique<TurnedForce>(std::make_shared<const BallScene>(scene.balls), scene.probe_A,
-                                               angle);
+          return std::make_unique<TurnedForce>(std::make_shared<const BallScene>(scene.balls), scene.probe_A, angle);
         },
         scene, rounds(surface, d, turns, 0.005), {});
   };
@@ -99,8 +98,7 @@ TEST_CASE(
   CHECK(made("exact", bond, path) < 2e-7);
   // The store that a single spring would have rises by far more along the same path than any work accounts
   // for.
-  const auto tracker =
-      findMethod("penalty")->make(std::make_shared<const BallScene>(bond.balls), bond.probe_A);
+  const auto tracker = findMethod("penalty")->make(std::make_shared<const BallScene>(bond.balls), bond.probe_A);
   double absorbed = 0, worst = 0, lowest = 0;
   Vec3 last = path.front(), force(0);
   for (const Vec3& h : path) {

@@ -43,8 +43,7 @@ bool wellFormed(const std::string& xml) {
     if (end == std::string::npos) return false;
     const std::string tag = xml.substr(at + 1, end - at - 1);
     if (std::count(tag.begin(), tag.end(), '"') % 2 || tag.find('<') != std::string::npos) return false;
-    const std::string name =
-        tag.substr(tag[0] == '/' ? 1 : 0, tag.find_first_of(" /", 1) - (tag[0] == '/' ? 1 : 0));
+    const std::string name = tag.substr(tag[0] == '/' ? 1 : 0, tag.find_first_of(" /", 1) - (tag[0] == '/' ? 1 : 0));
     if (tag[0] == '/') {
       if (open.empty() || open.back() != tag.substr(1)) return false;
       open.pop_back();
@@ -81,7 +80,9 @@ TEST_CASE("of 1 to 10 000 the mean is 5000.5, p50 5000, p99 9900, p99.99 9999 an
   CHECK(spreadOf({}).max == 0);
 }
 
-TEST_CASE("the mean of 1, 2, 3, 4 is 2.5 and its 95 % interval by Student's t with 3 degrees of freedom 2.054 to either side; of 30 values t is 2.045") {
+TEST_CASE(
+    "the mean of 1, 2, 3, 4 is 2.5 and its 95 % interval by Student's t with 3 degrees of freedom 2.054 to either "
+    "side; of 30 values t is 2.045") {
   const MeanOf four = meanOf({1, 2, 3, 4});
   CHECK(four.mean == 2.5);
   CHECK(four.half_width == doctest::Approx(3.182 * std::sqrt(5.0 / 3.0 / 4.0)));
@@ -133,9 +134,10 @@ TEST_CASE("of two rows the one named c|d is picked out, and none from a column t
 
 TEST_CASE("the CSV of tick times keeps its header") {
   const std::string csv = toCsv(tickTable({}));
-  CHECK(csv ==
-        "scene,spheres,motion,method,mean_ns,p50_ns,single_error_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,"
-        "ticks,dropped\n");
+  CHECK(
+      csv ==
+      "scene,spheres,motion,method,mean_ns,p50_ns,single_error_ns,p99_ns,p99.99_ns,max_ns,times_exact,touching_percent,"
+      "ticks,dropped\n");
   CHECK(toCsv(readyTable({})) ==
         "scene,spheres,method,scene_ms,tracker_ms,first_touch_ms,ready_ms,bytes,bytes_times_exact,atoms_"
         "modelled,modelled_percent\n");
@@ -150,8 +152,9 @@ TEST_CASE("what stands between markers is replaced, and nothing else") {
 
 TEST_CASE("every marker on the pages names a table or sentences that a run writes, stands once, and has its end") {
   std::set<std::string> written{"stability_sentences", "stiffness_sentences", "felt_sentences", "hands_sentences"};
-  for (const ReportTable& t : {fidelityMatrix({}), stabilityMatrix({}), stabilitySummary({}), deviceTable(), stiffnessTable({}), stiffnessSetupsTable(),
-                               feelTable({}), feltTable("felt", "", {}), handsTable({}), handsFeltTable({})})
+  for (const ReportTable& t :
+       {fidelityMatrix({}), stabilityMatrix({}), stabilitySummary({}), deviceTable(), stiffnessTable({}),
+        stiffnessSetupsTable(), feelTable({}), feltTable("felt", "", {}), handsTable({}), handsFeltTable({})})
     written.insert(t.name);
   std::map<std::string, int> found;
   for (const char* page : {"stability.md", "hands.md"}) {
@@ -163,7 +166,8 @@ TEST_CASE("every marker on the pages names a table or sentences that a run write
       const std::string name = text.substr(at + 5, colon - at - 5);
       ++found[name];
       CHECK_MESSAGE(written.contains(name), name);
-      CHECK(replacedBetweenMarkers(text, name, "moltact\n").find("moltact\n<!-- " + name + ":end") != std::string::npos);
+      CHECK(replacedBetweenMarkers(text, name, "moltact\n").find("moltact\n<!-- " + name + ":end") !=
+            std::string::npos);
     }
   }
   for (const std::string& name : written) CHECK_MESSAGE(found[name] == 1, name);
@@ -197,14 +201,14 @@ TEST_CASE("names are listed as a, b and c") {
 }
 
 TEST_CASE("a chart is well-formed and holds each of its 3 marks and labels, not those at or below zero") {
-  const std::string svg = chartSvg(
-      "A & B",
-      {{"panel",
-        "x < 1",
-        "y",
-        {{"one", Mark::Disc, false, false, true, {{1, 1, "first"}, {10, 5, "a<b"}}},
-         {"two", Mark::Square, true, true, true, {{100, 1e-9, "far"}, {5, 0, "zero"}, {-1, 2, "minus"}}}}}},
-      "note");
+  const std::string svg =
+      chartSvg("A & B",
+               {{"panel",
+                 "x < 1",
+                 "y",
+                 {{"one", Mark::Disc, false, false, true, {{1, 1, "first"}, {10, 5, "a<b"}}},
+                  {"two", Mark::Square, true, true, true, {{100, 1e-9, "far"}, {5, 0, "zero"}, {-1, 2, "minus"}}}}}},
+               "note");
   CHECK(wellFormed(svg));
   // A mark in the legend for each of the two series.
   CHECK(count(svg, "class=\"mark\"") == 3 + 2);

@@ -111,8 +111,7 @@ TEST_CASE(
     "the noise floor: with a probe 0.001 A smaller exact is off in under 1 % of ticks in every scene, and "
     "never for more than a moment's press") {
   const Method& least = noiseFloor().front();
-  CHECK(least.make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.7}}), 1.4)->probe_A() ==
-        1.4);
+  CHECK(least.make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.7}}), 1.4)->probe_A() == 1.4);
   for (const StabilityScene& scene : drawnScenes(1, 1)) {
     const StabilityResult r = runScene(scene, least, {});
     CAPTURE(scene.name);
@@ -146,8 +145,7 @@ TEST_CASE("a slow hand on one crease or pit finds no fault in the paper's algori
 TEST_CASE(
     "flat triangles sink under the surface and jump from face to face: 0.19 A with 80, 0.026 with 960, "
     "0.0032 with 5120; only with 80 it could be felt that they are sunk") {
-  const StabilityResult coarse = result("crease, along", "mesh80"),
-                        paper_s = result("crease, along", "mesh960"),
+  const StabilityResult coarse = result("crease, along", "mesh80"), paper_s = result("crease, along", "mesh960"),
                         fine = result("crease, along", "mesh5120");
   CHECK(coarse.penetration_A == doctest::Approx(0.19).epsilon(0.1));
   CHECK(paper_s.penetration_A == doctest::Approx(0.026).epsilon(0.1));
@@ -174,8 +172,7 @@ TEST_CASE("a grid of 0.8 A closes a hole that is 0.05 A wider than the probe") {
   CHECK(result("ring, hole larger than the probe", "exact").stuck == 0);
 }
 
-TEST_CASE(
-    "penalties let the probe through a hole that is too narrow, and make no energy: they have a potential") {
+TEST_CASE("penalties let the probe through a hole that is too narrow, and make no energy: they have a potential") {
   CHECK(result("ring, hole smaller than the probe", "penalty").tunnelled > 0);
   CHECK(result("passes at 0.05 to 12 A a tick", "penalty").tunnelled > 0);
   for (const StabilityScene& scene : stabilityScenes(1)) {

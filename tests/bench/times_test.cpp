@@ -1,4 +1,5 @@
-// The clock's step from its readings, and what is said of times: on made figures, so that the sentences must follow them.
+// The clock's step from its readings, and what is said of times: on made figures, so that the sentences must follow
+// them.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -47,7 +48,8 @@ bool has(const std::string& text, const std::string& what) { return text.find(wh
 
 }  // namespace
 
-TEST_CASE("a clock of 26 cycles of 2.6 GHz steps by 10 ns although its readings differ by any nanosecond; one of 1 ns by 1") {
+TEST_CASE(
+    "a clock of 26 cycles of 2.6 GHz steps by 10 ns although its readings differ by any nanosecond; one of 1 ns by 1") {
   for (const double step : {10.0, 10.4, 4.17, 25.6, 41.67, 100.0}) {
     CAPTURE(step);
     CHECK(stepOf(readings(step, 5)) == doctest::Approx(step).epsilon(0.01));
@@ -64,13 +66,15 @@ TEST_CASE("the clock that ticks are timed by steps by 1 to 200 ns, and all its d
 }
 
 TEST_CASE("the sentences name what is faster than exact with its error, and every ratio as it comes out") {
-  const std::string text = tradeOffSentences(
-      {point("exact", 40, 1e-14, 1'000'000), point("mesh960", 80, 0.05, 2'000'000), point("sasmesh05", 30, 0.06, 17'000'000)});
+  const std::string text =
+      tradeOffSentences({point("exact", 40, 1e-14, 1'000'000), point("mesh960", 80, 0.05, 2'000'000),
+                         point("sasmesh05", 30, 0.06, 17'000'000)});
   CHECK(has(text, "`sasmesh05` 0.750 times, `mesh960` 2 times"));
   CHECK(has(text, "Faster than `exact`: `sasmesh05` (0.750 times its time, off by 0.0600 A)."));
   CHECK(has(text, "`mesh960` 0.0500 A and 0.500 degrees, `sasmesh05` 0.0600 A"));
   CHECK(has(text, "of `exact`'s 1 MB: `sasmesh05` 17 times"));
-  const std::string none = tradeOffSentences({point("exact", 40, 1e-14, 1'000'000), point("mesh960", 80, 0.05, 2'000'000)});
+  const std::string none =
+      tradeOffSentences({point("exact", 40, 1e-14, 1'000'000), point("mesh960", 80, 0.05, 2'000'000)});
   CHECK(has(none, "Faster than `exact`: none."));
   CHECK(tradeOffSentences({}).empty());
   CHECK(tradeOffSentences({point("mesh960", 80, 0.05, 1)}).empty());
@@ -113,8 +117,8 @@ TEST_CASE("a method that prepares the whole scene is left out of scenes larger t
 TEST_CASE("the page of speed has a place for each table and each paragraph that a run writes") {
   std::ifstream in(std::filesystem::path(MOLTACT_SOURCE_DIR) / "docs/speed-and-accuracy.md");
   const std::string page{std::istreambuf_iterator<char>(in), {}};
-  for (const std::string name : {"trade_off", "trade_off_sentences", "beside_paper", "ticks_13800", "ticks_exact", "cool", "cool_sentences",
-                                 "ready_13800", "ready_exact", "size_sentences"}) {
+  for (const std::string name : {"trade_off", "trade_off_sentences", "beside_paper", "ticks_13800", "ticks_exact",
+                                 "cool", "cool_sentences", "ready_13800", "ready_exact", "size_sentences"}) {
     CAPTURE(name);
     CHECK(has(page, "<!-- " + name + ":begin "));
     CHECK(has(page, "<!-- " + name + ":end -->"));

@@ -1,5 +1,6 @@
 // Speed of the trackers: contact (0.02 A a tick, 0.6 A under the surface), free space, and the time until a scene can
-// be touched. Run: build/release/tracker_benchmark [--benchmark_filter=…]. Tail times come from `moltact replay --time`.
+// be touched. Run: build/release/tracker_benchmark [--benchmark_filter=…]. Tail times come from `moltact replay
+// --time`.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -9,10 +10,10 @@
 #include <optional>
 #include <string_view>
 
-#include "engine/haptics/methods.h"
 #include "engine/bench/hip_paths.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/methods.h"
 #include "engine/servo/servo_step.h"
 
 namespace {
@@ -54,7 +55,7 @@ void ticks(benchmark::State& state, const Method* method, bool contact) {
     }
   }
   state.counters["touching"] = double(touching) / double(state.iterations());
-  state.counters["atoms_modelled"] = double(tracker->footprint().atoms_modelled);
+  state.counters["atoms_modelled"] = double(tracker->memoryUsage().atoms_modelled);
 }
 
 // A whole tick of the servo loop in contact: tracker, spring and safety stage, for a device that gives force.
@@ -75,7 +76,8 @@ void servoTicks(benchmark::State& state) {
   begin();
   std::size_t k = 0, touching = 0;
   for (auto _ : state) {
-    touching += step->tick(settings, tracker.get(), {.position = settings.workspace.toDevice({hips[k]})}).contact.touching();
+    touching +=
+        step->tick(settings, tracker.get(), {.position = settings.workspace.toDevice({hips[k]})}).contact.touching();
     if (++k == hips.size()) {
       state.PauseTiming();
       begin();
@@ -105,7 +107,8 @@ void worst(benchmark::State& state, const std::vector<Ball>& balls, double probe
   for (int k = 1; k < 20'000; ++k) {
     const Vec3 last = hips.back();
     hips.push_back(k % 500 == 0 ? middle + random.direction() * half * random.uniform(0, 1)
-                                : last + 0.02 * random.direction() + 0.01 * (middle + 0.6 * half * glm::normalize(last - middle) - last));
+                                : last + 0.02 * random.direction() +
+                                      0.01 * (middle + 0.6 * half * glm::normalize(last - middle) - last));
   }
   std::vector<double> ticks_us;
   std::uint64_t cut = 0;
@@ -143,12 +146,17 @@ int main(int argc, char** argv) {
     if (std::find(std::begin(kShown), std::end(kShown), method.name) == std::end(kShown)) continue;
     for (const bool contact : {true, false}) {
       const std::string name = std::string(method.name) + (contact ? "/contact" : "/free");
-      auto* one = benchmark::RegisterBenchmark(name.c_str(), [&method, contact](benchmark::State& s) { ticks(s, &method, contact); });
+      auto* one = benchmark::RegisterBenchmark(name.c_str(),
+                                               [&method, contact](benchmark::State& s) { ticks(s, &method, contact); });
       for (const int count : {50, 150, 3'000, 14'000, 1'000'000}) one->Arg(count);
     }
   }
-  benchmark::RegisterBenchmark("worst/100000 balls in 0.1 A", [](benchmark::State& s) { worst(s, within(0.1, 100'000), kWaterProbe_A); })->Unit(benchmark::kMillisecond);
-  benchmark::RegisterBenchmark("worst/14000 balls, probe 20 A", [](benchmark::State& s) { worst(s, bench::proteinLike(14'000, 1), 20.0); })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("worst/100000 balls in 0.1 A", [](benchmark::State& s) {
+    worst(s, within(0.1, 100'000), kWaterProbe_A);
+  })->Unit(benchmark::kMillisecond);
+  benchmark::RegisterBenchmark("worst/14000 balls, probe 20 A", [](benchmark::State& s) {
+    worst(s, bench::proteinLike(14'000, 1), 20.0);
+  })->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("servo/contact", servoTicks)->Arg(3'000);
   benchmark::RegisterBenchmark("ready", ready)->Arg(3'000)->Arg(14'000)->Arg(1'000'000)->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);

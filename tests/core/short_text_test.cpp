@@ -8,14 +8,17 @@
 
 using moltact::ShortText;
 
-TEST_CASE("a short text of 0 to 40 bytes, and of 100 000, is the text it was made of, through copies, moves and assignments to itself; 16 bytes") {
+TEST_CASE(
+    "a short text of 0 to 40 bytes, and of 100 000, is the text it was made of, through copies, moves and assignments "
+    "to itself; 16 bytes") {
   CHECK(sizeof(ShortText) == 16);
   CHECK(ShortText().empty());
   CHECK(ShortText() == "");
   std::vector<std::string> texts;
   for (std::size_t n = 0; n <= 40; ++n) {
     texts.emplace_back();
-    for (std::size_t k = 0; k < n; ++k) texts.back() += static_cast<char>(k * 7 + n);  // zeros and bytes beyond 127 among them
+    for (std::size_t k = 0; k < n; ++k)
+      texts.back() += static_cast<char>(k * 7 + n);  // zeros and bytes beyond 127 among them
   }
   texts.emplace_back(100'000, 'x');
   std::vector<ShortText> kept;  // grows, and so moves them

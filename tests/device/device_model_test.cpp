@@ -49,8 +49,7 @@ TEST_CASE("in free flight 45 g at 0.1 m/s against 0.2 N s/m come to rest after m
   for (int k = 0; k < 100; ++k) device.tick({}, {});
   const double tau = 0.045 / 0.2;
   CHECK(device.velocity_m_per_s().x == doctest::Approx(0.1 * std::exp(-0.1 / tau)).epsilon(1e-9));
-  CHECK(device.position().mm.x ==
-        doctest::Approx(1e3 * 0.1 * tau * (1 - std::exp(-0.1 / tau))).epsilon(1e-9));
+  CHECK(device.position().mm.x == doctest::Approx(1e3 * 0.1 * tau * (1 - std::exp(-0.1 / tau))).epsilon(1e-9));
   for (int k = 0; k < 5000; ++k) device.tick({}, {});
   CHECK(device.position().mm.x == doctest::Approx(22.5).epsilon(1e-6));
 }

@@ -1,11 +1,13 @@
 // The list of devices: what is there, what is chosen, and what a person is told who names one that is not there.
-#include "engine/device/driver.h"
-
 #include <doctest/doctest.h>
+
+#include "engine/device/driver.h"
 
 using namespace moltact;
 
-TEST_CASE("the mouse is the last driver, always found and usable; every device has a name of its own and a reason or is usable") {
+TEST_CASE(
+    "the mouse is the last driver, always found and usable; every device has a name of its own and a reason or is "
+    "usable") {
   const std::vector<FoundDevice> found = findDevices();
   CHECK(found.back().name == "mouse");
   CHECK(found.back().usable);
@@ -19,7 +21,8 @@ TEST_CASE("the mouse is the last driver, always found and usable; every device h
 }
 
 TEST_CASE("the default is the first device that is usable and may be chosen unasked; without one it is the mouse") {
-  const FoundDevice simulated{.name = "simulated", .usable = true, .gives_force = true}, mouse{.name = "mouse", .usable = true, .by_itself = true};
+  const FoundDevice simulated{.name = "simulated", .usable = true, .gives_force = true},
+      mouse{.name = "mouse", .usable = true, .by_itself = true};
   FoundDevice omni{.name = "omni", .usable = true, .gives_force = true, .by_itself = true};
   CHECK(defaultDevice({omni, simulated, mouse}).name == "omni");
   omni.usable = false;

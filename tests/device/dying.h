@@ -100,16 +100,39 @@ class Dying {
 
 /// A way to end, and how the process is seen to have ended.
 struct WayToDie {
-  const char* way;   ///< of dying_hand; "wait": by the signal
-  int signal;        ///< that it is sent, or dies of; 0: it exits with status 7
+  const char* way;  ///< of dying_hand; "wait": by the signal
+  int signal;       ///< that it is sent, or dies of; 0: it exits with status 7
 };
 inline constexpr WayToDie kWaysToDie[] = {
-    {"wait", SIGINT}, {"wait", SIGTERM}, {"wait", SIGHUP}, {"wait", SIGQUIT}, {"wait", SIGPIPE}, {"wait", SIGUSR1}, {"wait", SIGALRM}, {"wait", SIGXCPU},
-    {"wait", SIGXFSZ}, {"wait", SIGSEGV}, {"wait", SIGBUS}, {"wait", SIGFPE}, {"wait", SIGILL}, {"wait", SIGABRT}, {"wait", SIGTRAP}, {"wait", SIGSYS},
-    {"segv", SIGSEGV}, {"abort", SIGABRT}, {"terminate", SIGABRT}, {"stack", SIGSEGV}, {"segv elsewhere", SIGSEGV}, {"throw elsewhere", SIGABRT},
-    {"tick", SIGABRT}, {"exit", 0}, {"exit elsewhere", 0}, {"throw", 0},
+    {"wait", SIGINT},
+    {"wait", SIGTERM},
+    {"wait", SIGHUP},
+    {"wait", SIGQUIT},
+    {"wait", SIGPIPE},
+    {"wait", SIGUSR1},
+    {"wait", SIGALRM},
+    {"wait", SIGXCPU},
+    {"wait", SIGXFSZ},
+    {"wait", SIGSEGV},
+    {"wait", SIGBUS},
+    {"wait", SIGFPE},
+    {"wait", SIGILL},
+    {"wait", SIGABRT},
+    {"wait", SIGTRAP},
+    {"wait", SIGSYS},
+    {"segv", SIGSEGV},
+    {"abort", SIGABRT},
+    {"terminate", SIGABRT},
+    {"stack", SIGSEGV},
+    {"segv elsewhere", SIGSEGV},
+    {"throw elsewhere", SIGABRT},
+    {"tick", SIGABRT},
+    {"exit", 0},
+    {"exit elsewhere", 0},
+    {"throw", 0},
 };
-/// What a busy machine may take until the last word, or the filling of a stack; what it takes on an idle one: docs/safety.md.
+/// What a busy machine may take until the last word, or the filling of a stack; what it takes on an idle one:
+/// docs/safety.md.
 inline constexpr double kBusy_ms = 500;
 
 }  // namespace moltact::test

@@ -1,7 +1,7 @@
-// A program that feels with a device until it ends in the way that it is told: dying_hand DEVICE WAY. It writes "pressing" when
-// force is given, and when a line has come from its standard input the monotonic time in ns, and does to itself what the way says;
-// "wait" leaves it to a signal from outside. "close" and "leave" close the device, or end the force as the program's end does,
-// from full force.
+// A program that feels with a device until it ends in the way that it is told: dying_hand DEVICE WAY. It writes
+// "pressing" when force is given, and when a line has come from its standard input the monotonic time in ns, and does
+// to itself what the way says; "wait" leaves it to a signal from outside. "close" and "leave" close the device, or end
+// the force as the program's end does, from full force.
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -26,8 +26,12 @@
 using namespace moltact;
 
 // In a build with sanitizers the process is to end as others do.
-extern "C" const char* __asan_default_options() { return "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:handle_abort=0:detect_leaks=0"; }
-extern "C" const char* __tsan_default_options() { return "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:handle_abort=0"; }
+extern "C" const char* __asan_default_options() {
+  return "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:handle_abort=0:detect_leaks=0";
+}
+extern "C" const char* __tsan_default_options() {
+  return "handle_segv=0:handle_sigbus=0:handle_sigfpe=0:handle_sigill=0:handle_abort=0";
+}
 
 namespace {
 

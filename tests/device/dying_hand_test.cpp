@@ -1,5 +1,5 @@
-// A process that ends while it gives force, in every way but SIGKILL: the last that its device was given is no force. The stand-in
-// for libHD.so writes each force down with its time as it comes (STAND_IN_FORCES).
+// A process that ends while it gives force, in every way but SIGKILL: the last that its device was given is no force.
+// The stand-in for libHD.so writes each force down with its time as it comes (STAND_IN_FORCES).
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -19,8 +19,8 @@ namespace {
 
 // What the stand-in was given: forces, and whether its output was on, in the order of their times.
 struct ForceLog {
-  double last_N = -1;     // what drives the motors at the end
-  double forced_ms = 0;   // from then on a force was still there for so long
+  double last_N = -1;    // what drives the motors at the end
+  double forced_ms = 0;  // from then on a force was still there for so long
   double greatest_N = 0;
   double before_N = 0;    // what there was then
   double steepest_N = 0;  // the greatest change from then on, of forces that came within kLate_ns of each other
@@ -36,13 +36,18 @@ ForceLog readForces(const fs::path& file, std::int64_t from_ns) {
   double force_N = 0;
   while (in >> at_ns >> what) {
     const double before_N = on ? force_N : 0.0;
-    if (what == "on") on = true;
-    else if (what == "off") on = false;
-    else force_N = std::strtod(what.c_str(), nullptr);
+    if (what == "on")
+      on = true;
+    else if (what == "off")
+      on = false;
+    else
+      force_N = std::strtod(what.c_str(), nullptr);
     out.last_N = on ? force_N : 0.0;
     out.greatest_N = std::max(out.greatest_N, out.last_N);
-    if (at_ns <= from_ns) out.before_N = out.last_N;
-    else if (at_ns - before_ns < kLate_ns) out.steepest_N = std::max(out.steepest_N, std::abs(out.last_N - before_N));
+    if (at_ns <= from_ns)
+      out.before_N = out.last_N;
+    else if (at_ns - before_ns < kLate_ns)
+      out.steepest_N = std::max(out.steepest_N, std::abs(out.last_N - before_N));
     out.falling += at_ns > from_ns && out.last_N > 0.0 && out.last_N < before_N - 0.5;
     before_ns = at_ns;
     if (before_N > 0.0 && at_ns > from_ns) out.forced_ms = 1e-6 * double(at_ns - from_ns);
@@ -51,7 +56,8 @@ ForceLog readForces(const fs::path& file, std::int64_t from_ns) {
 }
 
 struct StandInProcess {
-  StandInProcess() : folder(fs::temp_directory_path() / ("moltact_dying_" + std::to_string(::getpid()))), forces(folder / "forces") {
+  StandInProcess()
+      : folder(fs::temp_directory_path() / ("moltact_dying_" + std::to_string(::getpid()))), forces(folder / "forces") {
     fs::create_directories(folder);
     setenv("MOLTACT_LIBHD", MOLTACT_STAND_IN_LIBHD, 1);
     setenv("STAND_IN_LOG", (folder / "log").c_str(), 1);
@@ -68,8 +74,10 @@ struct StandInProcess {
 
 }  // namespace
 
-TEST_CASE("Omni: a process that gives force and is killed by any signal that can be seen, crashes on any thread, in its tick or by a full "
-          "stack, exits or throws: the last is no force, and it ends as it would have") {
+TEST_CASE(
+    "Omni: a process that gives force and is killed by any signal that can be seen, crashes on any thread, in its tick "
+    "or by a full "
+    "stack, exits or throws: the last is no force, and it ends as it would have") {
   const StandInProcess omni;
   double worst_ms = 0;
   for (const WayToDie& one : kWaysToDie) {
@@ -78,8 +86,10 @@ TEST_CASE("Omni: a process that gives force and is killed by any signal that can
     fs::remove(omni.forces);
     Dying child("omni", one.way);
     REQUIRE(child.line(20'000) == "pressing");
-    if (std::string(one.way) == "wait") child.send(one.signal);
-    else child.go();
+    if (std::string(one.way) == "wait")
+      child.send(one.signal);
+    else
+      child.go();
     for (int k = 0; k < 20'000 && !child.over(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
     CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
     const ForceLog log = readForces(omni.forces, child.at_ns());
@@ -87,12 +97,15 @@ TEST_CASE("Omni: a process that gives force and is killed by any signal that can
     CHECK(log.last_N == 0.0);
     CHECK(log.forced_ms < kBusy_ms);
     if (std::string(one.way) != "stack") worst_ms = std::max(worst_ms, log.forced_ms);  // filling it takes time
-    if (std::getenv("MOLTACT_TELL_MS")) MESSAGE(std::string(one.way) << ' ' << one.signal << ": " << log.forced_ms << " ms");
+    if (std::getenv("MOLTACT_TELL_MS"))
+      MESSAGE(std::string(one.way) << ' ' << one.signal << ": " << log.forced_ms << " ms");
   }
   MESSAGE(std::size(kWaysToDie) << " ways, at most " << worst_ms << " ms");
 }
 
-TEST_CASE("Omni: a device that is closed, and a program that is left, under 2 N or more: the force goes by no more than 1 N a tick, and the last is none") {
+TEST_CASE(
+    "Omni: a device that is closed, and a program that is left, under 2 N or more: the force goes by no more than 1 N "
+    "a tick, and the last is none") {
   const StandInProcess omni;
   for (const char* way : {"close", "leave"}) {
     CAPTURE(std::string(way));
@@ -114,13 +127,15 @@ TEST_CASE("Omni: a device that is closed, and a program that is left, under 2 N 
   }
 }
 
-TEST_CASE("Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it goes on") {
+TEST_CASE(
+    "Omni: a process that is stopped by Ctrl-Z gives no force while it stands, and begins softly when it goes on") {
   const StandInProcess omni;
   Dying child("omni", "wait");
   REQUIRE(child.line(20'000) == "pressing");
   child.send(SIGTSTP);
   int status = 0;
-  for (int k = 0; k < 5000 && ::waitpid(child.pid(), &status, WUNTRACED | WNOHANG) == 0; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (int k = 0; k < 5000 && ::waitpid(child.pid(), &status, WUNTRACED | WNOHANG) == 0; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   REQUIRE(WIFSTOPPED(status));
   const ForceLog stopped = readForces(omni.forces, child.at_ns());
   CHECK(stopped.greatest_N > 0.3);

@@ -1,5 +1,6 @@
-// A process that ends while it gives a HID device force, in every way but SIGKILL, through the real libhidapi: the last report that
-// the device was sent has none. Runs under umockdev-wrapper; the child is another process on the same mocked devices.
+// A process that ends while it gives a HID device force, in every way but SIGKILL, through the real libhidapi: the last
+// report that the device was sent has none. Runs under umockdev-wrapper; the child is another process on the same
+// mocked devices.
 #include <cstdlib>
 
 #include "engine/device/hid/open_device.h"
@@ -17,9 +18,9 @@ namespace {
 struct FarEnd {
   const char* driver;
   MockedHid listed;
-  Bytes place, later;                    // first, and when it is pressed
-  std::size_t report_bytes;              // as they come
-  double (*size)(const std::uint8_t*);   // of the force in one
+  Bytes place, later;                   // first, and when it is pressed
+  std::size_t report_bytes;             // as they come
+  double (*size)(const std::uint8_t*);  // of the force in one
 };
 
 double currents(const std::uint8_t* r) {
@@ -41,7 +42,8 @@ class Reports {
   explicit Reports(const FarEnd& end) : end_(end) {}
   void take(const Bytes& bytes) {
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-    for (; bytes_.size() >= end_.report_bytes; bytes_.erase(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(end_.report_bytes))) {
+    for (; bytes_.size() >= end_.report_bytes;
+         bytes_.erase(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(end_.report_bytes))) {
       last_ = end_.size(bytes_.data());
       greatest_ = std::max(greatest_, last_);
       if (last_ > 0.0) forced_ns_ = monotonic_ns();
@@ -61,8 +63,10 @@ class Reports {
 
 }  // namespace
 
-TEST_CASE("HID devices: a process that gives force and is killed by any signal that can be seen, crashes on any thread, in its tick or by "
-          "a full stack, exits or throws: the last report has none") {
+TEST_CASE(
+    "HID devices: a process that gives force and is killed by any signal that can be seen, crashes on any thread, in "
+    "its tick or by "
+    "a full stack, exits or throws: the last report has none") {
   OpenFirmware firmware;
   const auto still = firmware.tick({});
   Bytes pad(64, 128);
@@ -70,7 +74,8 @@ TEST_CASE("HID devices: a process that gives force and is killed by any signal t
   const FarEnd ends[] = {
       // Upright a pull to the right has no lever.
       {"woodenhaptics", kWoodenHaptics, counts(0, 0, 0), counts(0, -6000, 0), 9, currents},
-      {"open", openLayout(firmware), Bytes(still.begin(), still.end()), Bytes(still.begin(), still.end()), open_layout::kForceBytes, openForce},
+      {"open", openLayout(firmware), Bytes(still.begin(), still.end()), Bytes(still.begin(), still.end()),
+       open_layout::kForceBytes, openForce},
       {"gamepad", kDualShock, pad, pad, kDualShock4.bytes, rumble<kDualShock4>},
       {"dualsense", kDualSensePad, pad, pad, kDualSense.bytes, rumble<kDualSense>},
   };
@@ -98,8 +103,10 @@ TEST_CASE("HID devices: a process that gives force and is killed by any signal t
       place = end.later;
       for (int k = 0; k < 5'000 && !(reports.last() > 0.0); ++k) send();
       REQUIRE(reports.last() > 0.0);
-      if (std::string(one.way) == "wait") child.send(one.signal);
-      else child.go();
+      if (std::string(one.way) == "wait")
+        child.send(one.signal);
+      else
+        child.go();
       for (int k = 0; k < 5'000 && !child.over(); ++k) send();
       CHECK((one.signal ? child.killedBy(one.signal) : child.exitedWith(7)));
       reports.take(bed.written());
@@ -110,6 +117,7 @@ TEST_CASE("HID devices: a process that gives force and is killed by any signal t
       CHECK(forced_ms < kBusy_ms);
       if (std::string(one.way) != "stack") worst_ms = std::max(worst_ms, forced_ms);  // filling it takes time
     }
-    MESSAGE(std::string(end.driver) << ": " << std::size(kWaysToDie) << " ways, at most " << worst_ms << " ms until the last report with force was read");
+    MESSAGE(std::string(end.driver) << ": " << std::size(kWaysToDie) << " ways, at most " << worst_ms
+                                    << " ms until the last report with force was read");
   }
 }

@@ -1,4 +1,5 @@
-// A HID device's own thread, over a port that the test holds the other end of: places, forces, words, plugs, the age of a place.
+// A HID device's own thread, over a port that the test holds the other end of: places, forces, words, plugs, the age of
+// a place.
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -12,14 +13,16 @@
 using namespace moltact;
 using namespace moltact::test;
 
-TEST_CASE("WoodenHaptics: no force until the links were held upright and the person said so; where they were then is the place at rest, and it is "
-          "asked again when it was opened anew") {
+TEST_CASE(
+    "WoodenHaptics: no force until the links were held upright and the person said so; where they were then is the "
+    "place at rest, and it is "
+    "asked again when it was opened anew") {
   const auto wire = std::make_shared<Wire>();
   auto opened = HidDevice::open(over(wire), std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo());
   REQUIRE(opened);
   Device& device = **opened;
   const Vec3 rest = WoodenHapticsProtocol::place(Vec3(0)).mm;
-  CHECK(device.read(0.001).trouble);
+  CHECK(device.read(0.001).fault);
   for (int time = 0; time < 2; ++time) {
     CAPTURE(time);
     CHECK_FALSE(device.status().ready);
@@ -32,12 +35,12 @@ TEST_CASE("WoodenHaptics: no force until the links were held upright and the per
     putInt16(upright, 4, 500);
     wire->send(upright);
     waitFor([&] { return device.read(0.001).fresh; });
-    CHECK(device.read(0.001).trouble);
-    const std::uint32_t placements = device.read(0.001).placements;
+    CHECK(device.read(0.001).fault);
+    const std::uint32_t discontinuities = device.read(0.001).discontinuities;
     device.calibrate();
-    waitFor([&] { return !device.read(0.001).trouble; });
-    CHECK_FALSE(device.read(0.001).trouble);
-    CHECK(device.read(0.001).placements == placements + 1);
+    waitFor([&] { return !device.read(0.001).fault; });
+    CHECK_FALSE(device.read(0.001).fault);
+    CHECK(device.read(0.001).discontinuities == discontinuities + 1);
     CHECK(device.status().ready);
     wire->send(upright);
     waitFor([&] { return glm::distance(device.read(0.001).position.mm, rest) < 1e-9; });
@@ -52,11 +55,13 @@ TEST_CASE("WoodenHaptics: no force until the links were held upright and the per
     waitFor([&] { return !device.read(0.001).connected; });
     wire->plug(true);
     waitFor([&] { return device.read(0.001).connected; });
-    CHECK(device.read(0.001).trouble);
+    CHECK(device.read(0.001).fault);
   }
 }
 
-TEST_CASE("another device of the open layout is plugged in than the one that was pulled out: its own figures hold, and the room is its own") {
+TEST_CASE(
+    "another device of the open layout is plugged in than the one that was pulled out: its own figures hold, and the "
+    "room is its own") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
@@ -70,9 +75,9 @@ TEST_CASE("another device of the open layout is plugged in than the one that was
   wire->plug(false);
   waitFor([&] { return !device.read(0.001).connected; });
   Report weaker = wire->feature;
-  putInt16(weaker, 8, 900);    // 0.9 N
+  putInt16(weaker, 8, 900);  // 0.9 N
   putInt16(weaker, 10, 300);
-  putInt16(weaker, 12, 60);    // 60 mm wide
+  putInt16(weaker, 12, 60);  // 60 mm wide
   wire->feature = weaker;
   wire->plug(true);
   waitFor([&] { return device.read(0.001).connected; });
@@ -96,10 +101,12 @@ TEST_CASE("open layout: a fault and a missing calibration are told in words, and
   waitFor([&] { return !device.status().ready; });
   CHECK(device.status().text.find("reports a fault") != std::string::npos);
   CHECK_FALSE(device.status().asks_calibrate);
-  CHECK(device.read(0.001).trouble);
+  CHECK(device.read(0.001).fault);
 }
 
-TEST_CASE("the age of a place grows from when it came, and holds the time that a force waits to be written, 5 ms here; a device without force has none") {
+TEST_CASE(
+    "the age of a place grows from when it came, and holds the time that a force waits to be written, 5 ms here; a "
+    "device without force has none") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
@@ -138,7 +145,9 @@ TEST_CASE("the age of a place grows from when it came, and holds the time that a
   CHECK((*mouse)->read(0.001).age_s == 0.0f);
 }
 
-TEST_CASE("a HID device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and plugging in mends it") {
+TEST_CASE(
+    "a HID device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and plugging "
+    "in mends it") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
@@ -153,13 +162,21 @@ TEST_CASE("a HID device: places arrive, forces go out, silence of the loop ends 
   wire->send(of(firmware.tick({10, 0, 0})));
   DevicePose pose;
   bool fresh = false;
-  waitFor([&] { pose = device.read(0.001); fresh = fresh || pose.fresh; return pose.position.mm.x == 10; });
+  waitFor([&] {
+    pose = device.read(0.001);
+    fresh = fresh || pose.fresh;
+    return pose.position.mm.x == 10;
+  });
   CHECK(pose.position.mm == Vec3(10, 0, 0));
   CHECK(fresh);
   CHECK_FALSE(device.read(0.001).fresh);  // nothing new has come since
   CHECK(device.status().ready);
 
-  waitFor([&] { device.write({Vec3(1, 0, 0)}); const Report r = wire->last(); return r.size() == 11 && int16At(r, 3) == 1000; });
+  waitFor([&] {
+    device.write({Vec3(1, 0, 0)});
+    const Report r = wire->last();
+    return r.size() == 11 && int16At(r, 3) == 1000;
+  });
   CHECK(int16At(wire->last(), 3) == 1000);
   waitFor([&] { return int16At(wire->last(), 3) == 0; });  // the loop is silent
   CHECK(int16At(wire->last(), 3) == 0);
@@ -172,11 +189,14 @@ TEST_CASE("a HID device: places arrive, forces go out, silence of the loop ends 
   waitFor([&] { return device.read(0.001).connected; });
   pose = device.read(0.001);
   CHECK(pose.connected);
-  CHECK(pose.placements == 1);
+  CHECK(pose.discontinuities == 1);
   wire->send(of(firmware.tick({20, 0, 0})));
   waitFor([&] { return device.read(0.001).position.mm.x == 20; });
   CHECK(device.read(0.001).position.mm.x == 20);
-  waitFor([&] { device.write({Vec3(1, 0, 0)}); return int16At(wire->last(), 3) == 1000; });
+  waitFor([&] {
+    device.write({Vec3(1, 0, 0)});
+    return int16At(wire->last(), 3) == 1000;
+  });
   opened->reset();
   CHECK(int16At(wire->last(), 3) == 0);  // closed without force
 }

@@ -1,5 +1,6 @@
-// What goes wrong with a HID device, through the real libhidapi: it is unplugged under the hand, its reports are garbage or
-// too short, it cannot be read. Runs under umockdev-wrapper. The hand is then judged at the end of the whole loop.
+// What goes wrong with a HID device, through the real libhidapi: it is unplugged under the hand, its reports are
+// garbage or too short, it cannot be read. Runs under umockdev-wrapper. The hand is then judged at the end of the whole
+// loop.
 #include <utility>
 
 #include "engine/bench/scenes.h"
@@ -14,16 +15,19 @@ using namespace moltact::test;
 
 namespace {
 
-// The servo loop over a device, the mouse as the fallback, and a pull wherever the hand is: far enough to be felt with the
-// little stiffness that is left on a slow machine.
+// The servo loop over a device, the mouse as the fallback, and a pull wherever the hand is: far enough to be felt with
+// the little stiffness that is left on a slow machine.
 class Loop {
  public:
-  explicit Loop(Device& device) : device_(device), switch_(mouse_, &device), pull_(40.0) { settings_.workspace.A_per_mm = 1.0; }
+  explicit Loop(Device& device) : device_(device), switch_(mouse_, &device), pull_(40.0) {
+    settings_.workspace.A_per_mm = 1.0;
+  }
 
   ServoSample tick() {
     const ServoSample sample = step_.tick(settings_, &pull_, switch_.read(kTick_s, step_));
     switch_.write(sample.force);
-    if (std::exchange(was_back_, switch_.fallenBack()) != switch_.fallenBack()) last_ = Vec3(0.0);  // another one is given force
+    if (std::exchange(was_back_, switch_.fallenBack()) != switch_.fallenBack())
+      last_ = Vec3(0.0);  // another one is given force
     const double most = switch_.fallenBack() ? 0.0 : device_.info().max_force_N, size = glm::length(sample.force.N);
     CHECK(finite(sample.force.N));
     CHECK(finite(sample.hip.A));
@@ -59,7 +63,9 @@ ServoSample feel(HidTestbed& bed, Loop& loop) {
 
 }  // namespace
 
-TEST_CASE("unplugged under the hand: the mouse leads, the list no longer has it, and plugged in again it leads from a soft start") {
+TEST_CASE(
+    "unplugged under the hand: the mouse leads, the list no longer has it, and plugged in again it leads from a soft "
+    "start") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
@@ -88,7 +94,9 @@ TEST_CASE("unplugged under the hand: the mouse leads, the list no longer has it,
   CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
 }
 
-TEST_CASE("ten times unplugged and plugged in, at any moment of the reports: it is told each time, and works after the last; seed 3") {
+TEST_CASE(
+    "ten times unplugged and plugged in, at any moment of the reports: it is told each time, and works after the last; "
+    "seed 3") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
@@ -111,8 +119,10 @@ TEST_CASE("ten times unplugged and plugged in, at any moment of the reports: it 
   CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
 }
 
-TEST_CASE("600 reports of random length and bytes, sound ones between: places and forces stay finite and limited, and the next sound "
-          "report is read right; seed 4") {
+TEST_CASE(
+    "600 reports of random length and bytes, sound ones between: places and forces stay finite and limited, and the "
+    "next sound "
+    "report is read right; seed 4") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
@@ -128,11 +138,15 @@ TEST_CASE("600 reports of random length and bytes, sound ones between: places an
   }
   CHECK(device->status().connected);
   DevicePose pose;
-  waitFor([&] { return (bed.send(counts(0, -6000, 0)), std::abs((pose = device->read(0.001)).position.mm.z + 15.0) < 0.5); });
+  waitFor([&] {
+    return (bed.send(counts(0, -6000, 0)), std::abs((pose = device->read(0.001)).position.mm.z + 15.0) < 0.5);
+  });
   CHECK(pose.position.mm.z == doctest::Approx(205 - 220));
 }
 
-TEST_CASE("reports that break off after 3 and 6 bytes tell no place; after 40 ms of them there is no force, and with whole ones it comes back") {
+TEST_CASE(
+    "reports that break off after 3 and 6 bytes tell no place; after 40 ms of them there is no force, and with whole "
+    "ones it comes back") {
   HidTestbed bed;
   bed.plug(kWoodenHaptics);
   const auto device = opened("woodenhaptics");
@@ -153,7 +167,8 @@ TEST_CASE("reports that break off after 3 and 6 bytes tell no place; after 40 ms
   CHECK(glm::length(feel(bed, loop).force.N) >= 0.3);
 }
 
-TEST_CASE("a SpaceMouse that is unplugged while its cap is pushed stands still, and moves on from there when it is back") {
+TEST_CASE(
+    "a SpaceMouse that is unplugged while its cap is pushed stands still, and moves on from there when it is back") {
   HidTestbed bed;
   bed.plug(kSpaceMouse);
   const auto device = opened("spacemouse");

@@ -14,7 +14,9 @@
 using namespace moltact;
 using namespace moltact::test;
 
-TEST_CASE("10 000 reports of random length and bytes leave every protocol's place finite and within what 16 bits can say; seed 1") {
+TEST_CASE(
+    "10 000 reports of random length and bytes leave every protocol's place finite and within what 16 bits can say; "
+    "seed 1") {
   scenes::Random random(1);
   SpaceMouseProtocol mouse;
   WoodenHapticsProtocol wood;
@@ -26,8 +28,8 @@ TEST_CASE("10 000 reports of random length and bytes leave every protocol's plac
     Report report(std::size_t(random.uniform(0, 65)));
     for (auto& byte : report) byte = std::uint8_t(random.uniform(0, 256));
     if (k % 2 && !report.empty()) report[0] = std::uint8_t(1 + k / 2 % 3);
-    for (HidProtocol* one : {static_cast<HidProtocol*>(&mouse), static_cast<HidProtocol*>(&wood), static_cast<HidProtocol*>(&open),
-                              static_cast<HidProtocol*>(&pad)}) {
+    for (HidProtocol* one : {static_cast<HidProtocol*>(&mouse), static_cast<HidProtocol*>(&wood),
+                             static_cast<HidProtocol*>(&open), static_cast<HidProtocol*>(&pad)}) {
       one->take(report, pose);
       one->pass(0.001, pose);
       REQUIRE(finite(pose.position.mm));
@@ -37,7 +39,9 @@ TEST_CASE("10 000 reports of random length and bytes leave every protocol's plac
   }
 }
 
-TEST_CASE("WoodenHaptics: at rest the handle is 220 mm behind and 40 mm under the middle, and work is the same at motor and hand") {
+TEST_CASE(
+    "WoodenHaptics: at rest the handle is 220 mm behind and 40 mm under the middle, and work is the same at motor and "
+    "hand") {
   const Vec3 rest = WoodenHapticsProtocol::place(Vec3(0)).mm;
   CHECK(rest.z == doctest::Approx(-220));
   CHECK(rest.y == doctest::Approx(-40));
@@ -47,8 +51,10 @@ TEST_CASE("WoodenHaptics: at rest the handle is 220 mm behind and 40 mm under th
     const Vec3 a(random.uniform(-1, 1), random.uniform(-0.5, 1.2), random.uniform(0.2, 1.5)), way = random.direction();
     const ForceN force{random.direction() * 3.0};
     const double h = 1e-6;
-    const Vec3 moved_m = 1e-3 * (WoodenHapticsProtocol::place(a + h * way).mm - WoodenHapticsProtocol::place(a - h * way).mm) / (2 * h);
-    CHECK(glm::dot(force.N, moved_m) == doctest::Approx(glm::dot(WoodenHapticsProtocol::torques(a, force), way)).epsilon(1e-6));
+    const Vec3 moved_m =
+        1e-3 * (WoodenHapticsProtocol::place(a + h * way).mm - WoodenHapticsProtocol::place(a - h * way).mm) / (2 * h);
+    CHECK(glm::dot(force.N, moved_m) ==
+          doctest::Approx(glm::dot(WoodenHapticsProtocol::torques(a, force), way)).epsilon(1e-6));
   }
 }
 
@@ -68,7 +74,9 @@ TEST_CASE("WoodenHaptics: 2000 counts turn a motor once, no motor gets more than
   for (std::size_t k = 1; k < 7; ++k) CHECK(out[k] == 0);
 }
 
-TEST_CASE("open layout: figures come out of the feature report; one that is short, of another version or without a unit is refused") {
+TEST_CASE(
+    "open layout: figures come out of the feature report; one that is short, of another version or without a unit is "
+    "refused") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   const auto begin = [&](Report feature, DeviceInfo& info) {
@@ -99,7 +107,9 @@ TEST_CASE("open layout: figures come out of the feature report; one that is shor
   CHECK(begin(Report(), info)->remedy.find("device-protocol") != std::string::npos);
 }
 
-TEST_CASE("open layout: places and forces go through the reports to a step of 5 um and of 1 mN; status becomes trouble and heat") {
+TEST_CASE(
+    "open layout: places and forces go through the reports to a step of 5 um and of 1 mN; status becomes fault and "
+    "heat") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
@@ -122,7 +132,7 @@ TEST_CASE("open layout: places and forces go through the reports to a step of 5 
   CHECK(pose.motor_heat == 1.0f);
   firmware.fault = true;
   open.take(of(firmware.tick({})), pose);
-  CHECK(pose.trouble);
+  CHECK(pose.fault);
   open.give({Vec3(std::nan(""), 0, 0)}, out);
   CHECK(out[9] == 0);
 }

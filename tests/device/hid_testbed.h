@@ -1,6 +1,7 @@
-// A HID device that umockdev mocks, for the real libhidapi: what the system lists of it, its descriptor and feature report,
-// and the test as its far end. Runs under umockdev-wrapper. The node is a terminal and no hidraw: what is sent in one go may
-// arrive with what comes after it, so `send` waits until it has been read. Test's thread; ioctls are answered on another.
+// A HID device that umockdev mocks, for the real libhidapi: what the system lists of it, its descriptor and feature
+// report, and the test as its far end. Runs under umockdev-wrapper. The node is a terminal and no hidraw: what is sent
+// in one go may arrive with what comes after it, so `send` waits until it has been read. Test's thread; ioctls are
+// answered on another.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -29,11 +30,11 @@ inline Bytes hidDescriptor(unsigned page, unsigned usage) {
 }
 
 struct MockedHid {
-  const char* vendor;    ///< "256F", in capitals
-  const char* product;   ///< "C635"
-  const char* name;      ///< "3Dconnexion SpaceMouse Compact": its first word is the maker
+  const char* vendor;   ///< "256F", in capitals
+  const char* product;  ///< "C635"
+  const char* name;     ///< "3Dconnexion SpaceMouse Compact": its first word is the maker
   Bytes descriptor;
-  Bytes feature = {};    ///< what the feature report of its first byte holds; empty: it has none
+  Bytes feature = {};  ///< what the feature report of its first byte holds; empty: it has none
 };
 
 class HidTestbed {
@@ -73,8 +74,10 @@ class HidTestbed {
     umockdev_testbed_detach_ioctl(bed_, node().c_str(), nullptr);
     // The node first, then what it hangs on.
     const std::string usb = std::string("/sys") + kUsb, interface = usb + "/1-1:1.0", hid = interface + '/' + hidName();
-    for (const std::string& path : {hid + "/hidraw/" + raw(), hid, interface, usb}) umockdev_testbed_remove_device(bed_, path.c_str());
-    // umockdev keeps the far end for itself; who has the node open is hung up on when it no longer stands for a terminal.
+    for (const std::string& path : {hid + "/hidraw/" + raw(), hid, interface, usb})
+      umockdev_testbed_remove_device(bed_, path.c_str());
+    // umockdev keeps the far end for itself; who has the node open is hung up on when it no longer stands for a
+    // terminal.
     const int nothing = open("/dev/null", O_RDWR);
     dup2(nothing, far_end_);
     close(nothing);
@@ -82,8 +85,8 @@ class HidTestbed {
     far_end_ = -1;
   }
 
-  /// A report, as the device sends it; waits until it has been read, at most a second. The system may still have joined it
-  /// to the one before: a test sends again what it relies on.
+  /// A report, as the device sends it; waits until it has been read, at most a second. The system may still have joined
+  /// it to the one before: a test sends again what it relies on.
   void send(const Bytes& report) {
     const auto size = static_cast<ssize_t>(report.size());
     REQUIRE(write(far_end_, report.data(), report.size()) == size);
@@ -106,11 +109,12 @@ class HidTestbed {
   }
 
  private:
-
   static constexpr const char* kUsb = "/devices/pci0000:00/0000:00:14.0/usb1/1-1";
 
   std::string raw() const { return "hidraw" + std::to_string(plugged_ - 1); }
-  std::string hidName() const { return std::string("0003:") + device_.vendor + ':' + device_.product + ".00" + std::to_string(plugged_); }
+  std::string hidName() const {
+    return std::string("0003:") + device_.vendor + ':' + device_.product + ".00" + std::to_string(plugged_);
+  }
 
   int unread() const {
     int bytes = 0;
@@ -132,12 +136,14 @@ class HidTestbed {
       for (char& c : text) c = char(std::tolower(c));
       return text;
     };
-    return "P: " + node + "/hidraw/" + raw() + "\nN: " + raw() + "\nE: DEVNAME=/dev/" + raw() + "\nE: SUBSYSTEM=hidraw\nL: device=../../../" + hid + "\n\n" +
-           "P: " + node + "\nE: SUBSYSTEM=hid\nE: DRIVER=hid-generic\nE: HID_ID=0003:0000" + vendor + ":0000" + product + "\nE: HID_NAME=" + name +
-           "\nE: HID_UNIQ=\nH: report_descriptor=" + hex + "\n\n" +
-           "P: " + interface + "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nA: bInterfaceNumber=00\n\n" +
-           "P: " + usb + "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=" + lower(vendor) + "\nA: idProduct=" + lower(product) +
-           "\nA: manufacturer=" + name.substr(0, name.find(' ')) + "\nA: product=" + name + "\nA: bcdDevice=0100\n\n";
+    return "P: " + node + "/hidraw/" + raw() + "\nN: " + raw() + "\nE: DEVNAME=/dev/" + raw() +
+           "\nE: SUBSYSTEM=hidraw\nL: device=../../../" + hid + "\n\n" + "P: " + node +
+           "\nE: SUBSYSTEM=hid\nE: DRIVER=hid-generic\nE: HID_ID=0003:0000" + vendor + ":0000" + product +
+           "\nE: HID_NAME=" + name + "\nE: HID_UNIQ=\nH: report_descriptor=" + hex + "\n\n" + "P: " + interface +
+           "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_interface\nA: bInterfaceNumber=00\n\n" + "P: " + usb +
+           "\nE: SUBSYSTEM=usb\nE: DEVTYPE=usb_device\nA: idVendor=" + lower(vendor) +
+           "\nA: idProduct=" + lower(product) + "\nA: manufacturer=" + name.substr(0, name.find(' ')) +
+           "\nA: product=" + name + "\nA: bcdDevice=0100\n\n";
   }
 
   // Descriptor and feature report, as the kernel would answer. The requests are hidraw's: 'H' and their number.
@@ -145,7 +151,8 @@ class HidTestbed {
     const unsigned long request = umockdev_ioctl_client_get_request(client);
     const unsigned number = unsigned(request & 0xFF), room = unsigned(request >> 16 & 0x3FFF);
     if ((request >> 8 & 0xFF) != 'H') return FALSE;
-    UMockdevIoctlData* const data = umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, room, nullptr);
+    UMockdevIoctlData* const data =
+        umockdev_ioctl_data_resolve(umockdev_ioctl_client_get_arg(client), 0, room, nullptr);
     const auto give = [&](std::size_t at, const Bytes& bytes) {
       Bytes copy = bytes;
       copy.resize(std::min<std::size_t>(copy.size(), room - at));
@@ -155,9 +162,12 @@ class HidTestbed {
     glong result = -1;
     const Bytes& descriptor = self->device_.descriptor;
     const auto size = std::uint8_t(descriptor.size());
-    if (number == 1) give(0, {size, 0, 0, 0}), result = 0;
-    else if (number == 2) give(0, {size, 0, 0, 0}), give(4, descriptor), result = 0;
-    else if (number == 7 && !self->device_.feature.empty()) result = give(0, self->device_.feature);
+    if (number == 1)
+      give(0, {size, 0, 0, 0}), result = 0;
+    else if (number == 2)
+      give(0, {size, 0, 0, 0}), give(4, descriptor), result = 0;
+    else if (number == 7 && !self->device_.feature.empty())
+      result = give(0, self->device_.feature);
     umockdev_ioctl_client_complete(client, result, result < 0 ? EINVAL : 0);
     g_object_unref(data);
     return TRUE;

@@ -1,5 +1,5 @@
-// The real libhidapi on devices that umockdev mocks: enumeration, opening, reports in and out. Runs under umockdev-wrapper.
-// What this proves: the use of the library and the parsing; not USB timing, and not a device.
+// The real libhidapi on devices that umockdev mocks: enumeration, opening, reports in and out. Runs under
+// umockdev-wrapper. What this proves: the use of the library and the parsing; not USB timing, and not a device.
 #include <algorithm>
 
 #include "engine/device/driver.h"
@@ -17,11 +17,13 @@ TEST_CASE("without a HID device the list says that none is plugged in") {
     if (one.name == "spacemouse") CHECK(one.why == "none is plugged in");
 }
 
-TEST_CASE("a SpaceMouse is found by its ids and usage, opened, and its push moves the hand; the mouse stays the default") {
+TEST_CASE(
+    "a SpaceMouse is found by its ids and usage, opened, and its push moves the hand; the mouse stays the default") {
   HidTestbed bed;
   bed.plug(kSpaceMouse);
   const std::vector<FoundDevice> found = findDevices();
-  const auto one = std::find_if(found.begin(), found.end(), [](const FoundDevice& d) { return d.name == "spacemouse"; });
+  const auto one =
+      std::find_if(found.begin(), found.end(), [](const FoundDevice& d) { return d.name == "spacemouse"; });
   REQUIRE(one != found.end());
   CHECK_MESSAGE(one->usable, one->why);
   CHECK(one->title.find("SpaceMouse Compact") != std::string::npos);
@@ -63,7 +65,9 @@ TEST_CASE("WoodenHaptics is found by its ids, read, and its currents are written
   CHECK(int16At(last, 2) != 0);
 }
 
-TEST_CASE("a device of the open layout is opened by its feature report; one that does not describe itself is refused in words") {
+TEST_CASE(
+    "a device of the open layout is opened by its feature report; one that does not describe itself is refused in "
+    "words") {
   OpenFirmware firmware;
   {
     HidTestbed bed;
@@ -97,8 +101,10 @@ TEST_CASE("a device of the open layout is opened by its feature report; one that
   }
 }
 
-TEST_CASE("a receiver of another maker that has the vendor's usage too is listed by nobody and never the default; with a device of the open "
-          "layout beside it that one is") {
+TEST_CASE(
+    "a receiver of another maker that has the vendor's usage too is listed by nobody and never the default; with a "
+    "device of the open "
+    "layout beside it that one is") {
   const MockedHid receiver{"046D", "C52B", "Logitech USB Receiver", hidDescriptor(0xFF00, 1)};
   HidTestbed bed;
   bed.plug(receiver);
@@ -111,7 +117,9 @@ TEST_CASE("a receiver of another maker that has the vendor's usage too is listed
   CHECK_FALSE(findDevice("open:2"));
 }
 
-TEST_CASE("a DualShock 4 is found by its ids and usage, its stick moves the hand, and the force is written to its motors until the loop is silent") {
+TEST_CASE(
+    "a DualShock 4 is found by its ids and usage, its stick moves the hand, and the force is written to its motors "
+    "until the loop is silent") {
   HidTestbed bed;
   bed.plug(kDualShock);
   const auto device = opened("gamepad");

@@ -16,9 +16,11 @@ using Report = std::vector<std::uint8_t>;
 
 }  // namespace
 
-TEST_CASE("SpaceMouse: two reports of 7 bytes and one of 13 mean the same axes; x right, up against z, toward the person y") {
+TEST_CASE(
+    "SpaceMouse: two reports of 7 bytes and one of 13 mean the same axes; x right, up against z, toward the person y") {
   // Half a push to the right (175), none away, a full one up (-350); turned by a quarter round y.
-  const Report push{1, 175, 0, 0, 0, 0xA2, 0xFE}, turn{2, 0, 0, 0, 0, 87, 0}, both{1, 175, 0, 0, 0, 0xA2, 0xFE, 0, 0, 0, 0, 87, 0};
+  const Report push{1, 175, 0, 0, 0, 0xA2, 0xFE}, turn{2, 0, 0, 0, 0, 87, 0},
+      both{1, 175, 0, 0, 0, 0xA2, 0xFE, 0, 0, 0, 0, 87, 0};
   SpaceMouseProtocol old, newer;
   DevicePose pose;
   CHECK(old.take(push, pose));
@@ -28,13 +30,15 @@ TEST_CASE("SpaceMouse: two reports of 7 bytes and one of 13 mean the same axes; 
     CHECK(one->axes().push.x == doctest::Approx(0.5));
     CHECK(one->axes().push.y == doctest::Approx(1.0));
     CHECK(one->axes().push.z == 0.0);
-    CHECK(one->axes().turn.y == doctest::Approx(-87.0 / 350));
+    CHECK(one->axes().rotation.y == doctest::Approx(-87.0 / 350));
   }
   CHECK(old.take(Report{3, 0x05, 0x01}, pose));
   CHECK(pose.buttons == 0x0104u);  // the first switches between hand and view
 }
 
-TEST_CASE("SpaceMouse: a full push moves the hand by 60 mm a second, a breath of one not at all, and 80 mm is the end of the way") {
+TEST_CASE(
+    "SpaceMouse: a full push moves the hand by 60 mm a second, a breath of one not at all, and 80 mm is the end of the "
+    "way") {
   SpaceMouseProtocol mouse;
   DevicePose pose;
   mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
@@ -50,7 +54,9 @@ TEST_CASE("SpaceMouse: a full push moves the hand by 60 mm a second, a breath of
   CHECK(pose.position.mm.x == 80.0);
 }
 
-TEST_CASE("SpaceMouse: a turn that is stronger than the push turns the view and leaves the hand; the first button gives the push to the view, too") {
+TEST_CASE(
+    "SpaceMouse: a turn that is stronger than the push turns the view and leaves the hand; the first button gives the "
+    "push to the view, too") {
   SpaceMouseProtocol mouse;
   DevicePose pose;
   // Pushed right by 100 of 350, turned round the axis that points down by -350: seen from above to the left.
@@ -58,12 +64,12 @@ TEST_CASE("SpaceMouse: a turn that is stronger than the push turns the view and 
   mouse.take(both, pose);
   mouse.pass(0.01, pose);
   CHECK(pose.position.mm == Vec3(0));
-  CHECK(mouse.viewWish().turn.y == doctest::Approx(1.0));
+  CHECK(mouse.viewWish().rotation.y == doctest::Approx(1.0));
   CHECK(mouse.viewWish().move == Vec3(0));
   mouse.take(push, pose);
   mouse.pass(0.01, pose);
   CHECK(pose.position.mm.x == doctest::Approx(0.6));
-  CHECK(mouse.viewWish().turn == Vec3(0));
+  CHECK(mouse.viewWish().rotation == Vec3(0));
   mouse.take(Report{3, 1}, pose);
   mouse.take(Report{3, 0}, pose);
   CHECK(pose.buttons == 0);
@@ -76,7 +82,9 @@ TEST_CASE("SpaceMouse: a turn that is stronger than the push turns the view and 
   CHECK(mouse.viewWish().move == Vec3(0));
 }
 
-TEST_CASE("DualShock 4: left stick right and up, right trigger in, right stick the view; sticks that rest beside their middle move nothing") {
+TEST_CASE(
+    "DualShock 4: left stick right and up, right trigger in, right stick the view; sticks that rest beside their "
+    "middle move nothing") {
   PlayStationProtocol pad;
   DevicePose pose;
   Report report(64);
@@ -99,15 +107,16 @@ TEST_CASE("DualShock 4: left stick right and up, right trigger in, right stick t
   pad.take(report, pose);
   pad.pass(0.1, pose);
   CHECK(pose.position.mm.z == doctest::Approx(-6.0));
-  CHECK(pad.viewWish().turn.y == doctest::Approx(1.0));
+  CHECK(pad.viewWish().rotation.y == doctest::Approx(1.0));
   pad.pass(0.3, pose);  // the report of letting go was lost
   pad.pass(0.1, pose);
   CHECK(pose.position.mm.z > -30.0);
-  CHECK(pad.viewWish().turn == Vec3(0));
+  CHECK(pad.viewWish().rotation == Vec3(0));
   CHECK_FALSE(pad.take(Report(63), pose));
 }
 
-TEST_CASE("DualSense: triggers, buttons and motors stand elsewhere by USB, by Bluetooth where the DualShock 4 has them") {
+TEST_CASE(
+    "DualSense: triggers, buttons and motors stand elsewhere by USB, by Bluetooth where the DualShock 4 has them") {
   PlayStationProtocol pad(kDualSense);
   DevicePose pose;
   Report usb(64), bluetooth(10);
@@ -128,7 +137,9 @@ TEST_CASE("DualSense: triggers, buttons and motors stand elsewhere by USB, by Bl
   CHECK(pad.give({Vec3(0.1, 0, 0)}, out) == 0);
 }
 
-TEST_CASE("DualShock 4: it rumbles by the force over USB, a report where the strength changes; at 3.3 N both motors fully, at none not, over Bluetooth never") {
+TEST_CASE(
+    "DualShock 4: it rumbles by the force over USB, a report where the strength changes; at 3.3 N both motors fully, "
+    "at none not, over Bluetooth never") {
   PlayStationProtocol pad;
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};

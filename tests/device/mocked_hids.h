@@ -20,7 +20,8 @@ inline const MockedHid kDualShock{"054C", "09CC", "Sony Wireless Controller", hi
 
 inline MockedHid openLayout(const OpenFirmware& firmware) {
   const auto description = firmware.description();
-  return {"1209", "0001", "Workshop Stylus", Bytes(std::begin(kOpenReportDescriptor), std::end(kOpenReportDescriptor)), Bytes(description.begin(), description.end())};
+  return {"1209", "0001", "Workshop Stylus", Bytes(std::begin(kOpenReportDescriptor), std::end(kOpenReportDescriptor)),
+          Bytes(description.begin(), description.end())};
 }
 
 /// WoodenHaptics' report: the counts of its three encoders.

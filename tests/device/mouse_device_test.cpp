@@ -1,10 +1,10 @@
 // The mouse as a device at 1 kHz: an exponential glide in closed form.
 #include "engine/device/mouse_device.h"
 
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <limits>
-
-#include <doctest/doctest.h>
 
 namespace moltact {
 namespace {
@@ -39,8 +39,8 @@ TEST_CASE("a placed hand is there at the next tick") {
   mouse.place({{70, -20, 3}});
   const DevicePose pose = mouse.read(kTick_s);
   CHECK(pose.position.mm == Vec3(70, -20, 3));
-  CHECK(pose.placements == 1);
-  CHECK(mouse.read(kTick_s).placements == 1);
+  CHECK(pose.discontinuities == 1);
+  CHECK(mouse.read(kTick_s).discontinuities == 1);
 }
 
 TEST_CASE("a lead that is not finite is ignored") {

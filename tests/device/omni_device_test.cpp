@@ -1,5 +1,6 @@
-// The Omni's driver against the stand-in libHD.so: the loop is closed through the C interface, its clock stepped by hand so
-// that nothing depends on the machine. What this proves: the use of the interface, its errors and states; not a real device.
+// The Omni's driver against the stand-in libHD.so: the loop is closed through the C interface, its clock stepped by
+// hand so that nothing depends on the machine. What this proves: the use of the interface, its errors and states; not a
+// real device.
 #include <doctest/doctest.h>
 
 #include "engine/device/driver.h"
@@ -18,8 +19,9 @@ TEST_CASE("without libHD.so the list says in one line how to get it, and opening
   CHECK(device.problem().text().find('\n') == std::string::npos);
 }
 
-TEST_CASE("the device's figures are read from the driver: 3.3 N, 0.88 N, 0.5 N/mm, 3 N s/m, 160 x 120 x 70 mm, "
-          "1.2 m/s, 4 N a tick; three degrees of freedom are used either way") {
+TEST_CASE(
+    "the device's figures are read from the driver: 3.3 N, 0.88 N, 0.5 N/mm, 3 N s/m, 160 x 120 x 70 mm, "
+    "1.2 m/s, 4 N a tick; three degrees of freedom are used either way") {
   const StandIn omni;
   const auto device = opened();
   const DeviceInfo& info = device->info();
@@ -52,7 +54,9 @@ TEST_CASE("a place is told from the middle of the usable room, wherever the driv
   CHECK(glm::distance(hand[0] - hand[1], Vec3(10, 20, -5)) < 1e-9);
 }
 
-TEST_CASE("30 s in the loop through the C interface: touched and pressed with about 1 N, no error left, and no force at the end") {
+TEST_CASE(
+    "30 s in the loop through the C interface: touched and pressed with about 1 N, no error left, and no force at the "
+    "end") {
   const StandIn omni;
   {
     const auto device = opened();
@@ -71,7 +75,9 @@ TEST_CASE("30 s in the loop through the C interface: touched and pressed with ab
     press(omni, loop);
     CHECK(omni.force() >= 0.7);
     // The clock ends with a frame that gives no force.
-    std::thread clock([&] { for (int k = 0; k < 200; ++k) omni.step(1), std::this_thread::sleep_for(std::chrono::milliseconds(1)); });
+    std::thread clock([&] {
+      for (int k = 0; k < 200; ++k) omni.step(1), std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    });
     device->stopClock();
     clock.join();
   }
@@ -80,7 +86,9 @@ TEST_CASE("30 s in the loop through the C interface: touched and pressed with ab
   CHECK_FALSE(omni.initialised());
 }
 
-TEST_CASE("inkwell: without calibration no force and the words say where the stylus goes; docked, it is calibrated and force comes softly") {
+TEST_CASE(
+    "inkwell: without calibration no force and the words say where the stylus goes; docked, it is calibrated and force "
+    "comes softly") {
   const StandIn omni;
   omni.calibration(hd::kNeedsManualInput, hd::kInkwell);
   const auto device = opened();
@@ -123,8 +131,10 @@ TEST_CASE("encoder reset: nothing happens until the person says that the arm is 
   CHECK(device->status().ready);
 }
 
-TEST_CASE("encoder reset: where the driver asks for an update nothing runs by itself either; asked once, the update is repeated until it has been "
-          "taken, 25 times here; where it is not taken in 3 s the words say so and ask again") {
+TEST_CASE(
+    "encoder reset: where the driver asks for an update nothing runs by itself either; asked once, the update is "
+    "repeated until it has been "
+    "taken, 25 times here; where it is not taken in 3 s the words say so and ask again") {
   const StandIn omni;
   omni.calibration(hd::kNeedsUpdate, hd::kEncoderReset);
   omni.updatesNeeded(25);
@@ -152,7 +162,9 @@ TEST_CASE("encoder reset: where the driver asks for an update nothing runs by it
   CHECK(device->status().text.find("The device did not take that place. Hold the arm") == 0);
 }
 
-TEST_CASE("what is asked of the driver is of the type that it has: no error of a wrong call in 10 s of any style of calibration") {
+TEST_CASE(
+    "what is asked of the driver is of the type that it has: no error of a wrong call in 10 s of any style of "
+    "calibration") {
   for (const std::uint32_t style : {hd::kInkwell, hd::kAuto, hd::kEncoderReset}) {
     CAPTURE(style);
     const StandIn omni;
@@ -170,7 +182,9 @@ TEST_CASE("what is asked of the driver is of the type that it has: no error of a
   }
 }
 
-TEST_CASE("an error of a wrong call, in every frame and in any order, hides neither a cut force nor warm motors nor a calibration's words") {
+TEST_CASE(
+    "an error of a wrong call, in every frame and in any order, hides neither a cut force nor warm motors nor a "
+    "calibration's words") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);

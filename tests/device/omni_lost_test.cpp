@@ -1,5 +1,6 @@
-// An Omni that comes, goes and stands, against the stand-in libHD.so: how it is found, opened, lost and opened anew, and by which thread.
-// (In order behind omni_device_test.cpp, whose first test needs that the library was not loaded yet.)
+// An Omni that comes, goes and stands, against the stand-in libHD.so: how it is found, opened, lost and opened anew,
+// and by which thread. (In order behind omni_device_test.cpp, whose first test needs that the library was not loaded
+// yet.)
 #include <doctest/doctest.h>
 
 #include "engine/device/driver.h"
@@ -9,7 +10,9 @@
 using namespace moltact;
 using namespace moltact::test;
 
-TEST_CASE("unplugged in contact: no force in that tick, words about the cable; plugged in again it is opened anew and leads again") {
+TEST_CASE(
+    "unplugged in contact: no force in that tick, words about the cable; plugged in again it is opened anew and leads "
+    "again") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);
@@ -30,7 +33,9 @@ TEST_CASE("unplugged in contact: no force in that tick, words about the cable; p
   press(omni, loop);
 }
 
-TEST_CASE("where the maker's clock stands the last place is stale and older by 1 ms a read, and after 100 ms of it the fallback leads") {
+TEST_CASE(
+    "where the maker's clock stands the last place is stale and older by 1 ms a read, and after 100 ms of it the "
+    "fallback leads") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);
@@ -91,7 +96,8 @@ TEST_CASE("no device, another program's device and no licence are told apart") {
   CHECK(defaultDevice(findDevices()).name == "omni");
   OmniDevice::letGo();
   omni.call<unsigned(const char*)>("hdInitDevice")(nullptr);
-  CHECK(OmniDevice::open().problem().text().find("another program uses the device; end that program") != std::string::npos);
+  CHECK(OmniDevice::open().problem().text().find("another program uses the device; end that program") !=
+        std::string::npos);
 }
 
 TEST_CASE("an error that stands in the way of something is told in one sentence, whatever it is") {
@@ -102,8 +108,10 @@ TEST_CASE("an error that stands in the way of something is told in one sentence,
     REQUIRE_FALSE(text.ends_with('.'));
   }
   CHECK(hd::problemOf("it could not be opened", hd::errorWords(hd::kDeviceFault)).text() ==
-        "it could not be opened: the device reports a fault; look at its power supply and its cable, then plug it in again");
-  CHECK(hd::problemOf("it could not be opened", hd::errorWords(hd::kInvalidLicense)).message == "it could not be opened: OpenHaptics has no valid licence");
+        "it could not be opened: the device reports a fault; look at its power supply and its cable, then plug it in "
+        "again");
+  CHECK(hd::problemOf("it could not be opened", hd::errorWords(hd::kInvalidLicense)).message ==
+        "it could not be opened: OpenHaptics has no valid licence");
 }
 
 TEST_CASE("a device that is in use here is listed with its model and serial number all the same") {
@@ -115,7 +123,9 @@ TEST_CASE("a device that is in use here is listed with its model and serial numb
   CHECK(one.place == "serial number 42, in use here");
 }
 
-TEST_CASE("a start initialises the device once: what the looks have opened is what is opened then; what nobody takes is closed after 2 s") {
+TEST_CASE(
+    "a start initialises the device once: what the looks have opened is what is opened then; what nobody takes is "
+    "closed after 2 s") {
   const StandIn omni;
   const std::vector<FoundDevice> found = findDevices();
   CHECK(defaultDevice(found).name == "omni");
@@ -133,15 +143,20 @@ TEST_CASE("a start initialises the device once: what the looks have opened is wh
   CHECK_FALSE(omni.initialised());
 }
 
-TEST_CASE("a device that is unplugged while it is looked at again and again is missed in the end: no look keeps it for longer") {
+TEST_CASE(
+    "a device that is unplugged while it is looked at again and again is missed in the end: no look keeps it for "
+    "longer") {
   const StandIn omni;
   CHECK(findDevice("omni")->usable);
   omni.attach(false);
-  for (int k = 0; k < 200 && findDevice("omni")->usable; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  for (int k = 0; k < 200 && findDevice("omni")->usable; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
   CHECK_FALSE(findDevice("omni")->usable);
 }
 
-TEST_CASE("a device that opens with warm motors is opened, and one that opens with a fault is closed again: neither is left behind") {
+TEST_CASE(
+    "a device that opens with warm motors is opened, and one that opens with a fault is closed again: neither is left "
+    "behind") {
   const StandIn omni;
   omni.init(0, hd::kWarmMotors);
   { CHECK(OmniDevice::open()); }
@@ -153,7 +168,9 @@ TEST_CASE("a device that opens with warm motors is opened, and one that opens wi
   CHECK(OmniDevice::open());
 }
 
-TEST_CASE("while a lost device is opened anew, 300 ms here, the window is answered at once and the loop goes on with the mouse") {
+TEST_CASE(
+    "while a lost device is opened anew, 300 ms here, the window is answered at once and the loop goes on with the "
+    "mouse") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);
@@ -175,7 +192,9 @@ TEST_CASE("while a lost device is opened anew, 300 ms here, the window is answer
   CHECK_FALSE(loop.devices.fallenBack());
 }
 
-TEST_CASE("the window asks, calibrates and reads figures while the clock ticks, stands, loses the device and finds it again: nobody trips over the other") {
+TEST_CASE(
+    "the window asks, calibrates and reads figures while the clock ticks, stands, loses the device and finds it again: "
+    "nobody trips over the other") {
   const StandIn omni(false);
   MouseDevice mouse;
   ServoThread servo(mouse);

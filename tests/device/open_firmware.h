@@ -1,5 +1,5 @@
-// The reference firmware on a clock that the test steps: a tick is a millisecond, in which the motor loop runs and a place
-// is sent. Units: millimetre, newton.
+// The reference firmware on a clock that the test steps: a tick is a millisecond, in which the motor loop runs and a
+// place is sent. Units: millimetre, newton.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// The open layout: what docs/device-protocol.md says, what the reference firmware does and what the driver takes and gives
-// are one and the same.
+// The open layout: what docs/device-protocol.md says, what the reference firmware does and what the driver takes and
+// gives are one and the same.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -97,7 +97,8 @@ Declared parsed(const Report& descriptor) {
     if (item == 0x74) size_bits = value;
     if (item == 0x84) id = value;
     if (item == 0x94) count = value;
-    if (item == 0x80 || item == 0x90 || item == 0xB0) out.bytes[{item == 0x80 ? 'I' : item == 0x90 ? 'O' : 'F', id}] += size_bits * count / 8;
+    if (item == 0x80 || item == 0x90 || item == 0xB0)
+      out.bytes[{item == 0x80 ? 'I' : item == 0x90 ? 'O' : 'F', id}] += size_bits * count / 8;
   }
   return out;
 }
@@ -106,12 +107,14 @@ Declared parsed(const Report& descriptor) {
 Report descriptorInDocs() {
   std::ifstream in(MOLTACT_SOURCE_DIR "/docs/device-protocol.md");
   std::string line;
-  while (std::getline(in, line) && !line.starts_with("The report descriptor")) {}
+  while (std::getline(in, line) && !line.starts_with("The report descriptor")) {
+  }
   Report out;
   while (std::getline(in, line) && !line.starts_with("|")) {
     if (!line.starts_with("    ")) continue;
     std::istringstream words(line);
-    for (std::string word; words >> word && word.size() == 2 && word.find_first_not_of("0123456789ABCDEF") == std::string::npos;)
+    for (std::string word;
+         words >> word && word.size() == 2 && word.find_first_not_of("0123456789ABCDEF") == std::string::npos;)
       out.push_back(std::uint8_t(std::stoi(word, nullptr, 16)));
   }
   return out;
@@ -124,18 +127,23 @@ void waitFor(Done done) {
 
 }  // namespace
 
-TEST_CASE("the descriptor in docs/device-protocol.md is the reference firmware's 39 bytes, and declares the driver's usage, ids and lengths") {
+TEST_CASE(
+    "the descriptor in docs/device-protocol.md is the reference firmware's 39 bytes, and declares the driver's usage, "
+    "ids and lengths") {
   const Report reference(std::begin(test::kOpenReportDescriptor), std::end(test::kOpenReportDescriptor));
   CHECK(reference.size() == 39);
   CHECK(descriptorInDocs() == reference);
   const Declared declared = parsed(reference);
   CHECK(declared.page == kUsagePage);
   CHECK(declared.usage == kUsage);
-  CHECK(declared.bytes == std::map<std::pair<char, unsigned>, unsigned>{
-                              {{'I', kPlaceReport}, kPlaceBytes - 1}, {{'O', kForceReport}, kForceBytes - 1}, {{'F', kDescription}, kDescriptionBytes - 1}});
+  CHECK(declared.bytes == std::map<std::pair<char, unsigned>, unsigned>{{{'I', kPlaceReport}, kPlaceBytes - 1},
+                                                                        {{'O', kForceReport}, kForceBytes - 1},
+                                                                        {{'F', kDescription}, kDescriptionBytes - 1}});
 }
 
-TEST_CASE("a description with which nothing could be felt, or that places cannot reach, is refused in words that name the field") {
+TEST_CASE(
+    "a description with which nothing could be felt, or that places cannot reach, is refused in words that name the "
+    "field") {
   DeviceInfo info;
   const auto words = [&](const std::map<std::size_t, int>& changed) {
     const auto problem = begun(changed, info);
@@ -158,7 +166,9 @@ TEST_CASE("a description with which nothing could be felt, or that places cannot
   CHECK_FALSE(begun({{6, 6104}, {12, 400}}, info));
 }
 
-TEST_CASE("0 for what is not known counts on the careful side: 0.3 N/mm, 2 ms; friction stays 0 for the safety stage; without any force all is well") {
+TEST_CASE(
+    "0 for what is not known counts on the careful side: 0.3 N/mm, 2 ms; friction stays 0 for the safety stage; "
+    "without any force all is well") {
   DeviceInfo info;
   CHECK_FALSE(begun({{18, 0}, {20, 0}, {22, 0}, {24, 0}, {26, 0}}, info));
   CHECK(info.max_stiffness_N_per_mm == 0.3);
@@ -171,7 +181,9 @@ TEST_CASE("0 for what is not known counts on the careful side: 0.3 N/mm, 2 ms; f
   CHECK_FALSE(info.gives_force);
 }
 
-TEST_CASE("the motors are on with force and without; off when stopped, with a force that is no number, and while fault, calibration or watchdog are told") {
+TEST_CASE(
+    "the motors are on with force and without; off when stopped, with a force that is no number, and while fault, "
+    "calibration or watchdog are told") {
   OpenProtocol open = opened();
   test::OpenFirmware firmware;
   DevicePose pose;
@@ -188,16 +200,16 @@ TEST_CASE("the motors are on with force and without; off when stopped, with a fo
   for (bool* state : {&firmware.fault, &firmware.calibrated}) {
     *state = !*state;
     open.take(of(firmware.tick({})), pose);
-    CHECK(pose.trouble);
+    CHECK(pose.fault);
     CHECK(off());
     *state = !*state;
     open.take(of(firmware.tick({})), pose);
-    CHECK_FALSE(pose.trouble);
+    CHECK_FALSE(pose.fault);
     CHECK(on());
   }
   firmware.take({out.data(), kForceBytes});
   for (int k = 0; k < 51; ++k) open.take(of(firmware.tick({})), pose);
-  CHECK(pose.trouble);
+  CHECK(pose.fault);
   CHECK(off());
 }
 
@@ -210,14 +222,16 @@ TEST_CASE("a cut by the device's watchdog is told for 20 ms even when the next p
   place[22] = 0;
   for (std::uint8_t k = 1; k < 64; ++k) place[1] = k, open.take(place, pose);
   open.pass(0.05, pose);  // the thread had stood
-  CHECK(pose.trouble);
+  CHECK(pose.fault);
   for (int k = 0; k < 18; ++k) open.pass(0.001, pose);
-  CHECK(pose.trouble);
+  CHECK(pose.fault);
   for (int k = 0; k < 3; ++k) open.pass(0.001, pose);
-  CHECK_FALSE(pose.trouble);
+  CHECK_FALSE(pose.fault);
 }
 
-TEST_CASE("60 ms of lost force reports while places go on: the firmware cuts, and afterwards the force of 0.8 N comes back within half a second, not at once") {
+TEST_CASE(
+    "60 ms of lost force reports while places go on: the firmware cuts, and afterwards the force of 0.8 N comes back "
+    "within half a second, not at once") {
   OpenProtocol open = opened();
   test::OpenFirmware firmware;
   DeviceInfo info;
@@ -249,7 +263,9 @@ TEST_CASE("60 ms of lost force reports while places go on: the firmware cuts, an
   CHECK(glm::length(firmware.force_N()) == doctest::Approx(full).epsilon(0.01));
 }
 
-TEST_CASE("in the haptic thread: motors on while it leads, off by the panic key, on again after it, and off in the last report") {
+TEST_CASE(
+    "in the haptic thread: motors on while it leads, off by the panic key, on again after it, and off in the last "
+    "report") {
   FarEnd end;
   end.sends = true;
   MouseDevice mouse;
@@ -281,7 +297,9 @@ TEST_CASE("in the haptic thread: motors on while it leads, off by the panic key,
   CHECK(motors() == 0);
 }
 
-TEST_CASE("the reference firmware: a place beyond 16 bits stays at their end, 163.8 mm, and does not come back from the other side") {
+TEST_CASE(
+    "the reference firmware: a place beyond 16 bits stays at their end, 163.8 mm, and does not come back from the "
+    "other side") {
   OpenProtocol open = opened();
   test::OpenFirmware firmware;
   DevicePose pose;
@@ -308,7 +326,9 @@ TEST_CASE("the reference firmware ignores a force report of 10 or 12 bytes or of
   CHECK(firmware.force_N().x == 1.0);
 }
 
-TEST_CASE("the reference firmware cuts the motors 50 ms after the last force report though it can send no place, also while its clock runs over") {
+TEST_CASE(
+    "the reference firmware cuts the motors 50 ms after the last force report though it can send no place, also while "
+    "its clock runs over") {
   for (const std::uint32_t begin_us : {0u, 0xFFFFFFFFu - 20'000u}) {
     test::ReferenceFirmware firmware;
     const std::uint8_t force[11] = {2, 1, 0, 0xE8, 3, 0, 0, 0, 0, 1, 50};

@@ -1,10 +1,10 @@
 // The hand made of a mouse, against one ball of radius 1.7 A seen from (0, 0, 40) A: places and speeds in closed form.
 #include "engine/device/pointer_hand.h"
 
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <limits>
-
-#include <doctest/doctest.h>
 
 namespace moltact {
 namespace {
@@ -99,7 +99,9 @@ TEST_CASE("a press that is held comes to rest where the spring gives 0.6 N, and 
   }
 }
 
-TEST_CASE("each notch makes a held press 0.2 N harder or lighter at once, never lighter than 0.05 N, and letting go forgets it") {
+TEST_CASE(
+    "each notch makes a held press 0.2 N harder or lighter at once, never lighter than 0.05 N, and letting go forgets "
+    "it") {
   const BallScene scene = oneBall();
   PointerHand hand;
   PointerInput in = atMiddle();
@@ -175,7 +177,8 @@ TEST_CASE("input that is not finite leaves the hand where it was") {
   CHECK(hand.lead(atMiddle(), scene, kProbe_A).A == before.A);
 }
 
-TEST_CASE("the arrow keys move the aim by 12 % of the view's height a second, and the pointer takes over when it moves") {
+TEST_CASE(
+    "the arrow keys move the aim by 12 % of the view's height a second, and the pointer takes over when it moves") {
   const BallScene scene = oneBall();
   PointerHand hand;
   PointerInput in = atMiddle();

@@ -1,8 +1,8 @@
-// What the firmware of a device of the open layout does (docs/device-protocol.md), as plain logic: the reference for those
-// who build one, and the far end of the tests. It includes nothing of the program, so that it can be copied.
-// Three callers: take() with each report that USB brings, report() when a place is to be sent, motors() from the motor loop.
-// On a microcontroller none of them may interrupt another: switch interrupts off round each.
-// Time is in microseconds, on a clock that may run over. Units: millimetre, newton, in the program's axes.
+// What the firmware of a device of the open layout does (docs/device-protocol.md), as plain logic: the reference for
+// those who build one, and the far end of the tests. It includes nothing of the program, so that it can be copied.
+// Three callers: take() with each report that USB brings, report() when a place is to be sent, motors() from the motor
+// loop. On a microcontroller none of them may interrupt another: switch interrupts off round each. Time is in
+// microseconds, on a clock that may run over. Units: millimetre, newton, in the program's axes.
 #pragma once
 
 #include <algorithm>

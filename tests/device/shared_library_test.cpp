@@ -7,9 +7,14 @@
 
 using namespace moltact;
 
-TEST_CASE("of several places where a library may be, the one that has it and lacks what it needs is told, with the name of what is lacking") {
+TEST_CASE(
+    "of several places where a library may be, the one that has it and lacks what it needs is told, with the name of "
+    "what is lacking") {
   const std::string needy = MOLTACT_NEEDY_LIBRARY;
-  for (const std::vector<std::string>& names : {std::vector<std::string>{"libnowhere.so", needy, "/nowhere/libnowhere.so"}, {needy, "libnowhere.so"}, {needy}}) {
+  for (const std::vector<std::string>& names :
+       {std::vector<std::string>{"libnowhere.so", needy, "/nowhere/libnowhere.so"},
+        {needy, "libnowhere.so"},
+        {needy}}) {
     const auto library = SharedLibrary::open(names);
     REQUIRE_FALSE(library);
     const std::string message = library.problem().message;

@@ -23,7 +23,8 @@ struct Rig {
   Rig() {
     std::vector<Ball> balls;
     for (int k = 0; k < 27; ++k) balls.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
-    settings.workspace.centre_A = {0, 0, kBehind_mm * settings.workspace.A_per_mm};  // the balls lie where the hand goes round
+    settings.workspace.centre_A = {
+        0, 0, kBehind_mm * settings.workspace.A_per_mm};  // the balls lie where the hand goes round
     tracker = methods().front().make(std::make_shared<const BallScene>(std::move(balls)), kWaterProbe_A);
   }
   ServoSample tick() {
@@ -36,7 +37,9 @@ struct Rig {
 
 }  // namespace
 
-TEST_CASE("in 60 s the scripted hand touches for a third of the time or more, presses with 0.7 to 1.3 N, and repeats to the last bit") {
+TEST_CASE(
+    "in 60 s the scripted hand touches for a third of the time or more, presses with 0.7 to 1.3 N, and repeats to the "
+    "last bit") {
   const auto run = [](std::vector<Vec3>& forces) {
     Rig rig;
     int touching = 0, pressing = 0;
@@ -57,10 +60,13 @@ TEST_CASE("in 60 s the scripted hand touches for a third of the time or more, pr
   CHECK(first == second);
 }
 
-TEST_CASE("pulling the plug in contact: the mouse leads in the same tick, without force within 4 ms; back in, the stylus leads at once, softly") {
+TEST_CASE(
+    "pulling the plug in contact: the mouse leads in the same tick, without force within 4 ms; back in, the stylus "
+    "leads at once, softly") {
   Rig rig;
   int ticks = 0;
-  while (glm::length(rig.tick().force.N) < 0.7 && ++ticks < 20'000) {}
+  while (glm::length(rig.tick().force.N) < 0.7 && ++ticks < 20'000) {
+  }
   REQUIRE(ticks < 20'000);
   rig.mouse.place({{50, 0, 0}});
   rig.stylus.plug(false);

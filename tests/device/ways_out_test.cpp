@@ -1,6 +1,6 @@
-// The last thing that a device is given is no force: every driver by every way out, through the stand-ins, which tell what was
-// written last and when. The ways that end the process: dying_hand_test.cpp.
-// (In order behind omni_device_test.cpp, whose first test needs that the library was not loaded yet.)
+// The last thing that a device is given is no force: every driver by every way out, through the stand-ins, which tell
+// what was written last and when. The ways that end the process: dying_hand_test.cpp. (In order behind
+// omni_device_test.cpp, whose first test needs that the library was not loaded yet.)
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -60,10 +60,14 @@ class OmniBench final : public Bench, private TickTarget {
   const StandIn& standIn() const { return omni_; }
   bool doIt(const std::string& way) override {
     // Every error that ends the connection, as it is found when the frame begins and when it ends.
-    static const std::map<std::string, std::uint32_t> kErrors{
-        {"bad handle", hd::kBadHandle}, {"device fault", hd::kDeviceFault}, {"already initiated", hd::kAlreadyInitiated},
-        {"comm error", hd::kCommError}, {"comm config", hd::kCommConfig}, {"timer error", hd::kTimerError},
-        {"invalid priority", hd::kInvalidPriority}, {"scheduler full", hd::kSchedulerFull}};
+    static const std::map<std::string, std::uint32_t> kErrors{{"bad handle", hd::kBadHandle},
+                                                              {"device fault", hd::kDeviceFault},
+                                                              {"already initiated", hd::kAlreadyInitiated},
+                                                              {"comm error", hd::kCommError},
+                                                              {"comm config", hd::kCommConfig},
+                                                              {"timer error", hd::kTimerError},
+                                                              {"invalid priority", hd::kInvalidPriority},
+                                                              {"scheduler full", hd::kSchedulerFull}};
     if (way == "calibration lost") return omni_.calibration(hd::kNeedsManualInput, hd::kInkwell), true;
     if (way == "unplugged") return omni_.attach(false), true;
     for (const auto& [name, code] : kErrors) {
@@ -77,7 +81,7 @@ class OmniBench final : public Bench, private TickTarget {
  private:
   void tickOfDevice() noexcept override {
     const DevicePose pose = device_->read(0.001);
-    stops_ ? device_->stop() : device_->write(pose.trouble || !pose.connected ? ForceN{} : kPush);
+    stops_ ? device_->stop() : device_->write(pose.fault || !pose.connected ? ForceN{} : kPush);
   }
   StandIn omni_;
   std::unique_ptr<OmniDevice> device_;
@@ -86,7 +90,8 @@ class OmniBench final : public Bench, private TickTarget {
 
 class HidBench final : public Bench {
  public:
-  HidBench(std::unique_ptr<HidProtocol> protocol, DeviceInfo info, Report place, double (*size)(const Report&), Report feature = {})
+  HidBench(std::unique_ptr<HidProtocol> protocol, DeviceInfo info, Report place, double (*size)(const Report&),
+           Report feature = {})
       : place_(std::move(place)), size_(size) {
     wire_->feature = std::move(feature);
     auto opened = HidDevice::open(over(wire_), std::move(protocol), std::move(info));
@@ -116,7 +121,8 @@ class HidBench final : public Bench {
   }
   int forcedSince() const override {
     const std::lock_guard lock(wire_->mutex);
-    return int(std::count_if(wire_->from_host.begin() + std::ptrdiff_t(before_), wire_->from_host.end(), [&](const Report& r) { return size_(r) > 0.0; }));
+    return int(std::count_if(wire_->from_host.begin() + std::ptrdiff_t(before_), wire_->from_host.end(),
+                             [&](const Report& r) { return size_(r) > 0.0; }));
   }
   bool doIt(const std::string& way) override {
     const std::lock_guard lock(wire_->mutex);
@@ -163,7 +169,9 @@ class SimulatedBench final : public Bench {
 };
 
 double currents(const Report& r) { return std::abs(int16At(r, 1)) + std::abs(int16At(r, 3)) + std::abs(int16At(r, 5)); }
-double openForce(const Report& r) { return r[9] ? std::abs(int16At(r, 3)) + std::abs(int16At(r, 5)) + std::abs(int16At(r, 7)) : 0.0; }
+double openForce(const Report& r) {
+  return r[9] ? std::abs(int16At(r, 3)) + std::abs(int16At(r, 5)) + std::abs(int16At(r, 7)) : 0.0;
+}
 template <const PadLayout& kPad>
 double rumble(const Report& r) {
   return r[kPad.weak_motor] + r[kPad.strong_motor];
@@ -178,32 +186,45 @@ struct Row {
 // One row a driver.
 const Row kRows[] = {
     {"omni", true, [] { return std::unique_ptr<Bench>(new OmniBench); }},
-    {"woodenhaptics", true, [] { return std::unique_ptr<Bench>(new HidBench(std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo(), Report(8), currents)); }},
+    {"woodenhaptics", true,
+     [] {
+       return std::unique_ptr<Bench>(
+           new HidBench(std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo(), Report(8), currents));
+     }},
     {"open", true,
      [] {
        OpenFirmware firmware;
-       return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenProtocol>(), DeviceInfo(), of(firmware.tick({})), openForce, of(firmware.description())));
+       return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenProtocol>(), DeviceInfo(), of(firmware.tick({})),
+                                                  openForce, of(firmware.description())));
      }},
     {"gamepad", true,
      [] {
        Report state(64, 128);
        state[0] = 1;
-       return std::unique_ptr<Bench>(new HidBench(std::make_unique<PlayStationProtocol>(kDualShock4), DeviceInfo(), state, rumble<kDualShock4>));
+       return std::unique_ptr<Bench>(
+           new HidBench(std::make_unique<PlayStationProtocol>(kDualShock4), DeviceInfo(), state, rumble<kDualShock4>));
      }},
     {"dualsense", true,
      [] {
        Report state(64, 128);
        state[0] = 1;
-       return std::unique_ptr<Bench>(new HidBench(std::make_unique<PlayStationProtocol>(kDualSense), DeviceInfo(), state, rumble<kDualSense>));
+       return std::unique_ptr<Bench>(
+           new HidBench(std::make_unique<PlayStationProtocol>(kDualSense), DeviceInfo(), state, rumble<kDualSense>));
      }},
     {"simulated", true, [] { return std::unique_ptr<Bench>(new SimulatedBench); }},
-    {"spacemouse", false, [] { return std::unique_ptr<Bench>(new HidBench(std::make_unique<SpaceMouseProtocol>(), DeviceInfo(), Report(13, 1), nothing)); }},
+    {"spacemouse", false,
+     [] {
+       return std::unique_ptr<Bench>(
+           new HidBench(std::make_unique<SpaceMouseProtocol>(), DeviceInfo(), Report(13, 1), nothing));
+     }},
     {"mouse", false, nullptr},  // no device of the system
 };
 
 const std::vector<std::string> kWays = [] {
-  std::vector<std::string> all{"stop", "unplugged", "calibration lost", "no more reads", "a stop whose write fails", "an exception"};
-  for (const char* error : {"bad handle", "device fault", "already initiated", "comm error", "comm config", "timer error", "invalid priority", "scheduler full"}) {
+  std::vector<std::string> all{
+      "stop", "unplugged", "calibration lost", "no more reads", "a stop whose write fails", "an exception"};
+  for (const char* error : {"bad handle", "device fault", "already initiated", "comm error", "comm config",
+                            "timer error", "invalid priority", "scheduler full"}) {
     all.emplace_back(error);
     all.push_back(std::string(error) + " at the frame's end");
   }
@@ -221,7 +242,9 @@ TEST_CASE("every driver is in the table of those whose last force is looked at")
   CHECK(there == looked_at);
 }
 
-TEST_CASE("every driver by every way out: within two ticks the last that was written is no force, and none follows though the loop goes on asking") {
+TEST_CASE(
+    "every driver by every way out: within two ticks the last that was written is no force, and none follows though "
+    "the loop goes on asking") {
   double worst_ms = 0;
   int ways = 0;
   for (const Row& row : kRows) {
@@ -264,7 +287,9 @@ TEST_CASE("every driver: a device that is destroyed under force was given none l
   }
 }
 
-TEST_CASE("every driver: while all force is held, as a signal's handler does, none is written, and after it the loop gives again") {
+TEST_CASE(
+    "every driver: while all force is held, as a signal's handler does, none is written, and after it the loop gives "
+    "again") {
   for (const Row& row : kRows) {
     if (!row.gives || row.driver == "simulated") continue;  // that one is no device
     CAPTURE(row.driver);
@@ -331,13 +356,15 @@ TEST_CASE("Omni: a calibration that is lost ends the force in that very tick, wh
   }
 }
 
-TEST_CASE("Omni: where its callback no longer comes, or does not come back, the motors are switched off after 20 ms by another thread, and on "
-          "again, without force, when it does") {
+TEST_CASE(
+    "Omni: where its callback no longer comes, or does not come back, the motors are switched off after 20 ms by "
+    "another thread, and on "
+    "again, without force, when it does") {
   struct Slow final : TickTarget {
     void tickOfDevice() noexcept override {
       device->write(cut.load() ? ForceN{} : kPush);
       if (const int wait = sleep_ms.exchange(0)) std::this_thread::sleep_for(std::chrono::milliseconds(wait));
-      cut.store(cut.load() || device->read(0.001).trouble);
+      cut.store(cut.load() || device->read(0.001).fault);
     }
     Device* device = nullptr;
     std::atomic<int> sleep_ms{0};
@@ -354,11 +381,15 @@ TEST_CASE("Omni: where its callback no longer comes, or does not come back, the 
     omni.step(5);
     REQUIRE(omni.driven() == doctest::Approx(1.0));
     const auto began = std::chrono::steady_clock::now();
-    if (stands) omni.stopClock(true);
-    else loop.sleep_ms = 200, late = std::thread([&] { omni.step(1); });
-    while (omni.driven() > 0.0 && ms(std::chrono::steady_clock::now() - began) < 2000) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    if (stands)
+      omni.stopClock(true);
+    else
+      loop.sleep_ms = 200, late = std::thread([&] { omni.step(1); });
+    while (omni.driven() > 0.0 && ms(std::chrono::steady_clock::now() - began) < 2000)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
     CHECK(omni.driven() == 0.0);
-    MESSAGE(std::string(stands ? "no callback: " : "a callback that hangs: ") << ms(std::chrono::steady_clock::now() - began) << " ms");
+    MESSAGE(std::string(stands ? "no callback: " : "a callback that hangs: ")
+            << ms(std::chrono::steady_clock::now() - began) << " ms");
     if (late.joinable()) late.join();
     omni.stopClock(false);
     const auto on = [&] { return omni.call<bool()>("standInForcesOn")(); };
@@ -367,7 +398,7 @@ TEST_CASE("Omni: where its callback no longer comes, or does not come back, the 
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
     CHECK(on());
-    CHECK(loop.cut);              // it was told as trouble
+    CHECK(loop.cut);              // it was told as fault
     CHECK(omni.driven() == 0.0);  // and came back without force
     device->stopClock();
   }

@@ -18,8 +18,10 @@ void changeText(std::string& line, Choices& choices) {
   const std::size_t from = choices.pick(line.size()), at = line.find_first_of(":[,", from);
   if (at == std::string::npos || at + 1 >= line.size()) return;
   const std::size_t end = line.find_first_of(",]}\n", at + 1);
-  if (line[at + 1] == '{' || line[at + 1] == '[') line.insert(at + 1, line[at + 1] == '[' && choices.pick(2) ? "[" : "");
-  else line.replace(at + 1, end - at - 1, oddNumber(choices));
+  if (line[at + 1] == '{' || line[at + 1] == '[')
+    line.insert(at + 1, line[at + 1] == '[' && choices.pick(2) ? "[" : "");
+  else
+    line.replace(at + 1, end - at - 1, oddNumber(choices));
 }
 
 struct Place {
@@ -41,15 +43,40 @@ Json numberInRange(const std::string& key, Choices& choices) {
   const double share[] = {0.0, 1.0, 0.5, 0.999999, 1e-9};
   const double number = range->least + share[choices.pick(std::size(share))] * (range->most - range->least);
   switch (choices.pick(4)) {
-    case 0: return range->least <= 0.0 ? 0.0 : range->least;
-    case 1: if (!range->whole && range->least < 0.0) return std::numeric_limits<double>::denorm_min(); [[fallthrough]];
-    default: return range->whole ? Json(static_cast<long long>(number)) : Json(number);
+    case 0:
+      return range->least <= 0.0 ? 0.0 : range->least;
+    case 1:
+      if (!range->whole && range->least < 0.0) return std::numeric_limits<double>::denorm_min();
+      [[fallthrough]];
+    default:
+      return range->whole ? Json(static_cast<long long>(number)) : Json(number);
   }
 }
 
 std::string oddWords(Choices& choices) {
-  const std::string kOdd[] = {"", " ", std::string(1, '\0'), "##", "%s%n%d", "\n\n", "\x1b[2J", "../../1ubq.pdb", "1hel.pdb", "1ubq.pdb", "one", "two", "which", "how-much",
-                              "\xe2\x80\xae\xd7\x90", std::string(3000, 'W'), "a/b", "exact", "grid", "=1+1", "mouse", "keyboard", "\xf0\x9f\xa7\xac"};
+  const std::string kOdd[] = {"",
+                              " ",
+                              std::string(1, '\0'),
+                              "##",
+                              "%s%n%d",
+                              "\n\n",
+                              "\x1b[2J",
+                              "../../1ubq.pdb",
+                              "1hel.pdb",
+                              "1ubq.pdb",
+                              "one",
+                              "two",
+                              "which",
+                              "how-much",
+                              "\xe2\x80\xae\xd7\x90",
+                              std::string(3000, 'W'),
+                              "a/b",
+                              "exact",
+                              "grid",
+                              "=1+1",
+                              "mouse",
+                              "keyboard",
+                              "\xf0\x9f\xa7\xac"};
   return kOdd[choices.pick(std::size(kOdd))];
 }
 
@@ -61,13 +88,18 @@ void changeValue(std::string& line, Choices& choices) {
   walk(json, "", places);
   const Place& place = places[choices.pick(places.size())];
   Json& value = *place.at;
-  if (value.is_number()) value = numberInRange(place.key, choices);
-  else if (value.is_string()) value = oddWords(choices);
-  else if (value.is_boolean()) value = !value.get<bool>();
+  if (value.is_number())
+    value = numberInRange(place.key, choices);
+  else if (value.is_string())
+    value = oddWords(choices);
+  else if (value.is_boolean())
+    value = !value.get<bool>();
   else if (value.is_array() && !value.empty()) {
     const std::size_t how = choices.pick(4);
-    if (how == 0) value = Json::array();
-    else if (how == 1) value.erase(value.size() - 1);
+    if (how == 0)
+      value = Json::array();
+    else if (how == 1)
+      value.erase(value.size() - 1);
     else
       for (std::size_t n = how == 2 ? 1 : choices.pick(300); n > 0; --n) value.push_back(Json(value[0]));
   } else if (value.is_object() && !value.empty()) {
@@ -88,8 +120,10 @@ std::string madeAttempt(Choices& choices) {
   for (std::size_t n = 1 + choices.pick(24); n > 0; --n) {
     std::string line = lineOf(events[choices.pick(events.size())]);
     for (std::size_t changes = choices.pick(6); changes > 0; --changes)
-      if (choices.pick(4) == 3) changeText(line, choices);
-      else changeValue(line, choices);
+      if (choices.pick(4) == 3)
+        changeText(line, choices);
+      else
+        changeValue(line, choices);
     text += line;
   }
   return text;

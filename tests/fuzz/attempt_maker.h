@@ -1,5 +1,5 @@
-// Attempts put together by choices: lines of the right form, with numbers at the ends of their ranges, and with numbers, texts and
-// lists that no program of ours writes.
+// Attempts put together by choices: lines of the right form, with numbers at the ends of their ranges, and with
+// numbers, texts and lists that no program of ours writes.
 #pragma once
 
 #include <string>

@@ -1,4 +1,5 @@
-// Which run it was that crashed, was ended by a sanitizer or did not end: told on stderr, so that it can be run again alone.
+// Which run it was that crashed, was ended by a sanitizer or did not end: told on stderr, so that it can be run again
+// alone.
 #pragma once
 
 #include <string>

@@ -29,7 +29,8 @@ constexpr unsigned kHang_s = 120;
 
 int main(int argc, char** argv) {
   moltact::fuzz::tellCrashes();
-  const unsigned long runs = fromEnvironment("MOLTACT_FUZZ_RUNS", 10'000), from = fromEnvironment("MOLTACT_FUZZ_SEED", 20'261'122);
+  const unsigned long runs = fromEnvironment("MOLTACT_FUZZ_RUNS", 10'000),
+                      from = fromEnvironment("MOLTACT_FUZZ_SEED", 20'261'122);
   const bool one = argc > 2;
   const unsigned long wanted = one ? std::strtoul(argv[2], nullptr, 10) : 0;
   bool found = false;
@@ -43,14 +44,17 @@ int main(int argc, char** argv) {
     }
     const auto began = std::chrono::steady_clock::now();
     for (unsigned long k = one ? wanted : 0; k < (one ? wanted + 1 : runs); ++k) {
-      moltact::fuzz::beginRun(std::string("test_fuzz ") + target.name + ' ' + std::to_string(k) + " (MOLTACT_FUZZ_SEED=" + std::to_string(from) + ')', kHang_s);
+      moltact::fuzz::beginRun(std::string("test_fuzz ") + target.name + ' ' + std::to_string(k) +
+                                  " (MOLTACT_FUZZ_SEED=" + std::to_string(from) + ')',
+                              kHang_s);
       std::mt19937_64 random(from * 1'000'003 + k);
       const std::string bytes = k < seeds.size() ? seeds[k] : changed(seeds, random);
       if (one) std::ofstream(std::string("fuzz-") + target.name + '-' + argv[2], std::ios::binary) << bytes;
       target.run(bytes);
       moltact::fuzz::endRun();
     }
-    std::printf("%-16s %lu runs from %lu, %.1f s\n", target.name, one ? 1 : runs, from, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    std::printf("%-16s %lu runs from %lu, %.1f s\n", target.name, one ? 1 : runs, from,
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
     std::fflush(stdout);
   }
   if (!found) std::fprintf(stderr, "there is no target of that name\n");

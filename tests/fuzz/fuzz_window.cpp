@@ -1,9 +1,10 @@
-// The window, off-screen, opens and plays attempts and recordings that no program of ours wrote: changed byte by byte, and put
-// together of lines and ticks whose numbers are at the ends of what is read. It may refuse each, and must go on after it.
+// The window, off-screen, opens and plays attempts and recordings that no program of ours wrote: changed byte by byte,
+// and put together of lines and ticks whose numbers are at the ends of what is read. It may refuse each, and must go on
+// after it.
 //   test_fuzz_window                       both kinds
 //   test_fuzz_window attempt               one
-//   test_fuzz_window attempt 12            its run 12 alone, in a fresh window; the file stays as fuzz-window.jsonl or .trace
-//   MOLTACT_FUZZ_RUNS, MOLTACT_FUZZ_SEED: how many runs of each kind (16), and from which number
+//   test_fuzz_window attempt 12            its run 12 alone, in a fresh window; the file stays as fuzz-window.jsonl or
+//   .trace MOLTACT_FUZZ_RUNS, MOLTACT_FUZZ_SEED: how many runs of each kind (16), and from which number
 #include <unistd.h>
 
 #include <chrono>
@@ -12,8 +13,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/ui/driver.h"
-#include "app/ui/extensions.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/shell/driver.h"
 #include "tests/fuzz/attempt_maker.h"
 #include "tests/fuzz/changed.h"
 #include "tests/fuzz/crash_note.h"
@@ -42,7 +43,8 @@ std::unique_ptr<Driver> window() {
 }
 
 bool isNumber(const Camera& c) {
-  return finite(c.target.A) && std::isfinite(c.distance_A) && std::isfinite(c.orientation.w + c.orientation.x + c.orientation.y + c.orientation.z);
+  return finite(c.target.A) && std::isfinite(c.distance_A) &&
+         std::isfinite(c.orientation.w + c.orientation.x + c.orientation.y + c.orientation.z);
 }
 
 void lookAt(Driver& driver) {
@@ -54,7 +56,8 @@ void lookAt(Driver& driver) {
 
 // What a person might do meanwhile.
 void doSomething(Driver& driver, Choices& choices) {
-  constexpr const char* kKeys[] = {"Ctrl+D", "Ctrl+M", "Ctrl+T", "Ctrl+G", "Left", "Right", "Space", "Ctrl+L", "R", "F9"};
+  constexpr const char* kKeys[] = {"Ctrl+D", "Ctrl+M", "Ctrl+T", "Ctrl+G", "Left",
+                                   "Right",  "Space",  "Ctrl+L", "R",      "F9"};
   driver.tap(kKeys[choices.pick(std::size(kKeys))]);
   if (choices.pick(4) != 3) return;
   driver.point("view", 0.1 * double(choices.pick(10)), 0.1 * double(choices.pick(10)));
@@ -73,11 +76,16 @@ bool playAttempt(Driver& driver, const std::filesystem::path& file, Choices& cho
   playback.skips_rests = choices.pick(2);
   for (std::size_t k = 1 + choices.pick(6); k > 0; --k) {
     const std::size_t how = choices.pick(8);
-    if (how < 3) playback.seek(playback.timeline().length_s() * double(choices.pick(65)) / 64.0);
-    else if (how == 3) playback.seekMark(1);
-    else if (how == 4) playback.seek(3.0 + 0.01 * double(choices.pick(12)));  // where the sample touches
-    else if (how == 5) playback.setRunning(!playback.running());
-    else doSomething(driver, choices);
+    if (how < 3)
+      playback.seek(playback.timeline().length_s() * double(choices.pick(65)) / 64.0);
+    else if (how == 3)
+      playback.seekMark(1);
+    else if (how == 4)
+      playback.seek(3.0 + 0.01 * double(choices.pick(12)));  // where the sample touches
+    else if (how == 5)
+      playback.setRunning(!playback.running());
+    else
+      doSomething(driver, choices);
     app.finishLoading();
     lookAt(driver);
     driver.frames(int(choices.pick(6)));
@@ -125,7 +133,8 @@ std::string aRecording(Choices& choices, std::mt19937_64& random) {
   return choices.pick(4) ? made : changed({made}, random, 65536);
 }
 
-constexpr Kind kKinds[] = {{"attempt", ".jsonl", anAttempt, playAttempt}, {"recording", ".trace", aRecording, playRecording}};
+constexpr Kind kKinds[] = {{"attempt", ".jsonl", anAttempt, playAttempt},
+                           {"recording", ".trace", aRecording, playRecording}};
 
 }  // namespace
 }  // namespace moltact::fuzz
@@ -135,7 +144,8 @@ int main(int argc, char** argv) {
   using namespace moltact::fuzz;
   ::setenv("MOLTACT_HOME", MOLTACT_SOURCE_DIR, 0);
   tellCrashes();
-  const unsigned long runs = fromEnvironment("MOLTACT_FUZZ_RUNS", 16), from = fromEnvironment("MOLTACT_FUZZ_SEED", 20'261'122);
+  const unsigned long runs = fromEnvironment("MOLTACT_FUZZ_RUNS", 16),
+                      from = fromEnvironment("MOLTACT_FUZZ_SEED", 20'261'122);
   const bool one = argc > 2;
   const unsigned long wanted = one ? std::strtoul(argv[2], nullptr, 10) : 0;
   const ScratchFolder scratch;
@@ -147,7 +157,9 @@ int main(int argc, char** argv) {
     std::unique_ptr<Driver> driver = window();
     std::size_t played = 0;
     for (unsigned long k = one ? wanted : 0; k < (one ? wanted + 1 : runs); ++k) {
-      beginRun(std::string("test_fuzz_window ") + kind.name + ' ' + std::to_string(k) + " (MOLTACT_FUZZ_SEED=" + std::to_string(from) + ')', kHang_s);
+      beginRun(std::string("test_fuzz_window ") + kind.name + ' ' + std::to_string(k) +
+                   " (MOLTACT_FUZZ_SEED=" + std::to_string(from) + ')',
+               kHang_s);
       if (k % 32 == 31) {
         driver.reset();  // there is one at a time
         driver = window();
@@ -156,14 +168,16 @@ int main(int argc, char** argv) {
       std::string decisions(4096, '\0');
       for (char& c : decisions) c = char(random());
       Choices choices(decisions);
-      const auto file = (one ? std::filesystem::path("fuzz-window") : scratch.path / "a").replace_extension(kind.ending);
+      const auto file =
+          (one ? std::filesystem::path("fuzz-window") : scratch.path / "a").replace_extension(kind.ending);
       writeFile(file, kind.make(choices, random));
       played += kind.play(*driver, file, choices);
       driver->app().messages.clearErrors();
       endRun();
     }
     if (!one && runs >= 16) mustBe(played >= runs / 4, "a quarter of the files at least that can be played");
-    std::printf("%-10s %lu runs from %lu, %zu played, %.1f s\n", kind.name, one ? 1 : runs, from, played, std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
+    std::printf("%-10s %lu runs from %lu, %zu played, %.1f s\n", kind.name, one ? 1 : runs, from, played,
+                std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count());
     std::fflush(stdout);
   }
   if (!found) std::fprintf(stderr, "there is no kind of that name\n");

@@ -31,7 +31,8 @@ void soundly(const Molecule& m) {
   }
   mustBe(residue == m.residues.size(), "every residue in a chain");
   mustBe(summarise(m).atoms == m.atoms.size(), "a summary of them all");
-  for (std::size_t i = 0; i < m.atoms.size(); i += 1 + m.atoms.size() / 20) mustBe(!m.describe(i).empty(), "a name to be called by");
+  for (std::size_t i = 0; i < m.atoms.size(); i += 1 + m.atoms.size() / 20)
+    mustBe(!m.describe(i).empty(), "a name to be called by");
 }
 
 void read(std::string_view bytes, const char* name) {
@@ -39,8 +40,10 @@ void read(std::string_view bytes, const char* name) {
     ReadOptions options;
     if (!plain) options = {.model = 2, .waters = true, .assembly = "1"};
     const auto molecule = readMoleculeBytes(std::string(bytes), name, options);
-    if (molecule) soundly(*molecule);
-    else mustBe(!molecule.problem().message.empty(), "a message");
+    if (molecule)
+      soundly(*molecule);
+    else
+      mustBe(!molecule.problem().message.empty(), "a message");
     if (plain) {
       options.assembly = "1";
       if (const auto whole = readMoleculeBytes(std::string(bytes), name, options)) soundly(*whole);
@@ -76,11 +79,20 @@ void gzip(std::string_view bytes) {
   const std::size_t how = choices.pick(5), where = choices.pick(65536);
   std::string file = packed(choices.rest());
   switch (how) {
-    case 1: file.resize(where % (file.size() + 1)); break;
-    case 2: file[where % file.size()] ^= char(1 + where % 255); break;
-    case 3: file += file; break;
-    case 4: file.append(where % 40, '\0'); break;
-    default: break;
+    case 1:
+      file.resize(where % (file.size() + 1));
+      break;
+    case 2:
+      file[where % file.size()] ^= char(1 + where % 255);
+      break;
+    case 3:
+      file += file;
+      break;
+    case 4:
+      file.append(where % 40, '\0');
+      break;
+    default:
+      break;
   }
   read(file, "x.xyzr.gz");
 }

@@ -1,12 +1,12 @@
-// Recordings of a hand: as bytes; as blocks of ticks with any numbers and a right checksum; and with the state that the first tick
-// begins from. What can be read is replayed: every force is finite and no greater than the device gives.
+// Recordings of a hand: as bytes; as blocks of ticks with any numbers and a right checksum; and with the state that the
+// first tick begins from. What can be read is replayed: every force is finite and no greater than the device gives.
 #include <cmath>
 #include <limits>
 
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/playback_device.h"
-#include "engine/servo/trace.h"
+#include "engine/servo/servo_recording.h"
 #include "tests/fuzz/recording_maker.h"
 #include "tests/fuzz/target.h"
 
@@ -15,12 +15,12 @@ namespace {
 
 void replayed(const std::string& file) {
   static const auto scene = std::make_shared<const BallScene>(scenes::cluster(20, 3).balls);
-  auto trace = readTrace(file);
+  auto trace = readServoRecording(file);
   if (!trace) return mustBe(!trace.problem().message.empty(), "a message");
   if (trace->ticks.size() > 300) trace->ticks.resize(300);
   const auto tracker = methods().front().make(scene, kWaterProbe_A);
   ServoStep step = trace->start.value_or(ServoStep());
-  for (const TraceTick& tick : trace->ticks) {
+  for (const RecordedTick& tick : trace->ticks) {
     if (tick.other_device) step.setDevice(tick.device);
     mustBe(finite(step.tick(tick.settings, tracker.get(), tick.pose, tick.time).force.N), "a force that is a number");
   }
@@ -32,7 +32,7 @@ void replayed(const std::string& file) {
 // Eight ticks that come from outside into the cluster.
 const RecordingParts& sample() {
   static const RecordingParts out = [] {
-    std::vector<TraceTick> ticks(8);
+    std::vector<RecordedTick> ticks(8);
     for (std::size_t k = 0; k < ticks.size(); ++k) ticks[k].pose.position.mm.x = 30.0 - 4.0 * double(k);
     ticks[1].other_device = ticks[1].device.gives_force = true;
     for (std::size_t k = 2; k < ticks.size(); ++k) ticks[k].device = ticks[1].device;
@@ -52,9 +52,18 @@ void recording(std::string_view bytes) {
   std::string& ticks = changed.ticks;
   for (std::size_t n = choices.pick(12); n > 0; --n) {
     const std::size_t at = choices.pick(ticks.size()), how = choices.pick(4);
-    constexpr double kOdd[] = {0.0, -1.0, 1e-300, 1e300, -1e18, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN(), 7.5};
-    if (how == 0) ticks[at] = char(choices.pick(256));
-    else if (at + 8 <= ticks.size()) ticks.replace(at, 8, reinterpret_cast<const char*>(&kOdd[choices.pick(std::size(kOdd))]), 8);
+    constexpr double kOdd[] = {0.0,
+                               -1.0,
+                               1e-300,
+                               1e300,
+                               -1e18,
+                               std::numeric_limits<double>::infinity(),
+                               std::numeric_limits<double>::quiet_NaN(),
+                               7.5};
+    if (how == 0)
+      ticks[at] = char(choices.pick(256));
+    else if (at + 8 <= ticks.size())
+      ticks.replace(at, 8, reinterpret_cast<const char*>(&kOdd[choices.pick(std::size(kOdd))]), 8);
   }
   replayed(fileOf(changed.file(), "a.trace"));
   replayed(fileOf(madeRecording(choices, 16, {}), "a.trace"));

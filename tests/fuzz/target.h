@@ -1,6 +1,6 @@
-// The readers of what others wrote, each as a function of bytes that must come back whatever the bytes are: without a crash,
-// an exception, a hang or a value that cannot be. The same functions are run by libFuzzer (fuzz_one.cpp) and by a driver of
-// our own that needs nothing but a compiler (fuzz_all.cpp).
+// The readers of what others wrote, each as a function of bytes that must come back whatever the bytes are: without a
+// crash, an exception, a hang or a value that cannot be. The same functions are run by libFuzzer (fuzz_one.cpp) and by
+// a driver of our own that needs nothing but a compiler (fuzz_all.cpp).
 #pragma once
 
 #include <cstddef>
@@ -26,7 +26,8 @@ inline void mustBe(bool good, const char* what) {
   std::abort();
 }
 
-/// Decisions made by bytes, for what is to be put together in a form that a reader looks at more closely. At their end all are 0.
+/// Decisions made by bytes, for what is to be put together in a form that a reader looks at more closely. At their end
+/// all are 0.
 class Choices {
  public:
   explicit Choices(std::string_view bytes) : bytes_(bytes) {}
@@ -49,10 +50,12 @@ class Choices {
 /// Texts in the place of a number: what no program of ours writes, and what just is none.
 std::string_view oddNumber(Choices& choices);
 
-/// The file that a reader of files is given: the same one each time, with these bytes. In memory where the system allows.
+/// The file that a reader of files is given: the same one each time, with these bytes. In memory where the system
+/// allows.
 std::string fileOf(std::string_view bytes, const char* name);
 
-void pdb(std::string_view), mmcif(std::string_view), xyzr(std::string_view), gzip(std::string_view), anyMolecule(std::string_view);
+void pdb(std::string_view), mmcif(std::string_view), xyzr(std::string_view), gzip(std::string_view),
+    anyMolecule(std::string_view);
 void lesson(std::string_view), selection(std::string_view), answers(std::string_view);
 void attempt(std::string_view), attemptLines(std::string_view);
 void recording(std::string_view), recordingState(std::string_view);

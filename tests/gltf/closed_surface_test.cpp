@@ -1,13 +1,13 @@
 // Oracles: volumes in closed form, Euler's formula, and that each edge is walked once each way.
+#include "engine/gltf/closed_surface.h"
+
+#include <doctest/doctest.h>
+
 #include <cmath>
 #include <map>
 #include <numbers>
 #include <random>
 #include <set>
-
-#include <doctest/doctest.h>
-
-#include "engine/gltf/closed_surface.h"
 
 using namespace moltact;
 
@@ -26,7 +26,9 @@ bool closedAndOriented(const ClosedSurface& s) {
   return !walked.empty();
 }
 
-int euler(const ClosedSurface& s) { return int(s.places.size()) - int(s.triangles.size() / 2) + int(s.triangles.size() / 3); }
+int euler(const ClosedSurface& s) {
+  return int(s.places.size()) - int(s.triangles.size() / 2) + int(s.triangles.size() / 3);
+}
 
 double volume(const ClosedSurface& s) {
   double sum = 0;
@@ -45,7 +47,8 @@ double gap(const Vec3& p, const std::vector<Ball>& balls) {
 
 }  // namespace
 
-TEST_CASE("a ball of 1.7 A in steps of 0.1 A is one closed surface with its volume to 1 % and its corners within 0.003 A") {
+TEST_CASE(
+    "a ball of 1.7 A in steps of 0.1 A is one closed surface with its volume to 1 % and its corners within 0.003 A") {
   const std::vector<Ball> balls{{Vec3(1e6, -3, 0.123), 1.7}};
   const ClosedSurface s = closedSurface(balls, 0.1);
   CHECK(closedAndOriented(s));
@@ -59,7 +62,8 @@ TEST_CASE("a ball of 1.7 A in steps of 0.1 A is one closed surface with its volu
   CHECK(worst < 0.1 * 0.1 / (2 * 1.7));
 }
 
-TEST_CASE("two balls that overlap are one surface of the volume of both less the lens; apart they are two, touching or not") {
+TEST_CASE(
+    "two balls that overlap are one surface of the volume of both less the lens; apart they are two, touching or not") {
   const double r = 1.5, d = 1.8, h = r - d / 2;
   const double lens = 2 * kPi * h * h * (3 * r - h) / 3, ball = 4 * kPi / 3 * r * r * r;
   const ClosedSurface one = closedSurface(std::vector<Ball>{{Vec3(0), r}, {Vec3(d, 0, 0), r}}, 0.08);
@@ -72,7 +76,8 @@ TEST_CASE("two balls that overlap are one surface of the volume of both less the
   CHECK(closedAndOriented(closedSurface(std::vector<Ball>{{Vec3(0), r}, {Vec3(2 * r, 0, 0), r}}, 0.1)));
 }
 
-TEST_CASE("heaps of 80 balls at random are closed, and each triangle lies on the ball that it is coloured by; seeds 1 to 4") {
+TEST_CASE(
+    "heaps of 80 balls at random are closed, and each triangle lies on the ball that it is coloured by; seeds 1 to 4") {
   for (const unsigned seed : {1u, 2u, 3u, 4u}) {
     CAPTURE(seed);
     std::mt19937 random(seed);

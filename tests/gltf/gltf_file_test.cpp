@@ -1,12 +1,11 @@
 // What is written is read back by tinygltf, through our reader, which checks every range itself.
+#include <doctest/doctest.h>
+#include <unistd.h>
+
 #include <cstring>
 #include <fstream>
 #include <random>
 #include <sstream>
-
-#include <unistd.h>
-
-#include <doctest/doctest.h>
 
 #include "engine/molecule/reader.h"
 #include "engine/platform/folders.h"
@@ -80,7 +79,8 @@ TEST_CASE("water as balls reads back as 3 x 1280 triangles, 0.3152 nm wide in x,
   CHECK(tenfold.high.x == doctest::Approx(10 * model.high.x).epsilon(1e-5));
 }
 
-TEST_CASE("benzene as a surface inflated by 1.4 A reads back with the size of its inflated balls to 1 step, in two colours") {
+TEST_CASE(
+    "benzene as a surface inflated by 1.4 A reads back with the size of its inflated balls to 1 step, in two colours") {
   const Scratch scratch;
   const Molecule benzene = library("benzene.pdb");
   const ExportOptions options{.style = ExportStyle::Surface, .probe_A = 1.4, .step_A = 0.25};
@@ -104,7 +104,8 @@ TEST_CASE("benzene as a surface inflated by 1.4 A reads back with the size of it
   CHECK(grey + white == model.corners.size());
 }
 
-TEST_CASE("a protein of 602 atoms as balls stores its ball once: a file below 400 kB with a node for each atom and chain") {
+TEST_CASE(
+    "a protein of 602 atoms as balls stores its ball once: a file below 400 kB with a node for each atom and chain") {
   const Scratch scratch;
   const GltfScene scene = exported(library("1ubq.pdb"), {});
   CHECK(scene.nodes.size() == 602 + 1 + 1);
@@ -120,10 +121,14 @@ TEST_CASE("no atoms, too fine a surface, a folder that is not there: each is tol
   const auto fine = exportMolecule(library("1ubq.pdb"), {.style = ExportStyle::Surface, .step_A = 0.01});
   REQUIRE_FALSE(bool(fine));
   CHECK(fine.problem().remedy.find("coarser") != std::string::npos);
-  CHECK(writeGlb("/no/such/folder/x.glb", exported(library("water.pdb"), {})).value().text().find("its folder is not there") != std::string::npos);
+  CHECK(writeGlb("/no/such/folder/x.glb", exported(library("water.pdb"), {}))
+            .value()
+            .text()
+            .find("its folder is not there") != std::string::npos);
 }
 
-TEST_CASE("a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are told, not drawn") {
+TEST_CASE(
+    "a missing file, an empty one, plain text, JSON that is no glTF and one without triangles are told, not drawn") {
   const Scratch scratch;
   const auto told = [&](const std::string& bytes) {
     const fs::path file = scratch.folder / "bad.gltf";
@@ -138,9 +143,13 @@ TEST_CASE("a missing file, an empty one, plain text, JSON that is no glTF and on
   CHECK(told("a pen").find("no sound glTF") != std::string::npos);
   CHECK(told("[1, 2]").find("no sound glTF") != std::string::npos);
   CHECK(told(R"({"asset": {"version": "2.0"}})").find("has no scene") != std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]})").find("holds no triangles") != std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]})").find("without end") != std::string::npos);
-  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})").find("names a node") != std::string::npos);
+  CHECK(
+      told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{}]})").find("holds no triangles") !=
+      std::string::npos);
+  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"children": [0]}]})")
+            .find("without end") != std::string::npos);
+  CHECK(told(R"({"asset": {"version": "2.0"}, "scenes": [{"nodes": [7]}], "nodes": [{}]})").find("names a node") !=
+        std::string::npos);
 }
 
 TEST_CASE("a good file with 1 to 4 bytes changed at random, or cut short, never ends the program; 400 files, seed 5") {
@@ -148,7 +157,9 @@ TEST_CASE("a good file with 1 to 4 bytes changed at random, or cut short, never 
   const fs::path file = scratch.folder / "m.glb";
   GltfScene scene;
   scene.materials = {{"red", {1, 0, 0}}};
-  scene.meshes = {{.name = "t", .places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, .normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
+  scene.meshes = {{.name = "t",
+                   .places = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}},
+                   .normals = {{0, 0, 1}, {0, 0, 1}, {0, 0, 1}},
                    .parts = {{.indices = {0, 1, 2}, .material = 0}}}};
   scene.nodes = {{.name = "n", .mesh = 0, .place = {2, 0, 0}, .scale = 3}};
   REQUIRE_FALSE(writeGlb(file, scene));
@@ -160,7 +171,8 @@ TEST_CASE("a good file with 1 to 4 bytes changed at random, or cut short, never 
   int refused = 0;
   for (int round = 0; round < 400; ++round) {
     std::string bad = good;
-    if (round % 4 == 0) bad.resize(random() % good.size());
+    if (round % 4 == 0)
+      bad.resize(random() % good.size());
     else
       for (unsigned k = 0; k <= random() % 4; ++k) bad[random() % bad.size()] = char(random() % 256);
     std::ofstream(file, std::ios::binary | std::ios::trunc) << bad;

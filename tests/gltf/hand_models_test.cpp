@@ -1,16 +1,17 @@
 // The committed models against their generator, and what the view relies on.
-#include <doctest/doctest.h>
-
-#include <unistd.h>
-
 #include "assets/generator/hand_models.h"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
 
 using namespace moltact;
 
-TEST_CASE("stylus and finger are as their generator makes them: closed round the tip at the origin, 50 to 120 mm along +y") {
+TEST_CASE(
+    "stylus and finger are as their generator makes them: closed round the tip at the origin, 50 to 120 mm along +y") {
   for (const GltfScene& scene : {generator::makeStylus(), generator::makeFinger()}) {
     CAPTURE(scene.title);
-    const auto made_file = std::filesystem::temp_directory_path() / ("moltact_model_" + std::to_string(getpid()) + ".glb");
+    const auto made_file =
+        std::filesystem::temp_directory_path() / ("moltact_model_" + std::to_string(getpid()) + ".glb");
     REQUIRE_FALSE(writeGlb(made_file, scene));
     const auto made = readGltf(made_file);
     std::filesystem::remove(made_file);
@@ -30,7 +31,9 @@ TEST_CASE("stylus and finger are as their generator makes them: closed round the
     // Faces turn outward: the volume under them is positive.
     double volume = 0;
     for (std::size_t k = 0; k < kept->corners.size(); k += 3)
-      volume += glm::dot(glm::dvec3(kept->corners[k].place), glm::cross(glm::dvec3(kept->corners[k + 1].place), glm::dvec3(kept->corners[k + 2].place))) / 6;
+      volume += glm::dot(glm::dvec3(kept->corners[k].place),
+                         glm::cross(glm::dvec3(kept->corners[k + 1].place), glm::dvec3(kept->corners[k + 2].place))) /
+                6;
     CHECK(volume > 1e-6);
     CHECK(kept->corners.size() / 3 < 16000);
   }

@@ -30,7 +30,9 @@ struct Maker {
   DegenerateScene out;
   double probe;
 
-  void ball(const Vec3& centre, double inflated) { out.scene.balls.push_back({centre, std::max(0.0, inflated - probe)}); }
+  void ball(const Vec3& centre, double inflated) {
+    out.scene.balls.push_back({centre, std::max(0.0, inflated - probe)});
+  }
   void special(const Vec3& place) { out.special.push_back(place); }
   bool upright() { return random.uniform(0, 1) < 0.4; }  // along the axes rounding is least, and symmetry exact
   Vec3 axis() { return upright() ? Vec3(0, 0, 1) : random.direction(); }
@@ -95,9 +97,11 @@ void lattice(Maker& m) {
     for (int y = 0; y < 3; ++y)
       for (int x = 0; x < 3; ++x) {
         if (faces && (x + y + z) % 2) continue;
-        m.ball(a * (double(x) * u + double(y) * v + double(z) * axis) + (m.upright() ? Vec3(0) : hairs(m.random)), inflated);
+        m.ball(a * (double(x) * u + double(y) * v + double(z) * axis) + (m.upright() ? Vec3(0) : hairs(m.random)),
+               inflated);
       }
-  for (int k = 0; k < 8; ++k) m.special(a * ((k & 1 ? 1.5 : 0.5) * u + (k & 2 ? 1.5 : 0.5) * v + (k & 4 ? 1.0 : 0.5) * axis));
+  for (int k = 0; k < 8; ++k)
+    m.special(a * ((k & 1 ? 1.5 : 0.5) * u + (k & 2 ? 1.5 : 0.5) * v + (k & 4 ? 1.0 : 0.5) * axis));
 }
 
 void tangentOutside(Maker& m) {
@@ -199,11 +203,16 @@ struct Family {
   void (*make)(Maker&);
 };
 constexpr Family kFamilies[] = {
-    {"ring that just closes", ring},           {"tube", tube},
-    {"many spheres through a point", onePoint}, {"lattice", lattice},
-    {"tangent from outside", tangentOutside},  {"tangent from inside", tangentInside},
-    {"nearly the same balls", nearlyTheSame},  {"radii 1 : 1000", sizes},
-    {"many spheres through a circle", oneCircle}, {"a crease just touched by a third", grazed},
+    {"ring that just closes", ring},
+    {"tube", tube},
+    {"many spheres through a point", onePoint},
+    {"lattice", lattice},
+    {"tangent from outside", tangentOutside},
+    {"tangent from inside", tangentInside},
+    {"nearly the same balls", nearlyTheSame},
+    {"radii 1 : 1000", sizes},
+    {"many spheres through a circle", oneCircle},
+    {"a crease just touched by a third", grazed},
     {"ordinary", ordinary},
 };
 
@@ -234,7 +243,8 @@ std::vector<Vec3> degeneratePath(const DegenerateScene& s, int ticks, std::uint6
   Vec3 middle(0);
   double half = 0;
   for (const Ball& b : s.scene.balls) middle += b.centre_A / double(s.scene.balls.size());
-  for (const Ball& b : s.scene.balls) half = std::max(half, glm::distance(b.centre_A, middle) + b.radius_A + s.scene.probe_A);
+  for (const Ball& b : s.scene.balls)
+    half = std::max(half, glm::distance(b.centre_A, middle) + b.radius_A + s.scene.probe_A);
   const auto somewhere = [&] { return middle + random.direction() * random.uniform(0, 1.3 * half); };
   const auto special = [&] {
     const Vec3 p = s.special[std::size_t(random.uniform(0, double(s.special.size()) - 1e-9))];

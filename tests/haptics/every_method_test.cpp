@@ -29,8 +29,7 @@ void* operator new(std::size_t size) {
 void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 
-TEST_CASE(
-    "no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random balls") {
+TEST_CASE("no method allocates in 3000 ticks of walking, jumping out and changing the probe over 50 random balls") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const scenes::Path path = scenes::jumps(scene, 3000, 8);
   for (const Method& method : benchMethods()) {
@@ -42,7 +41,7 @@ TEST_CASE(
       touching += tracker->step({path[k]}).touching();
       if (k % 100 == 99) tracker->setProbe(1.4 + 0.2 * std::sin(0.01 * double(k)));
       if (k % 1000 == 999) tracker->reset();
-      tracker->footprint();
+      tracker->memoryUsage();
     }
     CHECK(allocations == before);
     CHECK(touching > 1000);
@@ -110,7 +109,7 @@ TEST_CASE("every method bears a scene without balls, one ball, and a probe that 
     const auto empty = method.make(makeScene({}), 1.4);
     for (double z = 3; z > -3; z -= 0.5) CHECK_FALSE(empty->step({{0, 0, z}}).touching());
     const auto one = method.make(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
-    CHECK(one->footprint().bytes > 0);
+    CHECK(one->memoryUsage().bytes > 0);
     one->setProbe(std::nan(""));
     CHECK(one->probe_A() == 1.4);
     if (method.one_probe) {

@@ -2,9 +2,9 @@
 // and back, passes of 0.05 to 12 A a tick.
 #include <doctest/doctest.h>
 
-#include "engine/haptics/exact/exact_tracker.h"
 #include "engine/bench/oracle.h"
 #include "engine/bench/scenes.h"
+#include "engine/haptics/exact/exact_tracker.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -16,7 +16,8 @@ struct Tally {
   double worst_A = 0, deepest_A = -1;
 };
 
-// Where the oracle calls two outcomes right, the tracker's is checked to be one (outside, at rest), and both go on from it.
+// Where the oracle calls two outcomes right, the tracker's is checked to be one (outside, at rest), and both go on from
+// it.
 Tally compare(const scenes::Scene& scene, const scenes::Path& path) {
   ExactTracker tracker(test::makeScene(scene.balls), scene.probe_A);
   oracle::Oracle oracle(scene.balls, scene.probe_A);
@@ -62,19 +63,23 @@ void checkAll(const std::string& what, scenes::Path (*path)(const scenes::Scene&
     sum.ticks += one.ticks, sum.judged += one.judged, sum.wrong += one.wrong;
     sum.worst_A = std::max(sum.worst_A, one.worst_A);
   }
-  MESSAGE(what, ": ", sum.ticks, " ticks, ", sum.judged, " with one right answer, ", sum.wrong, " wrong, worst ", sum.worst_A, " A");
+  MESSAGE(what, ": ", sum.ticks, " ticks, ", sum.judged, " with one right answer, ", sum.wrong, " wrong, worst ",
+          sum.worst_A, " A");
 }
 
 }  // namespace
 
 TEST_CASE("walking over every scene, the exact tracker agrees with the oracle to 1e-7 A on every decided tick") {
-  checkAll("walks", [](const scenes::Scene& s, int n, std::uint64_t seed) { return scenes::walk(s, n, seed); }, 4000);
+  checkAll(
+      "walks", [](const scenes::Scene& s, int n, std::uint64_t seed) { return scenes::walk(s, n, seed); }, 4000);
 }
 
 TEST_CASE("jumping out and back on every scene, it agrees with the oracle on every decided tick") {
-  checkAll("jumps", [](const scenes::Scene& s, int n, std::uint64_t seed) { return scenes::jumps(s, n, seed); }, 2000);
+  checkAll(
+      "jumps", [](const scenes::Scene& s, int n, std::uint64_t seed) { return scenes::jumps(s, n, seed); }, 2000);
 }
 
 TEST_CASE("passing through every scene at 0.05 to 12 A a tick, it agrees with the oracle on every decided tick") {
-  checkAll("passes", [](const scenes::Scene& s, int n, std::uint64_t seed) { return scenes::passes(s, n, seed); }, 1500);
+  checkAll(
+      "passes", [](const scenes::Scene& s, int n, std::uint64_t seed) { return scenes::passes(s, n, seed); }, 1500);
 }

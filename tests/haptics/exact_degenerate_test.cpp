@@ -23,16 +23,19 @@ int numberFrom(const char* variable, int otherwise) {
 }
 
 struct Tally {
-  int scenes = 0, ticks = 0, agree = 0, grazing = 0, two_right = 0, wrong = 0, inside = 0, moving = 0, cut = 0, unfinished = 0;
+  int scenes = 0, ticks = 0, agree = 0, grazing = 0, two_right = 0, wrong = 0, inside = 0, moving = 0, cut = 0,
+      unfinished = 0;
   double deepest_A = -1e300;
   void add(const Tally& o) {
-    scenes += o.scenes, ticks += o.ticks, agree += o.agree, grazing += o.grazing, two_right += o.two_right, wrong += o.wrong;
+    scenes += o.scenes, ticks += o.ticks, agree += o.agree, grazing += o.grazing, two_right += o.two_right,
+        wrong += o.wrong;
     inside += o.inside, moving += o.moving, cut += o.cut, unfinished += o.unfinished;
     deepest_A = std::max(deepest_A, o.deepest_A);
   }
 };
 
-// How far from rounding a question must be decided to have one right answer: a few times what the tracker calls touching.
+// How far from rounding a question must be decided to have one right answer: a few times what the tracker calls
+// touching.
 double decidedFrom_A(const scenes::Scene& scene) {
   double largest = scene.probe_A, spread = 0;
   for (const Ball& b : scene.balls) {
@@ -60,7 +63,8 @@ class Oracles {
     for (std::size_t k = 1; k < each_.size(); ++k) {
       const auto other = each_[k].step(hip);
       const double off = glm::distance(other.scp_A, right.scp_A);
-      decided = decided && other.decided && other.contact == right.contact && other.started_inside == right.started_inside && off < 1e-6;
+      decided = decided && other.decided && other.contact == right.contact &&
+                other.started_inside == right.started_inside && off < 1e-6;
       accuracy_A += off;
     }
     return decided;
@@ -112,7 +116,8 @@ Tally compare(std::uint64_t seed, int ticks) {
     tally.deepest_A = std::max(tally.deepest_A, depth);
     if (depth > 1e-9) ++tally.inside, fault("SCP inside by", tally.ticks, depth);
     const double off = glm::distance(c.scp.A, right.scp_A);
-    const bool touches_here = glm::distance(c.scp.A, hip) <= 1e-9 && glm::distance(right.scp_A, hip) <= 1e-9;  // free or not: rounding
+    const bool touches_here =
+        glm::distance(c.scp.A, hip) <= 1e-9 && glm::distance(right.scp_A, hip) <= 1e-9;  // free or not: rounding
     const bool agrees = (c.touching() == right.contact || touches_here) && off <= accuracy_A;
     if (agrees) ++tally.agree;
     if (!decided) oracles.place(c.scp.A);
@@ -135,7 +140,9 @@ Tally compare(std::uint64_t seed, int ticks) {
 
 }  // namespace
 
-TEST_CASE("degenerate scenes: no SCP deeper than 1e-9 A, none not at rest, none wrong where one answer is right, each flow finished") {
+TEST_CASE(
+    "degenerate scenes: no SCP deeper than 1e-9 A, none not at rest, none wrong where one answer is right, each flow "
+    "finished") {
   const int scenes = numberFrom("MOLTACT_DEGENERATE_SCENES", 300), from = numberFrom("MOLTACT_DEGENERATE_FROM", 1);
   std::map<std::string, Tally> families;
   Tally sum;
@@ -145,8 +152,9 @@ TEST_CASE("degenerate scenes: no SCP deeper than 1e-9 A, none not at rest, none 
     sum.add(one);
   }
   for (const auto& [family, t] : families)
-    MESSAGE(family, ": ", t.scenes, " scenes, ", t.ticks, " ticks, ", t.agree, " agree to 1e-7 A, ", t.grazing, " graze, ", t.two_right, " two right, ", t.wrong,
-            " wrong, ", t.inside, " inside, ", t.moving, " not at rest, ", t.cut, " cut, deepest ", t.deepest_A, " A");
+    MESSAGE(family, ": ", t.scenes, " scenes, ", t.ticks, " ticks, ", t.agree, " agree to 1e-7 A, ", t.grazing,
+            " graze, ", t.two_right, " two right, ", t.wrong, " wrong, ", t.inside, " inside, ", t.moving,
+            " not at rest, ", t.cut, " cut, deepest ", t.deepest_A, " A");
   CAPTURE(from);
   CHECK(sum.wrong == 0);
   CHECK(sum.inside == 0);
@@ -165,11 +173,13 @@ TEST_CASE("degenerate scenes whose probe changes in every tick: no SCP deeper th
     ExactTracker tracker(test::makeScene(s.scene.balls), s.scene.probe_A);
     scenes::Random random(seed);
     for (const Vec3& hip : test::degeneratePath(s, 100, seed)) {
-      const double probe = std::max(0.0, s.scene.probe_A + (random.uniform(0, 1) < 0.3 ? 0.0 : random.uniform(-0.1, 0.1)));
+      const double probe =
+          std::max(0.0, s.scene.probe_A + (random.uniform(0, 1) < 0.3 ? 0.0 : random.uniform(-0.1, 0.1)));
       tracker.setProbe(probe);
       std::uint64_t cut = tracker.cutShort();
       Contact c = tracker.step({hip});
-      for (int more = 0; more < 100 && tracker.cutShort() != cut; ++more) cut = tracker.cutShort(), c = tracker.step({hip});
+      for (int more = 0; more < 100 && tracker.cutShort() != cut; ++more)
+        cut = tracker.cutShort(), c = tracker.step({hip});
       ++ticks;
       if (c.fault != Fault::None || !c.touching()) continue;
       ++touched;
@@ -190,9 +200,13 @@ TEST_CASE("degenerate scenes whose probe changes in every tick: no SCP deeper th
   CHECK(touched > ticks / 10);
 }
 
-TEST_CASE("five balls of 3 A whose circle of 3 A closes the hole exactly: a HIP led through the middle leaves the SCP outside and at rest") {
+TEST_CASE(
+    "five balls of 3 A whose circle of 3 A closes the hole exactly: a HIP led through the middle leaves the SCP "
+    "outside and at rest") {
   std::vector<Ball> balls;
-  for (int k = 0; k < 5; ++k) balls.push_back({{3 * std::cos(0.4 * 3.14159265358979323846 * k), 3 * std::sin(0.4 * 3.14159265358979323846 * k), 0}, 1.6});
+  for (int k = 0; k < 5; ++k)
+    balls.push_back(
+        {{3 * std::cos(0.4 * 3.14159265358979323846 * k), 3 * std::sin(0.4 * 3.14159265358979323846 * k), 0}, 1.6});
   balls[0].centre_A = {3, 0, 0};
   balls[1].centre_A = {0.92705098312484235, 2.8531695488854605, 0};
   ExactTracker tracker(test::makeScene(balls), 1.4);
@@ -203,7 +217,8 @@ TEST_CASE("five balls of 3 A whose circle of 3 A closes the hole exactly: a HIP 
   }
 }
 
-TEST_CASE("rings of 3 to 12 balls that close to within 1e-15 A: 4000 jumps through the middle, no SCP deeper than 1e-11 A") {
+TEST_CASE(
+    "rings of 3 to 12 balls that close to within 1e-15 A: 4000 jumps through the middle, no SCP deeper than 1e-11 A") {
   const std::uint64_t seed = 7;
   CAPTURE(seed);
   scenes::Random random(seed);
@@ -212,7 +227,9 @@ TEST_CASE("rings of 3 to 12 balls that close to within 1e-15 A: 4000 jumps throu
     const int n = 3 + k % 10;
     const double radius = 3.0 + random.uniform(-1e-15, 1e-15);
     std::vector<Ball> balls;
-    for (int j = 0; j < n; ++j) balls.push_back({{radius * std::cos(6.283185307179586 * j / n), radius * std::sin(6.283185307179586 * j / n), 0}, 1.6});
+    for (int j = 0; j < n; ++j)
+      balls.push_back(
+          {{radius * std::cos(6.283185307179586 * j / n), radius * std::sin(6.283185307179586 * j / n), 0}, 1.6});
     ExactTracker tracker(test::makeScene(balls), 1.4);
     tracker.step({{0, 0, 12}});
     for (const Vec3& hip : {Vec3(0, 0, random.uniform(-1e-3, 1e-3)), random.direction(), random.direction() * 2.0})
@@ -221,7 +238,9 @@ TEST_CASE("rings of 3 to 12 balls that close to within 1e-15 A: 4000 jumps throu
   CHECK(deepest <= 1e-11);
 }
 
-TEST_CASE("a ball of 2.4 A that touches one of 3.3 A from inside, to the last bit or nearly: the SCP follows the HIP on the larger") {
+TEST_CASE(
+    "a ball of 2.4 A that touches one of 3.3 A from inside, to the last bit or nearly: the SCP follows the HIP on the "
+    "larger") {
   for (const double x : {0.54, 0.5399999999999999, 0.5400000000000001}) {
     CAPTURE(x);
     const std::vector<Ball> balls{{{0, 0, 0}, 1.9}, {{x, 0, 0.72}, 1.0}};
@@ -231,12 +250,15 @@ TEST_CASE("a ball of 2.4 A that touches one of 3.3 A from inside, to the last bi
       const Vec3 hip = (0.95 - 0.008 * k) * Vec3(1.98, 0, 2.64) + Vec3(0, 0.01 * k, 0);
       const Contact c = tracker.step({hip});
       REQUIRE(c.touching());
-      CHECK(glm::distance(c.scp.A, 3.3 * glm::normalize(hip)) <= 2e-6);  // past the point of touch by the root of rounding
+      CHECK(glm::distance(c.scp.A, 3.3 * glm::normalize(hip)) <=
+            2e-6);  // past the point of touch by the root of rounding
     }
   }
 }
 
-TEST_CASE("every second of 60 balls copied at 1e-9 to 1e-14 A: over 12 000 gliding ticks the SCP is never frozen, and outside to 1e-10 A") {
+TEST_CASE(
+    "every second of 60 balls copied at 1e-9 to 1e-14 A: over 12 000 gliding ticks the SCP is never frozen, and "
+    "outside to 1e-10 A") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);
   scenes::Random random(seed);
@@ -260,7 +282,9 @@ TEST_CASE("every second of 60 balls copied at 1e-9 to 1e-14 A: over 12 000 glidi
   CHECK(deepest <= 1e-10);
 }
 
-TEST_CASE("a HIP that arrives within 1e-3 to 1e-5 A of a centre or an axis: 20 000 arrivals, no flow cut short, all at rest") {
+TEST_CASE(
+    "a HIP that arrives within 1e-3 to 1e-5 A of a centre or an axis: 20 000 arrivals, no flow cut short, all at "
+    "rest") {
   const std::uint64_t seed = 13;
   CAPTURE(seed);
   scenes::Random random(seed);
@@ -271,7 +295,8 @@ TEST_CASE("a HIP that arrives within 1e-3 to 1e-5 A of a centre or an axis: 20 0
     if (k % 4 == 0) tracker.step({Vec3(4.0) + random.direction() * 25.0});
     const auto any = [&] { return scene.balls[std::size_t(random.uniform(0, 49.99))].centre_A; };
     const Vec3 a = any(), b = any();
-    const Vec3 hip = a + (b - a) * (k % 2 ? 0.0 : random.uniform(0, 1)) + random.direction() * std::pow(10.0, random.uniform(-5, -3));
+    const Vec3 hip = a + (b - a) * (k % 2 ? 0.0 : random.uniform(0, 1)) +
+                     random.direction() * std::pow(10.0, random.uniform(-5, -3));
     const Contact c = tracker.step({hip});
     moving += c.touching() && !oracle::atRest(scene.balls, scene.probe_A, c.scp.A, hip, 1e-6);
   }
@@ -279,13 +304,16 @@ TEST_CASE("a HIP that arrives within 1e-3 to 1e-5 A of a centre or an axis: 20 0
   CHECK(moving == 0);
 }
 
-TEST_CASE("100 000 balls within 0.1 A, and 14 000 with a probe of 20 A: a tick looks at no more than 30 000 things, and the SCP is outside") {
+TEST_CASE(
+    "100 000 balls within 0.1 A, and 14 000 with a probe of 20 A: a tick looks at no more than 30 000 things, and the "
+    "SCP is outside") {
   const std::uint64_t seed = 17;
   CAPTURE(seed);
   scenes::Random random(seed);
   scenes::Scene crowd{"crowd", {}, 1.4}, large = scenes::cluster(14'000, seed);
   large.probe_A = 20;
-  for (int k = 0; k < 100'000; ++k) crowd.balls.push_back({random.direction() * 0.1 * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
+  for (int k = 0; k < 100'000; ++k)
+    crowd.balls.push_back({random.direction() * 0.1 * std::cbrt(random.uniform(0, 1)), random.uniform(1.4, 1.6)});
   for (const scenes::Scene& scene : {crowd, large}) {
     CAPTURE(scene.name);
     Vec3 low(1e300), high(-1e300);
@@ -299,7 +327,8 @@ TEST_CASE("100 000 balls within 0.1 A, and 14 000 with a probe of 20 A: a tick l
     for (int k = 0; k < 3000; ++k) {
       const Contact c = tracker.step({hip});
       most = std::max(most, tracker.looked());
-      if (k % 100 == 0 && c.touching()) deepest = std::max(deepest, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
+      if (k % 100 == 0 && c.touching())
+        deepest = std::max(deepest, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
       hip += 0.05 * random.direction() + 0.02 * (middle + 0.7 * half * glm::normalize(hip - middle) - hip);
       if (k % 200 == 199) hip = middle + random.direction() * half * random.uniform(0, 1);
     }

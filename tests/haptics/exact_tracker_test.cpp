@@ -21,8 +21,12 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 
 void checkNear(const Vec3& a, const Vec3& b, double tolerance_A) {
-  CAPTURE(a.x); CAPTURE(a.y); CAPTURE(a.z);
-  CAPTURE(b.x); CAPTURE(b.y); CAPTURE(b.z);
+  CAPTURE(a.x);
+  CAPTURE(a.y);
+  CAPTURE(a.z);
+  CAPTURE(b.x);
+  CAPTURE(b.y);
+  CAPTURE(b.z);
   CHECK(glm::distance(a, b) <= tolerance_A);
 }
 
@@ -37,7 +41,8 @@ TEST_CASE("1 A deep in one ball of 1.6 + 1.4 A the SCP lies 3 A from the centre,
   checkNear(c.scp.A, {0, 1.8, 2.4}, 1e-14);
 }
 
-TEST_CASE("over 10 000 random places inside one ball, met in small steps, the SCP is the radial projection to 1e-12 A") {
+TEST_CASE(
+    "over 10 000 random places inside one ball, met in small steps, the SCP is the radial projection to 1e-12 A") {
   ExactTracker tracker(makeScene({{{1, 2, 3}, 1.7}}), 1.4);
   std::mt19937_64 random(11);
   std::normal_distribution<double> normal;
@@ -162,7 +167,8 @@ TEST_CASE("a ring of 12 balls with a hole 0.1 A smaller than the probe holds it 
     CAPTURE(gap);
     std::vector<Ball> balls;  // the hole's radius is ring - 1.6; the probe's 1.4
     const double ring = 3.0 + gap;
-    for (int k = 0; k < 12; ++k) balls.push_back({{ring * std::cos(k * kPi / 6), ring * std::sin(k * kPi / 6), 0}, 1.6});
+    for (int k = 0; k < 12; ++k)
+      balls.push_back({{ring * std::cos(k * kPi / 6), ring * std::sin(k * kPi / 6), 0}, 1.6});
     ExactTracker tracker(makeScene(balls), 1.4);
     const Contact c = walkTo(tracker, {0, 0, 6}, {0, 0, -6}, 0.02);
     if (gap < 0) {
@@ -292,7 +298,7 @@ TEST_CASE("nothing is modelled in free space, and after touching one ball of 200
   for (int k = 0; k < 2000; ++k) balls.push_back({{4.0 * (k % 20), 4.0 * (k / 20 % 10), 4.0 * (k / 200)}, 1.6});
   ExactTracker tracker(makeScene(balls), 1.0);
   walkTo(tracker, {-20, -20, -20}, {-10, -10, -10}, 0.1);
-  CHECK(tracker.footprint().atoms_modelled == 0);
+  CHECK(tracker.memoryUsage().atoms_modelled == 0);
   walkTo(tracker, {0, 0, -6}, {0, 0, -2.0}, 0.1);
-  CHECK(tracker.footprint().atoms_modelled == 1);
+  CHECK(tracker.memoryUsage().atoms_modelled == 1);
 }

@@ -80,8 +80,7 @@ TEST_CASE("from brick to brick and cell to cell value and gradient are continuou
   for (int k = 0; k < 300; ++k) {
     Vec3 p(random.uniform(-3, 5), random.uniform(-3, 5), random.uniform(-3, 3));
     const int axis = k % 3;
-    p[axis] =
-        0.4 * (std::round(p[axis] / 0.4) + 0.5);  // on a border of cells; one in four is a border of bricks
+    p[axis] = 0.4 * (std::round(p[axis] / 0.4) + 0.5);  // on a border of cells; one in four is a border of bricks
     Vec3 a = p, b = p;
     a[axis] -= 1e-12;
     b[axis] += 1e-12;
@@ -94,8 +93,7 @@ TEST_CASE("from brick to brick and cell to cell value and gradient are continuou
   }
 }
 
-TEST_CASE(
-    "a brick is made once, named balls are counted once, and without leave to make one nothing is read") {
+TEST_CASE("a brick is made once, named balls are counted once, and without leave to make one nothing is read") {
   DistanceBricks bricks(makeScene({{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), Vec3(0.0), 0.4, 4.0);
   DistanceBricks::Sample s{};
   int none = 0, one = 1;
@@ -170,8 +168,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "known failure: a ring whose hole is 0.05 A too large for the probe is closed at a spacing of 0.8 A") {
+TEST_CASE("known failure: a ring whose hole is 0.05 A too large for the probe is closed at a spacing of 0.8 A") {
   const scenes::Scene scene = scenes::ring(6, 0.05);
   GridTracker coarse(makeScene(scene.balls), scene.probe_A, 0.8);
   const Contact c = walkTo(coarse, {0.01, 0.02, 6}, {0.01, 0.02, -4}, 0.02);
@@ -179,8 +176,7 @@ TEST_CASE(
   CHECK(c.scp.A.z > 0);
 }
 
-TEST_CASE(
-    "another probe feels another level of the same field: no brick is made for the places already known") {
+TEST_CASE("another probe feels another level of the same field: no brick is made for the places already known") {
   GridTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4, 0.4);
   walkTo(tracker, {0.1, 0.2, 6}, {0.1, 0.2, 2}, 0.02);
   const std::uint64_t made = tracker.bricksMade();
@@ -202,8 +198,7 @@ TEST_CASE("ticks held still after a slide into a pit leave the SCP at rest to 1e
     for (int k = 0; k < 5; ++k) tracker.step({{1.3, 0.7, 1.5}});
     const Vec3 rest = tracker.step({{1.3, 0.7, 1.5}}).scp.A;
     double moved = 0;
-    for (int k = 0; k < 100; ++k)
-      moved = std::max(moved, glm::distance(tracker.step({{1.3, 0.7, 1.5}}).scp.A, rest));
+    for (int k = 0; k < 100; ++k) moved = std::max(moved, glm::distance(tracker.step({{1.3, 0.7, 1.5}}).scp.A, rest));
     CHECK(moved <= 1e-9);
   }
 }
@@ -249,13 +244,16 @@ TEST_CASE(
   CHECK(near > 250);
 }
 
-TEST_CASE("made beforehand, the grid leaves fewer than 1 in 100 of its bricks to be made on 3000 ticks over 50 balls, and gives the same places") {
+TEST_CASE(
+    "made beforehand, the grid leaves fewer than 1 in 100 of its bricks to be made on 3000 ticks over 50 balls, and "
+    "gives the same places") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   const auto balls = makeScene(scene.balls);
   GridTracker ready(balls, scene.probe_A, 0.4, true), lazy(balls, scene.probe_A, 0.4);
   const std::uint64_t before = ready.bricksMade();
   double apart = 0;
-  for (const Vec3& hip : scenes::walk(scene, 3000, 21)) apart = std::max(apart, glm::distance(ready.step({hip}).scp.A, lazy.step({hip}).scp.A));
+  for (const Vec3& hip : scenes::walk(scene, 3000, 21))
+    apart = std::max(apart, glm::distance(ready.step({hip}).scp.A, lazy.step({hip}).scp.A));
   CHECK(apart == 0.0);
   CHECK(lazy.bricksMade() > 20);
   CHECK(double(ready.bricksMade() - before) < 0.01 * double(before));

@@ -8,18 +8,18 @@
 #include <numbers>
 #include <vector>
 
+#include "engine/bench/oracle.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/tracker.h"
-#include "engine/bench/oracle.h"
 
 namespace moltact::test {
 
 struct Judged {
-  int ticks = 0;              ///< decided ones after the start outside
-  int both = 0;               ///< of them those in which both touch
-  int lost = 0;               ///< the oracle touches by more than `lost_from_A`, the tracker does not
-  int false_contact = 0;      ///< the tracker touches by more than that, the oracle does not
-  double deepest_A = -1e300;  ///< of the SCP in any ball, in every tick with contact
+  int ticks = 0;                        ///< decided ones after the start outside
+  int both = 0;                         ///< of them those in which both touch
+  int lost = 0;                         ///< the oracle touches by more than `lost_from_A`, the tracker does not
+  int false_contact = 0;                ///< the tracker touches by more than that, the oracle does not
+  double deepest_A = -1e300;            ///< of the SCP in any ball, in every tick with contact
   std::vector<double> off_A, turn_deg;  ///< both touch: sorted
 
   double off(double share) const { return at(off_A, share); }
@@ -27,22 +27,19 @@ struct Judged {
 
  private:
   static double at(const std::vector<double>& sorted, double share) {
-    return sorted.empty() ? 0.0
-                          : sorted[std::min(sorted.size() - 1, std::size_t(share * double(sorted.size())))];
+    return sorted.empty() ? 0.0 : sorted[std::min(sorted.size() - 1, std::size_t(share * double(sorted.size())))];
   }
 };
 
 /// `lost_from_A`: a contact shallower than this may be missed without being counted.
-inline Judged judge(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path,
-                    double lost_from_A = 0.05) {
+inline Judged judge(Tracker& tracker, const scenes::Scene& scene, const scenes::Path& path, double lost_from_A = 0.05) {
   oracle::Oracle oracle(scene.balls, scene.probe_A);
   Judged out;
   for (const Vec3& hip : path) {
     const Contact c = tracker.step({hip});
     const oracle::Oracle::Answer right = oracle.step(hip);
     if (right.started_inside || c.fault != Fault::None) continue;
-    if (c.touching())
-      out.deepest_A = std::max(out.deepest_A, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
+    if (c.touching()) out.deepest_A = std::max(out.deepest_A, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
     if (!right.decided) continue;
     ++out.ticks;
     const Vec3 force = springEnd(c, {hip}).A - hip, true_force = right.scp_A - hip;
@@ -53,9 +50,8 @@ inline Judged judge(Tracker& tracker, const scenes::Scene& scene, const scenes::
     ++out.both;
     out.off_A.push_back(glm::distance(c.scp.A, right.scp_A));
     if (pull > 0 && true_pull > 0.01)
-      out.turn_deg.push_back(
-          std::acos(std::clamp(glm::dot(force, true_force) / (pull * true_pull), -1.0, 1.0)) * 180 /
-          std::numbers::pi);
+      out.turn_deg.push_back(std::acos(std::clamp(glm::dot(force, true_force) / (pull * true_pull), -1.0, 1.0)) * 180 /
+                             std::numbers::pi);
   }
   std::sort(out.off_A.begin(), out.off_A.end());
   std::sort(out.turn_deg.begin(), out.turn_deg.end());

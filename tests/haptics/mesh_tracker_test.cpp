@@ -70,7 +70,8 @@ TEST_CASE("a ray finds its face by the tree as by trying all 5120") {
       for (const SphereMesh::Face& f : mesh->faces())
         if (glm::dot(f.normal, u) > 0) reaches = std::min(reaches, f.height / glm::dot(f.normal, u));
       CHECK(face.height / glm::dot(face.normal, u) == doctest::Approx(reaches).epsilon(1e-12));
-      CHECK(angle(mesh->faces()[std::size_t(mesh->faceAbout(3.0 * u))].normal, u) <= 12 * kDegree + mesh->greatestTilt());
+      CHECK(angle(mesh->faces()[std::size_t(mesh->faceAbout(3.0 * u))].normal, u) <=
+            12 * kDegree + mesh->greatestTilt());
     }
   }
 }
@@ -196,8 +197,7 @@ TEST_CASE("where two meshes cross two faces hold the SCP, in the pit of three ba
   CHECK(c.atoms == std::array<std::int32_t, 3>{0, 1, -1});
   CHECK(glm::distance(c.scp.A, {0, 0.02 * std::sqrt(2.0), std::sqrt(8.0)}) <= 0.06);
   const double d = 2.0;
-  MeshTracker pit =
-      make({{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}, {{d / 2, d * std::sqrt(3.0) / 2, 0}, 1.6}}, 5120);
+  MeshTracker pit = make({{{0, 0, 0}, 1.6}, {{d, 0, 0}, 1.6}, {{d / 2, d * std::sqrt(3.0) / 2, 0}, 1.6}}, 5120);
   const Vec3 foot(d / 2, d * std::sqrt(3.0) / 6, 0);
   const Contact p = walkTo(pit, foot + Vec3(0.02, 0.01, 5), foot + Vec3(0.02, 0.01, 1.5), 0.02);
   CHECK(p.feature == Feature::Point);
@@ -221,8 +221,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "changing the probe every tick over 50 random balls never puts the SCP deeper than the sagitta in any") {
+TEST_CASE("changing the probe every tick over 50 random balls never puts the SCP deeper than the sagitta in any") {
   const scenes::Scene scene = scenes::cluster(50, 3);
   MeshTracker tracker(makeScene(scene.balls), 1.4, {960, false, true});
   const double sagitta = SphereMesh::ofTriangles(960)->sagitta();
@@ -232,8 +231,7 @@ TEST_CASE(
     tracker.setProbe(probe = 1.4 + 0.3 * std::sin(0.02 * k++));
     const Contact c = tracker.step({hip});
     touching += c.touching();
-    if (c.touching())
-      over = std::max(over, oracle::deepest(scene.balls, probe, c.scp.A) - (2.0 + probe) * sagitta);
+    if (c.touching()) over = std::max(over, oracle::deepest(scene.balls, probe, c.scp.A) - (2.0 + probe) * sagitta);
   }
   CHECK(touching > 1500);
   CHECK(over <= 1e-9);

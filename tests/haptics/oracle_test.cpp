@@ -107,15 +107,14 @@ TEST_CASE("between two patches of one ball the SCP stops at the ball that parts 
   CHECK(atRest(balls, 0, held.scp_A, {0.1, 0, 4}, 1e-12));
 }
 
-TEST_CASE(
-    "on every scene the oracle's SCP is in no ball and at rest, and nearly all of its ticks are decided") {
+TEST_CASE("on every scene the oracle's SCP is in no ball and at rest, and nearly all of its ticks are decided") {
   const std::uint64_t seed = 11;
   CAPTURE(seed);
   for (const auto& scene : scenes::all(seed)) {
     CAPTURE(scene.name);
     int contacts = 0, undecided = 0, ticks = 0;
-    for (const auto& path : {scenes::walk(scene, 300, seed), scenes::jumps(scene, 150, seed),
-                             scenes::passes(scene, 100, seed)}) {
+    for (const auto& path :
+         {scenes::walk(scene, 300, seed), scenes::jumps(scene, 150, seed), scenes::passes(scene, 100, seed)}) {
       Oracle o(scene.balls, scene.probe_A);
       for (std::size_t k = 0; k < path.size(); ++k) {
         const auto a = o.step(path[k]);

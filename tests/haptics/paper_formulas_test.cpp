@@ -15,8 +15,7 @@ namespace {
 void checkNear(const Vec3& a, const Vec3& b) { CHECK(glm::distance(a, b) < 1e-13 * (1 + glm::length(b))); }
 }  // namespace
 
-TEST_CASE(
-    "spheres of radii 15 and 13 with centres 14 apart meet in a circle of radius 12, 9 from the first") {
+TEST_CASE("spheres of radii 15 and 13 with centres 14 apart meet in a circle of radius 12, 9 from the first") {
   CHECK(circleHeight(15, 13, 14) == 9.0);
   CHECK(circleHeight(13, 15, 14) == 5.0);
   const auto circle = intersectionCircle({1, 2, 3}, 15, {1, 16, 3}, 13);
@@ -58,8 +57,7 @@ TEST_CASE("the closest place on a circle lies toward the HIP, and from the axis 
   CHECK(std::isfinite(closestOnCircle(circle, {2, 0, 0}, {1, 0, 0}).y));
 }
 
-TEST_CASE(
-    "the cone of height 9 and radius 12 holds (6, 7.9) but not (6, 8.1), and (20, 11.9) but not (20, 12.1)") {
+TEST_CASE("the cone of height 9 and radius 12 holds (6, 7.9) but not (6, 8.1), and (20, 11.9) but not (20, 12.1)") {
   const Cone cone{*intersectionCircle({0, 0, 0}, 15, {14, 0, 0}, 13), {0, 0, 0}, 4, 7};
   CHECK(insideCone(cone, {6, 7.9, 0}));  // 12 / 9 x 6 = 8
   CHECK_FALSE(insideCone(cone, {6, 8.1, 0}));
@@ -81,8 +79,7 @@ TEST_CASE("past its base, at 9, a cone hands over to the neighbour's, whose heig
   CHECK_FALSE(insideCone(other, {12, 4.9, 0}));
 }
 
-TEST_CASE(
-    "spheres of radius 17 at -8 and 8 and one of radius 13 at 14 across meet in (0, 9, 12) and (0, 9, -12)") {
+TEST_CASE("spheres of radius 17 at -8 and 8 and one of radius 13 at 14 across meet in (0, 9, 12) and (0, 9, -12)") {
   const auto circle = *intersectionCircle({-8, 0, 0}, 17, {8, 0, 0}, 17);  // radius 15
   const auto points = intersectionPoints(circle, {0, 14, 0}, 13);
   REQUIRE(points);
@@ -100,8 +97,7 @@ TEST_CASE("a third sphere whose centre lies 3 off the circle's plane cuts it in 
   checkNear(points->P1, {0, 2, -std::sqrt(12.0)});
 }
 
-TEST_CASE(
-    "a third sphere beside the plane, round the whole circle, on it or only touching it gives no points") {
+TEST_CASE("a third sphere beside the plane, round the whole circle, on it or only touching it gives no points") {
   const auto circle = *intersectionCircle({-3, 0, 0}, 5, {3, 0, 0}, 5);
   CHECK_FALSE(intersectionPoints(circle, {6, 0, 0}, 5));
   CHECK_FALSE(intersectionPoints(circle, {0, 1, 0}, 9));

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/haptics/methods.h"
 #include "engine/bench/oracle.h"
 #include "engine/bench/scenes.h"
+#include "engine/haptics/methods.h"
 
 using namespace moltact;
 
@@ -163,8 +163,7 @@ TEST_CASE("fault kept: a fast HIP jumps over a wall's circles, and both patches 
   CHECK(held.scp_A.x < 0);
 }
 
-TEST_CASE(
-    "fault kept: a HIP 4.9 A deep jumps over the wall at 0.05 A a tick, where its cones are 0.02 A wide") {
+TEST_CASE("fault kept: a HIP 4.9 A deep jumps over the wall at 0.05 A a tick, where its cones are 0.02 A wide") {
   PaperTracker t = trackerOn(kWall);
   slide(t, {-6, 0, 0.1}, {-0.0251, 0, 0.1});
   const Contact before = t.step({{-0.0251, 0, 0.1}}), after = t.step({{0.0249, 0, 0.1}});
@@ -279,16 +278,15 @@ TEST_CASE(
     scenes::Random random(seed);
     bool good = true;
     int touching = 0;
-    for (const auto& path : {scenes::walk(scene, 1000, seed), scenes::jumps(scene, 1000, seed),
-                             scenes::passes(scene, 500, seed)})
+    for (const auto& path :
+         {scenes::walk(scene, 1000, seed), scenes::jumps(scene, 1000, seed), scenes::passes(scene, 500, seed)})
       for (std::size_t k = 0; k < path.size(); ++k) {
         if (k % 50 == 0) t.setProbe(k % 150 == 0 ? scene.probe_A : random.uniform(0, 3));
         const Contact c = t.step({path[k]});
         touching += c.touching();
         const auto& a = c.atoms;
         const int named = int(c.feature);  // Free 0, Sphere 1, Circle 2, Point 3
-        good =
-            good && std::isfinite(c.scp.A.x + c.scp.A.y + c.scp.A.z) && (c.touching() || c.scp.A == path[k]);
+        good = good && std::isfinite(c.scp.A.x + c.scp.A.y + c.scp.A.z) && (c.touching() || c.scp.A == path[k]);
         for (int m = 0; m < 3; ++m)
           good = good && (m < named ? a[m] >= 0 && a[m] < int(scene.balls.size()) : a[m] == -1);
         good = good && (named < 2 || a[0] < a[1]) && (named < 3 || a[1] < a[2]);
@@ -305,8 +303,7 @@ TEST_CASE(
   }
 }
 
-TEST_CASE(
-    "a HIP that starts inside gives StartedInside until it has been outside once, and again after a reset") {
+TEST_CASE("a HIP that starts inside gives StartedInside until it has been outside once, and again after a reset") {
   PaperTracker t = trackerOn(scenes::oneBall().balls, 1.4);
   CHECK(t.step({{0, 0, 1}}).fault == Fault::StartedInside);
   CHECK(t.step({{0, 0, 3}}).scp.A == Vec3(0, 0, 3));
@@ -320,8 +317,7 @@ TEST_CASE("a HIP that is not finite gives NotFinite and leaves the state as it w
   PaperTracker t = trackerOn(scenes::oneBall().balls, 1.4);
   t.step({{0, 0, 4}});
   const Contact before = t.step({{0, 0, 3}});
-  for (const double bad :
-       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 2e9}) {
+  for (const double bad : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 2e9}) {
     const Contact c = t.step({{0, bad, 0}});
     CHECK(c.fault == Fault::NotFinite);
     CHECK_FALSE(c.touching());
@@ -358,19 +354,19 @@ TEST_CASE(
     "was") {
   const auto scene = scenes::cluster(200, 5);
   PaperTracker t = trackerOn(scene.balls, scene.probe_A);
-  const Footprint start = t.footprint();
+  const MemoryUsage start = t.memoryUsage();
   CHECK(start.atoms_modelled == 0);
   const auto path = scenes::walk(scene, 5000, 5, 0.1);
   std::size_t most = 0;
   bool first = true;
   for (const Vec3& hip : path) {
     const bool touching = t.step({hip}).touching();
-    if (touching && first) CHECK(t.footprint().atoms_modelled == 1);
+    if (touching && first) CHECK(t.memoryUsage().atoms_modelled == 1);
     first = first && !touching;
-    most = std::max(most, t.footprint().atoms_modelled);
+    most = std::max(most, t.memoryUsage().atoms_modelled);
   }
   CHECK(most == paper::kModels);
-  CHECK(t.footprint().bytes == start.bytes);
+  CHECK(t.memoryUsage().bytes == start.bytes);
 }
 
 TEST_CASE(
@@ -408,5 +404,5 @@ TEST_CASE("the method is found by its name, and an empty scene is free everywher
   REQUIRE(method);
   const auto t = method->make(std::make_shared<const BallScene>(std::vector<Ball>{}), 1.4);
   CHECK_FALSE(t->step({{0, 0, 0}}).touching());
-  CHECK(t->footprint().atoms_modelled == 0);
+  CHECK(t->memoryUsage().atoms_modelled == 0);
 }

@@ -46,8 +46,7 @@ TEST_CASE("of five balls that push, the three that push most are named, in ascen
   CHECK(c.atoms == std::array<std::int32_t, 3>{0, 1, 2});
 }
 
-TEST_CASE(
-    "known failure: past the centre of a ball the push leads out on the far side, and the HIP is through") {
+TEST_CASE("known failure: past the centre of a ball the push leads out on the far side, and the HIP is through") {
   PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   CHECK(walkTo(tracker, {0, 0, 5}, {0, 0, 0.2}, 0.02).scp.A.z > 0);
   const Contact past = walkTo(tracker, {0, 0, 0.2}, {0, 0, -0.2}, 0.02);
@@ -64,8 +63,7 @@ TEST_CASE(
   for (double x = -24.5; x < 25; x += 7.0) CHECK_FALSE(tracker.step({{x, 0, 8}}).touching());
 }
 
-TEST_CASE(
-    "known failure: midway between two balls the pushes cancel, and a HIP 1 A deep in both feels nothing") {
+TEST_CASE("known failure: midway between two balls the pushes cancel, and a HIP 1 A deep in both feels nothing") {
   PenaltyTracker tracker(makeScene({{{-2, 0, 0}, 1.6}, {{2, 0, 0}, 1.6}}), 1.4);
   tracker.step({{0, 0, 5}});
   const Contact c = tracker.step({{0, 0, 0}});

@@ -1,6 +1,4 @@
 // One mesh of the solvent-accessible surface: closed, a manifold, on the balls; and the god-object on it.
-#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
-
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <numbers>
 
 #include "engine/bench/hip_paths.h"
+#include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
 #include "tests/haptics/judge.h"
 #include "tests/haptics/walk.h"
 
@@ -87,7 +86,9 @@ TEST_CASE("the mesh of two balls has the volume of their union, the lens between
   CHECK(s.unpaired == 0);
 }
 
-TEST_CASE("over every scene and 3000 protein-like balls each edge has two triangles, the other way round, and none is inner") {
+TEST_CASE(
+    "over every scene and 3000 protein-like balls each edge has two triangles, the other way round, and none is "
+    "inner") {
   std::vector<scenes::Scene> all = scenes::all();
   all.push_back({"3000 protein-like", bench::proteinLike(3000, 1)});
   for (const scenes::Scene& scene : all)
@@ -122,7 +123,9 @@ TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random
       const double t = (glm::dot(p.normal, from) - p.height) / falls;
       if (t < 0 || t >= least) continue;
       const Vec3 x = from + t * way;
-      if (glm::dot(p.out[0], x) <= p.reach[0] && glm::dot(p.out[1], x) <= p.reach[1] && glm::dot(p.out[2], x) <= p.reach[2]) least = t;
+      if (glm::dot(p.out[0], x) <= p.reach[0] && glm::dot(p.out[1], x) <= p.reach[1] &&
+          glm::dot(p.out[2], x) <= p.reach[2])
+        least = t;
     }
     const SurfaceMesh::Hit hit = mesh.cast(from, way);
     CHECK((hit.triangle >= 0) == (least < 1.0));
@@ -132,7 +135,9 @@ TEST_CASE("a ray meets the triangle by the tree as by trying all, over 50 random
   CHECK(hits > 30);
 }
 
-TEST_CASE("on one ball of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A under the sphere, and the force is off by less than 8 degrees") {
+TEST_CASE(
+    "on one ball of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A under the sphere, and the force is off by "
+    "less than 8 degrees") {
   SasMeshTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4, 0.25);
   tracker.step({{0, 0, 5}});
   scenes::Random random(9);
@@ -153,7 +158,9 @@ TEST_CASE("on one ball of 3 A the SCP on a mesh of 0.25 A lies at most 0.006 A u
   CHECK(tracker.cutShort() == 0);
 }
 
-TEST_CASE("over every scene the SCP on a mesh of 0.25 A is off by less than 0.05 A in half the ticks, and always comes to rest") {
+TEST_CASE(
+    "over every scene the SCP on a mesh of 0.25 A is off by less than 0.05 A in half the ticks, and always comes to "
+    "rest") {
   std::uint64_t seed = 700;
   for (const scenes::Scene& scene : scenes::all()) {
     CAPTURE(scene.name);

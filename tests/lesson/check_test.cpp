@@ -2,10 +2,10 @@
 #include "engine/lesson/check.h"
 
 #include <doctest/doctest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-#include <unistd.h>
 
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
@@ -55,8 +55,8 @@ TEST_CASE("a lesson without faults has no errors, and a student can begin it") {
 }
 
 TEST_CASE("an unknown key, a bare number, an empty selection and an unused molecule are told in one go") {
-  CHECK(errors("---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlisense: M\n---\n" + kStep +
-               "```touch\nreach: ligand BTX\nnear: 4\nsay: S\n```\n") ==
+  CHECK(errors("---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlisense: M\n---\n" +
+               kStep + "```touch\nreach: ligand BTX\nnear: 4\nsay: S\n```\n") ==
         Texts{"l.md:5:17: there is no molecule 'water'; choose another",
               "l.md:5:17: no scene uses 'water'; take it out, or add a scene with 'molecule: water'",
               "l.md:8:1: front matter has no key 'lisense'; did you mean 'licence'?",
@@ -73,18 +73,25 @@ TEST_CASE("a selection behind 'facing' is told at its own column, and a name tha
 
 TEST_CASE("an aside that no reachable step links to is an error; links from asides that can be reached count") {
   CHECK(errors(kHead + kStep + "## Aside: More\nText.\n") ==
-        Texts{"l.md:14:4: no link leads to this aside, so no student can come to it; link to it from another step: [More](#aside-more)"});
-  CHECK(errors(kHead + kStep + "See [more](#aside-more).\n## Aside: More\nSee [yet](#aside-yet-more).\n## Aside: Yet more\nText.\n").empty());
+        Texts{"l.md:14:4: no link leads to this aside, so no student can come to it; link to it from another step: "
+              "[More](#aside-more)"});
+  CHECK(errors(kHead + kStep +
+               "See [more](#aside-more).\n## Aside: More\nSee [yet](#aside-yet-more).\n## Aside: Yet more\nText.\n")
+            .empty());
   // Two asides that lead only to each other.
-  CHECK(errors(kHead + kStep + "## Aside: More\nSee [yet](#aside-yet-more).\n## Aside: Yet more\nSee [more](#aside-more).\n").size() == 2);
+  CHECK(errors(kHead + kStep +
+               "## Aside: More\nSee [yet](#aside-yet-more).\n## Aside: Yet more\nSee [more](#aside-more).\n")
+            .size() == 2);
   CHECK(errors(kHead + "## Aside: One\n```scene\nmolecule: mix\n```\nText [here](#aside-one).\n")[0] ==
         "l.md:9:4: the first step is an aside; start with a step that every student sees: '## …'");
 }
 
 TEST_CASE("a step without a word, a choice without feedback and one that is there twice are told") {
-  CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\n```\n") == Texts{"l.md:9:4: this step says nothing to the student; write a sentence below its heading"});
-  CHECK(warnings(kHead + kStep + "### Question: Q?\n- [x] a → Yes.\n- [ ] b\n") ==
-        Texts{"l.md:16:7: this choice has no feedback; write → after it and tell the student why it is right or wrong"});
+  CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\n```\n") ==
+        Texts{"l.md:9:4: this step says nothing to the student; write a sentence below its heading"});
+  CHECK(
+      warnings(kHead + kStep + "### Question: Q?\n- [x] a → Yes.\n- [ ] b\n") ==
+      Texts{"l.md:16:7: this choice has no feedback; write → after it and tell the student why it is right or wrong"});
   CHECK(errors(kHead + kStep + "### Question: Q?\n- [x] a → Yes.\n- [ ] a → No.\n") ==
         Texts{"l.md:16:7: this choice is there twice; take one of the two out; the other is on line 15"});
   CHECK(errors(kHead + kStep + "### Question: Q?\n```answer\ntext: ,\n```\n") ==
@@ -95,24 +102,29 @@ TEST_CASE("methods that are to be compared while they are locked are an error") 
   const std::string task = "```touch\ncompare: exact, paper\nsay: S\n```\n";
   CHECK(errors(kHead + kStep + task).empty());
   CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\nlocked: method\n```\n" + task) ==
-        Texts{"l.md:15:10: the student cannot switch methods here, for they are locked; take 'method' out of 'locked', or this task"});
+        Texts{"l.md:15:10: the student cannot switch methods here, for they are locked; take 'method' out of 'locked', "
+              "or this task"});
 }
 
 TEST_CASE("fenced blocks and comments without an end are told where they begin, and what they swallow is not judged") {
   CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\n\nText.\n\n## B\n[x](#nowhere)\n") ==
-        Texts{"l.md:10:1: this fenced block has no end, so what follows it is not read; close it with a line of its own: ```"});
+        Texts{"l.md:10:1: this fenced block has no end, so what follows it is not read; close it with a line of its "
+              "own: ```"});
   CHECK(errors(kHead + "## A\n```scene\nmolecule: mix\n\n```touch\nreach: all\nsay: S\n```\n[x](#nowhere)\n") ==
-        Texts{"l.md:10:1: this fenced block has no end, so what follows it is not read; close it with a line of its own: ```"});
-  CHECK(errors(kHead + kStep + "~~~~\ncode\n```\n") ==
-        Texts{"l.md:14:1: this fenced block has no end, so what follows it is not read; close it with a line of its own: ```"});
+        Texts{"l.md:10:1: this fenced block has no end, so what follows it is not read; close it with a line of its "
+              "own: ```"});
+  CHECK(errors(kHead + kStep + "~~~~\ncode\n```\n") == Texts{"l.md:14:1: this fenced block has no end, so what follows "
+                                                             "it is not read; close it with a line of its own: ```"});
   CHECK(errors(kHead + kStep + "~~~~\n```\ncode\n~~~~\n").empty());
   CHECK(errors(kHead + kStep + "\n<!-- a note\n\n## B\n") ==
         Texts{"l.md:15:1: this comment has no end, so nothing below it is shown; close it with '-->'"});
 }
 
 TEST_CASE("front matter without its end is told, and the lesson behind it is still checked") {
-  CHECK(errors("---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n\nHello: there.\n\n" + kStep + "```touch\nreach: all\nsay: S\nnear: 4\n```\n") ==
-        Texts{"l.md:1:1: the front matter has no end; close it with a line '---'", "l.md:19:7: '4' needs a unit: Å or nm"});
+  CHECK(errors("---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n\nHello: there.\n\n" +
+               kStep + "```touch\nreach: all\nsay: S\nnear: 4\n```\n") ==
+        Texts{"l.md:1:1: the front matter has no end; close it with a line '---'",
+              "l.md:19:7: '4' needs a unit: Å or nm"});
 }
 
 TEST_CASE("links and pictures are looked up beside the lesson; web addresses are left alone") {
@@ -126,14 +138,19 @@ TEST_CASE("links and pictures are looked up beside the lesson; web addresses are
       out.push_back(std::to_string(p.line) + ":" + std::to_string(p.column) + " " + p.message + "; " + p.remedy);
     return out;
   };
-  CHECK(told("![A ring](ring.png) [a](sub/a%20b.txt) [b](other.md) [c](other.md#one-step) [d](https://example.org/x.md#y) [e](mailto:a@b.c)\n").empty());
-  CHECK(told("Å ![A ring](rong.png)\n") == Texts{"14:3 the picture 'rong.png' leads to no file; did you mean 'ring.png'?"});
-  CHECK(told("See **[this](other.md#one-stop)**.\n") == Texts{"14:14 there is no step '#one-stop' in other.md; did you mean 'one-step'?"});
-  CHECK(told("[a](sub/none.txt)\n") ==
-        Texts{"14:5 the link 'sub/none.txt' leads to no file; put it there, or mend its name; it is looked for in the lesson's folder"});
-  CHECK(told("[a](/etc/hosts)\n") ==
-        Texts{"14:5 the link '/etc/hosts' leads to a place of this computer only; put the file beside the lesson and write its name"});
-  CHECK(told("[a](ftp://x.org/y)\n")[0].starts_with("14:5 the link 'ftp://x.org/y' leads to nothing that a lesson can show"));
+  CHECK(told("![A ring](ring.png) [a](sub/a%20b.txt) [b](other.md) [c](other.md#one-step) "
+             "[d](https://example.org/x.md#y) [e](mailto:a@b.c)\n")
+            .empty());
+  CHECK(told("Å ![A ring](rong.png)\n") ==
+        Texts{"14:3 the picture 'rong.png' leads to no file; did you mean 'ring.png'?"});
+  CHECK(told("See **[this](other.md#one-stop)**.\n") ==
+        Texts{"14:14 there is no step '#one-stop' in other.md; did you mean 'one-step'?"});
+  CHECK(told("[a](sub/none.txt)\n") == Texts{"14:5 the link 'sub/none.txt' leads to no file; put it there, or mend its "
+                                             "name; it is looked for in the lesson's folder"});
+  CHECK(told("[a](/etc/hosts)\n") == Texts{"14:5 the link '/etc/hosts' leads to a place of this computer only; put the "
+                                           "file beside the lesson and write its name"});
+  CHECK(told("[a](ftp://x.org/y)\n")[0].starts_with(
+      "14:5 the link 'ftp://x.org/y' leads to nothing that a lesson can show"));
 }
 
 TEST_CASE("a molecule is looked up beside the lesson, then in the library; a broken file is told with its line") {
@@ -149,13 +166,17 @@ TEST_CASE("a molecule is looked up beside the lesson, then in the library; a bro
   fs::last_write_time(folder.path / "mine.xyzr", fs::file_time_type::clock::now() + std::chrono::hours(1));
   CHECK((*molecules.find(lesson, "mine.xyzr"))->atoms.size() == 2);
   CHECK(*molecules.find(lesson, "1ubq") == *molecules.find(lesson, "1ubq"));
-  CHECK(molecules.find(lesson, "bad.xyzr").problem().message.starts_with("the molecule's file cannot be used: bad.xyzr, line 2: "));
+  CHECK(molecules.find(lesson, "bad.xyzr")
+            .problem()
+            .message.starts_with("the molecule's file cannot be used: bad.xyzr, line 2: "));
   CHECK(molecules.find(lesson, "1ubk").problem().text() ==
-        "there is no molecule '1ubk' in the library nor beside the lesson; did you mean '1ubq'? 'moltact fetch 1ubk' downloads an entry of the PDB");
+        "there is no molecule '1ubk' in the library nor beside the lesson; did you mean '1ubq'? 'moltact fetch 1ubk' "
+        "downloads an entry of the PDB");
   CHECK(molecules.find(lesson, "sub/x.pdb").problem().message == "there is no file 'sub/x.pdb' beside the lesson");
 }
 
-TEST_CASE("in a folder, Markdown with front matter or a block of a lesson is a lesson, in its folders too, hidden ones not") {
+TEST_CASE(
+    "in a folder, Markdown with front matter or a block of a lesson is a lesson, in its folders too, hidden ones not") {
   const Folder folder;
   folder.write("b.md", "---\n");
   folder.write("a.md", "# No front matter\n\n```touch\n");
@@ -164,8 +185,9 @@ TEST_CASE("in a folder, Markdown with front matter or a block of a lesson is a l
   folder.write(".git/d.md", "---\n");
   folder.write("notes.txt", "---\n");
   const LessonFolder found = lessonsIn(folder.path);
-  CHECK_FALSE(found.trouble);
-  CHECK(found.lessons == std::vector<fs::path>{folder.path / "a.md", folder.path / "b.md", folder.path / "deep/er/c.MD"});
+  CHECK_FALSE(found.fault);
+  CHECK(found.lessons ==
+        std::vector<fs::path>{folder.path / "a.md", folder.path / "b.md", folder.path / "deep/er/c.MD"});
   CHECK(found.others == std::vector<fs::path>{folder.path / "README.md"});
-  CHECK(lessonsIn(folder.path / ".git" / "none").trouble->message.starts_with("the folder cannot be read"));
+  CHECK(lessonsIn(folder.path / ".git" / "none").fault->message.starts_with("the folder cannot be read"));
 }

@@ -26,7 +26,8 @@ int openDirections(const BallScene& balls, std::uint32_t atom, double probe_A) {
   int open = 0;
   for (int k = 0; k < 2000; ++k) {
     const double z = 1.0 - (2.0 * k + 1.0) / 2000, angle = 2.399963229728653 * k, r = std::sqrt(1.0 - z * z);
-    const Vec3 p = balls[atom].centre_A + Vec3(r * std::cos(angle), r * std::sin(angle), z) * (balls[atom].radius_A + probe_A);
+    const Vec3 p =
+        balls[atom].centre_A + Vec3(r * std::cos(angle), r * std::sin(angle), z) * (balls[atom].radius_A + probe_A);
     bool free = true;
     balls.visitNear(p, probe_A, [&](std::uint32_t i, const Ball& b) {
       if (i != atom && glm::distance(p, b.centre_A) < b.radius_A + probe_A) free = false;

@@ -53,7 +53,8 @@ const Step& stepOf(const Lesson& lesson, std::string_view id) {
 
 }  // namespace
 
-TEST_CASE("how-touch-is-computed.md reads without errors or warnings into 9 steps, each with a task and the methods panel") {
+TEST_CASE(
+    "how-touch-is-computed.md reads without errors or warnings into 9 steps, each with a task and the methods panel") {
   const LessonReading read = readLesson(kLesson);
   for (const Problem& p : read.errors) MESSAGE(p.text());
   for (const Problem& p : read.warnings) MESSAGE(p.text());
@@ -83,7 +84,9 @@ TEST_CASE("on the lesson's atom a slide 1 A deep meets a jerk with 80 triangles 
   CHECK_FALSE(doneAlong(step, 0, "exact", slide));
 }
 
-TEST_CASE("slid round the lesson's atom the force turns in one tick by 42 degrees with 80 triangles, 21 with 320, 5 with 5120 and under 1 with the exact method") {
+TEST_CASE(
+    "slid round the lesson's atom the force turns in one tick by 42 degrees with 80 triangles, 21 with 320, 5 with "
+    "5120 and under 1 with the exact method") {
   const LessonReading read = readLesson(kLesson);
   REQUIRE(read.lesson);
   const Step& step = stepOf(*read.lesson, "what-a-hand-can-tell");
@@ -97,13 +100,16 @@ TEST_CASE("slid round the lesson's atom the force turns in one tick by 42 degree
     // Great circles in many planes, 0.02 A a tick.
     for (int plane = 0; plane < 60; ++plane) {
       const double a = 0.7 * plane, b = 1.3 * plane;
-      const Vec3 u(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)), w = glm::normalize(glm::cross(u, Vec3(0.3, 0.9, 0.31 + 0.01 * plane)));
+      const Vec3 u(std::cos(a) * std::cos(b), std::sin(a) * std::cos(b), std::sin(b)),
+          w = glm::normalize(glm::cross(u, Vec3(0.3, 0.9, 0.31 + 0.01 * plane)));
       tracker->reset();
       for (double out = 1.0; out > 0; out -= 0.02) tracker->step({u * (r + out)});
       Vec3 last(0.0);
       for (double t = 0; t < 6.2832; t += 0.02 / r) {
         const Vec3 hip = (u * std::cos(t) + w * std::sin(t)) * r, pull = tracker->step({hip}).scp.A - hip;
-        if (last != Vec3(0.0)) most_deg = std::max(most_deg, std::atan2(glm::length(glm::cross(last, pull)), glm::dot(last, pull)) * 57.29578);
+        if (last != Vec3(0.0))
+          most_deg =
+              std::max(most_deg, std::atan2(glm::length(glm::cross(last, pull)), glm::dot(last, pull)) * 57.29578);
         last = pull;
       }
     }
@@ -115,7 +121,9 @@ TEST_CASE("slid round the lesson's atom the force turns in one tick by 42 degree
   CHECK(largestTurn("exact") < 1);
 }
 
-TEST_CASE("pushed 3 A through the pit with the lesson's probe, paper loses the surface and penalty throws the hand out; exact does neither") {
+TEST_CASE(
+    "pushed 3 A through the pit with the lesson's probe, paper loses the surface and penalty throws the hand out; "
+    "exact does neither") {
   const LessonReading read = readLesson(kLesson);
   REQUIRE(read.lesson);
   const Step& lost = stepOf(*read.lesson, "the-papers-method-loses-the-surface");

@@ -1,5 +1,5 @@
-// Lessons as large as the reader takes, of one thing over and over: what is told stays within bounds, and so does the work. The work
-// is counted, not timed: each molecule's name is asked for once.
+// Lessons as large as the reader takes, of one thing over and over: what is told stays within bounds, and so does the
+// work. The work is counted, not timed: each molecule's name is asked for once.
 #include <doctest/doctest.h>
 #include <unistd.h>
 
@@ -17,7 +17,9 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: Large\nlevel: beginner\nminutes: 5\ngoals:\n  - all of it\nmolecules: one\nauthor: A teacher\nlicence: CC0-1.0\n---\n\n## One\n\n```scene\nmolecule: one\n```\n\n";
+const std::string kHead =
+    "---\ntitle: Large\nlevel: beginner\nminutes: 5\ngoals:\n  - all of it\nmolecules: one\nauthor: A "
+    "teacher\nlicence: CC0-1.0\n---\n\n## One\n\n```scene\nmolecule: one\n```\n\n";
 
 std::string number(std::size_t n) {
   char text[20];
@@ -56,7 +58,8 @@ std::size_t told(const LessonCheck& check) { return std::max(check.errors.size()
 TEST_CASE("a lesson of 90 000 dead links, to steps or to files, tells 500 of them and that there are more") {
   for (const char* to : {"#", "", "other.md#"}) {
     CAPTURE(to);
-    const Result r = checked(filled(kHead, [&](std::size_t n) { return std::string("[a](") + to + number(n) + ")" + (n % 100 ? "" : "\n\n"); }));
+    const Result r = checked(filled(
+        kHead, [&](std::size_t n) { return std::string("[a](") + to + number(n) + ")" + (n % 100 ? "" : "\n\n"); }));
     REQUIRE(r.check.errors.size() == kMostLessonProblems + 1);
     CHECK(r.check.errors.back().message == "there are more, which are not told");
     CHECK(r.check.errors.back().line == r.check.errors[kMostLessonProblems - 1].line);
@@ -71,16 +74,25 @@ TEST_CASE("a lesson of 1000 steps is read; one of 100 000 is refused at the 1001
   };
   const LessonReading thousand = readLessonText("l.md", steps(1000));
   CHECK(thousand.lesson);
-  const LessonReading many = readLessonText("l.md", filled(kHead, [](std::size_t n) { return "## s" + number(n) + "\n"; }));
+  const LessonReading many =
+      readLessonText("l.md", filled(kHead, [](std::size_t n) { return "## s" + number(n) + "\n"; }));
   REQUIRE(many.errors.size() == 1);
   CHECK(many.errors[0].message == "a lesson of more than 1000 steps");
   CHECK(many.errors[0].line == std::size_t(std::count(kHead.begin(), kHead.end(), '\n')) + 1000);
   CHECK(many.partial->steps.size() == 1000);
 }
 
-TEST_CASE("a lesson filled with questions, choices, scenes, asides, molecules or tasks tells no more than 501 problems of a kind") {
-  const std::string parts[] = {"### Question: a%\n", "- [x] %\n", "## Aside: a%\n", "```scene\nmolecule: m%\n```\n\n## s%\n", "```touch\nreach: atom %\n```\n",
-                               "![a](%.png)\n\n", "> [!%]\n\n", "```%\n```\n"};
+TEST_CASE(
+    "a lesson filled with questions, choices, scenes, asides, molecules or tasks tells no more than 501 problems of a "
+    "kind") {
+  const std::string parts[] = {"### Question: a%\n",
+                               "- [x] %\n",
+                               "## Aside: a%\n",
+                               "```scene\nmolecule: m%\n```\n\n## s%\n",
+                               "```touch\nreach: atom %\n```\n",
+                               "![a](%.png)\n\n",
+                               "> [!%]\n\n",
+                               "```%\n```\n"};
   for (const std::string& part : parts) {
     CAPTURE(part);
     const std::string start = part.starts_with('-') ? kHead + "### Question: a?\n\n" : kHead;
@@ -103,14 +115,17 @@ TEST_CASE("a missing file beside 2000 files of long names, asked for 20 000 time
   std::filesystem::create_directories(folder);
   const std::string stem(52, 'a');
   for (std::size_t n = 0; n < 2000; ++n) std::ofstream(folder / (stem + number(n + 0x10000)));
-  const Result r = checked(filled(kHead, [&](std::size_t n) { return "[a](" + stem + number(n + 0x20000) + ")" + (n % 50 ? "" : "\n\n"); }), (folder / "l.md").string());
+  const Result r = checked(
+      filled(kHead, [&](std::size_t n) { return "[a](" + stem + number(n + 0x20000) + ")" + (n % 50 ? "" : "\n\n"); }),
+      (folder / "l.md").string());
   CHECK(r.check.errors.size() == kMostLessonProblems + 1);
   CAPTURE(r.check.errors[400].text());
   CHECK(r.check.errors[400].remedy.starts_with("did you mean '" + stem));
   std::filesystem::remove_all(folder);
 }
 
-TEST_CASE("the nearest of 300 random words is the one of the least distance, found without working out every distance") {
+TEST_CASE(
+    "the nearest of 300 random words is the one of the least distance, found without working out every distance") {
   std::mt19937 random(11);
   const auto word = [&] {
     std::string out;
@@ -123,7 +138,8 @@ TEST_CASE("the nearest of 300 random words is the one of the least distance, fou
     const std::string asked = word();
     std::size_t least = 100;
     for (const std::string& w : words)
-      if (const std::size_t d = editDistance(asked, w); d <= std::max<std::size_t>(1, w.size() / 3)) least = std::min(least, d);
+      if (const std::size_t d = editDistance(asked, w); d <= std::max<std::size_t>(1, w.size() / 3))
+        least = std::min(least, d);
     const std::vector<std::string_view> known(words.begin(), words.end());
     const std::string said = suggest(asked, known, "known");
     CHECK(said.starts_with("did you mean '") == (least < 100));

@@ -33,8 +33,10 @@ std::vector<std::string> shippedLessons() {
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines(1);
   for (const char c : text)
-    if (c == '\n') lines.emplace_back();
-    else lines.back() += c;
+    if (c == '\n')
+      lines.emplace_back();
+    else
+      lines.back() += c;
   return lines;
 }
 
@@ -45,10 +47,12 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 std::size_t charactersIn(const std::string& line) {
-  return static_cast<std::size_t>(std::count_if(line.begin(), line.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::count_if(line.begin(), line.end(), [](unsigned char c) { return (c & 0xC0) != 0x80; }));
 }
 
-/// The reading holds together, and every place of it lies in the text. With molecules, so does all that is told of those.
+/// The reading holds together, and every place of it lies in the text. With molecules, so does all that is told of
+/// those.
 void checkReading(const std::string& text, const MoleculeByName& molecules = {}) {
   const LessonReading read = readLessonText("lesson.md", text);
   const std::vector<std::string> lines = linesOf(text);
@@ -74,7 +78,9 @@ void checkReading(const std::string& text, const MoleculeByName& molecules = {})
 
 }  // namespace
 
-TEST_CASE("every single line deleted, doubled, misspelt or swapped with its neighbour leaves no crash and no place outside the file") {
+TEST_CASE(
+    "every single line deleted, doubled, misspelt or swapped with its neighbour leaves no crash and no place outside "
+    "the file") {
   LessonMolecules library;
   std::map<std::string, Expected<std::shared_ptr<const Molecule>>> known;
   const MoleculeByName molecules = [&](const std::string& name) {
@@ -83,7 +89,9 @@ TEST_CASE("every single line deleted, doubled, misspelt or swapped with its neig
   };
   // The molecules are asked for one mutation in eight: that is enough to come to every kind of line in every lesson.
   std::size_t count = 0;
-  const auto check = [&](const std::string& text) { checkReading(text, count++ % 8 == 0 ? molecules : MoleculeByName()); };
+  const auto check = [&](const std::string& text) {
+    checkReading(text, count++ % 8 == 0 ? molecules : MoleculeByName());
+  };
   for (const std::string& text : shippedLessons()) {
     const std::vector<std::string> lines = linesOf(text);
     for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -118,10 +126,18 @@ TEST_CASE("1500 times 1 to 8 misspellings, 1500 times random bytes put in, and e
       for (unsigned k = 0, count = static_cast<unsigned>(1 + random() % 8); k < count; ++k) {
         const std::size_t at = random() % (changed.size() - 1);
         switch (random() % 4) {
-          case 0: changed.erase(at, 1); break;
-          case 1: changed.insert(at, 1, changed[at]); break;
-          case 2: std::swap(changed[at], changed[at + 1]); break;
-          default: changed[at] = "`#>-[](){}:*_\n \t\"!x0"[random() % 19]; break;
+          case 0:
+            changed.erase(at, 1);
+            break;
+          case 1:
+            changed.insert(at, 1, changed[at]);
+            break;
+          case 2:
+            std::swap(changed[at], changed[at + 1]);
+            break;
+          default:
+            changed[at] = "`#>-[](){}:*_\n \t\"!x0"[random() % 19];
+            break;
         }
       }
       checkReading(changed);
@@ -138,7 +154,8 @@ TEST_CASE("1500 times 1 to 8 misspellings, 1500 times random bytes put in, and e
 
 TEST_CASE("100000 quotes, brackets, backticks or list marks, 300 random files and a 2 MiB file are read safely") {
   const std::string head = "---\ntitle: T\nminutes: 1\ngoals: G\nmolecules: m\nauthor: A\nlicence: L\n---\n## S\n";
-  for (const std::string part : {">", "[", "`", "- ", "(", "*_", "![", "<a>", "\n>", "\n- ", "\n```touch\n", "\n### Question:\n", "&#x41;", "|a"}) {
+  for (const std::string part : {">", "[", "`", "- ", "(", "*_", "![", "<a>", "\n>", "\n- ", "\n```touch\n",
+                                 "\n### Question:\n", "&#x41;", "|a"}) {
     std::string text = head;
     while (text.size() < 100000) text += part;
     checkReading(text);
@@ -154,7 +171,8 @@ TEST_CASE("100000 quotes, brackets, backticks or list marks, 300 random files an
   std::mt19937 random(seed);
   for (int n = 0; n < 300; ++n) {
     std::string text = n % 2 ? head : std::string();
-    for (unsigned k = 0, size = static_cast<unsigned>(random() % 3000); k < size; ++k) text += static_cast<char>(n % 3 ? 9 + random() % 118 : random() % 256);
+    for (unsigned k = 0, size = static_cast<unsigned>(random() % 3000); k < size; ++k)
+      text += static_cast<char>(n % 3 ? 9 + random() % 118 : random() % 256);
     checkReading(text);
   }
   const LessonReading huge = readLessonText("lesson.md", std::string(std::size_t{2} << 20, 'a'));

@@ -55,9 +55,11 @@ TEST_CASE("0.2 N to 0.6 N and 0.2 to 600 mN are ranges; one that ends below its 
   REQUIRE(r);
   CHECK(r->low == doctest::Approx(0.2));
   CHECK(r->high == doctest::Approx(0.6));
-  CHECK(parseRange("0.6 N to 0.2 N", Dimension::Force).problem().text() == "the range ends below its start; write the smaller value first");
+  CHECK(parseRange("0.6 N to 0.2 N", Dimension::Force).problem().text() ==
+        "the range ends below its start; write the smaller value first");
   const auto bare = parseRange("0.2 N to 0.6", Dimension::Force);
   CHECK(bare.problem().text() == "'0.6' needs a unit: N or mN");
   CHECK(bare.problem().column == 10);
-  CHECK(parseRange("0.2 N", Dimension::Force).problem().text() == "'0.2 N' is not a range; write it as '0.2 N to 0.6 N'");
+  CHECK(parseRange("0.2 N", Dimension::Force).problem().text() ==
+        "'0.2 N' is not a range; write it as '0.2 N to 0.6 N'");
 }

@@ -36,81 +36,106 @@ Lesson lesson(const std::string& body) {
 TEST_CASE("a misspelt key and a bare number are told at once, at 14:1 and 19:7") {
   CHECK(errors(kHead + kStep + "```touch\nreech: all\n```\n```touch\nreach: all\nsay: S\nnear: 4\n```\n") ==
         Texts{"l.md:14:1: touch has no key 'reech'; did you mean 'reach'?", "l.md:19:7: '4' needs a unit: Å or nm"});
-  CHECK(errors(kHead + kStep + "```touch\nfell: crease\nsay: S\n```\n") == Texts{"l.md:14:1: touch has no key 'fell'; did you mean 'feel'?"});
+  CHECK(errors(kHead + kStep + "```touch\nfell: crease\nsay: S\n```\n") ==
+        Texts{"l.md:14:1: touch has no key 'fell'; did you mean 'feel'?"});
   CHECK(errors(kHead + kStep + "```touch\nfeel: crease\nsaay: S\n```\n") ==
-        Texts{"l.md:13:4: touch needs the key 'say'; add a line 'say: …'", "l.md:15:1: touch has no key 'saay'; did you mean 'say'?"});
+        Texts{"l.md:13:4: touch needs the key 'say'; add a line 'say: …'",
+              "l.md:15:1: touch has no key 'saay'; did you mean 'say'?"});
 }
 
 TEST_CASE("a fault behind a tab is told at its second character") {
   const Texts told = errors(kHead + kStep + "```touch\n\tnonsense\n```\n");
-  CHECK(std::any_of(told.begin(), told.end(), [](const std::string& t) { return t.starts_with("l.md:14:2: 'nonsense'"); }));
+  CHECK(std::any_of(told.begin(), told.end(),
+                    [](const std::string& t) { return t.starts_with("l.md:14:2: 'nonsense'"); }));
 }
 
-TEST_CASE("faults of touch blocks are told: no task, two tasks, keys of other tasks, bad values, the place in Å counted in characters") {
+TEST_CASE(
+    "faults of touch blocks are told: no task, two tasks, keys of other tasks, bad values, the place in Å counted in "
+    "characters") {
   CHECK(errors(kHead + kStep + "```touch\nsay: S\n```\n") ==
-        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, avoid, compare, meet, trace, find, predict or same and a colon"});
+        Texts{"l.md:13:4: the touch block names no task; add a line that starts with reach, hold, press, feel, cross, "
+              "avoid, compare, meet, trace, find, predict or same and a colon"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\nhold: all\nsay: S\n```\n") ==
         Texts{"l.md:15:1: a touch block holds one task, but this one has 'reach' and 'hold'; write two touch blocks"});
   CHECK(errors(kHead + kStep + "```touch\nreach: all\ncount: 3\nsay: S\n```\n") ==
         Texts{"l.md:15:1: touch has no key 'count'; that key belongs to 'feel'"});
-  CHECK(errors(kHead + kStep + "```touch\nhold: creese\nsay: S\n```\n") == Texts{"l.md:14:7: 'hold' cannot be 'creese'; did you mean 'crease'?"});
+  CHECK(errors(kHead + kStep + "```touch\nhold: creese\nsay: S\n```\n") ==
+        Texts{"l.md:14:7: 'hold' cannot be 'creese'; did you mean 'crease'?"});
   CHECK(errors(kHead + kStep + "```touch\nreach: within 5 Å of (resnam X)\nsay: S\n```\n") ==
         Texts{"l.md:14:23: 'resnam' is no word of a selection; did you mean 'resname'?"});
   CHECK(errors(kHead + kStep + "```touch\nhold: all\nfor: 0.01 s\nsay: S\nsay: T\nrubbish\n```\n") ==
-        Texts{"l.md:15:6: '0.01 s' is too small; the smallest is 0.1 s", "l.md:17:1: 'say' is given twice; take one of the two out",
+        Texts{"l.md:15:6: '0.01 s' is too small; the smallest is 0.1 s",
+              "l.md:17:1: 'say' is given twice; take one of the two out",
               "l.md:18:1: 'rubbish' is not a key and its value; write it as 'key: value'"});
   CHECK(errors(kHead + kStep + "```touch\nfeel: pit\ncount: 3\nsay: S\n```\n") ==
         Texts{"l.md:15:8: 'count' belongs to 'feel: atoms'; take it out or write 'feel: atoms'"});
 }
 
 TEST_CASE("faults of front matter are told: none, no end, missing and unknown keys, a level that is none") {
-  CHECK(errors("## S\n")[0] == "l.md:1:1: the lesson has no front matter; begin the file with '---', 'title: …' and the other keys, and '---'");
+  CHECK(
+      errors("## S\n")[0] ==
+      "l.md:1:1: the lesson has no front matter; begin the file with '---', 'title: …' and the other keys, and '---'");
   CHECK(errors("---\ntitle: T\n")[0] == "l.md:1:1: the front matter has no end; close it with a line '---'");
-  CHECK(errors("---\ntitel: T\nminutes: soon\nlevel: expert\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n" + kStep) ==
-        Texts{"l.md:1:1: front matter needs the key 'title'; add a line 'title: …'",
-              "l.md:2:1: front matter has no key 'titel'; did you mean 'title'?", "l.md:3:10: 'soon' is not a number",
-              "l.md:4:8: 'level' cannot be 'expert'; known: beginner, intermediate, advanced"});
+  CHECK(errors("---\ntitel: T\nminutes: soon\nlevel: expert\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n" +
+               kStep) == Texts{"l.md:1:1: front matter needs the key 'title'; add a line 'title: …'",
+                               "l.md:2:1: front matter has no key 'titel'; did you mean 'title'?",
+                               "l.md:3:10: 'soon' is not a number",
+                               "l.md:4:8: 'level' cannot be 'expert'; known: beginner, intermediate, advanced"});
 }
 
-TEST_CASE("faults of steps and scenes are told: no steps, no scene, two scenes, the same name, an unknown molecule or method") {
+TEST_CASE(
+    "faults of steps and scenes are told: no steps, no scene, two scenes, the same name, an unknown molecule or "
+    "method") {
   CHECK(errors(kHead) == Texts{"l.md:1:1: the lesson has no steps; start each step with a heading '## …'"});
-  CHECK(errors(kHead + "## S\nText\n") == Texts{"l.md:9:4: the first step has no scene; add a fenced block 'scene' with 'molecule: …'"});
+  CHECK(errors(kHead + "## S\nText\n") ==
+        Texts{"l.md:9:4: the first step has no scene; add a fenced block 'scene' with 'molecule: …'"});
   CHECK(errors(kHead + kStep + "```scene\nprobe: 1 Å\n```\n") ==
         Texts{"l.md:13:4: a second scene in one step; start a new step, or put both into one block"});
-  CHECK(errors(kHead + kStep + "## One step\n") == Texts{"l.md:13:4: two steps are called 'One step'; rename one; the other is on line 9"});
+  CHECK(errors(kHead + kStep + "## One step\n") ==
+        Texts{"l.md:13:4: two steps are called 'One step'; rename one; the other is on line 9"});
   CHECK(errors(kHead + "## S\n```scene\nmolecule: watr\nmethod: exakt\nprobe: 99 Å\n```\n") ==
         Texts{"l.md:11:11: 'watr' is not among the lesson's molecules; did you mean 'water'?",
-              "l.md:12:9: 'method' cannot be 'exakt'; did you mean 'exact'?", "l.md:13:8: '99 Å' is too large; the largest is 20 Å"});
-  CHECK(errors(kHead + "```scene\nmolecule: mix\n```\n" + kStep)[0] == "l.md:9:4: a scene block before the first step; put it below a heading '## …'");
+              "l.md:12:9: 'method' cannot be 'exakt'; did you mean 'exact'?",
+              "l.md:13:8: '99 Å' is too large; the largest is 20 Å"});
+  CHECK(errors(kHead + "```scene\nmolecule: mix\n```\n" + kStep)[0] ==
+        "l.md:9:4: a scene block before the first step; put it below a heading '## …'");
 }
 
 TEST_CASE("faults of questions and links are told: nothing right, one choice, nothing to answer, a dead link") {
   CHECK(errors(kHead + kStep + "### Question: Q?\n- [ ] a\n- [ ] b\n") ==
         Texts{"l.md:13:5: this question has no right answer; mark the right choice with '[x]'"});
-  CHECK(errors(kHead + kStep + "### Question: Q?\n- [x] a\n") == Texts{"l.md:13:5: this question has only one choice; add another line '- [ ] …'"});
+  CHECK(errors(kHead + kStep + "### Question: Q?\n- [x] a\n") ==
+        Texts{"l.md:13:5: this question has only one choice; add another line '- [ ] …'"});
   CHECK(errors(kHead + kStep + "### Question: Q?\n") ==
         Texts{"l.md:13:5: this question has nothing to answer; add a list of choices '- [x] …' or an answer block"});
-  CHECK(errors(kHead + kStep + "See [there](#one-stop).\n") == Texts{"l.md:13:13: the link '#one-stop' leads to no step; did you mean 'one-step'?"});
-  CHECK(errors(kHead + kStep + "- [x] a\n") == Texts{"l.md:13:7: a task list outside a question; put '### Question: …' above it, or take out the '[ ]'"});
-  CHECK(errors(kHead + kStep + "```answer\nfree: yes\n```\n") == Texts{"l.md:13:4: an answer block without a question; put '### Question: …' above it"});
+  CHECK(errors(kHead + kStep + "See [there](#one-stop).\n") ==
+        Texts{"l.md:13:13: the link '#one-stop' leads to no step; did you mean 'one-step'?"});
+  CHECK(errors(kHead + kStep + "- [x] a\n") ==
+        Texts{"l.md:13:7: a task list outside a question; put '### Question: …' above it, or take out the '[ ]'"});
+  CHECK(errors(kHead + kStep + "```answer\nfree: yes\n```\n") ==
+        Texts{"l.md:13:4: an answer block without a question; put '### Question: …' above it"});
 }
 
 TEST_CASE("an unknown fence is a warning and is shown; bytes that are not UTF-8 are told at their column") {
   const LessonReading read = readLessonText("l.md", kHead + kStep + "```scenes\nx\n```\n");
   CHECK(read.lesson);
-  CHECK(texts(read.warnings) == Texts{"l.md:13:4: 'scenes' is no block of a lesson and is shown as it stands; did you mean 'scene'?"});
+  CHECK(texts(read.warnings) ==
+        Texts{"l.md:13:4: 'scenes' is no block of a lesson and is shown as it stands; did you mean 'scene'?"});
   CHECK(errors(kHead + "## Å \xFF") == Texts{"l.md:9:6: this is not UTF-8 text; save the file in the encoding UTF-8"});
   CHECK(errors("") == Texts{"l.md:1:1: the file is empty; start from the text of another lesson"});
 }
 
 TEST_CASE("missing files and folders are told") {
-  CHECK(readLesson("/nowhere/l.md").errors[0].text() == "/nowhere/l.md: there is no such file; check its name and folder");
+  CHECK(readLesson("/nowhere/l.md").errors[0].text() ==
+        "/nowhere/l.md: there is no such file; check its name and folder");
   CHECK(readLesson(MOLTACT_SOURCE_DIR).errors[0].message == "this is not a file");
 }
 
-TEST_CASE("text keeps bold, italic, code and links; tips, teacher notes, lists and pictures become blocks in their order") {
+TEST_CASE(
+    "text keeps bold, italic, code and links; tips, teacher notes, lists and pictures become blocks in their order") {
   const Lesson l = lesson(kStep +
-                          "A **bold** and *slanted* `code` [link](#one-step).\n\n> [!TIP]\n> Help\n> more\n\n> [!NOTE]\n> Teacher: Secret\n\n"
+                          "A **bold** and *slanted* `code` [link](#one-step).\n\n> [!TIP]\n> Help\n> more\n\n> "
+                          "[!NOTE]\n> Teacher: Secret\n\n"
                           "- a\n- b\n  1. c\n\n![A ring](ring.png)\n");
   const auto& blocks = l.steps[0].blocks;
   REQUIRE(blocks.size() == 5);
@@ -130,47 +155,63 @@ TEST_CASE("text keeps bold, italic, code and links; tips, teacher notes, lists a
 }
 
 TEST_CASE("a scene without a molecule changes only what it says; one with a molecule starts anew") {
-  const Lesson l = lesson("## A\n```scene\nmolecule: mix\nprobe: 0.2 nm\nstiffness: 300 N/m\nforce: off\n```\n"
-                          "## B\n## C\n```scene\nprobe: 1 Å\nview: facing ligand\n```\n## D\n```scene\nmolecule: water\n```\n");
+  const Lesson l = lesson(
+      "## A\n```scene\nmolecule: mix\nprobe: 0.2 nm\nstiffness: 300 N/m\nforce: off\n```\n"
+      "## B\n## C\n```scene\nprobe: 1 Å\nview: facing ligand\n```\n## D\n```scene\nmolecule: water\n```\n");
   CHECK(l.steps[0].scene.probe_A == 2.0);
   CHECK(l.steps[0].scene.stiffness_N_per_mm == doctest::Approx(0.3));
   CHECK((l.steps[1].scene.probe_A == 2.0 && !l.steps[1].states_scene));
   CHECK((l.steps[2].scene.probe_A == 1.0 && !l.steps[2].scene.force && l.steps[2].scene.molecule == "mix"));
   CHECK((l.steps[2].scene.view.empty() && l.steps[2].scene.facing.text() == "ligand"));
   const SceneSpec& d = l.steps[3].scene;
-  CHECK((d.probe_A == 1.4 && d.force && d.stiffness_N_per_mm == doctest::Approx(0.5) && d.view == "side" && !d.facing.given()));
+  CHECK((d.probe_A == 1.4 && d.force && d.stiffness_N_per_mm == doctest::Approx(0.5) && d.view == "side" &&
+         !d.facing.given()));
   CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
 }
 
 TEST_CASE("what a scene magnifies goes on until a scene says otherwise, 'none' or another molecule") {
-  const Lesson l = lesson("## A\n```scene\nmolecule: mix\nmagnify: ligand\n```\n## B\n```scene\nprobe: 1 Å\n```\n"
-                          "## C\n```scene\nmagnify: none\n```\n## D\n```scene\nmagnify: residue 52\n```\n## E\n```scene\nmolecule: water\n```\n");
+  const Lesson l = lesson(
+      "## A\n```scene\nmolecule: mix\nmagnify: ligand\n```\n## B\n```scene\nprobe: 1 Å\n```\n"
+      "## C\n```scene\nmagnify: none\n```\n## D\n```scene\nmagnify: residue 52\n```\n## E\n```scene\nmolecule: "
+      "water\n```\n");
   CHECK(l.steps[0].scene.magnify.text() == "ligand");
   CHECK(l.steps[1].scene.magnify.text() == "ligand");
   CHECK_FALSE(l.steps[2].scene.magnify.given());
   CHECK(l.steps[3].scene.magnify.text() == "residue 52");
   CHECK_FALSE(l.steps[4].scene.magnify.given());
-  CHECK(errors(kHead + "## S\n```scene\nmolecule: mix\nmagnify: noen\n```\n") == Texts{"l.md:12:10: 'magnify' cannot be 'noen'; did you mean 'none'?"});
+  CHECK(errors(kHead + "## S\n```scene\nmolecule: mix\nmagnify: noen\n```\n") ==
+        Texts{"l.md:12:10: 'magnify' cannot be 'noen'; did you mean 'none'?"});
 }
 
-TEST_CASE("a scene locks what it and the front matter name; the next molecule's scene only what the front matter names") {
-  const std::string head = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlocked: method\n---\n";
-  const LessonReading read = readLessonText("l.md", head + "## A\n```scene\nmolecule: mix\nforce: off\npanels: none\nlocked: force, panels\n```\n"
-                                                    "## B\n```scene\nprobe: 1 Å\n```\n## C\n```scene\nlocked: all\n```\n## D\n```scene\nmolecule: water\n```\n");
+TEST_CASE(
+    "a scene locks what it and the front matter name; the next molecule's scene only what the front matter names") {
+  const std::string head =
+      "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlocked: method\n---\n";
+  const LessonReading read = readLessonText(
+      "l.md",
+      head +
+          "## A\n```scene\nmolecule: mix\nforce: off\npanels: none\nlocked: force, panels\n```\n"
+          "## B\n```scene\nprobe: 1 Å\n```\n## C\n```scene\nlocked: all\n```\n## D\n```scene\nmolecule: water\n```\n");
   REQUIRE(read.lesson);
   const auto& steps = read.lesson->steps;
-  CHECK((steps[0].scene.locks("method") && steps[0].scene.locks("force") && steps[0].scene.locks("panels") && !steps[0].scene.locks("probe")));
+  CHECK((steps[0].scene.locks("method") && steps[0].scene.locks("force") && steps[0].scene.locks("panels") &&
+         !steps[0].scene.locks("probe")));
   CHECK(steps[0].scene.panels == Texts{"none"});
   CHECK((steps[1].scene.locks("force") && !steps[1].scene.locks("probe")));
   CHECK(steps[2].scene.locks("probe"));
   CHECK((steps[3].scene.locks("method") && !steps[3].scene.locks("force")));
   CHECK(errors(kHead + "## S\n```scene\nmolecule: mix\npanels: none, touch\nlocked: forse\n```\n") ==
-        Texts{"l.md:12:9: 'none' stands alone; take it out, or the other panels", "l.md:13:9: 'locked' cannot be 'forse'; did you mean 'force'?"});
+        Texts{"l.md:12:9: 'none' stands alone; take it out, or the other panels",
+              "l.md:13:9: 'locked' cannot be 'forse'; did you mean 'force'?"});
 }
 
-TEST_CASE("a question has its prompt, its right choices, feedback after either arrow and the step that the feedback leads to") {
-  const Lesson l = lesson(kStep + "### Question: Which `one`?\nThink.\n- [x] This → Yes: [on](#one-step)\n- [ ] That -> No\n\nAfter.\n"
-                                  "### Question: How long?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\n```\n");
+TEST_CASE(
+    "a question has its prompt, its right choices, feedback after either arrow and the step that the feedback leads "
+    "to") {
+  const Lesson l =
+      lesson(kStep +
+             "### Question: Which `one`?\nThink.\n- [x] This → Yes: [on](#one-step)\n- [ ] That -> No\n\nAfter.\n"
+             "### Question: How long?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\n```\n");
   REQUIRE(l.steps[0].questions.size() == 2);
   const Question& q = l.steps[0].questions[0];
   CHECK(q.id == "which-one");
@@ -195,20 +236,24 @@ TEST_CASE("Windows line ends and a byte order mark change no place and no text")
 }
 
 TEST_CASE("empty selections and molecules that are not there are told at their place in the lesson") {
-  const Lesson l = lesson("## A\n```scene\nmolecule: mix\nhighlight: chain C\n```\n```touch\nreach: ligand BTX\nsay: S\n```\n"
-                          "```touch\ncross: all\nto: ligand\nsay: S\n```\n## B\n```scene\nmolecule: water\n```\n");
+  const Lesson l = lesson(
+      "## A\n```scene\nmolecule: mix\nhighlight: chain C\n```\n```touch\nreach: ligand BTX\nsay: S\n```\n"
+      "```touch\ncross: all\nto: ligand\nsay: S\n```\n## B\n```scene\nmolecule: water\n```\n");
   int asked = 0;
-  const auto found = checkAgainstMolecules(l, [&](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
-    ++asked;
-    if (name != "mix") return Problem{{}, 0, 0, "there is no molecule '" + name + "'", "choose another"};
-    return std::make_shared<const Molecule>(mixedMolecule());
-  });
+  const auto found =
+      checkAgainstMolecules(l, [&](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
+        ++asked;
+        if (name != "mix") return Problem{{}, 0, 0, "there is no molecule '" + name + "'", "choose another"};
+        return std::make_shared<const Molecule>(mixedMolecule());
+      });
   CHECK(asked == 2);
-  CHECK(texts(found) == Texts{"l.md:5:17: there is no molecule 'water'; choose another",
-                              "l.md:12:18: chain 'C' is not in mix (chains: A, B); name atoms that it has",
-                              "l.md:15:15: ligand 'BTX' is not in mix (ligands: HEM); name atoms that it has",
-                              "l.md:20:5: the start and the end of the crossing have atoms in common; choose atoms that are only in one",
-                              "l.md:25:11: there is no molecule 'water'; choose another"});
+  CHECK(
+      texts(found) ==
+      Texts{"l.md:5:17: there is no molecule 'water'; choose another",
+            "l.md:12:18: chain 'C' is not in mix (chains: A, B); name atoms that it has",
+            "l.md:15:15: ligand 'BTX' is not in mix (ligands: HEM); name atoms that it has",
+            "l.md:20:5: the start and the end of the crossing have atoms in common; choose atoms that are only in one",
+            "l.md:25:11: there is no molecule 'water'; choose another"});
 }
 
 TEST_CASE("every key has a meaning that ends in a full stop, and every fallback is a good value of its key") {

@@ -61,11 +61,13 @@ TEST_CASE("docs/lesson-reference.md is what `moltact lesson-reference` prints") 
 TEST_CASE("the reference has every key of every table, and a heading for every kind of task") {
   const std::string page = lessonReference();
   for (const KeyBlock block : {KeyBlock::FrontMatter, KeyBlock::Scene, KeyBlock::Touch, KeyBlock::Answer})
-    for (const KeySpec& k : keysOf(block)) CHECK(page.find("\n| `" + std::string(k.name) + "` | ") != std::string::npos);
+    for (const KeySpec& k : keysOf(block))
+      CHECK(page.find("\n| `" + std::string(k.name) + "` | ") != std::string::npos);
   for (const TaskKind& kind : taskKinds()) {
     const std::size_t at = page.find("\n### " + std::string(kind.name) + "\n");
     REQUIRE(at != std::string::npos);
-    for (const KeySpec& k : kind.keys) CHECK(page.find("\n| `" + std::string(k.name) + "` | ", at) != std::string::npos);
+    for (const KeySpec& k : kind.keys)
+      CHECK(page.find("\n| `" + std::string(k.name) + "` | ", at) != std::string::npos);
   }
 }
 

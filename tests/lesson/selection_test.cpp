@@ -66,7 +66,8 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> coordinate(-15, 15);
   MoleculeBuilder b;
-  for (int i = 0; i < 400; ++i) b.atom("C", i % 10 == 0 ? 8 : 6, {coordinate(random), coordinate(random), coordinate(random)});
+  for (int i = 0; i < 400; ++i)
+    b.atom("C", i % 10 == 0 ? 8 : 6, {coordinate(random), coordinate(random), coordinate(random)});
   const auto& all = b.molecule.atoms;
   for (const double d : {0.0, 1.0, 5.0, 100.0}) {
     Atoms expected;
@@ -105,12 +106,16 @@ TEST_CASE("an empty selection says at which column its first part without atoms 
     return std::to_string(p.column) + " " + p.text();
   };
   CHECK(why("ligand BTX") == "8 ligand 'BTX' is not in mix (ligands: HEM); name atoms that it has");
-  CHECK(why("chain A and resname GLU") == "21 residue name 'GLU' is not in mix (names: ASP, DA, HEM, HOH, ZN); name atoms that it has");
-  CHECK(why("resname hem") == "9 residue name 'hem' is not in mix (names: ASP, DA, HEM, HOH, ZN); did you mean 'HEM'? Names are written as in the file");
+  CHECK(why("chain A and resname GLU") ==
+        "21 residue name 'GLU' is not in mix (names: ASP, DA, HEM, HOH, ZN); name atoms that it has");
+  CHECK(why("resname hem") ==
+        "9 residue name 'hem' is not in mix (names: ASP, DA, HEM, HOH, ZN); did you mean 'HEM'? Names are written as "
+        "in the file");
   CHECK(why("resname AXP") == "9 residue name 'AXP' is not in mix (names: ASP, DA, HEM, HOH, ZN); did you mean 'ASP'?");
   CHECK(why("chain C") == "7 chain 'C' is not in mix (chains: A, B); name atoms that it has");
   CHECK(why("atom 12") == "6 atom 12 is not in mix (10 atoms, counted from 0); name atoms that it has");
-  CHECK(why("within 5 Å of (residue 99)") == "24 residue 99 is not in mix (residues: -1 to 52); name atoms that it has");
+  CHECK(why("within 5 Å of (residue 99)") ==
+        "24 residue 99 is not in mix (residues: -1 to 52); name atoms that it has");
   CHECK(why("chain A and ligand") == "1 no atom of mix is 'chain A and ligand'; name atoms that it has");
 }
 
@@ -121,7 +126,9 @@ TEST_CASE("names and numbers that select nothing beside others that do are told 
     for (const Problem& p : parseSelection(text)->idleNames(m)) out += std::to_string(p.column) + " " + p.message + "|";
     return out;
   };
-  CHECK(idle("resname HEM HEX or chain A D") == "13 residue name 'HEX' is not in mix (names: ASP, DA, HEM, HOH, ZN)|28 chain 'D' is not in mix (chains: A, B)|");
+  CHECK(
+      idle("resname HEM HEX or chain A D") ==
+      "13 residue name 'HEX' is not in mix (names: ASP, DA, HEM, HOH, ZN)|28 chain 'D' is not in mix (chains: A, B)|");
   CHECK(idle("residue 50-60 99") == "15 residue 99 is not in mix (residues: -1 to 52)|");
   CHECK(idle("not element O U") == "15 element 'U' is not in mix (elements: C, Fe, N, O, P, Zn)|");
   CHECK(idle("resname HEM").empty());

@@ -11,9 +11,11 @@ namespace {
 
 const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\n---\n";
 const std::string kBody =
-    "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom 1\nsay: Then this.\n```\n"
+    "## A\n```scene\nmolecule: mix\n```\n```touch\nreach: atom 0\nsay: S\npraise: P.\n```\n```touch\nreach: atom "
+    "1\nsay: Then this.\n```\n"
     "### Question: Q?\n- [x] yes → Good\n- [x] also → Fine\n- [ ] no → Bad\n"
-    "## B\n### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\nwrong: Measure again.\n```\n### Question: W?\n```answer\ntext: crease, groove\n```\n"
+    "## B\n### Question: N?\n```answer\nnumber: 1.4 Å\ntolerance: 0.1 Å\nwrong: Measure again.\n```\n### Question: "
+    "W?\n```answer\ntext: crease, groove\n```\n"
     "## C\n```scene\nmolecule: water\n```\n";
 
 std::shared_ptr<const Lesson> lesson(const std::string& body) {
@@ -35,9 +37,13 @@ void touch(LessonSession& session, std::int32_t atom, double from_s) {
 
 }  // namespace
 
-TEST_CASE("Next and Back pass an aside over; from it both lead to the step that linked to it, and progress does not count it") {
-  LessonSession s(lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\n```scene\nprobe: 2 Å\n```\n[y](#aside-y)\n### Question: Q?\n- [x] a\n- [ ] b\n"
-                        "## B\n## Aside: Y\nText.\n"));
+TEST_CASE(
+    "Next and Back pass an aside over; from it both lead to the step that linked to it, and progress does not count "
+    "it") {
+  LessonSession s(
+      lesson("## A\n```scene\nmolecule: mix\n```\n[x](#aside-x)\n## Aside: X\n```scene\nprobe: 2 "
+             "Å\n```\n[y](#aside-y)\n### Question: Q?\n- [x] a\n- [ ] b\n"
+             "## B\n## Aside: Y\nText.\n"));
   CHECK(s.lesson().steps[1].title == "X");
   CHECK(s.lesson().steps[1].scene.probe_A == 2.0);
   CHECK(s.lesson().steps[2].scene.probe_A == 1.4);
@@ -82,7 +88,9 @@ TEST_CASE("tasks wait for the molecule, then are done one at a time in their ord
   CHECK_FALSE(session.task(0).done);
 }
 
-TEST_CASE("a task's figures tell 0.15 s of contact at 0.5 N over a way of 0.15 A, and stay when the step is left and entered again") {
+TEST_CASE(
+    "a task's figures tell 0.15 s of contact at 0.5 N over a way of 0.15 A, and stay when the step is left and entered "
+    "again") {
   LessonSession session(lesson(kBody));
   CHECK(session.taskFigures(0).empty());
   session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));

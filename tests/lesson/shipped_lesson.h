@@ -32,8 +32,8 @@ inline Lesson shippedLesson(const std::string& name) {
   return *read.lesson;
 }
 
-/// What every shipped lesson owes a student: a task and a question or a hint in each step, feedback to every choice, and
-/// selections that select atoms.
+/// What every shipped lesson owes a student: a task and a question or a hint in each step, feedback to every choice,
+/// and selections that select atoms.
 inline void checkCare(const Lesson& lesson) {
   for (const Problem& p : checkAgainstMolecules(lesson, shippedMolecule)) FAIL_CHECK(p.text());
   for (const Step& step : lesson.steps) {

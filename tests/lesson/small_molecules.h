@@ -16,7 +16,8 @@ struct MoleculeBuilder {
     if (molecule.chains.empty() || molecule.chains.back().name != chain)
       molecule.chains.push_back({std::move(chain), static_cast<std::uint32_t>(molecule.residues.size()), 0});
     ++molecule.chains.back().residue_count;
-    molecule.residues.push_back({std::move(name), number, insertion, static_cast<std::uint32_t>(molecule.chains.size() - 1),
+    molecule.residues.push_back({std::move(name), number, insertion,
+                                 static_cast<std::uint32_t>(molecule.chains.size() - 1),
                                  static_cast<std::uint32_t>(molecule.atoms.size()), 0, kind});
     return *this;
   }
@@ -35,12 +36,16 @@ struct MoleculeBuilder {
   }
 };
 
-/// Chain A: ASP 52 (N CA C O at x = 0 1 2 3) and ASP 52A (CA at x = 10); chain B: DA -1 (P at x = 20); HEM 1 (FE at x = 6,
-/// NA at x = 7), water (O at x = 30), ZN (at x = 40).
+/// Chain A: ASP 52 (N CA C O at x = 0 1 2 3) and ASP 52A (CA at x = 10); chain B: DA -1 (P at x = 20); HEM 1 (FE at x =
+/// 6, NA at x = 7), water (O at x = 30), ZN (at x = 40).
 inline Molecule mixedMolecule() {
   MoleculeBuilder b;
   b.molecule.id = "mix";
-  b.residue("A", "ASP", 52, ResidueKind::AminoAcid).atom("N", 7, {0, 0, 0}).atom("CA", 6, {1, 0, 0}).atom("C", 6, {2, 0, 0}).atom("O", 8, {3, 0, 0});
+  b.residue("A", "ASP", 52, ResidueKind::AminoAcid)
+      .atom("N", 7, {0, 0, 0})
+      .atom("CA", 6, {1, 0, 0})
+      .atom("C", 6, {2, 0, 0})
+      .atom("O", 8, {3, 0, 0});
   b.residue("A", "ASP", 52, ResidueKind::AminoAcid, 'A').atom("CA", 6, {10, 0, 0});
   b.residue("B", "DA", -1, ResidueKind::Nucleotide).atom("P", 15, {20, 0, 0});
   b.residue("B", "HEM", 1, ResidueKind::Ligand).atom("FE", 26, {6, 0, 0}).atom("NA", 7, {7, 0, 0});

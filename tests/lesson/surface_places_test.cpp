@@ -1,4 +1,5 @@
-// Places of two and three equal balls, which have closed forms, and of a protein, where every place is checked ball by ball.
+// Places of two and three equal balls, which have closed forms, and of a protein, where every place is checked ball by
+// ball.
 #include "engine/lesson/surface_places.h"
 
 #include <doctest/doctest.h>
@@ -48,7 +49,9 @@ TEST_CASE("every face, crease and pit place of ubiquitin lies on its atoms' grow
   const BallScene scene(molecule->balls());
   const double probe_A = 1.4;
   int open = 0;
-  for (const auto& places : {facePlaces(scene, allOf(scene), probe_A, 40), creasePlaces(scene, allOf(scene), probe_A, 0.5), pitPlaces(scene, allOf(scene), probe_A)}) {
+  for (const auto& places :
+       {facePlaces(scene, allOf(scene), probe_A, 40), creasePlaces(scene, allOf(scene), probe_A, 0.5),
+        pitPlaces(scene, allOf(scene), probe_A)}) {
     CHECK(places.size() > 300);
     for (const SurfacePlace& p : places) {
       std::size_t on = 0, in = 0;

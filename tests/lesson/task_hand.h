@@ -37,7 +37,8 @@ inline std::string problemOf(const std::string& kind, const Keys& keys) {
   return problems.empty() ? std::string() : problems.front().message;
 }
 
-inline std::unique_ptr<Task> task(const std::string& kind, const Keys& keys, const Molecule& molecule = mixedMolecule()) {
+inline std::unique_ptr<Task> task(const std::string& kind, const Keys& keys,
+                                  const Molecule& molecule = mixedMolecule()) {
   std::vector<Problem> problems;
   const TaskSpec spec = specOf(kind, keys, problems);
   REQUIRE_MESSAGE(problems.empty(), problems.front().text());
@@ -55,7 +56,8 @@ struct Hand {
   Task& task;
   double time_s = 0.0, dt_s = 0.001;
 
-  void touch(std::vector<std::int32_t> atoms, double seconds, double force_N = 0.5, Vec3 scp = {0, 0, 0}, double depth_A = 0.5) {
+  void touch(std::vector<std::int32_t> atoms, double seconds, double force_N = 0.5, Vec3 scp = {0, 0, 0},
+             double depth_A = 0.5) {
     TouchSample s;
     s.contact.scp = {scp};
     s.hip.A = scp - Vec3(0, 0, depth_A);

@@ -145,7 +145,11 @@ TEST_CASE("cross in either direction may begin on the second atom, and there and
 }
 
 TEST_CASE("cross in either direction keeps the names that its author gives, on whichever side the student begins") {
-  auto t = task("cross", {{"cross", "atom 0"}, {"called", "the knob"}, {"to", "atom 1"}, {"arrival", "the stem"}, {"direction", "either"}});
+  auto t = task("cross", {{"cross", "atom 0"},
+                          {"called", "the knob"},
+                          {"to", "atom 1"},
+                          {"arrival", "the stem"},
+                          {"direction", "either"}});
   Hand hand{*t};
   CHECK(t->sentence() == "Touch the knob or the stem to begin.");
   hand.touch({1}, 0.2);
@@ -216,10 +220,17 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
   CAPTURE(seed);
   std::mt19937 random(seed);
   const std::vector<std::pair<std::string, std::vector<std::pair<std::string, std::string>>>> all{
-      {"reach", {{"reach", "ion"}}}, {"hold", {{"hold", "pit"}}}, {"press", {{"press", "pit"}, {"until", "3 N"}}},
-      {"feel", {{"feel", "atoms"}, {"count", "9"}}}, {"cross", {{"cross", "atom 0"}, {"to", "atom 9"}}}, {"avoid", {{"avoid", "ion"}}},
-      {"compare", {{"compare", "places"}, {"of", "atom 0 then atom 1"}}}, {"meet", {{"meet", "lost"}}},
-      {"trace", {{"trace", "atom 0-5"}}}, {"find", {{"find", "atom 5"}, {"hints", "warmer"}}}, {"predict", {{"predict", "anywhere"}}},
+      {"reach", {{"reach", "ion"}}},
+      {"hold", {{"hold", "pit"}}},
+      {"press", {{"press", "pit"}, {"until", "3 N"}}},
+      {"feel", {{"feel", "atoms"}, {"count", "9"}}},
+      {"cross", {{"cross", "atom 0"}, {"to", "atom 9"}}},
+      {"avoid", {{"avoid", "ion"}}},
+      {"compare", {{"compare", "places"}, {"of", "atom 0 then atom 1"}}},
+      {"meet", {{"meet", "lost"}}},
+      {"trace", {{"trace", "atom 0-5"}}},
+      {"find", {{"find", "atom 5"}, {"hints", "warmer"}}},
+      {"predict", {{"predict", "anywhere"}}},
       {"same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"for", "0.1 s"}}}};
   CHECK(all.size() == taskKinds().size());
   for (const auto& [kind, keys] : all) {
@@ -235,7 +246,8 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       s.exact.feature = static_cast<Feature>(random() % 4);
       s.exact.scp.A.x = static_cast<double>(random() % 400) * 0.01;
       s.method = random() % 2 ? "exact" : "paper";
-      s.force.N.x = random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
+      s.force.N.x =
+          random() % 50 == 0 ? std::numeric_limits<double>::quiet_NaN() : static_cast<double>(random() % 400) * 0.01;
       s.contact.scp.A = s.exact.scp.A;
       t->feed(s);
       // A person who presses whatever button there is, and draws whatever is asked for.

@@ -29,8 +29,7 @@ bool readsSoundly(std::string bytes, const std::string& name, const ReadOptions&
   for (const Atom& atom : molecule->atoms) {
     for (int k = 0; k < 3; ++k) sound &= std::abs(atom.position.A[k]) <= kMaxCoordinate_A;
     sound &= atom.radius_A >= 0 && std::isfinite(atom.radius_A);
-    sound &=
-        atom.name.back() == 0 && (atom.residue == kNoResidue || atom.residue < molecule->residues.size());
+    sound &= atom.name.back() == 0 && (atom.residue == kNoResidue || atom.residue < molecule->residues.size());
   }
   std::uint32_t next = 0;
   for (const Residue& residue : molecule->residues) {
@@ -52,8 +51,8 @@ std::string asMmcif(const std::string& pdb, int most) {
   for (std::string line; most > 0 && std::getline(lines, line);)
     if (line.starts_with("ATOM")) {
       out += "ATOM " + line.substr(6, 5) + ' ' + line.substr(76, 2) + ' ' + line.substr(12, 4) + " . " +
-             line.substr(17, 3) + " A " + line.substr(22, 4) + ' ' + line.substr(30, 8) + ' ' +
-             line.substr(38, 8) + ' ' + line.substr(46, 8) + " 1.0\n";
+             line.substr(17, 3) + " A " + line.substr(22, 4) + ' ' + line.substr(30, 8) + ' ' + line.substr(38, 8) +
+             ' ' + line.substr(46, 8) + " 1.0\n";
       --most;
     }
   return out;
@@ -89,20 +88,16 @@ TEST_CASE("a PDB line with a broken column names line, column and field") {
   const std::string good = atomLine(" N", ' ', "GLY", 'A', 1, ' ', 1, 2, 3, 1, "N");
   std::string bad = good;
   bad.replace(38, 8, "   2.x00");
-  CHECK(problemOf(good + bad, "x.pdb") ==
-        "x.pdb:2:39: y (columns 39-46) is not a number: '   2.x00'; " + kPdbRemedy);
+  CHECK(problemOf(good + bad, "x.pdb") == "x.pdb:2:39: y (columns 39-46) is not a number: '   2.x00'; " + kPdbRemedy);
   bad = good;
   bad.replace(30, 8, "     nan");
-  CHECK(problemOf(bad, "x.pdb") ==
-        "x.pdb:1:31: x (columns 31-38) is not a number: '     nan'; " + kPdbRemedy);
+  CHECK(problemOf(bad, "x.pdb") == "x.pdb:1:31: x (columns 31-38) is not a number: '     nan'; " + kPdbRemedy);
   bad = good;
   bad.replace(46, 8, "        ");
-  CHECK(problemOf(bad, "x.pdb") ==
-        "x.pdb:1:47: z (columns 47-54) is not a number: '        '; " + kPdbRemedy);
+  CHECK(problemOf(bad, "x.pdb") == "x.pdb:1:47: z (columns 47-54) is not a number: '        '; " + kPdbRemedy);
   bad = good;
   bad.insert(20, " ");  // every column one too far to the right
-  CHECK(problemOf(bad, "x.pdb") ==
-        "x.pdb:1:39: y (columns 39-46) is not a number: '0   2.00'; " + kPdbRemedy);
+  CHECK(problemOf(bad, "x.pdb") == "x.pdb:1:39: y (columns 39-46) is not a number: '0   2.00'; " + kPdbRemedy);
   CHECK(problemOf(good.substr(0, 40), "x.pdb") ==
         "x.pdb:1:41: the atom's line ends before its coordinates do; " + kPdbRemedy);
   bad = good;
@@ -127,24 +122,22 @@ TEST_CASE(
   };
   const auto master = [](int atoms) {
     char line[96];
-    std::snprintf(line, sizeof line, "MASTER    %5d%5d%5d%5d%5d%5d%5d%5d%5d%5d%5d%5d\n", 5, 0, 0, 0, 0, 0, 0,
-                  6, atoms, 1, 0, 1);
+    std::snprintf(line, sizeof line, "MASTER    %5d%5d%5d%5d%5d%5d%5d%5d%5d%5d%5d%5d\n", 5, 0, 0, 0, 0, 0, 0, 6, atoms,
+                  1, 0, 1);
     return std::string(line);
   };
   const auto notes = [](const std::string& text) {
     const auto read = readMoleculeBytes(text, "x.pdb");
     REQUIRE(read);
     std::vector<std::string> out = read->warnings;
-    std::erase_if(out,
-                  [](const std::string& w) { return w.find("models; this is model") != std::string::npos; });
+    std::erase_if(out, [](const std::string& w) { return w.find("models; this is model") != std::string::npos; });
     return out;
   };
   using Notes = std::vector<std::string>;
   const std::string atom = atomLine(" N", ' ', "GLY", 'A', 1, ' ', 1, 2, 3, 1, "N");
   const std::string other = atomLine(" CA", ' ', "GLY", 'A', 1, ' ', 2, 2, 3, 1, "C");
   CHECK(notes(atom + other) == Notes{cut});
-  CHECK(notes(atom + other +
-              "ANISOU    2  CA  GLY A   1     1000   1000   1000      0      0      0       C\n\n") ==
+  CHECK(notes(atom + other + "ANISOU    2  CA  GLY A   1     1000   1000   1000      0      0      0       C\n\n") ==
         Notes{cut});
   CHECK(notes(atom + "END\n" + other) == Notes{cut});
   for (const char* end : {"END\n", "TER\n", "ENDMDL\n", "CONECT    1    2\n", "END"})
@@ -153,8 +146,7 @@ TEST_CASE(
   CHECK(notes(atom + other + master(2)).empty());
   CHECK(notes(atom + other + master(0)).empty());
   CHECK(notes(atom + other + master(7) + "END\n") == Notes{counts(7, 2)});
-  const std::string models =
-      "MODEL        1\n" + atom + other + "ENDMDL\nMODEL        2\n" + atom + other + "ENDMDL\n";
+  const std::string models = "MODEL        1\n" + atom + other + "ENDMDL\nMODEL        2\n" + atom + other + "ENDMDL\n";
   CHECK(notes(models + master(2) + "END\n").empty());
   CHECK(notes(models + master(4) + "END\n").empty());
   CHECK(notes(models + master(3) + "END\n") == Notes{counts(3, 4)});
@@ -203,14 +195,11 @@ TEST_CASE("broken mmCIF syntax names the line and column") {
 
 TEST_CASE("an .xyzr line with 3 numbers, a word, a NaN, a comma or a negative radius names line and column") {
   CHECK(problemOf("0 0 0 1\n1 2 3\n", "x.xyzr") == "x.xyzr:2:6: expected 4 numbers, found 3; " + kXyzrRemedy);
-  CHECK(problemOf("0 zero 0 1\n", "x.xyzr") ==
-        "x.xyzr:1:3: expected the number y, found 'zero'; " + kXyzrRemedy);
+  CHECK(problemOf("0 zero 0 1\n", "x.xyzr") == "x.xyzr:1:3: expected the number y, found 'zero'; " + kXyzrRemedy);
   CHECK(problemOf("0 0 nan 1\n", "x.xyzr") ==
         "x.xyzr:1:5: z is 'nan', which is not a finite number up to 1e9 A; correct or remove the line");
-  CHECK(problemOf("0,0,0,1\n", "x.xyzr") ==
-        "x.xyzr:1:1: expected the number x, found '0,0,0,1'; " + kXyzrRemedy);
-  CHECK(problemOf("0 0 0 -1\n", "x.xyzr") ==
-        "x.xyzr:1:7: the radius is negative: '-1'; give a radius of 0 A or more");
+  CHECK(problemOf("0,0,0,1\n", "x.xyzr") == "x.xyzr:1:1: expected the number x, found '0,0,0,1'; " + kXyzrRemedy);
+  CHECK(problemOf("0 0 0 -1\n", "x.xyzr") == "x.xyzr:1:7: the radius is negative: '-1'; give a radius of 0 A or more");
   CHECK(problemOf("12\ncomment\n", "x.xyzr") == "x.xyzr:1:3: expected 4 numbers, found 1; " + kXyzrRemedy);
 }
 
@@ -224,8 +213,7 @@ TEST_CASE("a gzip file that is cut short or damaged says so") {
         "x.xyzr.gz: the gzip file is cut short; copy or download the file again");
   std::string damaged = zip;
   for (std::size_t i = 20; i < 40; ++i) damaged[i] = static_cast<char>(~damaged[i]);
-  CHECK(problemOf(damaged, "x.xyzr.gz") ==
-        "x.xyzr.gz: the gzip file is damaged; copy or download the file again");
+  CHECK(problemOf(damaged, "x.xyzr.gz") == "x.xyzr.gz: the gzip file is damaged; copy or download the file again");
 }
 
 TEST_CASE("gzip that unpacks to more than 1 MiB is refused where 1 MiB is the most") {
@@ -243,8 +231,7 @@ TEST_CASE("ten million lines of rubbish are refused in every format") {
   std::string rubbish;
   rubbish.reserve(200'000'000);
   for (int i = 0; i < 10'000'000; ++i) rubbish += "the quick brown fox\n";
-  for (const char* name : {"x.pdb", "x.cif", "x.xyzr", "x.dat"})
-    CHECK_FALSE(problemOf(rubbish, name).empty());
+  for (const char* name : {"x.pdb", "x.cif", "x.xyzr", "x.dat"}) CHECK_FALSE(problemOf(rubbish, name).empty());
 }
 
 TEST_CASE("ubiquitin as PDB, mmCIF, .xyzr and gzip, cut at 300 places each, is read soundly or refused") {
@@ -258,8 +245,7 @@ TEST_CASE("ubiquitin as PDB, mmCIF, .xyzr and gzip, cut at 300 places each, is r
     CAPTURE(name);
     CHECK_MESSAGE(readsSoundly(whole, name), problemOf(whole, name));
     for (std::size_t k = 0; k < 300; ++k) readsSoundly(whole.substr(0, whole.size() * k / 300), name);
-    for (std::size_t k = 1; k < 100 && k < whole.size(); ++k)
-      readsSoundly(whole.substr(0, whole.size() - k), name);
+    for (std::size_t k = 1; k < 100 && k < whole.size(); ++k) readsSoundly(whole.substr(0, whole.size() - k), name);
   }
 }
 
@@ -267,9 +253,7 @@ TEST_CASE("4000 files with 1 to 20 random bytes changed, doubled or removed are 
   const unsigned seed = 20260;
   CAPTURE(seed);
   std::mt19937 random(seed);
-  const auto below = [&](std::size_t n) {
-    return std::uniform_int_distribution<std::size_t>(0, n - 1)(random);
-  };
+  const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
   std::string pdb =
       "MODEL        1\nREMARK 350 BIOMOLECULE: 1\nREMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
       "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
@@ -277,11 +261,10 @@ TEST_CASE("4000 files with 1 to 20 random bytes changed, doubled or removed are 
       "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n";
   pdb += contentOf(libraryFolder() / "1ubq.pdb");
   pdb.resize(pdb.find('\n', 4000) + 1);
-  std::string cif =
-      asMmcif(contentOf(libraryFolder() / "1ubq.pdb"), 30) +
-      "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
-      "_pdbx_struct_assembly_gen.asym_id_list\n1 '(1-2)(1,2)' A\n"
-      "loop_\n_pdbx_struct_oper_list.id\n";
+  std::string cif = asMmcif(contentOf(libraryFolder() / "1ubq.pdb"), 30) +
+                    "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
+                    "_pdbx_struct_assembly_gen.asym_id_list\n1 '(1-2)(1,2)' A\n"
+                    "loop_\n_pdbx_struct_oper_list.id\n";
   for (int i = 1; i <= 3; ++i)
     for (int j = 1; j <= 3; ++j)
       cif += "_pdbx_struct_oper_list.matrix[" + std::to_string(i) + "][" + std::to_string(j) + "]\n";

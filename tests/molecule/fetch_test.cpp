@@ -54,8 +54,7 @@ TEST_CASE("an entry that is not there, cannot be read or cannot be reached leave
         "the Protein Data Bank has no such entry (tried " + urlOf(scratch.folder / "none.gz") + ")");
   const auto broken = scratch.write("broken.cif.gz", gzipped(kCif).substr(0, 40));
   CHECK(fetchEntry("5adh", folder, urlOf(broken)).problem().text() ==
-        "5ADH: what came from " + urlOf(broken) +
-            " cannot be read: the gzip file is cut short; try again later");
+        "5ADH: what came from " + urlOf(broken) + " cannot be read: the gzip file is cut short; try again later");
   // nothing listens on port 1 of this computer
   const Problem offline = fetchEntry("5adh", folder, "http://127.0.0.1:1/5ADH.cif.gz").problem();
   CHECK(offline.message.find("cannot reach http://127.0.0.1:1/5ADH.cif.gz: ") == 0);

@@ -13,9 +13,7 @@
 
 namespace moltact::test {
 
-inline std::filesystem::path libraryFolder() {
-  return std::filesystem::path(MOLTACT_SOURCE_DIR) / "molecules";
-}
+inline std::filesystem::path libraryFolder() { return std::filesystem::path(MOLTACT_SOURCE_DIR) / "molecules"; }
 
 /// A folder of its own, removed at the end of the test.
 struct Scratch {
@@ -58,20 +56,18 @@ inline std::string gzipped(const std::string& text) {
 }
 
 /// The text of the problem that reading these bytes under this name gives; "" where they are read.
-inline std::string problemOf(const std::string& bytes, const std::string& name,
-                             const ReadOptions& options = {}) {
+inline std::string problemOf(const std::string& bytes, const std::string& name, const ReadOptions& options = {}) {
   auto molecule = readMoleculeBytes(bytes, name, options);
   return molecule ? std::string() : molecule.problem().text();
 }
 
 /// One ATOM line in the columns of the format.
 inline std::string atomLine(const char* name, char alternate, const char* residue, char chain, int number,
-                            char insertion, double x, double y, double z, double occupancy,
-                            const char* element, const char* record = "ATOM") {
+                            char insertion, double x, double y, double z, double occupancy, const char* element,
+                            const char* record = "ATOM") {
   char line[96];
-  std::snprintf(line, sizeof line, "%-6s%5d %-4s%c%3s %c%4d%c   %8.3f%8.3f%8.3f%6.2f%6.2f          %2s  \n",
-                record, 1, name, alternate, residue, chain, number, insertion, x, y, z, occupancy, 0.0,
-                element);
+  std::snprintf(line, sizeof line, "%-6s%5d %-4s%c%3s %c%4d%c   %8.3f%8.3f%8.3f%6.2f%6.2f          %2s  \n", record, 1,
+                name, alternate, residue, chain, number, insertion, x, y, z, occupancy, 0.0, element);
   return line;
 }
 

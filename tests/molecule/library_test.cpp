@@ -31,10 +31,9 @@ Vec3 place(const Molecule& m, const char* chain, int number, std::string_view na
   return {};
 }
 
-double between(const Molecule& m, const char* chain, int one, const char* name, int other,
-               const char* other_name, const char* other_chain = nullptr) {
-  return glm::distance(place(m, chain, one, name),
-                       place(m, other_chain ? other_chain : chain, other, other_name));
+double between(const Molecule& m, const char* chain, int one, const char* name, int other, const char* other_name,
+               const char* other_chain = nullptr) {
+  return glm::distance(place(m, chain, one, name), place(m, other_chain ? other_chain : chain, other, other_name));
 }
 
 double angle_deg(Vec3 a, Vec3 corner, Vec3 b) {
@@ -97,9 +96,11 @@ TEST_CASE("2hhb has 4384 atoms of protein, four haems of 43 atoms and two phosph
     }
 }
 
-TEST_CASE("the haem pockets are atoms of 2hhb, turned: every distance between two atoms is as in the entry to 0.002 A") {
+TEST_CASE(
+    "the haem pockets are atoms of 2hhb, turned: every distance between two atoms is as in the entry to 0.002 A") {
   const Molecule whole = library("2hhb.pdb");
-  for (const auto& [file, chain, proximal] : {std::tuple{"haem-alpha.pdb", "A", 87}, std::tuple{"haem-beta.pdb", "B", 92}}) {
+  for (const auto& [file, chain, proximal] :
+       {std::tuple{"haem-alpha.pdb", "A", 87}, std::tuple{"haem-beta.pdb", "B", 92}}) {
     CAPTURE(file);
     const Molecule pocket = library(file);
     CHECK(pocket.atoms.size() == 43 + 11 + 10 + 7 + 10);
@@ -110,7 +111,8 @@ TEST_CASE("the haem pockets are atoms of 2hhb, turned: every distance between tw
         there.push_back(place(whole, chain, r.number, pocket.atoms[i].name.data()));
       }
     for (std::size_t i = 0; i < here.size(); ++i)
-      for (std::size_t j = 0; j < i; ++j) CHECK(std::abs(glm::distance(here[i], here[j]) - glm::distance(there[i], there[j])) < 0.002);
+      for (std::size_t j = 0; j < i; ++j)
+        CHECK(std::abs(glm::distance(here[i], here[j]) - glm::distance(there[i], there[j])) < 0.002);
     CHECK(between(pocket, chain, 1, "FE", proximal, "NE2") == doctest::Approx(2.146).epsilon(0.002));
     // The iron lies at the origin, the proximal histidine below it, 30 degrees away from straight down.
     CHECK(glm::length(place(pocket, chain, 1, "FE")) < 1e-9);
@@ -137,11 +139,15 @@ TEST_CASE("1hel has 1001 atoms in 129 residues; its Asp 52 is spoken of as such"
 TEST_CASE("the committed files are what the generator makes, byte for byte") {
   using namespace moltact::generator;
   const std::string entry = contentOf(libraryFolder() / "2hhb.pdb");
-  const std::pair<const char*, std::string> made[] = {
-      {"argon.pdb", makeArgon(1)}, {"argon-pair.pdb", makeArgon(2)}, {"argon-triangle.pdb", makeArgon(3)},
-      {"water.pdb", makeWater()},  {"benzene.pdb", makeBenzene()},   {"alpha-helix.pdb", makeAlphaHelix()},
-      {"b-dna.pdb", makeBDna()},
-      {"haem-alpha.pdb", makeHaemPocket(entry, 'A')}, {"haem-beta.pdb", makeHaemPocket(entry, 'B')}};
+  const std::pair<const char*, std::string> made[] = {{"argon.pdb", makeArgon(1)},
+                                                      {"argon-pair.pdb", makeArgon(2)},
+                                                      {"argon-triangle.pdb", makeArgon(3)},
+                                                      {"water.pdb", makeWater()},
+                                                      {"benzene.pdb", makeBenzene()},
+                                                      {"alpha-helix.pdb", makeAlphaHelix()},
+                                                      {"b-dna.pdb", makeBDna()},
+                                                      {"haem-alpha.pdb", makeHaemPocket(entry, 'A')},
+                                                      {"haem-beta.pdb", makeHaemPocket(entry, 'B')}};
   for (const auto& [file, text] : made) CHECK_MESSAGE(contentOf(libraryFolder() / file) == text, file);
 }
 
@@ -219,8 +225,7 @@ TEST_CASE(
   CHECK(closestFar(m) > 2.65);
 }
 
-TEST_CASE(
-    "a name is found by id in any case, as a fetched entry or as a path; a wrong one gets the nearest id") {
+TEST_CASE("a name is found by id in any case, as a fetched entry or as a path; a wrong one gets the nearest id") {
   const Scratch scratch;
   const MoleculeFolders folders{libraryFolder(), scratch.folder};
   REQUIRE(findMolecule("1UBQ", folders));
@@ -230,17 +235,13 @@ TEST_CASE(
   CHECK(*findMolecule("9xyz", folders) == fetched);
   const auto path = scratch.write("mine.xyzr", "0 0 0 1\n");
   CHECK(*findMolecule(path.string(), folders) == path);
-  CHECK(
-      findMolecule("benzen", folders).problem().text() ==
-      "benzen: there is no such file, and no molecule of this name in the library; did you mean 'benzene'?");
-  CHECK(findMolecule("5adh", folders).problem().remedy ==
-        "'moltact fetch 5adh' downloads an entry of the PDB");
-  CHECK(findMolecule("1ubq", {scratch.folder, {}}).problem().message ==
-        "the catalogue of molecules cannot be opened");
+  CHECK(findMolecule("benzen", folders).problem().text() ==
+        "benzen: there is no such file, and no molecule of this name in the library; did you mean 'benzene'?");
+  CHECK(findMolecule("5adh", folders).problem().remedy == "'moltact fetch 5adh' downloads an entry of the PDB");
+  CHECK(findMolecule("1ubq", {scratch.folder, {}}).problem().message == "the catalogue of molecules cannot be opened");
 }
 
-TEST_CASE(
-    "a broken catalogue gives a problem: no JSON, a missing field, a file outside the folder, an id twice") {
+TEST_CASE("a broken catalogue gives a problem: no JSON, a missing field, a file outside the folder, an id twice") {
   const auto problem = [](const std::string& text) {
     const Scratch scratch;
     scratch.write("catalogue.json", text);

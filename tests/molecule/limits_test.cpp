@@ -1,5 +1,5 @@
-// Small files that would take much: what is too much is told before it is reached, and what a molecule takes of memory is counted
-// by every allocation.
+// Small files that would take much: what is too much is told before it is reached, and what a molecule takes of memory
+// is counted by every allocation.
 #include <doctest/doctest.h>
 #include <malloc.h>
 
@@ -38,7 +38,8 @@ void operator delete(void* at, std::size_t) noexcept { operator delete(at); }
 namespace {
 
 /// The most that reading took beyond what is there before (unit: byte).
-std::size_t tookToRead(const std::string& bytes, const std::string& name, std::size_t atoms, const ReadOptions& options = {}) {
+std::size_t tookToRead(const std::string& bytes, const std::string& name, std::size_t atoms,
+                       const ReadOptions& options = {}) {
   const Scratch scratch;
   const auto file = scratch.write(name, bytes);
   const std::size_t before = held;
@@ -58,7 +59,8 @@ std::string repeated(const std::string& line, std::size_t times) {
 }
 
 const std::string kCifHead =
-    "data_X\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n_atom_site.label_asym_id\n"
+    "data_X\nloop_\n_atom_site.group_PDB\n_atom_site.type_symbol\n_atom_site.label_atom_id\n_atom_site.label_comp_id\n_"
+    "atom_site.label_asym_id\n"
     "_atom_site.auth_seq_id\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n_atom_site.occupancy\n";
 
 /// Three chains of `residues` residues of 8 atoms, and turns and shifts in two brackets that copy them.
@@ -68,18 +70,23 @@ std::string capsid(int residues, int first_bracket, int second_bracket) {
   for (const char chain : {'A', 'B', 'C'})
     for (int r = 1; r <= residues; ++r)
       for (const char* name : {"N", "CA", "C", "O", "CB", "CG", "CD1", "CD2"}) {
-        std::snprintf(line, sizeof line, "ATOM %c %s LEU %c %d %.3f %.3f %.3f 1.0\n", name[0], name, chain, r, 800 + 0.9 * r, chain - 66.0, 1.3 * name[0] + name[1]);
+        std::snprintf(line, sizeof line, "ATOM %c %s LEU %c %d %.3f %.3f %.3f 1.0\n", name[0], name, chain, r,
+                      800 + 0.9 * r, chain - 66.0, 1.3 * name[0] + name[1]);
         out += line;
       }
-  out += "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n_pdbx_struct_assembly_gen.asym_id_list\n1 '(1-" +
-         std::to_string(first_bracket) + ")(" + std::to_string(first_bracket + 1) + '-' + std::to_string(first_bracket + second_bracket) +
-         ")' A,B,C\nloop_\n_pdbx_struct_oper_list.id\n";
+  out +=
+      "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n_pdbx_struct_assembly_"
+      "gen.asym_id_list\n1 '(1-" +
+      std::to_string(first_bracket) + ")(" + std::to_string(first_bracket + 1) + '-' +
+      std::to_string(first_bracket + second_bracket) + ")' A,B,C\nloop_\n_pdbx_struct_oper_list.id\n";
   for (int i = 1; i <= 3; ++i)
-    for (int j = 1; j <= 3; ++j) out += "_pdbx_struct_oper_list.matrix[" + std::to_string(i) + "][" + std::to_string(j) + "]\n";
+    for (int j = 1; j <= 3; ++j)
+      out += "_pdbx_struct_oper_list.matrix[" + std::to_string(i) + "][" + std::to_string(j) + "]\n";
   for (int i = 1; i <= 3; ++i) out += "_pdbx_struct_oper_list.vector[" + std::to_string(i) + "]\n";
   for (int k = 1; k <= first_bracket + second_bracket; ++k) {
     const double a = k <= first_bracket ? 6.283185307 * k / first_bracket : 0.0;
-    std::snprintf(line, sizeof line, "%d %.9f %.9f 0 %.9f %.9f 0 0 0 1 0 0 %d\n", k, std::cos(a), -std::sin(a), std::sin(a), std::cos(a), k <= first_bracket ? 0 : 1000 * k);
+    std::snprintf(line, sizeof line, "%d %.9f %.9f 0 %.9f %.9f 0 0 0 1 0 0 %d\n", k, std::cos(a), -std::sin(a),
+                  std::sin(a), std::cos(a), k <= first_bracket ? 0 : 1000 * k);
     out += line;
   }
   return out;
@@ -87,22 +94,30 @@ std::string capsid(int residues, int first_bracket, int second_bracket) {
 
 }  // namespace
 
-TEST_CASE("reading 300 000 atoms takes at most 120 bytes an atom in every format, packed or not, where all are one residue and where each is a residue and a chain of its own") {
+TEST_CASE(
+    "reading 300 000 atoms takes at most 120 bytes an atom in every format, packed or not, where all are one residue "
+    "and where each is a residue and a chain of its own") {
   constexpr std::size_t kAtoms = 300'000, kBuffers = std::size_t{2} << 20;
   std::string pdb, cif = kCifHead;
   for (std::size_t k = 0; k < kAtoms; ++k) {
     const int residue = int(k / 8 % 9999) + 1;
-    pdb += atomLine(k % 8 ? " CA" : " N", ' ', "LEU", char('A' + k / 80'000), residue, ' ', 0.001 * double(k), 1, 2, 1, "C");
-    cif += "ATOM C C" + std::to_string(k % 8) + " LEU " + char('A' + k / 80'000) + ' ' + std::to_string(residue) + " 1.234 5.678 9.012 1.0\n";
+    pdb += atomLine(k % 8 ? " CA" : " N", ' ', "LEU", char('A' + k / 80'000), residue, ' ', 0.001 * double(k), 1, 2, 1,
+                    "C");
+    cif += "ATOM C C" + std::to_string(k % 8) + " LEU " + char('A' + k / 80'000) + ' ' + std::to_string(residue) +
+           " 1.234 5.678 9.012 1.0\n";
   }
   // Each atom a residue and a chain of its own, and one of mmCIF's label chains too.
   std::string own_pdb, own_cif = kCifHead;
   for (std::size_t k = 0; k < kAtoms; ++k) {
     own_pdb += atomLine(" CA", ' ', "LEU", char('A' + k % 26), int(k % 9999) + 1, ' ', 0.001 * double(k), 1, 2, 1, "C");
-    own_cif += "ATOM C CA LEU " + std::to_string(100'000 + k) + ' ' + std::to_string(k % 9999 + 1) + " 1.234 5.678 9.012 1.0\n";
+    own_cif += "ATOM C CA LEU " + std::to_string(100'000 + k) + ' ' + std::to_string(k % 9999 + 1) +
+               " 1.234 5.678 9.012 1.0\n";
   }
-  const std::string xyzr = repeated("12.345 -6.789 0.123 1.70\n", kAtoms), one = repeated(atomLine(" CA", 'A', "LEU", 'A', 1, ' ', 0, 1, 2, 1, "C"), kAtoms);
-  const std::pair<std::string, const std::string*> files[] = {{"x.pdb", &pdb}, {"x.cif", &cif}, {"x.xyzr", &xyzr}, {"one.pdb", &one}, {"own.pdb", &own_pdb}, {"own.cif", &own_cif}};
+  const std::string xyzr = repeated("12.345 -6.789 0.123 1.70\n", kAtoms),
+                    one = repeated(atomLine(" CA", 'A', "LEU", 'A', 1, ' ', 0, 1, 2, 1, "C"), kAtoms);
+  const std::pair<std::string, const std::string*> files[] = {{"x.pdb", &pdb},       {"x.cif", &cif},
+                                                              {"x.xyzr", &xyzr},     {"one.pdb", &one},
+                                                              {"own.pdb", &own_pdb}, {"own.cif", &own_cif}};
   for (const auto& [name, text] : files) {
     CAPTURE(name);
     CHECK(tookToRead(*text, name, kAtoms) < 120 * kAtoms + kBuffers);
@@ -110,7 +125,9 @@ TEST_CASE("reading 300 000 atoms takes at most 120 bytes an atom in every format
   }
 }
 
-TEST_CASE("an assembly of 240 copies of 3 chains has 720 chains, each named once, every atom in its place, and takes at most 120 bytes an atom") {
+TEST_CASE(
+    "an assembly of 240 copies of 3 chains has 720 chains, each named once, every atom in its place, and takes at most "
+    "120 bytes an atom") {
   constexpr int kResidues = 40, kRound = 60, kUp = 4;
   constexpr std::size_t kAsymmetric = 3 * kResidues * 8, kAtoms = kAsymmetric * kRound * kUp;
   const std::string text = capsid(kResidues, kRound, kUp);
@@ -126,7 +143,8 @@ TEST_CASE("an assembly of 240 copies of 3 chains has 720 chains, each named once
     const double a = 6.283185307 * (copy / kUp + 1) / kRound;
     const Vec3 from = one->atoms[5].position.A, at = all->atoms[std::size_t(copy) * kAsymmetric + 5].position.A;
     const double z = from.z + 1000.0 * (kRound + 1 + copy % kUp);
-    REQUIRE(glm::distance(at, Vec3(std::cos(a) * from.x - std::sin(a) * from.y, std::sin(a) * from.x + std::cos(a) * from.y, z)) < 1e-4);
+    REQUIRE(glm::distance(at, Vec3(std::cos(a) * from.x - std::sin(a) * from.y,
+                                   std::sin(a) * from.x + std::cos(a) * from.y, z)) < 1e-4);
   }
 }
 
@@ -151,26 +169,32 @@ TEST_CASE("an assembly of 1.8 million chains whose names take 7 GB is refused be
   const std::string all = " A,B,C\n";
   generator.replace(generator.find(all), all.size(), "\n;" + chains + "\n;\n");
   const std::size_t before = most_held = held.load();
-  CHECK(problemOf(text + generator, "x.cif", {.assembly = "1"}) == "x.cif: the assembly '1' takes more than 3 GB of memory; read it without one");
+  CHECK(problemOf(text + generator, "x.cif", {.assembly = "1"}) ==
+        "x.cif: the assembly '1' takes more than 3 GB of memory; read it without one");
   CHECK(most_held - before < 200'000'000);
 }
 
-TEST_CASE("25 000 001 balls in 45 kB are refused on their line; so is an assembly of 25.9 million atoms, before it is made") {
+TEST_CASE(
+    "25 000 001 balls in 45 kB are refused on their line; so is an assembly of 25.9 million atoms, before it is made") {
   std::string packed;
   const std::string piece = gzipped(repeated("0 0 0 1\n", 1'000'000));
   for (int k = 0; k < 26; ++k) packed += piece;
   CHECK(packed.size() < 350'000);
-  CHECK(problemOf(packed, "x.xyzr.gz") == "x.xyzr.gz:25000001: more than 25 million atoms; split the file, or keep one model");
+  CHECK(problemOf(packed, "x.xyzr.gz") ==
+        "x.xyzr.gz:25000001: more than 25 million atoms; split the file, or keep one model");
   const std::size_t before = most_held = held.load();
   const std::string text = capsid(4, 1000, 270);
-  CHECK(problemOf(text, "x.cif", {.assembly = "1"}) == "x.cif: the assembly '1' has more than 25 million atoms; read it without one");
+  CHECK(problemOf(text, "x.cif", {.assembly = "1"}) ==
+        "x.cif: the assembly '1' has more than 25 million atoms; read it without one");
   CHECK(most_held - before < 200'000'000);
 }
 
 TEST_CASE("a line without an end, a text of CIF without an end and a gzip of gzips are told") {
   const std::string line = problemOf(gzipped(std::string(20 << 20, 'x')), "x.xyzr.gz");
   CHECK(line.starts_with("x.xyzr.gz:1: the line is longer than 16 MiB"));
-  CHECK(problemOf("data_x\n_a.b\n;text\n", "x.cif").starts_with("x.cif:3:1: it is not sound mmCIF: a text that begins with ';' has no end"));
+  CHECK(problemOf("data_x\n_a.b\n;text\n", "x.cif")
+            .starts_with("x.cif:3:1: it is not sound mmCIF: a text that begins with ';' has no end"));
   CHECK_FALSE(problemOf(gzipped(gzipped("0 0 0 1\n")), "x.xyzr.gz").empty());
-  CHECK(readMoleculeBytes(gzipped("0 0 0 1\n") + gzipped("2 0 0 1\n") + std::string(100, '\0'), "x.xyzr.gz")->atoms.size() == 2);
+  CHECK(readMoleculeBytes(gzipped("0 0 0 1\n") + gzipped("2 0 0 1\n") + std::string(100, '\0'), "x.xyzr.gz")
+            ->atoms.size() == 2);
 }

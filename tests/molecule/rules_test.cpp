@@ -65,8 +65,8 @@ TEST_CASE("an atom's name used twice without alternate locations is kept twice")
 TEST_CASE("the first of three models is read unless another is asked for, by place in the file") {
   std::string text;
   for (int model : {4, 7, 9})
-    text += "MODEL     " + std::to_string(model) + "\n" +
-            atomLine(" N", ' ', "GLY", 'A', 1, ' ', model, 0, 0, 1, "N") + "ENDMDL\n";
+    text += "MODEL     " + std::to_string(model) + "\n" + atomLine(" N", ' ', "GLY", 'A', 1, ' ', model, 0, 0, 1, "N") +
+            "ENDMDL\n";
   CHECK(xs(read(text)) == std::vector<double>{4});
   CHECK(xs(read(text, "x.pdb", {.model = 3})) == std::vector<double>{9});
   CHECK(read(text).warnings == std::vector<std::string>{"The file has 3 models; this is model 1."});
@@ -77,11 +77,10 @@ TEST_CASE("the first of three models is read unless another is asked for, by pla
 }
 
 TEST_CASE("mmCIF's models, alternates and insertion codes follow the same rules") {
-  const std::string text =
-      kCifHead +
-      "ATOM 1 N N . GLY A 52 A 1 0 0 1.0 1 H\n"
-      "ATOM 2 C CA A GLY A 52 A 2 0 0 0.4 1 H\nATOM 3 C CA B GLY A 52 A 3.5(2) 0 0 0.6 1 H\n"
-      "HETATM 4 O O . HOH B 60 ? 4 0 0 1.0 1 H\nATOM 5 N N . GLY A 52 A 5 0 0 1.0 2 H\n";
+  const std::string text = kCifHead +
+                           "ATOM 1 N N . GLY A 52 A 1 0 0 1.0 1 H\n"
+                           "ATOM 2 C CA A GLY A 52 A 2 0 0 0.4 1 H\nATOM 3 C CA B GLY A 52 A 3.5(2) 0 0 0.6 1 H\n"
+                           "HETATM 4 O O . HOH B 60 ? 4 0 0 1.0 1 H\nATOM 5 N N . GLY A 52 A 5 0 0 1.0 2 H\n";
   const Molecule m = read(text, "x.cif");
   CHECK(xs(m) == std::vector<double>{1, 3.5});
   CHECK(m.describe(1) == "CA of Gly 52A (chain H)");
@@ -126,9 +125,8 @@ TEST_CASE("two unknown elements in three atoms give 1.70 A and two warnings") {
                            "A\nHETATM 3 Xy X1 . LIG A 1 ? 8 0 0 1 1 A\n";
   const Molecule m = read(text, "x.cif");
   CHECK(m.warnings ==
-        std::vector<std::string>{
-            "No van der Waals radius is known for the element 'Qq' (2 atoms); 1.70 A was taken.",
-            "No van der Waals radius is known for the element 'Xy' (1 atom); 1.70 A was taken."});
+        std::vector<std::string>{"No van der Waals radius is known for the element 'Qq' (2 atoms); 1.70 A was taken.",
+                                 "No van der Waals radius is known for the element 'Xy' (1 atom); 1.70 A was taken."});
   for (const Atom& atom : m.atoms) CHECK(atom.radius_A == 1.70);
 }
 
@@ -166,16 +164,14 @@ TEST_CASE("a PDB assembly of a half turn gives chains A and A-2; an atom on the 
 }
 
 TEST_CASE("an mmCIF assembly with the product (1-2)(P) applies P first, and only to the chains it names") {
-  std::string text =
-      kCifHead +
-      "ATOM 1 N N . GLY A 1 ? 1 2 3 1 1 X\nATOM 2 N N . GLY B 1 ? 0 0 0 1 1 Y\n#\n"
-      "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
-      "_pdbx_struct_assembly_gen.asym_id_list\n1 '(1-2)(P)' A\nloop_\n_pdbx_struct_oper_list.id\n";
+  std::string text = kCifHead +
+                     "ATOM 1 N N . GLY A 1 ? 1 2 3 1 1 X\nATOM 2 N N . GLY B 1 ? 0 0 0 1 1 Y\n#\n"
+                     "loop_\n_pdbx_struct_assembly_gen.assembly_id\n_pdbx_struct_assembly_gen.oper_expression\n"
+                     "_pdbx_struct_assembly_gen.asym_id_list\n1 '(1-2)(P)' A\nloop_\n_pdbx_struct_oper_list.id\n";
   for (const char* kind : {"1", "2", "3"})
     for (const char* column : {"1", "2", "3"})
       text += std::string("_pdbx_struct_oper_list.matrix[") + kind + "][" + column + "]\n";
-  for (const char* kind : {"1", "2", "3"})
-    text += std::string("_pdbx_struct_oper_list.vector[") + kind + "]\n";
+  for (const char* kind : {"1", "2", "3"}) text += std::string("_pdbx_struct_oper_list.vector[") + kind + "]\n";
   // 1: identity; 2: a quarter turn about z; P: 10 A along x
   text += "1 1 0 0 0 1 0 0 0 1 0 0 0\n2 0 -1 0 1 0 0 0 0 1 0 0 0\nP 1 0 0 0 1 0 0 0 1 10 0 0\n";
   const Molecule m = read(text, "x.cif", {.assembly = "1"});
@@ -185,8 +181,7 @@ TEST_CASE("an mmCIF assembly with the product (1-2)(P) applies P first, and only
   CHECK(m.chains[1].name == "X-2");
 }
 
-TEST_CASE(
-    "an .xyzr file gives its balls as they stand: comments, blank lines, signs and exponents are read") {
+TEST_CASE("an .xyzr file gives its balls as they stand: comments, blank lines, signs and exponents are read") {
   const Molecule m = read("# a comment\n\n 1 2.5 -3 1.2\r\n+4\t5e0 6 0 # the rest\n", "balls.xyzr");
   REQUIRE(m.atoms.size() == 2);
   CHECK(m.id == "balls");
@@ -196,8 +191,7 @@ TEST_CASE(
   CHECK(m.warnings.empty());
   CHECK(m.describe(1) == "atom 1");
   CHECK(read("0 0 0 1 CA\n", "n.xyzr").warnings ==
-        std::vector<std::string>{
-            "What follows the fourth number of a line was passed over (first on line 1)."});
+        std::vector<std::string>{"What follows the fourth number of a line was passed over (first on line 1)."});
 }
 
 TEST_CASE("each format is also read gzipped, in two members, and by content where the name says nothing") {

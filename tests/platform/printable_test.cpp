@@ -1,4 +1,6 @@
 // Oracle: the code points that ECMA-48 and Unicode call controls, written out here.
+#include "engine/core/printable.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <random>
 #include <string>
 
-#include "engine/core/printable.h"
 #include "engine/core/problem.h"
 #include "engine/core/saturated.h"
 #include "engine/platform/folders.h"
@@ -21,14 +22,18 @@ std::string utf8(std::uint32_t c) {
   return {char(0xE0 | c >> 12), char(0x80 | (c >> 6 & 63)), char(0x80 | (c & 63))};
 }
 
-TEST_CASE("of the 63 488 code points of two and three bytes and of ASCII only C0, C1, DEL and 9 of direction are replaced") {
+TEST_CASE(
+    "of the 63 488 code points of two and three bytes and of ASCII only C0, C1, DEL and 9 of direction are replaced") {
   std::size_t replaced = 0;
   for (std::uint32_t c = 0; c < 0x10000; ++c) {
     if (c >= 0xD800 && c < 0xE000) continue;
     const std::string text = "a" + utf8(c) + "b";
-    const bool control = (c < 32 && c != 9 && c != 10) || (c >= 127 && c < 160) || (c >= 0x202A && c <= 0x202E) || (c >= 0x2066 && c <= 0x2069);
+    const bool control = (c < 32 && c != 9 && c != 10) || (c >= 127 && c < 160) || (c >= 0x202A && c <= 0x202E) ||
+                         (c >= 0x2066 && c <= 0x2069);
     const std::string clean = printable(text);
-    if (clean != (control ? "a\xEF\xBF\xBD" "b" : text)) {
+    if (clean != (control ? "a\xEF\xBF\xBD"
+                            "b"
+                          : text)) {
       CAPTURE(c);
       CHECK(false);
     }
@@ -39,11 +44,17 @@ TEST_CASE("of the 63 488 code points of two and three bytes and of ASCII only C0
 
 TEST_CASE("bytes that are no UTF-8 become one sign each: overlong, surrogates, cut short, alone") {
   CHECK(printable("\xC0\x9B") == "\xEF\xBF\xBD\xEF\xBF\xBD");
-  CHECK(printable("\x9B" "31m") == "\xEF\xBF\xBD" "31m");
+  CHECK(printable("\x9B"
+                  "31m") ==
+        "\xEF\xBF\xBD"
+        "31m");
   CHECK(printable("\xED\xA0\x80").size() == 9);
   CHECK(printable("x\xE2\x80") == "x\xEF\xBF\xBD\xEF\xBF\xBD");
-  CHECK(oneLine("a\nb\tc\rd\ve") == "a b c d\xEF\xBF\xBD" "e");
-  CHECK(Problem{"a\nb\x1b[2J", 3, 4, "bad \x07 thing", "mend\nit"}.text() == "a b\xEF\xBF\xBD[2J:3:4: bad \xEF\xBF\xBD thing; mend it");
+  CHECK(oneLine("a\nb\tc\rd\ve") ==
+        "a b c d\xEF\xBF\xBD"
+        "e");
+  CHECK(Problem{"a\nb\x1b[2J", 3, 4, "bad \x07 thing", "mend\nit"}.text() ==
+        "a b\xEF\xBF\xBD[2J:3:4: bad \xEF\xBF\xBD thing; mend it");
 }
 
 TEST_CASE("20 000 random bytes, in pieces of any size, give text that holds nothing that steers") {
@@ -95,8 +106,10 @@ TEST_CASE("a home that is not named from the root counts as none") {
   ::setenv("XDG_DATA_HOME", "rel", 1);
   CHECK(userDataFolder() == "/root/of/.local/share/moltact");
   if (before) ::setenv("HOME", kept.c_str(), 1);
-  if (data) ::setenv("XDG_DATA_HOME", kept_data.c_str(), 1);
-  else ::unsetenv("XDG_DATA_HOME");
+  if (data)
+    ::setenv("XDG_DATA_HOME", kept_data.c_str(), 1);
+  else
+    ::unsetenv("XDG_DATA_HOME");
 }
 
 }  // namespace

@@ -1,4 +1,7 @@
-// A file is what it was or what it is to be, whatever happens in between. Oracle: the bytes of both, and a listing of the folder.
+// A file is what it was or what it is to be, whatever happens in between. Oracle: the bytes of both, and a listing of
+// the folder.
+#include "engine/platform/write_file.h"
+
 #include <doctest/doctest.h>
 #include <fcntl.h>
 #include <sched.h>
@@ -18,7 +21,6 @@
 #include <string>
 
 #include "engine/platform/append_file.h"
-#include "engine/platform/write_file.h"
 
 namespace moltact {
 namespace {
@@ -38,7 +40,9 @@ struct Folder {
   }
 };
 
-void put(const fs::path& file, const std::string& bytes) { std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes; }
+void put(const fs::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+}
 
 std::string get(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -75,8 +79,10 @@ Ended killedAt(int at, const std::function<void()>& act) {
   ::waitpid(child, &status, WUNTRACED);
   Ended ended = Ended::Killed;
   for (int k = 0; k < at && ended == Ended::Killed; ++k) {
-    if (::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr) != 0) ended = Ended::NotTraceable;
-    else ::waitpid(child, &status, 0);
+    if (::ptrace(PTRACE_SYSCALL, child, nullptr, nullptr) != 0)
+      ended = Ended::NotTraceable;
+    else
+      ::waitpid(child, &status, 0);
     if (WIFEXITED(status)) return Ended::ByItself;
   }
   ::kill(child, SIGKILL);
@@ -86,7 +92,9 @@ Ended killedAt(int at, const std::function<void()>& act) {
 
 const std::string kOld(3000, 'o'), kNew(2'500'000, 'n');  // more than goes into one write
 
-TEST_CASE("killed at every one of its system calls, a writer leaves the old file or the new one, and the next writer leaves no draft of it") {
+TEST_CASE(
+    "killed at every one of its system calls, a writer leaves the old file or the new one, and the next writer leaves "
+    "no draft of it") {
   int points = 0, old = 0;
   for (int at = 1;; ++at) {
     const Folder folder;
@@ -113,7 +121,9 @@ TEST_CASE("killed at every one of its system calls, a writer leaves the old file
   CHECK(old < points);
 }
 
-TEST_CASE("a recording that replaces another one keeps the old file until its first piece is written, at every point of a kill") {
+TEST_CASE(
+    "a recording that replaces another one keeps the old file until its first piece is written, at every point of a "
+    "kill") {
   for (int at = 1;; ++at) {
     const Folder folder;
     const fs::path file = folder.path / "a.trace";
@@ -149,7 +159,8 @@ TEST_CASE("on a full disk the old file stays, nothing else is left, and the mess
   const bool allowed = onFullDisk(
       [](const fs::path& disk) {
         const auto problem = writeWhole(disk / "old", std::string(30'000, 'n'));
-        if (!problem || problem->text() != (disk / "old").string() + ": the disk is full; free some space on it") return 1;
+        if (!problem || problem->text() != (disk / "old").string() + ": the disk is full; free some space on it")
+          return 1;
         if (get(disk / "old") != std::string(4000, 'o')) return 2;
         if (!writeWhole(disk / "new", std::string(30'000, 'n'), IfThere::Refuse)) return 3;
         {
@@ -163,8 +174,10 @@ TEST_CASE("on a full disk the old file stays, nothing else is left, and the mess
         return writeWhole(disk / "old", "small") || get(disk / "old") != "small" ? 7 : 0;
       },
       result);
-  if (!allowed) MESSAGE("left out: no disk may be mounted here");
-  else CHECK(result == 0);
+  if (!allowed)
+    MESSAGE("left out: no disk may be mounted here");
+  else
+    CHECK(result == 0);
 }
 
 TEST_CASE("a limit on the size of files is a message and not the end of the program, and the old file stays") {
@@ -183,7 +196,9 @@ TEST_CASE("a limit on the size of files is a message and not the end of the prog
   CHECK(names(folder.path) == std::set<std::string>{"a"});
 }
 
-TEST_CASE("of 2 programs that write a file 300 times each at once none fails, and who reads it meanwhile meets one of theirs, whole") {
+TEST_CASE(
+    "of 2 programs that write a file 300 times each at once none fails, and who reads it meanwhile meets one of "
+    "theirs, whole") {
   const Folder folder;
   const fs::path file = folder.path / "settings.json";
   const std::string a(70'000, 'a'), b(90'000, 'b');
@@ -263,7 +278,8 @@ TEST_CASE("drafts of programs that have ended go, those of running ones and othe
   Expected<Draft> open = Draft::begin(folder.path / "open.csv");
   REQUIRE(bool(open));
   CHECK_FALSE(writeWhole(folder.path / "a.csv", "a"));
-  CHECK(names(folder.path) == std::set<std::string>{open->path().filename().string(), ".moltact-0123abcx-mine", ".moltact-notes", "a.csv"});
+  CHECK(names(folder.path) ==
+        std::set<std::string>{open->path().filename().string(), ".moltact-0123abcx-mine", ".moltact-notes", "a.csv"});
   CHECK_FALSE(open->append("whole"));
   CHECK_FALSE(open->commit());
   CHECK(get(folder.path / "open.csv") == "whole");
@@ -282,7 +298,8 @@ TEST_CASE("a file that only grows and to which nothing was appended goes again; 
   CHECK_FALSE(growing->append("b"));
   CHECK(get(folder.path / "old") == "ab");
   // Who writes it keeps others away.
-  CHECK(AppendFile::open(folder.path / "old", AppendFile::Begin::Replace).problem().message == "another Moltact is writing it");
+  CHECK(AppendFile::open(folder.path / "old", AppendFile::Begin::Replace).problem().message ==
+        "another Moltact is writing it");
 }
 
 }  // namespace

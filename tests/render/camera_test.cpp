@@ -1,4 +1,6 @@
 // Oracle: the pinhole camera's closed forms.
+#include "engine/render/camera.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -6,7 +8,6 @@
 #include <random>
 
 #include "engine/molecule/molecule.h"
-#include "engine/render/camera.h"
 
 using namespace moltact;
 
@@ -68,7 +69,9 @@ TEST_CASE("zooming by 2 halves the distance, stops at 0.5 A, and ignores what is
   CHECK(camera.distance_A == doctest::Approx(0.5));
 }
 
-TEST_CASE("a row of atoms toward the eye is turned to lie across the picture; one that lies aside, and a ring, stay as they are") {
+TEST_CASE(
+    "a row of atoms toward the eye is turned to lie across the picture; one that lies aside, and a ring, stay as they "
+    "are") {
   Molecule row, ring;
   for (int k = 0; k < 10; ++k) {
     Atom a;
@@ -110,8 +113,10 @@ TEST_CASE("fitting a long molecule keeps every ball in the picture and leaves no
     for (const Atom& a : molecule.atoms) {
       const Vec3 v = camera.toView(a.position);
       // The tangent plane through the eye that touches the ball on its outer side.
-      for (const auto& [side, tan] : {std::pair{std::abs(v.x), camera.tanHalfX(1600, 1000)}, std::pair{std::abs(v.y), camera.tanHalfY()}})
-        largest = std::max(largest, std::tan(std::atan2(side, -v.z) + std::asin(a.radius_A / std::hypot(side, v.z))) / tan);
+      for (const auto& [side, tan] :
+           {std::pair{std::abs(v.x), camera.tanHalfX(1600, 1000)}, std::pair{std::abs(v.y), camera.tanHalfY()}})
+        largest =
+            std::max(largest, std::tan(std::atan2(side, -v.z) + std::asin(a.radius_A / std::hypot(side, v.z))) / tan);
     }
     CHECK(largest == doctest::Approx(0.92).epsilon(1e-6));
   }

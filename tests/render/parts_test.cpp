@@ -1,11 +1,11 @@
-// The parts that need no graphics: names of shapes, intersections, exposure, PNG files. Oracles: closed forms.
+// The parts that need no graphics: names of shapes, intersections, ambient_occlusion, PNG files. Oracles: closed forms.
 #include <doctest/doctest.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "engine/render/ambient_occlusion.h"
 #include "engine/render/ball_intersections.h"
-#include "engine/render/exposure.h"
 #include "engine/render/picture.h"
 #include "engine/render/view_scene.h"
 
@@ -55,21 +55,23 @@ TEST_CASE("three balls of radius 2 A at the corners of a 2 A triangle meet sqrt(
   CHECK((*points)[0].z * (*points)[1].z < 0);
 }
 
-TEST_CASE("a ball alone has full light; in a block of 1000 the middle is darker than a corner, whose light comes from outside") {
-  CHECK(exposures(std::vector<Ball>{{Vec3(0), 1.7}})[0].level == 1.0f);
+TEST_CASE(
+    "a ball alone has full light; in a block of 1000 the middle is darker than a corner, whose light comes from "
+    "outside") {
+  CHECK(ambientOcclusion(std::vector<Ball>{{Vec3(0), 1.7}})[0].level == 1.0f);
   std::vector<Ball> block;
   for (int x = 0; x < 10; ++x)
     for (int y = 0; y < 10; ++y)
       for (int z = 0; z < 10; ++z) block.push_back({2.2 * Vec3(x, y, z), 1.7});
-  const auto light = exposures(block);
-  const Exposure corner = light.front(), middle = light[555];
+  const auto light = ambientOcclusion(block);
+  const AmbientOcclusion corner = light.front(), middle = light[555];
   CHECK(middle.level < 0.3f);
   CHECK(corner.level > middle.level + 0.3f);
   CHECK(glm::dot(corner.slope, glm::vec3(-1)) > 0.1f);
 }
 
 TEST_CASE("two balls 2 million A apart are lit without a field of that size") {
-  const auto light = exposures(std::vector<Ball>{{Vec3(-1e6, 0, 0), 1.7}, {Vec3(1e6, 0, 0), 1.7}});
+  const auto light = ambientOcclusion(std::vector<Ball>{{Vec3(-1e6, 0, 0), 1.7}, {Vec3(1e6, 0, 0), 1.7}});
   CHECK(light[0].level == 1.0f);
 }
 

@@ -1,12 +1,11 @@
 // Pictures against closed forms: the perspective image of a ball, the plane in which two balls meet, the same picture
 // with and without culling and far from the origin.
-#include "tests/render/stage.h"
-
 #include <cmath>
 #include <random>
 
 #include "engine/render/ball_intersections.h"
 #include "engine/render/gl_objects.h"
+#include "tests/render/stage.h"
 
 using namespace moltact;
 using namespace moltact::test;
@@ -102,13 +101,15 @@ TEST_CASE("two balls that overlap part along the plane in which they meet to wit
 }
 
 TEST_CASE("of two atoms in line the nearer is seen, and one behind the eye is not") {
-  const Picture near_red = drawn(atomsOnly({atom(Vec3(0, 0, 4), 1, 8), atom(Vec3(0), 1, 7), atom(Vec3(0, 0, 60), 1, 7)}, 20), 100, 100, kPlain);
+  const Picture near_red = drawn(
+      atomsOnly({atom(Vec3(0, 0, 4), 1, 8), atom(Vec3(0), 1, 7), atom(Vec3(0, 0, 60), 1, 7)}, 20), 100, 100, kPlain);
   CHECK(isRed(near_red.at(50, 50)));
   const Picture near_blue = drawn(atomsOnly({atom(Vec3(0, 0, -4), 1, 8), atom(Vec3(0), 1, 7)}, 20), 100, 100, kPlain);
   CHECK(isBlue(near_blue.at(50, 50)));
 }
 
-TEST_CASE("leaving out hidden atoms changes no pixel by more than 1 level; 3000 atoms, seeds 1 to 4, with and without rims") {
+TEST_CASE(
+    "leaving out hidden atoms changes no pixel by more than 1 level; 3000 atoms, seeds 1 to 4, with and without rims") {
   for (const unsigned seed : {1u, 2u, 3u, 4u})
     for (const bool rims : {false, true}) {
       ViewScene scene = atomsOnly(crowd(Vec3(0), seed, 3000), 60 - 8.0 * seed);

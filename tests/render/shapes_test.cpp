@@ -1,6 +1,4 @@
 // The haptic shapes, glyphs and golden pictures. Where a shape must lie comes from closed forms and the projection.
-#include "tests/render/stage.h"
-
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
@@ -11,6 +9,7 @@
 #include "engine/render/ball_intersections.h"
 #include "engine/render/glyphs.h"
 #include "engine/render/haptic_shapes.h"
+#include "tests/render/stage.h"
 
 using namespace moltact;
 using namespace moltact::test;
@@ -53,7 +52,8 @@ TEST_CASE("the circle in use passes within 1 pixel of where its closed form is p
   REQUIRE(circle);
   for (int i = 0; i < 90; ++i) {
     const double t = i * 3.14159265358979 / 45;
-    const Vec3 px = scene.camera.project({Vec3(0, circle->radius_A * std::cos(t), circle->radius_A * std::sin(t))}, 500, 400);
+    const Vec3 px =
+        scene.camera.project({Vec3(0, circle->radius_A * std::cos(t), circle->radius_A * std::sin(t))}, 500, 400);
     CHECK(brightest(with, without, px.x, px.y, 1) > 60);
   }
   // Nothing is drawn in the circle's middle.
@@ -156,8 +156,10 @@ TEST_CASE("the probe is a water molecule: O at the SCP, two H at 0.9572 A with 1
   CHECK(glm::length(Vec3(o) - scene.camera.toView(scene.contact.scp)) < 1e-5);
   CHECK(glm::length(h1) == doctest::Approx(0.9572).epsilon(1e-5));
   CHECK(glm::length(h2) == doctest::Approx(0.9572).epsilon(1e-5));
-  CHECK(std::acos(glm::dot(h1, h2) / 0.9572 / 0.9572) * 180 / 3.14159265358979 == doctest::Approx(104.52).epsilon(1e-4));
-  const glm::vec3 outward(scene.camera.toView({scene.contact.scp.A + Vec3(0, 1, 0)}) - scene.camera.toView(scene.contact.scp));
+  CHECK(std::acos(glm::dot(h1, h2) / 0.9572 / 0.9572) * 180 / 3.14159265358979 ==
+        doctest::Approx(104.52).epsilon(1e-4));
+  const glm::vec3 outward(scene.camera.toView({scene.contact.scp.A + Vec3(0, 1, 0)}) -
+                          scene.camera.toView(scene.contact.scp));
   CHECK(glm::dot(h1 + h2, outward) > 1.0f);
   REQUIRE(glyphs.shell.size() == 1);
   CHECK(glyphs.shell[0].radius == doctest::Approx(1.4));
@@ -186,7 +188,8 @@ TEST_CASE("out-of-range atoms in a scene are passed over") {
   CHECK(drawn(scene, 64, 64).rgb.size() == 64 * 64 * 3);
 }
 
-TEST_CASE("highlighted atoms are told from the others in shades of grey alone: stripes a third as bright as their ground") {
+TEST_CASE(
+    "highlighted atoms are told from the others in shades of grey alone: stripes a third as bright as their ground") {
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(-2, 0, 0), 1.7, 6), atom(Vec3(2, 0, 0), 1.7, 6)});
   scene.camera = frontCamera(14);
@@ -209,7 +212,8 @@ TEST_CASE("highlighted atoms are told from the others in shades of grey alone: s
   CHECK(contrast(-2) > 0.6);
 }
 
-TEST_CASE("the atoms that hold the probe are drawn over themselves in full light with a ring each; without a touch none is") {
+TEST_CASE(
+    "the atoms that hold the probe are drawn over themselves in full light with a ring each; without a touch none is") {
   ViewScene scene = crease();
   scene.shown = {Shape::Atoms};
   const MoleculeModel model(scene.molecule);
@@ -228,7 +232,9 @@ TEST_CASE("the atoms that hold the probe are drawn over themselves in full light
   CHECK(glyphs.solid.empty());
 }
 
-TEST_CASE("a model of 0.1 units stands with its tip at the HIP and is 170 pixels long in a picture 800 high; left-handed it is mirrored") {
+TEST_CASE(
+    "a model of 0.1 units stands with its tip at the HIP and is 170 pixels long in a picture 800 high; left-handed it "
+    "is mirrored") {
   ViewScene scene = crease();
   scene.shown = {Shape::Probe};
   SolidModel rod;
@@ -238,7 +244,8 @@ TEST_CASE("a model of 0.1 units stands with its tip at the HIP and is 170 pixels
   Glyphs glyphs;
   addGlyphs(scene, nullptr, glyphs);
   REQUIRE(glyphs.models.size() == 1);
-  const glm::vec3 tip(glyphs.models[0].to_view * glm::vec4(0, 0, 0, 1)), end(glyphs.models[0].to_view * glm::vec4(0, 0.1f, 0, 1));
+  const glm::vec3 tip(glyphs.models[0].to_view * glm::vec4(0, 0, 0, 1)),
+      end(glyphs.models[0].to_view * glm::vec4(0, 0.1f, 0, 1));
   CHECK(glm::length(Vec3(tip) - scene.camera.toView(*scene.hip)) < 1e-5);
   const double depth = -scene.camera.toView(*scene.hip).z;
   CHECK(double(glm::length(end - tip)) == doctest::Approx(170 * scene.camera.pixel_A(depth, 800)).epsilon(1e-4));

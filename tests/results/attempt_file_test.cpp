@@ -1,11 +1,11 @@
 // Oracle: the lines of a file as they were before it was damaged.
+#include "engine/results/attempt_file.h"
+
 #include <doctest/doctest.h>
 
 #include <algorithm>
-
 #include <nlohmann/json.hpp>
 
-#include "engine/results/attempt_file.h"
 #include "engine/results/attempt_writer.h"
 #include "engine/results/progress.h"
 #include "tests/results/sample_attempt.h"
@@ -60,7 +60,8 @@ std::vector<std::string> respaced(const std::string& lines) {
   return {loose, wide, sorted};
 }
 
-TEST_CASE("an attempt whose lines have other blanks or another order of keys is read, mended and gone on with like our own") {
+TEST_CASE(
+    "an attempt whose lines have other blanks or another order of keys is read, mended and gone on with like our own") {
   for (const std::string& whole : respaced(sampleFile())) {
     CAPTURE(whole.substr(0, 60));
     const ScratchFolder scratch;

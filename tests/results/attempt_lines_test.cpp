@@ -29,9 +29,9 @@ TEST_CASE("every one of the 19 kinds of event comes back from its line as it was
 
 TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms that held the probe") {
   const AttemptEvent event = sampleEvents()[7];
-  const auto& wanted = std::get<TraceChunk>(event.what).samples;
+  const auto& wanted = std::get<HipChunk>(event.what).samples;
   const auto back = readEventLine(lineOf(event));
-  const auto& got = std::get<TraceChunk>((**back).what).samples;
+  const auto& got = std::get<HipChunk>((**back).what).samples;
   REQUIRE(got.size() == wanted.size());
   for (std::size_t k = 0; k < got.size(); ++k) {
     CAPTURE(k);
@@ -47,7 +47,10 @@ TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms tha
 TEST_CASE("a felt curve keeps its forces to 0.001 N and the places where nothing was felt") {
   const CurveKept felt{"one", 2, true, "depth", 0.8, 3.3, {0.0, std::nan(""), 1.23456}};
   const std::string line = lineOf(AttemptEvent{4.0, felt});
-  CHECK(line == R"({"kind":"curve","t":4.0,"step":"one","task":2,"of":"felt","axis":"depth","to_A":0.8,"most_N":3.3,"force_N":[0.0,null,1.235]})" "\n");
+  CHECK(
+      line ==
+      R"({"kind":"curve","t":4.0,"step":"one","task":2,"of":"felt","axis":"depth","to_A":0.8,"most_N":3.3,"force_N":[0.0,null,1.235]})"
+      "\n");
   const auto back = readEventLine(line);
   const auto& got = std::get<CurveKept>((**back).what);
   CHECK(got.felt);
@@ -84,16 +87,28 @@ TEST_CASE("a file of format 7 with kinds and keys that are not known is read as 
 }
 
 TEST_CASE("wrong types, missing keys and numbers that do not fit are told and never thrown") {
-  for (const char* line : {"", "{", "[]", "42", "null", "{}", R"({"kind":"hint"})", R"({"kind":7,"t":1})", R"({"kind":"hint","t":"x","step":"a"})",
-                           R"({"kind":"hint","t":1,"step":3})", R"({"kind":"task","t":1,"step":"a","task":-1})",
-                           R"({"kind":"task","t":1,"step":"a","task":1e300})", R"({"kind":"task","t":1,"step":"a","task":0.5})",
-                           R"({"kind":"answer","t":1,"step":"a","question":"b","attempt":1,"right":"yes","by":"mouse"})",
-                           R"({"kind":"answer","t":1,"step":"a","question":"b","attempt":1,"right":true,"by":"foot"})",
-                           R"({"kind":"touch","t":1,"atoms":[1,99999999999]})", R"({"kind":"trace","t":1,"from":0,"ms":[0,1],"feature":"S","hip":[]})",
-                           R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":"S","hip":[1,2,3]})",
-                           R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":"Q","hip":[1,2,3],"scp":[1,2,3],"force":[0,0,0]})",
-                           R"({"kind":"view","t":1,"orientation":[1,0,0],"target_A":[0,0,0],"distance_A":5})",
-                           R"({"kind":"lesson","t":1,"lesson":[]})"}) {
+  for (const char* line :
+       {"",
+        "{",
+        "[]",
+        "42",
+        "null",
+        "{}",
+        R"({"kind":"hint"})",
+        R"({"kind":7,"t":1})",
+        R"({"kind":"hint","t":"x","step":"a"})",
+        R"({"kind":"hint","t":1,"step":3})",
+        R"({"kind":"task","t":1,"step":"a","task":-1})",
+        R"({"kind":"task","t":1,"step":"a","task":1e300})",
+        R"({"kind":"task","t":1,"step":"a","task":0.5})",
+        R"({"kind":"answer","t":1,"step":"a","question":"b","attempt":1,"right":"yes","by":"mouse"})",
+        R"({"kind":"answer","t":1,"step":"a","question":"b","attempt":1,"right":true,"by":"foot"})",
+        R"({"kind":"touch","t":1,"atoms":[1,99999999999]})",
+        R"({"kind":"trace","t":1,"from":0,"ms":[0,1],"feature":"S","hip":[]})",
+        R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":"S","hip":[1,2,3]})",
+        R"({"kind":"trace","t":1,"from":0,"ms":[0],"feature":"Q","hip":[1,2,3],"scp":[1,2,3],"force":[0,0,0]})",
+        R"({"kind":"view","t":1,"orientation":[1,0,0],"target_A":[0,0,0],"distance_A":5})",
+        R"({"kind":"lesson","t":1,"lesson":[]})"}) {
     CAPTURE(line);
     const auto event = readEventLine(line);
     CHECK_FALSE(bool(event));
@@ -124,8 +139,10 @@ TEST_CASE("2000 random changes of bytes in lines neither crash nor hang") {
     std::string line = round % 10 ? lineOf(events[random() % events.size()]) : lineOf(sampleHeader());
     for (unsigned changes = 1 + random() % 4; changes > 0; --changes) {
       const std::size_t at = random() % line.size();
-      if (random() % 3 == 0) line.erase(at, 1 + random() % 5);
-      else line[at] = "{}[]\",:0-9e.ntf\\\x80\xff"[random() % 18];
+      if (random() % 3 == 0)
+        line.erase(at, 1 + random() % 5);
+      else
+        line[at] = "{}[]\",:0-9e.ntf\\\x80\xff"[random() % 18];
       if (line.empty()) break;
     }
     (void)bool(readEventLine(line));

@@ -1,4 +1,7 @@
-// Numbers that no program of ours writes. Oracle: every number of a sample attempt in turn, found in its JSON by walking it.
+// Numbers that no program of ours writes. Oracle: every number of a sample attempt in turn, found in its JSON by
+// walking it.
+#include "engine/results/attempt_ranges.h"
+
 #include <doctest/doctest.h>
 
 #include <cmath>
@@ -7,7 +10,6 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/results/attempt_file.h"
-#include "engine/results/attempt_ranges.h"
 #include "engine/results/class_csv.h"
 #include "engine/results/class_page.h"
 #include "engine/results/page_parts.h"
@@ -20,7 +22,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Calls take(line with one of its numbers replaced, key) for every number of the line.
-void withEachNumber(const std::string& line, double by, const std::function<void(const std::string&, const std::string&)>& take) {
+void withEachNumber(const std::string& line, double by,
+                    const std::function<void(const std::string&, const std::string&)>& take) {
   Json json = Json::parse(line);
   const std::function<void(Json&, const std::string&)> walk = [&](Json& at, const std::string& key) {
     if (at.is_number()) {
@@ -38,7 +41,9 @@ void withEachNumber(const std::string& line, double by, const std::function<void
   walk(json, "");
 }
 
-TEST_CASE("each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets its line passed over and told; in range it does not") {
+TEST_CASE(
+    "each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets its line passed over and told; in range it "
+    "does not") {
   std::size_t numbers = 0;
   for (const AttemptEvent& event : sampleEvents())
     for (const double by : {1.7e308, -1e300, 1e37})
@@ -46,8 +51,10 @@ TEST_CASE("each number of each kind of line, made 1.7e308, -1e300 or 1e37, gets 
         CAPTURE(line);
         CHECK_MESSAGE(attemptRange(key) != nullptr, key);
         const auto read = readEventLine(line);
-        if (bool(read) && !key.empty()) CHECK(false);
-        else CHECK(read.problem().message.find("'" + key + "'") != std::string::npos);
+        if (bool(read) && !key.empty())
+          CHECK(false);
+        else
+          CHECK(read.problem().message.find("'" + key + "'") != std::string::npos);
         ++numbers;
       });
   MESSAGE(numbers << " lines");
@@ -64,7 +71,9 @@ TEST_CASE("a turn that is none and an orientation of length 0 are passed over") 
   CHECK(readEventLine(mirrored).problem().message == "'turn' is no rotation");
   stage.replace(at, 11, "\"turn\":[0.5");
   CHECK(readEventLine(stage).problem().message == "'turn' is no rotation");
-  CHECK(readEventLine(R"({"kind":"view","t":1,"orientation":[0,0,0,0],"target_A":[0,0,0],"distance_A":5})").problem().message == "'orientation' is no rotation");
+  CHECK(readEventLine(R"({"kind":"view","t":1,"orientation":[0,0,0,0],"target_A":[0,0,0],"distance_A":5})")
+            .problem()
+            .message == "'orientation' is no rotation");
 }
 
 TEST_CASE("lists longer than Moltact writes are passed over: 257 atoms, 101 figures, 10 001 values, 10 001 steps") {
@@ -115,7 +124,8 @@ TEST_CASE("a class with an attempt of every such number has its report, which na
 
 TEST_CASE("scales, strips and histograms are drawn for every number there is, in less than 20 kB each") {
   const double inf = std::numeric_limits<double>::infinity();
-  for (const double most : {0.0, -1.0, 5e-324, 1e-300, 1e-12, 1e-3, 1.0, 7.3, 1e10, 1e37, 1e300, 1.7e308, inf, -inf, std::nan("")}) {
+  for (const double most :
+       {0.0, -1.0, 5e-324, 1e-300, 1e-12, 1e-3, 1.0, 7.3, 1e10, 1e37, 1e300, 1.7e308, inf, -inf, std::nan("")}) {
     CAPTURE(most);
     const double top = page::roundAbove(most);
     CHECK(std::isfinite(top));
@@ -123,7 +133,8 @@ TEST_CASE("scales, strips and histograms are drawn for every number there is, in
     CHECK(page::stripScale(most, "N").size() < 20'000);
     CHECK(page::stripScale(top, "N").size() < 20'000);
     CHECK(page::strip({{most, InputWay::Mouse}, {1.0, InputWay::Device}}, top).size() < 20'000);
-    for (const double other : {0.0, 1.0, most}) CHECK(page::histogram("t", "N", {{most, InputWay::Mouse}, {other, InputWay::Device}}).size() < 20'000);
+    for (const double other : {0.0, 1.0, most})
+      CHECK(page::histogram("t", "N", {{most, InputWay::Mouse}, {other, InputWay::Device}}).size() < 20'000);
   }
   CHECK(page::roundAbove(7.3) == doctest::Approx(8.0));
 }

@@ -1,4 +1,6 @@
 // Oracle: the lines that were handed over, in their order. Processes are killed and disks are filled for real.
+#include "engine/results/attempt_writer.h"
+
 #include <doctest/doctest.h>
 #include <signal.h>
 #include <sys/resource.h>
@@ -9,7 +11,6 @@
 #include <thread>
 
 #include "engine/results/attempt_file.h"
-#include "engine/results/attempt_writer.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -50,7 +51,8 @@ TEST_CASE("a writer killed at 20 random moments leaves every line that it had ac
     ::close(pipe[1]);
     int acknowledged = -1;
     const int wait_for = int(random() % 60);
-    for (int k = 0; k <= wait_for; ++k) REQUIRE(::read(pipe[0], &acknowledged, sizeof acknowledged) == sizeof acknowledged);
+    for (int k = 0; k <= wait_for; ++k)
+      REQUIRE(::read(pipe[0], &acknowledged, sizeof acknowledged) == sizeof acknowledged);
     ::kill(child, SIGKILL);
     ::waitpid(child, nullptr, 0);
     ::close(pipe[0]);
@@ -65,14 +67,15 @@ TEST_CASE("a writer killed at 20 random moments leaves every line that it had ac
   }
 }
 
-TEST_CASE("a disk with room for half a line is told once, keeps whole lines only, and gets all 500 once there is room") {
+TEST_CASE(
+    "a disk with room for half a line is told once, keeps whole lines only, and gets all 500 once there is room") {
   const ScratchFolder scratch;
   const int status = inChild([&] {
     ::signal(SIGXFSZ, SIG_IGN);  // a write beyond the limit then fails as on a full disk, after part of it was written
     AttemptWriter writer = AttemptWriter::startNew(scratch.path, "full");
     writer.append(lineOf(sampleHeader()));
     writer.append(hint(0));
-    if (!writer.flush() || writer.takeTrouble()) return 1;
+    if (!writer.flush() || writer.takeFault()) return 1;
     const std::string before = bytesOf(writer.file());
     rlimit limit{};
     ::getrlimit(RLIMIT_FSIZE, &limit);
@@ -82,10 +85,10 @@ TEST_CASE("a disk with room for half a line is told once, keeps whole lines only
     for (int k = 1; k < 250; ++k) writer.append(hint(k));
     if (writer.flush()) return 2;
     if (bytesOf(writer.file()) != before) return 3;
-    if (!writer.takeTrouble()) return 4;
+    if (!writer.takeFault()) return 4;
     for (int k = 250; k < 500; ++k) writer.append(hint(k));
     if (writer.flush()) return 5;
-    if (writer.takeTrouble()) return 6;  // told already
+    if (writer.takeFault()) return 6;  // told already
     limit.rlim_cur = free_again;
     ::setrlimit(RLIMIT_FSIZE, &limit);
     if (!writer.flush() || !writer.takeRecovered()) return 7;
@@ -102,12 +105,12 @@ TEST_CASE("a device that is always full is told in words to act on, and ending t
   AttemptWriter writer = AttemptWriter::goOn("/dev/full");
   writer.append(hint(1));
   CHECK_FALSE(writer.flush());
-  const std::optional<Problem> trouble = writer.takeTrouble();
-  REQUIRE(trouble.has_value());
-  CHECK(trouble->text() == "/dev/full: the disk is full; free some space on it");
+  const std::optional<Problem> fault = writer.takeFault();
+  REQUIRE(fault.has_value());
+  CHECK(fault->text() == "/dev/full: the disk is full; free some space on it");
   writer.append(hint(2));
   CHECK_FALSE(writer.flush());
-  CHECK_FALSE(writer.takeTrouble().has_value());
+  CHECK_FALSE(writer.takeFault().has_value());
 }
 
 TEST_CASE("a folder that cannot be made or written is told, and what waited is written once it can be") {
@@ -117,7 +120,7 @@ TEST_CASE("a folder that cannot be made or written is told, and what waited is w
   AttemptWriter writer = AttemptWriter::startNew(blocked / "attempts", "a");
   writer.append(lineOf(sampleHeader()));
   CHECK_FALSE(writer.flush());
-  REQUIRE(writer.takeTrouble().has_value());
+  REQUIRE(writer.takeFault().has_value());
   CHECK(writer.file().empty());
   fs::remove(blocked);
   CHECK(writer.flush());
@@ -131,13 +134,13 @@ TEST_CASE("a folder that cannot be made or written is told, and what waited is w
     AttemptWriter refused = AttemptWriter::startNew(locked, "a");
     refused.append(lineOf(sampleHeader()));
     CHECK_FALSE(refused.flush());
-    CHECK(refused.takeTrouble()->remedy == "allow writing to it and to its folder");
+    CHECK(refused.takeFault()->remedy == "allow writing to it and to its folder");
     fs::permissions(locked, fs::perms::owner_all);
   }
   AttemptWriter nowhere = AttemptWriter::startNew({}, "a");
   nowhere.append(lineOf(sampleHeader()));
   CHECK_FALSE(nowhere.flush());
-  CHECK(nowhere.takeTrouble().has_value());
+  CHECK(nowhere.takeFault().has_value());
 }
 
 TEST_CASE("names that are taken get -2 and -3, and 2 programs never write the same file") {
@@ -152,7 +155,7 @@ TEST_CASE("names that are taken get -2 and -3, and 2 programs never write the sa
   AttemptWriter second = AttemptWriter::goOn(scratch.path / "same.jsonl");
   second.append(hint(1));
   CHECK_FALSE(second.flush());
-  CHECK(second.takeTrouble()->message == "another Moltact is writing it");
+  CHECK(second.takeFault()->message == "another Moltact is writing it");
   // Nor is a file mended while it is written.
   writeFile(scratch.path / "torn.jsonl", lineOf(sampleHeader()) + "{\"kind\":\"hi");
   AttemptWriter torn = AttemptWriter::goOn(scratch.path / "torn.jsonl");

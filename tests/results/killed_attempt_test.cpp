@@ -34,7 +34,7 @@ struct Window {
       touch.add(s, t_s, InputWay::Device);
     }
     for (AttemptEvent& e : touch.take(now_s)) log.add(std::move(e));
-    log.beat(now_s);
+    log.heartbeat(now_s);
   }
 };
 
@@ -46,7 +46,9 @@ PersonScore scoreOf(const fs::path& file) {
   return summary.lessons.at(0).people.at(0);
 }
 
-TEST_CASE("killed in any second of 5 s of reading, 25 s of pressing and 25 s of reading, the report is right to 1 s of the kill") {
+TEST_CASE(
+    "killed in any second of 5 s of reading, 25 s of pressing and 25 s of reading, the report is right to 1 s of the "
+    "kill") {
   const ScratchFolder scratch;
   Window window(AttemptLog(scratch.path, sampleHeader()));
   window.log.add({0.0, StepEntered{"one"}});
@@ -89,7 +91,9 @@ TEST_CASE("killed in any second of 5 s of reading, 25 s of pressing and 25 s of 
   CHECK(lineOf({1234.567, StillHere{}}).size() < 40);
 }
 
-TEST_CASE("an attempt that is taken up after a kill counts the touch that was cut off once, and the next one from where it began") {
+TEST_CASE(
+    "an attempt that is taken up after a kill counts the touch that was cut off once, and the next one from where it "
+    "began") {
   const ScratchFolder scratch;
   fs::path file;
   {
@@ -118,34 +122,37 @@ TEST_CASE("an attempt that is taken up after a kill counts the touch that was cu
   const Attempt whole = *readAttempt(again);
   double last_s = 0.0;
   for (const AttemptEvent& e : whole.events)
-    if (const auto* chunk = std::get_if<TraceChunk>(&e.what)) {
+    if (const auto* chunk = std::get_if<HipChunk>(&e.what)) {
       CHECK(chunk->samples.front().t_s >= last_s);
       last_s = chunk->samples.back().t_s;
     }
   CHECK(last_s == doctest::Approx(score.time_s).epsilon(0.05));
 }
 
-TEST_CASE("an attempt of an older Moltact, whose touches after it was taken up count from there, is read with the times put right") {
+TEST_CASE(
+    "an attempt of an older Moltact, whose touches after it was taken up count from there, is read with the times put "
+    "right") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "old.jsonl";
-  TraceChunk chunk;
+  HipChunk chunk;
   for (int k = 0; k < 3; ++k) {
-    TraceSample s;
+    HipSample s;
     s.t_s = 2.0 + 0.2 * k;
     chunk.samples.push_back(s);
   }
   std::string bytes = lineOf(sampleHeader());
-  for (const AttemptEvent& e : std::vector<AttemptEvent>{{100.0, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Mouse", false}},
-                                                         {102.0, TouchBegan{{1}}},
-                                                         {102.4, chunk},
-                                                         {105.0, TouchEnded{2.0, {1}, 0, 1.0, 1.0, 1.0, InputWay::Mouse}},
-                                                         {250.0, TouchBegan{{1}}},
-                                                         {255.0, TouchEnded{150.0, {1}, 0, 1.0, 1.0, 1.0, InputWay::Mouse}}})
+  for (const AttemptEvent& e :
+       std::vector<AttemptEvent>{{100.0, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Mouse", false}},
+                                 {102.0, TouchBegan{{1}}},
+                                 {102.4, chunk},
+                                 {105.0, TouchEnded{2.0, {1}, 0, 1.0, 1.0, 1.0, InputWay::Mouse}},
+                                 {250.0, TouchBegan{{1}}},
+                                 {255.0, TouchEnded{150.0, {1}, 0, 1.0, 1.0, 1.0, InputWay::Mouse}}})
     bytes += lineOf(e);
   writeFile(file, bytes);
   CHECK(scoreOf(file).touch_s == doctest::Approx(8.0));
   const Attempt attempt = *readAttempt(file);
-  CHECK(std::get<TraceChunk>(attempt.events[2].what).samples[0].t_s == doctest::Approx(102.0));
+  CHECK(std::get<HipChunk>(attempt.events[2].what).samples[0].t_s == doctest::Approx(102.0));
 }
 
 }  // namespace

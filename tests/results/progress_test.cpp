@@ -64,17 +64,20 @@ TEST_CASE("a memory of another version of the lesson is taken up as far as the l
   CHECK(session.question(0, 0).chosen == std::vector<std::size_t>{0});
 }
 
-void writeAttempt(const fs::path& file, const std::string& lesson, const std::string& student, std::size_t done, int age_h, std::size_t trace_lines = 0) {
+void writeAttempt(const fs::path& file, const std::string& lesson, const std::string& student, std::size_t done,
+                  int age_h, std::size_t trace_lines = 0) {
   AttemptHeader header = sampleHeader();
   header.lesson.file = lesson;
   header.student = student;
-  std::string bytes = lineOf(header) + lineOf({1, ProgressMade{"one", 0, 3}}) + lineOf({2, ProgressMade{"two", done, 3}});
+  std::string bytes =
+      lineOf(header) + lineOf({1, ProgressMade{"one", 0, 3}}) + lineOf({2, ProgressMade{"two", done, 3}});
   for (std::size_t k = 0; k < trace_lines; ++k) bytes += lineOf(sampleEvents()[7]);
   writeFile(file, bytes + "{\"kind\":\"tr");
   fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(age_h));
 }
 
-TEST_CASE("progress of 3 lessons: the last attempt counts, a finished one is remembered, the newest lesson comes first") {
+TEST_CASE(
+    "progress of 3 lessons: the last attempt counts, a finished one is remembered, the newest lesson comes first") {
   const ScratchFolder scratch;
   writeAttempt(scratch.path / "a1.jsonl", "a.md", "Ana", 3, 30);
   writeAttempt(scratch.path / "a2.jsonl", "a.md", "Bo", 1, 3, 5000);  // 1.5 MB of trace after the progress

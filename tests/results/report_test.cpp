@@ -103,7 +103,9 @@ TEST_CASE("the page shows the first curve that a student drew beside the one fel
 TEST_CASE("a second attempt adds its time, keeps the first answers and never lowers the progress") {
   Attempt second = sampleAttempt();
   second.header.began = "2026-11-22T08:00:00Z";
-  second.events = {{0.0, StepEntered{"one"}}, {4.0, Answered{"one", "which", 1, {1}, "", true, InputWay::Device}}, {10.5, ProgressMade{"one", 1, 3}}};
+  second.events = {{0.0, StepEntered{"one"}},
+                   {4.0, Answered{"one", "which", 1, {1}, "", true, InputWay::Device}},
+                   {10.5, ProgressMade{"one", 1, 3}}};
   const ClassSummary summary = summarise({second, sampleAttempt()});
   REQUIRE(summary.lessons.size() == 1);
   REQUIRE(summary.lessons[0].people.size() == 1);
@@ -123,22 +125,25 @@ std::string cellOf(const std::string& name) {
 }
 
 TEST_CASE("cells that a spreadsheet would compute are defused: = + - @ tab and line ends") {
-  for (const std::string name : {"=1+1", "+1", "-1", "@SUM(A1)", "\tx", "\nx", "=cmd|' /C calc'!A0"}) CHECK(cellOf(name) == "'" + name);
+  for (const std::string name : {"=1+1", "+1", "-1", "@SUM(A1)", "\tx", "\nx", "=cmd|' /C calc'!A0"})
+    CHECK(cellOf(name) == "'" + name);
   CHECK(cellOf("\rx") == "'\xEF\xBF\xBDx");
 }
 
-// What a spreadsheet may do before it looks for a formula, in its rudest form: cut off all that cannot be seen, fold what is wide or
-// small, and part by the signs that other countries use.
+// What a spreadsheet may do before it looks for a formula, in its rudest form: cut off all that cannot be seen, fold
+// what is wide or small, and part by the signs that other countries use.
 bool mightCompute(std::string text) {
   const auto replaceAll = [&](const std::string& a, const std::string& b) {
-    for (std::size_t at = 0; (at = text.find(a, at)) != std::string::npos; at += b.size()) text.replace(at, a.size(), b);
+    for (std::size_t at = 0; (at = text.find(a, at)) != std::string::npos; at += b.size())
+      text.replace(at, a.size(), b);
   };
   for (const char* sign : {"\uFF1D", "\uFE66"}) replaceAll(sign, "=");
   for (const char* sign : {"\uFF0B", "\uFE62"}) replaceAll(sign, "+");
   for (const char* sign : {"\uFF0D", "\uFE63"}) replaceAll(sign, "-");
   for (const char* sign : {"\uFF20", "\uFE6B"}) replaceAll(sign, "@");
-  for (const char* none : {"\u00A0", "\u00AD", "\u1680", "\u180E", "\u2000", "\u2003", "\u2007", "\u2009", "\u200B", "\u200E", "\u200F", "\u2028", "\u202F", "\u205F", "\u2060", "\u3000",
-                           "\uFEFF", "\uFFFD", " "})
+  for (const char* none :
+       {"\u00A0", "\u00AD", "\u1680", "\u180E", "\u2000", "\u2003", "\u2007", "\u2009", "\u200B", "\u200E", "\u200F",
+        "\u2028", "\u202F", "\u205F", "\u2060", "\u3000", "\uFEFF", "\uFFFD", " "})
     replaceAll(none, "");
   std::erase(text, '\0');
   bool begin = true;
@@ -149,11 +154,16 @@ bool mightCompute(std::string text) {
   return false;
 }
 
-TEST_CASE("no blank, invisible or control sign before a formula, no wide or small form of its sign, and no other separator gets it computed") {
+TEST_CASE(
+    "no blank, invisible or control sign before a formula, no wide or small form of its sign, and no other separator "
+    "gets it computed") {
   int tried = 0;
-  for (const std::string before : {"", " ", "  ", "\t", "\n", "\r", "\r\n", "\v", "\x1f", "\x7f", "\u00A0", "\u00AD", "\u0085", "\u1680", "\u180E", "\u2003", "\u200B", "\u200E", "\u2028",
-                                   "\u202E", "\u2066", "\u3000", "\uFEFF", "a;", "a; ", "a\t", "a\n\u00A0"})
-    for (const std::string sign : {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20", "\uFE66", "\uFE62", "\uFE63", "\uFE6B"}) {
+  for (const std::string before :
+       {"",       " ",      "  ",     "\t",     "\n",     "\r",     "\r\n",   "\v",     "\x1f",
+        "\x7f",   "\u00A0", "\u00AD", "\u0085", "\u1680", "\u180E", "\u2003", "\u200B", "\u200E",
+        "\u2028", "\u202E", "\u2066", "\u3000", "\uFEFF", "a;",     "a; ",    "a\t",    "a\n\u00A0"})
+    for (const std::string sign :
+         {"=", "+", "-", "@", "\uFF1D", "\uFF0B", "\uFF0D", "\uFF20", "\uFE66", "\uFE62", "\uFE63", "\uFE6B"}) {
       CAPTURE(before);
       CAPTURE(sign);
       CHECK_FALSE(mightCompute(cellOf(before + sign + "1+1")));
@@ -176,12 +186,15 @@ TEST_CASE("the page shows what students wrote as text: no tag, attribute or scri
   a.header.student = "<script>alert(1)</script>\" onload='x";
   a.header.lesson.title = "<b>&amp;";
   for (AttemptEvent& e : a.events)
-    if (auto* answer = std::get_if<Answered>(&e.what); answer && !answer->written.empty()) answer->written = "</div><img onerror=y>";
+    if (auto* answer = std::get_if<Answered>(&e.what); answer && !answer->written.empty())
+      answer->written = "</div><img onerror=y>";
   const std::string page = classPage(summarise({a}), {{"<i>.jsonl", 3, 0, "<u>", ""}}, "today");
-  for (const char* bad : {"<script", "<img", "<b>&amp;<", "onload='", "<i>", "<u>"}) CHECK_MESSAGE(page.find(bad) == std::string::npos, bad);
+  for (const char* bad : {"<script", "<img", "<b>&amp;<", "onload='", "<i>", "<u>"})
+    CHECK_MESSAGE(page.find(bad) == std::string::npos, bad);
   CHECK(page.find("&lt;script&gt;alert(1)&lt;/script&gt;&quot; onload=&#39;x") != std::string::npos);
   // Nothing is loaded from elsewhere.
-  for (const char* outside : {"http:", "https:", "src=", "@import", "url(//", "<link"}) CHECK_MESSAGE(page.find(outside) == std::string::npos, outside);
+  for (const char* outside : {"http:", "https:", "src=", "@import", "url(//", "<link"})
+    CHECK_MESSAGE(page.find(outside) == std::string::npos, outside);
 }
 
 TEST_CASE("with codes in the place of names no name stands in table or page, predictions included") {
@@ -198,7 +211,8 @@ TEST_CASE("with codes in the place of names no name stands in table or page, pre
 
 TEST_CASE("a class of 24 attempts by 18 students, written by the real log, is counted whole") {
   const ScratchFolder scratch;
-  const char* kept = std::getenv("MOLTACT_CLASS_REPORT");  // a folder to leave the class and its report in, to be looked at
+  const char* kept =
+      std::getenv("MOLTACT_CLASS_REPORT");  // a folder to leave the class and its report in, to be looked at
   const fs::path folder = kept ? fs::path(kept) : scratch.path;
   writeSyntheticClass(folder / "attempts", 7);
   std::vector<Attempt> attempts;

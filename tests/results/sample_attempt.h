@@ -20,7 +20,8 @@ class ScratchFolder {
     // In memory where the system has such a folder: thousands of small files are made here.
     std::error_code error;
     const std::filesystem::path memory = "/dev/shm";
-    path = (std::filesystem::is_directory(memory, error) ? memory : std::filesystem::temp_directory_path()) / ("moltact-results-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
+    path = (std::filesystem::is_directory(memory, error) ? memory : std::filesystem::temp_directory_path()) /
+           ("moltact-results-" + std::to_string(::getpid()) + "-" + std::to_string(++count));
     std::filesystem::create_directories(path);
   }
   ~ScratchFolder() {
@@ -45,16 +46,18 @@ inline AttemptHeader sampleHeader() {
   h.began = "2026-11-21T10:58:14Z";
   h.student = "A. \"Quote\", Ünlü\n=1+1";
   h.device = "Mouse";
-  h.lesson = {"first-touch.md", "First touch", "0123456789abcdef",
+  h.lesson = {"first-touch.md",
+              "First touch",
+              "0123456789abcdef",
               {{"one", "One", {{"reach", "Touch it."}}, {{"which", "Which?", {"this", "that", "both"}, {1}}}},
                {"two", "Two", {}, {{"how-much", "How much?", {}, {}}}}}};
   return h;
 }
 
 inline std::vector<AttemptEvent> sampleEvents() {
-  TraceChunk chunk;
+  HipChunk chunk;
   for (int k = 0; k < 6; ++k) {
-    TraceSample s;
+    HipSample s;
     s.t_s = 3.0 + 0.017 * k;
     s.hip.A = {1.25 * k, -3.5, 0.001 * k};
     s.scp = s.hip;
@@ -74,7 +77,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {0.0, stage},
       {0.0, StepEntered{"one"}},
       {0.0, TaskBegun{"one", 0}},
-      {0.5, ViewTurned{{1, 0, 0, 0}, {30.5, 29.25, 14.125}, 60.5}},
+      {0.5, ViewRotated{{1, 0, 0, 0}, {30.5, 29.25, 14.125}, 60.5}},
       {2.0, HintOpened{"one"}},
       {3.0, TouchBegan{{7}}},
       {3.085, chunk},

@@ -15,7 +15,10 @@ class Student {
   Student(unsigned seed, InputWay way) : random_(seed), way_(way) {
     skill_ = std::clamp(std::normal_distribution<double>(0.62, 0.15)(random_), 0.2, 0.95);
     pace_ = std::exp(std::normal_distribution<double>(0.0, 0.25)(random_));
-    press_N_ = (way == InputWay::Device ? 0.9 : way == InputWay::Mouse ? 1.3 : 1.1) * std::exp(std::normal_distribution<double>(0.0, 0.2)(random_));
+    press_N_ = (way == InputWay::Device  ? 0.9
+                : way == InputWay::Mouse ? 1.3
+                                         : 1.1) *
+               std::exp(std::normal_distribution<double>(0.0, 0.2)(random_));
   }
 
   // Works through a lesson up to `share` of its steps.
@@ -36,7 +39,9 @@ class Student {
 
  private:
   bool chance(double p) { return std::uniform_real_distribution<double>(0.0, 1.0)(random_) < p; }
-  double around(double middle, double spread = 0.35) { return middle * std::exp(std::normal_distribution<double>(0.0, spread)(random_)); }
+  double around(double middle, double spread = 0.35) {
+    return middle * std::exp(std::normal_distribution<double>(0.0, spread)(random_));
+  }
   void read() { t_ += pace_ * around(28.0); }
 
   void task(AttemptLog& log, const Step& step, std::size_t index) {
@@ -46,11 +51,12 @@ class Student {
     double touch_s = 0.0, path_A = 0.0, peak_N = 0.0;
     const int touches = 1 + int(random_() % 4);
     for (int k = 0; k < touches; ++k) {
-      const double from = t_, lasts = around(3.0), peak = std::min(3.3, around(press_N_, 0.3)), path = around(way_ == InputWay::Device ? 14.0 : 9.0, 0.5);
+      const double from = t_, lasts = around(3.0), peak = std::min(3.3, around(press_N_, 0.3)),
+                   path = around(way_ == InputWay::Device ? 14.0 : 9.0, 0.5);
       log.add({from, TouchBegan{{std::int32_t(random_() % 50)}}});
-      TraceChunk chunk;
+      HipChunk chunk;
       for (int i = 0; i < 20; ++i) {
-        TraceSample sample;
+        HipSample sample;
         sample.t_s = from + 0.02 * i;
         sample.hip.A = sample.scp.A = {0.3 * i, std::sin(0.3 * i), 5.0};
         chunk.samples.push_back(sample);
@@ -63,7 +69,15 @@ class Student {
       path_A += path;
       peak_N = std::max(peak_N, peak);
     }
-    log.add({t_, TaskDone{step.id, index, t_ - begun, way_, {{"time", t_ - begun, "s"}, {"contact time", touch_s, "s"}, {"mean force", 0.55 * peak_N, "N"}, {"greatest force", peak_N, "N"}, {"way", path_A, "Å"}}}});
+    log.add({t_, TaskDone{step.id,
+                          index,
+                          t_ - begun,
+                          way_,
+                          {{"time", t_ - begun, "s"},
+                           {"contact time", touch_s, "s"},
+                           {"mean force", 0.55 * peak_N, "N"},
+                           {"greatest force", peak_N, "N"},
+                           {"way", path_A, "Å"}}}});
     ++done_;
   }
 
@@ -72,7 +86,14 @@ class Student {
     t_ += pace_ * around(9.0);
     if (q.choices.empty()) {
       const bool number = q.answer && q.answer->kind == AnswerSpec::Kind::Number;
-      log.add({t_, Answered{step.id, q.id, 1, {}, number ? std::to_string(q.answer->number).substr(0, 4) + " " + q.answer->unit : "the crease is a line, the pit a point", true, by}});
+      log.add({t_, Answered{step.id,
+                            q.id,
+                            1,
+                            {},
+                            number ? std::to_string(q.answer->number).substr(0, 4) + " " + q.answer->unit
+                                   : "the crease is a line, the pit a point",
+                            true,
+                            by}});
       ++done_;
       return;
     }
@@ -123,11 +144,14 @@ void writeSyntheticClass(const std::filesystem::path& folder, unsigned seed) {
     header.lesson = outlineOf(lesson, "5eed5eed5eed5eed");
     AttemptLog log(folder, header);
     Student(seed + unsigned(written), way).work(log, lesson, share);
-    log.add({1e-3, Predicted{student % 2 ? "9b-02" : "9b-04", lesson.steps.front().id, "What will the next student feel?", student % 2 ? "A bump, then a groove" : "Nothing: it is smooth"}});
+    log.add(
+        {1e-3, Predicted{student % 2 ? "9b-02" : "9b-04", lesson.steps.front().id, "What will the next student feel?",
+                         student % 2 ? "A bump, then a groove" : "Nothing: it is smooth"}});
     log.flush();
     ++written;
   };
-  for (int student = 0; student < 18; ++student) attempt(student, "first-touch.md", student == 4 ? 0.4 : student == 11 ? 0.7 : 1.0);
+  for (int student = 0; student < 18; ++student)
+    attempt(student, "first-touch.md", student == 4 ? 0.4 : student == 11 ? 0.7 : 1.0);
   for (const int student : {0, 1, 2, 5, 7}) attempt(student, "how-touch-is-computed.md", student == 2 ? 0.5 : 1.0);
   attempt(4, "first-touch.md", 0.9);
 }

@@ -18,8 +18,8 @@ Timeline sampleTimeline() {
 TEST_CASE("the hand is where its samples are, and half way between two of them at half time") {
   const Timeline line = sampleTimeline();
   CHECK_FALSE(line.hand(2.9).has_value());
-  const std::vector<TraceSample> samples = std::get<TraceChunk>(sampleEvents()[7].what).samples;
-  for (const TraceSample& s : samples) {
+  const std::vector<HipSample> samples = std::get<HipChunk>(sampleEvents()[7].what).samples;
+  for (const HipSample& s : samples) {
     const auto at = line.hand(s.t_s);
     REQUIRE(at.has_value());
     CHECK(glm::distance(at->hip.A, s.hip.A) < 1e-9);
@@ -43,12 +43,16 @@ TEST_CASE("9.5 s with 7 marks: steps, a task, answers and a hint, each with its 
   const Timeline line = sampleTimeline();
   CHECK(line.length_s() == 9.5);
   using Kind = TimelineMark::Kind;
-  const std::vector<std::tuple<double, Kind, std::string>> wanted{
-      {0.0, Kind::Step, "One"},           {2.0, Kind::Hint, "Opened the hint"},          {3.2, Kind::Task, "Done: Touch it."},
-      {4.0, Kind::Wrong, "Answered: this"}, {5.0, Kind::Right, "Answered rightly: that"}, {8.0, Kind::Step, "Two"},
-      {9.0, Kind::Right, "Answered rightly: 2.5 Å"}};
+  const std::vector<std::tuple<double, Kind, std::string>> wanted{{0.0, Kind::Step, "One"},
+                                                                  {2.0, Kind::Hint, "Opened the hint"},
+                                                                  {3.2, Kind::Task, "Done: Touch it."},
+                                                                  {4.0, Kind::Wrong, "Answered: this"},
+                                                                  {5.0, Kind::Right, "Answered rightly: that"},
+                                                                  {8.0, Kind::Step, "Two"},
+                                                                  {9.0, Kind::Right, "Answered rightly: 2.5 Å"}};
   REQUIRE(line.marks().size() == wanted.size());
-  for (std::size_t k = 0; k < wanted.size(); ++k) CHECK(std::tuple(line.marks()[k].t_s, line.marks()[k].kind, line.marks()[k].text) == wanted[k]);
+  for (std::size_t k = 0; k < wanted.size(); ++k)
+    CHECK(std::tuple(line.marks()[k].t_s, line.marks()[k].kind, line.marks()[k].text) == wanted[k]);
   CHECK(line.step(7.9) == "One");
   CHECK(line.step(8.0) == "Two");
   REQUIRE(line.stage(0.0) != nullptr);

@@ -16,15 +16,17 @@ TEST_CASE("a slide of 2 A over atoms 3 and 4 in 1 s at 0.5 N is one touch with o
   for (int k = 0; k <= 1400; ++k) {
     const double t = k * 0.001;
     TouchSample s = touching(k < 700 ? 3 : 4, t, 0.5);
-    if (k < 100 || k > 1100) s.contact = Contact(), s.force.N = Vec3(0.0);
-    else s.contact.scp.A = {2.0 * (k - 100) / 1000.0, 0, 0};
+    if (k < 100 || k > 1100)
+      s.contact = Contact(), s.force.N = Vec3(0.0);
+    else
+      s.contact.scp.A = {2.0 * (k - 100) / 1000.0, 0, 0};
     // A graze of 20 ms in the air does not end the touch.
     if (k >= 400 && k < 420) s.contact = Contact();
     watch.add(s, t, InputWay::Device);
   }
   std::vector<AttemptEvent> touches;
   for (AttemptEvent& e : watch.take(1.4))
-    if (!std::holds_alternative<TraceChunk>(e.what)) touches.push_back(std::move(e));
+    if (!std::holds_alternative<HipChunk>(e.what)) touches.push_back(std::move(e));
   REQUIRE(touches.size() == 2);
   CHECK(touches[0].t_s == doctest::Approx(0.1));
   CHECK(std::get<TouchBegan>(touches[0].what).atoms == std::vector<std::int32_t>{3});
@@ -41,7 +43,7 @@ TEST_CASE("a slide of 2 A over atoms 3 and 4 in 1 s at 0.5 N is one touch with o
 
 TEST_CASE("the trace of 10 s on a circle stays within 60 samples a second, 0.5 s a line and 0.5 A of the way") {
   TouchWatch watch;
-  std::vector<TraceSample> trace;
+  std::vector<HipSample> trace;
   double longest_s = 0.0;
   const auto way = [](double t) { return Vec3(5.0 * std::cos(t), 5.0 * std::sin(t), 0.0); };
   for (int k = 0; k <= 10'000; ++k) {
@@ -50,7 +52,7 @@ TEST_CASE("the trace of 10 s on a circle stays within 60 samples a second, 0.5 s
     watch.add(s, k * 0.001, InputWay::Mouse);
     if (k % 16) continue;
     for (const AttemptEvent& e : watch.take(k * 0.001)) {
-      const auto& samples = std::get<TraceChunk>(e.what).samples;
+      const auto& samples = std::get<HipChunk>(e.what).samples;
       longest_s = std::max(longest_s, samples.back().t_s - samples.front().t_s);
       trace.insert(trace.end(), samples.begin(), samples.end());
     }
@@ -63,18 +65,18 @@ TEST_CASE("the trace of 10 s on a circle stays within 60 samples a second, 0.5 s
 
 TEST_CASE("a hand at rest for a minute gives 2 samples, one at each end of the rest") {
   TouchWatch watch;
-  std::vector<TraceSample> trace;
+  std::vector<HipSample> trace;
   for (int k = 0; k <= 60'100; ++k) {
     TouchSample s;
     s.hip.A = s.contact.scp.A = {k > 60'000 ? (k - 60'000) * 0.01 : 0.0, 0, 0};
     watch.add(s, k * 0.001, InputWay::Mouse);
     if (k % 16 == 0)
       for (const AttemptEvent& e : watch.take(k * 0.001))
-        for (const TraceSample& sample : std::get<TraceChunk>(e.what).samples) trace.push_back(sample);
+        for (const HipSample& sample : std::get<HipChunk>(e.what).samples) trace.push_back(sample);
   }
   watch.breakOff();
   for (const AttemptEvent& e : watch.take(60.1))
-    for (const TraceSample& sample : std::get<TraceChunk>(e.what).samples) trace.push_back(sample);
+    for (const HipSample& sample : std::get<HipChunk>(e.what).samples) trace.push_back(sample);
   REQUIRE(trace.size() >= 3);
   CHECK(trace.size() < 12);
   CHECK(trace[0].t_s == 0.0);
@@ -82,7 +84,8 @@ TEST_CASE("a hand at rest for a minute gives 2 samples, one at each end of the r
   CHECK(trace[1].hip.A.x < 0.01);
 }
 
-TEST_CASE("chatter between two features at 1 kHz gives at most 250 samples a second; numbers that are not finite give none") {
+TEST_CASE(
+    "chatter between two features at 1 kHz gives at most 250 samples a second; numbers that are not finite give none") {
   TouchWatch watch;
   std::size_t samples = 0;
   for (int k = 0; k < 2000; ++k) {
@@ -93,7 +96,7 @@ TEST_CASE("chatter between two features at 1 kHz gives at most 250 samples a sec
   }
   watch.breakOff();
   for (const AttemptEvent& e : watch.take(2.0)) {
-    if (const auto* chunk = std::get_if<TraceChunk>(&e.what)) samples += chunk->samples.size();
+    if (const auto* chunk = std::get_if<HipChunk>(&e.what)) samples += chunk->samples.size();
     if (const auto* end = std::get_if<TouchEnded>(&e.what)) CHECK(end->crossings == 1999);
   }
   CHECK(samples <= 501);

@@ -42,7 +42,7 @@ class AskingDevice final : public Device {
   const DeviceInfo& info() const noexcept override { return inner_.info(); }
   DevicePose read(double dt_s) noexcept override {
     DevicePose pose = inner_.read(dt_s);
-    pose.trouble = !calibrated_;
+    pose.fault = !calibrated_;
     return pose;
   }
   void write(ForceN force) noexcept override { inner_.write(force); }
@@ -61,10 +61,17 @@ class AskingDevice final : public Device {
 
 }  // namespace
 
-TEST_CASE("the simulated stylus passes every part of the check, each asked for but the first: late, lost and doubled ticks, a loop and a window that "
-          "stand, places that leap, are none or are old, scenes that are swapped") {
+TEST_CASE(
+    "the simulated stylus passes every part of the check, each asked for but the first: late, lost and doubled ticks, "
+    "a loop and a window that "
+    "stand, places that leap, are none or are old, scenes that are swapped") {
   int asked = 0;
-  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [&](const std::string&) { ++asked; return true; }, .part_s = 0.6});
+  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask =
+                                                                           [&](const std::string&) {
+                                                                             ++asked;
+                                                                             return true;
+                                                                           },
+                                                                       .part_s = 0.6});
   REQUIRE(parts.size() == kParts);
   for (const CheckedPart& part : parts) {
     CAPTURE(part.name);
@@ -75,7 +82,8 @@ TEST_CASE("the simulated stylus passes every part of the check, each asked for b
 }
 
 TEST_CASE("a part that the person does not want is left out and gives no force") {
-  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [](const std::string&) { return false; }, .part_s = 0.1});
+  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(),
+                                 {.ask = [](const std::string&) { return false; }, .part_s = 0.1});
   REQUIRE(parts.size() == kParts);
   CHECK(parts.front().passed);
   CHECK_FALSE(parts.front().forces);
@@ -87,14 +95,17 @@ TEST_CASE("a part that the person does not want is left out and gives no force")
 }
 
 TEST_CASE("a device that is unplugged in the first part fails it, and the parts with force are left out") {
-  const auto parts = checkDevice(std::make_unique<LoseableDevice>(), {.ask = [](const std::string&) { return true; }, .part_s = 0.4});
+  const auto parts =
+      checkDevice(std::make_unique<LoseableDevice>(), {.ask = [](const std::string&) { return true; }, .part_s = 0.4});
   CHECK_FALSE(parts.front().passed);
   CHECK(parts.front().found.find("unplugged") != std::string::npos);
   for (std::size_t k = 1; k < parts.size(); ++k) CHECK_FALSE(parts[k].done);
 }
 
-TEST_CASE("a device that is not ready is guided to it first: the person is shown its words, says so, and it is calibrated; who never does so is told why "
-          "nothing was checked") {
+TEST_CASE(
+    "a device that is not ready is guided to it first: the person is shown its words, says so, and it is calibrated; "
+    "who never does so is told why "
+    "nothing was checked") {
   int shown = 0, asked = 0;
   const auto no = [&](const std::string&) { return ++asked, false; };
   const auto third = [&](const DeviceStatus& status) {
@@ -107,7 +118,8 @@ TEST_CASE("a device that is not ready is guided to it first: the person is shown
   CHECK(parts.front().passed);
   CHECK(asked == int(kParts) - 1);
   asked = 0;
-  parts = checkDevice(std::make_unique<AskingDevice>(), {.ask = no, .guide = [](const DeviceStatus&) { return false; }, .part_s = 0.1, .ready_s = 0.2});
+  parts = checkDevice(std::make_unique<AskingDevice>(),
+                      {.ask = no, .guide = [](const DeviceStatus&) { return false; }, .part_s = 0.1, .ready_s = 0.2});
   CHECK(asked == 0);
   for (const CheckedPart& part : parts) {
     CHECK_FALSE(part.done);
@@ -117,18 +129,24 @@ TEST_CASE("a device that is not ready is guided to it first: the person is shown
 
 TEST_CASE("interrupted in a pull: no force in the next ticks, and all that is left is left out") {
   int asked = 0;
-  const auto parts = checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [&](const std::string&) { return ++asked, true; },
-                                                                       .interrupted = [&] { return asked > 0; }, .part_s = 5.0});
+  const auto parts =
+      checkDevice(std::make_unique<SimulatedDevice>(), {.ask = [&](const std::string&) { return ++asked, true; },
+                                                        .interrupted = [&] { return asked > 0; },
+                                                        .part_s = 5.0});
   CHECK(asked == 1);
   CHECK(parts.front().passed);
   for (std::size_t k = 1; k < parts.size(); ++k) CHECK_FALSE(parts[k].passed);
 }
 
-TEST_CASE("the plug: pulled out when that is asked, no force while it is away, softly back when it is in again; where nobody pulls it it is left out") {
+TEST_CASE(
+    "the plug: pulled out when that is asked, no force while it is away, softly back when it is in again; where nobody "
+    "pulls it it is left out") {
   auto device = std::make_unique<AskingDevice>();
   AskingDevice* const raw = device.get();
   raw->calibrate();
-  const auto only = [](const char* part) { return [part](const std::string& question) { return question.find(part) != std::string::npos; }; };
+  const auto only = [](const char* part) {
+    return [part](const std::string& question) { return question.find(part) != std::string::npos; };
+  };
   const auto hand = [raw](const std::string& what) {
     if (what.find("Pull") == 0) raw->plug(false);
     if (what.find("Now plug") == 0) raw->plug(true);
@@ -181,7 +199,9 @@ class PutDevice final : public Device {
 
 }  // namespace
 
-TEST_CASE("the judge of the check finds what a loop without safety does: a leap, no number, an old place, a gone device and what follows a stand") {
+TEST_CASE(
+    "the judge of the check finds what a loop without safety does: a leap, no number, an old place, a gone device and "
+    "what follows a stand") {
   using Fault = FaultyDevice::Fault;
   struct Case {
     Fault fault;
@@ -189,8 +209,10 @@ TEST_CASE("the judge of the check finds what a loop without safety does: a leap,
     double at_mm;
     const char* broken;
   };
-  for (const Case& one : {Case{Fault::None, 0, 2.0, nullptr}, Case{Fault::Leaps, 3, 2.0, "over the greatest force"}, Case{Fault::NotANumber, 1, 2.0, "the force is not finite"},
-                          Case{Fault::Frozen, 60, 2.0, "force at a stale place"}, Case{Fault::Stands, 1, 2.0, "more force than softly after a fault"}}) {
+  for (const Case& one : {Case{Fault::None, 0, 2.0, nullptr}, Case{Fault::Leaps, 3, 2.0, "over the greatest force"},
+                          Case{Fault::NotANumber, 1, 2.0, "the force is not finite"},
+                          Case{Fault::Frozen, 60, 2.0, "force at a stale place"},
+                          Case{Fault::Stands, 1, 2.0, "more force than softly after a fault"}}) {
     CAPTURE(int(one.fault));
     auto put = std::make_unique<PutDevice>();
     PutDevice& raw = *put;

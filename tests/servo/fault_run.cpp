@@ -7,10 +7,10 @@
 #include <limits>
 #include <optional>
 
-#include "engine/device/device_model.h"
 #include "engine/bench/scenes.h"
+#include "engine/device/device_model.h"
 #include "engine/haptics/methods.h"
-#include "engine/servo/force_judge.h"
+#include "engine/servo/force_monitor.h"
 #include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
 #include "tests/haptics/walk.h"
@@ -22,19 +22,42 @@ namespace {
 constexpr double kPeak_N = 3.3;
 constexpr double kRest_m_per_s = 0.03;  // half a step of the sensor a tick is what its rounding makes
 constexpr double kRounding_J = 1e-5;    // a step of the sensor at 0.5 N
-// What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm. The penalty method's
-// force is the slope of no energy where balls meet: there three hundredths.
+// What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm. The penalty
+// method's force is the slope of no energy where balls meet: there three hundredths.
 constexpr double kMade_J = 1e-4, kMadeByPenalty_J = 3e-4;
 
 enum class Fault : int {
-  Late, Stall, LongStall, Doubled, ClockBack, ClockAhead, ClockNaN, Teleport, PlaceNaN, Stale, Unplug,
-  RendererStalls, SceneSwap, MethodSwap, BadSettings, ProbeJump, Panic, ForceOff, BadTracker, Rescaled,
-  FallBack, WeakDevice, PanicUnplugged, LessonSwap, Count,
+  Late,
+  Stall,
+  LongStall,
+  Doubled,
+  ClockBack,
+  ClockAhead,
+  ClockNaN,
+  Teleport,
+  PlaceNaN,
+  Stale,
+  Unplug,
+  RendererStalls,
+  SceneSwap,
+  MethodSwap,
+  BadSettings,
+  ProbeJump,
+  Panic,
+  ForceOff,
+  BadTracker,
+  Rescaled,
+  FallBack,
+  WeakDevice,
+  PanicUnplugged,
+  LessonSwap,
+  Count,
 };
 constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{
-    "late", "stall", "long stall", "doubled", "clock back", "clock ahead", "clock NaN", "teleport", "place NaN", "stale",
-    "unplug", "renderer stalls", "scene swap", "method swap", "bad settings", "probe jump", "panic", "force off", "bad tracker", "rescaled",
-    "fall back", "weak device", "panic unplugged", "lesson swap"};
+    "late",        "stall",       "long stall",   "doubled",     "clock back",      "clock ahead",
+    "clock NaN",   "teleport",    "place NaN",    "stale",       "unplug",          "renderer stalls",
+    "scene swap",  "method swap", "bad settings", "probe jump",  "panic",           "force off",
+    "bad tracker", "rescaled",    "fall back",    "weak device", "panic unplugged", "lesson swap"};
 
 // A method that answers with what no place is.
 class BadTracker final : public Tracker {
@@ -44,7 +67,7 @@ class BadTracker final : public Tracker {
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return kWaterProbe_A; }
-  Footprint footprint() const noexcept override { return {}; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
   Vec3 scp_;
@@ -53,7 +76,12 @@ class BadTracker final : public Tracker {
 class Run {
  public:
   explicit Run(std::uint64_t seed)
-      : random_(seed), seed_(seed), device_(deviceOf()), hand_(handOf()), model_(device_, hand_, {{40, 0, 0}}), step_(infoOf()) {
+      : random_(seed),
+        seed_(seed),
+        device_(deviceOf()),
+        hand_(handOf()),
+        model_(device_, hand_, {{40, 0, 0}}),
+        step_(infoOf()) {
     // As a lesson has it, the stiffest that the panel offers, and the stiffest that a setting may ask.
     const double which = random_.uniform(0, 3);
     settings_.stiffness_N_per_mm = which < 1 ? 0.5 : which < 2 ? 2.0 : 5.0;
@@ -106,7 +134,8 @@ class Run {
   }
   void newTracker() {
     const auto all = methods();
-    const Method& method = random_.uniform(0, 1) < 0.6 ? all.front() : all[std::size_t(random_.uniform(0, double(all.size())) * 0.999)];
+    const Method& method =
+        random_.uniform(0, 1) < 0.6 ? all.front() : all[std::size_t(random_.uniform(0, double(all.size())) * 0.999)];
     tracker_ = method.make(makeScene(scene_.balls), settings_.probe_A);
     method_ = method.name;
   }
@@ -117,7 +146,8 @@ class Run {
     const double depth_A = random_.uniform(0, 2.0);
     double far_A = 1;
     for (const Ball& ball : scene_.balls) {
-      const double along = glm::dot(ball.centre_A, out), aside2 = glm::dot(ball.centre_A, ball.centre_A) - along * along;
+      const double along = glm::dot(ball.centre_A, out),
+                   aside2 = glm::dot(ball.centre_A, ball.centre_A) - along * along;
       const double radius = ball.radius_A + settings_.probe_A;
       if (aside2 < radius * radius) far_A = std::max(far_A, along + std::sqrt(radius * radius - aside2));
     }
@@ -139,9 +169,9 @@ class Run {
     TickTime time = {};
     std::optional<Vec3> place_mm = {};  // instead of the device's
     bool fresh = true, connected = true;
-    bool moves = true;             // false: no time passes for the device
-    bool to_model = true;          // false: the force is for another device
-    bool leaps = false;            // the place is far from the one before
+    bool moves = true;     // false: no time passes for the device
+    bool to_model = true;  // false: the force is for another device
+    bool leaps = false;    // the place is far from the one before
 
     // Something is wrong that no force may outlast, not even for a tick.
     bool wrong() const {
@@ -152,7 +182,9 @@ class Run {
 
   // One tick of the loop, judged; then one millisecond of the world.
   void tick(const How& how) {
-    const DevicePose pose{.position = how.place_mm ? PointMm{*how.place_mm} : model_.sensed(), .fresh = how.fresh, .connected = how.connected};
+    const DevicePose pose{.position = how.place_mm ? PointMm{*how.place_mm} : model_.sensed(),
+                          .fresh = how.fresh,
+                          .connected = how.connected};
     sensed_ = pose.position;
     const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time);
     ++out_.ticks;
@@ -160,7 +192,10 @@ class Run {
     cuts_ += sample.limits.has(Limit::EnergyCut);
     judge(sample, how);
     command_ = sample.force;
-    const auto stretch = [&](PointA hip) { return sample.contact.touching() ? glm::distance(sample.contact.scp.A, hip.A) / settings_.workspace.A_per_mm : 0.0; };
+    const auto stretch = [&](PointA hip) {
+      return sample.contact.touching() ? glm::distance(sample.contact.scp.A, hip.A) / settings_.workspace.A_per_mm
+                                       : 0.0;
+    };
     const double told_mm = stretch(sample.hip);
     stretch_mm_ = stretch(settings_.workspace.toMolecule(model_.position()));  // without the sensor's steps
     const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
@@ -175,13 +210,19 @@ class Run {
   void judge(const ServoSample& sample, const How& how) {
     const double size = glm::length(sample.force.N);
     out_.greatest_N = std::max(out_.greatest_N, size);
-    if (const char* promise = judge_.judge(sample.force.N, {.fresh = how.fresh, .at_once = bad_ != nullptr || unsound_settings_ || sample.limits.has(Limit::EnergyCut), .stopped = settings_.panic || how.wrong()})) broken(promise, size);
+    if (const char* promise = judge_.judge(
+            sample.force.N, {.fresh = how.fresh,
+                             .at_once = bad_ != nullptr || unsound_settings_ || sample.limits.has(Limit::EnergyCut),
+                             .stopped = settings_.panic || how.wrong()}))
+      broken(promise, size);
   }
   void broken(const char* promise, double size_N = 0) {
     if (!out_.broken.empty()) return;
     char text[320];
-    std::snprintf(text, sizeof text, "seed %llu, tick %llu, %s %.0f ticks ago from %.3f N, method %.*s: %s (%.3f N)", static_cast<unsigned long long>(seed_),
-                  static_cast<unsigned long long>(out_.ticks), doing_, judge_.sinceFault_ticks(), judge_.beforeFault_N(), int(method_.size()), method_.data(), promise, size_N);
+    std::snprintf(text, sizeof text, "seed %llu, tick %llu, %s %.0f ticks ago from %.3f N, method %.*s: %s (%.3f N)",
+                  static_cast<unsigned long long>(seed_), static_cast<unsigned long long>(out_.ticks), doing_,
+                  judge_.sinceFault_ticks(), judge_.beforeFault_N(), int(method_.size()), method_.data(), promise,
+                  size_N);
     out_.broken = text;
   }
 
@@ -220,17 +261,28 @@ class Run {
           tick({});
         }
         break;
-      case Fault::ClockBack: expectSoft(); tick({.time = {.dt_s = -random_.uniform(1e-6, 1e6)}}); break;
-      case Fault::ClockAhead: expectSoft(); tick({.time = {.dt_s = random_.uniform(0.021, 1e9)}}); break;
-      case Fault::ClockNaN: expectSoft(); tick({.time = {.dt_s = some % 2 ? nan : inf, .delay_s = nan}}); break;
+      case Fault::ClockBack:
+        expectSoft();
+        tick({.time = {.dt_s = -random_.uniform(1e-6, 1e6)}});
+        break;
+      case Fault::ClockAhead:
+        expectSoft();
+        tick({.time = {.dt_s = random_.uniform(0.021, 1e9)}});
+        break;
+      case Fault::ClockNaN:
+        expectSoft();
+        tick({.time = {.dt_s = some % 2 ? nan : inf, .delay_s = nan}});
+        break;
       case Fault::Teleport:
         expectSoft();
-        for (int k = 0; k < some % 5 + 1; ++k) tick({.place_mm = model_.sensed().mm + random_.direction() * random_.uniform(8, 200), .leaps = k == 0});
+        for (int k = 0; k < some % 5 + 1; ++k)
+          tick({.place_mm = model_.sensed().mm + random_.direction() * random_.uniform(8, 200), .leaps = k == 0});
         expectSoft();
         break;
-      case Fault::PlaceNaN: lasting(some * 4, {.place_mm = some % 3 ? Vec3(nan, 0, 0) : Vec3(0, inf, -inf)}); break;
-      case Fault::Stale:
-      {
+      case Fault::PlaceNaN:
+        lasting(some * 4, {.place_mm = some % 3 ? Vec3(nan, 0, 0) : Vec3(0, inf, -inf)});
+        break;
+      case Fault::Stale: {
         const Vec3 frozen = model_.sensed().mm;
         for (int k = 0; k < some * 5; ++k) tick({.place_mm = frozen, .fresh = false});
         break;
@@ -244,10 +296,14 @@ class Run {
       case Fault::SceneSwap:
         expectSoft();
         newScene();
-        ++settings_.placements;
+        ++settings_.discontinuities;
         tick({});
         break;
-      case Fault::MethodSwap: expectSoft(); newTracker(); tick({}); break;
+      case Fault::MethodSwap:
+        expectSoft();
+        newTracker();
+        tick({});
+        break;
       case Fault::BadSettings: {
         const ServoSettings kept = settings_;
         const std::array<double, 6> bad{nan, inf, -inf, -1.0, 1e300, 0.0};
@@ -280,7 +336,9 @@ class Run {
         break;
       case Fault::BadTracker:
         expectSoft();
-        bad_ = std::make_unique<BadTracker>(some % 3 == 0 ? Vec3(nan, nan, nan) : some % 3 == 1 ? Vec3(1e300, 0, 0) : Vec3(0, -inf, 0));
+        bad_ = std::make_unique<BadTracker>(some % 3 == 0   ? Vec3(nan, nan, nan)
+                                            : some % 3 == 1 ? Vec3(1e300, 0, 0)
+                                                            : Vec3(0, -inf, 0));
         for (int k = 0; k < some * 3; ++k) tick({});
         bad_.reset();
         expectSoft();
@@ -299,7 +357,8 @@ class Run {
       case Fault::FallBack: {  // the stylus goes, a mouse presses as deep as it likes, the stylus comes back
         otherDevice(DeviceInfo{});
         const Vec3 deep = sensed_.mm * random_.uniform(0.2, 1.0);
-        for (int k = 0; k < some * 20; ++k) tick({.place_mm = deep + (sensed_.mm - deep) * std::exp(-0.01 * k), .to_model = false});
+        for (int k = 0; k < some * 20; ++k)
+          tick({.place_mm = deep + (sensed_.mm - deep) * std::exp(-0.01 * k), .to_model = false});
         otherDevice(infoOf());
         for (int k = 0; k < some * 3; ++k) tick({});
         break;
@@ -327,10 +386,11 @@ class Run {
         settings_.stiffness_N_per_mm = random_.uniform(0.1, 2.0);
         settings_.workspace.A_per_mm = random_.uniform(0.1, 0.4);
         newScene();
-        ++settings_.placements;
+        ++settings_.discontinuities;
         for (int k = 0; k < some * 3; ++k) tick({});
         break;
-      case Fault::Count: break;
+      case Fault::Count:
+        break;
     }
   }
   // Nothing has been given to it yet.
@@ -339,8 +399,8 @@ class Run {
     judge_.otherDevice(info.max_force_N);
     command_ = ForceN{};
   }
-  // The hand is held still: what moves the device comes to rest, or slides off on energy that was there. A stiffness that
-  // comes back after late ticks stores more in the same stretch, and may.
+  // The hand is held still: what moves the device comes to rest, or slides off on energy that was there. A stiffness
+  // that comes back after late ticks stores more in the same stretch, and may.
   void restAfter() {
     for (int k = 0; k < 600; ++k) tick({});
     cuts_ = 0;
@@ -361,21 +421,24 @@ class Run {
         risen_J = std::max(risen_J, now_J - least_J);
       }
     const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
-    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s), grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
+    const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s),
+               grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
     out_.cuts += cuts_;
-    // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the speed is; what
-    // buzzes does neither.
+    // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the
+    // speed is; what buzzes does neither.
     const bool slides = (faster && !grown) || energy[0] - energy[1] > 0.5 * device_.mass_kg * fastest[1] * fastest[1];
     if (!slides) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
     if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
     // Tick by tick, where the spring's force is not cut and what it stores so is known.
-    if (known && risen_J > stiffened_J + (method_ == "penalty" ? kMadeByPenalty_J : kMade_J)) broken("energy is made while the hand is still", 1e3 * risen_J);
+    if (known && risen_J > stiffened_J + (method_ == "penalty" ? kMadeByPenalty_J : kMade_J))
+      broken("energy is made while the hand is still", 1e3 * risen_J);
     judge_.expectAny();
   }
 
   // Of the device's motion, of the hand that holds it, and of the surface's spring.
   double energy_J() const {
-    const double v = glm::length(model_.velocity_m_per_s()), d_m = 1e-3 * glm::distance(model_.position().mm, target_mm_);
+    const double v = glm::length(model_.velocity_m_per_s()),
+                 d_m = 1e-3 * glm::distance(model_.position().mm, target_mm_);
     return 0.5 * device_.mass_kg * v * v + 0.5 * hand_.stiffness_N_per_m * d_m * d_m + stored_J();
   }
   // What a spring holds; one whose force is cut gives it back all the way.
@@ -402,7 +465,7 @@ class Run {
   PointMm sensed_;
   double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
   double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
-  ForceJudge judge_{kPeak_N};
+  ForceMonitor judge_{kPeak_N};
   std::uint64_t cuts_ = 0;
   FaultRunResult out_;
 };

@@ -19,7 +19,9 @@ std::uint64_t fromEnvironment(const char* name, std::uint64_t otherwise) {
 
 }  // namespace
 
-TEST_CASE("100 seeds of 8 faults in contact: finite, within 3.3 N and 1 N a tick, gone in the tick in which something is wrong, never growing") {
+TEST_CASE(
+    "100 seeds of 8 faults in contact: finite, within 3.3 N and 1 N a tick, gone in the tick in which something is "
+    "wrong, never growing") {
   const std::uint64_t seeds = fromEnvironment("MOLTACT_FAULT_SEEDS", 100);
   FaultRunResult all;
   const std::uint64_t first = fromEnvironment("MOLTACT_FAULT_FIRST", 1);
@@ -33,8 +35,9 @@ TEST_CASE("100 seeds of 8 faults in contact: finite, within 3.3 N and 1 N a tick
     all.greatest_N = std::max(all.greatest_N, one.greatest_N);
     all.restless_m_per_s = std::max(all.restless_m_per_s, one.restless_m_per_s);
   }
-  MESSAGE(seeds << " seeds, " << all.faults << " faults, " << all.ticks << " ticks, " << all.contact << " in contact, at most "
-                << all.greatest_N << " N; a second after a fault at most " << all.restless_m_per_s << " m/s, " << all.cuts << " cuts");
+  MESSAGE(seeds << " seeds, " << all.faults << " faults, " << all.ticks << " ticks, " << all.contact
+                << " in contact, at most " << all.greatest_N << " N; a second after a fault at most "
+                << all.restless_m_per_s << " m/s, " << all.cuts << " cuts");
   // The runs must press, or they prove nothing.
   CHECK(all.contact > all.ticks / 4);
   CHECK(all.greatest_N > 1.5);

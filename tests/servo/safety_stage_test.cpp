@@ -24,19 +24,20 @@ WantedForce push(double z_N) { return {.force_N = {0, 0, z_N}}; }
 SafetyStage ready(const DeviceInfo& info = omni()) {
   SafetyStage stage(info);
   for (int k = 0; k < 600; ++k) {
-    stage.look({}, {});
-    stage.give(push(0));
+    stage.beginTick({}, {});
+    stage.output(push(0));
   }
   return stage;
 }
 
 ForceN tick(SafetyStage& stage, const WantedForce& wanted, const DevicePose& pose = {}, const TickTime& time = {}) {
-  stage.look(pose, time);
-  return stage.give(wanted);
+  stage.beginTick(pose, time);
+  return stage.output(wanted);
 }
 
 // The force after `ticks` ticks of the same.
-double after(SafetyStage& stage, int ticks, const WantedForce& wanted, const DevicePose& pose = {}, const TickTime& time = {}) {
+double after(SafetyStage& stage, int ticks, const WantedForce& wanted, const DevicePose& pose = {},
+             const TickTime& time = {}) {
   ForceN last;
   for (int k = 0; k < ticks; ++k) last = tick(stage, wanted, pose, time);
   return last.N.z;
@@ -118,26 +119,28 @@ TEST_CASE("watchdog: a stale place leaves the force for 20 ms, ends it by 44 ms,
   stale.fresh = false;
   for (int ms = 1; ms <= 150; ++ms) {
     CAPTURE(ms);
-    const bool forget = stage.look(stale, {});
-    const double force = stage.give(push(3)).N.z;
+    const bool forget = stage.beginTick(stale, {});
+    const double force = stage.output(push(3)).N.z;
     CHECK(forget == (ms == 100));
     if (ms <= 20) CHECK(force == doctest::Approx(3.0));
     if (ms >= 44) CHECK(force == 0.0);
     if (ms > 20 && ms < 100) CHECK(stage.acted().has(Limit::StalePlace));
   }
-  CHECK(stage.look({}, {}));  // it is back, and may be anywhere
-  CHECK(stage.give(push(3)).N.z <= 3.0 / 500 + 1e-12);
+  CHECK(stage.beginTick({}, {}));  // it is back, and may be anywhere
+  CHECK(stage.output(push(3)).N.z <= 3.0 / 500 + 1e-12);
 }
 
-TEST_CASE("late loop: a clock that stood for 21 ms, ran back or is no number ends the force in the very tick and restarts softly") {
+TEST_CASE(
+    "late loop: a clock that stood for 21 ms, ran back or is no number ends the force in the very tick and restarts "
+    "softly") {
   for (const double dt_s : {0.021, 5.0, -0.001, -1e9, std::nan(""), std::numeric_limits<double>::infinity()}) {
     CAPTURE(dt_s);
     SafetyStage stage = ready();
     after(stage, 10, push(3));
-    const bool forget = stage.look({}, {.dt_s = dt_s});
+    const bool forget = stage.beginTick({}, {.dt_s = dt_s});
     CHECK(forget == (dt_s > 0.1));
     CHECK(stage.acted().has(Limit::LateLoop));
-    CHECK(stage.give(push(3)).N.z == 0.0);
+    CHECK(stage.output(push(3)).N.z == 0.0);
     CHECK(after(stage, 3, push(3)) <= 3 * 3.0 / 500 + 1e-12);
     CHECK(after(stage, 500, push(3)) == doctest::Approx(3.0));
   }
@@ -146,15 +149,15 @@ TEST_CASE("late loop: a clock that stood for 21 ms, ran back or is no number end
 TEST_CASE("jump: 6 mm in a tick forget the contact, 4 mm do not; nor do 60 mm after 15 ms without a place") {
   SafetyStage stage = ready();
   after(stage, 10, push(1));
-  CHECK_FALSE(stage.look({.position = {{4, 0, 0}}}, {}));
-  stage.give(push(1));
-  CHECK(stage.look({.position = {{10, 0, 0}}}, {}));
+  CHECK_FALSE(stage.beginTick({.position = {{4, 0, 0}}}, {}));
+  stage.output(push(1));
+  CHECK(stage.beginTick({.position = {{10, 0, 0}}}, {}));
   CHECK(stage.acted().has(Limit::Jump));
-  CHECK(stage.give(push(1)).N.z == 0.0);
+  CHECK(stage.output(push(1)).N.z == 0.0);
   for (int k = 0; k < 14; ++k) tick(stage, push(1), {.position = {{10, 0, 0}}, .fresh = false});
-  CHECK_FALSE(stage.look({.position = {{70, 0, 0}}}, {}));
-  CHECK(stage.look({.position = {{170, 0, 0}}}, {}));
-  CHECK_FALSE(stage.look({.position = {{-170, 0, 0}}, .placements = 1}, {}));  // placed anew: no way between
+  CHECK_FALSE(stage.beginTick({.position = {{70, 0, 0}}}, {}));
+  CHECK(stage.beginTick({.position = {{170, 0, 0}}}, {}));
+  CHECK_FALSE(stage.beginTick({.position = {{-170, 0, 0}}, .discontinuities = 1}, {}));  // placed anew: no way between
 }
 
 TEST_CASE("unplugged: no force in the very tick, the contact forgotten when it goes and when it comes back") {
@@ -162,15 +165,17 @@ TEST_CASE("unplugged: no force in the very tick, the contact forgotten when it g
   after(stage, 10, push(3));
   DevicePose gone;
   gone.connected = false;
-  CHECK(stage.look(gone, {}));
-  CHECK(stage.give(push(3)).N.z == 0.0);
+  CHECK(stage.beginTick(gone, {}));
+  CHECK(stage.output(push(3)).N.z == 0.0);
   CHECK(after(stage, 3, push(3), gone) == 0.0);
   CHECK(stage.acted().has(Limit::Unplugged));
-  CHECK(stage.look({}, {}));
-  CHECK(stage.give(push(3)).N.z <= 3.0 / 500 + 1e-12);
+  CHECK(stage.beginTick({}, {}));
+  CHECK(stage.output(push(3)).N.z <= 3.0 / 500 + 1e-12);
 }
 
-TEST_CASE("another device: whatever the last one was given, it begins at nothing and softly, and the motors' heat is not forgotten") {
+TEST_CASE(
+    "another device: whatever the last one was given, it begins at nothing and softly, and the motors' heat is not "
+    "forgotten") {
   DeviceInfo weak = omni();
   weak.max_force_N = 1.0;
   DeviceInfo mouse;
@@ -190,13 +195,15 @@ TEST_CASE("another device: whatever the last one was given, it begins at nothing
     CHECK(last_N == doctest::Approx(next->max_force_N));
     // Behind a mouse no motor warms; the stylus comes back hardly cooler than it went.
     stage.setDevice(omni());
-    stage.look({}, {});
+    stage.beginTick({}, {});
     if (next == &mouse) CHECK(stage.heat() == doctest::Approx(warm * std::exp(-0.5 / 30)).epsilon(0.01));
-    CHECK(glm::length(stage.give(push(3.3)).N) <= 3.3 / 500 + 1e-9);
+    CHECK(glm::length(stage.output(push(3.3)).N) <= 3.3 / 500 + 1e-9);
   }
 }
 
-TEST_CASE("speed: at 0.5 m/s the force stays, at 0.875 m/s half of what drives the hand, from 1 m/s nothing; what brakes stays") {
+TEST_CASE(
+    "speed: at 0.5 m/s the force stays, at 0.875 m/s half of what drives the hand, from 1 m/s nothing; what brakes "
+    "stays") {
   for (const double speed : {0.5, 0.875, 1.0, 1.4}) {
     for (const double sign : {1.0, -1.0}) {
       CAPTURE(speed);
@@ -218,8 +225,10 @@ TEST_CASE("speed: at 0.5 m/s the force stays, at 0.875 m/s half of what drives t
   }
 }
 
-TEST_CASE("a device's own limits are kept clear of by a tenth: of 0.5 m/s, nothing drives the hand from 0.45 m/s on; of 200 N/s, the force rises by "
-          "0.18 N a tick and ends as fast as ever; without them, or where they are none, ours hold") {
+TEST_CASE(
+    "a device's own limits are kept clear of by a tenth: of 0.5 m/s, nothing drives the hand from 0.45 m/s on; of 200 "
+    "N/s, the force rises by "
+    "0.18 N a tick and ends as fast as ever; without them, or where they are none, ours hold") {
   DeviceInfo slow = omni();
   slow.gives_force = false;  // no braking on top
   slow.speed_limit_m_per_s = 0.5;
@@ -237,7 +246,7 @@ TEST_CASE("a device's own limits are kept clear of by a tenth: of 0.5 m/s, nothi
   CHECK(stage.acted().has(Limit::Speed));
   for (int k = 0; k < 20; ++k) force = tick(stage, push(2), {.position = {at += Vec3(0, 0, 0.3)}});
   CHECK(force.N.z == doctest::Approx(2.0));
-  for (const double none : {0.0, -1.0, std::nan(""), DeviceFigures::kNoLimit}) {
+  for (const double none : {0.0, -1.0, std::nan(""), DeviceSpecs::kNoLimit}) {
     CAPTURE(none);
     DeviceInfo figures = omni();
     figures.speed_limit_m_per_s = figures.slew_limit_N_per_s = none;
@@ -246,15 +255,17 @@ TEST_CASE("a device's own limits are kept clear of by a tenth: of 0.5 m/s, nothi
   }
 }
 
-TEST_CASE("stiffness: with 2.2 N s/m and 1 ms of delay 0.73 N/mm are stable by half, with 3 ms 0.31, and it is reached slowly") {
+TEST_CASE(
+    "stiffness: with 2.2 N s/m and 1 ms of delay 0.73 N/mm are stable by half, with 3 ms 0.31, and it is reached "
+    "slowly") {
   SafetyStage stage = ready();
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 1.5));
   CHECK(stage.stiffness(0.5) == 0.5);
   CHECK_FALSE(stage.acted().has(Limit::Stiffness));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5));
   CHECK(stage.acted().has(Limit::Stiffness));
-  stage.give({.force_N = {0, 0, 1}, .stretch_mm = 1.4, .stiffness_N_per_mm = 0.733});  // now it is felt
-  stage.look({}, {.delay_s = 0.002});
+  stage.output({.force_N = {0, 0, 1}, .stretch_mm = 1.4, .stiffness_N_per_mm = 0.733});  // now it is felt
+  stage.beginTick({}, {.delay_s = 0.002});
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5 - 0.001));
   SafetyStage aged = ready();
@@ -269,23 +280,27 @@ TEST_CASE("stiffness: with 2.2 N s/m and 1 ms of delay 0.73 N/mm are stable by h
   CHECK(ready(coarse).stiffnessBound_N_per_mm() == doctest::Approx(0.005));
 }
 
-TEST_CASE("device: while it reports a fault there is no force from that tick on, and its own heat of 0.9 halves what the peak has over the continuous force") {
+TEST_CASE(
+    "device: while it reports a fault there is no force from that tick on, and its own heat of 0.9 halves what the "
+    "peak has over the continuous force") {
   SafetyStage stage = ready();
   after(stage, 10, push(3));
   DevicePose pose;
-  pose.trouble = true;
+  pose.fault = true;
   CHECK(tick(stage, push(3), pose).N.z == 0.0);
   CHECK(stage.acted().has(Limit::DeviceFault));
-  CHECK_FALSE(stage.look({}, {}));  // the place was known all the while
+  CHECK_FALSE(stage.beginTick({}, {}));  // the place was known all the while
   stage = ready();
-  pose.trouble = false;
+  pose.fault = false;
   pose.motor_heat = 0.9f;
   CHECK(after(stage, 10, push(3.3), pose) == doctest::Approx(0.88 + 0.5 * (3.3 - 0.88)).epsilon(1e-6));
   pose.motor_heat = std::nanf("");
   CHECK(after(stage, 10, push(3.3), pose) == doctest::Approx(0.88));
 }
 
-TEST_CASE("what is switched off, another scene and another scale go along the slew: 3 N are 2, 1 and 0 N in the next three ticks") {
+TEST_CASE(
+    "what is switched off, another scene and another scale go along the slew: 3 N are 2, 1 and 0 N in the next three "
+    "ticks") {
   SafetyStage off = ready(), other = ready();
   after(off, 10, push(3));
   after(other, 10, push(3));
@@ -310,11 +325,13 @@ TEST_CASE("panic: no force in the very tick, as long as it lasts, and a soft sta
   CHECK(tick(stage, push(3)).N.z <= 3.0 / 500 + 1e-12);
 }
 
-TEST_CASE("damping: of a wall that pushes twice as hard on the way out as on the way in a hand gets less than two thirds; an honest one is left alone") {
+TEST_CASE(
+    "damping: of a wall that pushes twice as hard on the way out as on the way in a hand gets less than two thirds; an "
+    "honest one is left alone") {
   for (const bool dishonest : {false, true}) {
     CAPTURE(dishonest);
     SafetyStage stage = ready();
-    Limits acted;
+    LimitFlags acted;
     double given_J = 0, unlimited_J = 0, last_mm = 0;
     Vec3 last(0.0), asked(0.0);
     for (int k = 0; k < 4000; ++k) {  // in and out by 1 mm at 5 Hz: at most 31 mm/s
@@ -324,12 +341,16 @@ TEST_CASE("damping: of a wall that pushes twice as hard on the way out as on the
       last_mm = z_mm;
       const double stretch_mm = -z_mm * (dishonest && std::sin(phase) < 0 ? 2 : 1);
       asked = {0, 0, 0.5 * stretch_mm};
-      last = tick(stage, {.force_N = asked, .stretch_mm = stretch_mm, .stiffness_N_per_mm = 0.5}, {.position = {{0, 0, z_mm}}}).N;
+      last = tick(stage, {.force_N = asked, .stretch_mm = stretch_mm, .stiffness_N_per_mm = 0.5},
+                  {.position = {{0, 0, z_mm}}})
+                 .N;
       acted.add(stage.acted());
     }
     CHECK((acted.has(Limit::Damping) || acted.has(Limit::EnergyCut)) == dishonest);
-    if (dishonest) CHECK(given_J < 2.0 / 3.0 * unlimited_J);
-    else CHECK(given_J == doctest::Approx(unlimited_J));
+    if (dishonest)
+      CHECK(given_J < 2.0 / 3.0 * unlimited_J);
+    else
+      CHECK(given_J == doctest::Approx(unlimited_J));
   }
 }
 
@@ -340,9 +361,10 @@ TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more
   for (int k = 0; k < 4000; ++k) {
     // To and fro at up to 0.5 m/s through a wall that pushes three times as hard on the way out.
     const double phase = k * 0.01, z_mm = 50 * std::sin(phase), out = std::cos(phase) > 0 ? 0.3 : 0.1;
-    stage.look({.position = {{0, 0, z_mm}}}, {});
+    stage.beginTick({.position = {{0, 0, z_mm}}}, {});
     const double stretch_mm = std::max(0.0, -z_mm);
-    const ForceN force = stage.give({.force_N = {0, 0, out * stretch_mm}, .stretch_mm = stretch_mm, .stiffness_N_per_mm = 0.2, .most_N = 0.5});
+    const ForceN force = stage.output(
+        {.force_N = {0, 0, out * stretch_mm}, .stretch_mm = stretch_mm, .stiffness_N_per_mm = 0.2, .most_N = 0.5});
     braked = braked || stage.acted().has(Limit::Damping);
     greatest_N = std::max(greatest_N, glm::length(force.N));
   }
@@ -351,7 +373,7 @@ TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more
 }
 
 TEST_CASE("each limit has one bit, a name and a sentence") {
-  Limits seen;
+  LimitFlags seen;
   for (const LimitWords& words : limitWords()) {
     CHECK_FALSE(seen.has(words.limit));
     seen.add(words.limit);

@@ -14,7 +14,8 @@
 using namespace moltact;
 
 TEST_CASE("carbon's push is the slope of the van der Waals energy, and nothing where they touch and beyond 1 A") {
-  // Independent of the formula's derivative: the energy itself, e ((R/r)^12 - 2 (R/r)^6), differenced; SI through Avogadro's number.
+  // Independent of the formula's derivative: the energy itself, e ((R/r)^12 - 2 (R/r)^6), differenced; SI through
+  // Avogadro's number.
   const auto energy_J = [](double r_A) {
     const double x6 = std::pow(3.40 / r_A, 6);
     return 0.107 * 4184.0 / 6.02214076e23 * (x6 * x6 - 2 * x6);
@@ -27,26 +28,32 @@ TEST_CASE("carbon's push is the slope of the van der Waals energy, and nothing w
   }
   CHECK(*carbonPush_pN(0.0) == 0.0);
   CHECK(*carbonPush_pN(0.6) > 2 * *carbonPush_pN(0.3));
-  for (const double none : {-0.01, 1.001, 3.4, std::nan(""), std::numeric_limits<double>::infinity()}) CHECK_FALSE(carbonPush_pN(none));
+  for (const double none : {-0.01, 1.001, 3.4, std::nan(""), std::numeric_limits<double>::infinity()})
+    CHECK_FALSE(carbonPush_pN(none));
 }
 
 TEST_CASE("the scale tells a way and a force with two digits that count: 0.2 A a mm under 0.5 N/mm is 71 pN a newton") {
   Workspace workspace;
   workspace.A_per_mm = 0.2;  // 1 N: 2 mm, 0.4 A
   CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 0.2 Å there, 1 N here would be 71 pN there.");
-  CHECK(scaleReason(workspace, 0.5).find("With 1 N the probe is 0.4 Å under the surface. Two carbon atoms pressed that far into each other would push back with 71 pN.") == 0);
+  CHECK(scaleReason(workspace, 0.5)
+            .find("With 1 N the probe is 0.4 Å under the surface. Two carbon atoms pressed that far into each other "
+                  "would push back with 71 pN.") == 0);
   workspace.A_per_mm = 0.0362;  // 0.0724 A
   CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 0.036 Å there, 1 N here would be 4.2 pN there.");
   workspace.A_per_mm = 1.0;  // 1.0 A under 1 N/mm
   CHECK(scaleSentence(workspace, 1.0) == "1 mm here is 1 Å there, 1 N here would be 2100 pN there.");
   workspace.A_per_mm = 4.0;
   CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 4 Å there; 1 N here presses deeper than atoms can go there.");
-  CHECK(scaleReason(workspace, 0.5) == "With 1 N the probe is 8 Å under the surface: so far into each other no two atoms can be pressed.");
-  for (const double none : {0.0, -1.0, std::nan("")}) CHECK(scaleSentence(workspace, none) == "1 mm here is 4 Å there; nothing pushes back.");
+  CHECK(scaleReason(workspace, 0.5) ==
+        "With 1 N the probe is 8 Å under the surface: so far into each other no two atoms can be pressed.");
+  for (const double none : {0.0, -1.0, std::nan("")})
+    CHECK(scaleSentence(workspace, none) == "1 mm here is 4 Å there; nothing pushes back.");
 }
 
-TEST_CASE("a ball of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, centred there; garbage changes nothing") {
-  const DeviceFigures omni;
+TEST_CASE(
+    "a ball of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, centred there; garbage changes nothing") {
+  const DeviceSpecs omni;
   const Workspace now, then = magnified(now, {{1, 2, 3}}, 7.0, omni);
   CHECK(then.A_per_mm == doctest::Approx(0.2));
   CHECK(then.centre_A == Vec3(1, 2, 3));
@@ -57,10 +64,12 @@ TEST_CASE("a ball of 7 A round a selection fills the Omni's 70 mm: 0.2 A a mm, c
   CHECK(magnified(now, {{std::nan(""), 0, 0}}, 7, omni).centre_A == now.centre_A);
 }
 
-TEST_CASE("rescaled: the hand and the probe stay, whatever the turn, and 10 mm farther it is 1 A farther; a scale that is none changes nothing") {
+TEST_CASE(
+    "rescaled: the hand and the probe stay, whatever the turn, and 10 mm farther it is 1 A farther; a scale that is "
+    "none changes nothing") {
   Workspace workspace;
   workspace.centre_A = {5, -3, 8};
-  workspace.turn = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
+  workspace.rotation = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
   const PointMm hand{{40, -12, 7}};
   const PointA hip = workspace.toMolecule(hand);
   const Workspace fine = rescaled(workspace, 0.1, hand, hip);
@@ -71,8 +80,11 @@ TEST_CASE("rescaled: the hand and the probe stay, whatever the turn, and 10 mm f
   CHECK(rescaled(workspace, 0.1, {{std::nan(""), 0, 0}}, hip).A_per_mm == workspace.A_per_mm);
 }
 
-TEST_CASE("in contact a scale 2.5 times as fine keeps the contact and gives 2.5 times the force, from nothing in half a second") {
-  auto tracker = methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
+TEST_CASE(
+    "in contact a scale 2.5 times as fine keeps the contact and gives 2.5 times the force, from nothing in half a "
+    "second") {
+  auto tracker =
+      methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
   ServoStep step;
   ServoSettings settings;  // 0.25 A a mm, the surface at 12 mm
   DevicePose pose;
@@ -117,30 +129,35 @@ TEST_CASE("clutch: with the button held the hand goes back 30 mm and the probe s
   CHECK(at(15, 1) == 45);  // another button
 }
 
-TEST_CASE("edge: 5 mm from the edge of a room of 160 mm the probe goes on by 10 mm a second, 20 mm from it not at all") {
+TEST_CASE(
+    "edge: 5 mm from the edge of a room of 160 mm the probe goes on by 10 mm a second, 20 mm from it not at all") {
   Clutch clutch;
   const ClutchSettings settings{.at_edge = true};
   DevicePose pose;
   double x = 0;
-  for (int k = 0; k < 1000; ++k) pose.position.mm = alive({-75, 0, 0}, k), x = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.x;
+  for (int k = 0; k < 1000; ++k)
+    pose.position.mm = alive({-75, 0, 0}, k), x = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.x;
   CHECK(x == doctest::Approx(-85));
-  for (int k = 0; k < 1000; ++k) pose.position.mm = alive({60, 0, 0}, k), x = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.x;
+  for (int k = 0; k < 1000; ++k)
+    pose.position.mm = alive({60, 0, 0}, k), x = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.x;
   CHECK(x == doctest::Approx(50));
 }
 
-TEST_CASE("edge: a stylus that lies in its stand for a minute, 53 mm beyond the edge, takes the probe 30 mm on and no farther; one in trouble not at all") {
+TEST_CASE(
+    "edge: a stylus that lies in its stand for a minute, 53 mm beyond the edge, takes the probe 30 mm on and no "
+    "farther; one in fault not at all") {
   const ClutchSettings settings{.at_edge = true};
-  for (const bool trouble : {false, true}) {
+  for (const bool fault : {false, true}) {
     Clutch clutch;
     DevicePose pose;
     pose.position.mm = {0, 0, -88};
-    pose.trouble = trouble;
+    pose.fault = fault;
     double z = 0;
     for (int k = 0; k < 60'000; ++k) {
       pose.position.mm.x = k % 2 ? 0.055 : 0.0;  // a sensor between two steps
       z = clutch.place(pose, settings, {160, 120, 70}, Vec3(0.0), 0.001).mm.z;
     }
-    CHECK(z == doctest::Approx(trouble ? -88 : -118).epsilon(0.001));
+    CHECK(z == doctest::Approx(fault ? -88 : -118).epsilon(0.001));
   }
 }
 
@@ -160,9 +177,10 @@ TEST_CASE("edge: against a surface that pushes up and to the left the probe goes
   CHECK((last - first).z == doctest::Approx(10));
 }
 
-TEST_CASE("a mouse that stands in for a device has no edge: 100 mm from the middle for 2 s its probe stays where it is") {
+TEST_CASE(
+    "a mouse that stands in for a device has no edge: 100 mm from the middle for 2 s its probe stays where it is") {
   MouseDevice mouse;
-  ServoStep step(DeviceFigures{});
+  ServoStep step(DeviceSpecs{});
   step.setDevice(mouse.info());
   ServoSettings settings;
   settings.clutch = {.buttons = 2, .at_edge = true};
@@ -174,7 +192,8 @@ TEST_CASE("a mouse that stands in for a device has no edge: 100 mm from the midd
 }
 
 TEST_CASE("in the loop the clutch moves the probe's room: no force while it is held, a soft start after it") {
-  auto tracker = methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
+  auto tracker =
+      methods().front().make(std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, 0}, 1.6}}), kWaterProbe_A);
   ServoStep step;
   ServoSettings settings;  // the surface at 12 mm
   settings.clutch.buttons = 1;

@@ -59,7 +59,8 @@ TEST_CASE("pressing 1 mm into a wall of 0.5 N/mm gives 0.5 N outward once the so
 TEST_CASE("with the device turned by 90 degrees the force is turned with it") {
   auto tracker = oneBall();
   Loop loop({20, 0, 0});
-  loop.settings.workspace.turn = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));  // device x is the molecule's y
+  loop.settings.workspace.rotation =
+      glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));  // device x is the molecule's y
   const ServoSample s = loop.hold(tracker.get(), {11, 0, 0}, 600);
   CHECK(s.hip.A.y == doctest::Approx(2.75));
   CHECK(s.force.N.x == doctest::Approx(0.5).epsilon(1e-12));
@@ -85,7 +86,8 @@ TEST_CASE("after a start the force grows by at most 3.3 N x 1 ms / 500 ms a tick
     hand.z = std::max(2.0, hand.z - 0.9);
     const ServoSample s = loop.tick(tracker.get(), {.position = {hand}});
     const double now = glm::length(s.force.N);
-    if (now - last > 0.0066 + 1e-12) CHECK(hand.z > 2.0);  // while the hand still moves, the spring's own growth counts too
+    if (now - last > 0.0066 + 1e-12)
+      CHECK(hand.z > 2.0);  // while the hand still moves, the spring's own growth counts too
     CHECK(now <= 3.3 * (k + 6) / 500.0);
     softly += s.limits.has(Limit::SoftStart);
     last = now;
@@ -160,7 +162,8 @@ TEST_CASE("the same hand gives the same forces to the last bit, over 20 000 tick
     ServoStep step;
     const ServoSettings settings;
     std::vector<Vec3> forces;
-    for (const Vec3& hip : path) forces.push_back(step.tick(settings, tracker.get(), {.position = settings.workspace.toDevice({hip})}).force.N);
+    for (const Vec3& hip : path)
+      forces.push_back(step.tick(settings, tracker.get(), {.position = settings.workspace.toDevice({hip})}).force.N);
     return forces;
   };
   CHECK(run() == run());

@@ -68,16 +68,21 @@ class ClockedDevice final : public Device {
 // A tracker that always pushes along x and tells which thread it is destroyed on.
 class PushingTracker final : public Tracker {
  public:
-  explicit PushingTracker(std::atomic<int>& alive, std::thread::id& destroyed_on) : alive_(alive), destroyed_on_(destroyed_on) { ++alive_; }
+  explicit PushingTracker(std::atomic<int>& alive, std::thread::id& destroyed_on)
+      : alive_(alive), destroyed_on_(destroyed_on) {
+    ++alive_;
+  }
   ~PushingTracker() override {
     --alive_;
     destroyed_on_ = std::this_thread::get_id();
   }
-  Contact step(PointA hip) noexcept override { return {.scp = {hip.A + Vec3(0.1, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  Contact step(PointA hip) noexcept override {
+    return {.scp = {hip.A + Vec3(0.1, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+  }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return kWaterProbe_A; }
-  Footprint footprint() const noexcept override { return {}; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
   std::atomic<int>& alive_;
@@ -88,11 +93,13 @@ class PushingTracker final : public Tracker {
 class MarkedTracker final : public Tracker {
  public:
   explicit MarkedTracker(std::uint32_t mark) : mark_(mark) {}
-  Contact step(PointA) noexcept override { return {.scp = {Vec3(double(mark_), 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  Contact step(PointA) noexcept override {
+    return {.scp = {Vec3(double(mark_), 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+  }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return kWaterProbe_A; }
-  Footprint footprint() const noexcept override { return {}; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
   std::uint32_t mark_;
@@ -155,12 +162,12 @@ TEST_CASE("each of 40 trackers makes the samples that bear its number, and none 
   const auto judge = [&](const ServoSample& s) {
     if (s.scene == 0) return;
     CHECK(s.contact.scp.A.x == double(s.scene));
-    CHECK(s.placements >= s.scene);
+    CHECK(s.discontinuities >= s.scene);
     ++judged;
   };
   for (int k = 0; k < 40; ++k) {
     ServoSettings settings;
-    settings.placements = ++scene;
+    settings.discontinuities = ++scene;
     servo.setSettings(settings);
     servo.setTracker(std::make_unique<MarkedTracker>(scene), scene);
     while (servo.latest().scene != scene) {
@@ -222,7 +229,9 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
 }
 
-TEST_CASE("nobody takes up a sample for 6000 ticks, as when the window stands: the loop goes on, the force too, and 4096 ticks wait whole") {
+TEST_CASE(
+    "nobody takes up a sample for 6000 ticks, as when the window stands: the loop goes on, the force too, and 4096 "
+    "ticks wait whole") {
   StillDevice fallback;
   std::atomic<int> alive{0};
   std::thread::id destroyed_on;
@@ -239,8 +248,10 @@ TEST_CASE("nobody takes up a sample for 6000 ticks, as when the window stands: t
   std::size_t waiting = 0;
   bool whole = true;
   servo.drain([&](const ServoSample& s) {
-    if (waiting++ == 0) first = s.tick;
-    else whole = whole && s.tick > last;
+    if (waiting++ == 0)
+      first = s.tick;
+    else
+      whole = whole && s.tick > last;
     last = s.tick;
   });
   CHECK(waiting >= 4096);
@@ -283,8 +294,10 @@ TEST_CASE("a ring of 4 takes 4 samples, drops and counts the fifth, and gives th
   CHECK_FALSE(ring.pop(value));
 }
 
-TEST_CASE("an owner that hands nothing over any more, as a window that stands, cannot stop the force: after 1 s there is none, and with the next settings it "
-          "comes back") {
+TEST_CASE(
+    "an owner that hands nothing over any more, as a window that stands, cannot stop the force: after 1 s there is "
+    "none, and with the next settings it "
+    "comes back") {
   std::atomic<int> alive{0};
   std::thread::id destroyed_on;
   StillDevice device;

@@ -1,4 +1,5 @@
-// The state that a recording begins from: it comes back to the last bit, and no text makes a step that the loop cannot be in.
+// The state that a recording begins from: it comes back to the last bit, and no text makes a step that the loop cannot
+// be in.
 #include "engine/servo/step_state.h"
 
 #include <doctest/doctest.h>
@@ -11,14 +12,16 @@
 
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
-#include "engine/servo/trace.h"
+#include "engine/servo/servo_recording.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
 
 namespace {
 
-std::unique_ptr<Tracker> newTracker() { return methods().front().make(test::makeScene(scenes::cluster(20, 3).balls), kWaterProbe_A); }
+std::unique_ptr<Tracker> newTracker() {
+  return methods().front().make(test::makeScene(scenes::cluster(20, 3).balls), kWaterProbe_A);
+}
 
 // A hand that shakes in and out of the cluster, with faults of the device and of the clock in between.
 class Hand {
@@ -26,11 +29,12 @@ class Hand {
   explicit Hand(unsigned seed) : random_(seed) {}
   ServoSample tick(ServoStep& step, Tracker* tracker) {
     const auto chance = [&](double p) { return std::uniform_real_distribution(0.0, 1.0)(random_) < p; };
-    for (int k = 1; k < 3; ++k) place_.mm[k] += std::uniform_real_distribution(-0.2, 0.2)(random_) - 0.002 * place_.mm[k];
+    for (int k = 1; k < 3; ++k)
+      place_.mm[k] += std::uniform_real_distribution(-0.2, 0.2)(random_) - 0.002 * place_.mm[k];
     place_.mm.x = 40.0 * std::cos(0.002 * ++ticks_);
-    DevicePose pose{.position = place_, .fresh = !chance(0.1), .trouble = chance(0.0005)};
-    if (chance(0.0002)) ++placements_;
-    pose.placements = placements_;
+    DevicePose pose{.position = place_, .fresh = !chance(0.1), .fault = chance(0.0005)};
+    if (chance(0.0002)) ++discontinuities_;
+    pose.discontinuities = discontinuities_;
     settings_.panic = chance(0.0005);
     settings_.clutch = {.buttons = 1, .at_edge = true};
     pose.buttons = chance(0.01);
@@ -43,25 +47,37 @@ class Hand {
   ServoSettings settings_;
   PointMm place_;
   int ticks_ = 0;
-  std::uint32_t placements_ = 0;
+  std::uint32_t discontinuities_ = 0;
 };
 
 std::string changed(std::string text, std::mt19937& random) {
   const auto any = [&](std::size_t below) { return std::uniform_int_distribution<std::size_t>(0, below - 1)(random); };
-  constexpr const char* kValues[] = {"9", "-1", "18446744073709551615", "nan", "inf", "-inf", "1p+1023", "1p+2000", "", "2", "0x1", "1 "};
-  const std::size_t line = text.find('=', any(text.size() - 20)), at = line == std::string::npos ? text.find('=') : line;
+  constexpr const char* kValues[] = {
+      "9", "-1", "18446744073709551615", "nan", "inf", "-inf", "1p+1023", "1p+2000", "", "2", "0x1", "1 "};
+  const std::size_t line = text.find('=', any(text.size() - 20)),
+                    at = line == std::string::npos ? text.find('=') : line;
   switch (any(4)) {
-    case 0: text.replace(at + 1, text.find('\n', at) - at - 1, kValues[any(std::size(kValues))]); break;
-    case 1: text[any(text.size())] ^= char(1 << any(7)); break;
-    case 2: text.erase(any(text.size()), 1 + any(40)); break;
-    default: text.insert(text.find('\n', at) + 1, text.substr(0, 1 + any(80))); break;
+    case 0:
+      text.replace(at + 1, text.find('\n', at) - at - 1, kValues[any(std::size(kValues))]);
+      break;
+    case 1:
+      text[any(text.size())] ^= char(1 << any(7));
+      break;
+    case 2:
+      text.erase(any(text.size()), 1 + any(40));
+      break;
+    default:
+      text.insert(text.find('\n', at) + 1, text.substr(0, 1 + any(80)));
+      break;
   }
   return text;
 }
 
 // A recording as a program of ours writes it, with another state put into it and the checksum made right.
 std::string forged(const std::string& file, const std::string& state) {
-  const auto length = [&](std::size_t at) { return std::size_t(std::uint8_t(file[at])) | std::size_t(std::uint8_t(file[at + 1])) << 8; };
+  const auto length = [&](std::size_t at) {
+    return std::size_t(std::uint8_t(file[at])) | std::size_t(std::uint8_t(file[at + 1])) << 8;
+  };
   const std::size_t before = 20 + length(8) + length(12), after = before + length(16) + 4;
   std::string out = file.substr(0, before) + state;
   for (int k = 0; k < 4; ++k) out[16 + std::size_t(k)] = char(state.size() >> (8 * k) & 0xff);
@@ -72,7 +88,9 @@ std::string forged(const std::string& file, const std::string& state) {
 
 }  // namespace
 
-TEST_CASE("a step that is written as text and read again goes on with the same forces to the last bit, at any of 40 ticks of a rough hand") {
+TEST_CASE(
+    "a step that is written as text and read again goes on with the same forces to the last bit, at any of 40 ticks of "
+    "a rough hand") {
   const auto tracker = newTracker();
   ServoStep step;
   Hand hand(7);
@@ -97,7 +115,9 @@ TEST_CASE("a step that is written as text and read again goes on with the same f
   CHECK(greatest_N > 0.1);
 }
 
-TEST_CASE("a state with an index out of its ring, a bool of 2, a NaN, a value twice, missing or unknown is told by its name") {
+TEST_CASE(
+    "a state with an index out of its ring, a bool of 2, a NaN, a value twice, missing or unknown is told by its "
+    "name") {
   const std::string whole = stateText(ServoStep());
   REQUIRE(stepFromText(whole));
   const auto with = [&](const std::string& name, const std::string& value) {
@@ -107,14 +127,19 @@ TEST_CASE("a state with an index out of its ring, a bool of 2, a NaN, a value tw
     text.replace(at + 1, text.find('\n', at + 1) - at - 1, name + '=' + value);
     return stepFromText(text.substr(1));
   };
-  const auto said = [](const Expected<ServoStep>& read) { return read ? std::string("nothing") : read.problem().message; };
+  const auto said = [](const Expected<ServoStep>& read) {
+    return read ? std::string("nothing") : read.problem().message;
+  };
   for (const char* name : {"safety.speed.next", "safety.speed.count", "safety.passivity.next"})
-    CHECK(said(with(name, "10")) == "the state that the recording begins from has a " + std::string(name) + " that cannot be");
+    CHECK(said(with(name, "10")) ==
+          "the state that the recording begins from has a " + std::string(name) + " that cannot be");
   for (const char* value : {"2", "-1", "", "true"}) CHECK_FALSE(with("safety.placed", value));
   for (const char* value : {"nan", "inf", "1p+2000", "-1p-3"}) CHECK_FALSE(with("safety.gain", value));
   CHECK(said(stepFromText(whole + "push.x=0p+0\n")) == "the state that the recording begins from says a value twice");
-  CHECK(said(stepFromText(whole + "pull.x=0p+0\n")) == "the state that the recording begins from holds a value that is not known");
-  CHECK(said(stepFromText(whole.substr(whole.find('\n') + 1))) == "the state that the recording begins from does not say tick");
+  CHECK(said(stepFromText(whole + "pull.x=0p+0\n")) ==
+        "the state that the recording begins from holds a value that is not known");
+  CHECK(said(stepFromText(whole.substr(whole.find('\n') + 1))) ==
+        "the state that the recording begins from does not say tick");
   CHECK(said(stepFromText("tick")) == "the state that the recording begins from holds a line without a value");
 }
 
@@ -122,7 +147,7 @@ TEST_CASE("3000 recordings with a forged state and a right checksum are refused 
   const auto file = std::filesystem::temp_directory_path() / ("moltact_state_" + std::to_string(getpid()));
   const auto tracker = newTracker();
   {
-    auto writer = TraceWriter::create(file, true);
+    auto writer = ServoRecordingWriter::create(file, true);
     REQUIRE(writer);
     ServoStep step;
     REQUIRE_FALSE(writer->begin({{"molecule", "cluster 20"}}, step));
@@ -136,7 +161,7 @@ TEST_CASE("3000 recordings with a forged state and a right checksum are refused 
   for (int k = 0; k < 3000; ++k) {
     CAPTURE(k);
     std::ofstream(file, std::ios::binary) << forged(whole, changed(state, random));
-    const auto trace = readTrace(file);
+    const auto trace = readServoRecording(file);
     if (!trace) {
       CHECK_FALSE(trace.problem().remedy.empty());
       ++refused;

@@ -1,5 +1,11 @@
-// The real output stage, each case in a process of its own, for OpenAL reads its drivers once: with no driver at all, and
-// with the one that writes a file at the pace of a sound card.
+// The real output stage, each case in a process of its own, for OpenAL reads its drivers once: with no driver at all,
+// and with the one that writes a file at the pace of a sound card.
+#include "engine/platform/audio_output.h"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -10,13 +16,6 @@
 #include <numbers>
 #include <sstream>
 #include <thread>
-
-#include <sys/wait.h>
-#include <unistd.h>
-
-#include <doctest/doctest.h>
-
-#include "engine/platform/audio_output.h"
 
 using namespace moltact;
 namespace fs = std::filesystem;
@@ -46,13 +45,16 @@ std::pair<int, std::string> inChild(const char* drivers, const fs::path& config,
 }
 
 AudioOutput::State settled(const AudioOutput& output) {
-  for (int k = 0; k < 500 && output.state() == AudioOutput::State::Opening; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int k = 0; k < 500 && output.state() == AudioOutput::State::Opening; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   return output.state();
 }
 
 }  // namespace
 
-TEST_CASE("without any sound card the output is silent, says so in one sentence, asks for no sample and writes nothing on stderr") {
+TEST_CASE(
+    "without any sound card the output is silent, says so in one sentence, asks for no sample and writes nothing on "
+    "stderr") {
   for (const char* drivers : {"none", "alsa"}) {
     // The second is the real search for a card, where the computer that runs this has none.
     if (std::string(drivers) == "alsa" && fs::exists("/proc/asound/card0")) continue;
@@ -60,7 +62,7 @@ TEST_CASE("without any sound card the output is silent, says so in one sentence,
       int asked = 0;
       const AudioOutput output(kRate, [&](std::span<float>) { ++asked; });
       if (settled(output) != AudioOutput::State::Silent) return 1;
-      if (output.trouble().find("There is no sound: ") != 0) return 2;
+      if (output.fault().find("There is no sound: ") != 0) return 2;
       return asked == 0 ? 0 : 3;
     });
     CAPTURE(drivers);
@@ -69,11 +71,14 @@ TEST_CASE("without any sound card the output is silent, says so in one sentence,
   }
 }
 
-TEST_CASE("a tone of 440 Hz comes out of the sound card's end at 440 Hz, and the program leaves it within the blocks in hand") {
+TEST_CASE(
+    "a tone of 440 Hz comes out of the sound card's end at 440 Hz, and the program leaves it within the blocks in "
+    "hand") {
   const fs::path folder = fs::temp_directory_path() / ("moltact_audio_" + std::to_string(getpid()));
   fs::create_directories(folder);
   const fs::path wav = folder / "out.wav", config = folder / "alsoft.conf";
-  std::ofstream(config) << "[general]\nchannels = mono\nsample-type = int16\nfrequency = 48000\n[wave]\nfile = " << wav.string() << "\n";
+  std::ofstream(config) << "[general]\nchannels = mono\nsample-type = int16\nfrequency = 48000\n[wave]\nfile = "
+                        << wav.string() << "\n";
   const auto [status, errors] = inChild("wave", config, [] {
     std::atomic<int> asked{0};
     {
@@ -100,7 +105,8 @@ TEST_CASE("a tone of 440 Hz comes out of the sound card's end at 440 Hz, and the
   const std::size_t data = bytes.find("data");
   REQUIRE(data != std::string::npos);
   std::vector<int> s;
-  for (std::size_t k = data + 8; k + 1 < bytes.size(); k += 2) s.push_back(std::int16_t(std::uint16_t(std::uint8_t(bytes[k])) | std::uint16_t(std::uint8_t(bytes[k + 1])) << 8));
+  for (std::size_t k = data + 8; k + 1 < bytes.size(); k += 2)
+    s.push_back(std::int16_t(std::uint16_t(std::uint8_t(bytes[k])) | std::uint16_t(std::uint8_t(bytes[k + 1])) << 8));
   // From one rising crossing to the next, in the middle of them: where the computer stutters a few are longer.
   std::vector<std::size_t> rises, periods;
   for (std::size_t k = 1; k < s.size(); ++k)

@@ -1,5 +1,9 @@
-// Oracles: the pitch from counted zero crossings, single frequencies by correlation with sine and cosine, and bounds that
-// follow from amplitude and frequency. None shares code with the synthesis.
+// Oracles: the pitch from counted zero crossings, single frequencies by correlation with sine and cosine, and bounds
+// that follow from amplitude and frequency. None shares code with the synthesis.
+#include "engine/sound/touch_synth.h"
+
+#include <doctest/doctest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -10,9 +14,6 @@
 #include <sstream>
 #include <vector>
 
-#include <doctest/doctest.h>
-
-#include "engine/sound/touch_synth.h"
 #include "engine/sound/wav_file.h"
 
 using namespace moltact;
@@ -27,7 +28,9 @@ std::vector<float> sounding(TouchSynth& synth, double for_s) {
   return out;
 }
 
-TouchMoment on(Feature feature, double force_N, std::array<std::int32_t, 3> atoms = {0, -1, -1}) { return {feature, atoms, force_N}; }
+TouchMoment on(Feature feature, double force_N, std::array<std::int32_t, 3> atoms = {0, -1, -1}) {
+  return {feature, atoms, force_N};
+}
 
 // Rising zero crossings, each placed between its two samples; the mean distance is the period.
 double frequencyOf(const std::vector<float>& s) {
@@ -70,7 +73,8 @@ double peak(const std::vector<float>& s) {
 // The largest second difference: a sine of amplitude A and frequency f has A (2 pi f / rate)^2, a click far more.
 double sharpest(const std::vector<float>& s) {
   double most = 0;
-  for (std::size_t k = 2; k < s.size(); ++k) most = std::max(most, std::abs(double(s[k]) - 2.0 * double(s[k - 1]) + double(s[k - 2])));
+  for (std::size_t k = 2; k < s.size(); ++k)
+    most = std::max(most, std::abs(double(s[k]) - 2.0 * double(s[k - 1]) + double(s[k - 2])));
   return most;
 }
 
@@ -80,14 +84,16 @@ double bend(double amplitude, double hertz) { return amplitude * std::pow(2 * st
 
 TEST_CASE("0, 1, 1.5 and 3 N on one atom sound at 330, 523.8, 660 and 1320 Hz, within 0.1 Hz by zero crossings") {
   CHECK(frequencyOf(steadyTone(Feature::Sphere, 0.0)) == doctest::Approx(330.0).epsilon(0.0002));
-  CHECK(frequencyOf(steadyTone(Feature::Sphere, 1.0)) == doctest::Approx(330.0 * std::pow(2.0, 8.0 / 12.0)).epsilon(0.0002));
+  CHECK(frequencyOf(steadyTone(Feature::Sphere, 1.0)) ==
+        doctest::Approx(330.0 * std::pow(2.0, 8.0 / 12.0)).epsilon(0.0002));
   CHECK(frequencyOf(steadyTone(Feature::Sphere, 1.5)) == doctest::Approx(660.0).epsilon(0.0002));
   CHECK(frequencyOf(steadyTone(Feature::Sphere, 3.0)) == doctest::Approx(1320.0).epsilon(0.0001));
 }
 
 TEST_CASE("a ball is one note, a crease a fifth, a pit a major chord, each of the same power") {
   const double f = 660.0;
-  const auto ball = steadyTone(Feature::Sphere, 1.5), crease = steadyTone(Feature::Circle, 1.5), pit = steadyTone(Feature::Point, 1.5);
+  const auto ball = steadyTone(Feature::Sphere, 1.5), crease = steadyTone(Feature::Circle, 1.5),
+             pit = steadyTone(Feature::Point, 1.5);
   CHECK(amplitudeAt(ball, f) > 0.1);
   CHECK(amplitudeAt(ball, f * 1.25) < 1e-4);
   CHECK(amplitudeAt(ball, f * 1.5) < 1e-4);
@@ -141,7 +147,8 @@ TEST_CASE("reaching a second atom ticks at 2200 Hz, letting the first go does no
   CHECK(amplitudeAt(sounding(synth, 0.05), kTick_Hz) > 0.01);
 }
 
-TEST_CASE("contact, a change from ball to crease and the end have no click: the curve bends no more than its parts may") {
+TEST_CASE(
+    "contact, a change from ball to crease and the end have no click: the curve bends no more than its parts may") {
   TouchSynth synth;
   std::vector<float> all;
   const auto play = [&](const TouchMoment& m, double for_s) {
@@ -154,9 +161,11 @@ TEST_CASE("contact, a change from ball to crease and the end have no click: the 
   play(on(Feature::Circle, 0.2, {1, 2, -1}), 0.3);
   play({}, 0.3);
   const double tone = pitch_Hz(0.2);
-  // A note rises no faster than its limit in the attack time; a blip in 2 ms: that is the most that a slope can change by.
+  // A note rises no faster than its limit in the attack time; a blip in 2 ms: that is the most that a slope can change
+  // by.
   const double slopes = kNoteLevel / (0.008 * kRate) + (kKnockLevel + kTickLevel) / (0.002 * kRate);
-  const double bound = bend(kNoteLevel, tone) + bend(kNoteLevel, 1.5 * tone) + bend(kKnockLevel, kKnock_Hz) + bend(kTickLevel, kTick_Hz) + slopes;
+  const double bound = bend(kNoteLevel, tone) + bend(kNoteLevel, 1.5 * tone) + bend(kKnockLevel, kKnock_Hz) +
+                       bend(kTickLevel, kTick_Hz) + slopes;
   CHECK(bound < 0.03);
   CHECK(sharpest(all) < bound);
 }
@@ -188,14 +197,16 @@ TEST_CASE("blocks of 1, 37 and 480 samples give the same samples as one block of
     TouchSynth synth;
     std::vector<float> out(4800);
     synth.take(on(Feature::Point, 1.1, {1, 2, 3}));
-    for (std::size_t at = 0; at < out.size(); at += block) synth.render(std::span(out).subspan(at, std::min(block, out.size() - at)));
+    for (std::size_t at = 0; at < out.size(); at += block)
+      synth.render(std::span(out).subspan(at, std::min(block, out.size() - at)));
     return out;
   };
   const auto whole = run(4800);
   for (const std::size_t block : {std::size_t(1), std::size_t(37), std::size_t(480)}) CHECK(run(block) == whole);
 }
 
-TEST_CASE("a WAV file holds its 44 bytes of header and 16-bit samples: 0, 1, -1 and 2 become 0, 32767, -32767 and 32767") {
+TEST_CASE(
+    "a WAV file holds its 44 bytes of header and 16-bit samples: 0, 1, -1 and 2 become 0, 32767, -32767 and 32767") {
   const auto file = std::filesystem::temp_directory_path() / "moltact_wav_test.wav";
   const std::vector<float> samples{0.0f, 1.0f, -1.0f, 2.0f};
   REQUIRE_FALSE(writeWav(file, samples, 48000));
@@ -215,5 +226,6 @@ TEST_CASE("a WAV file holds its 44 bytes of header and 16-bit samples: 0, 1, -1 
   std::array<std::int16_t, 4> values{};
   std::memcpy(values.data(), bytes.data() + 44, 8);
   CHECK(values == std::array<std::int16_t, 4>{0, 32767, -32767, 32767});
-  CHECK(writeWav("/nonexistent/folder/x.wav", samples, 48000).value().text().find("its folder is not there") != std::string::npos);
+  CHECK(writeWav("/nonexistent/folder/x.wav", samples, 48000).value().text().find("its folder is not there") !=
+        std::string::npos);
 }

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
 #include "app/ui/panels/view_overlays.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/molecule/elements.h"
 #include "engine/render/molecule_model.h"
 
@@ -29,14 +29,19 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   std::array<std::size_t, kElementCount + 1> of_element{};
   std::vector<std::size_t> of_chain(molecule.chains.size());
   for (const Atom& a : molecule.atoms) {
-    if (const auto chain = by == ColourBy::Chain ? colouredChain(molecule, a) : std::nullopt) ++of_chain[*chain];
-    else ++of_element[std::min<std::size_t>(a.atomic_number, kElementCount)];
+    if (const auto chain = by == ColourBy::Chain ? colouredChain(molecule, a) : std::nullopt)
+      ++of_chain[*chain];
+    else
+      ++of_element[std::min<std::size_t>(a.atomic_number, kElementCount)];
   }
   for (std::size_t k = 0; k < of_chain.size(); ++k)
-    if (of_chain[k]) chains.push_back({chainColour(std::uint32_t(k)), "chain " + molecule.chains[k].name.string(), of_chain[k]});
+    if (of_chain[k])
+      chains.push_back({chainColour(std::uint32_t(k)), "chain " + molecule.chains[k].name.string(), of_chain[k]});
   for (std::size_t k = 0; k < of_element.size(); ++k)
-    if (of_element[k]) others.push_back({elementColour(std::uint8_t(k), elements), std::string(element(int(k)).name), of_element[k]});
-  std::stable_sort(others.begin(), others.end(), [](const LegendEntry& a, const LegendEntry& b) { return a.atoms > b.atoms; });
+    if (of_element[k])
+      others.push_back({elementColour(std::uint8_t(k), elements), std::string(element(int(k)).name), of_element[k]});
+  std::stable_sort(others.begin(), others.end(),
+                   [](const LegendEntry& a, const LegendEntry& b) { return a.atoms > b.atoms; });
   chains.insert(chains.end(), others.begin(), others.end());
   return chains;
 }
@@ -45,15 +50,19 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
 
 void drawColourLegend(Application& app, const Rectangle& view) {
   const bool by_chain = app.scene.colour_by == ColourBy::Chain;
-  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(Shape::Atoms)) return;
+  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(Shape::Atoms))
+    return;
   const Look& l = look();
-  std::vector<LegendEntry> entries = entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
+  std::vector<LegendEntry> entries =
+      entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
   if (entries.size() > kMostEntries) entries.resize(kMostEntries);
   ViewScene marks;
   app.lesson.decorate(marks);
-  if (!marks.highlighted.empty() && app.scene.shown.has(Shape::Target)) entries.push_back({l.viewTheme().target, "marked", marks.highlighted.size()});
+  if (!marks.highlighted.empty() && app.scene.shown.has(Shape::Target))
+    entries.push_back({l.viewTheme().target, "marked", marks.highlighted.size()});
   WithFont small(Font::Small);
-  const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(), indent = 2 * dot + l.px(8);
+  const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(),
+              indent = 2 * dot + l.px(8);
   float wide = 0.0f;
   for (const LegendEntry& e : entries) wide = std::max(wide, ImGui::CalcTextSize(e.name.c_str()).x);
   const ImVec2 low{view.low.x + l.px(14), view.low.y + l.px(14)};

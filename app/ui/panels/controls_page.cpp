@@ -4,9 +4,9 @@
 
 #include "app/ui/actions.h"
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -54,7 +54,9 @@ std::string forHand(std::string text, bool left_handed) {
 }
 
 void drawMovements(const Application& app) {
-  if (!ImGui::BeginTable("rows", 3, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX)) return;
+  if (!ImGui::BeginTable("rows", 3,
+                         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX))
+    return;
   ImGui::TableSetupColumn("", 0, 1.1f);
   ImGui::TableSetupColumn("Mouse", 0, 1.1f);
   ImGui::TableSetupColumn("Keyboard", 0, 1.2f);
@@ -77,7 +79,9 @@ void drawMovements(const Application& app) {
 }
 
 void drawCommands() {
-  if (!ImGui::BeginTable("commands", 3, ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX)) return;
+  if (!ImGui::BeginTable("commands", 3,
+                         ImGuiTableFlags_BordersInnerH | ImGuiTableFlags_SizingStretchProp | ImGuiTableFlags_PadOuterX))
+    return;
   ImGui::TableSetupColumn("", 0, 1.1f);
   ImGui::TableSetupColumn("Menu", 0, 1.1f);
   ImGui::TableSetupColumn("Keyboard", 0, 1.2f);

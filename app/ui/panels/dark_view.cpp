@@ -1,25 +1,26 @@
 #include "app/ui/panels/dark_view.h"
 
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <string>
 
-#include <imgui.h>
-
 #include "app/ui/application.h"
-#include "app/ui/contact_text.h"
-#include "app/ui/extensions.h"
-#include "app/ui/number_text.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/scene/contact_text.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
 
 // The same in both themes: it is dark.
-constexpr ImU32 kGround = IM_COL32(13, 15, 19, 255), kTrack = IM_COL32(46, 51, 61, 255), kBright = IM_COL32(232, 236, 242, 255);
+constexpr ImU32 kGround = IM_COL32(13, 15, 19, 255), kTrack = IM_COL32(46, 51, 61, 255),
+                kBright = IM_COL32(232, 236, 242, 255);
 constexpr ImU32 kQuiet = IM_COL32(152, 160, 173, 255), kFill = IM_COL32(72, 199, 182, 255);
 
 constexpr float kPi = std::numbers::pi_v<float>;
@@ -40,18 +41,20 @@ void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
     draw->PathArcTo(middle, radius, kFrom, to, 64);
     draw->PathStroke(colour, 0, thick);
     for (const float end : {kFrom, to})
-      draw->AddCircleFilled({middle.x + radius * std::cos(end), middle.y + radius * std::sin(end)}, 0.5f * thick, colour, 24);
+      draw->AddCircleFilled({middle.x + radius * std::cos(end), middle.y + radius * std::sin(end)}, 0.5f * thick,
+                            colour, 24);
   };
   arc(kTo, kTrack);
   const float part = most_N > 0.0 ? float(std::clamp(force_N / most_N, 0.0, 1.0)) : 0.0f;
   if (part > 0.004f) arc(kFrom + (kTo - kFrom) * part, kFill);
   char text[32];
   std::snprintf(text, sizeof text, "%.1f N", force_N);
-  centred("view/force meter", look().font(Font::Title), localNumbers(text), {middle.x, middle.y + 0.86f * radius}, 0.0f, kBright);
+  centred("view/force meter", look().font(Font::Title), localNumbers(text), {middle.x, middle.y + 0.86f * radius}, 0.0f,
+          kBright);
 }
 
-// Whereto the surface pushes, as a hand at a force-feedback device feels it: an arrow as long as it goes sideways, on a ring that
-// it reaches when it goes nowhere else; straight toward the person it is the dot in the middle.
+// Whereto the surface pushes, as a hand at a force-feedback device feels it: an arrow as long as it goes sideways, on a
+// ring that it reaches when it goes nowhere else; straight toward the person it is the dot in the middle.
 void drawDirection(const Vec3& direction, ImVec2 middle, float radius) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddCircle(middle, radius, kTrack, 64, look().px(1.5f));
@@ -89,18 +92,21 @@ void drawDarkView(Application& app, const Rectangle& view) {
   recordRectangle("view/dark", view.low, view.high, "dark");
   const TouchLog& log = app.scene.log();
   const ImVec2 middle{0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)};
-  const float width = view.size().x - 2 * l.px(20), radius = std::min(l.px(78), 0.25f * std::min(view.size().x, view.size().y));
+  const float width = view.size().x - 2 * l.px(20),
+              radius = std::min(l.px(78), 0.25f * std::min(view.size().x, view.size().y));
   float below = middle.y;
   if (app.extensions().task_stager.showsForce()) {
     const Vec3 push = pushOf(app);
     drawMeter(log.force_N(), app.scene.servo_settings.max_force_N, middle, radius);
     drawDirection(push, middle, 0.72f * radius);
     below += radius + l.px(22);
-    if (push != Vec3(0.0)) centred("view/push", l.font(Font::Body), pushText(push), {middle.x, below + l.px(38)}, width, kQuiet);
+    if (push != Vec3(0.0))
+      centred("view/push", l.font(Font::Body), pushText(push), {middle.x, below + l.px(38)}, width, kQuiet);
   }
-  centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact), {middle.x, below + l.px(14)}, width,
-          log.touching() ? kBright : kQuiet);
-  const std::string hint = log.touching() ? "Slide with the mouse or the arrow keys; wheel, + and − push" : "Hold the left button, or Space, to push";
+  centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact), {middle.x, below + l.px(14)},
+          width, log.touching() ? kBright : kQuiet);
+  const std::string hint = log.touching() ? "Slide with the mouse or the arrow keys; wheel, + and − push"
+                                          : "Hold the left button, or Space, to push";
   centred("view/hint", l.font(Font::Small), hint, {middle.x, view.high.y - l.px(26)}, width, kQuiet);
 }
 

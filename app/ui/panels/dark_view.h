@@ -1,7 +1,7 @@
 // What is seen while the screen is dark: no molecule, only what is felt. Window's thread.
 #pragma once
 
-#include "app/ui/layout.h"
+#include "app/ui/widgets/layout.h"
 
 namespace moltact {
 

@@ -1,16 +1,16 @@
-// View > Device: which devices there are, the one in use live, its calibration, a gentle force to try it with, the limits in
-// force, how punctual the loop is, and what its scale means.
+// View > Device: which devices there are, the one in use live, its calibration, a gentle force to try it with, the
+// limits in force, how punctual the loop is, and what its scale means.
 #include <algorithm>
 #include <cstdio>
 #include <string>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/device_link.h"
-#include "app/ui/extensions.h"
-#include "app/ui/number_text.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
 
 namespace moltact {
@@ -28,9 +28,12 @@ void words(const char* name, const std::string& text, ImU32 colour) {
 void drawStop(Application& app, DeviceLink& link) {
   const Palette& p = look().palette;
   const bool panic = app.scene.servo_settings.panic;
-  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)", panic ? ButtonLook::Primary : ButtonLook::Plain)) app.scene.stopForce(!panic);
+  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)",
+             panic ? ButtonLook::Primary : ButtonLook::Plain))
+    app.scene.stopForce(!panic);
   std::string acted;
-  for (const LimitWords* one : link.actingLimits()) acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
+  for (const LimitWords* one : link.actingLimits())
+    acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
   ImGui::SameLine(0, look().px(12));
   ImGui::AlignTextToFramePadding();
   words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);
@@ -43,7 +46,9 @@ void drawUsable(Application& app, DeviceLink& link) {
   for (const FoundDevice& one : link.found()) {
     if (!one.usable) continue;
     const std::string name = "device/" + one.name;
-    if (button(name.c_str(), one.title.c_str(), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain, -1.0f)) link.choose(app, one.name);
+    if (button(name.c_str(), one.title.c_str(), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain,
+               -1.0f))
+      link.choose(app, one.name);
     if (one.place.empty()) continue;
     WithFont small(Font::Small);
     words((name + "/place").c_str(), one.place, look().palette.quiet);
@@ -51,7 +56,8 @@ void drawUsable(Application& app, DeviceLink& link) {
 }
 
 void drawUnusable(const DeviceLink& link) {
-  if (std::none_of(link.found().begin(), link.found().end(), [](const FoundDevice& one) { return !one.usable; })) return;
+  if (std::none_of(link.found().begin(), link.found().end(), [](const FoundDevice& one) { return !one.usable; }))
+    return;
   sectionTitle("Not to be used now");
   for (const FoundDevice& one : link.found()) {
     if (one.usable) continue;
@@ -63,18 +69,21 @@ void drawUnusable(const DeviceLink& link) {
 }
 
 // The device's room seen along one of its axes, `scale` pixels a millimetre: the hand in it, and the force on it.
-void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, float scale, glm::dvec2 room_mm, glm::dvec2 hand_mm, glm::dvec2 force_N) {
+void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, float scale, glm::dvec2 room_mm,
+              glm::dvec2 hand_mm, glm::dvec2 force_N) {
   constexpr float kForce_px_per_N = 14.0f;
   const Look& l = look();
   const Palette& p = l.palette;
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImVec2 middle{low.x + 0.5f * size.x, low.y + 0.5f * size.y}, half{0.5f * scale * float(room_mm.x), 0.5f * scale * float(room_mm.y)};
+  const ImVec2 middle{low.x + 0.5f * size.x, low.y + 0.5f * size.y},
+      half{0.5f * scale * float(room_mm.x), 0.5f * scale * float(room_mm.y)};
   const ImVec2 a{middle.x - half.x, middle.y - half.y}, b{middle.x + half.x, middle.y + half.y};
   draw->AddRectFilled(a, b, p.raised, l.px(6));
   draw->AddRect(a, b, p.line, l.px(6));
   draw->AddLine({middle.x, a.y}, {middle.x, b.y}, p.line);
   draw->AddLine({a.x, middle.y}, {b.x, middle.y}, p.line);
-  const ImVec2 at{std::clamp(middle.x + scale * floatOf(hand_mm.x), a.x, b.x), std::clamp(middle.y - scale * floatOf(hand_mm.y), a.y, b.y)};
+  const ImVec2 at{std::clamp(middle.x + scale * floatOf(hand_mm.x), a.x, b.x),
+                  std::clamp(middle.y - scale * floatOf(hand_mm.y), a.y, b.y)};
   const ImVec2 tip{at.x + l.px(kForce_px_per_N) * float(force_N.x), at.y - l.px(kForce_px_per_N) * float(force_N.y)};
   draw->AddLine(at, tip, p.warn, l.px(3));
   draw->AddCircleFilled(at, l.px(5), p.accent, 24);
@@ -95,8 +104,10 @@ void drawRooms(const ServoSample& now, const DeviceInfo& info) {
   const float scale = std::min(width / float(room.x), height / float(std::max(room.y, room.z)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Vec3 &hand = now.hand.mm, &force = now.force.N;
-  drawRoom("device/front", "from the front", at, {width, height}, scale, {room.x, room.y}, {hand.x, hand.y}, {force.x, force.y});
-  drawRoom("device/above", "from above", {at.x + width + gap, at.y}, {width, height}, scale, {room.x, room.z}, {hand.x, -hand.z}, {force.x, -force.z});
+  drawRoom("device/front", "from the front", at, {width, height}, scale, {room.x, room.y}, {hand.x, hand.y},
+           {force.x, force.y});
+  drawRoom("device/above", "from above", {at.x + width + gap, at.y}, {width, height}, scale, {room.x, room.z},
+           {hand.x, -hand.z}, {force.x, -force.z});
   const WithFont small(Font::Small);
   ImGui::Dummy({2 * width + gap, height + l.px(4) + ImGui::GetFontSize()});
 }
@@ -112,7 +123,8 @@ void drawLive(Application& app, DeviceLink& link) {
   if (!link.awaited().empty()) words("device/awaited", link.awaited() + " leads as soon as it is plugged in.", p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
   if (link.wantsCalibration(app) && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
-  std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y, now.hand.mm.z, glm::length(now.force.N));
+  std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y,
+                now.hand.mm.z, glm::length(now.force.N));
   std::string line = text;
   for (int k = 0; k < 32; ++k)
     if (now.buttons >> k & 1u) line += "; button " + std::to_string(k + 1);
@@ -127,9 +139,11 @@ void drawLive(Application& app, DeviceLink& link) {
     progressBar("device/heat", float(link.status().motor_heat), false);
   }
   const bool trying = link.tryingLeft_s() > 0.0;
-  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f, !trying && link.status().ready && !app.scene.playing() && !app.scene.servo_settings.panic))
+  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f,
+             !trying && link.status().ready && !app.scene.playing() && !app.scene.servo_settings.panic))
     link.tryForce(app);
-  tip(app.scene.playing() ? "Not while a recorded hand is shown or the device changes hands." : "Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
+  tip(app.scene.playing() ? "Not while a recorded hand is shown or the device changes hands."
+                          : "Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
 }
 
 void drawLimits(Application& app) {
@@ -138,11 +152,14 @@ void drawLimits(Application& app) {
   sectionTitle("Safety");
   char text[320];
   if (info.gives_force)
-    std::snprintf(text, sizeof text, "At most %.1f N for a moment and %.2f N for good. With the delay as it is measured the surface is at most %.2f N/mm stiff.",
+    std::snprintf(text, sizeof text,
+                  "At most %.1f N for a moment and %.2f N for good. With the delay as it is measured the surface is at "
+                  "most %.2f N/mm stiff.",
                   std::min(info.max_force_N, app.scene.servo_settings.max_force_N), info.continuous_force_N,
                   app.scene.servo().newest().stiffness_bound_N_per_mm);
   else
-    std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.", app.scene.servo_settings.max_force_N);
+    std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.",
+                  app.scene.servo_settings.max_force_N);
   words("device/limits", localNumbers(text), p.quiet);
 }
 
@@ -184,7 +201,8 @@ void drawLateness(const DeviceLink& link) {
   const float most = std::max(1e-6f, *std::max_element(share.begin(), share.end()));
   for (std::size_t k = 0; k < share.size(); ++k) {
     const float x = at.x + float(k) * step, top = at.y + height * (1.0f - share[k] / most);
-    draw->AddRectFilled({x + l.px(2), std::min(top, at.y + height - l.px(1))}, {x + step - l.px(2), at.y + height}, l.palette.accent, l.px(2));
+    draw->AddRectFilled({x + l.px(2), std::min(top, at.y + height - l.px(1))}, {x + step - l.px(2), at.y + height},
+                        l.palette.accent, l.px(2));
   }
   ImGui::Dummy({width, height});
   recordRectangle("device/late", {at.x, at.y}, {at.x + width, at.y + height}, "");

@@ -1,16 +1,16 @@
 // A file is to be written, or a folder chosen: where, and under which name.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include <filesystem>
 #include <string>
 #include <system_error>
 
-#include <imgui.h>
-#include <imgui_stdlib.h>
-
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/file_list.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/file_list.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 
@@ -39,13 +39,14 @@ void drawFilePage(Application& app) {
     const float foot = l.tx(34) + l.px(12) + (there ? ImGui::GetTextLineHeightWithSpacing() : 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(8), l.px(2)});
     ImGui::BeginChild("entries", {0, -foot});
-    const std::filesystem::path file = drawFileList(d.browser, "file", folder ? "No folders here." : "No folders or files of this kind here.");
+    const std::filesystem::path file =
+        drawFileList(d.browser, "file", folder ? "No folders here." : "No folders or files of this kind here.");
     if (!file.empty()) d.written = file.filename().string();
     ImGui::EndChild();
     ImGui::PopStyleVar();
-    if (!d.browser.trouble().empty() || there) {
+    if (!d.browser.fault().empty() || there) {
       WithText warn(l.palette.warn);
-      ImGui::TextWrapped("%s", there ? "There is already a file of this name." : d.browser.trouble().c_str());
+      ImGui::TextWrapped("%s", there ? "There is already a file of this name." : d.browser.fault().c_str());
       recordItem("file/warning", "there");
     }
     const char* label = folder ? "Choose this folder" : there ? "Replace it" : "Save";

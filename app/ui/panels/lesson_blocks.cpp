@@ -1,10 +1,10 @@
 #include "app/ui/panels/lesson_blocks.h"
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/rich_text.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -59,7 +59,9 @@ struct BlockPainter {
     ImGui::SetCursorScreenPos({low.x + pad, low.y + pad});
     for (const RichText& p : tip.paragraphs) {
       ImGui::SetCursorScreenPos({low.x + pad, ImGui::GetCursorScreenPos().y});
-      if (std::string clicked = drawRichText((name + "/hint text").c_str(), p, l.palette.text, width - 2 * pad); !clicked.empty()) link = clicked;
+      if (std::string clicked = drawRichText((name + "/hint text").c_str(), p, l.palette.text, width - 2 * pad);
+          !clicked.empty())
+        link = clicked;
     }
     const float end = ImGui::GetCursorScreenPos().y + pad - ImGui::GetStyle().ItemSpacing.y;
     draw->ChannelsSetCurrent(0);
@@ -75,7 +77,8 @@ struct BlockPainter {
     const Look& l = look();
     const ImVec2 low = ImGui::GetCursorScreenPos();
     for (const RichText& p : quote.paragraphs) text(p, l.palette.quiet, l.px(16));
-    ImGui::GetWindowDrawList()->AddRectFilled(low, {low.x + l.px(3), ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y}, l.palette.line);
+    ImGui::GetWindowDrawList()->AddRectFilled(
+        low, {low.x + l.px(3), ImGui::GetCursorScreenPos().y - ImGui::GetStyle().ItemSpacing.y}, l.palette.line);
   }
 
   // Pictures belong to the page on a Git host; here the molecule itself is on the stage.

@@ -4,7 +4,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "app/ui/key_focus.h"
+#include "app/ui/widgets/key_focus.h"
 
 namespace moltact {
 namespace {
@@ -36,7 +36,8 @@ bool lessonKeyPressed(char key) {
 void scrollByKeys() {
   constexpr float kPage = 0.7f;  // of the window's height
   if (!ImGui::GetIO().KeyCtrl || pageOpen()) return;
-  const float pages = (ImGui::IsKeyPressed(GLFW_KEY_PAGE_DOWN, true) ? 1.0f : 0.0f) - (ImGui::IsKeyPressed(GLFW_KEY_PAGE_UP, true) ? 1.0f : 0.0f);
+  const float pages = (ImGui::IsKeyPressed(GLFW_KEY_PAGE_DOWN, true) ? 1.0f : 0.0f) -
+                      (ImGui::IsKeyPressed(GLFW_KEY_PAGE_UP, true) ? 1.0f : 0.0f);
   if (pages != 0.0f) ImGui::SetScrollY(ImGui::GetScrollY() + pages * kPage * ImGui::GetWindowHeight());
 }
 

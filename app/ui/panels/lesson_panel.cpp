@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/lesson/lesson_files.h"
 
 namespace moltact {
@@ -27,7 +27,8 @@ void drawHead(Application& app, const LessonSession& session) {
     WithFont small(Font::Small);
     WithText quiet(l.palette.quiet);
     const auto number = std::find(way.begin(), way.end(), at) - way.begin() + 1;
-    const std::string place = session.step().aside ? "Aside" : "Step " + std::to_string(number) + " of " + std::to_string(count);
+    const std::string place =
+        session.step().aside ? "Aside" : "Step " + std::to_string(number) + " of " + std::to_string(count);
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);
@@ -42,8 +43,11 @@ void drawHead(Application& app, const LessonSession& session) {
   for (std::size_t k = 0; k < count; ++k) {
     const float x = low.x + (each + gap) * float(k);
     const std::size_t step = way[k];
-    const ImU32 colour = step == at ? l.palette.accent : session.stepDone(step) && step < at ? faded(l.palette.accent, 0.45f) : l.palette.pressed;
-    ImGui::GetWindowDrawList()->AddRectFilled({x, low.y}, {x + std::max(1.0f, each), low.y + high}, colour, 0.5f * high);
+    const ImU32 colour = step == at                            ? l.palette.accent
+                         : session.stepDone(step) && step < at ? faded(l.palette.accent, 0.45f)
+                                                               : l.palette.pressed;
+    ImGui::GetWindowDrawList()->AddRectFilled({x, low.y}, {x + std::max(1.0f, each), low.y + high}, colour,
+                                              0.5f * high);
   }
   ImGui::Dummy({width, high + l.px(6)});
   WithFont heading(Font::Heading);
@@ -85,7 +89,9 @@ void followOut(Application& app, const std::string& link) {
 
 void drawLessonPanel(Application& app) {
   LessonSession* session = app.lesson.session();
-  if (!session || !beginPanel("lesson", app.layout().lesson, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) return;
+  if (!session ||
+      !beginPanel("lesson", app.layout().lesson, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse))
+    return;
   const Look& l = look();
   const float foot = l.tx(34) + l.px(12);
   const std::size_t before = session->stepIndex();
@@ -107,7 +113,8 @@ void drawLessonPanel(Application& app) {
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRectFullScreen();
-  draw->AddLine({app.layout().lesson.low.x, edge}, {app.layout().lesson.high.x, edge}, l.palette.line, std::max(1.0f, l.scale));
+  draw->AddLine({app.layout().lesson.low.x, edge}, {app.layout().lesson.high.x, edge}, l.palette.line,
+                std::max(1.0f, l.scale));
   draw->PopClipRect();
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + l.px(4));
   drawFoot(app, *session);

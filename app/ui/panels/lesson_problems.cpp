@@ -1,13 +1,14 @@
-// Over the view's lower edge while the lesson's file has faults: a quiet bar that says so, and on demand the list of them
-// with line, what is wrong and what would mend it. For authors; a lesson without errors never shows it to a student.
+// Over the view's lower edge while the lesson's file has faults: a quiet bar that says so, and on demand the list of
+// them with line, what is wrong and what would mend it. For authors; a lesson without errors never shows it to a
+// student.
 #include <algorithm>
 #include <string>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -29,7 +30,8 @@ void drawFault(const LessonWatch::Fault& fault, std::size_t index, float place_w
   const float left = ImGui::GetCursorPosX();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
-  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + l.px(5), at.y + 0.5f * line}, l.px(4), fault.error ? l.palette.bad : l.palette.warn, 16);
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + l.px(5), at.y + 0.5f * line}, l.px(4),
+                                              fault.error ? l.palette.bad : l.palette.warn, 16);
   ImGui::SetCursorPosX(left + l.px(18));
   {
     WithText quiet(l.palette.quiet);
@@ -55,7 +57,9 @@ void drawLessonProblems(Application& app) {
   if (watch.faults().empty()) return;
   const Look& l = look();
   const Rectangle& seen = app.layout().view;
-  const Rectangle view = seen.size().x > l.px(260) ? seen : Rectangle{{0, app.layout().menu.high.y}, {app.layout().menu.high.x, app.layout().status.low.y}};
+  const Rectangle view = seen.size().x > l.px(260) ? seen
+                                                   : Rectangle{{0, app.layout().menu.high.y},
+                                                               {app.layout().menu.high.x, app.layout().status.low.y}};
   const Palette& p = l.palette;
   const float margin = l.px(14), pad = l.px(10), side = l.px(12), button_w = l.tx(76);
   const float width = std::min(view.size().x - 2 * margin, l.tx(640));
@@ -77,7 +81,8 @@ void drawLessonProblems(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {side, pad});
   ImGui::Begin("lesson-problems", nullptr,
-               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
   const float top = ImGui::GetCursorPosY();
   ImGui::SetCursorPosY(top + 0.5f * (head - text_h));
   ImGui::PushTextWrapPos(side + text_w);
@@ -85,7 +90,8 @@ void drawLessonProblems(Application& app) {
   ImGui::PopTextWrapPos();
   recordItem("lesson-problems", text);
   ImGui::SetCursorPos({width - side - button_w, top + 0.5f * (head - l.tx(34))});
-  if (button("lesson-problems/show", open ? "Hide" : "Show", ButtonLook::Plain, button_w)) app.panels.lesson_problems = !open;
+  if (button("lesson-problems/show", open ? "Hide" : "Show", ButtonLook::Plain, button_w))
+    app.panels.lesson_problems = !open;
   if (open) {
     ImGui::SetCursorPosY(top + head + pad);
     ImGui::BeginChild("list", {0, 0});

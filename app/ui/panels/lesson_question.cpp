@@ -1,25 +1,27 @@
 // A question in the lesson: choices or a field, and what is said to the answer.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
-#include <imgui.h>
-#include <imgui_stdlib.h>
-
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/number_text.h"
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
-#include "app/ui/rich_text.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/rich_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
 
-bool holds(const std::vector<std::size_t>& list, std::size_t value) { return std::find(list.begin(), list.end(), value) != list.end(); }
+bool holds(const std::vector<std::size_t>& list, std::size_t value) {
+  return std::find(list.begin(), list.end(), value) != list.end();
+}
 
 // One choice: a card with a mark. True when it was chosen.
 bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, bool told, bool right) {
@@ -52,7 +54,8 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
       draw->AddRect(a, b, colour, l.px(3), 0, l.px(1.6f));
     }
   }
-  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad + 2 * mark + l.px(10), low.y + pad}, p.text, lines.c_str(), nullptr, text_w + 1);
+  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad + 2 * mark + l.px(10), low.y + pad}, p.text,
+                lines.c_str(), nullptr, text_w + 1);
   recordItem(name, plain);
   return clicked;
 }
@@ -93,17 +96,22 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
   for (std::size_t k = 0; k < question.choices.size(); ++k) {
     const bool told = status.attempts > 0 && holds(status.chosen, k);
     const bool is_ticked = one ? told : holds(ticked, k);
-    const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked, told, question.choices[k].right) ||
+    const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked, told,
+                                   question.choices[k].right) ||
                         (keys && digitPressed(k));
     if (!chosen || status.answered_right) continue;
-    if (one) session.choose(index, {k});
-    else if (holds(ticked, k)) std::erase(ticked, k);
-    else ticked.push_back(k);
+    if (one)
+      session.choose(index, {k});
+    else if (holds(ticked, k))
+      std::erase(ticked, k);
+    else
+      ticked.push_back(k);
   }
   ImGui::PopStyleVar();
   const bool entered = keys && !ticked.empty() && enterIsFree(session) && lessonKeyPressed('\n');
   if (!one && !status.answered_right &&
-      (button((name + "/check").c_str(), "Check  (Enter)", ButtonLook::Primary, look().tx(132), !ticked.empty()) || entered)) {
+      (button((name + "/check").c_str(), "Check  (Enter)", ButtonLook::Primary, look().tx(132), !ticked.empty()) ||
+       entered)) {
     std::sort(ticked.begin(), ticked.end());
     session.choose(index, ticked);
   }
@@ -120,14 +128,17 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   bool handed_in = false;
   if (takesWriting(session, index) && lessonKeyPressed('A')) ImGui::SetKeyboardFocusHere();
   if (free) {
-    handed_in = ImGui::InputTextMultiline("##answer", &written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
+    handed_in =
+        ImGui::InputTextMultiline("##answer", &written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
     tip("A begins to write, Ctrl and Enter keeps it");
     handed_in = button((name + "/check").c_str(), "Keep", ButtonLook::Plain, button_w) || handed_in;
   } else {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_w - gap);
-    const std::string hint = (answer.unit.empty() ? "your answer" : "in " + answer.unit) + (status.answered_right ? "" : "  (A)");
-    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {look().px(10), std::floor(0.5f * (look().tx(34) - ImGui::GetFontSize()))});
+    const std::string hint =
+        (answer.unit.empty() ? "your answer" : "in " + answer.unit) + (status.answered_right ? "" : "  (A)");
+    ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                        {look().px(10), std::floor(0.5f * (look().tx(34) - ImGui::GetFontSize()))});
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
     recordItem(name + "/field", written);
@@ -156,8 +167,10 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
   const int attempts = session.question(index).attempts;
-  if (question.choices.empty() && question.answer) drawField(app.lesson, index, name);
-  else drawChoices(app.lesson, index, name);
+  if (question.choices.empty() && question.answer)
+    drawField(app.lesson, index, name);
+  else
+    drawChoices(app.lesson, index, name);
   const QuestionStatus& status = session.question(index);
   if (status.attempts > 0) {
     const ImU32 colour = status.last_right ? l.palette.good : l.palette.bad;
@@ -167,7 +180,9 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     for (const std::size_t k : status.chosen)
       if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
     // What is said to an answer is not to be missed below the panel's edge.
-    if (status.attempts != attempts && ImGui::GetCursorScreenPos().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight()) ImGui::SetScrollHereY(1.0f);
+    if (status.attempts != attempts &&
+        ImGui::GetCursorScreenPos().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight())
+      ImGui::SetScrollHereY(1.0f);
   }
   ImGui::PopID();
   return link;

@@ -5,14 +5,14 @@
 #include <string>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/number_text.h"
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
-#include "app/ui/rich_text.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/rich_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -24,7 +24,8 @@ void drawFigures(const std::string& name, const Task& task) {
     if (f.value == 0.0 && f.unit.empty()) continue;  // nothing was counted: no slip, no wrong turn
     char number[32];
     std::snprintf(number, sizeof number, f.value == std::round(f.value) ? "%.0f" : "%.2f", f.value);
-    line += (line.empty() ? "" : "  ·  ") + std::string(f.name) + " " + number + (f.unit.empty() ? "" : " " + std::string(f.unit));
+    line += (line.empty() ? "" : "  ·  ") + std::string(f.name) + " " + number +
+            (f.unit.empty() ? "" : " " + std::string(f.unit));
   }
   if (line.empty()) return;
   line = localProse(std::move(line));
@@ -50,14 +51,15 @@ void drawLessonTask(Application& app, std::size_t index) {
   const std::string name = "task/" + std::to_string(index);
   const bool away = status.current && !app.lesson.onStage();
   const std::string& molecule = session.scene().molecule;
-  const std::string next = !away             ? status.sentence
-                           : app.loading()   ? "Opening " + molecule + " …"
-                                             : "This step uses " + molecule + ".";
+  const std::string next = !away           ? status.sentence
+                           : app.loading() ? "Opening " + molecule + " …"
+                                           : "This step uses " + molecule + ".";
 
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12), mark = l.px(11);
   const float text_x = pad + 2 * mark + l.px(10), text_w = std::max(l.px(60), width - text_x - pad);
   const std::string say_lines = wrapped(status.say, text_w), next_lines = wrapped(next, text_w);
-  const float say_h = ImGui::CalcTextSize(say_lines.c_str(), nullptr, false, text_w + 1).y, gap = next.empty() ? 0.0f : l.px(4);
+  const float say_h = ImGui::CalcTextSize(say_lines.c_str(), nullptr, false, text_w + 1).y,
+              gap = next.empty() ? 0.0f : l.px(4);
   const float next_h = next.empty() ? 0.0f : ImGui::CalcTextSize(next_lines.c_str(), nullptr, false, text_w + 1).y;
   const bool bar = status.current && !away;
   const float say_y = std::max(0.0f, mark - 0.5f * ImGui::GetFontSize() - l.px(1));
@@ -102,14 +104,19 @@ void drawLessonTask(Application& app, std::size_t index) {
     if (index > app.panels.lesson_task && !ImGui::IsItemVisible()) ImGui::SetScrollHereY(0.3f);
     app.panels.lesson_task = index;
   }
-  recordItem(name, (status.done ? "done: " : status.current ? "current: " : "waiting: ") + status.say + (next.empty() ? "" : "\n" + next));
+  recordItem(name, (status.done      ? "done: "
+                    : status.current ? "current: "
+                                     : "waiting: ") +
+                       status.say + (next.empty() ? "" : "\n" + next));
   if (const Task* task = session.taskAt(index); task && !away) {
     if (status.current) drawTaskButtons(app, index, *task);
     if (task->curves() && (status.current || status.done)) drawTaskCurve(app, index, *task->curves(), status.current);
     if (status.done) drawFigures(name, *task);
   }
   if (away && !app.loading() &&
-      (button((name + "/bring back").c_str(), ("Bring " + molecule + " back  (Enter)").c_str(), ButtonLook::Primary, width) || lessonKeyPressed('\n')))
+      (button((name + "/bring back").c_str(), ("Bring " + molecule + " back  (Enter)").c_str(), ButtonLook::Primary,
+              width) ||
+       lessonKeyPressed('\n')))
     app.lesson.askForScene();
 }
 

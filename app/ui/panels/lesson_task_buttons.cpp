@@ -1,13 +1,13 @@
+#include <imgui.h>
+
 #include <algorithm>
 #include <string>
 
-#include <imgui.h>
-
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
-#include "app/ui/theme.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
 
 namespace moltact {
 
@@ -30,7 +30,8 @@ bool drawTaskButtons(Application& app, std::size_t index, const Task& task) {
     if (beside && k > 0) ImGui::SameLine();
     const bool first = k == 0 && offered[k].key == '\n';
     const std::string name = "task/" + std::to_string(index) + "/" + std::string(offered[k].word);
-    if (button(name.c_str(), labels[k].c_str(), first ? ButtonLook::Primary : ButtonLook::Plain, beside ? each : room) ||
+    if (button(name.c_str(), labels[k].c_str(), first ? ButtonLook::Primary : ButtonLook::Plain,
+               beside ? each : room) ||
         lessonKeyPressed(offered[k].key))
       told = offered[k].word;
   }

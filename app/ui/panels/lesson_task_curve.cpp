@@ -9,13 +9,13 @@
 #include <imgui.h>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/key_focus.h"
-#include "app/ui/number_text.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -43,7 +43,8 @@ void drawCurve(const Area& area, const std::vector<double>& values, ImU32 colour
     const ImVec2 here{area.x(k), area.y(values[k])};
     if (k > 0 && std::isfinite(values[k - 1])) {
       const ImVec2 before{area.x(k - 1), area.y(values[k - 1])};
-      if (filled) draw->AddQuadFilled(before, here, {here.x, area.high.y}, {before.x, area.high.y}, faded(colour, 0.16f));
+      if (filled)
+        draw->AddQuadFilled(before, here, {here.x, area.high.y}, {before.x, area.high.y}, faded(colour, 0.16f));
       draw->AddLine(before, here, colour, thick);
     } else if (k + 1 >= values.size() || !std::isfinite(values[k + 1])) {
       draw->AddCircleFilled(here, thick, colour, 16);
@@ -57,7 +58,8 @@ void drawAxes(const Area& area, const TaskCurves& curves) {
   ImFont* font = l.font(Font::Small);
   const float size = font->FontSize;
   for (const double part : {0.0, 0.5, 1.0})
-    draw->AddLine({area.low.x, area.y(part * area.most_N)}, {area.high.x, area.y(part * area.most_N)}, part > 0.0 ? l.palette.line : l.palette.faint, 1.0f);
+    draw->AddLine({area.low.x, area.y(part * area.most_N)}, {area.high.x, area.y(part * area.most_N)},
+                  part > 0.0 ? l.palette.line : l.palette.faint, 1.0f);
   draw->AddLine({area.low.x, area.low.y}, {area.low.x, area.high.y}, l.palette.faint, 1.0f);
   char text[64];
   const auto write = [&](ImVec2 at, float pivot, const char* what) {
@@ -93,7 +95,8 @@ void drawLegend(ImVec2 at, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {
 void drawWithMouse(const Area& area, CurveDraft& draft) {
   if (!ImGui::IsItemActive()) return;
   const ImGuiIO& io = ImGui::GetIO();
-  const ImVec2 to = io.MousePos, from = ImGui::IsItemActivated() ? to : ImVec2{to.x - io.MouseDelta.x, to.y - io.MouseDelta.y};
+  const ImVec2 to = io.MousePos,
+               from = ImGui::IsItemActivated() ? to : ImVec2{to.x - io.MouseDelta.x, to.y - io.MouseDelta.y};
   const std::size_t a = area.nearest(from.x), b = area.nearest(to.x);
   for (std::size_t k = std::min(a, b); k <= std::max(a, b); ++k) {
     const double part = a == b ? 1.0 : std::abs(double(k) - double(a)) / std::abs(double(b) - double(a));
@@ -102,7 +105,8 @@ void drawWithMouse(const Area& area, CurveDraft& draft) {
   draft.pen = b;
 }
 
-// Left and right lead the pen, up and down raise and lower it; it leaves its height behind wherever nothing was drawn yet.
+// Left and right lead the pen, up and down raise and lower it; it leaves its height behind wherever nothing was drawn
+// yet.
 void drawWithArrows(const Area& area, CurveDraft& draft) {
   const auto times = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
   if (ImGui::GetIO().KeyShift) return;
@@ -122,7 +126,9 @@ std::vector<double> whole(std::vector<double> values) {
   for (std::size_t k = 0; k < values.size(); ++k) {
     if (!std::isfinite(values[k])) continue;
     for (std::size_t hole = last == values.size() ? 0 : last + 1; hole < k; ++hole)
-      values[hole] = last == values.size() ? values[k] : values[last] + (values[k] - values[last]) * double(hole - last) / double(k - last);
+      values[hole] = last == values.size()
+                         ? values[k]
+                         : values[last] + (values[k] - values[last]) * double(hole - last) / double(k - last);
     last = k;
   }
   if (last < values.size())
@@ -143,7 +149,8 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   const float left = l.tx(46), head = small + l.px(8), foot = small + l.px(6);
   const ImVec2 origin = ImGui::GetCursorScreenPos();
   const ImVec2 high{origin.x + width, origin.y + head + l.px(130) + foot};
-  const Area area{{origin.x + left, origin.y + head}, {high.x - l.px(8), high.y - foot}, curves.most_N, curves.drawn.size()};
+  const Area area{
+      {origin.x + left, origin.y + head}, {high.x - l.px(8), high.y - foot}, curves.most_N, curves.drawn.size()};
   ImGui::PushID(name.c_str());
   ImGui::InvisibleButton("curve", {width, high.y - origin.y});
   ImGui::PopID();
@@ -185,11 +192,15 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
     const char* how = "Draw here with the mouse or the arrow keys";
     ImFont* font = l.font(Font::Small);
     const float how_w = font->CalcTextSizeA(small, 1e9f, 0.0f, how).x;
-    ImGui::GetWindowDrawList()->AddText(font, small, {std::round(0.5f * (area.low.x + area.high.x - how_w)), area.y(0.75 * area.most_N)}, l.palette.quiet, how);
+    ImGui::GetWindowDrawList()->AddText(
+        font, small, {std::round(0.5f * (area.low.x + area.high.x - how_w)), area.y(0.75 * area.most_N)},
+        l.palette.quiet, how);
   }
   const float wipe_w = l.tx(70), gap = ImGui::GetStyle().ItemSpacing.x;
-  if ((button((name + "/hand in").c_str(), "This is what I expect  (Enter)", ButtonLook::Primary, width - wipe_w - gap, any) ||
-       lessonKeyPressed('\n')) && any) {
+  if ((button((name + "/hand in").c_str(), "This is what I expect  (Enter)", ButtonLook::Primary, width - wipe_w - gap,
+              any) ||
+       lessonKeyPressed('\n')) &&
+      any) {
     draft.values = whole(draft.values);
     app.lesson.session()->answerTask({{}, draft.values});
   }

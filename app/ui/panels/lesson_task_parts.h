@@ -1,5 +1,5 @@
-// What a task's card holds beside its text: the buttons by which the student tells something, and the curve that is drawn
-// and felt. Window's thread.
+// What a task's card holds beside its text: the buttons by which the student tells something, and the curve that is
+// drawn and felt. Window's thread.
 #pragma once
 
 #include <cstddef>

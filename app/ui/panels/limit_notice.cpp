@@ -1,14 +1,14 @@
-// What safety does to the force, over the lower edge of the view: that all force is stopped, and with a device that gives
-// force which limit acts.
+// What safety does to the force, over the lower edge of the view: that all force is stopped, and with a device that
+// gives force which limit acts.
 #include <algorithm>
 #include <string>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/device_link.h"
-#include "app/ui/extensions.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 
@@ -20,7 +20,8 @@ void drawLimitNotice(Application& app) {
   if (stopped) {
     text = "All force is stopped. F9 allows it again.";
   } else if (app.scene.servo().device().gives_force) {
-    for (const std::string& words : app.extensions().device.limitNotices(app)) text += (text.empty() ? "" : "\n") + words;
+    for (const std::string& words : app.extensions().device.limitNotices(app))
+      text += (text.empty() ? "" : "\n") + words;
   }
   if (text.empty() || view.empty() || app.panels.welcome) return;
 
@@ -37,8 +38,9 @@ void drawLimitNotice(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, l.px(8));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, l.px(8)});
-  ImGui::Begin("limit notice", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
+  ImGui::Begin("limit notice", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
   ImGui::PushTextWrapPos(pad + words.x + 1);
   ImGui::TextUnformatted(text.c_str());
   recordItem("limits", text);

@@ -1,25 +1,26 @@
 // Top: the menus, made from the table of actions; lists of files and parts have menus of their own within them.
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
-#include <imgui_internal.h>
-
 #include "app/ui/actions.h"
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/library.h"
-#include "app/ui/shape_label.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/files/library.h"
+#include "app/ui/scene/shape_label.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/core/text.h"
 
 namespace moltact {
 namespace {
 
-bool item(const std::string& name, const char* label, const char* shortcut = nullptr, bool on = false, bool enabled = true) {
+bool item(const std::string& name, const char* label, const char* shortcut = nullptr, bool on = false,
+          bool enabled = true) {
   const bool chosen = ImGui::MenuItem(label, shortcut, on, enabled);
   recordItem(name, on ? "on" : "");
   return chosen;
@@ -65,7 +66,8 @@ void shapesMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/shapes", "Shapes", !app.panels.welcome && !app.lesson.locks("show"))) return;
   for (const ShapeName& shape : shapeNames()) {
     const bool on = app.scene.shown.has(shape.shape);
-    if (item("menu/view/shapes/" + std::string(shape.name), shapeLabel(shape).c_str(), nullptr, on)) app.scene.shown.set(shape.shape, !on);
+    if (item("menu/view/shapes/" + std::string(shape.name), shapeLabel(shape).c_str(), nullptr, on))
+      app.scene.shown.set(shape.shape, !on);
   }
   ImGui::EndMenu();
 }
@@ -75,7 +77,8 @@ void sizeMenu(Application& app) {
   for (const int percent : {75, 90, 100, 125, 150, 175, 200, 250, 300}) {
     char label[16];
     std::snprintf(label, sizeof label, "%d %%", percent);
-    if (item("menu/view/scale/" + std::to_string(percent), label, nullptr, app.settings.scale * 100.0 == double(percent)))
+    if (item("menu/view/scale/" + std::to_string(percent), label, nullptr,
+             app.settings.scale * 100.0 == double(percent)))
       app.settings.scale = percent / 100.0;
   }
   ImGui::EndMenu();
@@ -92,7 +95,11 @@ struct Inset {
   std::string_view after;
   void (*draw)(Application&);
 };
-constexpr Inset kInsets[] = {{"open", libraryMenu}, {"open", recentMenu}, {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"turns", lessonList}};
+constexpr Inset kInsets[] = {{"open", libraryMenu},
+                             {"open", recentMenu},
+                             {"methods", shapesMenu},
+                             {"high-contrast", sizeMenu},
+                             {"turns", lessonList}};
 
 void drawMenu(Application& app, Menu menu) {
   const std::string label(menuLabel(menu)), prefix = "menu/" + lower(label);
@@ -103,7 +110,8 @@ void drawMenu(Application& app, Menu menu) {
     if (a.menu != menu) continue;
     if (a.parted) ImGui::Separator();
     const std::string text(a.label), shortcut(a.shortcut);
-    if (item(prefix + "/" + std::string(a.name), text.c_str(), shortcut.c_str(), a.on && a.on(app), enabled(a, app))) a.run(app);
+    if (item(prefix + "/" + std::string(a.name), text.c_str(), shortcut.c_str(), a.on && a.on(app), enabled(a, app)))
+      a.run(app);
     for (const Inset& inset : kInsets)
       if (inset.after == a.name) inset.draw(app);
   }
@@ -115,8 +123,11 @@ void drawMenu(Application& app, Menu menu) {
 void drawMenuBar(Application& app) {
   const Look& l = look();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(8), 0});
-  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {l.px(8), std::floor(0.5f * (app.layout().menu.size().y - ImGui::GetFontSize()))});
-  const bool shown = beginPanel("menu bar", app.layout().menu, ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
+                      {l.px(8), std::floor(0.5f * (app.layout().menu.size().y - ImGui::GetFontSize()))});
+  const bool shown =
+      beginPanel("menu bar", app.layout().menu,
+                 ImGuiWindowFlags_MenuBar | ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   if (shown && ImGui::BeginMenuBar()) {
     // The bar's own paddings are not the menus'.
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(12), l.px(10)});

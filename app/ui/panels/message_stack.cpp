@@ -3,9 +3,9 @@
 
 #include "app/ui/actions.h"
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -16,7 +16,8 @@ void drawActions(Application& app, const Message& message, const std::string& na
     const Action* action = findAction(message.actions[k]);
     if (!action) continue;
     if (k > 0) ImGui::SameLine(0, look().px(8));
-    if (button((name + "/" + std::string(action->name)).c_str(), std::string(action->label).c_str(), ButtonLook::Plain, 0.0f, enabled(*action, app)))
+    if (button((name + "/" + std::string(action->name)).c_str(), std::string(action->label).c_str(), ButtonLook::Plain,
+               0.0f, enabled(*action, app)))
       action->run(app);
   }
 }
@@ -27,14 +28,18 @@ void drawMessageStack(Application& app) {
   const Look& l = look();
   const Rectangle& view = app.layout().view;
   if (app.messages.all().empty()) return;
-  const Rectangle room = view.size().x > l.px(260) ? view : Rectangle{{0, app.layout().menu.high.y}, {app.layout().menu.high.x, app.layout().status.low.y}};
+  const Rectangle room = view.size().x > l.px(260) ? view
+                                                   : Rectangle{{0, app.layout().menu.high.y},
+                                                               {app.layout().menu.high.x, app.layout().status.low.y}};
   const float margin = l.px(12), width = std::min(room.size().x - 2 * margin, l.tx(560));
   float y = room.low.y + margin;
   std::optional<std::size_t> dismissed;
   for (std::size_t k = 0; k < app.messages.all().size(); ++k) {
     const Message& m = app.messages.all()[k];
     const Palette& p = l.palette;
-    const ImU32 ground = m.kind == MessageKind::Error ? p.bad_soft : m.kind == MessageKind::Warning ? p.warn_soft : p.good_soft;
+    const ImU32 ground = m.kind == MessageKind::Error     ? p.bad_soft
+                         : m.kind == MessageKind::Warning ? p.warn_soft
+                                                          : p.good_soft;
     const ImU32 edge = m.kind == MessageKind::Error ? p.bad : m.kind == MessageKind::Warning ? p.warn : p.good;
     const float pad = l.px(12), text_w = width - 2 * pad - l.px(40);
     const float text_h = ImGui::CalcTextSize(m.text.c_str(), nullptr, false, text_w).y;
@@ -49,8 +54,9 @@ void drawMessageStack(Application& app) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, l.px(8));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, std::max(1.0f, l.scale));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {pad, pad});
-    ImGui::Begin(name.c_str(), nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
-                                            ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
+    ImGui::Begin(name.c_str(), nullptr,
+                 ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                     ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNavFocus);
     ImGui::PushTextWrapPos(pad + text_w);
     ImGui::TextUnformatted(m.text.c_str());
     recordItem(name, m.text);

@@ -1,13 +1,13 @@
-// Right, in the touch panel's place when it is asked for: the haptic method under the hand is switched while touching, and
-// what it costs and how true it is are seen at once.
+// Right, in the touch panel's place when it is asked for: the haptic method under the hand is switched while touching,
+// and what it costs and how true it is are seen at once.
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/method_charts.h"
-#include "app/ui/method_chooser.h"
 #include "app/ui/panels/dark_view.h"
-#include "app/ui/plot.h"
-#include "app/ui/theme.h"
-#include "app/ui/while_locked.h"
+#include "app/ui/panels/method_charts.h"
+#include "app/ui/panels/method_chooser.h"
+#include "app/ui/panels/while_locked.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/theme.h"
 
 namespace moltact {
 
@@ -23,9 +23,11 @@ void drawMethodsPanel(Application& app) {
   if (feltFacets(app.scene.method())) {
     const WhileLocked locked(app, "show");
     bool on = app.scene.shown.has(Shape::Facets);
-    if (toggle("show/facets", "Draw the triangles", on, "The triangles that the method feels, round the probe.")) app.scene.shown.set(Shape::Facets, on);
+    if (toggle("show/facets", "Draw the triangles", on, "The triangles that the method feels, round the probe."))
+      app.scene.shown.set(Shape::Facets, on);
   }
-  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f, .height = 50.0f});
+  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
+       {.title = "Force", .unit = "N", .least_top = 1.0f, .height = 50.0f});
   plot("plot/turn", app.scene.watch().turns(), app.scene.watch().greatestTurn_deg(),
        {.title = "Largest turn in a tick", .least_top = 2.0f, .height = 50.0f, .format = "%.1f°"});
   const MethodRecord* record = app.scene.watch().find(app.scene.method());

@@ -1,19 +1,19 @@
 // File > Open: folders and files that can be read, what was opened last, and the library.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <string>
 #include <system_error>
 #include <vector>
 
-#include <imgui.h>
-#include <imgui_stdlib.h>
-
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/file_list.h"
-#include "app/ui/library.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/files/library.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/file_list.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -42,7 +42,8 @@ void drawShelf(Application& app) {
   sectionTitle("Recent");
   std::string chosen;
   for (std::size_t k = 0; k < app.settings.recent.size(); ++k)
-    if (fileRow("open/recent/" + std::to_string(k), Icon::File, fs::path(app.settings.recent[k]).filename().string())) chosen = app.settings.recent[k];
+    if (fileRow("open/recent/" + std::to_string(k), Icon::File, fs::path(app.settings.recent[k]).filename().string()))
+      chosen = app.settings.recent[k];
   if (!chosen.empty()) chooseFile(app, chosen);
 }
 
@@ -57,13 +58,16 @@ void drawOpenPage(Application& app) {
   if (!b.open) {
     b.open = true;
     std::error_code ignored;
-    if (b.folder().empty()) b.look(fs::current_path(ignored));
-    else b.look(b.folder());
+    if (b.folder().empty())
+      b.look(fs::current_path(ignored));
+    else
+      b.look(b.folder());
     b.typed.clear();
     ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1.0f);
-  const bool entered = ImGui::InputTextWithHint("##path", b.folder().string().c_str(), &b.typed, ImGuiInputTextFlags_EnterReturnsTrue);
+  const bool entered =
+      ImGui::InputTextWithHint("##path", b.folder().string().c_str(), &b.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   recordItem("open/path", b.typed);
   if (entered && !b.typed.empty()) {
     fs::path where = b.typed;
@@ -77,9 +81,9 @@ void drawOpenPage(Application& app) {
       chooseFile(app, where);
     }
   }
-  if (!b.trouble().empty()) {
+  if (!b.fault().empty()) {
     WithText bad(look().palette.bad);
-    ImGui::TextWrapped("%s", b.trouble().c_str());
+    ImGui::TextWrapped("%s", b.fault().c_str());
   }
   ImGui::Dummy({0, look().px(2)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
@@ -93,7 +97,8 @@ void drawOpenPage(Application& app) {
     WithFont strong(Font::Strong);
     ImGui::TextUnformatted(elided(b.folder().string(), ImGui::GetContentRegionAvail().x).c_str());
   }
-  const fs::path file = drawFileList(b, "open", "No folders, molecules (.pdb .ent .cif .xyzr, also .gz) or lessons (.md) here.");
+  const fs::path file =
+      drawFileList(b, "open", "No folders, molecules (.pdb .ent .cif .xyzr, also .gz) or lessons (.md) here.");
   if (!file.empty()) chooseFile(app, file);
   ImGui::EndChild();
   ImGui::PopStyleVar();

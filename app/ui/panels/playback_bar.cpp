@@ -9,11 +9,11 @@
 #include <GLFW/glfw3.h>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/key_focus.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
 
 namespace moltact {
@@ -29,25 +29,37 @@ std::string clockText(double t_s) {
 ImU32 colourOf(TimelineMark::Kind kind) {
   const Palette& p = look().palette;
   switch (kind) {
-    case TimelineMark::Kind::Step: return p.quiet;
+    case TimelineMark::Kind::Step:
+      return p.quiet;
     case TimelineMark::Kind::Task:
-    case TimelineMark::Kind::Right: return p.good;
-    case TimelineMark::Kind::Wrong: return p.bad;
-    case TimelineMark::Kind::Hint: return p.warn;
+    case TimelineMark::Kind::Right:
+      return p.good;
+    case TimelineMark::Kind::Wrong:
+      return p.bad;
+    case TimelineMark::Kind::Hint:
+      return p.warn;
   }
   return p.quiet;
 }
 
-// A step is a line across the bar, an answer a disc or a cross, a task a square, a hint a triangle: shapes, for those who see no
-// difference of colour.
+// A step is a line across the bar, an answer a disc or a cross, a task a square, a hint a triangle: shapes, for those
+// who see no difference of colour.
 void drawMark(ImDrawList* draw, const TimelineMark& m, float x, float y, float half) {
   const ImU32 colour = colourOf(m.kind);
   const float r = look().px(4);
   switch (m.kind) {
-    case TimelineMark::Kind::Step: draw->AddLine({x, y - half}, {x, y + half}, colour, std::max(1.0f, look().px(1.5f))); break;
-    case TimelineMark::Kind::Right: draw->AddCircleFilled({x, y}, r, colour, 16); break;
-    case TimelineMark::Kind::Task: draw->AddRectFilled({x - 0.9f * r, y - 0.9f * r}, {x + 0.9f * r, y + 0.9f * r}, colour); break;
-    case TimelineMark::Kind::Hint: draw->AddTriangleFilled({x, y - r}, {x + r, y + r}, {x - r, y + r}, colour); break;
+    case TimelineMark::Kind::Step:
+      draw->AddLine({x, y - half}, {x, y + half}, colour, std::max(1.0f, look().px(1.5f)));
+      break;
+    case TimelineMark::Kind::Right:
+      draw->AddCircleFilled({x, y}, r, colour, 16);
+      break;
+    case TimelineMark::Kind::Task:
+      draw->AddRectFilled({x - 0.9f * r, y - 0.9f * r}, {x + 0.9f * r, y + 0.9f * r}, colour);
+      break;
+    case TimelineMark::Kind::Hint:
+      draw->AddTriangleFilled({x, y - r}, {x + r, y + r}, {x - r, y + r}, colour);
+      break;
     case TimelineMark::Kind::Wrong:
       draw->AddLine({x - r, y - r}, {x + r, y + r}, colour, look().px(2));
       draw->AddLine({x - r, y + r}, {x + r, y - r}, colour, look().px(2));
@@ -79,7 +91,8 @@ void drawScrubber(Playback& playback, float width) {
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float bar = l.px(3);
   draw->AddRectFilled({from, middle - bar}, {to, middle + bar}, l.palette.pressed, bar);
-  draw->AddRectFilled({from, middle - bar}, {std::max(place(playback.at_s()), from), middle + bar}, faded(l.palette.accent, 0.55f), bar);
+  draw->AddRectFilled({from, middle - bar}, {std::max(place(playback.at_s()), from), middle + bar},
+                      faded(l.palette.accent, 0.55f), bar);
   for (const TimelineMark& m : playback.timeline().marks()) drawMark(draw, m, place(m.t_s), middle, half);
   const float x = place(playback.at_s());
   draw->AddCircleFilled({x, middle}, l.px(8), l.palette.accent, 28);
@@ -92,7 +105,8 @@ void drawSpeed(Playback& playback) {
   char text[16];
   std::snprintf(text, sizeof text, "%g ×", playback.speed);
   if (!button("playback/speed", text, ButtonLook::Plain, look().tx(58))) return;
-  const double* after = std::find_if(std::begin(kSpeeds), std::end(kSpeeds), [&](double s) { return s > playback.speed + 1e-9; });
+  const double* after =
+      std::find_if(std::begin(kSpeeds), std::end(kSpeeds), [&](double s) { return s > playback.speed + 1e-9; });
   playback.speed = after == std::end(kSpeeds) ? kSpeeds[0] : *after;
 }
 
@@ -101,15 +115,18 @@ void keys(Playback& playback) {
   if (!keysFree() || io.KeyCtrl || io.KeyAlt) return;
   constexpr double kStep_s = 5.0;
   if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) playback.setRunning(!playback.running());
-  if (ImGui::IsKeyPressed(GLFW_KEY_LEFT, true)) io.KeyShift ? playback.seekMark(-1) : playback.seek(playback.at_s() - kStep_s);
-  if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true)) io.KeyShift ? playback.seekMark(1) : playback.seek(playback.at_s() + kStep_s);
+  if (ImGui::IsKeyPressed(GLFW_KEY_LEFT, true))
+    io.KeyShift ? playback.seekMark(-1) : playback.seek(playback.at_s() - kStep_s);
+  if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true))
+    io.KeyShift ? playback.seekMark(1) : playback.seek(playback.at_s() + kStep_s);
 }
 
 std::string told(const Playback& playback) {
   const AttemptHeader& h = playback.timeline().header();
   std::string out = h.student.empty() ? h.lesson.title : h.student + ", " + h.lesson.title;
   if (const std::string step = playback.timeline().step(playback.at_s()); !step.empty()) out += " · " + step;
-  if (const std::string last = playback.lastMark(); !last.empty() && last != playback.timeline().step(playback.at_s())) out += " · " + last;
+  if (const std::string last = playback.lastMark(); !last.empty() && last != playback.timeline().step(playback.at_s()))
+    out += " · " + last;
   return out;
 }
 
@@ -120,7 +137,8 @@ void drawPlaybackBar(Application& app) {
   if (!playback.on()) return;
   const Look& l = look();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(14), l.px(8)});
-  const bool shown = beginPanel("playback", app.layout().strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool shown =
+      beginPanel("playback", app.layout().strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (!shown) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -129,10 +147,12 @@ void drawPlaybackBar(Application& app) {
   keys(playback);
 
   const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  if (button("playback/play", playback.running() ? "Pause" : "Play", ButtonLook::Primary, l.tx(72))) playback.setRunning(!playback.running());
+  if (button("playback/play", playback.running() ? "Pause" : "Play", ButtonLook::Primary, l.tx(72)))
+    playback.setRunning(!playback.running());
   tip("Space; arrows left and right by 5 s, with Shift from mark to mark");
   ImGui::SameLine();
-  const std::string length = clockText(playback.timeline().length_s()), time = clockText(playback.at_s()) + " / " + length;
+  const std::string length = clockText(playback.timeline().length_s()),
+                    time = clockText(playback.at_s()) + " / " + length;
   // Where there is little room the time stands before the words.
   const bool wide = whole > l.tx(430);
   const float time_w = wide ? ImGui::CalcTextSize((length + " / " + length).c_str()).x + l.px(6) + gap : 0.0f;
@@ -163,10 +183,13 @@ void drawPlaybackBar(Application& app) {
     ImGui::SetCursorPosY(row);
   }
   if (roomy) {
-    if (button("playback/follow", playback.follows_view ? "View as it was" : "View is yours", ButtonLook::Plain, l.tx(128))) playback.follows_view = !playback.follows_view;
+    if (button("playback/follow", playback.follows_view ? "View as it was" : "View is yours", ButtonLook::Plain,
+               l.tx(128)))
+      playback.follows_view = !playback.follows_view;
     tip("Whether the molecule turns as the student turned it, or only as you do");
     ImGui::SameLine();
-    if (button("playback/rests", playback.skips_rests ? "Rests left out" : "Rests shown", ButtonLook::Plain, l.tx(124))) playback.skips_rests = !playback.skips_rests;
+    if (button("playback/rests", playback.skips_rests ? "Rests left out" : "Rests shown", ButtonLook::Plain, l.tx(124)))
+      playback.skips_rests = !playback.skips_rests;
     tip("Times when the hand lay still for more than 3 s");
     ImGui::SameLine();
   }

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/lesson_shelf.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/lesson_shelf.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -55,7 +55,8 @@ void drawSize(Settings& s) {
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
   if (button("preferences/smaller", "Smaller", ButtonLook::Plain, width, at > 0)) s.scale = kSteps[at - 1] / 100.0;
   ImGui::SameLine();
-  if (button("preferences/larger", "Larger", ButtonLook::Plain, width, at + 1 < std::size(kSteps))) s.scale = kSteps[at + 1] / 100.0;
+  if (button("preferences/larger", "Larger", ButtonLook::Plain, width, at + 1 < std::size(kSteps)))
+    s.scale = kSteps[at + 1] / 100.0;
   quietText(std::to_string(int(percent)) + " % of what this display asks for");
   recordItem("preferences/size", std::to_string(int(percent)) + " %");
 }
@@ -92,10 +93,12 @@ void drawPreferencesPage(Application& app) {
   sectionTitle("More than the eye");
   toggle("preferences/sound", "Sound of touch", s.sound, "Contact, crossing from atom to atom, and force as pitch.");
   toggle("preferences/large-text", "What is touched in large type", s.large_state_text);
-  toggle("preferences/reduced-motion", "Less motion", s.reduced_motion, "Another scene is there at once; the view does not glide or fade.");
+  toggle("preferences/reduced-motion", "Less motion", s.reduced_motion,
+         "Another scene is there at once; the view does not glide or fade.");
   part();
   sectionTitle("Mouse");
-  toggle("preferences/left-handed", "Left-handed mouse", s.left_handed, "Over the molecule the right button pushes and the left one turns.");
+  toggle("preferences/left-handed", "Left-handed mouse", s.left_handed,
+         "Over the molecule the right button pushes and the left one turns.");
   part();
   sectionTitle("Numbers");
   static const std::vector<std::string> kNumbers{"1.4", "1,4"};

@@ -2,9 +2,9 @@
 #include <algorithm>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {

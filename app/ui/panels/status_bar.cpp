@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "app/ui/application.h"
-#include "app/ui/contact_text.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/number_text.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/scene/contact_text.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -20,8 +20,8 @@ struct Segment {
   const char* name;
   std::string text;
   std::string tip;
-  int need;          ///< 0 is kept longest
-  ImU32 dot = 0;     ///< a coloured dot before the text; 0: none
+  int need;       ///< 0 is kept longest
+  ImU32 dot = 0;  ///< a coloured dot before the text; 0: none
 };
 
 // "4 558": a thin space between thousands.
@@ -37,14 +37,20 @@ Segment loopSegment(const Application& app) {
   const LoopHealth& h = app.scene.log().health();
   const RealtimeStatus status = app.scene.servo().realtime();
   char text[160];
-  const char* kind = status == RealtimeStatus::Realtime ? "real-time" : status == RealtimeStatus::Ordinary ? "ordinary priority" : "starting";
-  std::snprintf(text, sizeof text, "%.0f Hz, %s, late %.0f µs, tick %.1f µs", h.rate_Hz, kind, h.late_p99_us, h.work_mean_us);
+  const char* kind = status == RealtimeStatus::Realtime   ? "real-time"
+                     : status == RealtimeStatus::Ordinary ? "ordinary priority"
+                                                          : "starting";
+  std::snprintf(text, sizeof text, "%.0f Hz, %s, late %.0f µs, tick %.1f µs", h.rate_Hz, kind, h.late_p99_us,
+                h.work_mean_us);
   char tip[400];
-  std::snprintf(tip, sizeof tip,
-                "The touch loop should run 1000 times a second. 99 of 100 ticks began at most %.0f µs late; the longest "
-                "took %.1f µs; %llu were left out.%s",
-                h.late_p99_us, h.work_max_us, static_cast<unsigned long long>(app.scene.servo().missedTicks()),
-                status == RealtimeStatus::Ordinary ? " The system does not allow this program real-time priority, so ticks may come late while the picture is drawn." : "");
+  std::snprintf(
+      tip, sizeof tip,
+      "The touch loop should run 1000 times a second. 99 of 100 ticks began at most %.0f µs late; the longest "
+      "took %.1f µs; %llu were left out.%s",
+      h.late_p99_us, h.work_max_us, static_cast<unsigned long long>(app.scene.servo().missedTicks()),
+      status == RealtimeStatus::Ordinary ? " The system does not allow this program real-time priority, so ticks may "
+                                           "come late while the picture is drawn."
+                                         : "");
   const bool well = h.rate_Hz > 950 && (status == RealtimeStatus::Realtime || h.late_p99_us < 2000);
   return {"status/loop", localNumbers(text), localNumbers(tip), 3, well ? p.good : p.warn};
 }
@@ -59,7 +65,8 @@ std::optional<Segment> scaleSegment(const Application& app) {
   char times[48];
   std::snprintf(times, sizeof times, ", magnified %.1f times", scene.magnification());
   if (magnified) text += times;
-  return Segment{"status/scale", localNumbers(text), localNumbers(scale.reason), 2, magnified ? look().palette.accent : 0};
+  return Segment{"status/scale", localNumbers(text), localNumbers(scale.reason), 2,
+                 magnified ? look().palette.accent : 0};
 }
 
 }  // namespace
@@ -68,7 +75,8 @@ void drawStatusBar(Application& app) {
   const Look& l = look();
   WithFont small(Font::Small);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(14), 0});
-  const bool shown = beginPanel("status bar", app.layout().status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool shown =
+      beginPanel("status bar", app.layout().status, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (!shown) return;
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -79,18 +87,29 @@ void drawStatusBar(Application& app) {
 
   const ServoSample& now = app.scene.log().latest();
   std::vector<Segment> segments;
-  segments.push_back({"status/contact", app.scene.log().touching() ? "touching" : now.contact.fault == Fault::StartedInside ? "inside" : "free",
-                      app.extensions().task_stager.dark() ? std::string() : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()), 0,
-                      app.scene.log().touching() ? l.palette.accent : l.palette.faint});
+  segments.push_back({"status/contact",
+                      app.scene.log().touching()                  ? "touching"
+                      : now.contact.fault == Fault::StartedInside ? "inside"
+                                                                  : "free",
+                      app.extensions().task_stager.dark()
+                          ? std::string()
+                          : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
+                      0, app.scene.log().touching() ? l.palette.accent : l.palette.faint});
   segments.push_back({"status/device", app.scene.servo().device().name,
-                      app.scene.servo().device().gives_force ? "" : "No force-feedback device is connected; the mouse or keyboard stands in for it.", 2});
+                      app.scene.servo().device().gives_force
+                          ? ""
+                          : "No force-feedback device is connected; the mouse or keyboard stands in for it.",
+                      2});
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
   segments.push_back(loopSegment(app));
   if (app.scene.stage()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back({"status/molecule", m.id.empty() ? app.scene.file().filename().string() : m.id, m.title, 1});
-    if (!app.scene.playing()) segments.push_back({"status/modelled", grouped(now.footprint.atoms_modelled) + " of " + grouped(m.atoms.size()) + " atoms modelled",
-                        "The tracker prepares only the atoms near your probe.", 4});
+    if (!app.scene.playing())
+      segments.push_back(
+          {"status/modelled",
+           grouped(now.memory_usage.atoms_modelled) + " of " + grouped(m.atoms.size()) + " atoms modelled",
+           "The tracker prepares only the atoms near your probe.", 4});
   }
   if (app.loading()) segments.push_back({"status/loading", "Opening …", "", 0, l.palette.warn});
 

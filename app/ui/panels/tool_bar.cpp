@@ -1,13 +1,13 @@
-// Right end of the top line: the actions that have a place there, as signs with tool tips. Where there is little room the
-// less needed ones are left out.
+// Right end of the top line: the actions that have a place there, as signs with tool tips. Where there is little room
+// the less needed ones are left out.
 #include <algorithm>
 #include <string>
 #include <vector>
 
 #include "app/ui/actions.h"
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/theme.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
 
 namespace moltact {
 
@@ -20,7 +20,8 @@ void drawToolBar(Application& app) {
   for (const Action& a : allActions())
     if (a.tool > 0) shown.push_back(&a);
   const auto width = [&] { return float(shown.size()) * (size + gap) - gap; };
-  for (int need = 9; need > 0 && width() > room; --need) std::erase_if(shown, [&](const Action* a) { return a->tool == need; });
+  for (int need = 9; need > 0 && width() > room; --need)
+    std::erase_if(shown, [&](const Action* a) { return a->tool == need; });
   if (shown.empty()) return;
   const float edge = 0.5f * (bar.size().y - size), right = bar.high.x - margin;
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, 0});
@@ -28,7 +29,9 @@ void drawToolBar(Application& app) {
     for (const Action* a : shown) {
       if (a != shown.front()) ImGui::SameLine();
       const std::string tip = toolTip(*a);
-      if (iconButton(("tool/" + std::string(a->name)).c_str(), a->icon, tip.c_str(), a->on && a->on(app), enabled(*a, app))) a->run(app);
+      if (iconButton(("tool/" + std::string(a->name)).c_str(), a->icon, tip.c_str(), a->on && a->on(app),
+                     enabled(*a, app)))
+        a->run(app);
     }
     endPanel();
   }

@@ -2,18 +2,18 @@
 #include <string>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/method_chooser.h"
 #include "app/ui/panels/dark_view.h"
-#include "app/ui/plot.h"
-#include "app/ui/shape_label.h"
-#include "app/ui/theme.h"
-#include "app/ui/while_locked.h"
+#include "app/ui/panels/method_chooser.h"
+#include "app/ui/panels/while_locked.h"
+#include "app/ui/scene/shape_label.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/plot.h"
+#include "app/ui/widgets/theme.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kLargestOffered_A = 4.0;   // of the probe's slider
+constexpr double kLargestOffered_A = 4.0;  // of the probe's slider
 constexpr double kSoftest_N_per_mm = 0.05, kStiffest_N_per_mm = 2.0;
 
 void drawShapeSwitches(Application& app) {
@@ -22,7 +22,8 @@ void drawShapeSwitches(Application& app) {
     if (!shape.haptic) continue;  // the others are in the View menu
     if (shape.shape == Shape::Facets && !feltFacets(app.scene.method())) continue;
     bool on = app.scene.shown.has(shape.shape);
-    if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on, std::string(shape.sentence).c_str()))
+    if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on,
+               std::string(shape.sentence).c_str()))
       app.scene.shown.set(shape.shape, on);
   }
 }
@@ -37,7 +38,8 @@ void drawTouchPanel(Application& app) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
   drawTouchHead(app);
-  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(), {.title = "Force", .unit = "N", .least_top = 1.0f});
+  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
+       {.title = "Force", .unit = "N", .least_top = 1.0f});
   ImGui::Spacing();
   {
     const WhileLocked locked(app, "probe");
@@ -54,17 +56,22 @@ void drawTouchPanel(Application& app) {
   if (app.panels.touch_details) {
     {
       const WhileLocked locked(app, "stiffness");
-      slider("stiffness", "Stiffness", app.scene.servo_settings.stiffness_N_per_mm, kSoftest_N_per_mm, kStiffest_N_per_mm, 0.05, "%.2f N/mm",
+      slider("stiffness", "Stiffness", app.scene.servo_settings.stiffness_N_per_mm, kSoftest_N_per_mm,
+             kStiffest_N_per_mm, 0.05, "%.2f N/mm",
              "The spring between your hand and the surface: how hard the molecule feels.");
     }
     {
       const WhileLocked locked(app, "force");
-      toggle("force", "Force on", app.scene.servo_settings.force_on, "Off: contact is followed, but no force is given.");
+      toggle("force", "Force on", app.scene.servo_settings.force_on,
+             "Off: contact is followed, but no force is given.");
     }
     ImGui::TextUnformatted("Tracker");
     drawMethodChooser(app);
-    if (!app.panels.methods && !app.lesson.locks("panels") && button("compare", "Compare the methods …", ButtonLook::Plain, -1.0f)) app.panels.showMethods(true);
-    plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us, {.title = "Time for a tick", .unit = "µs", .least_top = 2.0f});
+    if (!app.panels.methods && !app.lesson.locks("panels") &&
+        button("compare", "Compare the methods …", ButtonLook::Plain, -1.0f))
+      app.panels.showMethods(true);
+    plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
+         {.title = "Time for a tick", .unit = "µs", .least_top = 2.0f});
   }
   ImGui::PopStyleVar();
   endPanel();

@@ -1,14 +1,14 @@
 // Lesson, Take turns: the names of a class that shares one device; and the page between two turns.
-#include <string>
-
 #include <imgui.h>
 #include <imgui_stdlib.h>
 
+#include <string>
+
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -26,7 +26,8 @@ void drawHandOver(Application& app, ClassTurns& turns) {
     recordItem("turn/name", name);
   }
   ImGui::Spacing();
-  ImGui::TextWrapped("Take the device in your hand, or the mouse. The force is off until you begin, and comes up softly.");
+  ImGui::TextWrapped(
+      "Take the device in your hand, or the mouse. The force is off until you begin, and comes up softly.");
   if (app.lesson.session()) ImGui::TextWrapped("What you do is kept under your name.");
   ImGui::Dummy({0, l.px(10)});
   const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x, side = l.tx(110);
@@ -38,23 +39,28 @@ void drawHandOver(Application& app, ClassTurns& turns) {
   const bool end = button("turn/end", "End turns", ButtonLook::Plain, side);
   if (begun || absent || end) ImGui::CloseCurrentPopup();
   endPage();
-  if (begun) turns.start(app);
-  else if (absent) turns.skip(app);
-  else if (end) turns.end(app);
+  if (begun)
+    turns.start(app);
+  else if (absent)
+    turns.skip(app);
+  else if (end)
+    turns.end(app);
 }
 
 void drawSetUp(Application& app, ClassTurns& turns) {
   if (!beginPage("turns page", "Take turns at one device", app.panels.turns_page, 520, 560)) return;
   const Look& l = look();
   ClassTurns::Draft& draft = turns.draft;
-  ImGui::TextWrapped("Each student works for the same time; what each does is kept under the name. Those who wait predict.");
+  ImGui::TextWrapped(
+      "Each student works for the same time; what each does is kept under the name. Those who wait predict.");
   ImGui::Spacing();
   {
     WithFont strong(Font::Strong);
     ImGui::TextUnformatted("Names or codes, one a line, in the order of the turns");
   }
   const float below = l.tx(150);
-  ImGui::InputTextMultiline("##names", &draft.names, {-1, std::max(l.tx(80), ImGui::GetContentRegionAvail().y - below)});
+  ImGui::InputTextMultiline("##names", &draft.names,
+                            {-1, std::max(l.tx(80), ImGui::GetContentRegionAvail().y - below)});
   recordItem("turns/names", draft.names);
   slider("turns/minutes", "Minutes a turn", draft.minutes, 0.5, 20.0, 0.5, "%.1f min");
   if (!app.lesson.session()) {
@@ -79,8 +85,10 @@ void drawSetUp(Application& app, ClassTurns& turns) {
 
 void drawTurnsPage(Application& app) {
   ClassTurns& turns = app.extensions().turns;
-  if (turns.turns().state() == Turns::State::HandOver) drawHandOver(app, turns);
-  else drawSetUp(app, turns);
+  if (turns.turns().state() == Turns::State::HandOver)
+    drawHandOver(app, turns);
+  else
+    drawSetUp(app, turns);
 }
 
 }  // namespace moltact

@@ -1,18 +1,18 @@
 // Under the view while a class takes turns: who is at the device and for how long, who is next, and what those who wait
 // predict.
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <string>
 
-#include <imgui.h>
-#include <imgui_stdlib.h>
-
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -56,7 +56,8 @@ void drawTurn(Application& app, ClassTurns& turns, float whole) {
   if (!roomy) return;
   ImGui::SameLine();
   const bool paused = t.state() == Turns::State::Paused;
-  if (button("turns/pause", paused ? "Go on" : "Pause", ButtonLook::Plain, l.tx(84))) paused ? turns.goOn() : turns.pause();
+  if (button("turns/pause", paused ? "Go on" : "Pause", ButtonLook::Plain, l.tx(84)))
+    paused ? turns.goOn() : turns.pause();
   tip("Stops the time of this turn");
   ImGui::SameLine();
   if (button("turns/longer", "+1 min", ButtonLook::Plain, l.tx(74))) turns.extend(60.0);
@@ -67,10 +68,12 @@ void drawTurn(Application& app, ClassTurns& turns, float whole) {
 
 void drawTime(const Turns& t, const Rectangle& r) {
   const Look& l = look();
-  const float part = float(std::clamp(t.left_s() / std::max(1.0, t.turn_s()), 0.0, 1.0)), high = std::max(2.0f, l.px(3));
+  const float part = float(std::clamp(t.left_s() / std::max(1.0, t.turn_s()), 0.0, 1.0)),
+              high = std::max(2.0f, l.px(3));
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({r.low.x, r.low.y}, {r.high.x, r.low.y + high}, l.palette.pressed);
-  draw->AddRectFilled({r.low.x, r.low.y}, {r.low.x + part * r.size().x, r.low.y + high}, t.left_s() < 15.0 ? l.palette.bad : l.palette.accent);
+  draw->AddRectFilled({r.low.x, r.low.y}, {r.low.x + part * r.size().x, r.low.y + high},
+                      t.left_s() < 15.0 ? l.palette.bad : l.palette.accent);
 }
 
 void drawPrediction(Application& app, ClassTurns& turns, float whole) {
@@ -101,7 +104,8 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(whole - name_w - keep_w - 2 * gap);
-  bool keep = ImGui::InputTextWithHint("##prediction", "your prediction", &draft.prediction, ImGuiInputTextFlags_EnterReturnsTrue);
+  bool keep = ImGui::InputTextWithHint("##prediction", "your prediction", &draft.prediction,
+                                       ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleVar();
   recordItem("turns/prediction", draft.prediction);
   ImGui::SameLine();
@@ -119,7 +123,8 @@ void drawTurnsStrip(Application& app) {
   if (!turns.on() || app.extensions().playback.on()) return;
   const Look& l = look();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {l.px(14), l.px(10)});
-  const bool shown = beginPanel("turns", app.layout().strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool shown =
+      beginPanel("turns", app.layout().strip, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (!shown) return;
   const float whole = ImGui::GetContentRegionAvail().x;

@@ -6,12 +6,12 @@
 #include <string>
 
 #include "app/ui/application.h"
-#include "app/ui/contact_text.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/number_text.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/scene/contact_text.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
 
 namespace moltact {
@@ -20,7 +20,8 @@ namespace {
 constexpr float kBeside_px = 40;  // at 96 dpi: the label keeps so far from the marks at the contact
 
 // A line of text on a rounded ground, wrapped at `width`; returns its height.
-float pill(const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width, ImU32 ground, ImU32 colour, float alpha = 1.0f) {
+float pill(const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivot, float width, ImU32 ground,
+           ImU32 colour, float alpha = 1.0f) {
   const Look& l = look();
   const ImVec2 pad{l.px(12), l.px(7)};
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, width - 2 * pad.x);
@@ -29,7 +30,8 @@ float pill(const char* name, const std::string& text, ImVec2 anchor, ImVec2 pivo
   const ImVec2 high{low.x + whole.x, low.y + whole.y};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, faded(ground, 0.88f * alpha), l.px(8));
-  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y}, faded(colour, alpha), text.c_str(), nullptr, size.x + 1);
+  draw->AddText(ImGui::GetFont(), ImGui::GetFontSize(), {low.x + pad.x, low.y + pad.y}, faded(colour, alpha),
+                text.c_str(), nullptr, size.x + 1);
   recordRectangle(name, {low.x, low.y}, {high.x, high.y}, text);
   return whole.y;
 }
@@ -49,14 +51,16 @@ void scaleBar(const Application& app, const Rectangle& view) {
   char number[32];
   std::snprintf(number, sizeof number, "%g Å", length_A);
   const std::string text = localNumbers(number);
-  const float width = floatOf(length_A / pixel_A), x1 = view.high.x - l.px(18), x0 = x1 - width, y = view.high.y - l.px(20);
+  const float width = floatOf(length_A / pixel_A), x1 = view.high.x - l.px(18), x0 = x1 - width,
+              y = view.high.y - l.px(20);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 colour = l.palette.quiet;
   const float thick = std::max(1.0f, l.px(1.5f)), tick = l.px(4);
   ImFont* small = l.font(Font::Small);
   const ImVec2 size = small->CalcTextSizeA(small->FontSize, 1e9f, 0, text.c_str());
   const float pad = l.px(6), half = 0.5f * std::max(width, size.x), middle = 0.5f * (x0 + x1);
-  draw->AddRectFilled({middle - half - pad, y - tick - size.y - 0.5f * pad}, {middle + half + pad, y + tick + pad}, faded(l.palette.panel, 0.75f), l.px(6));
+  draw->AddRectFilled({middle - half - pad, y - tick - size.y - 0.5f * pad}, {middle + half + pad, y + tick + pad},
+                      faded(l.palette.panel, 0.75f), l.px(6));
   draw->AddLine({x0, y}, {x1, y}, colour, thick);
   draw->AddLine({x0, y - tick}, {x0, y + tick}, colour, thick);
   draw->AddLine({x1, y - tick}, {x1, y + tick}, colour, thick);
@@ -83,11 +87,14 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
     at = foot + Vec3(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0);
-  const float x = std::clamp(view.low.x + floatOf(at.x) - 0.5f * extent.x, view.low.x + l.px(6), view.high.x - extent.x - l.px(6));
-  const float y = std::clamp(view.low.y + floatOf(at.y) - 0.5f * extent.y, view.low.y + l.px(6), view.high.y - extent.y - l.px(6));
+  const float x =
+      std::clamp(view.low.x + floatOf(at.x) - 0.5f * extent.x, view.low.x + l.px(6), view.high.x - extent.x - l.px(6));
+  const float y =
+      std::clamp(view.low.y + floatOf(at.y) - 0.5f * extent.y, view.low.y + l.px(6), view.high.y - extent.y - l.px(6));
   const ImVec2 pad{l.px(5), l.px(2)};
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled({x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y}, faded(l.palette.panel, 0.85f), l.px(5));
+  draw->AddRectFilled({x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y},
+                      faded(l.palette.panel, 0.85f), l.px(5));
   draw->AddText(font, font->FontSize, {x, y}, l.palette.text, text.c_str());
   recordRectangle("view/force", {x, y}, {x + extent.x, y + extent.y}, text);
 }
@@ -105,9 +112,11 @@ void loadingSign(const Application& app, const Rectangle& view) {
   constexpr double kLong_s = 0.5, kRound_s = 1.6;
   if (app.loadingFor_s() < kLong_s) return;
   const Look& l = look();
-  const float width = std::min(l.tx(260), 0.8f * view.size().x), high = l.px(5), x0 = 0.5f * (view.low.x + view.high.x - width);
+  const float width = std::min(l.tx(260), 0.8f * view.size().x), high = l.px(5),
+              x0 = 0.5f * (view.low.x + view.high.x - width);
   const float y = 0.5f * (view.low.y + view.high.y);
-  pill("view/loading", "Opening …", {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width, l.palette.panel, l.palette.text);
+  pill("view/loading", "Opening …", {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width, l.palette.panel,
+       l.palette.text);
   const double turn = std::fmod(app.now_s(), kRound_s) / kRound_s, part = turn < 0.5 ? 2.0 * turn : 2.0 - 2.0 * turn;
   const float knob = 0.3f * width, x = x0 + float(part) * (width - knob);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -125,14 +134,18 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   const ServoSample& now = app.scene.log().latest();
 
   const ImVec2 corner{view.high.x - l.px(42), view.low.y + l.px(12)};
-  if (app.scene.stage()) ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + l.px(30), corner.y + l.px(30)}, faded(p.panel, 0.75f), l.px(6));
+  if (app.scene.stage())
+    ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + l.px(30), corner.y + l.px(30)}, faded(p.panel, 0.75f),
+                                              l.px(6));
   ImGui::SetCursorScreenPos(corner);
   if (app.scene.stage() && iconButton("view/reset", Icon::Fit, "Reset view (Home)")) app.resetViewByHand();
 
   loadingSign(app, view);
   if (!app.scene.stage()) {
-    if (!app.loading()) pill("view/empty", "Open a molecule or a lesson: File, Open, or drop a file here.",
-         {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel, p.text);
+    if (!app.loading())
+      pill("view/empty", "Open a molecule or a lesson: File, Open, or drop a file here.",
+           {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel,
+           p.text);
     return;
   }
   drawColourLegend(app, view);
@@ -142,15 +155,19 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   if (roomy) scaleBar(app, view);
   const float bottom = view.high.y - margin, words = roomy ? width - l.tx(150) : width;
   if (now.contact.fault == Fault::StartedInside) {
-    pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom}, {0, 1},
-         words, p.warn_soft, p.warn);
+    pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom},
+         {0, 1}, words, p.warn_soft, p.warn);
   } else if (now.contact.touching()) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const std::string& line = app.extensions().state_text.line();
     const bool told = line.starts_with("touching");
-    pill("view/state", localNumbers(told ? line : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N())), {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
-  } else if (const float hint = float(app.scene.controls.hintStrength()); hint > 0.0f && !app.scene.playing() && !app.scene.servo().held()) {
+    pill("view/state",
+         localNumbers(told ? line
+                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N())),
+         {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
+  } else if (const float hint = float(app.scene.controls.hintStrength());
+             hint > 0.0f && !app.scene.playing() && !app.scene.servo().held()) {
     pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }

@@ -1,14 +1,14 @@
 // What stands over the 3-D view: the state in words, the scale bar, the hint of controls. Window's thread.
 #pragma once
 
-#include "app/ui/layout.h"
+#include "app/ui/widgets/layout.h"
 
 namespace moltact {
 
 class Application;
 
-/// How long the force arrow is on the screen (unit: pixel at 96 dpi for 1 N): as long for a protein as for one atom, because
-/// what the hand gives does not depend on the zoom.
+/// How long the force arrow is on the screen (unit: pixel at 96 dpi for 1 N): as long for a protein as for one atom,
+/// because what the hand gives does not depend on the zoom.
 inline constexpr float kArrow_px_per_N = 70.0f;
 
 void drawViewOverlays(Application& app, const Rectangle& view);

@@ -8,17 +8,17 @@
 #include <GLFW/glfw3.h>
 
 #include "app/ui/application.h"
-#include "app/ui/contact_text.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/key_focus.h"
-#include "app/ui/method_chooser.h"
+#include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/lesson_keys.h"
+#include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/view_overlays.h"
-#include "app/ui/theme.h"
-#include "app/ui/view_picture.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/scene/contact_text.h"
+#include "app/ui/scene/view_picture.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -34,19 +34,25 @@ bool pressed(int key, bool repeat = false) { return ImGui::IsKeyPressed(key, rep
 void switchMethod(Application& app, int by) {
   const auto all = methods();
   const auto count = static_cast<std::ptrdiff_t>(all.size());
-  app.scene.useMethod(all[static_cast<std::size_t>((findMethod(app.scene.method()) - all.data() + by + count) % count)].name);
+  app.scene.useMethod(
+      all[static_cast<std::size_t>((findMethod(app.scene.method()) - all.data() + by + count) % count)].name);
 }
 
 void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
   // Keys belong to a text field, an open page or a panel before they belong to the view.
   if (!keysFree()) return;
-  if (io.KeyCtrl && !io.KeyAlt) in.orbit_keys = arrows();
-  else if (app.scene.playing()) return;  // the keys belong to the bar
-  else if (io.KeyShift && !io.KeyAlt) in.pan_keys = arrows();
-  else if (!io.KeyAlt && !app.panels.arrows_draw) in.probe_keys = arrows();
+  if (io.KeyCtrl && !io.KeyAlt)
+    in.orbit_keys = arrows();
+  else if (app.scene.playing())
+    return;  // the keys belong to the bar
+  else if (io.KeyShift && !io.KeyAlt)
+    in.pan_keys = arrows();
+  else if (!io.KeyAlt && !app.panels.arrows_draw)
+    in.probe_keys = arrows();
   // A press that has begun goes on while Ctrl and the arrows turn the molecule.
-  in.press = in.press || (ImGui::IsKeyDown(GLFW_KEY_SPACE) && !io.KeyAlt && (!io.KeyCtrl || app.scene.controls.pressing()));
+  in.press =
+      in.press || (ImGui::IsKeyDown(GLFW_KEY_SPACE) && !io.KeyAlt && (!io.KeyCtrl || app.scene.controls.pressing()));
   if (!io.KeyCtrl) {
     if (pressed(GLFW_KEY_EQUAL, true) || pressed(GLFW_KEY_KP_ADD, true)) in.push_notches += 1.0;
     if (pressed(GLFW_KEY_MINUS, true) || pressed(GLFW_KEY_KP_SUBTRACT, true)) in.push_notches -= 1.0;
@@ -54,9 +60,13 @@ void readKeys(Application& app, ViewInput& in) {
     for (const ImWchar c : io.InputQueueCharacters)
       if (c == '+' && !pressed(GLFW_KEY_EQUAL, true) && !pressed(GLFW_KEY_KP_ADD, true)) in.push_notches += 1.0;
   }
-  if (!io.KeyCtrl) in.zoom_keys = (ImGui::IsKeyDown(GLFW_KEY_PAGE_UP) ? 1.0 : 0.0) - (ImGui::IsKeyDown(GLFW_KEY_PAGE_DOWN) ? 1.0 : 0.0);
+  if (!io.KeyCtrl)
+    in.zoom_keys =
+        (ImGui::IsKeyDown(GLFW_KEY_PAGE_UP) ? 1.0 : 0.0) - (ImGui::IsKeyDown(GLFW_KEY_PAGE_DOWN) ? 1.0 : 0.0);
   in.release = ImGui::IsKeyDown(GLFW_KEY_ESCAPE);
-  if (app.panels.methods && !app.lesson.locks("method") && !app.extensions().task_stager.dark() && lessonKeyPressed('M')) switchMethod(app, io.KeyShift ? -1 : 1);
+  if (app.panels.methods && !app.lesson.locks("method") && !app.extensions().task_stager.dark() &&
+      lessonKeyPressed('M'))
+    switchMethod(app, io.KeyShift ? -1 : 1);
 }
 
 ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
@@ -76,7 +86,8 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);
   // A surface that a task makes softer or harder is to be felt as that: the hand presses as deep as before.
-  if (app.extensions().task_stager.changesStiffness()) in.expected_N_per_mm = app.lesson.session()->scene().stiffness_N_per_mm;
+  if (app.extensions().task_stager.changesStiffness())
+    in.expected_N_per_mm = app.lesson.session()->scene().stiffness_N_per_mm;
   if (hovered || active) (in.press ? in.push_notches : in.zoom_notches) += double(io.MouseWheel);
   return in;
 }
@@ -94,7 +105,9 @@ ViewScene sceneOf(const Application& app) {
     scene.hip = now.hip;
     scene.contact = now.contact;
     scene.force_N = app.scene.log().force_N();
-    scene.arrow_A_per_N = app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) * look().px(kArrow_px_per_N);
+    scene.arrow_A_per_N =
+        app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(app.layout().view.size().y))) *
+        look().px(kArrow_px_per_N);
     scene.probe_A = now.probe_A;
   }
   scene.water = app.settings.probe_look != ProbeLook::Ball;
@@ -108,29 +121,34 @@ ViewScene sceneOf(const Application& app) {
 void savePicture(Application& app, std::filesystem::path file) {
   if (file.empty()) file = freePictureName(app.options().picture_folder);
   const std::optional<Problem> problem = writePng(file, app.picture().read());
-  if (problem) app.messages.error(problem->text());
-  else app.messages.notice("Picture saved as " + file.string());
+  if (problem)
+    app.messages.error(problem->text());
+  else
+    app.messages.notice("Picture saved as " + file.string());
 }
 
 }  // namespace
 
 void drawViewPanel(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
-  const bool shown = beginPanel("view", app.layout().view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
+  const bool shown =
+      beginPanel("view", app.layout().view, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse);
   ImGui::PopStyleVar();
   if (!shown) return;
   const Rectangle& r = app.layout().view;
   const glm::dvec2 size = r.size();
   const ImVec2 low{r.low.x, r.low.y}, high{r.high.x, r.high.y};
   ImGui::SetItemAllowOverlap();
-  ImGui::InvisibleButton("view", {r.size().x, r.size().y},
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  ImGui::InvisibleButton(
+      "view", {r.size().x, r.size().y},
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   ImGui::SetItemAllowOverlap();
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
-  app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings, app.scene.log().touching(),
-                      app.scene.log().force_N(), app.scene.servo().mouse());
-  if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
+  app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings,
+                            app.scene.log().touching(), app.scene.log().force_N(), app.scene.servo().mouse());
+  if (app.scene.controls.pressing() && (ImGui::IsItemHovered() || ImGui::IsItemActive()))
+    ImGui::SetMouseCursor(ImGuiMouseCursor_None);
 
   if (app.extensions().task_stager.dark()) {
     drawDarkView(app, r);
@@ -140,11 +158,13 @@ void drawViewPanel(Application& app) {
   }
   ViewPicture& picture = app.picture();
   const SceneChange& change = app.extensions().scene_change;
-  picture.draw(sceneOf(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(), look().scale);
+  picture.draw(sceneOf(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
+               look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
   if (change.oldPicture() > 0 && picture.kept())
-    ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0}, faded(IM_COL32_WHITE, float(change.oldPicture())));
+    ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},
+                                         faded(IM_COL32_WHITE, float(change.oldPicture())));
   if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, std::move(*file));
   drawViewOverlays(app, r);
   endPanel();

@@ -1,5 +1,5 @@
-// What the program shows when nothing is named: lessons as cards, where one left off, and molecules to explore freely. The
-// arrow keys move from card to card and Enter opens one.
+// What the program shows when nothing is named: lessons as cards, where one left off, and molecules to explore freely.
+// The arrow keys move from card to card and Enter opens one.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,12 +9,12 @@
 #include <GLFW/glfw3.h>
 
 #include "app/ui/application.h"
-#include "app/ui/controls.h"
-#include "app/ui/extensions.h"
-#include "app/ui/key_focus.h"
-#include "app/ui/library.h"
-#include "app/ui/theme.h"
-#include "app/ui/widget_map.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/files/library.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 
 namespace moltact {
 namespace {
@@ -55,7 +55,9 @@ void drawProgress(ImDrawList* draw, const CardText& text, ImVec2 a, float width)
   const float high = look().px(5);
   const ImVec2 b{a.x + width, a.y + high};
   draw->AddRectFilled(a, b, p.pressed, 0.5f * high);
-  if (text.progress > 0.0f) draw->AddRectFilled(a, {a.x + std::max(high, width * std::min(1.0f, text.progress)), b.y}, text.done ? p.good : p.accent, 0.5f * high);
+  if (text.progress > 0.0f)
+    draw->AddRectFilled(a, {a.x + std::max(high, width * std::min(1.0f, text.progress)), b.y},
+                        text.done ? p.good : p.accent, 0.5f * high);
 }
 
 bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width) {
@@ -78,8 +80,10 @@ bool drawCard(Grid& grid, const CardText& text, ImTextureID picture, float width
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, hovered || selected ? p.hovered : p.raised, round);
   const ImVec2 shot_end{high.x, low.y + shot};
-  if (picture) draw->AddImageRounded(picture, low, shot_end, {0, 0}, {1, 1}, IM_COL32_WHITE, round, ImDrawFlags_RoundCornersTop);
-  else draw->AddRectFilled(low, shot_end, p.pressed, round, ImDrawFlags_RoundCornersTop);
+  if (picture)
+    draw->AddImageRounded(picture, low, shot_end, {0, 0}, {1, 1}, IM_COL32_WHITE, round, ImDrawFlags_RoundCornersTop);
+  else
+    draw->AddRectFilled(low, shot_end, p.pressed, round, ImDrawFlags_RoundCornersTop);
   float y = low.y + shot + pad;
   {
     WithFont strong(Font::Strong);
@@ -112,8 +116,10 @@ void rows(Grid& grid, std::size_t count, float card_width, Draw draw) {
   const float width = std::floor((grid.width - gap * float(columns - 1)) / float(columns));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {gap, gap});
   for (std::size_t k = 0; k < count; ++k) {
-    if (k % columns) ImGui::SameLine();
-    else ImGui::SetCursorPosX(left);
+    if (k % columns)
+      ImGui::SameLine();
+    else
+      ImGui::SetCursorPosX(left);
     grid.columns.push_back(columns);
     draw(k, width);
   }
@@ -132,9 +138,9 @@ CardText textOf(const LessonCard& card) {
   CardText t;
   t.name = (card.own ? "welcome/own/" : "welcome/lesson/") + card.id;
   t.title = card.title;
-  if (!card.trouble.empty()) {
+  if (!card.fault.empty()) {
     t.line = "cannot be opened";
-    t.tip = card.trouble;
+    t.tip = card.fault;
     t.bad = true;
     return t;
   }
@@ -147,8 +153,10 @@ CardText textOf(const LessonCard& card) {
 }
 
 void openLesson(Application& app, const LessonCard& card) {
-  if (card.progress && card.progress->canResume()) app.resume(card.file, card.progress->file);
-  else app.open(card.file);
+  if (card.progress && card.progress->canResume())
+    app.resume(card.file, card.progress->file);
+  else
+    app.open(card.file);
 }
 
 void drawLessons(Application& app, Grid& grid, bool own) {
@@ -174,7 +182,9 @@ void drawMolecules(Application& app, Grid& grid) {
   rows(grid, items.size(), kMoleculeWidth, [&](std::size_t k, float width) {
     const LibraryItem& m = items[k];
     const ImTextureID picture = app.extensions().card_pictures.find({m.file, SceneSpec{}});
-    if (drawCard(grid, {.name = "welcome/molecule/" + m.id, .title = m.label, .line = m.id, .tip = m.label}, picture, width)) app.open(m.file);
+    if (drawCard(grid, {.name = "welcome/molecule/" + m.id, .title = m.label, .line = m.id, .tip = m.label}, picture,
+                 width))
+      app.open(m.file);
   });
 }
 
@@ -183,14 +193,19 @@ void drawNext(Application& app, float most) {
   const LessonCard* latest = app.extensions().shelf.latest();
   const LessonSession* session = app.lesson.session();
   std::string label;
-  if (session) label = "Back to " + session->lesson().title;
-  else if (app.scene.stage()) label = "Back to the molecule";
-  else if (latest) label = "Go on with " + latest->title;
+  if (session)
+    label = "Back to " + session->lesson().title;
+  else if (app.scene.stage())
+    label = "Back to the molecule";
+  else if (latest)
+    label = "Go on with " + latest->title;
   if (!label.empty()) {
     const std::string shown = elided(label, most - look().px(40));
     if (button("welcome/next", shown.c_str(), ButtonLook::Primary)) {
-      if (app.hasWork()) app.panels.welcome = false;
-      else openLesson(app, *latest);
+      if (app.hasWork())
+        app.panels.welcome = false;
+      else
+        openLesson(app, *latest);
     }
     if (most > look().px(560)) ImGui::SameLine();
   }
@@ -207,7 +222,8 @@ void readKeys(Grid& grid, PanelState& panels) {
   int at = int(panels.card.card);
   const bool none = at >= count;
   const int row = none ? 1 : std::max(1, int(panels.card.columns));
-  const int step = (pressed(GLFW_KEY_RIGHT)) - (pressed(GLFW_KEY_LEFT)) + row * (pressed(GLFW_KEY_DOWN) - pressed(GLFW_KEY_UP));
+  const int step =
+      (pressed(GLFW_KEY_RIGHT)) - (pressed(GLFW_KEY_LEFT)) + row * (pressed(GLFW_KEY_DOWN) - pressed(GLFW_KEY_UP));
   if (!step || !count) return;
   at = none ? 0 : std::clamp(at + step, 0, count - 1);
   panels.card.card = std::size_t(at);
@@ -235,7 +251,9 @@ void drawWelcomePage(Application& app) {
   {
     WithText quiet(l.palette.quiet);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + grid.width);
-    ImGui::TextUnformatted("Take a lesson, or explore a molecule on your own. A haptic stylus lets you feel the surface; the mouse works too.");
+    ImGui::TextUnformatted(
+        "Take a lesson, or explore a molecule on your own. A haptic stylus lets you feel the surface; the mouse works "
+        "too.");
     ImGui::PopTextWrapPos();
   }
   ImGui::Dummy({0, l.px(4)});

@@ -9,24 +9,26 @@
 namespace moltact {
 namespace {
 
-constexpr int kWait_ms = 1;            // for a report, before the force is given all the same
-constexpr int kMostReports = 64;       // read at once: the newest is what counts
-constexpr double kLonelyForce_s = 0.02; // without a word from the haptic thread: no force, as for a tick that is so late
+constexpr int kWait_ms = 1;       // for a report, before the force is given all the same
+constexpr int kMostReports = 64;  // read at once: the newest is what counts
+constexpr double kLonelyForce_s =
+    0.02;  // without a word from the haptic thread: no force, as for a tick that is so late
 constexpr auto kLookAgain = std::chrono::milliseconds(500);
 constexpr auto kNap = std::chrono::milliseconds(20);
 
 }  // namespace
 
-Expected<std::unique_ptr<Device>> HidDevice::open(Opener opener, std::unique_ptr<HidProtocol> protocol, DeviceInfo known) {
+Expected<std::unique_ptr<Device>> HidDevice::open(Opener opener, std::unique_ptr<HidProtocol> protocol,
+                                                  DeviceInfo known) {
   std::unique_ptr<HidDevice> device(new HidDevice(std::move(known)));
   device->opener_ = std::move(opener);
   device->protocol_ = std::move(protocol);
   if (auto problem = device->openPort()) return *problem;
   const HidGuidance guidance = device->protocol_->guidance();
-  Told first;
+  State first;
   first.pose.fresh = false;
-  first.pose.trouble = guidance.text != nullptr;
-  device->told_.write(first);
+  first.pose.fault = guidance.text != nullptr;
+  device->state_.write(first);
   device->guidance_.write(guidance);
   device->thread_ = std::thread([raw = device.get()] { raw->run(); });
   return std::unique_ptr<Device>(std::move(device));
@@ -50,37 +52,37 @@ std::optional<Problem> HidDevice::openPort() {
   return std::nullopt;
 }
 
-bool HidDevice::revive(Told& told) {
+bool HidDevice::revive(State& state) {
   if (openPort()) return false;
-  told.pose.connected = true;
-  told.pose.buttons = 0;
-  ++told.pose.placements;  // nobody knows where it was meanwhile
-  told.taken = Clock::now();
+  state.pose.connected = true;
+  state.pose.buttons = 0;
+  ++state.pose.discontinuities;  // nobody knows where it was meanwhile
+  state.taken = Clock::now();
   guidance_.write(protocol_->guidance());
   gone_.store(false);
   return true;
 }
 
 // Everything that has come, the newest counts; -1: the device is gone.
-int HidDevice::take(Told& told) {
+int HidDevice::take(State& state) {
   std::array<std::uint8_t, 64> in{};
   int size = port_->read(in, kWait_ms);
   for (int k = 0; k < kMostReports && size > 0; ++k) {
-    if (protocol_->take({in.data(), std::min<std::size_t>(std::size_t(size), in.size())}, told.pose)) {
-      ++told.count;
-      told.taken = Clock::now();
+    if (protocol_->take({in.data(), std::min<std::size_t>(std::size_t(size), in.size())}, state.pose)) {
+      ++state.count;
+      state.taken = Clock::now();
     }
     size = port_->read(in, 0);
   }
-  if (calibrate_.exchange(false, std::memory_order_acq_rel) && protocol_->calibrate()) ++told.pose.placements;
+  if (calibrate_.exchange(false, std::memory_order_acq_rel) && protocol_->calibrate()) ++state.pose.discontinuities;
   const HidGuidance guidance = protocol_->guidance();
-  told.pose.trouble = guidance.text != nullptr;
+  state.pose.fault = guidance.text != nullptr;
   guidance_.write(guidance);
   return size;
 }
 
 // The newest force, or none; false: the device took nothing.
-bool HidDevice::giveNewest(Told& told) {
+bool HidDevice::giveNewest(State& state) {
   std::array<std::uint8_t, 64> out{};
   if (!last_report_told_) {
     if (const std::size_t length = protocol_->end(out)) {
@@ -88,26 +90,26 @@ bool HidDevice::giveNewest(Told& told) {
       last_report_told_ = true;
     }
   }
-  const Asked newest = asked_.read();
-  const bool anew = newest.count != taken_.count;
-  if (anew) taken_ = newest;
-  const bool lonely = std::chrono::duration<double>(Clock::now() - taken_.at).count() > kLonelyForce_s;
-  const bool none = lonely || !taken_.motors_on || forceHeld();
-  const std::size_t length = none ? protocol_->stop(out) : protocol_->give(taken_.force, out);
+  const Command newest = command_.read();
+  const bool anew = newest.count != taken_command_.count;
+  if (anew) taken_command_ = newest;
+  const bool lonely = std::chrono::duration<double>(Clock::now() - taken_command_.at).count() > kLonelyForce_s;
+  const bool none = lonely || !taken_command_.motors_on || forceHeld();
+  const std::size_t length = none ? protocol_->stop(out) : protocol_->give(taken_command_.force, out);
   if (length == 0) return true;
   if (!port_->write({out.data(), length})) return false;
-  if (anew) told.wait_s = std::chrono::duration<double>(Clock::now() - taken_.at).count();
+  if (anew) state.wait_s = std::chrono::duration<double>(Clock::now() - taken_command_.at).count();
   return true;
 }
 
 // One that reads or writes no more may still listen: the last that is tried is to end its force.
-void HidDevice::lose(Told& told) noexcept {
+void HidDevice::lose(State& state) noexcept {
   endForce();
   port_.reset();
   last_report_told_ = false;
   gone_.store(true);
-  told.pose.connected = false;
-  told_.write(told);
+  state.pose.connected = false;
+  state_.write(state);
   wish_.write({});
   look_again_ = Clock::now() + kLookAgain;
 }
@@ -122,55 +124,56 @@ void HidDevice::endForce() noexcept {
 }
 
 void HidDevice::run() {
-  Told told;
-  told.pose.fresh = false;
+  State state;
+  state.pose.fresh = false;
   Clock::time_point last = Clock::now();
-  look_again_ = taken_.at = last;
+  look_again_ = taken_command_.at = last;
   while (!ends_.load()) {
     try {
       if (!port_) {
         std::this_thread::sleep_for(kNap);
         if (Clock::now() < look_again_) continue;
-        if (!revive(told)) {
+        if (!revive(state)) {
           look_again_ = Clock::now() + kLookAgain;
           continue;
         }
         last = Clock::now();
       }
-      if (take(told) < 0) {
-        lose(told);
+      if (take(state) < 0) {
+        lose(state);
         continue;
       }
       const Clock::time_point now = Clock::now();
-      protocol_->pass(std::min(0.05, std::chrono::duration<double>(now - last).count()), told.pose);
+      protocol_->pass(std::min(0.05, std::chrono::duration<double>(now - last).count()), state.pose);
       last = now;
-      told_.write(told);
+      state_.write(state);
       wish_.write(protocol_->viewWish());
-      if (!giveNewest(told)) lose(told);
+      if (!giveNewest(state)) lose(state);
     } catch (...) {  // memory is out, or a port throws: the device is opened anew
-      lose(told);
+      lose(state);
     }
   }
   endForce();
 }
 
 DevicePose HidDevice::read(double) noexcept {
-  const Told& told = told_.read();
-  DevicePose pose = told.pose;
+  const State& state = state_.read();
+  DevicePose pose = state.pose;
   // A device without force may be silent while nobody moves it.
   const bool gives_force = info().gives_force;
-  pose.fresh = !gives_force || told.count != last_told_;
-  if (gives_force && told.count > 0) pose.age_s = float(std::chrono::duration<double>(Clock::now() - told.taken).count() + told.wait_s);
-  last_told_ = told.count;
+  pose.fresh = !gives_force || state.count != last_told_;
+  if (gives_force && state.count > 0)
+    pose.age_s = float(std::chrono::duration<double>(Clock::now() - state.taken).count() + state.wait_s);
+  last_told_ = state.count;
   return pose;
 }
 
 void HidDevice::ask(ForceN force, bool motors_on) noexcept {
-  asking_.force = force;
-  asking_.motors_on = motors_on;
-  asking_.at = Clock::now();
-  ++asking_.count;
-  asked_.write(asking_);
+  next_command_.force = force;
+  next_command_.motors_on = motors_on;
+  next_command_.at = Clock::now();
+  ++next_command_.count;
+  command_.write(next_command_);
 }
 
 DeviceStatus HidDevice::status() {
@@ -222,7 +225,8 @@ Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice
   DeviceInfo known = kind.known;
   if (known.name.empty()) known.name = found.title;
   // The one that was found first; others of the kind only where that is not there, or no longer one.
-  const auto opener = [is = kind.is, path = found.place](const HidDevice::Accept& accept) -> Expected<std::unique_ptr<HidPort>> {
+  const auto opener = [is = kind.is,
+                       path = found.place](const HidDevice::Accept& accept) -> Expected<std::unique_ptr<HidPort>> {
     std::vector<HidEntry> all = listHid();
     std::erase_if(all, [&](const HidEntry& entry) { return !is(entry); });
     std::stable_partition(all.begin(), all.end(), [&](const HidEntry& entry) { return entry.path == path; });

@@ -1,8 +1,9 @@
 // A device that speaks in HID reports. A thread of its own waits for them and hands the newest place over; it gives the
 // newest force after each report, no force when the haptic thread has stopped writing for 20 ms, and opens the device
-// anew when it was unplugged. The last report that it writes is one without force, whatever ends it: a read or a write that
-// fails, an exception, the destructor, a signal. It measures its own share of the delay: how old a place is when it is read, and how long a force
-// waits for the thread. What the reports mean is a protocol's, one file a kind of device.
+// anew when it was unplugged. The last report that it writes is one without force, whatever ends it: a read or a write
+// that fails, an exception, the destructor, a signal. It measures its own share of the delay: how old a place is when
+// it is read, and how long a force waits for the thread. What the reports mean is a protocol's, one file a kind of
+// device.
 #pragma once
 
 #include <atomic>
@@ -48,8 +49,8 @@ class HidProtocol {
   virtual std::size_t give(ForceN, std::span<std::uint8_t, 64>) noexcept { return 0; }
   /// The report that ends all force, with the motors off where they can be switched.
   virtual std::size_t stop(std::span<std::uint8_t, 64> out) noexcept { return give(ForceN{}, out); }
-  /// The same for good: a report in any case, for it may be that the one before did not arrive; 0 only where none with a
-  /// force can have been given.
+  /// The same for good: a report in any case, for it may be that the one before did not arrive; 0 only where none with
+  /// a force can have been given.
   virtual std::size_t end(std::span<std::uint8_t, 64> out) noexcept { return stop(out); }
 };
 
@@ -60,7 +61,8 @@ class HidDevice final : public Device {
   /// Opens the first device that is accepted.
   using Opener = std::function<Expected<std::unique_ptr<HidPort>>(const Accept&)>;
 
-  /// Opens it. `known`: what is known of it beforehand. `opener` is kept and called again when the device was unplugged.
+  /// Opens it. `known`: what is known of it beforehand. `opener` is kept and called again when the device was
+  /// unplugged.
   static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<HidProtocol> protocol, DeviceInfo known);
   ~HidDevice() override;
 
@@ -74,13 +76,13 @@ class HidDevice final : public Device {
 
  private:
   using Clock = std::chrono::steady_clock;
-  struct Told {
+  struct State {
     DevicePose pose;
     std::uint32_t count = 0;
     Clock::time_point taken{};  // the newest place
     double wait_s = 0;          // of the newest force, until it was written
   };
-  struct Asked {
+  struct Command {
     ForceN force;
     bool motors_on = false;
     std::uint32_t count = 0;
@@ -90,10 +92,10 @@ class HidDevice final : public Device {
   explicit HidDevice(DeviceInfo known) : known_(known), info_(std::move(known)) {}
   std::optional<Problem> openPort();
   void run();
-  bool revive(Told& told);
-  int take(Told& told);
-  bool giveNewest(Told& told);
-  void lose(Told& told) noexcept;
+  bool revive(State& state);
+  int take(State& state);
+  bool giveNewest(State& state);
+  void lose(State& state) noexcept;
   void endForce() noexcept;
   void ask(ForceN force, bool motors_on) noexcept;
 
@@ -103,26 +105,26 @@ class HidDevice final : public Device {
   KeptInfo info_;
   std::unique_ptr<HidPort> port_;
   // The device's own thread's.
-  Asked taken_;                    // the newest that was asked
+  Command taken_command_;          // the newest that was asked
   bool last_report_told_ = false;  // to the port, before the first force
   Clock::time_point look_again_{};
 
-  TripleBuffer<Told> told_;
-  TripleBuffer<Asked> asked_;
+  TripleBuffer<State> state_;
+  TripleBuffer<Command> command_;
   TripleBuffer<ViewWish> wish_;
   TripleBuffer<HidGuidance> guidance_;
   std::uint32_t last_told_ = 0;  // the haptic thread's
-  Asked asking_;                 // the haptic thread's
+  Command next_command_;         // the haptic thread's
   std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false};
   std::thread thread_;
 };
 
 /// A kind of HID device, as its driver knows it.
 struct HidKind {
-  std::string_view title;                       ///< where the device does not tell its own
-  bool (*is)(const HidEntry&);                  ///< by what the system lists of it: it may be one
-  std::unique_ptr<HidProtocol> (*protocol)();   ///< a new one
-  DeviceInfo known;                             ///< its name is the found one's
+  std::string_view title;                      ///< where the device does not tell its own
+  bool (*is)(const HidEntry&);                 ///< by what the system lists of it: it may be one
+  std::unique_ptr<HidProtocol> (*protocol)();  ///< a new one
+  DeviceInfo known;                            ///< its name is the found one's
 };
 /// One entry for each device of the kind: each is asked what it is. Those that cannot be opened say why and come last.
 std::vector<FoundDevice> findHid(const HidKind& kind);
@@ -133,7 +135,9 @@ Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice
 inline std::int16_t int16At(std::span<const std::uint8_t> bytes, std::size_t at) {
   return static_cast<std::int16_t>(bytes[at] | bytes[at + 1] << 8);
 }
-inline std::uint16_t uint16At(std::span<const std::uint8_t> bytes, std::size_t at) { return static_cast<std::uint16_t>(int16At(bytes, at)); }
+inline std::uint16_t uint16At(std::span<const std::uint8_t> bytes, std::size_t at) {
+  return static_cast<std::uint16_t>(int16At(bytes, at));
+}
 inline void putInt16(std::span<std::uint8_t> bytes, std::size_t at, int value) {
   bytes[at] = static_cast<std::uint8_t>(value & 0xFF);
   bytes[at + 1] = static_cast<std::uint8_t>((value >> 8) & 0xFF);

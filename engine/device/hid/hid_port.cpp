@@ -27,9 +27,15 @@ class RealPort final : public HidPort {
  public:
   RealPort(hid_device* device, std::string path) : device_(device), path_(std::move(path)) {}
   ~RealPort() override { hid_close(device_); }
-  int read(std::span<std::uint8_t> report, int wait_ms) override { return hid_read_timeout(device_, report.data(), report.size(), wait_ms); }
-  bool write(std::span<const std::uint8_t> report) override { return hid_write(device_, report.data(), report.size()) >= 0; }
-  int feature(std::span<std::uint8_t> report) override { return hid_get_feature_report(device_, report.data(), report.size()); }
+  int read(std::span<std::uint8_t> report, int wait_ms) override {
+    return hid_read_timeout(device_, report.data(), report.size(), wait_ms);
+  }
+  bool write(std::span<const std::uint8_t> report) override {
+    return hid_write(device_, report.data(), report.size()) >= 0;
+  }
+  int feature(std::span<std::uint8_t> report) override {
+    return hid_get_feature_report(device_, report.data(), report.size());
+  }
   // A hidraw node takes a report as hidapi does.
   void lastReport(std::span<const std::uint8_t> report) override { last_report_.arm(path_.c_str(), report); }
 
@@ -65,8 +71,9 @@ Expected<std::unique_ptr<HidPort>> openHid(const HidEntry& entry) {
   const std::lock_guard lock(globalHid());
   hid_device* const device = hid_open_path(entry.path.c_str());
   if (!device)
-    return Problem{"", 0, 0, entry.path + " cannot be opened (" + plain(hid_error(nullptr)) + ')',
-                   "give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again"};
+    return Problem{
+        "", 0, 0, entry.path + " cannot be opened (" + plain(hid_error(nullptr)) + ')',
+        "give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again"};
   return std::unique_ptr<HidPort>(std::make_unique<RealPort>(device, entry.path));
 }
 

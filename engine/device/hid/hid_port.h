@@ -1,4 +1,5 @@
-// The way to a HID device: reports in, reports out, through hidapi. A port is used by one thread at a time; a read may wait.
+// The way to a HID device: reports in, reports out, through hidapi. A port is used by one thread at a time; a read may
+// wait.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,8 @@ namespace moltact {
 
 /// One interface of a HID device as the system lists it.
 struct HidEntry {
-  std::string path = {};     ///< "/dev/hidraw0"
-  std::string title = {};    ///< maker and product, as the device says it
+  std::string path = {};   ///< "/dev/hidraw0"
+  std::string title = {};  ///< maker and product, as the device says it
   std::string serial = {};
   std::uint16_t vendor = 0, product = 0, usage_page = 0, usage = 0;
 };
@@ -22,7 +23,8 @@ struct HidEntry {
 class HidPort {
  public:
   virtual ~HidPort() = default;
-  /// One report, its id first where the device numbers its reports. 0: none came within `wait_ms`; -1: the device is gone.
+  /// One report, its id first where the device numbers its reports. 0: none came within `wait_ms`; -1: the device is
+  /// gone.
   virtual int read(std::span<std::uint8_t> report, int wait_ms) = 0;
   /// One report, its id first (0 where the device does not number them). False: the device is gone.
   virtual bool write(std::span<const std::uint8_t> report) = 0;

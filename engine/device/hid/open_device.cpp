@@ -25,7 +25,10 @@ std::string text(const char* format, auto... values) {
   return out;
 }
 
-Problem noneOfIt(const char* what) { return Problem{"", 0, 0, std::string("the device is none of the open layout: ") + what, "see docs/device-protocol.md"}; }
+Problem noneOfIt(const char* what) {
+  return Problem{"", 0, 0, std::string("the device is none of the open layout: ") + what,
+                 "see docs/device-protocol.md"};
+}
 
 // What a description cannot be used with, in words that name the field.
 std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
@@ -37,16 +40,23 @@ std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
   int longest_mm = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int room_mm = uint16At(r, 12 + 2 * axis);
-    if (room_mm == 0) return refuse(text("its room along %c (byte %d) is 0", int('x' + axis), int(12 + 2 * axis)), "tell it there, edge to edge, in mm");
+    if (room_mm == 0)
+      return refuse(text("its room along %c (byte %d) is 0", int('x' + axis), int(12 + 2 * axis)),
+                    "tell it there, edge to edge, in mm");
     longest_mm = std::max(longest_mm, room_mm);
   }
   if (const double reach_mm = 1e-6 * unit_nm * kFarthest; 0.5 * longest_mm > reach_mm)
-    return refuse(text("places in steps of %d nm (byte 6) reach %.1f mm from the middle, and its room of %d mm (bytes 12 to 17) needs %.1f mm", unit_nm,
-                       reach_mm, longest_mm, 0.5 * longest_mm),
-                  text("make the unit at least %d nm, or the room smaller", int(std::ceil(0.5e6 * longest_mm / kFarthest))));
-  if (peak_mN > int(kFarthest)) return refuse(text("its greatest force (byte 8) is %d mN", peak_mN), "a force report can ask for no more than 32767 mN: tell that at most");
+    return refuse(
+        text("places in steps of %d nm (byte 6) reach %.1f mm from the middle, and its room of %d mm (bytes 12 to 17) "
+             "needs %.1f mm",
+             unit_nm, reach_mm, longest_mm, 0.5 * longest_mm),
+        text("make the unit at least %d nm, or the room smaller", int(std::ceil(0.5e6 * longest_mm / kFarthest))));
+  if (peak_mN > int(kFarthest))
+    return refuse(text("its greatest force (byte 8) is %d mN", peak_mN),
+                  "a force report can ask for no more than 32767 mN: tell that at most");
   if (peak_mN > 0 && lasting_mN == 0)
-    return refuse("its greatest force for good (byte 10) is 0, so that it could give none", "tell there what its motors bear for as long as you like, in mN");
+    return refuse("its greatest force for good (byte 10) is 0, so that it could give none",
+                  "tell there what its motors bear for as long as you like, in mN");
   return std::nullopt;
 }
 
@@ -55,12 +65,15 @@ std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
 std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   std::array<std::uint8_t, 64> report{kDescription};
   const int size = port.feature(report);
-  of_kind_ = size >= int(kDescriptionBytes) && report[0] == kDescription && std::equal(kMagic.begin(), kMagic.end(), report.begin() + 1);
+  of_kind_ = size >= int(kDescriptionBytes) && report[0] == kDescription &&
+             std::equal(kMagic.begin(), kMagic.end(), report.begin() + 1);
   if (!of_kind_) return noneOfIt("its feature report 3 does not begin with 'MLTC'");
   if (report[5] != kVersion) return noneOfIt("it speaks another version of the layout");
   const std::span<const std::uint8_t> bytes(report);
   if (auto problem = problemOf(bytes)) return problem;
-  const auto known = [&](std::size_t at, double unit, double otherwise) { return uint16At(bytes, at) ? unit * uint16At(bytes, at) : otherwise; };
+  const auto known = [&](std::size_t at, double unit, double otherwise) {
+    return uint16At(bytes, at) ? unit * uint16At(bytes, at) : otherwise;
+  };
   step_mm_ = 1e-6 * uint16At(bytes, 6);
   info.workspace_mm = Vec3(uint16At(bytes, 12), uint16At(bytes, 14), uint16At(bytes, 16));
   info.resolution_mm = step_mm_;
@@ -90,7 +103,7 @@ bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) 
   pose.buttons = report[21];
   status_ = report[22];
   if (status_ & kWatchdogTripped) cut_s_ = kCutTold_s;
-  pose.trouble = troubled();
+  pose.fault = faulty();
   pose.motor_heat = status_ & kHot ? 1.0f : 0.0f;
   return !again;
 }
@@ -102,7 +115,7 @@ HidGuidance OpenProtocol::guidance() const noexcept {
 }
 
 void OpenProtocol::pass(double dt_s, DevicePose& pose) noexcept {
-  pose.trouble = troubled();
+  pose.fault = faulty();
   cut_s_ = std::max(0.0, cut_s_ - std::min(dt_s, kMostPass_s));
 }
 
@@ -112,13 +125,16 @@ std::size_t OpenProtocol::forceReport(ForceN force, bool motors_on, std::span<st
   out[0] = kForceReport;
   putInt16(out, 1, sent_++);
   for (int k = 0; k < 3; ++k)
-    putInt16(out, 3 + 2 * std::size_t(k), on ? int(std::lround(std::clamp(1e3 * force.N[k], -kFarthest, kFarthest))) : 0);
+    putInt16(out, 3 + 2 * std::size_t(k),
+             on ? int(std::lround(std::clamp(1e3 * force.N[k], -kFarthest, kFarthest))) : 0);
   out[9] = on;
   out[10] = kWatchdog_ms;
   return kForceBytes;
 }
 
-std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept { return forceReport(force, !troubled(), out); }
+std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
+  return forceReport(force, !faulty(), out);
+}
 
 std::size_t OpenProtocol::stop(std::span<std::uint8_t, 64> out) noexcept { return forceReport({}, false, out); }
 

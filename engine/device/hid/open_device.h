@@ -1,5 +1,5 @@
-// Devices that people build: any HID device that speaks the report layout of docs/device-protocol.md, on the vendor page
-// 0xFF00, usage 1. It tells in a feature report what it is and can do.
+// Devices that people build: any HID device that speaks the report layout of docs/device-protocol.md, on the vendor
+// page 0xFF00, usage 1. It tells in a feature report what it is and can do.
 #pragma once
 
 #include "engine/device/hid/hid_device.h"
@@ -32,13 +32,13 @@ class OpenProtocol final : public HidProtocol {
 
  private:
   std::size_t forceReport(ForceN force, bool motors_on, std::span<std::uint8_t, 64> out) noexcept;
-  bool troubled() const { return (status_ & (open_layout::kFault | open_layout::kUncalibrated)) || cut_s_ > 0; }
+  bool faulty() const { return (status_ & (open_layout::kFault | open_layout::kUncalibrated)) || cut_s_ > 0; }
 
   double step_mm_ = 0.005;
   std::uint16_t seen_ = 0, sent_ = 0;
   std::uint8_t status_ = 0;  // of the newest place
   bool any_seen_ = false, gives_ = false, of_kind_ = true;
-  double cut_s_ = 0;     // for so long still the device's watchdog counts as having cut the motors
+  double cut_s_ = 0;  // for so long still the device's watchdog counts as having cut the motors
 };
 
 }  // namespace moltact

@@ -50,7 +50,7 @@ bool PlayStationProtocol::take(std::span<const std::uint8_t> r, DevicePose& pose
 void PlayStationProtocol::pass(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) push_ = turn_ = Vec3(0.0);
   rate_control::move(pose, push_, dt_s);
-  wish_.turn = rate_control::shaped(turn_);
+  wish_.rotation = rate_control::shaped(turn_);
 }
 
 std::size_t PlayStationProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
@@ -84,12 +84,14 @@ DeviceInfo padInfo() {
 }
 const HidKind& dualShock() {
   static const HidKind kind{"Game pad (DualShock 4)", isDualShock4,
-                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualShock4)); }, padInfo()};
+                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualShock4)); },
+                            padInfo()};
   return kind;
 }
 const HidKind& dualSense() {
   static const HidKind kind{"Game pad (DualSense)", isDualSense,
-                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualSense)); }, padInfo()};
+                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualSense)); },
+                            padInfo()};
   return kind;
 }
 

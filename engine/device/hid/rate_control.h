@@ -1,5 +1,5 @@
-// A hand that is led by how far something is pushed: what a SpaceMouse's cap and a game pad's sticks have in common. The push
-// sets a speed. Pure. Units: millimetre, second; pushes are -1 to 1 (+x right, +y up, +z toward the person).
+// A hand that is led by how far something is pushed: what a SpaceMouse's cap and a game pad's sticks have in common.
+// The push sets a speed. Pure. Units: millimetre, second; pushes are -1 to 1 (+x right, +y up, +z toward the person).
 #pragma once
 
 #include <algorithm>

@@ -13,14 +13,18 @@ constexpr std::uint32_t kSwitch = 1;  // the first button
 
 // The device's axes are x right, y toward the person, z down. Its numbers go a little beyond their stops at times.
 Vec3 axesAt(std::span<const std::uint8_t> report, std::size_t at) {
-  const auto axis = [&](std::size_t k) { return std::clamp(int16At(report, at + 2 * k) / SpaceMouseProtocol::kFull, -1.0, 1.0); };
+  const auto axis = [&](std::size_t k) {
+    return std::clamp(int16At(report, at + 2 * k) / SpaceMouseProtocol::kFull, -1.0, 1.0);
+  };
   return {axis(0), -axis(2), axis(1)};
 }
 
 bool isSpaceMouse(const HidEntry& entry) {
   constexpr std::uint16_t kLogitech[] = {0xc626, 0xc627, 0xc629, 0xc62b};
   constexpr std::uint16_t k3Dconnexion[] = {0xc62e, 0xc62f, 0xc631, 0xc632, 0xc633, 0xc635, 0xc652};
-  const auto has = [&](std::span<const std::uint16_t> all) { return std::find(all.begin(), all.end(), entry.product) != all.end(); };
+  const auto has = [&](std::span<const std::uint16_t> all) {
+    return std::find(all.begin(), all.end(), entry.product) != all.end();
+  };
   const bool known = (entry.vendor == 0x046d && has(kLogitech)) || (entry.vendor == 0x256f && has(k3Dconnexion));
   // A receiver shows several interfaces; the axes are on the one of usage 8, multi-axis controller.
   return known && (entry.usage_page == 0 || (entry.usage_page == 1 && entry.usage == 8));
@@ -38,9 +42,9 @@ bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& 
   if (report.empty()) return false;
   if (report[0] == kPush && (report.size() == 7 || report.size() == 13)) {
     axes_.push = axesAt(report, 1);
-    if (report.size() == 13) axes_.turn = axesAt(report, 7);
+    if (report.size() == 13) axes_.rotation = axesAt(report, 7);
   } else if (report[0] == kTurn && report.size() == 7) {
-    axes_.turn = axesAt(report, 1);
+    axes_.rotation = axesAt(report, 1);
   } else if (report[0] == kButtons && report.size() >= 2) {
     const std::uint32_t before = pressed_;
     pressed_ = 0;
@@ -59,9 +63,12 @@ void SpaceMouseProtocol::pass(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) axes_ = {};
   wish_ = {};
   // No hand pushes without turning a little, nor the other way round.
-  if (glm::length(axes_.turn) > glm::length(axes_.push)) wish_.turn = rate_control::shaped(axes_.turn);
-  else if (leads_view_) wish_.move = rate_control::shaped(axes_.push);
-  else rate_control::move(pose, axes_.push, dt_s);
+  if (glm::length(axes_.rotation) > glm::length(axes_.push))
+    wish_.rotation = rate_control::shaped(axes_.rotation);
+  else if (leads_view_)
+    wish_.move = rate_control::shaped(axes_.push);
+  else
+    rate_control::move(pose, axes_.push, dt_s);
 }
 
 namespace {

@@ -1,5 +1,6 @@
-// 3Dconnexion SpaceMouse: six axes that tell how far the cap is pushed and turned, no force. A push sets the hand's speed, a
-// turn the view's, whichever is the stronger. The first button switches: the push then moves the view, until it is pressed again.
+// 3Dconnexion SpaceMouse: six axes that tell how far the cap is pushed and turned, no force. A push sets the hand's
+// speed, a turn the view's, whichever is the stronger. The first button switches: the push then moves the view, until
+// it is pressed again.
 #pragma once
 
 #include "engine/device/hid/hid_device.h"
@@ -8,12 +9,12 @@ namespace moltact {
 
 /// The cap's push and turn: each -1 to 1, along and round the device's axes (+x right, +y up, +z toward the person).
 struct SixAxes {
-  Vec3 push{0.0}, turn{0.0};
+  Vec3 push{0.0}, rotation{0.0};
 };
 
 class SpaceMouseProtocol final : public HidProtocol {
  public:
-  static constexpr double kFull = 350.0;            ///< what the device tells at its stops
+  static constexpr double kFull = 350.0;  ///< what the device tells at its stops
 
   /// A push from before an unplugging is over.
   std::optional<Problem> begin(HidPort&, DeviceInfo&) override;

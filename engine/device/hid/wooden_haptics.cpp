@@ -70,8 +70,10 @@ std::size_t WoodenHapticsProtocol::give(ForceN force, std::span<std::uint8_t, 64
     mA[k] = -1e3 * kGear[k] * joints[k] / kTorque_Nm_per_A;
     biggest = std::max(biggest, std::abs(mA[k]));
   }
-  if (!std::isfinite(biggest)) mA = Vec3(0.0);
-  else if (biggest > kMost_mA) mA *= kMost_mA / biggest;
+  if (!std::isfinite(biggest))
+    mA = Vec3(0.0);
+  else if (biggest > kMost_mA)
+    mA *= kMost_mA / biggest;
   for (int k = 0; k < 3; ++k) putInt16(out, 1 + 2 * std::size_t(k), int(std::lround(mA[k])));
   putInt16(out, 7, sent_++);
   return 1 + kReport;
@@ -96,7 +98,8 @@ namespace {
 
 const HidKind& woodenHaptics() {
   static const HidKind kind{"WoodenHaptics", isWoodenHaptics,
-                            [] { return std::unique_ptr<HidProtocol>(new WoodenHapticsProtocol); }, woodenHapticsInfo()};
+                            [] { return std::unique_ptr<HidProtocol>(new WoodenHapticsProtocol); },
+                            woodenHapticsInfo()};
   return kind;
 }
 

@@ -1,7 +1,7 @@
-// WoodenHaptics (the 2015 design): an open stylus of three driven joints on USB. Reports are 8 bytes without an id: in, three
-// encoder counts and a counter; out, three motor currents in mA and a number. Its firmware cuts the motors 500 ms after
-// the last report. It counts from where it was switched on, or from anywhere after it was plugged in again: so there is no force
-// until the person has held both links upright and said so.
+// WoodenHaptics (the 2015 design): an open stylus of three driven joints on USB. Reports are 8 bytes without an id: in,
+// three encoder counts and a counter; out, three motor currents in mA and a number. Its firmware cuts the motors 500 ms
+// after the last report. It counts from where it was switched on, or from anywhere after it was plugged in again: so
+// there is no force until the person has held both links upright and said so.
 #pragma once
 
 #include "engine/device/hid/hid_device.h"

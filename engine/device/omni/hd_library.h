@@ -1,6 +1,6 @@
 // The part of OpenHaptics' HD interface that the Omni and Touch are driven by, as its published documentation has it
-// (version 3, Linux, x86-64). The library is the maker's and is not part of this program: it is looked for while the program
-// runs. Which function may be called from which thread: omni_device.h.
+// (version 3, Linux, x86-64). The library is the maker's and is not part of this program: it is looked for while the
+// program runs. Which function may be called from which thread: omni_device.h.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@ namespace moltact::hd {
 using Handle = std::uint32_t;           // HHD
 using SchedulerHandle = unsigned long;  // HDSchedulerHandle
 using CallbackCode = std::uint32_t;
-using Boolean = unsigned char;          // HDboolean
+using Boolean = unsigned char;  // HDboolean
 using Callback = CallbackCode (*)(void*);
 
 struct ErrorInfo {
@@ -29,14 +29,32 @@ inline constexpr std::uint16_t kHighestPriority = 0xFFFF;
 
 enum Name : std::uint32_t {
   // what can be switched on
-  kForceOutput = 0x4000, kMaxForceClamping = 0x4001, kForceRamping = 0x4002,
+  kForceOutput = 0x4000,
+  kMaxForceClamping = 0x4001,
+  kForceRamping = 0x4002,
   // state
-  kButtons = 0x2000, kInkwellSwitch = 0x2002, kPosition = 0x2050, kTransform = 0x2052, kCurrentForce = 0x2700,
+  kButtons = 0x2000,
+  kInkwellSwitch = 0x2002,
+  kPosition = 0x2050,
+  kTransform = 0x2052,
+  kCurrentForce = 0x2700,
   // what it is
-  kModel = 0x2501, kDriverVersion = 0x2502, kVendor = 0x2503, kSerial = 0x2504, kFirmware = 0x2505,
-  kUsableWorkspace = 0x2551, kInputDof = 0x2553, kOutputDof = 0x2554, kCalibrationStyle = 0x2555,
-  kMaxStiffness = 0x2602, kMaxForce = 0x2603, kMaxContinuousForce = 0x2604, kMotorTemperature = 0x2605, kMaxDamping = 0x2609,
-  kVelocityLimit = 0x2606, kForceImpulseLimit = 0x2607,
+  kModel = 0x2501,
+  kDriverVersion = 0x2502,
+  kVendor = 0x2503,
+  kSerial = 0x2504,
+  kFirmware = 0x2505,
+  kUsableWorkspace = 0x2551,
+  kInputDof = 0x2553,
+  kOutputDof = 0x2554,
+  kCalibrationStyle = 0x2555,
+  kMaxStiffness = 0x2602,
+  kMaxForce = 0x2603,
+  kMaxContinuousForce = 0x2604,
+  kMotorTemperature = 0x2605,
+  kMaxDamping = 0x2609,
+  kVelocityLimit = 0x2606,
+  kForceImpulseLimit = 0x2607,
 };
 
 enum Calibration : std::uint32_t { kCalibrated = 0x5000, kNeedsUpdate = 0x5001, kNeedsManualInput = 0x5002 };
@@ -44,11 +62,26 @@ enum CalibrationStyle : std::uint32_t { kEncoderReset = 1, kAuto = 2, kInkwell =
 
 enum Error : std::uint32_t {
   kNoError = 0,
-  kInvalidEnum = 0x0100, kInvalidValue = 0x0101, kInvalidOperation = 0x0102, kInvalidInputType = 0x0103, kBadHandle = 0x0104,
-  kWarmMotors = 0x0200, kExceededMaxForce = 0x0201, kExceededImpulse = 0x0202, kExceededVelocity = 0x0203, kForceError = 0x0204,
-  kDeviceFault = 0x0300, kAlreadyInitiated = 0x0301, kCommError = 0x0302, kCommConfig = 0x0303, kTimerError = 0x0304,
-  kIllegalBegin = 0x0400, kIllegalEnd = 0x0401, kFrameError = 0x0402,
-  kInvalidPriority = 0x0500, kSchedulerFull = 0x0501,
+  kInvalidEnum = 0x0100,
+  kInvalidValue = 0x0101,
+  kInvalidOperation = 0x0102,
+  kInvalidInputType = 0x0103,
+  kBadHandle = 0x0104,
+  kWarmMotors = 0x0200,
+  kExceededMaxForce = 0x0201,
+  kExceededImpulse = 0x0202,
+  kExceededVelocity = 0x0203,
+  kForceError = 0x0204,
+  kDeviceFault = 0x0300,
+  kAlreadyInitiated = 0x0301,
+  kCommError = 0x0302,
+  kCommConfig = 0x0303,
+  kTimerError = 0x0304,
+  kIllegalBegin = 0x0400,
+  kIllegalEnd = 0x0401,
+  kFrameError = 0x0402,
+  kInvalidPriority = 0x0500,
+  kSchedulerFull = 0x0501,
   kInvalidLicense = 0x0600,
 };
 
@@ -60,8 +93,8 @@ ErrorWords errorWords(std::uint32_t code);
 /// The same where it stood in the way of `what`: one sentence.
 Problem problemOf(const std::string& what, const ErrorWords& words);
 
-/// How much an error matters, where only one can be told: 0 none, then what was asked wrongly, licence, force, and at the top
-/// what ends the connection.
+/// How much an error matters, where only one can be told: 0 none, then what was asked wrongly, licence, force, and at
+/// the top what ends the connection.
 int errorWeight(std::uint32_t code) noexcept;
 /// True where the device or its clock is lost.
 inline bool endsConnection(std::uint32_t code) noexcept { return errorWeight(code) == 4; }
@@ -90,15 +123,17 @@ struct Library {
   SchedulerHandle (*scheduleAsynchronous)(Callback, void*, std::uint16_t);
   void (*unschedule)(SchedulerHandle);
 
-  /// The library, loaded at the first call and never let go; $MOLTACT_LIBHD names another file. A Problem that says how to
-  /// get it, or what is missing in it.
+  /// The library, loaded at the first call and never let go; $MOLTACT_LIBHD names another file. A Problem that says how
+  /// to get it, or what is missing in it.
   static Expected<const Library*> get();
 };
 
 /// The motors on or off, whatever force was written last. Any thread, in a frame or outside.
 inline void switchForce(const Library& hd, bool on) noexcept {
-  if (on) hd.enable(kForceOutput);
-  else if (hd.disable) hd.disable(kForceOutput);
+  if (on)
+    hd.enable(kForceOutput);
+  else if (hd.disable)
+    hd.disable(kForceOutput);
 }
 
 }  // namespace moltact::hd

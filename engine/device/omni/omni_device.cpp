@@ -11,14 +11,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kStaleReads = 100;     // reads from outside the callback until the device counts as gone
-constexpr int kTellStanding = 250;   // until it is told, and opened anew
-constexpr int kTellNoFrame = 2000;   // the same where the clock was started and has not ticked yet
-constexpr int kTroubleTicks = 500;   // without force after the driver cut one
-constexpr int kWarmTicks = 5000;     // with small force after the driver found the motors warm
-constexpr int kLookTicks = 100;      // between two looks at the temperature
-constexpr int kUpdateTicks = 10;     // between two updates of the calibration while there is none
-constexpr int kResetTicks = 3000;    // so long the encoders' reset is tried
+constexpr int kStaleReads = 100;    // reads from outside the callback until the device counts as gone
+constexpr int kTellStanding = 250;  // until it is told, and opened anew
+constexpr int kTellNoFrame = 2000;  // the same where the clock was started and has not ticked yet
+constexpr int kFaultTicks = 500;    // without force after the driver cut one
+constexpr int kWarmTicks = 5000;    // with small force after the driver found the motors warm
+constexpr int kLookTicks = 100;     // between two looks at the temperature
+constexpr int kUpdateTicks = 10;    // between two updates of the calibration while there is none
+constexpr int kResetTicks = 3000;   // so long the encoders' reset is tried
 constexpr auto kShowError = std::chrono::seconds(5);
 constexpr auto kTryAgain = std::chrono::seconds(2);
 constexpr auto kLastFrame = std::chrono::milliseconds(100);
@@ -31,7 +31,9 @@ std::string words(std::uint32_t code) {
 // Errors of a stack and of several frames are kept as one, until the window asks: the one that matters most.
 void keepWorst(std::atomic<std::uint32_t>& worst, std::uint32_t code) noexcept {
   std::uint32_t kept = worst.load(std::memory_order_relaxed);
-  while (hd::errorWeight(code) > hd::errorWeight(kept) && !worst.compare_exchange_weak(kept, code, std::memory_order_relaxed)) {}
+  while (hd::errorWeight(code) > hd::errorWeight(kept) &&
+         !worst.compare_exchange_weak(kept, code, std::memory_order_relaxed)) {
+  }
 }
 
 }  // namespace
@@ -59,7 +61,8 @@ Expected<OmniDevice::Seen> OmniDevice::look() {
   return Seen{seen->model, seen->serial};
 }
 
-OmniDevice::OmniDevice(const hd::Library& library, OmniSession session) : hd_(library), info_(session.info), session_(std::move(session)), guard_(library) {}
+OmniDevice::OmniDevice(const hd::Library& library, OmniSession session)
+    : hd_(library), info_(session.info), session_(std::move(session)), guard_(library) {}
 
 OmniDevice::~OmniDevice() {
   stopClock();
@@ -101,7 +104,8 @@ void OmniDevice::unschedule() {
   // The callback's last frame gives no force; where the scheduler has died there is none to wait for.
   ends_.store(true, std::memory_order_release);
   const auto until = Clock::now() + kLastFrame;
-  while (!ended_.load(std::memory_order_acquire) && Clock::now() < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  while (!ended_.load(std::memory_order_acquire) && Clock::now() < until)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
   const bool last_frame_came = ended_.exchange(true, std::memory_order_acq_rel);
   guard_.stop();
   if (!last_frame_came) hd::switchForce(hd_, false);
@@ -149,9 +153,9 @@ hd::CallbackCode OmniDevice::callback(void* self) { return static_cast<OmniDevic
 
 // The first frame after the clock was started: nobody knows what the hand did meanwhile.
 void OmniDevice::begin() noexcept {
-  const std::uint32_t placements = own_.pose.placements;
+  const std::uint32_t discontinuities = own_.pose.discontinuities;
   own_ = {};
-  own_.pose.placements = placements + 1;
+  own_.pose.discontinuities = discontinuities + 1;
 }
 
 hd::CallbackCode OmniDevice::frame() noexcept {
@@ -159,8 +163,10 @@ hd::CallbackCode OmniDevice::frame() noexcept {
   if (anew_.exchange(false, std::memory_order_acq_rel)) begin();
   guard_.frame();
   const bool ends = ends_.load(std::memory_order_acquire);
-  if (own_.broken) give(Vec3(0.0)), drain();
-  else tickFrame(ends);
+  if (own_.broken)
+    give(Vec3(0.0)), drain();
+  else
+    tickFrame(ends);
   if (!ends) return hd::kContinue;
   ended_.store(true, std::memory_order_release);
   return hd::kDone;
@@ -179,8 +185,10 @@ void OmniDevice::give(const Vec3& force_N) noexcept {
 // True where the errors say that the device or its clock is lost.
 bool OmniDevice::drain() noexcept {
   return note(drainErrors(hd_, [this](std::uint32_t code) {
-    if (code == hd::kWarmMotors) own_.warm_ticks = kWarmTicks;
-    else if (hd::cutsForce(code)) own_.troubled_ticks = kTroubleTicks;
+    if (code == hd::kWarmMotors)
+      own_.warm_ticks = kWarmTicks;
+    else if (hd::cutsForce(code))
+      own_.fault_ticks = kFaultTicks;
   }));
 }
 
@@ -206,8 +214,8 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   pose.connected = !gone_.load(std::memory_order_relaxed);
   const double heat = motor_heat_.load(std::memory_order_relaxed);
   pose.motor_heat = own_.warm_ticks > 0 ? 1.0f : float(std::max(0.0, heat));
-  pose.trouble = own_.troubled_ticks > 0 || guard_.cut() || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
-  own_.troubled_ticks = std::max(0, own_.troubled_ticks - 1);
+  pose.fault = own_.fault_ticks > 0 || guard_.cut() || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
+  own_.fault_ticks = std::max(0, own_.fault_ticks - 1);
   own_.warm_ticks = std::max(0, own_.warm_ticks - 1);
   told_.write(pose);
   framed_.store(true, std::memory_order_release);
@@ -226,8 +234,8 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   none_given_.store(own_.force_N == Vec3(0.0), std::memory_order_release);
   broken = drain() || broken;
   if (!broken) return;
-  // This very tick, for there may be no other; where the driver takes one frame a tick and no more, the output is off all the
-  // same. And no force again in each frame that still comes.
+  // This very tick, for there may be no other; where the driver takes one frame a tick and no more, the output is off
+  // all the same. And no force again in each frame that still comes.
   own_.broken = true;
   hd::switchForce(hd_, false);
   give(Vec3(0.0));
@@ -239,8 +247,8 @@ bool OmniDevice::lastAct(void* data) noexcept {
   OmniDevice& self = *static_cast<OmniDevice*>(data);
   if (self.ended_.load(std::memory_order_acquire)) return true;
   if (self.frame_thread_.load(std::memory_order_acquire) == std::this_thread::get_id()) {
-    // The tick itself was broken off, in a frame that this thread has open: what is interrupted is our own, which holds no
-    // lock of the driver's, so the frame can be ended here.
+    // The tick itself was broken off, in a frame that this thread has open: what is interrupted is our own, which holds
+    // no lock of the driver's, so the frame can be ended here.
     self.frame_thread_.store(std::thread::id(), std::memory_order_release);
     const double none[3] = {};
     self.hd_.setDoublev(hd::kCurrentForce, none);
@@ -266,10 +274,11 @@ void OmniDevice::look(bool now) noexcept {
 void OmniDevice::checkCalibration(bool may_update) noexcept {
   const std::uint32_t style = calibration_style_.load(std::memory_order_relaxed);
   std::uint32_t state = hd_.checkCalibration();
-  // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so, and then
-  // until the driver has taken it.
+  // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so, and
+  // then until the driver has taken it.
   const bool by_itself = style & (hd::kInkwell | hd::kAuto);
-  const bool update = may_update && (by_itself ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
+  const bool update =
+      may_update && (by_itself ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
   if (update) {
     hd_.updateCalibration(style & hd::kInkwell ? hd::kInkwell : style & hd::kAuto ? hd::kAuto : hd::kEncoderReset);
     state = hd_.checkCalibration();
@@ -298,7 +307,8 @@ DevicePose OmniDevice::read(double) noexcept {
   const int stood = stood_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
   stale.fresh = false;
   stale.age_s = 0.001f * float(stood);
-  stale.connected = framed_.load(std::memory_order_acquire) && stood <= kStaleReads && !gone_.load(std::memory_order_acquire);
+  stale.connected =
+      framed_.load(std::memory_order_acquire) && stood <= kStaleReads && !gone_.load(std::memory_order_acquire);
   return stale;
 }
 
@@ -323,9 +333,12 @@ DeviceStatus OmniDevice::status() {
     if (!revival_.valid() && now >= try_again_) revive();
     status.connected = status.ready = false;
     const std::uint32_t error = lost_by_.load(std::memory_order_relaxed);
-    if (!why_not_.empty()) status.text = why_not_;
-    else if (!gone_.load()) status.text = "The driver of the device no longer answers. It is opened anew.";
-    else status.text = words(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
+    if (!why_not_.empty())
+      status.text = why_not_;
+    else if (!gone_.load())
+      status.text = "The driver of the device no longer answers. It is opened anew.";
+    else
+      status.text = words(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
     return status;
   }
 
@@ -342,15 +355,19 @@ DeviceStatus OmniDevice::status() {
 
 // What the person is to do for the calibration; nothing where it is done.
 std::string OmniDevice::guidance(DeviceStatus& status) const {
-  const std::uint32_t state = calibration_.load(std::memory_order_relaxed), style = calibration_style_.load(std::memory_order_relaxed);
+  const std::uint32_t state = calibration_.load(std::memory_order_relaxed),
+                      style = calibration_style_.load(std::memory_order_relaxed);
   if (state == hd::kCalibrated) return "";
-  const bool updating = style & (hd::kInkwell | hd::kAuto) ? state == hd::kNeedsUpdate : resetting_.load(std::memory_order_relaxed);
+  const bool updating =
+      style & (hd::kInkwell | hd::kAuto) ? state == hd::kNeedsUpdate : resetting_.load(std::memory_order_relaxed);
   if (updating) return "The device is being calibrated: leave the stylus where it is.";
   if (style & hd::kInkwell)
-    return in_inkwell_.load() ? "Calibrating: leave the stylus in the inkwell."
-                              : "Put the stylus's tip into the inkwell, the dark hole in the device, and leave it there until this "
-                                "goes away.";
-  if (style & hd::kAuto) return "Move the stylus slowly to and fro, as far as it goes on every side, until this goes away.";
+    return in_inkwell_.load()
+               ? "Calibrating: leave the stylus in the inkwell."
+               : "Put the stylus's tip into the inkwell, the dark hole in the device, and leave it there until this "
+                 "goes away.";
+  if (style & hd::kAuto)
+    return "Move the stylus slowly to and fro, as far as it goes on every side, until this goes away.";
   status.asks_calibrate = true;
   return std::string(reset_failed_.load(std::memory_order_relaxed) ? "The device did not take that place. " : "") +
          "Hold the arm in its resting place, all joints at right angles as in the maker's picture.";

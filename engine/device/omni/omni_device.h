@@ -1,9 +1,9 @@
 // Phantom Omni, Geomagic Touch and 3D Systems Touch through OpenHaptics' HD interface (hd_library.h). The maker's
 // scheduler is the servo loop's clock: read() and write() run inside its callback, between the frame's begin and end;
-// whenever that clock stands, a read from elsewhere gives the last place as stale, and after 100 of them a device that is
-// gone. A device that is lost, or whose clock stands, is opened anew on a thread of its own. Its last frames give no force,
-// whatever ends them: an error, the clock's end, a signal; where no frame comes a guard switches the output off (omni_guard.h).
-// Units: millimetre, newton; the device's axes are the program's.
+// whenever that clock stands, a read from elsewhere gives the last place as stale, and after 100 of them a device that
+// is gone. A device that is lost, or whose clock stands, is opened anew on a thread of its own. Its last frames give no
+// force, whatever ends them: an error, the clock's end, a signal; where no frame comes a guard switches the output off
+// (omni_guard.h). Units: millimetre, newton; the device's axes are the program's.
 #pragma once
 
 #include <atomic>
@@ -25,10 +25,11 @@ namespace moltact {
 
 class OmniDevice final : public Device {
  public:
-  /// Initialises the default device, or takes the one that look() has just opened. A Problem in words where there is none or
-  /// it is in use. Not for the haptic thread; may take a while.
+  /// Initialises the default device, or takes the one that look() has just opened. A Problem in words where there is
+  /// none or it is in use. Not for the haptic thread; may take a while.
   static Expected<std::unique_ptr<OmniDevice>> open();
-  /// What is written on the device that open() would give. It shows only once it is open, and so stays open for a moment.
+  /// What is written on the device that open() would give. It shows only once it is open, and so stays open for a
+  /// moment.
   struct Seen {
     std::string model, serial;
   };
@@ -92,7 +93,7 @@ class OmniDevice final : public Device {
   struct OfCallback {
     DevicePose pose;
     Vec3 force_N{0.0};
-    int frames = 0, troubled_ticks = 0, warm_ticks = 0, resetting_ticks = 0;
+    int frames = 0, fault_ticks = 0, warm_ticks = 0, resetting_ticks = 0;
     bool broken = false;  // the device is lost: only frames without force, until the window puts it away
   } own_;
 

@@ -1,6 +1,6 @@
-// Ends the force of an Omni where its callback cannot: a thread of its own, awake 250 times a second, sees whether frames come,
-// and switches the driver's force output off where none has come for kStands_ms, and on again, to begin softly, when they do.
-// While all force is held (platform/force_hold.h) it waits for kStandsHeld_ms only.
+// Ends the force of an Omni where its callback cannot: a thread of its own, awake 250 times a second, sees whether
+// frames come, and switches the driver's force output off where none has come for kStands_ms, and on again, to begin
+// softly, when they do. While all force is held (platform/force_hold.h) it waits for kStandsHeld_ms only.
 #pragma once
 
 #include <atomic>

@@ -1,6 +1,6 @@
-// The one device that the maker's driver has for this process. Whether it is there shows only when it is opened, and that
-// may take a while: so what a look has opened is kept for the opening that mostly follows, and closed where none does.
-// Any thread but the haptic one.
+// The one device that the maker's driver has for this process. Whether it is there shows only when it is opened, and
+// that may take a while: so what a look has opened is kept for the opening that mostly follows, and closed where none
+// does. Any thread but the haptic one.
 #pragma once
 
 #include <chrono>

@@ -21,9 +21,9 @@ void readFigures(const hd::Library& hd, OmniSession& session) {
   figure(hd, hd::kMaxForce, info.max_force_N);
   figure(hd, hd::kMaxContinuousForce, info.continuous_force_N);
   figure(hd, hd::kMaxStiffness, info.max_stiffness_N_per_mm);
-  figure(hd, hd::kMaxDamping, info.max_damping_N_s_per_m, 1e3);        // the driver tells N s/mm
-  figure(hd, hd::kVelocityLimit, info.speed_limit_m_per_s, 1e-3);      // mm/s
-  figure(hd, hd::kForceImpulseLimit, info.slew_limit_N_per_s, 1000.0); // N from tick to tick, at 1 kHz
+  figure(hd, hd::kMaxDamping, info.max_damping_N_s_per_m, 1e3);         // the driver tells N s/mm
+  figure(hd, hd::kVelocityLimit, info.speed_limit_m_per_s, 1e-3);       // mm/s
+  figure(hd, hd::kForceImpulseLimit, info.slew_limit_N_per_s, 1000.0);  // N from tick to tick, at 1 kHz
   double box[6] = {};
   hd.getDoublev(hd::kUsableWorkspace, box);
   const Vec3 size(box[3] - box[0], box[4] - box[1], box[5] - box[2]);

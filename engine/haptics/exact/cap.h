@@ -14,7 +14,8 @@ struct Cap {
   double level;  ///< (d^2 + R_i^2 - R_j^2) / (2 R_i)
 
   Cap(const NearBall& i, const NearBall& j)
-      : way(j.centre - i.centre), level((glm::dot(way, way) + (i.radius - j.radius) * (i.radius + j.radius)) / (2.0 * i.radius)) {}
+      : way(j.centre - i.centre),
+        level((glm::dot(way, way) + (i.radius - j.radius) * (i.radius + j.radius)) / (2.0 * i.radius)) {}
 };
 
 /// The power of a place in a ball, |p - c|^2 - R^2: under 0 inside (unit: square angstrom).
@@ -24,8 +25,8 @@ inline double powerOf(const Vec3& place, const NearBall& ball) {
 }
 
 /// True only where a place on sphere i with this power in ball j would have to turn by more than `angle` (unit: radian)
-/// before it meets that ball. Without a root: the power is 2 R_i d times the way of its cosine to the rim's, and a cosine
-/// changes by at most one a radian; d <= R_i + R_j where the two meet.
+/// before it meets that ball. Without a root: the power is 2 R_i d times the way of its cosine to the rim's, and a
+/// cosine changes by at most one a radian; d <= R_i + R_j where the two meet.
 inline bool farFrom(const NearBall& i, const NearBall& j, double power, double angle) {
   return power > 2.0 * i.radius * angle * (i.radius + j.radius);
 }

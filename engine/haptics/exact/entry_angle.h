@@ -8,14 +8,14 @@
 namespace moltact {
 
 inline constexpr double kNever = 1e300;
-inline constexpr double kTurn = 6.283185307179586476925;
+inline constexpr double kTwoPi = 6.283185307179586476925;
 
 /// The first t >= 0 at which f rises above q, or kNever.
 inline double entryAngle(double a, double b, double q) {
   const double c = std::sqrt(a * a + b * b);
   if (q >= c) return kNever;
   const double t = std::atan2(b, a) - std::acos(std::fmax(q / c, -1.0));
-  return t >= 0.0 ? t : t + kTurn;
+  return t >= 0.0 ? t : t + kTwoPi;
 }
 
 /// The way to a cap in either direction, from one pair of inverse functions: `forward` as entryAngle(a, b, q) and
@@ -28,7 +28,7 @@ inline Entries entryAngles(double a, double b, double q) {
   const double c = std::sqrt(a * a + b * b);
   if (q >= c) return {};
   const double middle = std::atan2(b, a), half = std::acos(std::fmax(q / c, -1.0));
-  const auto ahead = [](double entry) { return entry >= 0.0 ? entry : entry + kTurn; };
+  const auto ahead = [](double entry) { return entry >= 0.0 ? entry : entry + kTwoPi; };
   return {ahead(middle - half), ahead(-middle - half)};
 }
 

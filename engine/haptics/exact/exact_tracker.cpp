@@ -11,17 +11,18 @@
 namespace moltact {
 namespace {
 
-// Rounding moves a place by at most some eight units in the last place of the largest coordinate or radius, 2^-50 of it. What is
-// within 128 times as much of the SCP is touched (docs/exact-tracker.md, "What rounding may do").
+// Rounding moves a place by at most some eight units in the last place of the largest coordinate or radius, 2^-50 of
+// it. What is within 128 times as much of the SCP is touched (docs/exact-tracker.md, "What rounding may do").
 constexpr double kContact = 0x1p-43;
 
-// Every ball that comes within kLook_A of the SCP is looked at before a way goes on; a list of them serves until the SCP
-// has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
+// Every ball that comes within kLook_A of the SCP is looked at before a way goes on; a list of them serves until the
+// SCP has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
 constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
 // Pieces, one after the other, that bring the SCP no nearer to the HIP, before it stays where it is.
 constexpr int kMostIdle = 12;
-// Small pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat to be seen at once.
+// Small pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat
+// to be seen at once.
 constexpr int kMostGrazing = 24;
 
 }  // namespace
@@ -45,12 +46,12 @@ void ExactTracker::reset() noexcept {
   forgetSurroundings();
 }
 
-Footprint ExactTracker::footprint() const noexcept {
-  return {near_.held(), sizeof(*this) + near_.scene().bytes()};
-}
+MemoryUsage ExactTracker::memoryUsage() const noexcept { return {near_.held(), sizeof(*this) + near_.scene().bytes()}; }
 
 Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  return {.scp = {feature_ == Feature::Free && !behind_ ? hip : near_.origin() + scp_}, .atoms = holders_, .feature = feature_};
+  return {.scp = {feature_ == Feature::Free && !behind_ ? hip : near_.origin() + scp_},
+          .atoms = holders_,
+          .feature = feature_};
 }
 
 // The balls that hold the SCP, in ascending order.
@@ -103,14 +104,15 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
   double left_A = glm::distance(hip, scp_);
   for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
     contact_A_ = contactAt(scp_);
-    // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there once more.
+    // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there
+    // once more.
     const Vec3 from = scp_;
-    const Went went = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = small < kMostGrazing});
-    if (went == Went::Rests) {
+    const SlideResult result = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = small < kMostGrazing});
+    if (result == SlideResult::Rests) {
       behind_ = false;
       break;
     }
-    stuck = went == Went::Stuck ? stuck + 1 : 0;
+    stuck = result == SlideResult::Stuck ? stuck + 1 : 0;
     small += glm::distance(from, scp_) < 0.25 * kLook_A;
     // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
     const double now_A = glm::distance(hip, scp_);
@@ -142,7 +144,7 @@ void ExactTracker::holdHere() noexcept {
 }
 
 // One piece of the way.
-ExactTracker::Went ExactTracker::piece(const Vec3& hip, Admitted admitted) noexcept {
+ExactTracker::SlideResult ExactTracker::piece(const Vec3& hip, Admitted admitted) noexcept {
   if (feature_ == Feature::Free) return fly(hip);
   findTouching();
   const ActiveSet set = activeSet(hip - scp_, {touching_.data(), touching_count_}, contact_A_, admitted);
@@ -150,10 +152,11 @@ ExactTracker::Went ExactTracker::piece(const Vec3& hip, Admitted admitted) noexc
   const auto by = [&](int k) { return touching_[std::size_t(set.by[std::size_t(k)])].ball; };
   if (!set.found && admitted.skip > 0) {  // every way that rounding admits has been tried
     holdHere();
-    return Went::Rests;
+    return SlideResult::Rests;
   }
   switch (set.count) {
-    case 0: return fly(hip);
+    case 0:
+      return fly(hip);
     case 1:
       if (!set.still || touching_count_ == 1) return slideOnSphere(hip, by(0));
       return restOnSphere(by(0), touching_[std::size_t(set.by[0])].normal);
@@ -161,14 +164,17 @@ ExactTracker::Went ExactTracker::piece(const Vec3& hip, Admitted admitted) noexc
       const int third = set.still ? thirdOf(set) : -1;  // what two hold in a place where three meet, the place holds
       if (third < 0) return slideOnCircle(hip, by(0), by(1));
       holdAtPoint({by(0), by(1), touching_[std::size_t(third)].ball});
-      return Went::Rests;
+      return SlideResult::Rests;
     }
-    default: holdAtPoint({by(0), by(1), by(2)}); return Went::Rests;
+    default:
+      holdAtPoint({by(0), by(1), by(2)});
+      return SlideResult::Rests;
   }
 }
 
 double ExactTracker::contactAt(const Vec3& place) const noexcept {
-  return kContact * (std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) + near_.scene().largestRadius_A() + probe_A());
+  return kContact * (std::max({std::abs(place.x), std::abs(place.y), std::abs(place.z)}) +
+                     near_.scene().largestRadius_A() + probe_A());
 }
 
 // A touch whose normal stands out of the plane of those of the set's two; -1: none.
@@ -180,7 +186,9 @@ int ExactTracker::thirdOf(const ActiveSet& set) const noexcept {
 }
 
 // A way under 1/16 of what counts as touching leads nowhere.
-ExactTracker::Went ExactTracker::went(double way_A) const noexcept { return way_A > contact_A_ / 16.0 ? Went::GoesOn : Went::Stuck; }
+ExactTracker::SlideResult ExactTracker::slideResult(double way_A) const noexcept {
+  return way_A > contact_A_ / 16.0 ? SlideResult::GoesOn : SlideResult::Stuck;
+}
 
 void ExactTracker::findTouching() noexcept {
   touching_count_ = 0;
@@ -193,14 +201,16 @@ void ExactTracker::findTouching() noexcept {
 
 bool ExactTracker::outsideAll() noexcept {
   bool outside = true;
-  near_.each(scp_, contact_A_, [&](const NearBall& b) { outside &= powerOf(scp_, b) >= -16.0 * contact_A_ * b.radius; });
+  near_.each(scp_, contact_A_,
+             [&](const NearBall& b) { outside &= powerOf(scp_, b) >= -16.0 * contact_A_ * b.radius; });
   return outside;
 }
 
 // A lower bound of the way from a place to the nearest ball; negative or zero inside or on one.
 double ExactTracker::gapRound(const Vec3& place) noexcept {
   double least = kFarthest_A;
-  const double known = near_.each(place, kLook_A, [&](const NearBall& b) { lessenGap(least, place - b.centre, b.radius); });
+  const double known =
+      near_.each(place, kLook_A, [&](const NearBall& b) { lessenGap(least, place - b.centre, b.radius); });
   return least < known ? least : std::max(known, wayToBox(near_.scene(), near_.probe_A(), near_.origin() + place));
 }
 
@@ -217,14 +227,14 @@ Hit ExactTracker::firstMet(const Vec3& to) noexcept {
   return sweepFrom(near_.scene(), near_.probe_A(), near_.origin(), scp_, to, contact_A_);
 }
 
-ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
+ExactTracker::SlideResult ExactTracker::fly(const Vec3& hip) noexcept {
   // From free space a short way needs no search along it: a ball on it would be as near to its end as the way is long.
   if (feature_ == Feature::Free) {
     const double gap = near_.knownInside(hip) ? 0.0 : gapRound(hip);
     if (gap > 0.0 && gap * gap > glm::dot(hip - scp_, hip - scp_)) {
       scp_ = free_from_ = hip;
       free_gap2_ = gap * gap;
-      return Went::Rests;
+      return SlideResult::Rests;
     }
   }
   const Hit hit = firstMet(hip);
@@ -234,12 +244,12 @@ ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
     scp_ = free_from_ = hip;
     const double gap = std::max(0.0, gapRound(hip));
     free_gap2_ = gap * gap;
-    return Went::Rests;
+    return SlideResult::Rests;
   }
   const NearBall met = near_.ball(hit.ball);
   const Vec3 out = scp_ + (hip - scp_) * hit.t - met.centre;
   const double far = glm::length(out);
-  const Went result = went(hit.t * glm::length(hip - scp_));
+  const SlideResult result = slideResult(hit.t * glm::length(hip - scp_));
   if (far > 0.0) scp_ = met.centre + out * (met.radius / far);
   feature_ = Feature::Sphere;
   holdBy(hit.ball);
@@ -247,7 +257,7 @@ ExactTracker::Went ExactTracker::fly(const Vec3& hip) noexcept {
 }
 
 // The SCP rests where `direction` leads from the ball's centre: the next ticks are told what is round it.
-ExactTracker::Went ExactTracker::restOnSphere(std::int32_t ball, const Vec3& direction) noexcept {
+ExactTracker::SlideResult ExactTracker::restOnSphere(std::int32_t ball, const Vec3& direction) noexcept {
   const NearBall on = near_.ball(ball);
   feature_ = Feature::Sphere;
   holdBy(ball);
@@ -274,11 +284,11 @@ ExactTracker::Went ExactTracker::restOnSphere(std::int32_t ball, const Vec3& dir
   const auto cosine = [](double angle) { return angle > 1e-6 ? std::cos(angle) : 2.0; };
   patch_.cosine = cosine(slack);
   patch_.clear = cosine(std::min(slack, nearest_slack));
-  return Went::Rests;
+  return SlideResult::Rests;
 }
 
 // Case 1: the way on a sphere toward the place nearest to the HIP is a great circle.
-ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept {
+ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept {
   const NearBall on = near_.ball(ball);
   const Vec3 c = on.centre, m = hip - c;
   const double r = on.radius, d = glm::length(m);
@@ -287,9 +297,12 @@ ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t bal
   const Vec3 nearest = m / d;
   Vec3 sideways = nearest - x * glm::dot(nearest, x);
   const double sine = glm::length(sideways);
-  if (sine <= 1e-15) return restOnSphere(ball, glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no way is shorter
+  if (sine <= 1e-15)
+    return restOnSphere(ball,
+                        glm::dot(nearest, x) > 0.0 ? nearest : x);  // straight behind the centre no way is shorter
   sideways /= sine;
-  sideways = glm::normalize(sideways - x * glm::dot(sideways, x));  // nearly behind the centre the first difference has few digits
+  sideways = glm::normalize(sideways -
+                            x * glm::dot(sideways, x));  // nearly behind the centre the first difference has few digits
   const double arrives = std::atan2(sine, glm::dot(nearest, x));
 
   // A HIP that has come out of the ball is seen from where the ball no longer hides it: there the flight begins.
@@ -315,7 +328,7 @@ ExactTracker::Went ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t bal
   holdBy(ball);
   scp_ = c + (x * std::cos(end) + sideways * std::sin(end)) * r;
   patch_.clear = patch_.cosine = 2.0;
-  return went(end * r);
+  return slideResult(end * r);
 }
 
 // The circle of balls i and j (paper, equations 2 to 4) and the arc of it, round the SCP, that no third ball covers.
@@ -345,8 +358,8 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   c.angle = 0.0;
   c.along_1 = 1.0;
   c.along_2 = 0.0;
-  c.high = kTurn;
-  c.low = -kTurn;
+  c.high = kTwoPi;
+  c.low = -kTwoPi;
   const double known = near_.each(scp_, kLook_A, [&](const NearBall& other) {
     if (other.index == i || other.index == j) return;
     const Vec3 way = other.centre - c.centre;
@@ -354,7 +367,8 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
     // It covers the angles whose a cos + b sin is greater than q.
     double q = (glm::dot(way, way) + (c.radius - other.radius) * (c.radius + other.radius)) / (2.0 * c.radius);
     if (q >= 0.0 && q * q >= a * a + b * b) return;
-    // What is touched and does not hold is met where the way has sunk by contact_A_ into it; the power here is 2 (q - a) c.radius.
+    // What is touched and does not hold is met where the way has sunk by contact_A_ into it; the power here is 2 (q -
+    // a) c.radius.
     const double sinks = contact_A_ * other.radius / c.radius;
     if (q - a <= sinks) q = std::max(q, a) + sinks;
     const auto [forward, backward] = entryAngles(a, b, q);
@@ -378,10 +392,11 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
 }
 
 // Case 2: the way along the circle of two spheres, the short way round to the place nearest to the HIP.
-ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept {
+ExactTracker::SlideResult ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept {
   Circle& c = circle_;
   const bool same = feature_ == Feature::Circle && ((c.i == i && c.j == j) || (c.i == j && c.j == i));
-  if (!same && !makeCircle(i, j)) return Went::Stuck;  // the balls touch in a point only: there is no circle to follow
+  if (!same && !makeCircle(i, j))
+    return SlideResult::Stuck;  // the balls touch in a point only: there is no circle to follow
   if (same && c.narrow) c.angle = std::atan2(c.along_2, c.along_1);
   const Vec3 m = hip - c.centre;
   const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
@@ -390,7 +405,7 @@ ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, 
   double turn = 0.0;
   if (off_axis) {
     turn = std::atan2(y2, y1) - c.angle;
-    turn -= kTurn * std::round(turn / kTurn);
+    turn -= kTwoPi * std::round(turn / kTwoPi);
   }
   const double way = std::abs(turn), sign = turn < 0.0 ? -1.0 : 1.0;
 
@@ -417,13 +432,13 @@ ExactTracker::Went ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, 
     } else if (!same) {
       scp_ = c.centre + c.axis_1 * c.radius;
     }
-    return Went::Rests;
+    return SlideResult::Rests;
   }
   const double angle = c.angle + sign * end;
   scp_ = c.centre + (c.axis_1 * std::cos(angle) + c.axis_2 * std::sin(angle)) * c.radius;
   feature_ = Feature::Point;  // no feature yet: the circle is that of another place
   circle_.i = -1;
-  return went(end * c.radius);
+  return slideResult(end * c.radius);
 }
 
 // Case 3: three spheres hold the SCP in a point.

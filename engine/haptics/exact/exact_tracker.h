@@ -28,13 +28,14 @@ class ExactTracker final : public Tracker {
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
   double probe_A() const noexcept override { return near_.probe_A(); }
-  Footprint footprint() const noexcept override;
+  MemoryUsage memoryUsage() const noexcept override;
 
-  /// Ticks whose flow was cut short because it had taken kMostPieces pieces or looked at kMostLooked balls. The SCP then lags,
-  /// outside all balls, and goes on in the next tick.
+  /// Ticks whose flow was cut short because it had taken kMostPieces pieces or looked at kMostLooked balls. The SCP
+  /// then lags, outside all balls, and goes on in the next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
-  /// Balls, cells and groups of balls that the last flow looked at: what its tick cost. At most kMostLooked and what one piece adds.
+  /// Balls, cells and groups of balls that the last flow looked at: what its tick cost. At most kMostLooked and what
+  /// one piece adds.
   std::uint64_t looked() const noexcept { return near_.looked(); }
 
   static constexpr int kMostPieces = 256;
@@ -47,65 +48,67 @@ class ExactTracker final : public Tracker {
   struct Circle {
     std::int32_t i = -1, j = -1;
     Vec3 centre, axis, axis_1, axis_2;  // `axis` from ball i to ball j; all unit and at right angles
-    double radius = 0, to_i = 0, to_j = 0, between = 0;  // of the circle; its plane's distance from either centre; theirs
-    double low = 0, high = 0;                // the free arc
-    double angle = 0;                        // where the SCP is; in a narrow arc `along_1` and `along_2` tell it alone
-    double along_1 = 1, along_2 = 0;         // its direction: cosine and sine of the angle
-    bool narrow = false;                     // the free arc is less than half a turn: its ends' directions say all
+    double radius = 0, to_i = 0, to_j = 0,
+           between = 0;               // of the circle; its plane's distance from either centre; theirs
+    double low = 0, high = 0;         // the free arc
+    double angle = 0;                 // where the SCP is; in a narrow arc `along_1` and `along_2` tell it alone
+    double along_1 = 1, along_2 = 0;  // its direction: cosine and sine of the angle
+    bool narrow = false;              // the free arc is less than half a turn: its ends' directions say all
     double low_1 = 0, low_2 = 0, high_1 = 0, high_2 = 0;
   };
 
-  // Directions on a sphere round `centre`, by the cosine to it: where no cap is, and where none is but the one nearest to
-  // the SCP, which is then asked itself.
+  // Directions on a sphere round `centre`, by the cosine to it: where no cap is, and where none is but the one nearest
+  // to the SCP, which is then asked itself.
   struct Patch {
     Vec3 centre{0.0};
     double clear = 2.0, cosine = 2.0;
-    Vec3 axis{0.0};            // of the nearest cap; zero where there is none
-    double rim = 2.0;          // its cosine
+    Vec3 axis{0.0};    // of the nearest cap; zero where there is none
+    double rim = 2.0;  // its cosine
   };
 
-  enum class Went : std::uint8_t { Rests, GoesOn, Stuck };
+  enum class SlideResult : std::uint8_t { Rests, GoesOn, Stuck };
 
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
   bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
   void flow(const Vec3& hip) noexcept;
-  Went piece(const Vec3& hip, Admitted admitted) noexcept;
-  Went fly(const Vec3& hip) noexcept;
-  Went slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept;
-  Went restOnSphere(std::int32_t ball, const Vec3& direction) noexcept;
-  Went slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept;
+  SlideResult piece(const Vec3& hip, Admitted admitted) noexcept;
+  SlideResult fly(const Vec3& hip) noexcept;
+  SlideResult slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept;
+  SlideResult restOnSphere(std::int32_t ball, const Vec3& direction) noexcept;
+  SlideResult slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept;
   bool makeCircle(std::int32_t i, std::int32_t j) noexcept;
   void holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept;
   void findTouching() noexcept;
   int thirdOf(const ActiveSet& set) const noexcept;
   void holdHere() noexcept;
   bool outsideAll() noexcept;
-  bool toFreePlace() noexcept;                  // carry_surface.cpp
+  bool toFreePlace() noexcept;  // carry_surface.cpp
   void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
   Hit firstMet(const Vec3& to) noexcept;
-  Went went(double way_A) const noexcept;
+  SlideResult slideResult(double way_A) const noexcept;
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
   Contact contact(const Vec3& hip) const noexcept;
 
   NearbyBalls near_;
-  Vec3 scp_{0.0};            // this and every place inside the tracker is relative to near_.origin()
-  double contact_A_ = 0.0;   // a ball whose surface is no farther than this from the SCP is touched
-  bool armed_ = false;       // has the HIP been outside since the start?
-  bool behind_ = false;      // the last flow was cut short
-  bool may_sink_ = false;    // it has passed balls that are touched and do not hold
+  Vec3 scp_{0.0};           // this and every place inside the tracker is relative to near_.origin()
+  double contact_A_ = 0.0;  // a ball whose surface is no farther than this from the SCP is touched
+  bool armed_ = false;      // has the HIP been outside since the start?
+  bool behind_ = false;     // the last flow was cut short
+  bool may_sink_ = false;   // it has passed balls that are touched and do not hold
   Feature feature_ = Feature::Free;
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
   std::array<Touch, kMostTouching> touching_;        // what the SCP touches, while it flows
   std::size_t touching_count_ = 0;
 
   // What lets an ordinary tick end at once, for the feature the SCP is on.
-  Vec3 free_from_{0.0};      // free: no ball is nearer to this place than the root of free_gap2_
+  Vec3 free_from_{0.0};  // free: no ball is nearer to this place than the root of free_gap2_
   double free_gap2_ = 0.0;
-  Patch patch_;              // sphere
-  Circle circle_;            // circle
-  std::array<Vec3, 3> holds_;// point: rows of the inverse of its normals; all shares of the pull >= 0 means it holds
+  Patch patch_;    // sphere
+  Circle circle_;  // circle
+  std::array<Vec3, 3>
+      holds_;  // point: rows of the inverse of its normals; all shares of the displacement >= 0 means it holds
   bool holds_known_ = false;
 
   std::uint64_t cut_short_ = 0;

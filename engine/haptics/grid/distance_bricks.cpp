@@ -13,8 +13,7 @@ namespace {
 struct Weights {
   double w[3], d[3];
   explicit Weights(double u)
-      : w{0.5 * (0.5 - u) * (0.5 - u), 0.75 - u * u, 0.5 * (0.5 + u) * (0.5 + u)},
-        d{u - 0.5, -2.0 * u, u + 0.5} {}
+      : w{0.5 * (0.5 - u) * (0.5 - u), 0.75 - u * u, 0.5 * (0.5 + u) * (0.5 + u)}, d{u - 0.5, -2.0 * u, u + 0.5} {}
 };
 
 }  // namespace
@@ -50,7 +49,8 @@ void DistanceBricks::prepare(double level_A) {
       for (double y = low.y; y <= high.y; ++y)
         for (double z = low.z; z <= high.z; ++z) {
           const Vec3 middle = (Vec3(x, y, z) + 0.5 - Vec3(0.5 / kCells)) * size;
-          if (std::abs(glm::distance(middle, c) - r) <= near) keys.push_back({std::int32_t(x), std::int32_t(y), std::int32_t(z)});
+          if (std::abs(glm::distance(middle, c) - r) <= near)
+            keys.push_back({std::int32_t(x), std::int32_t(y), std::int32_t(z)});
         }
   }
   const auto order = [](const Key& k) { return std::tuple(k.z, k.y, k.x); };
@@ -146,8 +146,7 @@ DistanceBricks::Brick* DistanceBricks::make(const Key& key) noexcept {
         std::fill(row, row + kPart, cap_);
         for (std::size_t k = 0; k < close; ++k) {
           const Near& n = close_[k];
-          const double dy = (corner.y + y) * spacing_ - n.centre.y,
-                       dz = (corner.z + z) * spacing_ - n.centre.z;
+          const double dy = (corner.y + y) * spacing_ - n.centre.y, dz = (corner.z + z) * spacing_ - n.centre.z;
           for (int x = 0; x < kPart; ++x) {
             const double dx = (corner.x + x0 + x) * spacing_ - n.centre.x;
             row[x] = std::min(row[x], std::sqrt(dx * dx + dy * dy + dz * dz) - n.radius);
@@ -239,13 +238,12 @@ std::int32_t DistanceBricks::nearestBall(const Vec3& place) const noexcept {
 }
 
 std::size_t DistanceBricks::bytes() const noexcept {
-  return count_ * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) +
-         kSamples * kSamples * kSamples * sizeof(double) + scene_->size() * sizeof(std::uint16_t);
+  return count_ * sizeof(Brick) + 2 * kMostGathered * sizeof(Near) + kSamples * kSamples * kSamples * sizeof(double) +
+         scene_->size() * sizeof(std::uint16_t);
 }
 
 std::size_t DistanceBricks::wholeMoleculeBytes() const noexcept {
-  const Vec3 bricks =
-      glm::ceil((scene_->high_A() - scene_->low_A() + Vec3(2.0 * cap_)) / (kCells * spacing_));
+  const Vec3 bricks = glm::ceil((scene_->high_A() - scene_->low_A() + Vec3(2.0 * cap_)) / (kCells * spacing_));
   return std::size_t(bricks.x * bricks.y * bricks.z) * sizeof(Brick);
 }
 

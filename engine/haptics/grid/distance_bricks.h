@@ -21,16 +21,16 @@ namespace moltact {
 
 class DistanceBricks {
  public:
-  static constexpr int kCells = 4;  ///< along an edge of a brick
+  static constexpr int kCells = 4;                ///< along an edge of a brick
   static constexpr std::uint32_t kBricks = 1024;  ///< held, but for prepared()
-  static constexpr int kLabels = 24;  ///< balls that a brick remembers, to name the nearest
+  static constexpr int kLabels = 24;              ///< balls that a brick remembers, to name the nearest
 
   /// `cap_A`: the field is not asked for beyond this level; farther places may read it instead of their
   /// distance.
   DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec3& origin, double spacing_A, double cap_A);
 
-  /// Makes all bricks that the surface at this level passes through or comes near to, with room for twice as many: nothing is
-  /// left to be made while it is touched. Before touching; allocates.
+  /// Makes all bricks that the surface at this level passes through or comes near to, with room for twice as many:
+  /// nothing is left to be made while it is touched. Before touching; allocates.
   void prepare(double level_A);
 
   struct Sample {
@@ -51,10 +51,8 @@ class DistanceBricks {
   void setCap(double cap_A) noexcept;
   double spacing_A() const noexcept { return spacing_; }
 
-  std::uint64_t bricksMade() const noexcept { return made_; }  ///< since the start
-  std::size_t ballsRemembered() const noexcept {
-    return remembered_;
-  }  ///< different balls in all bricks held now
+  std::uint64_t bricksMade() const noexcept { return made_; }           ///< since the start
+  std::size_t ballsRemembered() const noexcept { return remembered_; }  ///< different balls in all bricks held now
   std::size_t bytes() const noexcept;
   /// What a grid over the whole box of the scene takes at this spacing.
   std::size_t wholeMoleculeBytes() const noexcept;
@@ -73,7 +71,8 @@ class DistanceBricks {
     std::uint64_t age = 0;
     std::int32_t labels = 0;
     std::array<std::int32_t, kLabels> label;
-    std::array<float, kSide * kSide * kSide> coefficient;  // rounded by less than 1e-6 A: half the memory, half the cache
+    std::array<float, kSide * kSide * kSide>
+        coefficient;  // rounded by less than 1e-6 A: half the memory, half the cache
   };
 
   std::uint32_t set(const Key& key) const;

@@ -9,9 +9,9 @@
 namespace moltact {
 namespace {
 
-constexpr double kSurface_A = 1e-9;  // so near the level counts as on it
-constexpr double kSettled_A =
-    0.025;  // a Newton step this short leaves an error of about its square, far under the grid's own: the last one of a tick
+constexpr double kSurface_A = 1e-9;   // so near the level counts as on it
+constexpr double kSettled_A = 0.025;  // a Newton step this short leaves an error of about its square, far under the
+                                      // grid's own: the last one of a tick
 constexpr double kFree =
     0.8;  // of the level's distance by the field: its slope is near 1, but for the rounding of creases
 constexpr int kMostFlights = 512;  // steps along one straight way
@@ -19,9 +19,7 @@ constexpr int kMostTurns = 8;      // changes between flight and sliding in a ti
 
 }  // namespace
 
-double GridTracker::capFor(double probe_A, double spacing_A) {
-  return std::ceil(probe_A) + 2.0 + 3.0 * spacing_A;
-}
+double GridTracker::capFor(double probe_A, double spacing_A) { return std::ceil(probe_A) + 2.0 + 3.0 * spacing_A; }
 
 GridTracker::GridTracker(std::shared_ptr<const BallScene> scene, double probe_A, double spacing_A, bool prepared)
     : scene_(std::move(scene)),
@@ -36,7 +34,7 @@ void GridTracker::reset() noexcept {
   free_gap_ = 0.0;
 }
 
-Footprint GridTracker::footprint() const noexcept {
+MemoryUsage GridTracker::memoryUsage() const noexcept {
   return {bricks_.ballsRemembered(), sizeof(*this) + bricks_.bytes() + scene_->bytes()};
 }
 
@@ -64,26 +62,26 @@ Contact GridTracker::step(PointA hip) noexcept {
     }
   }
   const Vec3 rested = scp_;
-  Went went = Went::Short;
+  SlideResult result = SlideResult::Short;
   bool pressed = false;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     if (touching_) {
-      went = slide(h, pressed);
+      result = slide(h, pressed);
       pressed = false;
-      touching_ = went != Went::Leaves;
+      touching_ = result != SlideResult::Leaves;
     } else {
       const Vec3 was = scp_;
-      went = fly(h);
-      touching_ = went == Went::Meets;
+      result = fly(h);
+      touching_ = result == SlideResult::Meets;
       pressed = touching_ && glm::distance(was, scp_) < 1e-6;
     }
-    if (went == Went::Arrived || went == Went::Rests || went == Went::Short) break;
+    if (result == SlideResult::Arrived || result == SlideResult::Rests || result == SlideResult::Short) break;
   }
-  if (went != Went::Arrived && went != Went::Rests) {
+  if (result != SlideResult::Arrived && result != SlideResult::Rests) {
     ++cut_short_;
     if (!pushOut()) scp_ = rested;  // a step on the way may have ended under a crease
   }
-  if (went == Went::Arrived) return {.scp = hip};
+  if (result == SlideResult::Arrived) return {.scp = hip};
   Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
   out.atoms[0] = bricks_.nearestBall(scp_);
   if (out.atoms[0] < 0) {  // the last step led into a brick that the next tick needs as well
@@ -95,7 +93,7 @@ Contact GridTracker::step(PointA hip) noexcept {
 }
 
 // Straight toward the HIP: over the balls' own distances where they are far, over the field near the surface.
-GridTracker::Went GridTracker::fly(const Vec3& h) noexcept {
+GridTracker::SlideResult GridTracker::fly(const Vec3& h) noexcept {
   const double spacing = bricks_.spacing_A(), least = spacing / 16.0;
   for (int k = 0; k < kMostFlights; ++k) {
     const Vec3 to_go = h - scp_;
@@ -107,57 +105,57 @@ GridTracker::Went GridTracker::fly(const Vec3& h) noexcept {
         free_from_ = scp_;
         free_gap_ = free;
         scp_ = h;
-        return Went::Arrived;
+        return SlideResult::Arrived;
       }
       scp_ += to_go * (free / length);
       continue;
     }
     DistanceBricks::Sample here{};
-    if (!bricks_.sample(scp_, here, fills_left_)) return Went::Short;
+    if (!bricks_.sample(scp_, here, fills_left_)) return SlideResult::Short;
     if (!(length > 0.0)) {
       free_from_ = h;
       free_gap_ = std::max(0.0, kFree * (here.value - probe_));
-      return Went::Arrived;
+      return SlideResult::Arrived;
     }
     const double step = std::min(std::max(here.value - probe_, least), length);
     Vec3 a = scp_, b = step == length ? h : scp_ + to_go * (step / length);
     DistanceBricks::Sample there{};
-    if (!bricks_.sample(b, there, fills_left_)) return Went::Short;
+    if (!bricks_.sample(b, there, fills_left_)) return SlideResult::Short;
     if (there.value >= probe_) {
       scp_ = b;
       continue;
     }
-    if (here.value < probe_) return Went::Meets;  // on the surface but for rounding, and the way leads in
+    if (here.value < probe_) return SlideResult::Meets;  // on the surface but for rounding, and the way leads in
     // The level lies between: halve, keeping the outer end.
     for (int halving = 0; halving < 40 && glm::distance(a, b) > kSurface_A; ++halving) {
       const Vec3 middle = 0.5 * (a + b);
-      if (!bricks_.sample(middle, there, fills_left_)) return Went::Short;
+      if (!bricks_.sample(middle, there, fills_left_)) return SlideResult::Short;
       (there.value >= probe_ ? a : b) = middle;
     }
     scp_ = a;
-    return Went::Meets;
+    return SlideResult::Meets;
   }
-  return Went::Short;
+  return SlideResult::Short;
 }
 
 // On the level toward the place nearest to the HIP. `pressed`: a flight from here has just failed, so it
 // slides although the HIP is seen above the tangent plane.
-GridTracker::Went GridTracker::slide(const Vec3& h, bool pressed) noexcept {
+GridTracker::SlideResult GridTracker::slide(const Vec3& h, bool pressed) noexcept {
   const double spacing = bricks_.spacing_A();
   double longest = 0.75 * spacing;
   Vec3 last_along(0.0);
   bool first = true;
   while (steps_left_-- > 0) {
     DistanceBricks::Sample s{};
-    if (!bricks_.sample(scp_, s, fills_left_)) return Went::Short;
+    if (!bricks_.sample(scp_, s, fills_left_)) return SlideResult::Short;
     const double off = s.value - probe_, steep = glm::length(s.gradient);
-    if (first && off > 1e-3 * spacing) return Went::Leaves;  // the surface has drawn back
+    if (first && off > 1e-3 * spacing) return SlideResult::Leaves;  // the surface has drawn back
     first = false;
-    if (!(steep > 1e-3)) return Went::Short;
-    const Vec3 n = s.gradient / steep, pull = h - scp_;
-    const double in = glm::dot(pull, n);
-    if (in >= 0.0 && off > -kSurface_A && !pressed) return Went::Leaves;
-    const Vec3 along = pull - n * in;
+    if (!(steep > 1e-3)) return SlideResult::Short;
+    const Vec3 n = s.gradient / steep, displacement = h - scp_;
+    const double in = glm::dot(displacement, n);
+    if (in >= 0.0 && off > -kSurface_A && !pressed) return SlideResult::Leaves;
+    const Vec3 along = displacement - n * in;
     const double length = glm::length(along);
 
     // Newton's step in the tangent plane: (1 - share * H) p = along.
@@ -184,9 +182,9 @@ GridTracker::Went GridTracker::slide(const Vec3& h, bool pressed) noexcept {
     const double bends = 0.5 * glm::dot(p, s.hessian * p);
     const double back = std::clamp((off + bends) / steep, -0.5 * spacing, 0.5 * spacing);
     scp_ += p - n * back;
-    if (far < kSettled_A && std::abs(off) < kSettled_A) return Went::Rests;
+    if (far < kSettled_A && std::abs(off) < kSettled_A) return SlideResult::Rests;
   }
-  return Went::Short;
+  return SlideResult::Short;
 }
 
 void GridTracker::setProbe(double probe_A) noexcept {
@@ -196,9 +194,8 @@ void GridTracker::setProbe(double probe_A) noexcept {
   if (capFor(wanted, bricks_.spacing_A()) > capFor(had, bricks_.spacing_A()))
     bricks_.setCap(capFor(wanted, bricks_.spacing_A()));
   // The surface moves by a part of the spacing at once, so that the SCP stays on its side of a wall.
-  const int pieces = !armed_ || wanted < had
-                         ? 1
-                         : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
+  const int pieces =
+      !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
   for (int k = 1; k <= pieces; ++k) {
     probe_ = k == pieces ? wanted : had + (wanted - had) * k / pieces;
     fills_left_ = kMostFills;

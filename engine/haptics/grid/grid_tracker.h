@@ -31,7 +31,7 @@ class GridTracker final : public Tracker {
   void setProbe(double probe_A) noexcept override;
   double probe_A() const noexcept override { return probe_; }
   /// The pool of bricks is counted in full. Atoms modelled: those that the bricks held now remember.
-  Footprint footprint() const noexcept override;
+  MemoryUsage memoryUsage() const noexcept override;
 
   std::size_t wholeMoleculeBytes() const noexcept { return bricks_.wholeMoleculeBytes(); }
   std::uint64_t bricksMade() const noexcept { return bricks_.bricksMade(); }
@@ -42,14 +42,12 @@ class GridTracker final : public Tracker {
   static constexpr int kMostSteps = 64;  ///< Newton steps in one tick
 
  private:
-  enum class Went : std::uint8_t { Arrived, Meets, Leaves, Rests, Short };
+  enum class SlideResult : std::uint8_t { Arrived, Meets, Leaves, Rests, Short };
 
   static double capFor(double probe_A, double spacing_A);
-  double margin() const {
-    return 1.5 * bricks_.spacing_A();
-  }  // how far the field's surface may lie outside the balls'
-  Went fly(const Vec3& hip) noexcept;
-  Went slide(const Vec3& hip, bool pressed) noexcept;
+  double margin() const { return 1.5 * bricks_.spacing_A(); }  // how far the field's surface may lie outside the balls'
+  SlideResult fly(const Vec3& hip) noexcept;
+  SlideResult slide(const Vec3& hip, bool pressed) noexcept;
   bool pushOut() noexcept;
 
   std::shared_ptr<const BallScene> scene_;

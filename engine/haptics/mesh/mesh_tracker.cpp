@@ -11,17 +11,18 @@ namespace moltact {
 namespace {
 
 constexpr double kMoved_A = 1e-12;  // a shorter piece leaves the SCP where it was
-constexpr double kRounding = 8e-12;  // of the pull: a motion that leads this little into a face, or less, is along it
+constexpr double kRounding =
+    8e-12;  // of the displacement: a motion that leads this little into a face, or less, is along it
 constexpr double kAlong = 1e-9;     // sine of the angle under which a way is along a face
 constexpr double kNearWay_A = 1.0;  // a longer piece looks the balls up along its way
-constexpr int kMostStuck = 32;  // round a corner of a mesh a way of no length passes its faces, eight at most
+constexpr int kMostStuck = 32;      // round a corner of a mesh a way of no length passes its faces, eight at most
 constexpr double kSwelling_A =
     0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
 constexpr int kMostPushes = 256;
 constexpr double kSure = 1e-9;  // of a length: so far from a decision rounding has no say in it
 constexpr double kNearly = 1.0 - 1e-9;
 constexpr double kKept_A = 1.0;  // a list of near balls serves so far
-constexpr int kMostPlanes = 8;  // tried to part a mesh from the SCP's way
+constexpr int kMostPlanes = 8;   // tried to part a mesh from the SCP's way
 
 }  // namespace
 
@@ -36,7 +37,7 @@ void MeshTracker::reset() noexcept {
   forgetSurroundings();
 }
 
-Footprint MeshTracker::footprint() const noexcept {
+MemoryUsage MeshTracker::memoryUsage() const noexcept {
   return {std::size_t(touch_count_), sizeof(*this) + mesh_->bytes() + nearby_.scene().bytes()};
 }
 
@@ -48,9 +49,11 @@ bool MeshTracker::touches(std::int32_t ball) const {
 
 Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   if (hold_count_ == 0 && scp_ == hip - nearby_.origin()) return {.scp = {hip}};
-  // The answer is put together at once: piece by piece it would be read back before its pieces are stored, which stalls.
+  // The answer is put together at once: piece by piece it would be read back before its pieces are stored, which
+  // stalls.
   const auto ball = [&](int k) { return touching_[std::size_t(holding_[std::size_t(k)])].ball; };
-  std::int32_t a = hold_count_ > 0 ? ball(0) : -1, b = hold_count_ > 1 ? ball(1) : -1, c = hold_count_ > 2 ? ball(2) : -1;
+  std::int32_t a = hold_count_ > 0 ? ball(0) : -1, b = hold_count_ > 1 ? ball(1) : -1,
+               c = hold_count_ > 2 ? ball(2) : -1;
   if (hold_count_ > 1 && a > b) std::swap(a, b);
   if (hold_count_ > 2 && b > c) std::swap(b, c);
   if (hold_count_ > 2 && a > b) std::swap(a, b);
@@ -105,8 +108,8 @@ Contact MeshTracker::step(PointA hip) noexcept {
 }
 
 // The ordinary ticks: nothing is near the free HIP, or the SCP stays on its face, seam or point and no other mesh is in
-// reach. What is done is what flow() would do in its one piece, operation by operation, so that the places are the same to
-// the last bit; a tick that is nearer to a decision than kSure is left to flow().
+// reach. What is done is what flow() would do in its one piece, operation by operation, so that the places are the same
+// to the last bit; a tick that is nearer to a decision than kSure is left to flow().
 bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   if (touch_count_ == 0) {
     const Vec3 way = h - free_from_;
@@ -115,25 +118,26 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
     return true;
   }
   if (!settled_) return false;
-  const Vec3 pull = h - scp_;
-  const double sure = kSure * (std::abs(pull.x) + std::abs(pull.y) + std::abs(pull.z));
+  const Vec3 displacement = h - scp_;
+  const double sure = kSure * (std::abs(displacement.x) + std::abs(displacement.y) + std::abs(displacement.z));
   Vec3 s = scp_;
   switch (hold_count_) {
     case 1: {
       const Touch& t = touching_[0];
       const SphereMesh::Face& f = face(t);
       const double height = heightOver(t, h);
-      if (height >= -sure || glm::dot(pull, f.normal) >= -sure) return false;
-      const Vec3 way = pull - f.normal * height;
+      if (height >= -sure || glm::dot(displacement, f.normal) >= -sure) return false;
+      const Vec3 way = displacement - f.normal * height;
       if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
       s += way;
       break;
     }
     case 2: {
-      // The pull's shares in both normals must be pushes, or one face alone would hold the SCP.
-      const double a = -glm::dot(pull, face(touching_[0]).normal), b = -glm::dot(pull, face(touching_[1]).normal);
+      // The displacement's shares in both normals must be pushes, or one face alone would hold the SCP.
+      const double a = -glm::dot(displacement, face(touching_[0]).normal),
+                   b = -glm::dot(displacement, face(touching_[1]).normal);
       if (a - b * seam_cosine_ <= sure || b - a * seam_cosine_ <= sure) return false;
-      const Vec3 way = seam_ * (glm::dot(pull, seam_) / glm::dot(seam_, seam_));
+      const Vec3 way = seam_ * (glm::dot(displacement, seam_) / glm::dot(seam_, seam_));
       if (glm::dot(way, way) <= kMoved_A * kMoved_A) return true;
       s += way;
       for (int k = 0; k < 2; ++k) {
@@ -144,7 +148,7 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
     }
     default:
       for (const Vec3& hold : holds_)
-        if (glm::dot(hold, pull) >= -sure) return false;
+        if (glm::dot(hold, displacement) >= -sure) return false;
       return true;
   }
   for (int k = 0; k < hold_count_; ++k)
@@ -154,8 +158,8 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   return true;
 }
 
-// Does a plane of the rival's mesh, which is convex, part it from the whole way from the SCP to `end`? The plane that did so
-// last is tried first, then those about it.
+// Does a plane of the rival's mesh, which is convex, part it from the whole way from the SCP to `end`? The plane that
+// did so last is tried first, then those about it.
 bool MeshTracker::staysAbove(Rival& rival, const Vec3& end) const {
   if (rival.face < 0) return false;
   const double r = rival.ball.radius;
@@ -199,7 +203,8 @@ void MeshTracker::settle() noexcept {
     settled_ = glm::dot(seam_, seam_) > kSure;
     return;
   }
-  // mu_k |pull| times the volume squared, negated: more than rounding, and no two of the faces hold the SCP without the third.
+  // mu_k |displacement| times the volume squared, negated: more than rounding, and no two of the faces hold the SCP
+  // without the third.
   const Vec3& n2 = face(touching_[2]).normal;
   const double volume = glm::dot(seam_, n2);
   holds_ = {glm::cross(n1, n2) * volume, glm::cross(n2, n0) * volume, seam_ * volume};
@@ -270,13 +275,14 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
   for (const double piece = scene.cell_A() / length; a <= z && a <= first.t; a += piece) {
     const Vec3 p = scp_ + way * a, q = scp_ + way * std::min(a + piece, z);
     const Vec3 box_low = glm::min(p, q), box_high = glm::max(p, q);
-    scene.visitNearBox(
-        nearby_.origin() + box_low, nearby_.origin() + box_high, probe, [&](std::uint32_t i, const Ball&) {
-          const NearBall b = nearby_.ball(std::int32_t(i));
-          const Vec3 apart = glm::max(glm::max(box_low - b.centre, b.centre - box_high), Vec3(0.0));
-          if (b.radius <= 0.0 || std::max({apart.x, apart.y, apart.z}) > b.radius || touches(b.index)) return;
-          look(b);
-        });
+    scene.visitNearBox(nearby_.origin() + box_low, nearby_.origin() + box_high, probe,
+                       [&](std::uint32_t i, const Ball&) {
+                         const NearBall b = nearby_.ball(std::int32_t(i));
+                         const Vec3 apart = glm::max(glm::max(box_low - b.centre, b.centre - box_high), Vec3(0.0));
+                         if (b.radius <= 0.0 || std::max({apart.x, apart.y, apart.z}) > b.radius || touches(b.index))
+                           return;
+                         look(b);
+                       });
   }
 }
 
@@ -300,22 +306,23 @@ void MeshTracker::flow(const Vec3& h) noexcept {
   hold_count_ = 0;
   for (int piece = 0; piece < kMostPieces && stuck <= kMostStuck; ++piece) {
     std::array<moltact::Touch, kMostTouching> planes;
-    for (int k = 0; k < touch_count_; ++k) planes[std::size_t(k)] = {face(touching_[std::size_t(k)]).normal, INFINITY, 0.0, k};
+    for (int k = 0; k < touch_count_; ++k)
+      planes[std::size_t(k)] = {face(touching_[std::size_t(k)]).normal, INFINITY, 0.0, k};
     const auto normal = [&](int k) { return planes[std::size_t(k)].normal; };
-    const Vec3 pull = h - scp_;
-    const ActiveSet blocked = activeSet(pull, {planes.data(), std::size_t(touch_count_)}, kRounding * glm::length(pull), {.grazes = false});
+    const Vec3 displacement = h - scp_;
+    const ActiveSet blocked = activeSet(displacement, {planes.data(), std::size_t(touch_count_)},
+                                        kRounding * glm::length(displacement), {.grazes = false});
     holding_ = blocked.by;
     hold_count_ = blocked.count;
     Vec3 way(0.0);
     if (blocked.count == 0) {
-      way = pull;
+      way = displacement;
     } else if (blocked.count == 1) {
       const Touch& t = touching_[std::size_t(blocked.by[0])];
-      way = pull - normal(blocked.by[0]) *
-                       heightOver(t, h);  // ends in the face's plane whatever the rounding
+      way = displacement - normal(blocked.by[0]) * heightOver(t, h);  // ends in the face's plane whatever the rounding
     } else if (blocked.count == 2) {
       const Vec3 line = glm::cross(normal(blocked.by[0]), normal(blocked.by[1]));
-      way = line * (glm::dot(pull, line) / glm::dot(line, line));
+      way = line * (glm::dot(displacement, line) / glm::dot(line, line));
     }
     const double length = glm::length(way);
     if (length <= kMoved_A && blocked.count > 0) return;
@@ -368,8 +375,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         free_gap_ = options_.coherent
                         ? std::max(0.0, clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h))
                         : 0.0;
-      } else if (touch_count_ >
-                 blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
+      } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
         std::array<Touch, 3> kept;
         for (int k = 0; k < blocked.count; ++k)
           kept[std::size_t(k)] = touching_[std::size_t(blocked.by[std::size_t(k)])];
@@ -407,8 +413,7 @@ Vec3 MeshTracker::shadedNormal(const Vec3& h) const noexcept {
   } else if (hold_count_ == 3) {
     const Vec3 ij = glm::cross(n[0], n[1]), jk = glm::cross(n[1], n[2]), ki = glm::cross(n[2], n[0]);
     const double side = glm::dot(ij, n[2]) < 0.0 ? -1.0 : 1.0;
-    sum = side *
-          (glm::dot(lift, jk) * radial[0] + glm::dot(lift, ki) * radial[1] + glm::dot(lift, ij) * radial[2]);
+    sum = side * (glm::dot(lift, jk) * radial[0] + glm::dot(lift, ki) * radial[1] + glm::dot(lift, ij) * radial[2]);
   }
   const double far = glm::length(sum);
   return far > 0.0 ? sum / far : Vec3(0.0);

@@ -14,11 +14,12 @@
 //   of boxes; the balls near the SCP and the distance to the next of them are remembered from tick to tick;
 // * a mesh that the SCP is on is not searched: it is convex, and the SCP's way does not lead under the face
 // it is on;
-// * the ordinary tick, on one face, along the seam of two or at rest on the point of three, does what the whole flow would do
-//   and asks no more than whether anything else is near: a ball near by is parted from the SCP's way by its bounding sphere or by
-//   one plane of its mesh, the last that did so or one about it.
-// `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box by box, as published polygonal
-// trackers do. The places found are the same to the last bit.
+// * the ordinary tick, on one face, along the seam of two or at rest on the point of three, does what the whole flow
+// would do
+//   and asks no more than whether anything else is near: a ball near by is parted from the SCP's way by its bounding
+//   sphere or by one plane of its mesh, the last that did so or one about it.
+// `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box by box, as published
+// polygonal trackers do. The places found are the same to the last bit.
 //
 // Force shading: with `smooth`, Contact::normal is made of normals interpolated from the corners' (Ruspini,
 // Kolarov & Khatib 1997), each weighted by its face's share in holding the SCP. Corners on the sphere carry
@@ -55,7 +56,7 @@ class MeshTracker final : public Tracker {
   void setProbe(double probe_A) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
   /// The shared mesh is counted in full for each tracker. Atoms modelled: those whose meshes the SCP is on.
-  Footprint footprint() const noexcept override;
+  MemoryUsage memoryUsage() const noexcept override;
 
   /// The triangles felt, for one ball of radius 1: what to draw, scaled and moved, round each ball.
   const SphereMesh& mesh() const noexcept { return *mesh_; }
@@ -118,8 +119,8 @@ class MeshTracker final : public Tracker {
   bool settled_ = false;  // what holds the SCP is all that it touches, and the next three say how
   Vec3 seam_{0.0};        // two or three hold: along the seam of the first two
   double seam_cosine_ = 0.0;
-  std::array<Vec3, 3> holds_{};  // three hold: while the pull leads against each of these
-  Vec3 free_from_{0.0};  // free: no ball is within free_gap_ of this place
+  std::array<Vec3, 3> holds_{};  // three hold: while the displacement leads against each of these
+  Vec3 free_from_{0.0};          // free: no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
   Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;

@@ -35,28 +35,23 @@ SphereMesh::SphereMesh(int count) {
   finish();
 }
 
-void SphereMesh::addFace(std::int32_t a, std::int32_t b, std::int32_t c) {
-  faces_.emplace_back().corners = {a, b, c};
-}
+void SphereMesh::addFace(std::int32_t a, std::int32_t b, std::int32_t c) { faces_.emplace_back().corners = {a, b, c}; }
 
 void SphereMesh::subdivide(int levels) {
   const double g = std::numbers::phi;
   for (const Vec3& v :
-       {Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g), Vec3(0, 1, g),
-        Vec3(0, -1, -g), Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1)})
+       {Vec3(-1, g, 0), Vec3(1, g, 0), Vec3(-1, -g, 0), Vec3(1, -g, 0), Vec3(0, -1, g), Vec3(0, 1, g), Vec3(0, -1, -g),
+        Vec3(0, 1, -g), Vec3(g, 0, -1), Vec3(g, 0, 1), Vec3(-g, 0, -1), Vec3(-g, 0, 1)})
     vertices_.push_back(glm::normalize(v));
   // Three vertices at the least distance from one another are a face; the order of the last two gives its
   // outside.
   std::vector<std::array<std::int32_t, 3>> triangles;
-  const auto near = [&](int a, int b) {
-    return glm::dot(vertices_[std::size_t(a)], vertices_[std::size_t(b)]) > 0.4;
-  };
+  const auto near = [&](int a, int b) { return glm::dot(vertices_[std::size_t(a)], vertices_[std::size_t(b)]) > 0.4; };
   for (int a = 0; a < 12; ++a)
     for (int b = a + 1; b < 12; ++b)
       for (int c = b + 1; c < 12; ++c) {
         if (!near(a, b) || !near(b, c) || !near(a, c)) continue;
-        const Vec3 &p = vertices_[std::size_t(a)], &q = vertices_[std::size_t(b)],
-                   &r = vertices_[std::size_t(c)];
+        const Vec3 &p = vertices_[std::size_t(a)], &q = vertices_[std::size_t(b)], &r = vertices_[std::size_t(c)];
         if (glm::dot(glm::cross(q - p, r - p), p) > 0)
           triangles.push_back({a, b, c});
         else
@@ -85,8 +80,7 @@ void SphereMesh::makeBands(int bands, int sectors) {
   for (int b = 1; b < bands; ++b)
     for (int s = 0; s < sectors; ++s) {
       const double theta = pi * b / bands, turn = 2 * pi * s / sectors;
-      vertices_.push_back(
-          {std::sin(theta) * std::cos(turn), std::sin(theta) * std::sin(turn), std::cos(theta)});
+      vertices_.push_back({std::sin(theta) * std::cos(turn), std::sin(theta) * std::sin(turn), std::cos(theta)});
     }
   const auto south = std::int32_t(vertices_.size());
   vertices_.push_back({0, 0, -1});
@@ -106,13 +100,10 @@ void SphereMesh::finish() {
   double least = 1.0;
   for (std::size_t f = 0; f < faces_.size(); ++f) {
     Face& face = faces_[f];
-    const auto corner = [&](std::size_t k) -> const Vec3& {
-      return vertices_[std::size_t(face.corners[k % 3])];
-    };
+    const auto corner = [&](std::size_t k) -> const Vec3& { return vertices_[std::size_t(face.corners[k % 3])]; };
     face.normal = glm::normalize(glm::cross(corner(1) - corner(0), corner(2) - corner(0)));
-    face.height = (glm::dot(face.normal, corner(0)) + glm::dot(face.normal, corner(1)) +
-                   glm::dot(face.normal, corner(2))) /
-                  3.0;
+    face.height =
+        (glm::dot(face.normal, corner(0)) + glm::dot(face.normal, corner(1)) + glm::dot(face.normal, corner(2))) / 3.0;
     assert(face.height > 0);
     for (std::size_t k = 0; k < 3; ++k) {
       face.out[k] = glm::normalize(glm::cross(corner(k + 1) - corner(k), face.normal));
@@ -124,8 +115,7 @@ void SphereMesh::finish() {
     leaves_.push_back(std::int32_t(f));
   }
   for (Face& face : faces_)
-    for (std::size_t k = 0; k < 3; ++k)
-      face.across[k] = face_of_edge.at({face.corners[(k + 1) % 3], face.corners[k]});
+    for (std::size_t k = 0; k < 3; ++k) face.across[k] = face_of_edge.at({face.corners[(k + 1) % 3], face.corners[k]});
   sagitta_ = 1.0 - least;
   nodes_.reserve(faces_.size());
   makeNode(0, std::int32_t(faces_.size()));
@@ -148,7 +138,8 @@ std::int32_t SphereMesh::faceAbout(const Vec3& direction) const noexcept {
   const double far = a[axis];
   if (!(far > 0.0)) return 0;
   const auto cell = [&](int k) { return std::min(kTable - 1, int((direction[k % 3] / far + 1.0) * (0.5 * kTable))); };
-  return about_[std::size_t(((2 * axis + (direction[axis] > 0.0)) * kTable + cell(axis + 1)) * kTable + cell(axis + 2))];
+  return about_[std::size_t(((2 * axis + (direction[axis] > 0.0)) * kTable + cell(axis + 1)) * kTable +
+                            cell(axis + 2))];
 }
 
 std::int32_t SphereMesh::makeNode(std::int32_t first, std::int32_t count) {
@@ -165,8 +156,7 @@ std::int32_t SphereMesh::makeNode(std::int32_t first, std::int32_t count) {
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
   const auto middle = [&](std::int32_t f) {
     const auto& c = faces_[std::size_t(f)].corners;
-    return vertices_[std::size_t(c[0])][axis] + vertices_[std::size_t(c[1])][axis] +
-           vertices_[std::size_t(c[2])][axis];
+    return vertices_[std::size_t(c[0])][axis] + vertices_[std::size_t(c[1])][axis] + vertices_[std::size_t(c[2])][axis];
   };
   const auto begin = leaves_.begin() + first;
   std::nth_element(begin, begin + count / 2, begin + count, [&](std::int32_t a, std::int32_t b) {
@@ -187,8 +177,7 @@ std::size_t SphereMesh::bytes() const {
 
 SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& way, double before) const noexcept {
   Entry best{before, -1};
-  const Vec3 per_way =
-      1.0 / way;  // infinite where the way has no share in an axis; the comparisons below bear that
+  const Vec3 per_way = 1.0 / way;  // infinite where the way has no share in an axis; the comparisons below bear that
   std::int32_t stack[32];
   int waiting = 0;
   stack[waiting++] = 0;
@@ -222,8 +211,7 @@ SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& way, double be
       const double t = above <= kSkin ? 0.0 : above / falls;
       if (t >= best.t) continue;
       const Vec3 x = from + way * t;
-      if (glm::dot(face.out[0], x) <= face.reach[0] + kEdge &&
-          glm::dot(face.out[1], x) <= face.reach[1] + kEdge &&
+      if (glm::dot(face.out[0], x) <= face.reach[0] + kEdge && glm::dot(face.out[1], x) <= face.reach[1] + kEdge &&
           glm::dot(face.out[2], x) <= face.reach[2] + kEdge)
         best = {t, f};
     }

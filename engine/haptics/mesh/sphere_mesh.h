@@ -27,10 +27,10 @@ class SphereMesh {
   static std::shared_ptr<const SphereMesh> ofTriangles(int count);
 
   struct Face {
-    Vec3 normal{0.0};               ///< unit, outward
-    double height = 0.0;            ///< the plane is dot(normal, x) = height
-    std::array<Vec3, 3> out{};      ///< unit, in the plane, outward over edge k (from corner k to k + 1)
-    std::array<double, 3> reach{};  ///< the triangle is dot(out[k], x) <= reach[k] in its plane
+    Vec3 normal{0.0};                      ///< unit, outward
+    double height = 0.0;                   ///< the plane is dot(normal, x) = height
+    std::array<Vec3, 3> out{};             ///< unit, in the plane, outward over edge k (from corner k to k + 1)
+    std::array<double, 3> reach{};         ///< the triangle is dot(out[k], x) <= reach[k] in its plane
     std::array<std::int32_t, 3> across{};  ///< the face beyond edge k
     std::array<std::int32_t, 3> corners{};
   };

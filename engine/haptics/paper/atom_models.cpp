@@ -9,8 +9,7 @@ namespace moltact::paper {
 AtomModels::AtomModels(const BallScene& scene) {
   const std::size_t others = std::min(scene.size() - std::min<std::size_t>(scene.size(), 1), kMostCones);
   cones_each_ = others;
-  points_each_ =
-      std::min(others * (others - std::min<std::size_t>(others, 1)), kMostPoints);  // two points a pair
+  points_each_ = std::min(others * (others - std::min<std::size_t>(others, 1)), kMostPoints);  // two points a pair
   slots_.resize(std::min(scene.size(), kModels));
   cones_.resize(slots_.size() * cones_each_);
   points_.resize(slots_.size() * points_each_);
@@ -32,8 +31,7 @@ AtomModel AtomModels::model(const BallScene& scene, std::int32_t atom, double pr
           {points_.data() + slot * points_each_, slots_[slot].points}};
 }
 
-void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t atom,
-                         double probe_A) noexcept {
+void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t atom, double probe_A) noexcept {
   const Ball& own = scene[std::size_t(atom)];
   const double R = own.radius_A + probe_A;
   Cone* const cones = cones_.data() + slot * cones_each_;
@@ -69,8 +67,7 @@ void AtomModels::prepare(const BallScene& scene, std::size_t slot, std::int32_t 
       if (!both) continue;
       // A point has three circles: two spheres that only touch have none, whatever rounding makes of their
       // one place.
-      if (!intersectionCircle(second.centre_A, second.radius_A + probe_A, third.centre_A,
-                              third.radius_A + probe_A))
+      if (!intersectionCircle(second.centre_A, second.radius_A + probe_A, third.centre_A, third.radius_A + probe_A))
         continue;
       points[point_count++] = {both->P0, cones[i].neighbour, cones[j].neighbour};
       points[point_count++] = {both->P1, cones[i].neighbour, cones[j].neighbour};
@@ -87,8 +84,7 @@ std::size_t AtomModels::held() const noexcept {
 }
 
 std::size_t AtomModels::bytes() const noexcept {
-  return slots_.capacity() * sizeof(Slot) + cones_.capacity() * sizeof(Cone) +
-         points_.capacity() * sizeof(ModelPoint);
+  return slots_.capacity() * sizeof(Slot) + cones_.capacity() * sizeof(Cone) + points_.capacity() * sizeof(ModelPoint);
 }
 
 }  // namespace moltact::paper

@@ -14,9 +14,7 @@ bool insideCone(const Cone& cone, const Vec3& hip) {
   return glm::dot(from_apex, c.axis) * slant >= c.height * glm::length(from_apex);
 }
 
-bool pastBase(const Cone& cone, const Vec3& hip) {
-  return glm::dot(hip - cone.circle.centre, cone.circle.axis) > 0.0;
-}
+bool pastBase(const Cone& cone, const Vec3& hip) { return glm::dot(hip - cone.circle.centre, cone.circle.axis) > 0.0; }
 
 Cone neighbourCone(const Cone& cone, const Vec3& neighbour_centre) {
   Cone out = cone;

@@ -14,11 +14,10 @@ namespace moltact::paper {
 double circleHeight(double R, double r, double d);
 
 struct IntersectionCircle {
-  Vec3 centre{0.0};  ///< C1
-  Vec3 axis{1.0, 0.0,
-            0.0};  ///< unit vector from the first sphere's centre to the second's (the paper's S^, later n)
-  double radius = 0.0;  ///< a, above 0
-  double height = 0.0;  ///< x, from the first centre to the circle's plane along the axis
+  Vec3 centre{0.0};          ///< C1
+  Vec3 axis{1.0, 0.0, 0.0};  ///< unit vector from the first sphere's centre to the second's (the paper's S^, later n)
+  double radius = 0.0;       ///< a, above 0
+  double height = 0.0;       ///< x, from the first centre to the circle's plane along the axis
 };
 
 /// Equations 2 to 4 for spheres (S0, R) and (S1, r). Empty where there is no circle: spheres apart, one

@@ -4,8 +4,7 @@
 
 namespace moltact::paper {
 
-std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& circle, const Vec3& S2,
-                                                     double r) {
+std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& circle, const Vec3& S2, double r) {
   const Vec3& n = circle.axis;
   const Vec3& C1 = circle.centre;
   const double R = circle.radius;

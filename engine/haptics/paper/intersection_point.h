@@ -17,8 +17,7 @@ struct IntersectionPoints {
 
 /// Equations 5 and 6: where the circle of two spheres meets a third sphere of centre S2 and radius r. Empty
 /// where it does not, or only touches it, or lies on it all round.
-std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& circle, const Vec3& S2,
-                                                     double r);
+std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& circle, const Vec3& S2, double r);
 
 /// One plane of a point (equation 7), through the point and the axis of one of its circles.
 struct PointPlane {

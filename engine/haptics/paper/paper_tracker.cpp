@@ -18,7 +18,7 @@ void PaperTracker::reset() noexcept {
   models_.clear();
 }
 
-Footprint PaperTracker::footprint() const noexcept {
+MemoryUsage PaperTracker::memoryUsage() const noexcept {
   return {models_.held(), scene_->bytes() + models_.bytes() + sizeof *this};
 }
 
@@ -79,8 +79,7 @@ bool PaperTracker::insideSphere(std::int32_t atom, const Vec3& hip) const {
 }
 
 std::optional<paper::Cone> PaperTracker::coneOf(std::int32_t atom, std::int32_t neighbour) const {
-  const auto circle =
-      paper::intersectionCircle(centre(atom), radius(atom), centre(neighbour), radius(neighbour));
+  const auto circle = paper::intersectionCircle(centre(atom), radius(atom), centre(neighbour), radius(neighbour));
   if (!circle) return std::nullopt;
   return paper::Cone{*circle, centre(atom), atom, neighbour};
 }
@@ -134,8 +133,8 @@ void PaperTracker::findPoint(const Vec3& hip) {
     const Vec3 off = p.P - from;
     const double away2 = glm::dot(off, off);
     if (!(away2 < nearest2)) continue;
-    const auto volume = paper::pointVolume(p.P, {atom_, p.second, p.third},
-                                           {centre(atom_), centre(p.second), centre(p.third)});
+    const auto volume =
+        paper::pointVolume(p.P, {atom_, p.second, p.third}, {centre(atom_), centre(p.second), centre(p.third)});
     if (!volume || volume->crossed(hip)) continue;
     nearest2 = away2;
     volume_ = *volume;
@@ -183,8 +182,7 @@ void PaperTracker::setProbe(double probe_A) noexcept {
     if (const auto cone = coneOf(ids[0], ids[1]))
       if (const auto both = paper::intersectionPoints(cone->circle, centre(ids[2]), radius(ids[2]))) {
         const bool first = glm::distance(both->P0, scp_) <= glm::distance(both->P1, scp_);
-        volume = paper::pointVolume(first ? both->P0 : both->P1, ids,
-                                    {centre(ids[0]), centre(ids[1]), centre(ids[2])});
+        volume = paper::pointVolume(first ? both->P0 : both->P1, ids, {centre(ids[0]), centre(ids[1]), centre(ids[2])});
       }
     if (volume) {
       volume_ = *volume;

@@ -29,7 +29,7 @@ class PaperTracker final : public Tracker {
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
   double probe_A() const noexcept override { return probe_; }
-  Footprint footprint() const noexcept override;
+  MemoryUsage memoryUsage() const noexcept override;
 
  private:
   double radius(std::int32_t atom) const { return (*scene_)[std::size_t(atom)].radius_A + probe_; }

@@ -5,8 +5,7 @@
 
 namespace moltact {
 
-PenaltyTracker::PenaltyTracker(std::shared_ptr<const BallScene> scene, double probe_A)
-    : nearby_(std::move(scene)) {
+PenaltyTracker::PenaltyTracker(std::shared_ptr<const BallScene> scene, double probe_A) : nearby_(std::move(scene)) {
   nearby_.setProbe(usableProbe_A(probe_A, kWaterProbe_A));
 }
 
@@ -20,7 +19,7 @@ void PenaltyTracker::setProbe(double probe_A) noexcept {
   free_gap_ = 0.0;
 }
 
-Footprint PenaltyTracker::footprint() const noexcept { return {0, sizeof(*this) + nearby_.scene().bytes()}; }
+MemoryUsage PenaltyTracker::memoryUsage() const noexcept { return {0, sizeof(*this) + nearby_.scene().bytes()}; }
 
 Contact PenaltyTracker::step(PointA hip) noexcept {
   if (!usableHip(hip.A)) return refusedHip(hip, last_);

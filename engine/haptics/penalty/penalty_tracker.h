@@ -24,7 +24,7 @@ class PenaltyTracker final : public Tracker {
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
-  Footprint footprint() const noexcept override;
+  MemoryUsage memoryUsage() const noexcept override;
 
  private:
   NearbyBalls nearby_;

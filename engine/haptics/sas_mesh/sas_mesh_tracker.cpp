@@ -30,7 +30,9 @@ void SasMeshTracker::reset() noexcept {
   free_gap_ = 0.0;
 }
 
-Footprint SasMeshTracker::footprint() const noexcept { return {mesh_->balls(), sizeof(*this) + mesh_->bytes() + scene_->bytes()}; }
+MemoryUsage SasMeshTracker::memoryUsage() const noexcept {
+  return {mesh_->balls(), sizeof(*this) + mesh_->bytes() + scene_->bytes()};
+}
 
 Contact SasMeshTracker::step(PointA hip) noexcept {
   if (!usableHip(hip.A)) return refusedHip(hip, origin_ + scp_);
@@ -51,34 +53,36 @@ Contact SasMeshTracker::step(PointA hip) noexcept {
       return {.scp = hip};
     }
   }
-  Went went = Went::Short;
+  SlideResult result = SlideResult::Short;
   for (int turn = 0; turn < kMostTurns; ++turn) {
     if (on_ != On::Nothing) {
-      went = walk(h);
-      if (went == Went::Leaves) on_ = On::Nothing;
+      result = walk(h);
+      if (result == SlideResult::Leaves) on_ = On::Nothing;
     } else {
-      went = fly(h);
+      result = fly(h);
     }
-    if (went == Went::Arrived || went == Went::Rests || went == Went::Short) break;
+    if (result == SlideResult::Arrived || result == SlideResult::Rests || result == SlideResult::Short) break;
   }
-  if (went == Went::Arrived) return {.scp = hip};
-  if (went != Went::Rests) ++cut_short_;
+  if (result == SlideResult::Arrived) return {.scp = hip};
+  if (result != SlideResult::Rests) ++cut_short_;
   if (on_ == On::Nothing) return {.scp = {origin_ + scp_}, .feature = Feature::Sphere};
-  return {.scp = {origin_ + scp_}, .atoms = {mesh_->triangles()[std::size_t(triangle_)].ball, -1, -1}, .feature = Feature::Sphere};
+  return {.scp = {origin_ + scp_},
+          .atoms = {mesh_->triangles()[std::size_t(triangle_)].ball, -1, -1},
+          .feature = Feature::Sphere};
 }
 
-SasMeshTracker::Went SasMeshTracker::fly(const Vec3& h) noexcept {
+SasMeshTracker::SlideResult SasMeshTracker::fly(const Vec3& h) noexcept {
   const Vec3 way = h - scp_;
   const SurfaceMesh::Hit hit = mesh_->cast(scp_, way);
   if (hit.triangle < 0) {
     scp_ = free_from_ = h;
     free_gap_ = clearance(*scene_, probe_, origin_ + h) - margin_;
-    return Went::Arrived;
+    return SlideResult::Arrived;
   }
   scp_ += way * hit.t;
   goToTriangle(hit.triangle);
   scp_ -= plane_.normal * (glm::dot(plane_.normal, scp_) - plane_.height);
-  return Went::Meets;
+  return SlideResult::Meets;
 }
 
 void SasMeshTracker::goToTriangle(std::int32_t triangle) noexcept {
@@ -97,15 +101,17 @@ void SasMeshTracker::goToEdge(std::int32_t triangle, std::int32_t edge) noexcept
   beyond_ = mesh_->plane(other_);
   const auto& back = mesh_->triangles()[std::size_t(other_)];
   const std::int32_t from = t.corners[std::size_t(edge)], to = t.corners[std::size_t((edge + 1) % 3)];
-  other_edge_ = back.corners[0] == to && back.corners[1] == from ? 0 : back.corners[1] == to && back.corners[2] == from ? 1 : 2;
+  other_edge_ = back.corners[0] == to && back.corners[1] == from   ? 0
+                : back.corners[1] == to && back.corners[2] == from ? 1
+                                                                   : 2;
   edge_from_ = mesh_->vertices()[std::size_t(from)];
   const Vec3 way = mesh_->vertices()[std::size_t(to)] - edge_from_;
   edge_length_ = glm::length(way);
   edge_along_ = way / edge_length_;
 }
 
-// Its triangles in turn, and the normal that tells outside from inside where the corner itself is nearest (Baerentzen & Aanaes
-// 2005: the triangles' normals, weighted by their angles).
+// Its triangles in turn, and the normal that tells outside from inside where the corner itself is nearest (Baerentzen &
+// Aanaes 2005: the triangles' normals, weighted by their angles).
 void SasMeshTracker::goToCorner(std::int32_t triangle, std::int32_t corner) noexcept {
   on_ = On::Corner;
   triangle_ = triangle;
@@ -133,18 +139,20 @@ void SasMeshTracker::goToCorner(std::int32_t triangle, std::int32_t corner) noex
   } while (at != triangle && round_count_ < kMostRound);
 }
 
-SasMeshTracker::Went SasMeshTracker::walk(const Vec3& h) noexcept {
+SasMeshTracker::SlideResult SasMeshTracker::walk(const Vec3& h) noexcept {
   int stuck = 0;
   for (int piece = 0; piece < kMostPieces && stuck < kMostStuck; ++piece) {
-    const Went went = on_ == On::Triangle ? overTriangle(h, stuck) : on_ == On::Edge ? alongEdge(h, stuck) : fromCorner(h, stuck);
-    if (went != Went::Meets) return went;
+    const SlideResult result = on_ == On::Triangle ? overTriangle(h, stuck)
+                               : on_ == On::Edge   ? alongEdge(h, stuck)
+                                                   : fromCorner(h, stuck);
+    if (result != SlideResult::Meets) return result;
   }
-  return Went::Short;
+  return SlideResult::Short;
 }
 
-SasMeshTracker::Went SasMeshTracker::overTriangle(const Vec3& h, int& stuck) noexcept {
+SasMeshTracker::SlideResult SasMeshTracker::overTriangle(const Vec3& h, int& stuck) noexcept {
   const double height = glm::dot(plane_.normal, h) - plane_.height;
-  if (height >= 0.0) return Went::Leaves;
+  if (height >= 0.0) return SlideResult::Leaves;
   const Vec3 foot = h - plane_.normal * height;
   double t = 1.0;
   int over = -1;
@@ -156,7 +164,7 @@ SasMeshTracker::Went SasMeshTracker::overTriangle(const Vec3& h, int& stuck) noe
   }
   if (over < 0) {
     scp_ = foot;
-    return Went::Rests;
+    return SlideResult::Rests;
   }
   const Vec3 way = foot - scp_;
   stuck = t * glm::length(way) > kMoved_A ? 0 : stuck + 1;
@@ -169,67 +177,70 @@ SasMeshTracker::Went SasMeshTracker::overTriangle(const Vec3& h, int& stuck) noe
     goToCorner(triangle_, (over + 1) % 3);
   else
     scp_ = edge_from_ + edge_along_ * along;
-  return Went::Meets;
+  return SlideResult::Meets;
 }
 
-// Of the ways that lead on from a border, the one that goes down |x - h|^2 the most; whether the HIP is seen from outside is
-// told by the side of what lies nearest to it.
-SasMeshTracker::Went SasMeshTracker::alongEdge(const Vec3& h, int& stuck) noexcept {
-  const Vec3 pull = h - scp_;
-  const double least = kInto * glm::length(pull);
-  const double up = glm::dot(pull, plane_.normal), up_beyond = glm::dot(pull, beyond_.normal), along = glm::dot(pull, edge_along_);
-  const bool here = glm::dot(pull, plane_.out[std::size_t(edge_)]) < -least, there = glm::dot(pull, beyond_.out[other_edge_]) < -least;
-  const double pull2 = glm::dot(pull, pull), gain = pull2 - up * up, gain_beyond = pull2 - up_beyond * up_beyond;
+// Of the ways that lead on from a border, the one that goes down |x - h|^2 the most; whether the HIP is seen from
+// outside is told by the side of what lies nearest to it.
+SasMeshTracker::SlideResult SasMeshTracker::alongEdge(const Vec3& h, int& stuck) noexcept {
+  const Vec3 displacement = h - scp_;
+  const double least = kInto * glm::length(displacement);
+  const double up = glm::dot(displacement, plane_.normal), up_beyond = glm::dot(displacement, beyond_.normal),
+               along = glm::dot(displacement, edge_along_);
+  const bool here = glm::dot(displacement, plane_.out[std::size_t(edge_)]) < -least,
+             there = glm::dot(displacement, beyond_.out[other_edge_]) < -least;
+  const double pull2 = glm::dot(displacement, displacement), gain = pull2 - up * up,
+               gain_beyond = pull2 - up_beyond * up_beyond;
   if (here && (!there || gain >= gain_beyond)) {
-    if (up > 0.0) return Went::Leaves;
+    if (up > 0.0) return SlideResult::Leaves;
     ++stuck;
     on_ = On::Triangle;
-    return Went::Meets;
+    return SlideResult::Meets;
   }
   if (there) {
-    if (up_beyond > 0.0) return Went::Leaves;
+    if (up_beyond > 0.0) return SlideResult::Leaves;
     ++stuck;
     on_ = On::Triangle;
     triangle_ = other_;
     plane_ = beyond_;
-    return Went::Meets;
+    return SlideResult::Meets;
   }
-  if (up + up_beyond > 0.0) return Went::Leaves;
+  if (up + up_beyond > 0.0) return SlideResult::Leaves;
   const double at = glm::dot(scp_ - edge_from_, edge_along_), to = at + along;
   if (to > kCorner_A && to < edge_length_ - kCorner_A) {
     scp_ = edge_from_ + edge_along_ * to;
-    return Went::Rests;
+    return SlideResult::Rests;
   }
   stuck = std::abs(along) > kMoved_A ? 0 : stuck + 1;
   goToCorner(triangle_, to <= kCorner_A ? edge_ : (edge_ + 1) % 3);
-  return Went::Meets;
+  return SlideResult::Meets;
 }
 
-SasMeshTracker::Went SasMeshTracker::fromCorner(const Vec3& h, int& stuck) noexcept {
-  const Vec3 pull = h - scp_;
-  const double pull2 = glm::dot(pull, pull), least = kInto * std::sqrt(pull2);
+SasMeshTracker::SlideResult SasMeshTracker::fromCorner(const Vec3& h, int& stuck) noexcept {
+  const Vec3 displacement = h - scp_;
+  const double pull2 = glm::dot(displacement, displacement), least = kInto * std::sqrt(pull2);
   double best = 0.0;
   std::size_t by = 0;
   bool on_edge = false;
   for (std::size_t k = 0; k < round_count_; ++k) {
     const Wedge& w = round_[k];
-    const double along = glm::dot(pull, w.along);
+    const double along = glm::dot(displacement, w.along);
     if (along > least && along * along > best) best = along * along, by = k, on_edge = true;
-    if (glm::dot(pull, w.in_right) <= least || glm::dot(pull, w.in_left) <= least) continue;
-    const double up = glm::dot(pull, w.normal);
+    if (glm::dot(displacement, w.in_right) <= least || glm::dot(displacement, w.in_left) <= least) continue;
+    const double up = glm::dot(displacement, w.normal);
     if (pull2 - up * up > best) best = pull2 - up * up, by = k, on_edge = false;
   }
-  if (best == 0.0) return glm::dot(pull, corner_normal_) > 0.0 ? Went::Leaves : Went::Rests;
+  if (best == 0.0) return glm::dot(displacement, corner_normal_) > 0.0 ? SlideResult::Leaves : SlideResult::Rests;
   const Wedge& w = round_[by];
   const Vec3 side = on_edge ? w.normal + round_[(by + round_count_ - 1) % round_count_].normal : w.normal;
-  if (glm::dot(pull, side) > 0.0) return Went::Leaves;
+  if (glm::dot(displacement, side) > 0.0) return SlideResult::Leaves;
   ++stuck;
   const std::int32_t triangle = w.triangle, edge = w.edge;
   if (on_edge)
     goToEdge(triangle, edge);
   else
     goToTriangle(triangle);
-  return Went::Meets;
+  return SlideResult::Meets;
 }
 
 }  // namespace moltact

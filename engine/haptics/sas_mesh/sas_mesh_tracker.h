@@ -1,13 +1,14 @@
-// The god-object on one manifold mesh of the solvent-accessible surface (surface_mesh.h): what a polygonal tracker can do at its
-// best, with everything prepared. In flight the SCP goes straight to the HIP, and the mesh's tree of boxes tells which triangle
-// it meets. In contact it goes down |x - h|^2 over the mesh from triangle to triangle (neighbour tracking, Ho, Basdogan &
-// Srinivasan 1999): on a triangle, along an edge in a crease, or in a corner, always the steepest way that stays outside. The
-// mesh has no inner faces and crosses itself nowhere, so in contact nothing is searched.
+// The god-object on one manifold mesh of the solvent-accessible surface (surface_mesh.h): what a polygonal tracker can
+// do at its best, with everything prepared. In flight the SCP goes straight to the HIP, and the mesh's tree of boxes
+// tells which triangle it meets. In contact it goes down |x - h|^2 over the mesh from triangle to triangle (neighbour
+// tracking, Ho, Basdogan & Srinivasan 1999): on a triangle, along an edge in a crease, or in a corner, always the
+// steepest way that stays outside. The mesh has no inner faces and crosses itself nowhere, so in contact nothing is
+// searched.
 //
 // Only for the probe that it was made for: the whole mesh would have to be made anew for another, so setProbe() changes
-// nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then leaps, and the force
-// turns by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, or a thin wall open.
-// Feature: Sphere with the triangle's ball. Haptic thread; no allocation after construction. Units: angstrom.
+// nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then leaps, and the
+// force turns by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, or a thin wall
+// open. Feature: Sphere with the triangle's ball. Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -26,7 +27,7 @@ class SasMeshTracker final : public Tracker {
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return probe_; }
   /// Atoms modelled: all that have a part in the surface.
-  Footprint footprint() const noexcept override;
+  MemoryUsage memoryUsage() const noexcept override;
 
   const SurfaceMesh& mesh() const noexcept { return *mesh_; }
   /// Ticks in which the SCP did not come to rest; it then lags, outside.
@@ -36,19 +37,19 @@ class SasMeshTracker final : public Tracker {
 
  private:
   enum class On : std::uint8_t { Nothing, Triangle, Edge, Corner };
-  enum class Went : std::uint8_t { Arrived, Meets, Leaves, Rests, Short };
+  enum class SlideResult : std::uint8_t { Arrived, Meets, Leaves, Rests, Short };
   static constexpr std::size_t kMostRound = 32;  // triangles round a corner
-  struct Wedge {  // one of those, with its edge on the right seen from outside
+  struct Wedge {                                 // one of those, with its edge on the right seen from outside
     std::int32_t triangle;
     std::int32_t edge;  // of the triangle: leads from the corner
     Vec3 normal, along, in_right, in_left;
   };
 
-  Went fly(const Vec3& hip) noexcept;
-  Went walk(const Vec3& hip) noexcept;
-  Went overTriangle(const Vec3& hip, int& stuck) noexcept;
-  Went alongEdge(const Vec3& hip, int& stuck) noexcept;
-  Went fromCorner(const Vec3& hip, int& stuck) noexcept;
+  SlideResult fly(const Vec3& hip) noexcept;
+  SlideResult walk(const Vec3& hip) noexcept;
+  SlideResult overTriangle(const Vec3& hip, int& stuck) noexcept;
+  SlideResult alongEdge(const Vec3& hip, int& stuck) noexcept;
+  SlideResult fromCorner(const Vec3& hip, int& stuck) noexcept;
   void goToTriangle(std::int32_t triangle) noexcept;
   void goToEdge(std::int32_t triangle, std::int32_t edge) noexcept;
   void goToCorner(std::int32_t triangle, std::int32_t corner) noexcept;

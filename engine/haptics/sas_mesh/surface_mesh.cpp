@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kAside_A = 1e-9;  // a way so little beside a triangle meets it: no gap between two triangles
 
-constexpr double kAlong = 1e-10;   // sine of the angle under which a way is along a border
+constexpr double kAlong = 1e-10;  // sine of the angle under which a way is along a border
 
 // The bits of a 21-bit number, two apart.
 std::uint64_t spread(std::uint64_t x) {
@@ -74,7 +74,9 @@ void SurfaceMesh::sortByPlace() {
   std::vector<std::pair<std::uint64_t, std::int32_t>> order(triangles_.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     const auto& c = triangles_[k].corners;
-    order[k] = {code((vertices_[std::size_t(c[0])] + vertices_[std::size_t(c[1])] + vertices_[std::size_t(c[2])]) / 3.0), std::int32_t(k)};
+    order[k] = {
+        code((vertices_[std::size_t(c[0])] + vertices_[std::size_t(c[1])] + vertices_[std::size_t(c[2])]) / 3.0),
+        std::int32_t(k)};
   }
   std::sort(order.begin(), order.end());
   std::vector<Triangle> sorted;
@@ -107,7 +109,8 @@ void SurfaceMesh::findNeighbours() {
   sides.reserve(3 * triangles_.size());
   for (std::size_t k = 0; k < triangles_.size(); ++k)
     for (int e = 0; e < 3; ++e) {
-      const auto a = std::uint64_t(triangles_[k].corners[std::size_t(e)]), b = std::uint64_t(triangles_[k].corners[std::size_t((e + 1) % 3)]);
+      const auto a = std::uint64_t(triangles_[k].corners[std::size_t(e)]),
+                 b = std::uint64_t(triangles_[k].corners[std::size_t((e + 1) % 3)]);
       sides.push_back({std::min(a, b) << 32 | std::max(a, b), std::int32_t(k), e});
     }
   std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.corners < b.corners; });
@@ -155,7 +158,8 @@ std::int32_t SurfaceMesh::makeNode(std::int32_t first, std::int32_t count) {
 }
 
 std::size_t SurfaceMesh::bytes() const {
-  return sizeof(*this) + vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(Triangle) + nodes_.capacity() * sizeof(Node);
+  return sizeof(*this) + vertices_.capacity() * sizeof(Vec3) + triangles_.capacity() * sizeof(Triangle) +
+         nodes_.capacity() * sizeof(Node);
 }
 
 SurfaceMesh::Plane SurfaceMesh::plane(std::int32_t triangle) const noexcept {

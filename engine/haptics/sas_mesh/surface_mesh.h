@@ -1,16 +1,17 @@
-// One closed mesh of the solvent-accessible surface: the border of the union of all balls, inflated by the probe, without the
-// triangles that lie buried in other balls. With what a constraint tracker needs of it: the neighbour across each edge and a
-// tree of bounding boxes.
+// One closed mesh of the solvent-accessible surface: the border of the union of all balls, inflated by the probe,
+// without the triangles that lie buried in other balls. With what a constraint tracker needs of it: the neighbour
+// across each edge and a tree of bounding boxes.
 //
-// How it is made: the union is sampled at the nodes of a grid; every cell whose corners differ gets a vertex for each sheet of
-// the surface that passes through it, and every grid edge whose ends differ gets a polygon of the vertices round it (dual
-// marching cubes: Ju and others 2002, Nielson 2004). A vertex is put on the sphere that its sheet belongs to, and where a crease
-// or pit of two or three balls passes through the cell, on their circle or point: so the triangles end at the creases, and
-// no corner is cut. Where a face of the grid has four crossings, their two segments get a vertex each, so that the mesh is a
-// manifold: every edge has two triangles. A gap or a bridge narrower than a cell may be missed or closed.
+// How it is made: the union is sampled at the nodes of a grid; every cell whose corners differ gets a vertex for each
+// sheet of the surface that passes through it, and every grid edge whose ends differ gets a polygon of the vertices
+// round it (dual marching cubes: Ju and others 2002, Nielson 2004). A vertex is put on the sphere that its sheet
+// belongs to, and where a crease or pit of two or three balls passes through the cell, on their circle or point: so the
+// triangles end at the creases, and no corner is cut. Where a face of the grid has four crossings, their two segments
+// get a vertex each, so that the mesh is a manifold: every edge has two triangles. A gap or a bridge narrower than a
+// cell may be missed or closed.
 //
-// Made before touching, for one probe; immutable, so every thread may read it. Units: angstrom; places relative to the origin
-// given.
+// Made before touching, for one probe; immutable, so every thread may read it. Units: angstrom; places relative to the
+// origin given.
 #pragma once
 
 #include <array>
@@ -38,8 +39,8 @@ class SurfaceMesh {
   };
 
   /// The last mesh of each spacing is kept: made again for the same scene and probe it costs nothing.
-  static std::shared_ptr<const SurfaceMesh> of(const std::shared_ptr<const BallScene>& scene, double probe_A, double spacing_A,
-                                               const Vec3& origin);
+  static std::shared_ptr<const SurfaceMesh> of(const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                               double spacing_A, const Vec3& origin);
 
   SurfaceMesh(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin);
 
@@ -53,7 +54,8 @@ class SurfaceMesh {
     double t = 1.0;
     std::int32_t triangle = -1;
   };
-  /// The first triangle that the straight way from `from` to `from + way` enters from outside; triangle -1 if there is none.
+  /// The first triangle that the straight way from `from` to `from + way` enters from outside; triangle -1 if there is
+  /// none.
   Hit cast(const Vec3& from, const Vec3& way) const noexcept;
 
   static constexpr double kSkin_A = 1e-9;  ///< a place so near a plane is on it
@@ -72,7 +74,8 @@ class SurfaceMesh {
   std::vector<Triangle> triangles_;
   struct Node {
     Box box;
-    std::int32_t first, count;  // a leaf's triangles; inner nodes: count 0, the left child follows, `first` is the right one
+    std::int32_t first,
+        count;  // a leaf's triangles; inner nodes: count 0, the left child follows, `first` is the right one
   };
   std::vector<Node> nodes_;
   std::size_t balls_ = 0;

@@ -7,20 +7,22 @@
 namespace moltact {
 namespace {
 
-constexpr int kBlock = 8;             // cells along an edge of a block
-constexpr int kNodes = kBlock + 1;    // nodes along it
+constexpr int kBlock = 8;                // cells along an edge of a block
+constexpr int kNodes = kBlock + 1;       // nodes along it
 constexpr std::int64_t kHalf = 1 << 19;  // cells an axis holds on either side of the grid's zero
-constexpr double kInset = 0.002;      // of the spacing: a vertex keeps so far from its cell's border, so that no two coincide
-constexpr double kDamping = 1e-3;     // of the steps to a vertex's place
-constexpr double kBuried = 0.05;      // weight of lying in a ball against lying off it: a dent lets the SCP by, a dam stops it
+constexpr double kInset =
+    0.002;  // of the spacing: a vertex keeps so far from its cell's border, so that no two coincide
+constexpr double kDamping = 1e-3;  // of the steps to a vertex's place
+constexpr double kBuried =
+    0.05;  // weight of lying in a ball against lying off it: a dent lets the SCP by, a dam stops it
 constexpr int kMostRounds = 40;
 constexpr double kDent = 0.5;  // the same where vertices are mended
 constexpr double kBad = 0.05;  // of the spacing: a vertex so far off is mended
 constexpr int kMendings = 4;
-constexpr double kOutside_A = 1e-7;   // a vertex may lie so deep in a ball
+constexpr double kOutside_A = 1e-7;  // a vertex may lie so deep in a ball
 
-// Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2); edge 4 a + m runs along axis a from the corner whose offset along the
-// next axis is m & 1 and along the one after it m >> 1.
+// Corner k of a cell lies at (k & 1, k >> 1 & 1, k >> 2); edge 4 a + m runs along axis a from the corner whose offset
+// along the next axis is m & 1 and along the one after it m >> 1.
 constexpr int lowCorner(int edge) {
   const int a = edge / 4, m = edge % 4, b = (a + 1) % 3, c = (a + 2) % 3;
   return (m & 1) << b | (m >> 1) << c;
@@ -177,8 +179,8 @@ class Maker {
       bool* row = inside_.data();
       for (int z = 0; z < kNodes; ++z)
         for (int y = 0; y < kNodes; ++y, row += kNodes) {
-          const double dy = zero_.y + h_ * double(first_[1] + y) - n.centre.y, dz = zero_.z + h_ * double(first_[2] + z) - n.centre.z,
-                       apart2 = dy * dy + dz * dz;
+          const double dy = zero_.y + h_ * double(first_[1] + y) - n.centre.y,
+                       dz = zero_.z + h_ * double(first_[2] + z) - n.centre.z, apart2 = dy * dy + dz * dz;
           for (int x = 0; x < kNodes; ++x) {
             const double dx = zero_.x + h_ * double(first_[0] + x) - n.centre.x;
             row[x] = row[x] || dx * dx + apart2 < r2;
@@ -232,7 +234,8 @@ class Maker {
       for (int e = 0; e < 12; ++e)
         if (s.of_edge[std::size_t(e)] == sheet) mine[count++] = cross[std::size_t(e)];
       Vec3 place = placeOf({mine.data(), count}, low + Vec3(kInset * h_), low + Vec3((1.0 - kInset) * h_));
-      for (std::int32_t v = first_vertex; v < std::int32_t(out_.vertices.size()); ++v)  // two sheets that came to the same place
+      for (std::int32_t v = first_vertex; v < std::int32_t(out_.vertices.size());
+           ++v)  // two sheets that came to the same place
         if (glm::distance(out_.vertices[std::size_t(v)], place) < kInset * h_) place = meanOf({mine.data(), count});
       out_.vertices.push_back(place);
     }
@@ -270,7 +273,8 @@ class Maker {
       for (const int e : ends) {
         const int a = e / 4, db = e % 4 & 1, dc = e % 4 >> 1;
         const int between = axis == (a + 1) % 3 ? (dc ? 2 : 0) : (db ? 1 : 3);  // that turn and the next
-        corners_.push_back({edgeKey(at, e), std::uint8_t(2 * between + 1), (mask >> lowCorner(e) & 1) != 0, vertex, -1});
+        corners_.push_back(
+            {edgeKey(at, e), std::uint8_t(2 * between + 1), (mask >> lowCorner(e) & 1) != 0, vertex, -1});
       }
     }
   }
@@ -295,8 +299,8 @@ class Maker {
     return out;
   }
 
-  // The place in the box that lies best on all of the spheres at once: on the circle or point where they meet, if they do so
-  // there. Damped Gauss-Newton steps from x, none out of the box.
+  // The place in the box that lies best on all of the spheres at once: on the circle or point where they meet, if they
+  // do so there. Damped Gauss-Newton steps from x, none out of the box.
   Vec3 bestOn(std::span<const int> balls, Vec3 x, const Vec3& low, const Vec3& high) const {
     for (int round = 0; round < kMostRounds; ++round) {
       // (J^T J + damping) step = -J^T off, J's rows the normals
@@ -330,7 +334,9 @@ class Maker {
   Vec3 placeOf(std::span<const Crossing> cross, const Vec3& low, const Vec3& high) const {
     std::array<int, 16> balls;
     std::size_t count = 0;
-    const auto known = [&](int k) { return std::find(balls.begin(), balls.begin() + count, k) != balls.begin() + count; };
+    const auto known = [&](int k) {
+      return std::find(balls.begin(), balls.begin() + count, k) != balls.begin() + count;
+    };
     for (const Crossing& c : cross)
       if (c.ball >= 0 && !known(c.ball)) balls[count++] = c.ball;
     const Vec3 mean = glm::clamp(meanOf(cross), low, high);
@@ -346,9 +352,8 @@ class Maker {
 
   // Polygons from their corners, cut into triangles.
   void join() {
-    std::sort(corners_.begin(), corners_.end(), [](const Corner& a, const Corner& b) {
-      return a.edge != b.edge ? a.edge < b.edge : a.place < b.place;
-    });
+    std::sort(corners_.begin(), corners_.end(),
+              [](const Corner& a, const Corner& b) { return a.edge != b.edge ? a.edge < b.edge : a.place < b.place; });
     std::vector<std::int32_t> ring;
     for (std::size_t first = 0, last; first < corners_.size(); first = last) {
       ring.clear();
@@ -366,8 +371,10 @@ class Maker {
 
   // How well a triangle faces out of its ball (1: its corners' own direction).
   double facing(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t ball) const {
-    const Vec3 &p = out_.vertices[std::size_t(a)], &q = out_.vertices[std::size_t(b)], &r = out_.vertices[std::size_t(c)];
-    const Vec3 normal = glm::cross(q - p, r - p), out = (p + q + r) / 3.0 - (scene_[std::size_t(ball)].centre_A - origin_);
+    const Vec3 &p = out_.vertices[std::size_t(a)], &q = out_.vertices[std::size_t(b)],
+               &r = out_.vertices[std::size_t(c)];
+    const Vec3 normal = glm::cross(q - p, r - p),
+               out = (p + q + r) / 3.0 - (scene_[std::size_t(ball)].centre_A - origin_);
     const double size = glm::length(normal) * glm::length(out);
     return size > 1e-30 ? glm::dot(normal, out) / size : -1.0;
   }
@@ -387,8 +394,9 @@ class Maker {
       out_.triangles.push_back({{ring[from], ring[(from + k) % n], ring[(from + k + 1) % n]}, ball});
   }
 
-  // Where creases run closer together than a cell one vertex cannot lie on all of them, and the triangles about it stand in the
-  // SCP's way or fold over. Such a vertex is put where the worst of its triangles is best, in the cell or out of it.
+  // Where creases run closer together than a cell one vertex cannot lie on all of them, and the triangles about it
+  // stand in the SCP's way or fold over. Such a vertex is put where the worst of its triangles is best, in the cell or
+  // out of it.
   void mend() {
     std::vector<std::int32_t> begin(out_.vertices.size() + 1, 0), star(3 * out_.triangles.size());
     for (const auto& t : out_.triangles)
@@ -396,13 +404,15 @@ class Maker {
     for (std::size_t v = 0; v + 1 < begin.size(); ++v) begin[v + 1] += begin[v];
     std::vector<std::int32_t> fill(begin.begin(), begin.end() - 1);
     for (std::size_t k = 0; k < out_.triangles.size(); ++k)
-      for (const std::int32_t v : out_.triangles[k].corners) star[std::size_t(fill[std::size_t(v)]++)] = std::int32_t(k);
+      for (const std::int32_t v : out_.triangles[k].corners)
+        star[std::size_t(fill[std::size_t(v)]++)] = std::int32_t(k);
     for (int pass = 0; pass < kMendings; ++pass)
       for (std::size_t v = 0; v < out_.vertices.size(); ++v)
         mend(v, {star.data() + begin[v], std::size_t(begin[v + 1] - begin[v])});
   }
 
-  // How bad a vertex is where it is now: the worst of how far it lies off its triangles' spheres and how they are turned.
+  // How bad a vertex is where it is now: the worst of how far it lies off its triangles' spheres and how they are
+  // turned.
   double badness(std::size_t v, std::span<const std::int32_t> star) const {
     const Vec3& x = out_.vertices[v];
     double worst = 0.0;
@@ -412,7 +422,8 @@ class Maker {
         if (std::size_t(c) != v && glm::distance(x, out_.vertices[std::size_t(c)]) < kInset * h_) return 1e3;
       const Ball& b = scene_[std::size_t(t.ball)];
       const double off = glm::distance(x, b.centre_A - origin_) - b.radius_A - probe_;
-      worst = std::max({worst, (off > 0.0 ? 1.0 : -kDent) * off / h_, 0.5 * (1.0 - facing(t.corners[0], t.corners[1], t.corners[2], t.ball))});
+      worst = std::max({worst, (off > 0.0 ? 1.0 : -kDent) * off / h_,
+                        0.5 * (1.0 - facing(t.corners[0], t.corners[1], t.corners[2], t.ball))});
     }
     return worst;
   }
@@ -426,7 +437,8 @@ class Maker {
     std::array<int, 16> all;
     for (const std::int32_t k : star) {
       const auto& t = out_.triangles[std::size_t(k)];
-      for (const std::int32_t c : t.corners) middle += out_.vertices[std::size_t(c)] * (std::size_t(c) == v ? 0.0 : 0.5 / double(star.size()));
+      for (const std::int32_t c : t.corners)
+        middle += out_.vertices[std::size_t(c)] * (std::size_t(c) == v ? 0.0 : 0.5 / double(star.size()));
       const Ball& b = scene_[std::size_t(t.ball)];
       if (near_.size() < all.size() && std::ranges::find(near_, t.ball, &Inflated::index) == near_.end())
         near_.push_back({b.centre_A - origin_, b.radius_A + probe_, t.ball});

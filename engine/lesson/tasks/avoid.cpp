@@ -7,7 +7,9 @@ namespace {
 class Avoid : public Task {
  public:
   Avoid(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), region_(spec.values["avoid"].selection, molecule), name_(targetName(spec, "avoid")),
+      : Task(spec),
+        region_(spec.values["avoid"].selection, molecule),
+        name_(targetName(spec, "avoid")),
         time_s_(spec.values["for"].number) {}
 
   void reset() override {
@@ -37,7 +39,8 @@ class Avoid : public Task {
     for (const std::uint32_t a : everyAtom(view.balls))
       if (!region_.has(static_cast<std::int32_t>(a))) others.push_back(a);
     HandPlan plan;
-    if (const auto place = placeFor(view, openPlaces(view, others, Feature::Sphere))) comeTo(plan, *place, depthFor(view, 0.2), time_s_ + 0.5);
+    if (const auto place = placeFor(view, openPlaces(view, others, Feature::Sphere)))
+      comeTo(plan, *place, depthFor(view, 0.2), time_s_ + 0.5);
     return plan;
   }
 
@@ -48,7 +51,9 @@ class Avoid : public Task {
     return "Touch the surface anywhere except " + name_ + ".";
   }
 
-  void measure(std::vector<TaskFigure>& out) const override { out.push_back({"touches of the region", double(touches_), ""}); }
+  void measure(std::vector<TaskFigure>& out) const override {
+    out.push_back({"touches of the region", double(touches_), ""});
+  }
 
   AtomSet region_;
   std::string name_;
@@ -60,10 +65,19 @@ class Avoid : public Task {
 }  // namespace
 
 TaskKind avoidKind() {
-  return {"avoid", "Feel the surface for a time without touching a region.",
-          {{.name = "avoid", .type = ValueType::Selection, .meaning = "The atoms that must not be touched.", .required = true},
-           {.name = "for", .type = ValueType::Quantity, .meaning = "How long the rest of the surface is to be touched; moving through free space does not count.",
-            .fallback = "10 s", .dimension = Dimension::Time, .least = 0.1, .most = 600.0}},
+  return {"avoid",
+          "Feel the surface for a time without touching a region.",
+          {{.name = "avoid",
+            .type = ValueType::Selection,
+            .meaning = "The atoms that must not be touched.",
+            .required = true},
+           {.name = "for",
+            .type = ValueType::Quantity,
+            .meaning = "How long the rest of the surface is to be touched; moving through free space does not count.",
+            .fallback = "10 s",
+            .dimension = Dimension::Time,
+            .least = 0.1,
+            .most = 600.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Avoid>(s, m); }};
 }
 

@@ -11,7 +11,8 @@ class CompareMethods : public Task {
  public:
   explicit CompareMethods(const TaskSpec& spec) : Task(spec), time_s_(spec.values["for"].number) {
     for (const std::string& name : spec.values["compare"].words)
-      if (std::none_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.method == name; })) parts_.push_back({name, 0.0});
+      if (std::none_of(parts_.begin(), parts_.end(), [&](const Part& p) { return p.method == name; }))
+        parts_.push_back({name, 0.0});
   }
 
   void reset() override {
@@ -60,8 +61,9 @@ class CompareMethods : public Task {
   std::string guidance() const override {
     if (in_use_ && in_use_->felt_s < time_s_) {
       const std::string with = methodTitle(in_use_->method);
-      return touching_ ? "Keep touching with " + with + ": " + timeText(in_use_->felt_s) + " of " + timeText(time_s_) + "."
-                       : "Touch the surface with " + with + ".";
+      return touching_
+                 ? "Keep touching with " + with + ": " + timeText(in_use_->felt_s) + " of " + timeText(time_s_) + "."
+                 : "Touch the surface with " + with + ".";
     }
     for (const Part& p : parts_)
       if (p.felt_s < time_s_) return "Now choose " + methodTitle(p.method) + " in the panel Methods.";
@@ -117,14 +119,17 @@ class ComparePlaces : public Task {
     HandPlan plan;
     for (const Place& p : places_)
       if (p.felt_s < time_s_)
-        if (const auto place = placeFor(view, placesToTouch(view, p.atoms))) comeTo(plan, *place, depthFor(view, 0.3), time_s_ + 0.2);
+        if (const auto place = placeFor(view, placesToTouch(view, p.atoms)))
+          comeTo(plan, *place, depthFor(view, 0.3), time_s_ + 0.2);
     return plan;
   }
 
   std::string guidance() const override {
-    if (here_ && here_->felt_s < time_s_) return "Keep touching " + here_->name + ": " + timeText(here_->felt_s) + " of " + timeText(time_s_) + ".";
+    if (here_ && here_->felt_s < time_s_)
+      return "Keep touching " + here_->name + ": " + timeText(here_->felt_s) + " of " + timeText(time_s_) + ".";
     for (const Place& p : places_)
-      if (p.felt_s < time_s_) return (touching_ && !here_ ? "You are on the surface. Slide on to find " : "Now touch ") + p.name + ".";
+      if (p.felt_s < time_s_)
+        return (touching_ && !here_ ? "You are on the surface. Slide on to find " : "Now touch ") + p.name + ".";
     return {};
   }
 
@@ -157,25 +162,45 @@ void checkCompare(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &compare = spec.values["compare"], &of = spec.values["of"];
   if (!comparesPlaces(spec)) {
     if (of.place.line)
-      problems.push_back({{}, of.place.line, of.place.column, "'of' belongs to 'compare: places'", "take it out or write 'compare: places'"});
+      problems.push_back({{},
+                          of.place.line,
+                          of.place.column,
+                          "'of' belongs to 'compare: places'",
+                          "take it out or write 'compare: places'"});
     return;
   }
   if (compare.words.size() > 1)
-    problems.push_back({{}, compare.place.line, compare.place.column, "'places' stands alone", "write a touch block of its own for the methods"});
+    problems.push_back({{},
+                        compare.place.line,
+                        compare.place.column,
+                        "'places' stands alone",
+                        "write a touch block of its own for the methods"});
   if (of.path.size() < 2)
-    problems.push_back({{}, of.place.line ? of.place.line : compare.place.line, of.place.line ? of.place.column : compare.place.column,
-                        "at least two places are needed to compare", "write them parted by 'then': 'of: residue 4 then residue 9'"});
+    problems.push_back({{},
+                        of.place.line ? of.place.line : compare.place.line,
+                        of.place.line ? of.place.column : compare.place.column,
+                        "at least two places are needed to compare",
+                        "write them parted by 'then': 'of: residue 4 then residue 9'"});
 }
 
 }  // namespace
 
 TaskKind compareKind() {
-  return {"compare", "Touch several places, or touch with several haptic methods, each for a while.",
-          {{.name = "compare", .type = ValueType::WordList, .meaning = "The methods, between which the student switches in any order; or places.",
-            .required = true, .words = thingsToCompare()},
+  return {"compare",
+          "Touch several places, or touch with several haptic methods, each for a while.",
+          {{.name = "compare",
+            .type = ValueType::WordList,
+            .meaning = "The methods, between which the student switches in any order; or places.",
+            .required = true,
+            .words = thingsToCompare()},
            {.name = "of", .type = ValueType::Path, .meaning = "For 'compare: places': the places, parted by 'then'."},
-           {.name = "for", .type = ValueType::Quantity, .meaning = "How long to touch with each.", .fallback = "2 s",
-            .dimension = Dimension::Time, .least = 0.1, .most = 600.0}},
+           {.name = "for",
+            .type = ValueType::Quantity,
+            .meaning = "How long to touch with each.",
+            .fallback = "2 s",
+            .dimension = Dimension::Time,
+            .least = 0.1,
+            .most = 600.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
             if (comparesPlaces(s)) return std::make_unique<ComparePlaces>(s, m);
             return std::make_unique<CompareMethods>(s);

@@ -9,10 +9,13 @@ namespace {
 class Cross : public Task {
  public:
   Cross(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), from_(spec.values["cross"].selection, molecule), to_(spec.values["to"].selection, molecule),
+      : Task(spec),
+        from_(spec.values["cross"].selection, molecule),
+        to_(spec.values["to"].selection, molecule),
         from_name_(targetName(spec, "cross")),
         to_name_(spec.values.has("arrival") ? spec.values["arrival"].text : spec.values["to"].selection.noun()),
-        either_(spec.values["direction"].text == "either"), named_(spec.values.has("called") || spec.values.has("arrival")),
+        either_(spec.values["direction"].text == "either"),
+        named_(spec.values.has("called") || spec.values.has("arrival")),
         times_(static_cast<int>(spec.values["times"].number)) {}
 
   void reset() override {
@@ -114,17 +117,24 @@ class Cross : public Task {
 }  // namespace
 
 TaskKind crossKind() {
-  return {"cross", "Slide from one atom to another without leaving the surface.",
-          {{.name = "cross", .type = ValueType::Selection, .meaning = "The atoms to start on.", .required = true},
-           {.name = "to", .type = ValueType::Selection, .meaning = "The atoms to arrive on; resting on them alone counts.",
-            .required = true},
-           {.name = "arrival", .type = ValueType::Text,
-            .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the start."},
-           {.name = "direction", .type = ValueType::Word, .meaning = "Whether the way back counts as well; 'either' suits atoms that look the same.",
-            .fallback = "forward", .words = {"forward", "either"}},
-           {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .least = 1,
-            .most = 100}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); }};
+  return {
+      "cross",
+      "Slide from one atom to another without leaving the surface.",
+      {{.name = "cross", .type = ValueType::Selection, .meaning = "The atoms to start on.", .required = true},
+       {.name = "to",
+        .type = ValueType::Selection,
+        .meaning = "The atoms to arrive on; resting on them alone counts.",
+        .required = true},
+       {.name = "arrival",
+        .type = ValueType::Text,
+        .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the start."},
+       {.name = "direction",
+        .type = ValueType::Word,
+        .meaning = "Whether the way back counts as well; 'either' suits atoms that look the same.",
+        .fallback = "forward",
+        .words = {"forward", "either"}},
+       {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .least = 1, .most = 100}},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); }};
 }
 
 }  // namespace moltact

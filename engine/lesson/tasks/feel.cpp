@@ -14,9 +14,11 @@ std::string placeName(std::string_view word) {
 /// Each kind of place once, in any order.
 class FeelPlaces : public Task {
  public:
-  FeelPlaces(const TaskSpec& spec, const Molecule& molecule) : Task(spec), where_(spec.values["of"].selection, molecule) {
+  FeelPlaces(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec), where_(spec.values["of"].selection, molecule) {
     for (const std::string& word : spec.values["feel"].words)
-      if (std::none_of(places_.begin(), places_.end(), [&](const Wanted& w) { return w.word == word; })) places_.push_back({word, {}});
+      if (std::none_of(places_.begin(), places_.end(), [&](const Wanted& w) { return w.word == word; }))
+        places_.push_back({word, {}});
   }
 
   void reset() override {
@@ -52,7 +54,8 @@ class FeelPlaces : public Task {
     HandPlan plan;
     for (const Wanted& w : places_)
       if (!w.felt())
-        if (const auto place = placeFor(view, placesToTouch(view, where_, w.word))) comeTo(plan, *place, depthFor(view, 0.2), 0.3);
+        if (const auto place = placeFor(view, placesToTouch(view, where_, w.word)))
+          comeTo(plan, *place, depthFor(view, 0.2), 0.3);
     return plan;
   }
 
@@ -76,7 +79,8 @@ class FeelAtoms : public Task {
   FeelAtoms(const TaskSpec& spec, const Molecule& molecule)
       : Task(spec), where_(spec.values["of"].selection, molecule), watches_(molecule.atoms.size()) {
     // An author may ask for more atoms than the molecule has; all of them are then enough.
-    wanted_ = std::clamp<std::size_t>(static_cast<std::size_t>(spec.values["count"].number), 1, std::max<std::size_t>(where_.count(), 1));
+    wanted_ = std::clamp<std::size_t>(static_cast<std::size_t>(spec.values["count"].number), 1,
+                                      std::max<std::size_t>(where_.count(), 1));
   }
 
   void reset() override {
@@ -108,7 +112,8 @@ class FeelAtoms : public Task {
     std::size_t planned = felt_;
     // Atom by atom, those that stick out first; another attempt begins with others.
     std::vector<SurfacePlace> places = openPlaces(view, left, Feature::Sphere, 20 * wanted_);
-    if (!places.empty()) std::rotate(places.begin(), places.begin() + view.attempt % static_cast<int>(places.size()), places.end());
+    if (!places.empty())
+      std::rotate(places.begin(), places.begin() + view.attempt % static_cast<int>(places.size()), places.end());
     for (const SurfacePlace& place : places) {
       if (planned >= wanted_) break;
       const auto atom = std::find(left.begin(), left.end(), static_cast<std::uint32_t>(place.atoms[0]));
@@ -137,30 +142,45 @@ void checkFeel(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value& places = spec.values["feel"];
   const bool atoms = std::find(places.words.begin(), places.words.end(), "atoms") != places.words.end();
   if (atoms && places.words.size() > 1)
-    problems.push_back({{}, places.place.line, places.place.column, "'atoms' stands alone",
+    problems.push_back({{},
+                        places.place.line,
+                        places.place.column,
+                        "'atoms' stands alone",
                         "write a touch block of its own for sphere, crease and pit"});
   const Value& count = spec.values["count"];
   if (!atoms && count.place.line)
-    problems.push_back({{}, count.place.line, count.place.column, "'count' belongs to 'feel: atoms'",
+    problems.push_back({{},
+                        count.place.line,
+                        count.place.column,
+                        "'count' belongs to 'feel: atoms'",
                         "take it out or write 'feel: atoms'"});
 }
 
 }  // namespace
 
 TaskKind feelKind() {
-  return {"feel", "Find kinds of place on the surface, or a number of different atoms.",
-          {{.name = "feel", .type = ValueType::WordList,
-            .meaning = "What to find: sphere (one atom), crease (where two meet), pit (where three meet), in any order; or atoms.",
-            .required = true, .words = {"sphere", "crease", "pit", "atoms"}},
-           {.name = "count", .type = ValueType::Count, .meaning = "How many different atoms 'feel: atoms' asks for.",
-            .fallback = "3", .least = 1, .most = 1000},
-           {.name = "of", .type = ValueType::Selection, .meaning = "Only places that are made by these atoms count."}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
-            const std::vector<std::string>& words = s.values["feel"].words;
-            if (!words.empty() && words[0] == "atoms") return std::make_unique<FeelAtoms>(s, m);
-            return std::make_unique<FeelPlaces>(s, m);
-          },
-          &checkFeel};
+  return {
+      "feel",
+      "Find kinds of place on the surface, or a number of different atoms.",
+      {{.name = "feel",
+        .type = ValueType::WordList,
+        .meaning =
+            "What to find: sphere (one atom), crease (where two meet), pit (where three meet), in any order; or atoms.",
+        .required = true,
+        .words = {"sphere", "crease", "pit", "atoms"}},
+       {.name = "count",
+        .type = ValueType::Count,
+        .meaning = "How many different atoms 'feel: atoms' asks for.",
+        .fallback = "3",
+        .least = 1,
+        .most = 1000},
+       {.name = "of", .type = ValueType::Selection, .meaning = "Only places that are made by these atoms count."}},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
+        const std::vector<std::string>& words = s.values["feel"].words;
+        if (!words.empty() && words[0] == "atoms") return std::make_unique<FeelAtoms>(s, m);
+        return std::make_unique<FeelPlaces>(s, m);
+      },
+      &checkFeel};
 }
 
 }  // namespace moltact

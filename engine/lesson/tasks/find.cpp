@@ -15,8 +15,13 @@ constexpr double kWarmer_A = 1.0;  // a change of distance that is worth a word
 class Find : public Task {
  public:
   Find(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), target_(spec.values["find"].selection, molecule), name_(targetName(spec, "find")), within_A_(spec.values["within"].number),
-        by_holding_(spec.values["by"].text == "hold"), warmer_(spec.values["hints"].text == "warmer"), meter_(spec.values["meter"].text == "on") {
+      : Task(spec),
+        target_(spec.values["find"].selection, molecule),
+        name_(targetName(spec, "find")),
+        within_A_(spec.values["within"].number),
+        by_holding_(spec.values["by"].text == "hold"),
+        warmer_(spec.values["hints"].text == "warmer"),
+        meter_(spec.values["meter"].text == "on") {
     for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
       balls_.push_back({molecule.atoms[i].position.A, molecule.atoms[i].radius_A});
   }
@@ -110,7 +115,8 @@ class Find : public Task {
 
   std::string guidance() const override {
     if (now_.lit) return "Look where " + name_ + " is. The search goes on when it is dark again.";
-    if (!now_.touching && now_.felt && !by_holding_ && !now_.wrong) return "Say whether it was there, or feel on to find " + name_ + "." + heat();
+    if (!now_.touching && now_.felt && !by_holding_ && !now_.wrong)
+      return "Say whether it was there, or feel on to find " + name_ + "." + heat();
     if (!now_.touching) return "Push until you touch the surface, then feel your way to " + name_ + ".";
     const std::string tell = by_holding_ ? "rest there for " + timeText(kStill_s) + "." : "say that it is here.";
     if (now_.wrong) return "That is not " + name_ + ". Feel on." + heat();
@@ -136,17 +142,34 @@ class Find : public Task {
 }  // namespace
 
 TaskKind findKind() {
-  return {"find", "Find a place by touch alone, with the screen dark.",
-          {{.name = "find", .type = ValueType::Selection, .meaning = "The atoms of which one is to be found.", .required = true},
-           {.name = "within", .type = ValueType::Quantity,
-            .meaning = "A contact point so near to the surface of a selected atom is right as well.", .fallback = "1 Å",
-            .dimension = Dimension::Length, .most = 100.0},
-           {.name = "by", .type = ValueType::Word, .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
-            .fallback = "here", .words = {"here", "hold"}},
-           {.name = "hints", .type = ValueType::Word, .meaning = "Whether the program says 'warmer' and 'colder'.", .fallback = "none",
+  return {"find",
+          "Find a place by touch alone, with the screen dark.",
+          {{.name = "find",
+            .type = ValueType::Selection,
+            .meaning = "The atoms of which one is to be found.",
+            .required = true},
+           {.name = "within",
+            .type = ValueType::Quantity,
+            .meaning = "A contact point so near to the surface of a selected atom is right as well.",
+            .fallback = "1 Å",
+            .dimension = Dimension::Length,
+            .most = 100.0},
+           {.name = "by",
+            .type = ValueType::Word,
+            .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
+            .fallback = "here",
+            .words = {"here", "hold"}},
+           {.name = "hints",
+            .type = ValueType::Word,
+            .meaning = "Whether the program says 'warmer' and 'colder'.",
+            .fallback = "none",
             .words = {"none", "warmer"}},
-           {.name = "meter", .type = ValueType::Word, .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device it is all there is to feel.",
-            .fallback = "on", .words = {"on", "off"}}},
+           {.name = "meter",
+            .type = ValueType::Word,
+            .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device "
+                       "it is all there is to feel.",
+            .fallback = "on",
+            .words = {"on", "off"}}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Find>(s, m); }};
 }
 

@@ -1,4 +1,5 @@
-// hold: stay in contact with atoms or with a kind of place for a time, within a range of force if the author asks for one.
+// hold: stay in contact with atoms or with a kind of place for a time, within a range of force if the author asks for
+// one.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -8,7 +9,8 @@
 namespace moltact {
 namespace {
 
-// A force that trembles about the edge of its range still counts as within it: this much is forgiven (share of the edge).
+// A force that trembles about the edge of its range still counts as within it: this much is forgiven (share of the
+// edge).
 constexpr double kForceSlack = 0.05;
 
 class Hold : public Task {
@@ -61,7 +63,9 @@ class Hold : public Task {
 
   State stateOf(const TouchSample& s) const {
     if (!s.contact.touching()) return State::Away;
-    const bool here = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact) : isFeature(feature_, s.contact.feature) && target_.holds(s.contact);
+    const bool here = feature_.empty() || feature_ == "anywhere"
+                          ? target_.touchedBy(s.contact)
+                          : isFeature(feature_, s.contact.feature) && target_.holds(s.contact);
     if (!here) return State::Elsewhere;
     const double force = glm::length(s.force.N);
     if (force < low_N_ * (1.0 - kForceSlack)) return State::TooLight;
@@ -71,11 +75,16 @@ class Hold : public Task {
 
   std::string guidance() const override {
     switch (state_) {
-      case State::Good: return "Hold it: " + timeText(watch_.elapsed_s()) + " of " + timeText(time_s_) + ".";
-      case State::TooLight: return "Push a little further in: " + forceText(low_N_) + " is enough.";
-      case State::TooHard: return "Ease off a little: stay below " + forceText(high_N_) + ".";
-      case State::Elsewhere: return "You are on the surface. Slide on to find " + name_ + ".";
-      case State::Away: break;
+      case State::Good:
+        return "Hold it: " + timeText(watch_.elapsed_s()) + " of " + timeText(time_s_) + ".";
+      case State::TooLight:
+        return "Push a little further in: " + forceText(low_N_) + " is enough.";
+      case State::TooHard:
+        return "Ease off a little: stay below " + forceText(high_N_) + ".";
+      case State::Elsewhere:
+        return "You are on the surface. Slide on to find " + name_ + ".";
+      case State::Away:
+        break;
     }
     if (slipped_) return "You slipped off. Touch " + name_ + " again and hold for " + timeText(time_s_) + ".";
     return "Touch " + name_ + " and hold for " + timeText(time_s_) + ".";
@@ -95,21 +104,37 @@ class Hold : public Task {
 void checkHold(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &hold = spec.values["hold"], &of = spec.values["of"];
   if (of.place.line && hold.selection.given())
-    problems.push_back({{}, of.place.line, of.place.column, "'of' belongs to a kind of place", "take it out, or write 'hold: pit'"});
+    problems.push_back(
+        {{}, of.place.line, of.place.column, "'of' belongs to a kind of place", "take it out, or write 'hold: pit'"});
 }
 
 }  // namespace
 
 TaskKind holdKind() {
-  return {"hold", "Stay in contact for a time.",
-          {{.name = "hold", .type = ValueType::Target, .meaning = "Where to stay: atoms, a kind of place, or anywhere on the surface.",
-            .required = true, .words = {"sphere", "crease", "pit", "anywhere"}},
-           {.name = "of", .type = ValueType::Selection, .meaning = "For a kind of place: only where these atoms alone hold the probe."},
-           {.name = "for", .type = ValueType::Quantity, .meaning = "How long; slips under 0.3 s are forgiven.",
-            .fallback = "2 s", .dimension = Dimension::Time, .least = 0.1, .most = 600.0},
-           {.name = "force", .type = ValueType::Range, .meaning = "The force to keep within; 5 % beyond either end is forgiven.",
-            .dimension = Dimension::Force, .most = 20.0}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Hold>(s, m); }, &checkHold};
+  return {"hold",
+          "Stay in contact for a time.",
+          {{.name = "hold",
+            .type = ValueType::Target,
+            .meaning = "Where to stay: atoms, a kind of place, or anywhere on the surface.",
+            .required = true,
+            .words = {"sphere", "crease", "pit", "anywhere"}},
+           {.name = "of",
+            .type = ValueType::Selection,
+            .meaning = "For a kind of place: only where these atoms alone hold the probe."},
+           {.name = "for",
+            .type = ValueType::Quantity,
+            .meaning = "How long; slips under 0.3 s are forgiven.",
+            .fallback = "2 s",
+            .dimension = Dimension::Time,
+            .least = 0.1,
+            .most = 600.0},
+           {.name = "force",
+            .type = ValueType::Range,
+            .meaning = "The force to keep within; 5 % beyond either end is forgiven.",
+            .dimension = Dimension::Force,
+            .most = 20.0}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Hold>(s, m); },
+          &checkHold};
 }
 
 }  // namespace moltact

@@ -9,8 +9,8 @@ namespace {
 
 constexpr double kLasting_s = 0.1;   // a failure shorter than this is a tick's slip and no failure to be felt
 constexpr double kThrown_s = 0.005;  // out of the far side a hand is thrown quickly
-constexpr double kHeld_A = 0.1;      // the exact spring is at least so long where the method in use has lost the surface
-constexpr double kJump_deg = 5.0;    // a fingertip notices the force turn by this at once
+constexpr double kHeld_A = 0.1;    // the exact spring is at least so long where the method in use has lost the surface
+constexpr double kJump_deg = 5.0;  // a fingertip notices the force turn by this at once
 constexpr double kSteady_deg = 1.0;  // while the true force turns by no more
 constexpr double kPull_A = 0.02;     // a shorter spring has no direction to speak of
 
@@ -22,7 +22,8 @@ double angle_deg(const Vec3& a, const Vec3& b) {
 
 class Meet : public Task {
  public:
-  explicit Meet(const TaskSpec& spec) : Task(spec), what_(spec.values["meet"].words[0]), off_A_(spec.values["by"].number) {}
+  explicit Meet(const TaskSpec& spec)
+      : Task(spec), what_(spec.values["meet"].words[0]), off_A_(spec.values["by"].number) {}
 
   void reset() override {
     Task::reset();
@@ -45,9 +46,12 @@ class Meet : public Task {
       return;
     }
     bool here = false;
-    if (what_ == "lost") here = judged && !touching_ && glm::length(exact) > kHeld_A;
-    else if (what_ == "wrong-side") here = judged && touching_ && glm::length(now) > kPull_A && glm::dot(now, exact) < 0.0;
-    else here = judged && touching_ && glm::distance(s.contact.scp.A, s.exact.scp.A) > off_A_;
+    if (what_ == "lost")
+      here = judged && !touching_ && glm::length(exact) > kHeld_A;
+    else if (what_ == "wrong-side")
+      here = judged && touching_ && glm::length(now) > kPull_A && glm::dot(now, exact) < 0.0;
+    else
+      here = judged && touching_ && glm::distance(s.contact.scp.A, s.exact.scp.A) > off_A_;
     watch_.tick(here, dt_s, 0.0);
     const double enough_s = what_ == "wrong-side" ? kThrown_s : kLasting_s;
     setProgress(watch_.elapsed_s() / enough_s);
@@ -71,7 +75,8 @@ class Meet : public Task {
     if (!place) return plan;
     // Deep under the surface from place to place, so that the force turns over much of it.
     comeTo(plan, *place, 1.0, 0.3);
-    const Vec3 x = glm::normalize(glm::cross(place->outward, std::abs(place->outward.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
+    const Vec3 x =
+        glm::normalize(glm::cross(place->outward, std::abs(place->outward.x) < 0.7 ? Vec3(1, 0, 0) : Vec3(0, 1, 0)));
     for (const double turn : {0.0, 0.7, 1.4, -0.7, -1.4}) {
       const Vec3 way = x * std::cos(turn) + glm::cross(place->outward, x) * std::sin(turn);
       plan.push_back({.to = PointA{place->scp_A - place->outward + way * 1.5}, .speed_A_per_s = 2.0, .wait_s = 0.2});
@@ -98,13 +103,22 @@ class Meet : public Task {
 }  // namespace
 
 TaskKind meetKind() {
-  return {"meet", "Come upon a failure of the haptic method in use, judged against the exact tracker.",
-          {{.name = "meet", .type = ValueType::Word,
-            .meaning = "The failure: the force turns with a jerk, the surface is lost, the force points out of the far side, or the "
+  return {"meet",
+          "Come upon a failure of the haptic method in use, judged against the exact tracker.",
+          {{.name = "meet",
+            .type = ValueType::Word,
+            .meaning = "The failure: the force turns with a jerk, the surface is lost, the force points out of the far "
+                       "side, or the "
                        "contact point lies off the surface.",
-            .required = true, .words = {"jump", "lost", "wrong-side", "off"}},
-           {.name = "by", .type = ValueType::Quantity, .meaning = "For 'off': how far the contact point must lie from the true one.",
-            .fallback = "0.1 Å", .dimension = Dimension::Length, .least = 0.001, .most = 10.0}},
+            .required = true,
+            .words = {"jump", "lost", "wrong-side", "off"}},
+           {.name = "by",
+            .type = ValueType::Quantity,
+            .meaning = "For 'off': how far the contact point must lie from the true one.",
+            .fallback = "0.1 Å",
+            .dimension = Dimension::Length,
+            .least = 0.001,
+            .most = 10.0}},
           [](const TaskSpec& s, const Molecule&) -> std::unique_ptr<Task> { return std::make_unique<Meet>(s); }};
 }
 

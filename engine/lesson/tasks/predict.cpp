@@ -8,8 +8,8 @@
 namespace moltact {
 namespace {
 
-constexpr std::size_t kPoints = 25;     // of each curve
-constexpr double kFeltEnough = 0.9;     // of the points of the axis
+constexpr std::size_t kPoints = 25;  // of each curve
+constexpr double kFeltEnough = 0.9;  // of the points of the axis
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // How much of the areas under the two curves is common to both, where both are known.
@@ -26,8 +26,12 @@ double overlap(const std::vector<double>& a, const std::vector<double>& b) {
 class Predict : public Task {
  public:
   Predict(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), from_(spec.values["predict"].selection, molecule), goal_atoms_(spec.values["along"].selection, molecule), name_(targetName(spec, "predict")),
-        agree_(0.01 * spec.values["agree"].number), slides_(spec.values["along"].selection.given()) {
+      : Task(spec),
+        from_(spec.values["predict"].selection, molecule),
+        goal_atoms_(spec.values["along"].selection, molecule),
+        name_(targetName(spec, "predict")),
+        agree_(0.01 * spec.values["agree"].number),
+        slides_(spec.values["along"].selection.given()) {
     curves_.x_name = slides_ ? "way" : "depth";
     curves_.x_most = spec.values["deep"].number;
     curves_.most_N = spec.values["most"].number;
@@ -102,12 +106,14 @@ class Predict : public Task {
     if (curves_.drawing) {
       TaskAnswer expected;
       for (std::size_t k = 0; k < kPoints; ++k)
-        expected.curve.push_back(slides_ ? 0.5 : std::min(curves_.most_N, view.N_per_A * curves_.x_most * double(k) / double(kPoints - 1)));
+        expected.curve.push_back(
+            slides_ ? 0.5 : std::min(curves_.most_N, view.N_per_A * curves_.x_most * double(k) / double(kPoints - 1)));
       plan.push_back({.answer = std::move(expected)});
     }
     if (!slides_) {
       comeTo(plan, *start, 0.01, 0.0);
-      plan.push_back({.to = PointA{start->scp_A - start->outward * (1.02 * curves_.x_most)}, .speed_A_per_s = 0.5, .wait_s = 0.1});
+      plan.push_back(
+          {.to = PointA{start->scp_A - start->outward * (1.02 * curves_.x_most)}, .speed_A_per_s = 0.5, .wait_s = 0.1});
       return plan;
     }
     const auto end = placeFor(view, placesToTouch(view, goal_atoms_));
@@ -137,10 +143,14 @@ class Predict : public Task {
   std::string guidance() const override {
     const std::string over = slides_ ? "on the way from " + name_ + " to " + goal_ : "for pressing into " + name_;
     if (missed_)
-      return "The two curves agree by " + percent() + "; " + std::to_string(std::lround(100.0 * agree_)) + " % are asked for. Draw again what you expect " + over + ".";
+      return "The two curves agree by " + percent() + "; " + std::to_string(std::lround(100.0 * agree_)) +
+             " % are asked for. Draw again what you expect " + over + ".";
     if (curves_.drawing) return "First draw the force that you expect " + over + ".";
-    const std::string so_far = " " + std::to_string(std::lround(100.0 * std::min(1.0, feltShare() / kFeltEnough))) + " % felt.";
-    if (slides_) return (touching_ ? "Slide from " + name_ + " to " + goal_ + " and press evenly." : "Now touch " + name_ + ".") + so_far;
+    const std::string so_far =
+        " " + std::to_string(std::lround(100.0 * std::min(1.0, feltShare() / kFeltEnough))) + " % felt.";
+    if (slides_)
+      return (touching_ ? "Slide from " + name_ + " to " + goal_ + " and press evenly." : "Now touch " + name_ + ".") +
+             so_far;
     if (!on_place_) return (touching_ ? "Slide on to " : "Now touch ") + name_ + " and press in slowly." + so_far;
     return "Press in slowly and ease off again." + so_far;
   }
@@ -149,7 +159,8 @@ class Predict : public Task {
 
   void measure(std::vector<TaskFigure>& out) const override {
     out.push_back({"predictions", double(predictions_), ""});
-    if (first_agreement_ >= 0.0 && predictions_ > 1) out.push_back({"agreement of the first prediction", 100.0 * first_agreement_, "%"});
+    if (first_agreement_ >= 0.0 && predictions_ > 1)
+      out.push_back({"agreement of the first prediction", 100.0 * first_agreement_, "%"});
     if (curves_.agreement) out.push_back({"agreement", 100.0 * *curves_.agreement, "%"});
   }
 
@@ -166,26 +177,52 @@ class Predict : public Task {
 void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &along = spec.values["along"], &deep = spec.values["deep"], &predict = spec.values["predict"];
   if (along.selection.given() && deep.place.line)
-    problems.push_back({{}, deep.place.line, deep.place.column, "'deep' belongs to pressing in and 'along' to sliding", "take one of them out"});
+    problems.push_back({{},
+                        deep.place.line,
+                        deep.place.column,
+                        "'deep' belongs to pressing in and 'along' to sliding",
+                        "take one of them out"});
   if (along.selection.given() && !predict.selection.given())
-    problems.push_back({{}, predict.place.line, predict.place.column, "the way has no start", "name the atoms where it begins in 'predict'"});
+    problems.push_back({{},
+                        predict.place.line,
+                        predict.place.column,
+                        "the way has no start",
+                        "name the atoms where it begins in 'predict'"});
 }
 
 }  // namespace
 
 TaskKind predictKind() {
-  return {"predict", "Draw the curve of the force first, then feel it.",
-          {{.name = "predict", .type = ValueType::Target, .meaning = "Where to press in, or where the way begins: atoms, or anywhere on the surface.",
-            .required = true, .words = {"anywhere"}},
-           {.name = "along", .type = ValueType::Selection,
+  return {"predict",
+          "Draw the curve of the force first, then feel it.",
+          {{.name = "predict",
+            .type = ValueType::Target,
+            .meaning = "Where to press in, or where the way begins: atoms, or anywhere on the surface.",
+            .required = true,
+            .words = {"anywhere"}},
+           {.name = "along",
+            .type = ValueType::Selection,
             .meaning = "The force is felt along the way to these atoms; without it against the depth of a press."},
-           {.name = "deep", .type = ValueType::Quantity, .meaning = "How deep the press goes.", .fallback = "1 Å",
-            .dimension = Dimension::Length, .least = 0.1, .most = 3.0},
-           {.name = "most", .type = ValueType::Quantity, .meaning = "The upper end of the force axis.", .fallback = "3.3 N",
-            .dimension = Dimension::Force, .least = 0.1, .most = 20.0},
-           {.name = "agree", .type = ValueType::Count,
-            .meaning = "How far the areas under both curves must agree, in percent; without it any prediction will do.", .most = 100}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Predict>(s, m); }, &checkPredict};
+           {.name = "deep",
+            .type = ValueType::Quantity,
+            .meaning = "How deep the press goes.",
+            .fallback = "1 Å",
+            .dimension = Dimension::Length,
+            .least = 0.1,
+            .most = 3.0},
+           {.name = "most",
+            .type = ValueType::Quantity,
+            .meaning = "The upper end of the force axis.",
+            .fallback = "3.3 N",
+            .dimension = Dimension::Force,
+            .least = 0.1,
+            .most = 20.0},
+           {.name = "agree",
+            .type = ValueType::Count,
+            .meaning = "How far the areas under both curves must agree, in percent; without it any prediction will do.",
+            .most = 100}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Predict>(s, m); },
+          &checkPredict};
 }
 
 }  // namespace moltact

@@ -23,7 +23,8 @@ class Press : public Task {
  private:
   void take(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
-    here_ = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact) : isFeature(feature_, s.contact.feature);
+    here_ = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact)
+                                                       : isFeature(feature_, s.contact.feature);
     force_N_ = here_ ? glm::length(s.force.N) : 0.0;
     // Counting the time at full force and not the peak alone keeps one noisy sample from finishing the task.
     watch_.tick(force_N_ >= until_N_, dt_s, kSlip_s);
@@ -34,7 +35,8 @@ class Press : public Task {
   HandPlan demonstrate(const HandView& view) const override {
     HandPlan plan;
     const std::string kind = feature_ == "anywhere" ? "" : feature_;
-    if (const auto place = placeFor(view, placesToTouch(view, target_, kind))) comeTo(plan, *place, 1.1 * depthFor(view, until_N_), 0.5);
+    if (const auto place = placeFor(view, placesToTouch(view, target_, kind)))
+      comeTo(plan, *place, 1.1 * depthFor(view, until_N_), 0.5);
     return plan;
   }
 
@@ -57,11 +59,20 @@ class Press : public Task {
 }  // namespace
 
 TaskKind pressKind() {
-  return {"press", "Push until the surface pushes back with a force.",
-          {{.name = "press", .type = ValueType::Target, .meaning = "Where to push: atoms, a kind of place, or anywhere on the surface.",
-            .required = true, .words = {"sphere", "crease", "pit", "anywhere"}},
-           {.name = "until", .type = ValueType::Quantity, .meaning = "The force to reach.", .required = true,
-            .dimension = Dimension::Force, .least = 0.01, .most = 20.0}},
+  return {"press",
+          "Push until the surface pushes back with a force.",
+          {{.name = "press",
+            .type = ValueType::Target,
+            .meaning = "Where to push: atoms, a kind of place, or anywhere on the surface.",
+            .required = true,
+            .words = {"sphere", "crease", "pit", "anywhere"}},
+           {.name = "until",
+            .type = ValueType::Quantity,
+            .meaning = "The force to reach.",
+            .required = true,
+            .dimension = Dimension::Force,
+            .least = 0.01,
+            .most = 20.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Press>(s, m); }};
 }
 

@@ -13,7 +13,8 @@ class Reach : public Task {
       : Task(spec), target_(spec.values["reach"].selection, molecule), name_(targetName(spec, "reach")) {
     if (!spec.values.has("near")) return;
     near_A_ = spec.values["near"].number;
-    for (const std::uint32_t i : spec.values["reach"].selection.select(molecule)) centres_.push_back(molecule.atoms[i].position.A);
+    for (const std::uint32_t i : spec.values["reach"].selection.select(molecule))
+      centres_.push_back(molecule.atoms[i].position.A);
   }
 
   void reset() override {
@@ -34,7 +35,9 @@ class Reach : public Task {
     std::vector<SurfacePlace> places = placesToTouch(view, target_);
     if (places.empty() && near_A_ > 0.0)
       for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), Feature::Sphere, 4000))
-        if (std::any_of(centres_.begin(), centres_.end(), [&](const Vec3& c) { return glm::distance(c, p.scp_A) < near_A_; })) places.push_back(p);
+        if (std::any_of(centres_.begin(), centres_.end(),
+                        [&](const Vec3& c) { return glm::distance(c, p.scp_A) < near_A_; }))
+          places.push_back(p);
     HandPlan plan;
     if (const auto place = placeFor(view, places)) comeTo(plan, *place, depthFor(view, 0.3), 0.3);
     return plan;
@@ -65,11 +68,17 @@ class Reach : public Task {
 }  // namespace
 
 TaskKind reachKind() {
-  return {"reach", "Touch one of the selected atoms.",
-          {{.name = "reach", .type = ValueType::Selection, .meaning = "The atoms of which one is to be touched.", .required = true},
-           {.name = "near", .type = ValueType::Quantity,
+  return {"reach",
+          "Touch one of the selected atoms.",
+          {{.name = "reach",
+            .type = ValueType::Selection,
+            .meaning = "The atoms of which one is to be touched.",
+            .required = true},
+           {.name = "near",
+            .type = ValueType::Quantity,
             .meaning = "A touch counts within this distance of a selected atom's centre as well.",
-            .dimension = Dimension::Length, .most = 1000.0}},
+            .dimension = Dimension::Length,
+            .most = 1000.0}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Reach>(s, m); }};
 }
 

@@ -6,18 +6,8 @@ namespace moltact {
 
 std::span<const TaskKind> taskKinds() {
   static const std::vector<TaskKind> kinds{
-      reachKind(),
-      holdKind(),
-      pressKind(),
-      feelKind(),
-      crossKind(),
-      avoidKind(),
-      compareKind(),
-      meetKind(),
-      traceKind(),
-      findKind(),
-      predictKind(),
-      sameKind(),
+      reachKind(),   holdKind(), pressKind(), feelKind(), crossKind(),   avoidKind(),
+      compareKind(), meetKind(), traceKind(), findKind(), predictKind(), sameKind(),
   };
   return kinds;
 }

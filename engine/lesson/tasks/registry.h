@@ -11,9 +11,9 @@
 namespace moltact {
 
 struct TaskKind {
-  std::string_view name;        ///< also the key that carries its target: "reach: element O"
-  std::string_view meaning;     ///< one sentence for authors
-  std::vector<KeySpec> keys;    ///< its own keys, the one called `name` first
+  std::string_view name;      ///< also the key that carries its target: "reach: element O"
+  std::string_view meaning;   ///< one sentence for authors
+  std::vector<KeySpec> keys;  ///< its own keys, the one called `name` first
   std::unique_ptr<Task> (*make)(const TaskSpec& spec, const Molecule& molecule);
   /// Adds problems with keys that do not go together, as if from file ""; may be null.
   void (*check)(const TaskSpec& spec, std::vector<Problem>& problems) = nullptr;

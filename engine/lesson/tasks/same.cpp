@@ -15,11 +15,17 @@ constexpr std::array<std::string_view, 4> kDiffers{"probe", "stiffness", "method
 class Same : public Task {
  public:
   Same(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), here_(spec.values["same"].selection, molecule), there_(spec.values["place"].selection, molecule),
-        trials_(static_cast<std::size_t>(spec.values["trials"].number)), seed_(static_cast<unsigned>(spec.values["seed"].number)),
-        time_s_(spec.values["for"].number), tell_(spec.values["tell"].text == "yes"), meter_(spec.values["meter"].text == "on"),
+      : Task(spec),
+        here_(spec.values["same"].selection, molecule),
+        there_(spec.values["place"].selection, molecule),
+        trials_(static_cast<std::size_t>(spec.values["trials"].number)),
+        seed_(static_cast<unsigned>(spec.values["seed"].number)),
+        time_s_(spec.values["for"].number),
+        tell_(spec.values["tell"].text == "yes"),
+        meter_(spec.values["meter"].text == "on"),
         by_place_(spec.values["place"].selection.given()) {
-    needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number)) : (3 * trials_ + 3) / 4;
+    needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number))
+                                       : (3 * trials_ + 3) / 4;
     if (spec.values.has("probe")) other_.probe_A = spec.values["probe"].number;
     if (spec.values.has("stiffness")) other_.stiffness_N_per_mm = spec.values["stiffness"].number;
     if (spec.values.has("method")) other_.method = spec.values["method"].text;
@@ -55,7 +61,8 @@ class Same : public Task {
     shuffle();
   }
 
-  // Half of the trials differ (of an odd number one fewer), in an order that the seed and the round fix on every machine.
+  // Half of the trials differ (of an odd number one fewer), in an order that the seed and the round fix on every
+  // machine.
   void shuffle() {
     std::mt19937 random(seed_ + 7919u * static_cast<unsigned>(round_));
     order_.assign(trials_, {});
@@ -130,14 +137,19 @@ class Same : public Task {
     setProgress(0.0);
   }
 
-  std::string counts(std::size_t right) const { return std::to_string(right) + " of " + std::to_string(trials_) + " right"; }
+  std::string counts(std::size_t right) const {
+    return std::to_string(right) + " of " + std::to_string(trials_) + " right";
+  }
 
   std::string guidance() const override {
     std::string told;
-    if (failed_) told = counts(failed_right_) + "; " + std::to_string(needed_) + " are needed. Another round: ";
+    if (failed_)
+      told = counts(failed_right_) + "; " + std::to_string(needed_) + " are needed. Another round: ";
     else if (tell_ && answered_ && !second_ && felt_s_ == 0.0)
-      told = std::string(last_right_ ? "Right" : "No") + ", they were " + (last_differed_ ? "different. " : "the same. ");
-    const std::string which = std::string(second_ ? "second" : "first") + " of pair " + std::to_string(trial_ + 1) + " of " + std::to_string(trials_);
+      told =
+          std::string(last_right_ ? "Right" : "No") + ", they were " + (last_differed_ ? "different. " : "the same. ");
+    const std::string which = std::string(second_ ? "second" : "first") + " of pair " + std::to_string(trial_ + 1) +
+                              " of " + std::to_string(trials_);
     if (felt_s_ >= time_s_) return second_ ? "Were the two the same, or different?" : "Now go on to the second.";
     if (beside_) return "You are beside the place. It lies in the middle of the view.";
     if (touching_) return "Feel the " + which + ": " + timeText(felt_s_) + " of " + timeText(time_s_) + ".";
@@ -167,7 +179,8 @@ class Same : public Task {
   TaskStage one_, other_;
   std::vector<Trial> order_;
   int round_ = 0, showing_ = 0, hits_ = 0, alarms_ = 0;
-  bool second_ = false, touching_ = false, beside_ = false, answered_ = false, failed_ = false, last_right_ = false, last_differed_ = false;
+  bool second_ = false, touching_ = false, beside_ = false, answered_ = false, failed_ = false, last_right_ = false,
+       last_differed_ = false;
 };
 
 void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
@@ -176,39 +189,95 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
     const Value& value = spec.values[key];
     if (!value.place.line) continue;
     if (++given > 1)
-      problems.push_back({{}, value.place.line, value.place.column, "the two things differ in one respect only", "take this line out, or the other"});
+      problems.push_back({{},
+                          value.place.line,
+                          value.place.column,
+                          "the two things differ in one respect only",
+                          "take this line out, or the other"});
   }
   const Value &same = spec.values["same"], &right = spec.values["right"], &place = spec.values["place"];
   if (given == 0)
-    problems.push_back({{}, same.place.line, same.place.column, "nothing says how the second thing differs from the scene",
+    problems.push_back({{},
+                        same.place.line,
+                        same.place.column,
+                        "nothing says how the second thing differs from the scene",
                         "add one of 'probe', 'stiffness', 'method' and 'place'"});
   if (place.place.line && !same.selection.given())
-    problems.push_back({{}, same.place.line, same.place.column, "two places are to be felt, but only one is named", "name the atoms of the first in 'same'"});
+    problems.push_back({{},
+                        same.place.line,
+                        same.place.column,
+                        "two places are to be felt, but only one is named",
+                        "name the atoms of the first in 'same'"});
   if (right.place.line && right.number > spec.values["trials"].number)
-    problems.push_back({{}, right.place.line, right.place.column, "more right answers than there are trials", "ask for no more than 'trials'"});
+    problems.push_back({{},
+                        right.place.line,
+                        right.place.column,
+                        "more right answers than there are trials",
+                        "ask for no more than 'trials'"});
 }
 
 }  // namespace
 
 TaskKind sameKind() {
-  return {"same", "Feel two things in the dark and say whether they are the same, several times.",
-          {{.name = "same", .type = ValueType::Target, .meaning = "Where to touch: atoms, or anywhere on the surface. The first thing is the scene as it is.",
-            .required = true, .words = {"anywhere"}},
-           {.name = "probe", .type = ValueType::Quantity, .meaning = "The second thing has a probe of this radius.", .dimension = Dimension::Length,
+  return {"same",
+          "Feel two things in the dark and say whether they are the same, several times.",
+          {{.name = "same",
+            .type = ValueType::Target,
+            .meaning = "Where to touch: atoms, or anywhere on the surface. The first thing is the scene as it is.",
+            .required = true,
+            .words = {"anywhere"}},
+           {.name = "probe",
+            .type = ValueType::Quantity,
+            .meaning = "The second thing has a probe of this radius.",
+            .dimension = Dimension::Length,
             .most = kLargestProbe_A},
-           {.name = "stiffness", .type = ValueType::Quantity, .meaning = "The second thing pushes back so hard.", .dimension = Dimension::Stiffness,
-            .least = 0.01, .most = 5.0},
-           {.name = "method", .type = ValueType::Word, .meaning = "The second thing is felt with this haptic method.", .words = methodNames()},
+           {.name = "stiffness",
+            .type = ValueType::Quantity,
+            .meaning = "The second thing pushes back so hard.",
+            .dimension = Dimension::Stiffness,
+            .least = 0.01,
+            .most = 5.0},
+           {.name = "method",
+            .type = ValueType::Word,
+            .meaning = "The second thing is felt with this haptic method.",
+            .words = methodNames()},
            {.name = "place", .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
-           {.name = "trials", .type = ValueType::Count, .meaning = "How many pairs are felt; half of them differ.", .fallback = "8", .least = 2, .most = 100},
-           {.name = "right", .type = ValueType::Count, .meaning = "How many answers must be right; without it three of four.", .least = 1, .most = 100},
-           {.name = "for", .type = ValueType::Quantity, .meaning = "How long each thing is touched at least.", .fallback = "1 s",
-            .dimension = Dimension::Time, .least = 0.1, .most = 60.0},
-           {.name = "tell", .type = ValueType::Word, .meaning = "Whether each answer is judged at once.", .fallback = "yes", .words = {"yes", "no"}},
-           {.name = "meter", .type = ValueType::Word,
-            .meaning = "Whether the force is shown, how great and whereto; without a force-feedback device it is all there is to feel.", .fallback = "on", .words = {"on", "off"}},
-           {.name = "seed", .type = ValueType::Count, .meaning = "Another number gives another order of the pairs.", .fallback = "1", .most = 1e6}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); }, &checkSame};
+           {.name = "trials",
+            .type = ValueType::Count,
+            .meaning = "How many pairs are felt; half of them differ.",
+            .fallback = "8",
+            .least = 2,
+            .most = 100},
+           {.name = "right",
+            .type = ValueType::Count,
+            .meaning = "How many answers must be right; without it three of four.",
+            .least = 1,
+            .most = 100},
+           {.name = "for",
+            .type = ValueType::Quantity,
+            .meaning = "How long each thing is touched at least.",
+            .fallback = "1 s",
+            .dimension = Dimension::Time,
+            .least = 0.1,
+            .most = 60.0},
+           {.name = "tell",
+            .type = ValueType::Word,
+            .meaning = "Whether each answer is judged at once.",
+            .fallback = "yes",
+            .words = {"yes", "no"}},
+           {.name = "meter",
+            .type = ValueType::Word,
+            .meaning = "Whether the force is shown, how great and whereto; without a force-feedback device it is all "
+                       "there is to feel.",
+            .fallback = "on",
+            .words = {"on", "off"}},
+           {.name = "seed",
+            .type = ValueType::Count,
+            .meaning = "Another number gives another order of the pairs.",
+            .fallback = "1",
+            .most = 1e6}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
+          &checkSame};
 }
 
 }  // namespace moltact

@@ -1,10 +1,11 @@
-// How well someone tells two things apart, from counts of answers (signal detection theory). Pure functions; any thread.
+// How well someone tells two things apart, from counts of answers (signal detection theory). Pure functions; any
+// thread.
 #pragma once
 
 namespace moltact {
 
-/// The z of which a standard normal value is smaller with probability p; p within 0 to 1, both excluded (else clamped to
-/// 1e-12 from the ends).
+/// The z of which a standard normal value is smaller with probability p; p within 0 to 1, both excluded (else clamped
+/// to 1e-12 from the ends).
 double normalQuantile(double p);
 
 /// The sensitivity index d' = z(hits) - z(false alarms) of `hits` in `signals` trials that had something to detect and

@@ -38,8 +38,10 @@ void Task::measureTouch(const TouchSample& sample, double dt_s) {
 
 void Task::answer(const TaskAnswer& given) {
   if (done_) return;
-  if (const TaskCurves* asked = curves(); asked && asked->drawing && given.curve.size() == asked->drawn.size() && !given.curve.empty()) {
-    if (std::all_of(given.curve.begin(), given.curve.end(), [](double v) { return std::isfinite(v) && v >= 0.0; })) hear(given);
+  if (const TaskCurves* asked = curves();
+      asked && asked->drawing && given.curve.size() == asked->drawn.size() && !given.curve.empty()) {
+    if (std::all_of(given.curve.begin(), given.curve.end(), [](double v) { return std::isfinite(v) && v >= 0.0; }))
+      hear(given);
     return;
   }
   const std::vector<TaskButton> there = offered();
@@ -98,14 +100,17 @@ std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& ato
   std::vector<SurfacePlace> places = openPlaces(view, atoms.atoms(), Feature::Sphere);
   if (!places.empty() || feature == "sphere") return places;
   // Atoms without a face of their own may still be touched where they meet others.
-  const auto touched = [&](const SurfacePlace& p) { return std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); }); };
+  const auto touched = [&](const SurfacePlace& p) {
+    return std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); });
+  };
   for (const Feature f : {Feature::Circle, Feature::Point})
     for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), f, 40, touched)) places.push_back(p);
   return places;
 }
 
 bool AtomSet::touchedBy(const Contact& contact) const {
-  return contact.touching() && std::any_of(contact.atoms.begin(), contact.atoms.end(), [&](std::int32_t a) { return has(a); });
+  return contact.touching() &&
+         std::any_of(contact.atoms.begin(), contact.atoms.end(), [&](std::int32_t a) { return has(a); });
 }
 
 bool AtomSet::holds(const Contact& contact) const {
@@ -130,14 +135,16 @@ std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Mole
   for (const Selection& part : path) {
     const std::vector<std::uint32_t> atoms = part.select(molecule);
     if (path.size() == 1) {
-      for (const std::uint32_t a : atoms) out.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A, {a}});
+      for (const std::uint32_t a : atoms)
+        out.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A, {a}});
       return out;
     }
     if (atoms.empty()) continue;
     PathPlace place{Vec3(0.0), 0.0, atoms};
     for (const std::uint32_t a : atoms) place.centre_A += molecule.atoms[a].position.A / double(atoms.size());
     for (const std::uint32_t a : atoms)
-      place.reach_A = std::max(place.reach_A, glm::distance(place.centre_A, molecule.atoms[a].position.A) + molecule.atoms[a].radius_A);
+      place.reach_A = std::max(
+          place.reach_A, glm::distance(place.centre_A, molecule.atoms[a].position.A) + molecule.atoms[a].radius_A);
     out.push_back(std::move(place));
   }
   return out;
@@ -156,10 +163,14 @@ std::string targetName(const TaskSpec& spec, std::string_view key) {
 
 bool isFeature(std::string_view word, Feature feature) {
   switch (feature) {
-    case Feature::Sphere: return word == "sphere";
-    case Feature::Circle: return word == "crease";
-    case Feature::Point: return word == "pit";
-    case Feature::Free: break;
+    case Feature::Sphere:
+      return word == "sphere";
+    case Feature::Circle:
+      return word == "crease";
+    case Feature::Point:
+      return word == "pit";
+    case Feature::Free:
+      break;
   }
   return false;
 }

@@ -47,7 +47,7 @@ struct TaskStage {
   std::optional<double> probe_A = {}, stiffness_N_per_mm = {};
   std::string method = {};
   std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
-  int showing = 0;           ///< another number: the hand lets go and begins anew outside, so that nothing else tells a change
+  int showing = 0;  ///< another number: the hand lets go and begins anew outside, so that nothing else tells a change
 
   friend bool operator==(const TaskStage& a, const TaskStage& b) {
     return a.dark == b.dark && a.force_meter == b.force_meter && a.probe_A == b.probe_A && a.method == b.method &&
@@ -56,23 +56,23 @@ struct TaskStage {
   }
 };
 
-/// A force curve that the student draws first and feels then. Both are values at even distances from 0 to `x_most`, both
-/// ends included; NaN where nothing has been drawn or felt.
+/// A force curve that the student draws first and feels then. Both are values at even distances from 0 to `x_most`,
+/// both ends included; NaN where nothing has been drawn or felt.
 struct TaskCurves {
-  std::string_view x_name;           ///< "depth"
-  double x_most = 1.0;               ///< unit: angstrom
-  double most_N = 1.0;               ///< the upper end of the force axis
-  bool drawing = true;               ///< the student still draws; what is felt does not count yet
-  std::vector<double> drawn, felt;   ///< unit: newton; of the same length
-  std::optional<double> agreement;   ///< once both are known: 0 to 1
+  std::string_view x_name;          ///< "depth"
+  double x_most = 1.0;              ///< unit: angstrom
+  double most_N = 1.0;              ///< the upper end of the force axis
+  bool drawing = true;              ///< the student still draws; what is felt does not count yet
+  std::vector<double> drawn, felt;  ///< unit: newton; of the same length
+  std::optional<double> agreement;  ///< once both are known: 0 to 1
 };
 
 class Task {
  public:
   virtual ~Task() = default;
 
-  /// One tick. Samples whose time does not advance, or with a time, force or contact point that is not finite, are passed over, as is
-  /// everything after the task is done.
+  /// One tick. Samples whose time does not advance, or with a time, force or contact point that is not finite, are
+  /// passed over, as is everything after the task is done.
   void feed(const TouchSample& sample);
 
   bool done() const { return done_; }
@@ -90,8 +90,8 @@ class Task {
   /// What it asks of the scene; the lesson's own scene once done.
   TaskStage stage() const { return done_ ? TaskStage() : wanted(); }
 
-  /// What was measured, from the start until now or until done: time, time in contact, mean and greatest force in contact,
-  /// the way of the contact point over the surface; then what the kind itself measures.
+  /// What was measured, from the start until now or until done: time, time in contact, mean and greatest force in
+  /// contact, the way of the contact point over the surface; then what the kind itself measures.
   std::vector<TaskFigure> figures() const;
   /// Of these, what the kind itself measures.
   std::vector<TaskFigure> ownFigures() const {
@@ -142,7 +142,8 @@ class AtomSet {
   /// An absent selection stands for every atom.
   AtomSet(const Selection& selection, const Molecule& molecule);
   bool has(std::int32_t atom) const {
-    return all_ ? atom >= 0 : atom >= 0 && static_cast<std::size_t>(atom) < in_.size() && in_[static_cast<std::size_t>(atom)];
+    return all_ ? atom >= 0
+                : atom >= 0 && static_cast<std::size_t>(atom) < in_.size() && in_[static_cast<std::size_t>(atom)];
   }
   /// Whether the contact rests on at least one of them.
   bool touchedBy(const Contact& contact) const;
@@ -180,7 +181,8 @@ struct PathPlace {
 /// The places of a path: one part stands for its atoms in the order of the file, each of several parts for one place.
 std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule);
 
-/// The name of a task's target in the middle of a sentence: `called`, or made from the selection or the feature in `key`.
+/// The name of a task's target in the middle of a sentence: `called`, or made from the selection or the feature in
+/// `key`.
 std::string targetName(const TaskSpec& spec, std::string_view key);
 
 /// Places that a hand can take to touch these atoms, or a kind of place where `feature` names one ("sphere", "crease",

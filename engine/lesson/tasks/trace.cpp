@@ -9,19 +9,22 @@
 namespace moltact {
 namespace {
 
-constexpr double kSpacing_A = 0.2;   // of the places along a crease
-constexpr double kBrush_A = 0.25;    // a contact covers so much of a crease to either side
-constexpr double kAhead_A = 5.0;     // round a bend the nearest place of a way may leap so far
-constexpr double kAheadShare = 0.25; // but never over so much of the whole way
-constexpr double kStart_A = 1.0;     // so near to its end a way may be begun
-constexpr double kStartShare = 0.1;  // and within so much of the whole
+constexpr double kSpacing_A = 0.2;    // of the places along a crease
+constexpr double kBrush_A = 0.25;     // a contact covers so much of a crease to either side
+constexpr double kAhead_A = 5.0;      // round a bend the nearest place of a way may leap so far
+constexpr double kAheadShare = 0.25;  // but never over so much of the whole way
+constexpr double kStart_A = 1.0;      // so near to its end a way may be begun
+constexpr double kStartShare = 0.1;   // and within so much of the whole
 
 // What the two forms of the way have in common: how far the hand is off it, and how often it let go.
 class Trace : public Task {
  public:
   explicit Trace(const TaskSpec& spec)
-      : Task(spec), name_(spec.values.has("called") ? spec.values["called"].text : "the way"), within_A_(spec.values["within"].number),
-        cover_(0.01 * spec.values["cover"].number), limited_(spec.values.has("lifts")),
+      : Task(spec),
+        name_(spec.values.has("called") ? spec.values["called"].text : "the way"),
+        within_A_(spec.values["within"].number),
+        cover_(0.01 * spec.values["cover"].number),
+        limited_(spec.values.has("lifts")),
         lifts_allowed_(static_cast<int>(spec.values["lifts"].number)) {}
 
   void reset() override {
@@ -84,12 +87,18 @@ class Trace : public Task {
   std::string guidance() const override {
     const std::string so_far = std::to_string(static_cast<int>(100.0 * covered())) + " % of the way.";
     switch (state_) {
-      case State::Away: return "Touch " + whereToBegin() + " to begin.";
-      case State::Elsewhere: return "You are on the surface. Slide to " + whereToBegin() + " to begin.";
-      case State::On: return "Follow " + name_ + ": " + so_far;
-      case State::Off: return "You are off " + name_ + ". Go back to where you left it: " + so_far;
-      case State::Lifted: return "You let go. Touch " + name_ + " where you left it: " + so_far;
-      case State::Again: break;
+      case State::Away:
+        return "Touch " + whereToBegin() + " to begin.";
+      case State::Elsewhere:
+        return "You are on the surface. Slide to " + whereToBegin() + " to begin.";
+      case State::On:
+        return "Follow " + name_ + ": " + so_far;
+      case State::Off:
+        return "You are off " + name_ + ". Go back to where you left it: " + so_far;
+      case State::Lifted:
+        return "You let go. Touch " + name_ + " where you left it: " + so_far;
+      case State::Again:
+        break;
     }
     return "You let go too often. Begin again at " + whereToBegin() + ".";
   }
@@ -112,7 +121,8 @@ class Trace : public Task {
 /// From atom to atom: the way is the line through their centres, seen from the surface.
 class TraceAtoms : public Trace {
  public:
-  TraceAtoms(const TaskSpec& spec, const Molecule& molecule) : Trace(spec), either_(spec.values["direction"].text == "either") {
+  TraceAtoms(const TaskSpec& spec, const Molecule& molecule)
+      : Trace(spec), either_(spec.values["direction"].text == "either") {
     for (const PathPlace& p : pathPlaces(spec.values["trace"].path, molecule)) {
       if (!stops_.empty() && glm::distance(stops_.back().place.centre_A, p.centre_A) < 1e-9) continue;
       if (!stops_.empty()) length_A_ += glm::distance(stops_.back().place.centre_A, p.centre_A);
@@ -140,13 +150,15 @@ class TraceAtoms : public Trace {
       if (b.at_A < from_A || a.at_A > to_A) continue;
       const double length = b.at_A - a.at_A;
       const Vec3 along = (b.place.centre_A - a.place.centre_A) / length;
-      const double at = std::clamp(glm::dot(scp - a.place.centre_A, along), std::max(0.0, from_A - a.at_A), std::min(length, to_A - a.at_A));
+      const double at = std::clamp(glm::dot(scp - a.place.centre_A, along), std::max(0.0, from_A - a.at_A),
+                                   std::min(length, to_A - a.at_A));
       const double reach_A = a.place.reach_A + (b.place.reach_A - a.place.reach_A) * at / length + probe_A;
       const double off = glm::distance(scp, a.place.centre_A + along * at) - reach_A;
       if (off < best.off_A) best = {off, a.at_A + at};
     }
     constexpr double kAtEnd_A = 1e-6;
-    const bool cut_low = from_A > 0.0 && best.at_A <= from_A + kAtEnd_A, cut_high = to_A < length_A_ && best.at_A >= to_A - kAtEnd_A;
+    const bool cut_low = from_A > 0.0 && best.at_A <= from_A + kAtEnd_A,
+               cut_high = to_A < length_A_ && best.at_A >= to_A - kAtEnd_A;
     return {std::max(0.0, best.off_A), best.at_A, !cut_low && !cut_high};
   }
 
@@ -166,7 +178,8 @@ class TraceAtoms : public Trace {
       }
       const double reach = std::min(kStart_A, kStartShare * length_A_);
       const Near start = nearest(scp, probe_A, 0.0, reach), end = nearest(scp, probe_A, length_A_ - reach, length_A_);
-      const bool at_start = start.inside && start.off_A <= within_A, at_end = either_ && end.inside && end.off_A <= within_A;
+      const bool at_start = start.inside && start.off_A <= within_A,
+                 at_end = either_ && end.inside && end.off_A <= within_A;
       if (!at_start && !at_end) return {off_A, false};
       begun_ = true;
       backward_ = !at_start;
@@ -185,7 +198,9 @@ class TraceAtoms : public Trace {
     bool reached = false;
     for (const Stop& stop : stops_) {
       const double at_A = backward_ ? length_A_ - stop.at_A : stop.at_A;
-      if (at_A - front_A_ > ahead_A_ + stop.place.reach_A || front_A_ - at_A > stop.place.reach_A || !rests(contact, stop)) continue;
+      if (at_A - front_A_ > ahead_A_ + stop.place.reach_A || front_A_ - at_A > stop.place.reach_A ||
+          !rests(contact, stop))
+        continue;
       front_A_ = std::max(front_A_, at_A);
       reached = true;
     }
@@ -194,8 +209,9 @@ class TraceAtoms : public Trace {
 
   static bool rests(const Contact& contact, const Stop& stop) {
     const std::vector<std::uint32_t>& of = stop.place.atoms;
-    return of.size() > 1 && std::any_of(contact.atoms.begin(), contact.atoms.end(),
-                                        [&](std::int32_t a) { return a >= 0 && std::find(of.begin(), of.end(), std::uint32_t(a)) != of.end(); });
+    return of.size() > 1 && std::any_of(contact.atoms.begin(), contact.atoms.end(), [&](std::int32_t a) {
+             return a >= 0 && std::find(of.begin(), of.end(), std::uint32_t(a)) != of.end();
+           });
   }
 
   // Over the faces of the path's atoms that are open, one after the other, each the one nearest to the last.
@@ -286,10 +302,12 @@ class TraceCrease : public Trace {
 
   // How far the nearest place of the creases is, looked for in a growing box.
   double nearest(const Vec3& scp) const {
-    const double far = empty() ? 0.0 : glm::distance(places_->low_A(), places_->high_A()) + glm::distance(scp, places_->low_A()) + 1.0;
+    const double far =
+        empty() ? 0.0 : glm::distance(places_->low_A(), places_->high_A()) + glm::distance(scp, places_->low_A()) + 1.0;
     for (double reach_A = 0.5; !empty(); reach_A *= 2.0) {
       double least = std::numeric_limits<double>::max();
-      places_->visitCentresNear(scp, reach_A, [&](std::uint32_t, const Ball& p) { least = std::min(least, glm::distance(scp, p.centre_A)); });
+      places_->visitCentresNear(
+          scp, reach_A, [&](std::uint32_t, const Ball& p) { least = std::min(least, glm::distance(scp, p.centre_A)); });
       if (least <= reach_A || reach_A > far) return least;
     }
     return 1e3;  // there is no crease
@@ -317,30 +335,59 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
   const bool crease = !spec.values["trace"].words.empty();
   const Value &of = spec.values["of"], &trace = spec.values["trace"];
   if (crease && !of.selection.given())
-    problems.push_back({{}, trace.place.line, trace.place.column, "nothing says between which atoms the creases lie", "add 'of'; for a small molecule 'of: all'"});
+    problems.push_back({{},
+                        trace.place.line,
+                        trace.place.column,
+                        "nothing says between which atoms the creases lie",
+                        "add 'of'; for a small molecule 'of: all'"});
   if (!crease && of.place.line)
-    problems.push_back({{}, of.place.line, of.place.column, "'of' belongs to 'trace: crease'", "take it out or write 'trace: crease'"});
+    problems.push_back({{},
+                        of.place.line,
+                        of.place.column,
+                        "'of' belongs to 'trace: crease'",
+                        "take it out or write 'trace: crease'"});
   const Value& direction = spec.values["direction"];
   if (crease && direction.place.line)
-    problems.push_back({{}, direction.place.line, direction.place.column, "a crease has no direction", "take the line out"});
+    problems.push_back(
+        {{}, direction.place.line, direction.place.column, "a crease has no direction", "take the line out"});
 }
 
 }  // namespace
 
 TaskKind traceKind() {
-  return {"trace", "Follow a way over the surface without letting go.",
-          {{.name = "trace", .type = ValueType::Path,
-            .meaning = "The way: one selection, whose atoms are followed in the order of the file; places parted by 'then'; or 'crease'.",
-            .required = true, .words = {"crease"}},
-           {.name = "of", .type = ValueType::Selection, .meaning = "For 'trace: crease': the atoms between which the creases lie."},
-           {.name = "within", .type = ValueType::Quantity, .meaning = "How far off the way the contact point may be.", .fallback = "1 Å",
-            .dimension = Dimension::Length, .least = 0.05, .most = 50.0},
-           {.name = "cover", .type = ValueType::Count, .meaning = "How much of the way is to be followed, in percent.", .fallback = "90",
-            .least = 1, .most = 100},
-           {.name = "direction", .type = ValueType::Word, .meaning = "Whether the way may be begun at its end as well.",
-            .fallback = "forward", .words = {"forward", "either"}},
-           {.name = "lifts", .type = ValueType::Count,
-            .meaning = "How often the student may let go before the way begins again; without it as often as need be.", .most = 100}},
+  return {"trace",
+          "Follow a way over the surface without letting go.",
+          {{.name = "trace",
+            .type = ValueType::Path,
+            .meaning = "The way: one selection, whose atoms are followed in the order of the file; places parted by "
+                       "'then'; or 'crease'.",
+            .required = true,
+            .words = {"crease"}},
+           {.name = "of",
+            .type = ValueType::Selection,
+            .meaning = "For 'trace: crease': the atoms between which the creases lie."},
+           {.name = "within",
+            .type = ValueType::Quantity,
+            .meaning = "How far off the way the contact point may be.",
+            .fallback = "1 Å",
+            .dimension = Dimension::Length,
+            .least = 0.05,
+            .most = 50.0},
+           {.name = "cover",
+            .type = ValueType::Count,
+            .meaning = "How much of the way is to be followed, in percent.",
+            .fallback = "90",
+            .least = 1,
+            .most = 100},
+           {.name = "direction",
+            .type = ValueType::Word,
+            .meaning = "Whether the way may be begun at its end as well.",
+            .fallback = "forward",
+            .words = {"forward", "either"}},
+           {.name = "lifts",
+            .type = ValueType::Count,
+            .meaning = "How often the student may let go before the way begins again; without it as often as need be.",
+            .most = 100}},
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> {
             if (!s.values["trace"].words.empty()) return std::make_unique<TraceCrease>(s, m);
             return std::make_unique<TraceAtoms>(s, m);

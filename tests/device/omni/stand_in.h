@@ -1,4 +1,5 @@
-// The stand-in libHD.so for the tests of the Omni's driver, and the servo loop over it whose clock a test steps by hand.
+// The stand-in libHD.so for the tests of the Omni's driver, and the servo loop over it whose clock a test steps by
+// hand.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -41,7 +42,9 @@ struct StandIn {
   void step(int ticks) const { call<void(int)>("standInStep")(ticks); }
   void attach(bool on) const { call<void(bool)>("standInAttach")(on); }
   void error(std::uint32_t code) const { call<void(std::uint32_t)>("standInError")(code); }
-  void calibration(std::uint32_t state, std::uint32_t style) const { call<void(std::uint32_t, std::uint32_t)>("standInCalibration")(state, style); }
+  void calibration(std::uint32_t state, std::uint32_t style) const {
+    call<void(std::uint32_t, std::uint32_t)>("standInCalibration")(state, style);
+  }
   void buttons(int bits) const { call<void(int)>("standInButtons")(bits); }
   void dock(bool on) const { call<void(bool)>("standInDock")(on); }
   void updatesNeeded(int times) const { call<void(int)>("standInUpdatesNeeded")(times); }
@@ -98,7 +101,8 @@ inline void press(const StandIn& omni, Loop& loop) {
 
 // Asks until it is there, at most some seconds; what it waits for is checked afterwards.
 inline void untilThere(Device& device) {
-  for (int k = 0; k < 1000 && !device.status().connected; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  for (int k = 0; k < 1000 && !device.status().connected; ++k)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
   CHECK(device.status().connected);
 }
 

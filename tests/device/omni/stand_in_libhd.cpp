@@ -1,10 +1,12 @@
-// A stand-in for OpenHaptics' libHD.so, built from its published documentation, with the device model in the scripted hand
-// behind it. It is strict where the documentation is: what is asked outside a frame or by the getter of another type, a second
-// begin, a second frame in a tick, a bad handle end as errors on the stack, newest first. The callback runs without its lock.
-// The functions standIn… are for the tests: they step its clock by hand or let it run at 1 kHz, and do to it what a device does.
-// In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks for the calibration style STAND_IN_STYLE
-// if that is set, has the middle of its room STAND_IN_ROOM_Z mm before its hand's, and writes how the device was closed. Into the file STAND_IN_FORCES it writes each force that it is given, in
-// N, and "off" and "on" for its output, each in one line behind the monotonic time in ns: they are there however the process ends.
+// A stand-in for OpenHaptics' libHD.so, built from its published documentation, with the device model in the scripted
+// hand behind it. It is strict where the documentation is: what is asked outside a frame or by the getter of another
+// type, a second begin, a second frame in a tick, a bad handle end as errors on the stack, newest first. The callback
+// runs without its lock. The functions standIn… are for the tests: they step its clock by hand or let it run at 1 kHz,
+// and do to it what a device does. In a program of its own (STAND_IN_LOG, a file) it runs at 1 kHz from the start, asks
+// for the calibration style STAND_IN_STYLE if that is set, has the middle of its room STAND_IN_ROOM_Z mm before its
+// hand's, and writes how the device was closed. Into the file STAND_IN_FORCES it writes each force that it is given, in
+// N, and "off" and "on" for its output, each in one line behind the monotonic time in ns: they are there however the
+// process ends.
 #include <fcntl.h>
 #include <time.h>
 #include <unistd.h>
@@ -34,7 +36,8 @@ struct State {
   std::recursive_mutex mutex;
   std::mutex ticking;  // held while the callback runs; taken before `mutex`
   std::vector<hd::ErrorInfo> errors;
-  bool attached = true, initialised = false, in_frame = false, forces_on = false, running = false, manual = true, licensed = true;
+  bool attached = true, initialised = false, in_frame = false, forces_on = false, running = false, manual = true,
+       licensed = true;
   bool framed = false, ticks = false;  // a frame was in this tick; a tick is under way
   std::uint32_t error_at_end = hd::kNoError;
   std::uint32_t calibration = hd::kCalibrated, style = hd::kInkwell, updates = 0;
@@ -81,7 +84,8 @@ void note(const char* what) {
   timespec t{};
   clock_gettime(CLOCK_MONOTONIC, &t);
   char line[80];
-  const int size = std::snprintf(line, sizeof line, "%lld %s\n", static_cast<long long>(t.tv_sec) * 1'000'000'000 + t.tv_nsec, what);
+  const int size =
+      std::snprintf(line, sizeof line, "%lld %s\n", static_cast<long long>(t.tv_sec) * 1'000'000'000 + t.tv_nsec, what);
   (void)!::write(file, line, std::size_t(size));
 }
 void noteForce(double force_N) {
@@ -95,11 +99,13 @@ double norm(const double* v) { return std::sqrt(v[0] * v[0] + v[1] * v[1] + v[2]
 enum class Type { None, Boolean, Integer, Double };
 Type typeOf(std::uint32_t what) {
   switch (what) {
-    case hd::kInkwellSwitch: return Type::Boolean;
+    case hd::kInkwellSwitch:
+      return Type::Boolean;
     case hd::kButtons:
     case hd::kInputDof:
     case hd::kOutputDof:
-    case hd::kCalibrationStyle: return Type::Integer;
+    case hd::kCalibrationStyle:
+      return Type::Integer;
     case hd::kPosition:
     case hd::kMotorTemperature:
     case hd::kMaxForce:
@@ -108,8 +114,10 @@ Type typeOf(std::uint32_t what) {
     case hd::kMaxDamping:
     case hd::kVelocityLimit:
     case hd::kForceImpulseLimit:
-    case hd::kUsableWorkspace: return Type::Double;
-    default: return Type::None;
+    case hd::kUsableWorkspace:
+      return Type::Double;
+    default:
+      return Type::None;
   }
 }
 // Whether `what` is there and of the type that it is asked by.
@@ -172,7 +180,8 @@ void hdDisableDevice(hd::Handle) {
   if (!state().initialised || state().running) push(hd::kInvalidOperation);
   state().initialised = state().forces_on = false;
   if (const char* log = std::getenv("STAND_IN_LOG"))
-    std::ofstream(log, std::ios::app) << "closed, " << state().biggest_N << " N at most, " << state().at_stop_N << " N at the stop, " << state().errors.size() << " errors\n";
+    std::ofstream(log, std::ios::app) << "closed, " << state().biggest_N << " N at most, " << state().at_stop_N
+                                      << " N at the stop, " << state().errors.size() << " errors\n";
 }
 void hdMakeCurrentDevice(hd::Handle device) {
   const Lock lock(state().mutex);
@@ -220,10 +229,17 @@ void hdGetIntegerv(std::uint32_t what, int* out) {
   const Lock lock(state().mutex);
   if (!isOf(Type::Integer, what)) return;
   switch (what) {
-    case hd::kButtons: if (inFrame()) *out = state().buttons; break;
-    case hd::kInputDof: *out = 6; break;
-    case hd::kOutputDof: *out = 3; break;
-    default: *out = int(state().style);
+    case hd::kButtons:
+      if (inFrame()) *out = state().buttons;
+      break;
+    case hd::kInputDof:
+      *out = 6;
+      break;
+    case hd::kOutputDof:
+      *out = 3;
+      break;
+    default:
+      *out = int(state().style);
   }
 }
 void hdGetDoublev(std::uint32_t what, double* out) {
@@ -236,13 +252,27 @@ void hdGetDoublev(std::uint32_t what, double* out) {
       out[0] = mm.x, out[1] = mm.y, out[2] = mm.z;
       break;
     }
-    case hd::kMotorTemperature: std::fill(out, out + 6, 0.0), out[1] = state().heat; break;
-    case hd::kMaxForce: *out = 3.3; break;
-    case hd::kMaxContinuousForce: *out = 0.88; break;
-    case hd::kMaxStiffness: *out = 0.5; break;
-    case hd::kMaxDamping: *out = 0.003; break;
-    case hd::kVelocityLimit: *out = 1200; break;
-    case hd::kForceImpulseLimit: *out = 4; break;
+    case hd::kMotorTemperature:
+      std::fill(out, out + 6, 0.0), out[1] = state().heat;
+      break;
+    case hd::kMaxForce:
+      *out = 3.3;
+      break;
+    case hd::kMaxContinuousForce:
+      *out = 0.88;
+      break;
+    case hd::kMaxStiffness:
+      *out = 0.5;
+      break;
+    case hd::kMaxDamping:
+      *out = 0.003;
+      break;
+    case hd::kVelocityLimit:
+      *out = 1200;
+      break;
+    case hd::kForceImpulseLimit:
+      *out = 4;
+      break;
     default: {
       const Vec3& m = state().room_middle_mm;
       const double box[6] = {m.x - 80, m.y - 60, m.z - 35, m.x + 80, m.y + 60, m.z + 35};
@@ -263,9 +293,12 @@ void hdSetDoublev(std::uint32_t what, const double* in) {
 }
 const char* hdGetString(std::uint32_t what) {
   switch (what) {
-    case hd::kModel: return "Stand-in Omni";
-    case hd::kSerial: return "42";
-    default: return "";
+    case hd::kModel:
+      return "Stand-in Omni";
+    case hd::kSerial:
+      return "42";
+    default:
+      return "";
   }
 }
 std::uint32_t hdCheckCalibration() {

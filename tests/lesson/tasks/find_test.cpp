@@ -13,7 +13,9 @@ bool offers(const Task& task, std::string_view word) {
 }  // namespace
 
 // Atom 0 has 1.7 A and the probe 1.4 A: a contact point y A from its centre is y - 3.1 A from its surface.
-TEST_CASE("find is dark until 'here' is said 0.9 A from the atom; 2.9 A away is wrong and kept as the error of the first guess") {
+TEST_CASE(
+    "find is dark until 'here' is said 0.9 A from the atom; 2.9 A away is wrong and kept as the error of the first "
+    "guess") {
   auto t = task("find", {{"find", "atom 0"}});
   Hand hand{*t};
   CHECK(t->stage().dark);

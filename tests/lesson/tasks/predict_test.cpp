@@ -90,5 +90,6 @@ TEST_CASE("curves of another length, with holes or below zero are passed over") 
   t->answer(bad);
   CHECK(t->curves()->drawing);
   CHECK(problemOf("predict", {{"predict", "anywhere"}, {"along", "atom 3"}}) == "the way has no start");
-  CHECK(problemOf("predict", {{"predict", "atom 0"}, {"along", "atom 3"}, {"deep", "1 Å"}}) == "'deep' belongs to pressing in and 'along' to sliding");
+  CHECK(problemOf("predict", {{"predict", "atom 0"}, {"along", "atom 3"}, {"deep", "1 Å"}}) ==
+        "'deep' belongs to pressing in and 'along' to sliding");
 }

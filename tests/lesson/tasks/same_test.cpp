@@ -35,7 +35,9 @@ Pair feelPair(Task& task, Hand& hand, Say say) {
 
 }  // namespace
 
-TEST_CASE("of 8 pairs 4 differ, in an order that the seed fixes and another seed changes; answering rightly finishes with d' of 2.563") {
+TEST_CASE(
+    "of 8 pairs 4 differ, in an order that the seed fixes and another seed changes; answering rightly finishes with d' "
+    "of 2.563") {
   std::vector<std::string> orders;
   for (const char* seed : {"1", "1", "2"}) {
     Keys keys = kProbes;
@@ -105,9 +107,12 @@ TEST_CASE("two places are turned to the front, each its own, and only a touch of
 
 TEST_CASE("what differs must be named once") {
   CHECK(problemOf("same", {{"same", "anywhere"}}) == "nothing says how the second thing differs from the scene");
-  CHECK(problemOf("same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"method", "mesh80"}}) == "the two things differ in one respect only");
-  CHECK(problemOf("same", {{"same", "anywhere"}, {"place", "atom 3"}}) == "two places are to be felt, but only one is named");
-  CHECK(problemOf("same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"trials", "4"}, {"right", "5"}}) == "more right answers than there are trials");
+  CHECK(problemOf("same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"method", "mesh80"}}) ==
+        "the two things differ in one respect only");
+  CHECK(problemOf("same", {{"same", "anywhere"}, {"place", "atom 3"}}) ==
+        "two places are to be felt, but only one is named");
+  CHECK(problemOf("same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"trials", "4"}, {"right", "5"}}) ==
+        "more right answers than there are trials");
 }
 
 TEST_CASE("z(0.975) is 1.95996, z(0.5) is 0; 9 of 10 hits and 2 of 10 false alarms give d' of 1.845") {

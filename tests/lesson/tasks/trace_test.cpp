@@ -1,4 +1,5 @@
-// Ways along atoms on the x axis and round the crease of two equal balls, where coverage and deviation have closed forms.
+// Ways along atoms on the x axis and round the crease of two equal balls, where coverage and deviation have closed
+// forms.
 #include <numbers>
 
 #include "tests/lesson/task_hand.h"
@@ -26,7 +27,9 @@ void round(Hand& hand, double from_deg, double to_deg, double radius_A = kCrease
 
 }  // namespace
 
-TEST_CASE("tracing half of the crease between two balls covers 50 % without deviation, and all but 30 degrees is enough for 90 %") {
+TEST_CASE(
+    "tracing half of the crease between two balls covers 50 % without deviation, and all but 30 degrees is enough for "
+    "90 %") {
   auto t = task("trace", {{"trace", "crease"}, {"of", "all"}, {"within", "0.3 Å"}}, pair());
   Hand hand{*t};
   CHECK(t->sentence() == "Touch the crease to begin.");
@@ -49,7 +52,8 @@ TEST_CASE("a circle 0.5 A outside the crease is off by 0.5 A, covers nothing wit
   CHECK(t->sentence().starts_with("You are off the way. Go back to where you left it"));
 }
 
-TEST_CASE("along four atoms of 1.7 A a contact point 3.6 A from their line is 0.5 A off, and 2 of 3 A are 67 % of the way") {
+TEST_CASE(
+    "along four atoms of 1.7 A a contact point 3.6 A from their line is 0.5 A off, and 2 of 3 A are 67 % of the way") {
   auto t = task("trace", {{"trace", "atom 0-3"}, {"called", "the backbone"}, {"within", "0.6 Å"}});
   Hand hand{*t};
   hand.touch({9}, 0.1, 0.5, {3, 3.6, 0});
@@ -102,24 +106,30 @@ TEST_CASE("in either direction the way may begin at its end; forward it may not"
     Hand hand{*t};
     hand.slide({3}, {3, 3, 0}, {0.4, 3, 0});
     CAPTURE(direction);
-    CHECK(figure(*t, "coverage") == doctest::Approx(std::string_view(direction) == "either" ? 86.7 : 0.0).epsilon(0.01));
+    CHECK(figure(*t, "coverage") ==
+          doctest::Approx(std::string_view(direction) == "either" ? 86.7 : 0.0).epsilon(0.01));
   }
 }
 
 TEST_CASE("keys of a trace that do not go together are told") {
   CHECK(problemOf("trace", {{"trace", "atom 0-3"}, {"of", "all"}}) == "'of' belongs to 'trace: crease'");
   CHECK(problemOf("trace", {{"trace", "crease"}}) == "nothing says between which atoms the creases lie");
-  CHECK(problemOf("trace", {{"trace", "crease"}, {"of", "all"}, {"direction", "either"}}) == "a crease has no direction");
+  CHECK(problemOf("trace", {{"trace", "crease"}, {"of", "all"}, {"direction", "either"}}) ==
+        "a crease has no direction");
   CHECK(problemOf("trace", {{"trace", "atom 0 then"}}) != "");
   CHECK(problemOf("trace", {{"trace", "atom 0 then then atom 1"}}) == "a place is missing beside 'then'");
 }
 
-TEST_CASE("a place of several atoms is reached at the first of its atoms that is touched, though its middle is 2 A farther on") {
+TEST_CASE(
+    "a place of several atoms is reached at the first of its atoms that is touched, though its middle is 2 A farther "
+    "on") {
   // Three rows of three atoms, 2 A apart, round x = 0, 10 and 20 A.
   MoleculeBuilder b;
   for (const double x : {0.0, 10.0, 20.0})
     for (const double by : {-2.0, 0.0, 2.0}) b.atom("C", 6, {x + by, 0, 0});
-  auto t = task("trace", {{"trace", "atom 0-2 then atom 3-5 then atom 6-8"}, {"within", "0.5 Å"}, {"direction", "either"}}, b.molecule);
+  auto t =
+      task("trace", {{"trace", "atom 0-2 then atom 3-5 then atom 6-8"}, {"within", "0.5 Å"}, {"direction", "either"}},
+           b.molecule);
   Hand hand{*t};
   // The near side of the last place is all that the hand comes to; the far side of the first is where it begins.
   hand.touch({2}, 0.05, 0.5, {2.0, 3.1, 0});

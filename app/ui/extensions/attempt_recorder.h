@@ -1,0 +1,86 @@
+// Keeps what a student does in a lesson: steps, answers, hints, tasks, touches and the way of the hand, as it happens.
+// It only watches; what cannot be kept is told once in a message and the lesson goes on. Window's thread.
+//
+// A lesson that is opened begins a new attempt; resume() goes on with an old one:
+//   app.extensions().recorder.resume(app, lesson_file, progress.file);      // progress: engine/results/progress.h
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/ui/extensions/extension.h"
+#include "app/ui/lesson/input_way_watch.h"
+#include "engine/render/camera.h"
+#include "engine/results/attempt_log.h"
+#include "engine/results/session_watch.h"
+#include "engine/results/touch_watch.h"
+
+namespace moltact {
+
+class AttemptRecorder : public Extension {
+ public:
+  void beforeTicks(Application& app) override;
+  void ticks(Application& app, const FeltTicks& felt) override;
+  void afterPanels(Application& app) override;
+  void sceneChanged(Application& app) override;
+  void lessonChanged(Application& app) override;
+  void atEnd(Application& app) override;
+
+  /// Opens the lesson where the attempt was left, with what was done; what comes goes into the same file. An attempt
+  /// that cannot be read is told, and the lesson begins anew.
+  void resume(Application& app, const std::filesystem::path& lesson_file, const std::filesystem::path& attempt_file);
+
+  /// From here on another student (a name or code; empty: none is kept) works: the lesson begins anew for him, in an
+  /// attempt of his own, at the step that is shown; what he has done under this name since the program began is taken
+  /// up.
+  void passTo(Application& app, const std::string& student);
+  const std::string& student() const { return student_; }
+
+  /// A guess of someone who waits, kept with the attempt that goes on.
+  void keepPrediction(Predicted prediction);
+
+  /// The file of the attempt; empty before it is there, and where nothing is kept.
+  std::filesystem::path file() const { return log_ ? log_->file() : std::filesystem::path(); }
+  /// Waits until all is written.
+  bool flush() { return !log_ || log_->flush(); }
+  /// While something is played back nothing is kept.
+  void pause(bool on);
+
+ private:
+  struct Turn {
+    std::string student;
+    std::filesystem::path lesson, file;
+  };
+  void beginNew(Application& app);
+  void beginParts(Application& app);
+  void add(AttemptFact fact) { add(AttemptEvent{now_s_, std::move(fact)}); }
+  void add(AttemptEvent event);
+  void lookAtStage(Application& app);
+  void lookAtView(Application& app);
+  void lookAtWay(Application& app);
+  void endAttempt();
+  void tell(Application& app);
+
+  std::string student_;
+  std::vector<Predicted> predictions_;  // made while there was no attempt
+  std::vector<Turn> turns_;  // attempts of this run, by student, so that a turn goes on where the last one ended
+  std::optional<AttemptLog> log_;
+  const void* session_ = nullptr;  // whose attempt it is
+  std::filesystem::path lesson_;   // its file
+  std::string hash_;
+  SessionWatch session_watch_;
+  TouchWatch touch_watch_;
+  InputWayWatch input_;
+  double now_s_ = 0.0;  // of use since log_ began
+  double view_told_s_ = -1.0;
+  std::optional<InputChanged> way_;
+  std::optional<StageSet> stage_;
+  std::optional<Camera> view_;
+  bool hints_ = false, paused_ = false, mending_begun_ = false;
+  std::future<std::size_t> mended_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,192 @@
+#include "app/ui/extensions/card_pictures.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstdint>
+#include <cstdio>
+#include <string_view>
+#include <system_error>
+
+#include "app/ui/application.h"
+#include "app/ui/panels/method_chooser.h"
+#include "app/ui/widgets/theme.h"
+#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sweep.h"
+#include "engine/molecule/reader.h"
+#include "engine/platform/read_file.h"
+#include "engine/render/renderer.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Raised when pictures of the same subject come out differently.
+constexpr std::string_view kDrawnAs = "2";
+constexpr std::size_t kMostKept = 400;
+constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
+
+std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 14695981039346656037ull) {
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ull;
+  return hash;
+}
+
+std::string sceneKey(const SceneSpec& s) {
+  return s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' + s.method + '|' + std::to_string(s.probe_A) +
+         '|' + s.colour;
+}
+
+// Where a probe that comes in along a ray from the viewer's upper right meets the surface.
+PointA restingPlace(const BallScene& balls, const Camera& camera, double probe_A) {
+  constexpr double kClose_A = 0.02;
+  const Vec3 outward = glm::normalize(0.6 * camera.right() + 0.5 * camera.up() + 0.6 * camera.back());
+  double out_A = glm::length(balls.high_A() - balls.low_A()) + 2.0 * probe_A;
+  PointA place{camera.target.A + outward * out_A};
+  for (int step = 0; step < 200; ++step) {
+    const double gap_A = clearance(balls, probe_A, place.A);
+    if (gap_A < kClose_A || out_A < 0.0) break;
+    out_A -= gap_A;
+    place.A = camera.target.A + outward * out_A;
+  }
+  return place;
+}
+
+// The scene as a lesson turns and marks it, with the probe at the surface.
+ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
+  ViewScene scene;
+  const BallScene balls(read.balls());
+  scene.molecule = std::make_shared<const Molecule>(std::move(read));
+  scene.shown = {Shape::Atoms, Shape::Target, Shape::Probe, Shape::Facets};
+  scene.probe_A = spec.probe_A;
+  scene.colour_by = colourBy(spec);
+  scene.facets = feltFacets(spec.method);
+  if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
+  const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;
+  const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.probe_A); };
+  fit();
+  faceScene(scene.camera, *scene.molecule, spec);
+  fit();
+  scene.hip = restingPlace(balls, scene.camera, spec.probe_A);
+  return scene;
+}
+
+// The newest stay.
+void tidy(const fs::path& folder) {
+  std::error_code error;
+  std::vector<std::pair<fs::file_time_type, fs::path>> files;
+  for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+    if (it->path().extension() == ".png") files.emplace_back(it->last_write_time(error), it->path());
+  if (files.size() <= kMostKept) return;
+  std::sort(files.begin(), files.end());
+  for (std::size_t k = 0; k < files.size() - kMostKept; ++k) fs::remove(files[k].second, error);
+}
+
+}  // namespace
+
+struct CardPictures::Card {
+  GLuint texture = 0;
+  ~Card() {
+    if (texture) glDeleteTextures(1, &texture);
+  }
+  void show(const Picture& p) {
+    if (!texture) glGenTextures(1, &texture);
+    GLint bound = 0;
+    glGetIntegerv(GL_TEXTURE_BINDING_2D, &bound);
+    glBindTexture(GL_TEXTURE_2D, texture);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, p.width_px, p.height_px, 0, GL_RGB, GL_UNSIGNED_BYTE, p.rgb.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glBindTexture(GL_TEXTURE_2D, GLuint(bound));
+  }
+};
+
+CardPictures::CardPictures() = default;
+CardPictures::~CardPictures() = default;
+
+ImTextureID CardPictures::find(const CardSubject& subject) {
+  if (subject.molecule.empty()) return nullptr;
+  const std::string key = look_ + subject.molecule.string() + '|' + sceneKey(subject.scene);
+  auto [at, is_new] = cards_.try_emplace(key);
+  if (is_new) {
+    at->second = std::make_unique<Card>();
+    queue_.emplace_back(key, subject);
+  }
+  return reinterpret_cast<ImTextureID>(std::intptr_t(at->second->texture));
+}
+
+void CardPictures::afterPanels(Application& app) {
+  const std::string now =
+      std::string(themeName(app.settings.theme)) + (app.settings.colour_blind_safe ? "|safe|" : "|");
+  if (now != look_) {
+    look_ = now;
+    queue_.clear();  // of the look before
+    std::erase_if(cards_, [](const auto& c) { return c.second->texture == 0; });
+  }
+  const bool wait = app.options().clock == ServoClock::Frames;  // the same in every run
+  if (job_.valid() && (wait || job_.wait_for(std::chrono::seconds(0)) == std::future_status::ready))
+    finish(app, job_.get());
+  if (job_.valid()) return;
+  if (queue_.empty()) {
+    renderer_.reset();
+    return;
+  }
+  auto [key, subject] = std::move(queue_.front());
+  queue_.erase(queue_.begin());
+  job_ = std::async(std::launch::async, [key = std::move(key), subject = std::move(subject), look = look_,
+                                         folder = app.options().cache_folder]() mutable {
+    Job job{std::move(key), std::move(subject), {}, {}, {}};
+    const Expected<std::string> bytes = readFile(job.subject.molecule, kLargestFile, "");
+    if (!bytes) return job;
+    if (!folder.empty()) {
+      char name[40];
+      const std::uint64_t hash = fnv1a(*bytes, fnv1a(look + sceneKey(job.subject.scene) + std::string(kDrawnAs)));
+      std::snprintf(name, sizeof name, "card-%016llx.png", static_cast<unsigned long long>(hash));
+      job.kept = folder / name;
+      std::error_code ignored;
+      if (fs::exists(job.kept, ignored))
+        if (Expected<Picture> picture = readPng(job.kept)) {
+          job.picture = *std::move(picture);
+          return job;
+        }
+    }
+    try {
+      if (Expected<Molecule> molecule = readMolecule(job.subject.molecule))
+        job.scene = sceneOf(*std::move(molecule), job.subject.scene);
+    } catch (const std::exception&) {
+      // A card without a picture; opening the lesson tells why.
+    }
+    return job;
+  });
+}
+
+void CardPictures::finish(Application& app, Job job) {
+  const auto at = cards_.find(job.key);
+  if (at == cards_.end()) return;
+  if (!job.picture && job.scene) {
+    if (!renderer_) {
+      Expected<std::unique_ptr<Renderer>> made = Renderer::create();
+      if (!made) return;
+      renderer_ = std::move(*made);
+    }
+    job.scene->theme = look().viewTheme();
+    job.scene->elements = elementColoursOf(app.settings);
+    if (renderer_->draw(*job.scene, kWidth_px, kHeight_px, {.samples = 2})) return;
+    job.picture = renderer_->readPixels();
+    ++drawn_;
+    if (!job.kept.empty()) {
+      std::error_code ignored;
+      fs::create_directories(job.kept.parent_path(), ignored);
+      // A full disk costs only the next start's time.
+      writePng(job.kept, *job.picture);
+      tidy(job.kept.parent_path());
+    }
+  }
+  if (job.picture && !job.picture->rgb.empty()) at->second->show(*job.picture);
+}
+
+}  // namespace moltact

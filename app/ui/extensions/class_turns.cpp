@@ -1,0 +1,82 @@
+#include "app/ui/extensions/class_turns.h"
+
+#include <algorithm>
+
+#include "app/ui/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "engine/core/text.h"
+
+namespace moltact {
+
+void ClassTurns::begin(Application& app, std::vector<std::string> names, double turn_s) {
+  turns_.begin(std::move(names), turn_s);
+  predictions_ = 0;
+  if (!on()) return;
+  app.panels.welcome = false;
+  call(app);
+}
+
+void ClassTurns::call(Application& app) {
+  draft.who = 0;
+  draft.prediction.clear();
+  app.extensions().recorder.pause(true);
+}
+
+void ClassTurns::start(Application& app) {
+  if (turns_.state() != Turns::State::HandOver) return;
+  turns_.start();
+  app.scene.play(std::nullopt);
+  app.extensions().recorder.pause(false);
+  app.extensions().recorder.passTo(app, turns_.current());
+}
+
+void ClassTurns::passOn(Application& app) {
+  turns_.passOn();
+  if (on()) call(app);
+}
+
+void ClassTurns::skip(Application& app) {
+  turns_.leave(turns_.current());
+  if (on())
+    call(app);
+  else
+    end(app);
+}
+
+void ClassTurns::end(Application& app) {
+  turns_.end();
+  app.scene.play(std::nullopt);
+  app.extensions().recorder.pause(false);
+  app.extensions().recorder.passTo(app, {});
+}
+
+std::string ClassTurns::prompt(const Application& app) const {
+  const LessonSession* session = app.lesson.session();
+  if (!session) return "What will be felt next?";
+  for (std::size_t k = 0; k < session->step().tasks.size(); ++k) {
+    const TaskStatus task = session->task(k);
+    if (task.current && !task.say.empty()) return "“" + task.say + "” What will be felt?";
+  }
+  for (std::size_t k = 0; k < session->step().questions.size(); ++k)
+    if (!session->question(k).answered_right) return plainText(session->step().questions[k].title);
+  return "What will be felt next?";
+}
+
+bool ClassTurns::predict(Application& app, const std::string& name, const std::string& text) {
+  const std::vector<std::string> waiting = turns_.waiting();
+  const std::string said(trimmed(text));
+  if (said.empty() || std::find(waiting.begin(), waiting.end(), name) == waiting.end()) return false;
+  const LessonSession* session = app.lesson.session();
+  app.extensions().recorder.keepPrediction({name, session ? session->step().id : std::string(), prompt(app), said});
+  ++predictions_;
+  return true;
+}
+
+void ClassTurns::beforeTicks(Application& app) {
+  if (!on()) return;
+  if (turns_.tick(app.dt_s())) call(app);
+  // Nothing in anyone's hand: no force, no touch.
+  if (turns_.state() == Turns::State::HandOver) app.scene.play(ServoSample());
+}
+
+}  // namespace moltact

@@ -1,0 +1,257 @@
+#include "app/ui/extensions/device_link.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "app/ui/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "engine/servo/safety_stage.h"
+#include "engine/servo/scale.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kAsk_s = 0.25;  // between two questions for the device's state
+constexpr double kTurn_rad_per_s = 1.5, kPan_heights_per_s = 0.5,
+                 kCloser_per_s = 2.2;       // of a view that a device leads fully
+constexpr float kForgetTick = 1.0f / 3000;  // so the classes stand for the last 3 s
+constexpr const char* kLent = "";           // the name of a device that no driver has
+constexpr std::uint32_t kClutchButton = 2;  // the stylus's second
+
+}  // namespace
+
+void DeviceLink::choose(Application& app, const std::string& name) {
+  if (const std::optional<Problem> problem = use(app, name)) {
+    app.messages.error(problem->text());
+    return;
+  }
+  awaited_.clear();
+  awaited_title_.clear();
+  app.settings.device = name;
+  app.messages.takeBack(offer_);
+}
+
+std::optional<Problem> DeviceLink::use(Application& app, const std::string& name, std::unique_ptr<Device> opened) {
+  stopTrying(app);
+  ServoLink& servo = app.scene.servo();
+  if (name == "mouse") {
+    servo.setDevice(nullptr);
+  } else {
+    // The old one goes first: it may be the same.
+    if (name == chosen_) return std::nullopt;
+    Expected<std::unique_ptr<Device>> device = opened ? std::move(opened) : openDevice(name);
+    if (!device) return device.problem();
+    servo.setDevice(std::move(*device));
+  }
+  taken(app, name);
+  // A hand that is held has an edge to its room, and a button to reach beyond it.
+  app.scene.servo_settings.clutch =
+      name == "mouse" ? ClutchSettings() : ClutchSettings{.buttons = kClutchButton, .at_edge = true};
+  app.scene.fitToDevice();
+  return std::nullopt;
+}
+
+void DeviceLink::taken(Application& app, const std::string& name) {
+  chosen_ = name;
+  status_ = DeviceStatus();
+  app.messages.takeBack(std::exchange(told_, {}));
+  asked_s_ = -1.0;
+}
+
+void DeviceLink::lend(Application& app, std::unique_ptr<Device> device) {
+  stopTrying(app);
+  app.scene.servo().setDevice(std::move(device));
+  taken(app, kLent);
+}
+
+void DeviceLink::giveBack(Application& app, const std::string& before) {
+  if (!use(app, before)) return;
+  // It has gone meanwhile.
+  use(app, "mouse");
+  awaited_ = awaited_title_ = before;
+}
+
+void DeviceLink::begin(Application& app) {
+  begun_ = true;
+  const std::string& name = app.settings.device;
+  takes_default_ = name.empty() && app.options().devices_unasked;
+  if (name.empty() || name == "mouse") return;
+  const std::optional<FoundDevice> found = findDevice(name);
+  if (found && found->usable && !use(app, name)) return;
+  // A name that no driver has any more is forgotten.
+  if (!found && !findDevice(name.substr(0, name.find(':')))) return;
+  awaited_ = name;
+  awaited_title_ = found ? found->title : name;
+  app.messages.notice(awaited_title_ + " is not there" + (found && !found->why.empty() ? " (" + found->why + ")" : "") +
+                      ". Until it is, the mouse leads.");
+}
+
+double DeviceLink::lookEvery_s(const Application& app) const {
+  if (app.panels.device_page) return kLook_s;
+  return app.settings.device.empty() && app.options().devices_unasked ? kLookForOffer_s : 0.0;
+}
+
+void DeviceLink::look(Application& app) {
+  if (std::optional<std::vector<FoundDevice>> seen = looker_.take(); seen && !seen->empty()) {
+    found_ = std::move(*seen);
+    offer(app);
+  }
+  const double every_s = lookEvery_s(app);
+  if (every_s == 0.0 || (looked_s_ >= 0.0 && app.now_s() - looked_s_ < every_s)) return;
+  looked_s_ = app.now_s();
+  looker_.begin(app.scene.servo().clock() == ServoClock::Frames);
+}
+
+// The search is not the window's: a driver may take seconds to find that there is no device. A script waits, for its
+// clock is not the search's.
+void DeviceLink::await(Application& app) {
+  if (!search_ && !awaited_.empty() && app.now_s() - searched_s_ >= kLook_s)
+    search_ = std::make_unique<DeviceSearch>(awaited_);
+  if (!search_ || (!search_->done() && app.scene.servo().clock() == ServoClock::RealThread)) return;
+  auto device = search_->take();
+  search_.reset();
+  searched_s_ = app.now_s();
+  if (!device || awaited_.empty() || use(app, awaited_, std::move(*device))) return;
+  awaited_.clear();
+  awaited_title_.clear();
+  app.messages.notice(app.scene.servo().chosen()->info().name + " is there and leads.");
+}
+
+// At the start what is there is taken. Later nothing changes under the hand by itself.
+void DeviceLink::offer(Application& app) {
+  if (!app.settings.device.empty() || !app.options().devices_unasked) return;
+  if (std::exchange(takes_default_, false)) {
+    const std::string name = defaultDevice(found_).name;
+    if (name != "mouse") use(app, name);
+    return;
+  }
+  if (app.scene.servo().chosen() && app.scene.servo().chosen()->info().gives_force) return;
+  const auto best = std::find_if(found_.begin(), found_.end(),
+                                 [](const FoundDevice& one) { return one.usable && one.by_itself && one.gives_force; });
+  const std::string name = best == found_.end() ? "" : best->name;
+  if (name == offered_) return;
+  offered_ = name;
+  app.messages.takeBack(std::exchange(
+      offer_, name.empty() ? "" : best->title + " is plugged in. Choose it on the device page to feel with it."));
+  if (!name.empty()) app.messages.ask(MessageKind::Notice, offer_, {"device"});
+}
+
+void DeviceLink::tryForce(Application& app) {
+  if (app.scene.tryForce(kTry_N)) trying_s_ = kTry_s;
+}
+
+void DeviceLink::stopTrying(Application& app) {
+  trying_s_ = 0.0;
+  app.scene.endTry();
+}
+
+// A cap or a stick that leads the view; not while a task keeps the screen dark.
+void DeviceLink::leadView(Application& app) {
+  Device* device = app.scene.servo().chosen();
+  if (!device || !app.scene.stage() || app.scene.servo().fallenBack() || app.extensions().task_stager.dark()) return;
+  const ViewWish wish = device->viewWish();
+  const double dt = app.dt_s();
+  Camera& camera = app.scene.camera;
+  if (wish.rotation != Vec3(0.0)) {
+    const Vec3 turn = wish.rotation * (kTurn_rad_per_s * dt);
+    camera.orbit(turn.y, turn.x);
+    camera.roll(turn.z);
+  }
+  if (wish.move != Vec3(0.0)) {
+    const int height = std::max(1, int(app.layout().view.size().y));
+    camera.pan(wish.move.x * kPan_heights_per_s * height * dt, -wish.move.y * kPan_heights_per_s * height * dt, height);
+    camera.zoom(std::pow(kCloser_per_s, wish.move.z * dt));
+  }
+}
+
+void DeviceLink::beforeTicks(Application& app) {
+  if (!begun_) begin(app);
+  look(app);
+  await(app);
+  leadView(app);
+  app.scene.followView();
+  if (chosen_ != "mouse")
+    app.scene.servo_settings.clutch.buttons = app.extensions().task_stager.takesSecondButton() ? 0 : kClutchButton;
+  for (double& left : limit_left_s_) left = std::max(0.0, left - app.dt_s());
+  // The panic key, another scene and a hand that is played end a try by themselves.
+  trying_s_ = app.scene.trying() ? trying_s_ - app.dt_s() : 0.0;
+  if (trying_s_ <= 0.0) stopTrying(app);
+  ask(app);
+}
+
+// The device's own words, for as long as they hold, with what to do about it at hand.
+void DeviceLink::ask(Application& app) {
+  Device* device = app.scene.servo().chosen();
+  if (!device || (asked_s_ >= 0.0 && app.now_s() - asked_s_ < kAsk_s)) return;
+  asked_s_ = app.now_s();
+  const DeviceStatus was = std::exchange(status_, device->status());
+  const std::string& name = device->info().name;
+  std::string now = status_.text;
+  if (!status_.connected)
+    now += " Until then the mouse leads.";
+  else if (!status_.ready)
+    now = name + " gives no force yet. " + now;
+  if (now == told_) return;
+  app.messages.takeBack(told_);
+  told_ = now;
+  if (wantsCalibration(app))
+    app.messages.ask(MessageKind::Warning, now, {"calibrate", "device"});
+  else if (!now.empty())
+    app.messages.ask(MessageKind::Warning, now, {"device"});
+  if (!was.connected && status_.connected && status_.ready)
+    app.messages.notice(name + " leads again.");
+  else if (!was.ready && status_.ready)
+    app.messages.notice(name + " is ready.");
+}
+
+bool DeviceLink::wantsCalibration(const Application& app) const {
+  return app.scene.servo().chosen() && status_.connected && status_.asks_calibrate;
+}
+
+void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {
+  for (const ServoSample& tick : ticks) {
+    for (std::size_t k = 0; k < limitWords().size(); ++k)
+      if (tick.limits.has(limitWords()[k].limit)) limit_left_s_[k] = kShowLimit_s;
+    soft_start_s_ = tick.limits.has(Limit::SoftStart) ? soft_start_s_ + kTick_s : 0.0;
+    std::size_t at = 0;
+    while (at < kLate_us.size() && double(tick.late_us) > kLate_us[at]) ++at;
+    for (float& share : lateness_) share -= share * kForgetTick;
+    lateness_[at] += kForgetTick;
+  }
+}
+
+void DeviceLink::afterPanels(Application& app) {
+  if (!app.panels.device_page) stopTrying(app);
+  watchTicks(app.scene.servo().everyTick());
+}
+
+DeviceLink::ScaleWords DeviceLink::scaleWords(const Application& app) const {
+  const ServoSettings& s = app.scene.servo_settings;
+  if (app.extensions().task_stager.dark()) return {lengthScale(s.workspace) + ".", ""};
+  const double felt = steadyStiffness_N_per_mm(s.stiffness_N_per_mm, app.scene.servo().device());
+  return {scaleSentence(s.workspace, felt), scaleReason(s.workspace, felt)};
+}
+
+std::vector<const LimitWords*> DeviceLink::actingLimits() const {
+  std::vector<const LimitWords*> out;
+  for (std::size_t k = 0; k < limitWords().size(); ++k)
+    if (limit_left_s_[k] > 0.0) out.push_back(&limitWords()[k]);
+  return out;
+}
+
+std::vector<std::string> DeviceLink::limitNotices(const Application& app) const {
+  std::vector<std::string> out;
+  for (const LimitWords* one : actingLimits()) {
+    if (one->limit == Limit::Panic || (one->limit == Limit::SoftStart && soft_start_s_ < kLongStart_s)) continue;
+    // The device knows better what is wrong; it is told once.
+    const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
+    if (!own_words)
+      out.emplace_back(one->sentence);
+    else if (!app.messages.tells(told_))
+      out.push_back(told_);
+  }
+  return out;
+}
+
+}  // namespace moltact

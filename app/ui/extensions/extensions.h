@@ -1,0 +1,54 @@
+// The extensions of the window: one member each. Window's thread.
+#pragma once
+
+#include <vector>
+
+#include "app/ui/extensions/attempt_recorder.h"
+#include "app/ui/extensions/card_pictures.h"
+#include "app/ui/extensions/class_turns.h"
+#include "app/ui/extensions/device_link.h"
+#include "app/ui/extensions/hand_model.h"
+#include "app/ui/extensions/hand_recorder.h"
+#include "app/ui/extensions/lesson_locks.h"
+#include "app/ui/extensions/lesson_shelf.h"
+#include "app/ui/extensions/lesson_watch.h"
+#include "app/ui/extensions/playback.h"
+#include "app/ui/extensions/scene_change.h"
+#include "app/ui/extensions/scene_history.h"
+#include "app/ui/extensions/settings_keeper.h"
+#include "app/ui/extensions/state_text.h"
+#include "app/ui/extensions/task_stager.h"
+#include "app/ui/extensions/touch_sound.h"
+
+namespace moltact {
+
+struct Extensions {
+  SettingsKeeper settings_keeper;
+  LessonWatch lesson_watch;
+  LessonLocks lesson_locks;  // before the history, which then never sees what is locked change
+  AttemptRecorder recorder;
+  ClassTurns turns;
+  Playback playback;
+  SceneHistory history;
+  LessonShelf shelf;
+  CardPictures card_pictures;
+  TaskStager task_stager;
+  SceneChange scene_change;
+  HandModel hand_model;
+  StateText state_text;
+  TouchSound touch_sound;
+  DeviceLink device;
+  HandRecorder hand_recorder;  // after the device, whose clutch and scale a recording replaces by its own
+
+  /// What stands under the view (unit: pixel at 96 dpi); 0 where nothing does.
+  float stripHeight() const;
+
+  /// Every one of them, in the order in which they are called.
+  std::vector<Extension*> all() {
+    return {&settings_keeper, &lesson_watch, &lesson_locks, &recorder,     &turns,         &playback,
+            &history,         &scene_change, &hand_model,   &shelf,        &card_pictures, &task_stager,
+            &state_text,      &touch_sound,  &device,       &hand_recorder};
+  }
+};
+
+}  // namespace moltact

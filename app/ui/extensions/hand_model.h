@@ -1,0 +1,26 @@
+// The model that stands for the hand in the view, as the person chose it: read when it is first wanted. Window's
+// thread.
+#pragma once
+
+#include <memory>
+
+#include "app/ui/extensions/extension.h"
+#include "app/ui/files/settings.h"
+#include "engine/gltf/gltf_file.h"
+
+namespace moltact {
+
+class HandModel : public Extension {
+ public:
+  /// Reads another model where another was chosen; one that cannot be read is told once, and no model stands there.
+  void beforeTicks(Application& app) override;
+
+  /// Null where the probe alone is shown.
+  const std::shared_ptr<const SolidModel>& model() const { return model_; }
+
+ private:
+  ProbeLook look_ = ProbeLook::Water;
+  std::shared_ptr<const SolidModel> model_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,60 @@
+// The hand as a file: what a device's hand did on the molecule is recorded, every tick of it, and a recording leads the
+// hand again, with the scale, the turn and the surface it was recorded with. While one plays no device is open, so that
+// no force goes anywhere, and nothing is kept of a lesson's attempt. Window's thread. Unit: second.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/ui/extensions/extension.h"
+#include "engine/servo/playback_device.h"
+
+namespace moltact {
+
+/// Whether a file is a recording of a hand, by its name.
+bool looksLikeRecording(const std::filesystem::path& file);
+
+class HandRecorder : public Extension {
+ public:
+  /// Asks for a file, then records until stop(), or until another molecule or method is on the stage.
+  void askToRecord(Application& app);
+  void record(Application& app, const std::filesystem::path& file);
+  void stop(Application& app);
+  bool recording() const { return writer_.has_value(); }
+  double recorded_s() const { return double(ticks_) * kTick_s; }
+
+  /// Opens its molecule and leads the hand by it. What is no recording is told and changes nothing.
+  void play(Application& app, const std::filesystem::path& file);
+  /// What led before leads again.
+  void endPlay(Application& app);
+  bool playing() const { return playing_; }
+  double at_s() const;
+  double length_s() const;
+  std::string name() const { return file_.filename().string(); }
+
+  void beforeTicks(Application& app) override;
+  void afterPanels(Application& app) override;
+  void atEnd(Application& app) override;
+  bool live() const override { return recording() || playing_ || waiting_; }
+
+ private:
+  void drain(Application& app);
+  void begin(Application& app);
+  void lead(Application& app);
+  std::string label(const char* key) const;
+
+  std::filesystem::path file_;  // the one that is written or played
+  // Of a recording that grows:
+  std::optional<ServoRecordingWriter> writer_;
+  std::uint64_t ticks_ = 0;
+  std::uint32_t tracker_ = 0;  // the scene's, by its number, when it began
+  std::string told_;           // the message that says so
+  // Of one that is played:
+  std::optional<ServoRecording> waiting_;  // for its molecule
+  PlaybackDevice* device_ = nullptr;       // the servo loop's, while that one leads
+  bool playing_ = false;
+  std::string before_;  // the device that led before
+};
+
+}  // namespace moltact

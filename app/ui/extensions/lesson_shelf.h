@@ -1,0 +1,52 @@
+// The lessons and molecules that can be begun, as the welcome page shows them. Lessons are read one a frame while the
+// page is open, so that a full shelf does not stop it. Window's thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/ui/extensions/extension.h"
+#include "engine/lesson/lesson.h"
+#include "engine/results/progress.h"
+
+namespace moltact {
+
+struct LessonCard {
+  std::filesystem::path file;
+  std::string id;     ///< the file's name without its ending
+  std::string title;  ///< the file's name until it has been read
+  std::string level;  ///< as the author wrote it; may be empty
+  int minutes = 0;    ///< 0: not told
+  bool own = false;   ///< from the person's own folder
+  bool read = false;
+  std::string fault;                       ///< why it cannot be opened; empty when it can
+  std::optional<SceneSpec> scene;          ///< of its first step
+  std::filesystem::path molecule;          ///< the scene's file; empty where it is not found
+  std::optional<LessonProgress> progress;  ///< none: never begun
+};
+
+class LessonShelf : public Extension {
+ public:
+  /// The program's lessons, by level, then the person's own, by title.
+  const std::vector<LessonCard>& cards() const { return cards_; }
+  /// The lesson to go on with: the one touched last, where it was not finished. Null without one.
+  const LessonCard* latest() const;
+
+  /// Reads anew while the welcome page is open, from when it was opened.
+  void afterPanels(Application& app) override;
+  bool live() const override { return next_ < cards_.size(); }
+
+ private:
+  void list(const Application& app);
+
+  std::vector<LessonCard> cards_;
+  std::size_t next_ = 0;  // the card to be read
+  bool open_ = false;     // the page was open in the last frame
+};
+
+/// Where the person's own lessons are looked for: the folder of the settings, else ownLessonsFolder().
+std::filesystem::path lessonFolderOf(const Application& app);
+
+}  // namespace moltact

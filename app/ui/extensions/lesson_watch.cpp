@@ -1,0 +1,154 @@
+#include "app/ui/extensions/lesson_watch.h"
+
+#include <algorithm>
+#include <chrono>
+#include <system_error>
+
+#include "app/ui/application.h"
+#include "engine/lesson/lesson_files.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kPoll_s = 0.25;
+constexpr double kGone_s = 3.0;       // editors that save by way of another file leave none for a moment
+constexpr double kLookAgain_s = 2.0;  // a picture or molecule that was missing may have been put there
+constexpr const char* kSaveAgain = "save it again, or open another lesson";
+
+LessonCheck checkNow(const std::string& name, const std::string& bytes, LessonMolecules& molecules) {
+  return checkLesson(name, bytes, [&](const std::string& molecule) { return molecules.find(name, molecule); });
+}
+
+}  // namespace
+
+LessonWatch::Look LessonWatch::lookAt(const fs::path& file) {
+  std::error_code error;
+  Look look;
+  look.there = fs::is_regular_file(file, error);
+  if (!look.there) return look;
+  look.written = fs::last_write_time(file, error);
+  look.bytes = fs::file_size(file, error);
+  if (error) look = {};
+  return look;
+}
+
+bool LessonWatch::shown(const Application& app) const { return app.lesson.session() && app.lesson.file() == file_; }
+
+void LessonWatch::watch(const fs::path& file) {
+  file_ = file;
+  seen_ = lookAt(file);
+  read_ = {};
+  bytes_.clear();
+  since_poll_s_ = unreadable_s_ = 0.0;
+  changed_ = stale_ = false;
+  faults_.clear();
+  errors_ = 0;
+}
+
+void LessonWatch::lessonChanged(Application& app) {
+  if (app.lesson.openings() == own_opening_ && app.lesson.file() == file_) return;
+  watch(app.lesson.file());
+  begin(app);
+}
+
+void LessonWatch::refused(Application& app, const fs::path& file) {
+  watch(file);
+  // What is wrong with a file that a person has just chosen is told at once.
+  const Expected<std::string> bytes = readLessonFile(file);
+  if (bytes && !bytes->empty()) return begin(app);
+  list({{}, {bytes ? Problem{file.string(), 0, 0, "the file is empty", kSaveAgain} : bytes.problem()}, {}});
+  read_ = seen_;
+}
+
+void LessonWatch::beforeTicks(Application& app) {
+  if (running_.valid() && (app.options().clock == ServoClock::Frames ||
+                           running_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)) {
+    LessonCheck check = running_.get();
+    if (checking_ == file_) takeUp(app, std::move(check));
+  }
+  since_check_s_ += app.dt_s();
+  since_poll_s_ += app.dt_s();
+  if (file_.empty() || running_.valid() || since_poll_s_ < kPoll_s) return;
+  since_poll_s_ = 0.0;
+  poll(app);
+}
+
+void LessonWatch::poll(Application& app) {
+  const Look now = lookAt(file_);
+  const bool settled = now == seen_;
+  seen_ = now;
+  if (!now.there || now.bytes == 0) {
+    unreadable_s_ += kPoll_s;
+    if (unreadable_s_ < kGone_s || now == read_) return;
+    read_ = now;
+    list({{}, {{file_.string(), 0, 0, now.there ? "the file is empty" : "the file is gone", kSaveAgain}}, {}});
+    return;
+  }
+  unreadable_s_ = 0.0;
+  // A file that still grows is being written.
+  if (!settled) return;
+  if (now != read_ || (errors_ > 0 && since_check_s_ > kLookAgain_s)) begin(app);
+}
+
+void LessonWatch::begin(Application& app) {
+  // A check that is under way ends first: the next poll begins anew.
+  if (running_.valid()) return;
+  const Look before = lookAt(file_);
+  Expected<std::string> bytes = readLessonFile(file_);
+  // Gone or half written again in the meantime: the next poll sees it.
+  if (!bytes || bytes->empty() || lookAt(file_) != before) return;
+  read_ = before;
+  checking_ = file_;
+  since_check_s_ = 0.0;
+  pending_bytes_ = *std::move(bytes);
+  const auto work = [name = file_.string(), text = pending_bytes_, molecules = molecules_] {
+    return checkNow(name, text, *molecules);
+  };
+  try {
+    running_ = std::async(app.options().clock == ServoClock::Frames ? std::launch::deferred : std::launch::async, work);
+  } catch (const std::system_error&) {  // no further thread can be had
+    running_ = std::async(std::launch::deferred, work);
+  }
+}
+
+void LessonWatch::takeUp(Application& app, LessonCheck check) {
+  const bool is_shown = shown(app), first = is_shown && bytes_.empty() && !changed_;
+  if (first) {
+    // The lesson that has just been opened: it is the text on the screen, whatever is wrong with it.
+    bytes_ = pending_bytes_;
+    list(check);
+    return;
+  }
+  const bool another = pending_bytes_ != bytes_;
+  changed_ = changed_ || another;
+  stale_ = another;
+  list(check);
+  if (!check.errors.empty() || !check.lesson) return;
+  if (!is_shown) {
+    // A copy: opening it makes this watch look at it anew.
+    app.open(fs::path(file_));
+    return;
+  }
+  if (!another) return;
+  bytes_ = pending_bytes_;
+  app.lesson.replace(*std::move(check.lesson));
+  own_opening_ = app.lesson.openings();
+  app.scene.startSoftly();
+  app.messages.notice("Read again: " + file_.filename().string());
+}
+
+void LessonWatch::list(const LessonCheck& check) {
+  faults_.clear();
+  errors_ = check.errors.size();
+  for (const Problem& p : check.errors) faults_.push_back({true, p});
+  if (errors_ > 0 || changed_)
+    for (const Problem& p : check.warnings) faults_.push_back({false, p});
+  std::stable_sort(faults_.begin(), faults_.end(),
+                   [](const Fault& a, const Fault& b) { return a.problem.line < b.problem.line; });
+  // Nothing more to check soon: the molecules need not be kept.
+  if (faults_.empty() && !changed_) molecules_ = std::make_shared<LessonMolecules>();
+}
+
+}  // namespace moltact

@@ -1,0 +1,74 @@
+// Watches the lesson's file while it is open, so that an author sees what was written as soon as it is saved: the
+// lesson is read again, the student stays on the same step, and the force starts from nothing. With errors the last
+// good lesson stays, and the panel of lesson problems lists them until they are mended. Window's thread; the checking
+// has its own.
+#pragma once
+
+#include <filesystem>
+#include <future>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/ui/extensions/extension.h"
+#include "engine/lesson/check.h"
+#include "engine/lesson/lesson_molecules.h"
+
+namespace moltact {
+
+class LessonWatch : public Extension {
+ public:
+  struct Fault {
+    bool error = true;  ///< false: a warning
+    Problem problem;
+  };
+
+  /// What is wrong with the file as it is now, in its order: everything where there are errors, else nothing; with
+  /// warnings too once the file has changed while it was open, for then its author is at work.
+  const std::vector<Fault>& faults() const { return faults_; }
+  std::size_t errors() const { return errors_; }
+  /// The file that `faults` are of: the open lesson's, or one that could not be opened.
+  const std::filesystem::path& file() const { return file_; }
+  /// What is shown is not the file as it is now, but as it was before the errors came.
+  bool stale() const { return errors_ > 0 && stale_; }
+  /// The file is the one of the lesson that is shown.
+  bool shown(const Application& app) const;
+
+  /// A file was to be opened and could not be read as a lesson: it is watched, and opened once it can be.
+  void refused(Application& app, const std::filesystem::path& file);
+
+  void beforeTicks(Application& app) override;
+  void lessonChanged(Application& app) override;
+  bool live() const override { return running_.valid(); }
+
+ private:
+  /// How a file looks from outside; editors change at least one of these when they save.
+  struct Look {
+    std::filesystem::file_time_type written{};
+    std::uintmax_t bytes = 0;
+    bool there = false;
+    bool operator==(const Look&) const = default;
+  };
+
+  static Look lookAt(const std::filesystem::path& file);
+  void watch(const std::filesystem::path& file);
+  void poll(Application& app);
+  void begin(Application& app);
+  void takeUp(Application& app, LessonCheck check);
+  void list(const LessonCheck& check);
+
+  std::filesystem::path file_, checking_;
+  Look read_, seen_;           // as it was when it was last read, and at the last poll
+  std::string bytes_;          // of the lesson that is shown, to tell a change from a mere touch
+  std::string pending_bytes_;  // of the one that is being checked
+  double since_poll_s_ = 0.0, unreadable_s_ = 0.0, since_check_s_ = 0.0;
+  std::size_t own_opening_ = 0;  // of the lesson guide, when it was this watch that put the lesson there
+  bool changed_ = false;         // since it was opened
+  bool stale_ = false;
+  std::vector<Fault> faults_;
+  std::size_t errors_ = 0;
+  std::shared_ptr<LessonMolecules> molecules_ = std::make_shared<LessonMolecules>();  // the check's, while it runs
+  std::future<LessonCheck> running_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,164 @@
+#include "app/ui/extensions/playback.h"
+
+#include <algorithm>
+
+#include "app/ui/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/platform/folders.h"
+
+namespace moltact {
+namespace fs = std::filesystem;
+
+bool looksLikeAttempt(const fs::path& file) { return file.extension() == ".jsonl"; }
+
+void Playback::open(Application& app, const fs::path& file) {
+  Expected<Attempt> attempt = readAttempt(file);
+  if (!attempt) {
+    app.messages.error(attempt.problem().text());
+    return;
+  }
+  const std::size_t passed_over = attempt->problems.size();
+  const std::string first_problem =
+      passed_over ? "line " + std::to_string(attempt->problems.front().line) + ", " + attempt->problems.front().message
+                  : "";
+  if (!on()) {
+    before_ = app.scene.file();
+    seen_before_ = app.scene.camera;
+  }
+  timeline_.emplace(*std::move(attempt));
+  file_ = file;
+  shown_stage_.clear();
+  missing_.clear();
+  shown_view_ = nullptr;
+  follows_view = true;
+  at_s_ = 0.0;
+  running_ = true;
+  app.extensions().recorder.pause(true);
+  app.messages.clearErrors();
+  app.panels.welcome = false;
+  if (passed_over)
+    app.messages.notice(std::to_string(passed_over) + (passed_over == 1 ? " line" : " lines") + " of " +
+                        file.filename().string() + " could not be read and " + (passed_over == 1 ? "is" : "are") +
+                        " left out. The first: " + first_problem + ".");
+  if (!timeline_->stage(timeline_->length_s()))
+    app.messages.notice("This attempt has no touches to show; its steps and answers are on the bar.");
+}
+
+void Playback::close(Application& app, bool back) {
+  if (!on()) return;
+  timeline_.reset();
+  running_ = false;
+  app.scene.play(std::nullopt);
+  app.extensions().recorder.pause(false);
+  if (!back) return;
+  // The view is where the attempt's last moment had it, which may be anywhere.
+  if (app.lesson.session())
+    app.lesson.askForScene();
+  else if (!before_.empty() && before_ != app.scene.file())
+    app.showMolecule(before_);
+  else if (!before_.empty())
+    app.scene.camera = seen_before_;
+  else if (app.scene.stage())
+    app.resetView();
+}
+
+void Playback::setRunning(bool run) {
+  if (!on()) return;
+  if (run && at_s_ >= timeline_->length_s()) at_s_ = 0.0;
+  running_ = run;
+}
+
+void Playback::seek(double t_s) {
+  if (on()) at_s_ = std::clamp(t_s, 0.0, timeline_->length_s());
+}
+
+void Playback::seekMark(int direction) {
+  if (!on()) return;
+  constexpr double kSame_s = 0.5;  // a second press goes farther back than the mark just passed
+  const auto& marks = timeline_->marks();
+  if (direction > 0) {
+    for (const TimelineMark& m : marks)
+      if (m.t_s > at_s_ + 1e-9) return seek(m.t_s);
+    return seek(timeline_->length_s());
+  }
+  double to_s = 0.0;
+  for (const TimelineMark& m : marks)
+    if (m.t_s < at_s_ - kSame_s) to_s = m.t_s;
+  seek(to_s);
+}
+
+std::string Playback::lastMark() const {
+  std::string out;
+  for (const TimelineMark& m : timeline_->marks())
+    if (m.t_s <= at_s_) out = m.text;
+  return out;
+}
+
+void Playback::stageFor(Application& app) {
+  const StageSet* stage = timeline_->stage(at_s_);
+  if (!stage || stage->file == shown_stage_) return;
+  shown_stage_ = stage->file;
+  if (app.scene.file().filename() == stage->file && app.scene.stage()) return;
+  std::error_code error;
+  for (const fs::path& folder : {file_.parent_path(), lessonsFolder()})
+    if (fs::is_regular_file(folder / stage->file, error)) return app.showMolecule(folder / stage->file);
+  // The library and what has been fetched are asked by the molecule's name: its file without its endings.
+  const std::string& name = stage->file;
+  const Expected<fs::path> found = findMolecule(name.substr(0, name.find('.')), MoleculeFolders::ofThisComputer());
+  if (found) return app.showMolecule(*found);
+  if (missing_ == name) return;
+  missing_ = name;
+  app.messages.warning("The molecule of this attempt, " + name + ", is not on this computer: put it beside " +
+                       file_.filename().string() + ".");
+}
+
+void Playback::showHand(Application& app) {
+  ServoSample sample;
+  const StageSet* stage = timeline_->stage(at_s_);
+  const bool here = stage && app.scene.stage() && app.scene.file().filename() == stage->file &&
+                    app.scene.stage().molecule->atoms.size() == stage->atoms;
+  if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
+    sample.has_tracker = true;
+    sample.hip = hand->hip;
+    sample.contact.scp = hand->scp;
+    sample.contact.feature = hand->feature;
+    sample.contact.atoms = hand->atoms;
+    sample.force = hand->force;
+    sample.probe_A = stage->probe_A;
+    sample.time_s = at_s_;
+  }
+  app.scene.play(sample);
+}
+
+void Playback::showView(Application& app) {
+  if (!follows_view) return;
+  const ViewRotated* view = timeline_->view(at_s_);
+  if (!view || view == shown_view_) return;
+  shown_view_ = view;
+  const auto& q = view->orientation;
+  app.scene.camera.orientation = glm::normalize(glm::dquat(q[0], q[1], q[2], q[3]));
+  app.scene.camera.target = {view->target_A};
+  app.scene.camera.distance_A = view->distance_A;
+}
+
+void Playback::beforeTicks(Application& app) {
+  if (!on()) return;
+  if (running_ && !app.loading()) {
+    if (skips_rests) {
+      const double next_s = timeline_->nextAfter(at_s_);
+      if (next_s - at_s_ > kRest_s) at_s_ = next_s - 0.5;
+    }
+    at_s_ = std::min(at_s_ + app.dt_s() * speed, timeline_->length_s());
+    if (at_s_ >= timeline_->length_s()) running_ = false;
+  }
+  stageFor(app);
+  showHand(app);
+  showView(app);
+}
+
+void Playback::afterPanels(Application& app) {
+  if (on() && app.scene.controls.cameraMoved()) follows_view = false;
+}
+
+}  // namespace moltact

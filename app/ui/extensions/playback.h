@@ -1,0 +1,63 @@
+// Plays an attempt back in the 3-D view: probe, force arrow and the words for them move as they did. The hand that
+// holds the device feels nothing meanwhile, and nothing is kept. Window's thread. Unit: second of use.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/ui/extensions/extension.h"
+#include "engine/render/camera.h"
+#include "engine/results/timeline.h"
+
+namespace moltact {
+
+/// Whether a file is an attempt, by its name.
+bool looksLikeAttempt(const std::filesystem::path& file);
+
+class Playback : public Extension {
+ public:
+  /// Begins to play a file; one that cannot be read is told and changes nothing.
+  void open(Application& app, const std::filesystem::path& file);
+  /// Back to the lesson or molecule that was there before; with `back` false, something else is about to be opened.
+  void close(Application& app, bool back = true);
+
+  bool on() const { return timeline_.has_value(); }
+  /// While on() only.
+  const Timeline& timeline() const { return *timeline_; }
+  double at_s() const { return at_s_; }
+  bool running() const { return on() && running_; }
+
+  /// At the end it begins anew.
+  void setRunning(bool run);
+  void seek(double t_s);
+  /// The next or the last mark before; nothing where there is none.
+  void seekMark(int direction);
+  /// What happened last, for the bar: empty before the first mark.
+  std::string lastMark() const;
+
+  double speed = 1.0;        ///< times as fast as it was
+  bool follows_view = true;  ///< the view turns as it did; off once the person turns it
+  bool skips_rests = true;   ///< passes over times when the hand lay still
+
+  void beforeTicks(Application& app) override;
+  void afterPanels(Application& app) override;
+  bool live() const override { return running(); }
+
+  static constexpr double kRest_s = 3.0;  ///< a longer rest is passed over
+
+ private:
+  void stageFor(Application& app);
+  void showHand(Application& app);
+  void showView(Application& app);
+
+  std::optional<Timeline> timeline_;
+  std::filesystem::path file_, before_;  // the attempt; the molecule that was on the stage
+  Camera seen_before_;                   // how that was looked at
+  std::string shown_stage_, missing_;    // names of molecule files: asked for, and told as missing
+  const ViewRotated* shown_view_ = nullptr;
+  double at_s_ = 0.0;
+  bool running_ = false;
+};
+
+}  // namespace moltact

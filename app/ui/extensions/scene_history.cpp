@@ -1,0 +1,75 @@
+#include "app/ui/extensions/scene_history.h"
+
+#include <imgui.h>
+
+#include "app/ui/application.h"
+#include "app/ui/extensions/extensions.h"
+
+namespace moltact {
+
+SceneHistory::Choices SceneHistory::choicesOf(const Application& app) {
+  const ServoSettings& s = app.scene.servo_settings;
+  return {app.scene.method(),          s.probe_A,       s.stiffness_N_per_mm, s.force_on,
+          app.scene.magnifiedByHand(), app.scene.shown, app.scene.colour_by};
+}
+
+void SceneHistory::apply(Application& app, const Choices& c, const std::optional<Camera>& camera) {
+  ServoSettings& s = app.scene.servo_settings;
+  s.probe_A = c.probe_A;
+  s.stiffness_N_per_mm = c.stiffness_N_per_mm;
+  s.force_on = c.force_on;
+  app.scene.shown = c.shown;
+  app.scene.colour_by = c.colour_by;
+  if (c.method != app.scene.method()) app.scene.useMethod(c.method);
+  const Camera seen = app.scene.camera;
+  app.scene.magnify(c.magnified);
+  if (camera) {
+    app.scene.camera = *camera;
+    app.extensions().scene_change.glide(app, seen);
+  }
+  current_ = c;
+}
+
+void SceneHistory::undo(Application& app) {
+  if (done_.empty()) return;
+  undone_.push_back(std::move(done_.back()));
+  done_.pop_back();
+  apply(app, undone_.back().before, undone_.back().camera_before);
+}
+
+void SceneHistory::redo(Application& app) {
+  if (undone_.empty()) return;
+  done_.push_back(std::move(undone_.back()));
+  undone_.pop_back();
+  apply(app, done_.back().after, done_.back().camera_after);
+}
+
+void SceneHistory::noteView(const Camera& before, const Camera& after) {
+  if (!(before == after)) view_ = {before, after};
+}
+
+void SceneHistory::afterPanels(Application& app) {
+  if (ImGui::IsAnyMouseDown()) return;
+  Choices now = choicesOf(app);
+  if (!current_) current_ = now;
+  const auto view = std::exchange(view_, std::nullopt);
+  if (now == *current_ && !view) return;
+  Change change{*current_, now, {}, {}};
+  if (view) {
+    change.camera_before = view->first;
+    change.camera_after = view->second;
+  }
+  done_.push_back(std::move(change));
+  if (done_.size() > kMost) done_.erase(done_.begin());
+  undone_.clear();
+  current_ = std::move(now);
+}
+
+void SceneHistory::begin() {
+  done_.clear();
+  undone_.clear();
+  view_.reset();
+  current_.reset();
+}
+
+}  // namespace moltact

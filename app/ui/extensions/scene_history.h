@@ -1,0 +1,53 @@
+// Undo and redo of what a person changed about the scene by hand: method, probe, spring, parts shown, what was
+// magnified, the view that was reset. What a lesson's step sets begins anew. Window's thread.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/ui/extensions/extension.h"
+
+namespace moltact {
+
+class SceneHistory : public Extension {
+ public:
+  static constexpr std::size_t kMost = 100;  ///< the oldest changes are forgotten beyond this
+
+  bool canUndo() const { return !done_.empty(); }
+  bool canRedo() const { return !undone_.empty(); }
+  void undo(Application& app);
+  void redo(Application& app);
+  /// The view was set anew by hand, or is on its way: undo brings back the camera as it was before.
+  void noteView(const Camera& before, const Camera& after);
+
+  /// Takes up a change once the mouse rests, so that a slider's whole drag is one.
+  void afterPanels(Application& app) override;
+  void sceneChanged(Application&) override { begin(); }
+  void stepChanged(Application&) override { begin(); }
+
+ private:
+  struct Choices {
+    std::string method;
+    double probe_A = 0.0, stiffness_N_per_mm = 0.0;
+    bool force_on = true, magnified = false;
+    ShapeSet shown;
+    ColourBy colour_by = ColourBy::Element;
+    friend bool operator==(const Choices&, const Choices&) = default;
+  };
+  struct Change {
+    Choices before, after;
+    std::optional<Camera> camera_before, camera_after;
+  };
+
+  void begin();
+  static Choices choicesOf(const Application& app);
+  void apply(Application& app, const Choices& choices, const std::optional<Camera>& camera);
+
+  std::optional<Choices> current_;                 // none: what the scene has at the end of the frame
+  std::optional<std::pair<Camera, Camera>> view_;  // before and after
+  std::vector<Change> done_, undone_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,65 @@
+#include "app/ui/extensions/state_text.h"
+
+#include "app/ui/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/scene/contact_text.h"
+#include "engine/platform/terminal.h"
+
+namespace moltact {
+namespace {
+
+// What is touched, or why nothing is, without the force that trembles.
+std::string whatOf(const Molecule* molecule, const Contact& contact) {
+  return molecule && contact.touching() ? touchedText(*molecule, contact) : contactText(molecule, contact, 0);
+}
+
+}  // namespace
+
+std::optional<Problem> StateText::writeTo(const std::filesystem::path& file) {
+  to_terminal_ = file == "-";
+  if (to_terminal_) return std::nullopt;
+  std::error_code error;
+  // Not put in its place by a rename as other files are: who follows it has it open.
+  const bool there = std::filesystem::exists(file, error);
+  Expected<AppendFile> opened = AppendFile::open(file, there ? AppendFile::Begin::Continue : AppendFile::Begin::New);
+  if (!opened) return opened.problem();
+  if (std::filesystem::is_regular_file(file, error))
+    if (const auto problem = opened->cut(0)) return problem;
+  file_.emplace(*std::move(opened));
+  return std::nullopt;
+}
+
+// Each line at once: whoever follows it waits for it.
+void StateText::write(const std::string& line) {
+  if (to_terminal_) {
+    out() << line << '\n';
+    out().flush();
+  }
+  if (file_) file_->append(oneLine(line) + '\n');  // a full disk loses a line and not the window
+}
+
+void StateText::stepChanged(Application& app) {
+  const LessonSession* session = app.lesson.session();
+  write("step " + std::to_string(session->stepIndex() + 1) + " of " + std::to_string(session->lesson().steps.size()) +
+        ": " + session->step().title);
+}
+
+void StateText::afterPanels(Application& app) {
+  const LessonSession* session = app.lesson.session();
+  if (const std::size_t at = session ? session->currentTask() : 0; session && at < session->step().tasks.size()) {
+    const std::string sentence = session->task(at).sentence;
+    if (!sentence.empty() && task_.update(sentence, sentence, 0, app.now_s())) write(sentence);
+  }
+  const Molecule* molecule = app.scene.stage().molecule.get();
+  const Contact& contact = app.scene.log().latest().contact;
+  const bool force_on = app.scene.servo_settings.force_on;
+  const double force_N = force_on ? app.scene.log().force_N() : 0.0;
+  const bool dark = app.extensions().task_stager.dark();
+  const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
+  const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
+  reading_.update(what, whole, force_N, app.now_s());
+  if (speaking_.update(what, whole, force_N, app.now_s())) write(whole);
+  owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
+}
+
+}  // namespace moltact

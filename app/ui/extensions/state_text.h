@@ -1,0 +1,39 @@
+// The state in words for those who cannot see the view well: a line at a pace that can be read, and lines in a terminal
+// or a file that a screen reader or speech follows. To a screen reader the window itself is a picture; printed text is
+// what works with each of them (Orca or BRLTTY in a terminal, `moltact --state-text - | spd-say -e`). Window's thread.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "app/ui/extensions/extension.h"
+#include "app/ui/scene/state_line.h"
+#include "engine/core/problem.h"
+#include "engine/platform/append_file.h"
+
+namespace moltact {
+
+class StateText : public Extension {
+ public:
+  /// From now on lines go to this file, which is begun anew, or to standard output for "-": the step, what its task
+  /// asks for, what is touched. Returns what went wrong, or nothing.
+  std::optional<Problem> writeTo(const std::filesystem::path& file);
+
+  void stepChanged(Application& app) override;
+  void afterPanels(Application& app) override;
+  bool live() const override { return owing_; }
+
+  /// What is touched, renewed at a pace that can be read.
+  const std::string& line() const { return reading_.text(); }
+
+ private:
+  void write(const std::string& line);
+
+  StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
+  std::optional<AppendFile> file_;
+  bool to_terminal_ = false;
+  bool owing_ = false;  // there is news that has not been told
+};
+
+}  // namespace moltact

@@ -1,0 +1,34 @@
+// Sets the scene as the lesson's current task asks for it (a dark screen, another probe, a place turned to the front)
+// and back again when the task is done or left; lets a device's buttons give a task's answers. Window's thread.
+#pragma once
+
+#include <cstdint>
+
+#include "app/ui/extensions/extension.h"
+#include "engine/lesson/tasks/task.h"
+
+namespace moltact {
+
+class TaskStager final : public Extension {
+ public:
+  void beforeTicks(Application& app) override;
+  void ticks(Application& app, const FeltTicks& felt) override;
+  // The step's own scene, without what a task of another step, or of the lesson as it was before, asked for.
+  void stepChanged(Application& app) override;
+
+  /// The molecule is not to be seen, and nothing on the screen may tell what it is that is touched.
+  bool dark() const { return stage_.dark; }
+  /// In the dark, whether the force is shown.
+  bool showsForce() const { return stage_.force_meter; }
+  /// The current task has two answers, and a device's second button gives the second: it is no clutch meanwhile.
+  bool takesSecondButton() const { return two_answers_; }
+  /// A task has made the surface softer or harder than the lesson's scene.
+  bool changesStiffness() const { return stage_.stiffness_N_per_mm.has_value(); }
+
+ private:
+  TaskStage stage_;
+  std::uint32_t buttons_ = 0;
+  bool two_answers_ = false;
+};
+
+}  // namespace moltact

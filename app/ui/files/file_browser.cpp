@@ -1,0 +1,41 @@
+#include "app/ui/files/file_browser.h"
+
+#include <algorithm>
+#include <system_error>
+
+#include "app/ui/extensions/hand_recorder.h"
+#include "app/ui/extensions/playback.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/scene/loader.h"
+
+namespace moltact {
+
+namespace fs = std::filesystem;
+
+void FileBrowser::look(const fs::path& where) {
+  std::error_code error;
+  const fs::path whole = fs::weakly_canonical(where, error);
+  fs::directory_iterator it(whole, fs::directory_options::skip_permission_denied, error);
+  if (error) {
+    fault_text_ = "The folder " + where.string() + " cannot be read: " + error.message() + ".";
+    return;
+  }
+  fault_text_.clear();
+  folder_ = whole;
+  entries_.clear();
+  for (; it != fs::directory_iterator(); it.increment(error)) {
+    if (error) break;
+    std::error_code ignored;
+    const std::string name = it->path().filename().string();
+    if (name.starts_with('.')) continue;
+    const bool is_folder = it->is_directory(ignored);
+    const bool wanted = accept_ ? accept_(it->path())
+                                : looksLikeMolecule(it->path()) || looksLikeLesson(it->path()) ||
+                                      looksLikeAttempt(it->path()) || looksLikeRecording(it->path());
+    if (is_folder || wanted) entries_.push_back({name, is_folder});
+  }
+  std::sort(entries_.begin(), entries_.end(),
+            [](const FileEntry& a, const FileEntry& b) { return a.folder != b.folder ? a.folder : a.name < b.name; });
+}
+
+}  // namespace moltact

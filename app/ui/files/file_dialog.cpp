@@ -1,0 +1,36 @@
+#include "app/ui/files/file_dialog.h"
+
+#include <cstdlib>
+#include <system_error>
+#include <utility>
+
+namespace moltact {
+
+namespace fs = std::filesystem;
+
+void FileDialog::ask(FileQuestion question, const fs::path& folder) {
+  std::error_code ignored;
+  browser.accept(
+      [ending = question.ending](const fs::path& file) { return !ending.empty() && file.extension() == ending; });
+  browser.look(fs::is_directory(folder, ignored) ? folder : fs::current_path(ignored));
+  written = question.name;
+  question_ = std::move(question);
+}
+
+fs::path FileDialog::answer() const {
+  if (asksForFolder()) return browser.folder();
+  fs::path name = written;
+  if (name.empty() || !name.has_filename()) return {};
+  if (written.starts_with("~/") && std::getenv("HOME")) name = fs::path(std::getenv("HOME")) / written.substr(2);
+  if (!name.has_extension()) name += question_->ending;
+  return name.is_relative() ? browser.folder() / name : name;
+}
+
+void FileDialog::choose(Application& app) {
+  const fs::path file = answer();
+  const FileQuestion asked = std::move(*question_);
+  close();
+  asked.chosen(app, file);
+}
+
+}  // namespace moltact

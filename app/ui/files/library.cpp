@@ -1,0 +1,55 @@
+#include "app/ui/files/library.h"
+
+#include <fstream>
+
+#include "engine/lesson/lesson_files.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/platform/folders.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<LibraryItem> readLibrary() {
+  std::vector<LibraryItem> items;
+  const fs::path folder = moleculesFolder();
+  const Expected<std::vector<CatalogueEntry>> entries = readCatalogue(folder);
+  if (!entries) return items;
+  for (const CatalogueEntry& e : *entries) items.push_back({e.id, e.title.empty() ? e.id : e.title, folder / e.file});
+  return items;
+}
+
+// The title in the front matter, without reading the whole lesson.
+std::string titleOf(const fs::path& file) {
+  constexpr int kFrontMatterLines = 30;
+  constexpr std::string_view kKey = "title:";
+  std::ifstream in(file);
+  std::string line;
+  for (int k = 0; k < kFrontMatterLines && std::getline(in, line); ++k) {
+    if (!line.starts_with(kKey)) continue;
+    const std::size_t from = line.find_first_not_of(" \t", kKey.size()), to = line.find_last_not_of(" \t\r");
+    if (from != std::string::npos) return line.substr(from, to + 1 - from);
+  }
+  return file.stem().string();
+}
+
+}  // namespace
+
+std::vector<LibraryItem> lessonItems(const fs::path& folder) {
+  std::vector<LibraryItem> items;
+  for (const fs::path& file : lessonsIn(folder).lessons) items.push_back({file.stem().string(), titleOf(file), file});
+  return items;
+}
+
+const std::vector<LibraryItem>& library() {
+  static const std::vector<LibraryItem> items = readLibrary();
+  return items;
+}
+
+const std::vector<LibraryItem>& lessons() {
+  static const std::vector<LibraryItem> items = lessonItems(lessonsFolder());
+  return items;
+}
+
+}  // namespace moltact

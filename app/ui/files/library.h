@@ -1,0 +1,28 @@
+// What comes with the program: its molecules and lessons, as menus list them, read once; and lesson folders. Window's
+// thread.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moltact {
+
+struct LibraryItem {
+  std::string id;     ///< "1ubq"
+  std::string label;  ///< "Ubiquitin (1UBQ)"
+  std::filesystem::path file;
+};
+
+/// The lesson that a newcomer begins with.
+inline constexpr std::string_view kFirstLesson = "first-touch";
+
+/// The molecules of the catalogue; empty where the program's data are not found.
+const std::vector<LibraryItem>& library();
+/// The lesson files in the program's lessons folder, by name.
+const std::vector<LibraryItem>& lessons();
+/// The lessons in a folder, by name; empty where it cannot be read.
+std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
+
+}  // namespace moltact

@@ -1,0 +1,26 @@
+#include "app/ui/lesson/input_way_watch.h"
+
+#include <algorithm>
+#include <iterator>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+
+namespace moltact {
+
+void InputWayWatch::look(const ImGuiIO& io) {
+  // Shift and Ctrl belong to drags of the mouse as well.
+  const bool* const keys = io.KeysDown;
+  const bool key = std::any_of(keys, keys + GLFW_KEY_LEFT_SHIFT, [](bool down) { return down; });
+  const bool button = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
+  // A hand that leans on the mouse while it types stays at the keyboard.
+  if (button || io.MouseWheel != 0.0f)
+    way_ = InputWay::Mouse;
+  else if (key)
+    way_ = InputWay::Keyboard;
+  else if (io.MouseDelta.x != 0.0f || io.MouseDelta.y != 0.0f)
+    way_ = InputWay::Mouse;
+}
+
+}  // namespace moltact

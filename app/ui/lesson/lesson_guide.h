@@ -1,0 +1,109 @@
+// The lesson that is open, as the panels and the view need it: its step, scene, tasks and questions, fed with what the
+// hand felt. Window's thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "engine/core/problem.h"
+#include "engine/lesson/session.h"
+#include "engine/render/view_scene.h"
+#include "engine/servo/scale.h"
+#include "engine/servo/servo_step.h"
+
+namespace moltact {
+
+/// A force curve that is being drawn (unit: newton), NaN where nothing is; and where the pen stands that the arrows
+/// lead.
+struct CurveDraft {
+  std::vector<double> values;
+  std::size_t pen = 0;
+};
+
+/// What is being ticked and written at the questions and tasks of a step before it is handed in, by the question's
+/// index.
+struct AnswerDrafts {
+  std::map<std::size_t, std::vector<std::size_t>> ticked;
+  std::map<std::size_t, std::string> written;
+  std::map<std::size_t, CurveDraft> curves;  ///< by the task's index
+};
+
+/// What a scene's colours tell.
+ColourBy colourBy(const SceneSpec& scene);
+
+class LessonGuide {
+ public:
+  /// Opens a lesson file at its first step. False where it cannot be read as a lesson: the one that was open stays.
+  bool open(const std::filesystem::path& file);
+  /// The open lesson as it was read again: the student stays on the step and keeps what was done. Where the step's
+  /// scene is as before, the view stays too.
+  void replace(Lesson lesson);
+
+  /// Null while no lesson is open.
+  LessonSession* session() { return session_.get(); }
+  const LessonSession* session() const { return session_.get(); }
+  const std::filesystem::path& file() const { return file_; }
+  /// Grows each time a lesson is opened; 0 before the first.
+  std::size_t openings() const { return openings_; }
+
+  bool canGoOn() const { return session_ && session_->hasNext(); }
+  bool canGoBack() const { return session_ && session_->hasBack(); }
+  void next();
+  void back();
+  /// Follows a link to a step ("#step-id"); false where there is no such step.
+  bool follow(const std::string& link);
+
+  /// Of the step that is shown; empty when it has just been entered.
+  AnswerDrafts& drafts();
+
+  /// The scene of the step when it has changed since the last call, else null.
+  const SceneSpec* takeNewScene();
+  /// Makes takeNewScene() give the scene again, after another molecule was opened.
+  void askForScene() { scene_changed_ = true; }
+  /// Whether the step's molecule is the one that was met last.
+  bool onStage() const { return on_stage_; }
+  /// The file of the step's molecule: in the library, or beside the lesson. A problem where it is in neither.
+  Expected<std::filesystem::path> moleculeFile() const;
+
+  /// A molecule has come on the stage. The tasks wait for the one that the step asks for.
+  void meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file);
+  /// A tick; `method` made its contact, `exact` is the exact tracker's for the same hand.
+  void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
+
+  /// The parts of the picture that the step asks for; the usual ones without a lesson.
+  ShapeSet shapes() const;
+  /// Whether the lesson keeps the student from changing a scene's key ("force").
+  bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
+  /// The part of the molecule that the step magnifies.
+  const std::optional<Region>& region() const { return region_; }
+  /// Turns a fitted camera the way the step asks for.
+  void face(Camera& camera, const Molecule& molecule) const;
+  /// Marks what the step highlights.
+  void decorate(ViewScene& scene) const;
+
+ private:
+  std::unique_ptr<LessonSession> session_;
+  std::filesystem::path file_;
+  AnswerDrafts drafts_;
+  std::size_t openings_ = 0, drafts_opening_ = 0, drafts_step_ = 0;
+  std::size_t scene_seen_ = 0;
+  bool scene_changed_ = false, on_stage_ = false;
+  std::vector<std::uint32_t> highlighted_;
+  std::optional<Region> region_;
+};
+
+/// Turns a camera that has been fitted to the molecule the way a scene asks for.
+void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene);
+/// The file of a scene's molecule: beside the lesson, or in the library. A problem where it is in neither.
+Expected<std::filesystem::path> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson);
+
+/// Whether a file is a lesson, by its name.
+bool looksLikeLesson(const std::filesystem::path& file);
+
+}  // namespace moltact

@@ -1,0 +1,27 @@
+// What the probe touches, in words: for the view, the status bar, those who cannot see it well, and the tests.
+#pragma once
+
+#include <string>
+
+#include "engine/haptics/tracker.h"
+#include "engine/molecule/molecule.h"
+
+namespace moltact {
+
+/// "touching: oxygen O of Asp 52, crease with its carbon C, 1.2 N"; "not touching"; or why there is no force. Chains
+/// are named where the molecule has several. Atoms out of the molecule's range are left out. `force_on` false says that
+/// no force is given in place of how much.
+std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true);
+
+/// The same without naming an atom, for a screen that is dark: "touching a crease between two atoms".
+std::string unnamedContactText(const Contact& contact);
+
+/// Whereto the surface pushes the hand as the view shows it, by a unit vector in the camera's axes (x right, y up, z
+/// toward the person): "pushed toward you", "pushed up and to the left".
+std::string pushText(const Vec3& direction);
+
+/// What is touched, without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty when
+/// nothing is.
+std::string touchedText(const Molecule& molecule, const Contact& contact);
+
+}  // namespace moltact

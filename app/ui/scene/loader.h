@@ -1,0 +1,46 @@
+// Reads molecules away from the window's thread, so that a large file does not stop it. Window's thread, but for the
+// reading itself.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <future>
+#include <optional>
+
+#include "app/ui/scene/stage.h"
+
+namespace moltact {
+
+struct Loaded {
+  std::filesystem::path file;
+  Expected<Stage> stage;
+};
+
+class Loader {
+ public:
+  using Read = std::function<Loaded(const std::filesystem::path&)>;
+  /// Reads by readStage unless told otherwise. An exception that `read` throws becomes a problem.
+  explicit Loader(Read read = {});
+
+  /// Begins to read; what was being read before is no longer wanted.
+  void begin(std::filesystem::path file);
+  bool busy() const { return wanted_.valid(); }
+
+  /// What has been read, once; nothing while it is being read.
+  std::optional<Loaded> take();
+  /// The same, waiting for it.
+  std::optional<Loaded> wait();
+
+ private:
+  Read read_;
+  std::future<Loaded> wanted_;
+  std::vector<std::future<Loaded>> unwanted_;  // a future waits in its destructor, so they end on their own first
+};
+
+/// Reads a molecule file and puts it on a stage. Any thread.
+Loaded readStage(const std::filesystem::path& file);
+
+/// Whether a molecule reader may know the file, by its name.
+bool looksLikeMolecule(const std::filesystem::path& file);
+
+}  // namespace moltact

@@ -1,0 +1,108 @@
+#include "app/ui/scene/method_watch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/saturated.h"
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kFading = 4000.0;  // ticks; beyond twice as many all count half
+constexpr std::size_t kLeftBehind_ticks =
+    400;                          // the exact SCP alone on the surface so long, the hand in the open: let go
+constexpr double kPull_A = 0.02;  // a shorter spring has no direction to speak of
+
+}  // namespace
+
+void TickHistogram::add(double time_us) {
+  if (!(time_us > 0.0)) return;
+  const int bin = std::clamp(wholeOf<int>(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
+  counts_[std::size_t(bin)] += 1.0;
+  total_ += 1.0;
+  if (total_ < 2.0 * kFading) return;
+  for (double& c : counts_) c *= 0.5;
+  total_ *= 0.5;
+}
+
+double TickHistogram::quantile_us(double share) const {
+  if (empty()) return 0.0;
+  double wanted = std::clamp(share, 0.0, 1.0) * total_;
+  int bin = 0;
+  while (bin < kBins - 1 && (counts_[std::size_t(bin)] < wanted || counts_[std::size_t(bin)] == 0.0))
+    wanted -= counts_[std::size_t(bin++)];
+  const double within =
+      counts_[std::size_t(bin)] > 0.0 ? std::clamp(wanted / counts_[std::size_t(bin)], 0.0, 1.0) : 0.0;
+  return kLeast_us * std::pow(10.0, (bin + within) / kBinsADecade);
+}
+
+MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / TouchLog::kTicksAPoint) {}
+
+void MethodWatch::begin(const Stage& stage, double probe_A) {
+  balls_ = stage.balls;
+  exact_ = makeTracker(stage, methods().front(), probe_A, Contact{}, PointA{});
+  latest_exact_ = {};
+  left_behind_ticks_ = 0;
+  tried_.clear();
+  turns_ = PlotBuffer(turns_.capacity());
+  pull_before_ = Vec3(0.0);
+  turn_peak_deg_ = 0;
+}
+
+const MethodRecord* MethodWatch::find(std::string_view method) const {
+  const auto it = std::find_if(tried_.begin(), tried_.end(), [&](const MethodRecord& r) { return r.method == method; });
+  return it == tried_.end() ? nullptr : &*it;
+}
+
+MethodRecord& MethodWatch::record(std::string_view method) {
+  if (const MethodRecord* found = find(method)) return tried_[std::size_t(found - tried_.data())];
+  tried_.push_back({std::string(method), {}, 0, 0});
+  return tried_.back();
+}
+
+void MethodWatch::noteTurn(const ServoSample& s) {
+  const Vec3 pull = s.contact.touching() ? springEnd(s.contact, s.hip).A - s.hip.A : Vec3(0.0);
+  const double length = glm::length(pull), before = glm::length(pull_before_);
+  if (length > kPull_A && before > kPull_A) {
+    const double turn = std::atan2(glm::length(glm::cross(pull, pull_before_)), glm::dot(pull, pull_before_));
+    turn_peak_deg_ = std::max(turn_peak_deg_, float(turn * 180.0 / std::numbers::pi));
+  }
+  pull_before_ = pull;
+  if (++in_point_ < TouchLog::kTicksAPoint) return;
+  turns_.add(turn_peak_deg_);
+  turn_peak_deg_ = 0;
+  in_point_ = 0;
+}
+
+double MethodWatch::greatestTurn_deg() const {
+  float most = 0;
+  for (std::size_t k = 0; k < turns_.size(); ++k) most = std::max(most, turns_.ago(k));
+  return double(most);
+}
+
+Contact MethodWatch::add(const ServoSample& s, const Method& method) {
+  noteTurn(s);
+  if (!exact_ || !s.has_tracker) return {.scp = s.hip};
+  if (s.placed) exact_->reset();
+  if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
+  Contact exact = exact_->step(s.hip);
+  // A method that has lost the surface lets the hand out on the far side; the exact SCP must not wait for it for ever.
+  const bool alone = exact.touching() && !s.contact.touching() && clearance(*balls_, s.probe_A, s.hip.A) > 0.0;
+  left_behind_ticks_ = alone ? left_behind_ticks_ + 1 : 0;
+  if (left_behind_ticks_ > kLeftBehind_ticks) {
+    exact_->reset();
+    exact = exact_->step(s.hip);
+    left_behind_ticks_ = 0;
+  }
+  latest_exact_ = exact;
+  if (!exact.touching() || s.contact.fault != Fault::None) return exact;
+  MethodRecord& r = record(method.name);
+  r.times.add(double(s.work_us));
+  const double error_A = glm::distance(s.contact.scp.A, exact.scp.A);
+  r.error_A += (error_A - r.error_A) / double(std::min(++r.ticks, kMemory_ticks));
+  return exact;
+}
+
+}  // namespace moltact

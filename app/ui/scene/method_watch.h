@@ -1,0 +1,78 @@
+// What each method tried on this molecule has cost and how true it was: tick times, the turn of the force from tick to
+// tick, and the distance of its SCP from that of an exact tracker that is led by the same hand. The exact tracker runs
+// here, on the window's thread, over the ticks that the loop hands back. Units: microsecond, angstrom, degree.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/ui/scene/stage.h"
+#include "app/ui/scene/touch_log.h"
+#include "engine/servo/servo_step.h"
+
+namespace moltact {
+
+/// Tick times of the last few seconds of contact, by decades. Older ones fade.
+class TickHistogram {
+ public:
+  static constexpr double kLeast_us = 0.05, kMost_us = 50.0;
+  static constexpr int kBinsADecade = 16, kBins = 3 * kBinsADecade;
+
+  void add(double time_us);  ///< times beyond the ends count in the last bin; 0 (not timed) does not count
+  double share(int bin) const { return total_ > 0 ? counts_[std::size_t(bin)] / total_ : 0.0; }
+  bool empty() const { return total_ <= 0; }
+  /// The time that this share of the ticks stays within, between bins by their logarithms; 0 when empty.
+  double quantile_us(double share) const;
+
+ private:
+  std::array<double, kBins> counts_{};
+  double total_ = 0;
+};
+
+struct MethodRecord {
+  std::string method;
+  TickHistogram times;    ///< of ticks in contact
+  double error_A = 0;     ///< mean distance of the SCP from the exact one, of the last kMemory_ticks in contact
+  std::size_t ticks = 0;  ///< in contact, since the scene was opened
+};
+
+class MethodWatch {
+ public:
+  static constexpr std::size_t kMemory_ticks = 3000;
+  static constexpr std::size_t kJudged_ticks = 100;  ///< a method touched with for less has no place in a chart
+
+  MethodWatch();
+  /// A new scene: nothing has been tried.
+  void begin(const Stage& stage, double probe_A);
+  /// One tick that `method` made. Gives the exact tracker's contact for the same hand; free before begin().
+  Contact add(const ServoSample& sample, const Method& method);
+
+  /// The exact tracker's contact at the last tick.
+  const Contact& exact() const { return latest_exact_; }
+
+  /// In the order in which they were first touched with.
+  const std::vector<MethodRecord>& tried() const { return tried_; }
+  const MethodRecord* find(std::string_view method) const;
+  /// Degrees by which the force's direction turned in a tick, the largest of every TouchLog::kTicksAPoint.
+  const PlotBuffer& turns() const { return turns_; }
+  /// The largest turn in the plotted time.
+  double greatestTurn_deg() const;
+
+ private:
+  MethodRecord& record(std::string_view method);
+  void noteTurn(const ServoSample& sample);
+
+  std::shared_ptr<const BallScene> balls_;
+  std::unique_ptr<Tracker> exact_;
+  Contact latest_exact_;
+  std::size_t left_behind_ticks_ = 0;
+  std::vector<MethodRecord> tried_;
+  PlotBuffer turns_;
+  Vec3 pull_before_{0.0};
+  float turn_peak_deg_ = 0;
+  std::size_t in_point_ = 0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,40 @@
+#include "app/ui/scene/stage.h"
+
+#include "engine/servo/fit_workspace.h"
+
+namespace moltact {
+namespace {
+
+// The new tracker first meets the hand a little outside the old surface, or as far as its own surface lies out there: a
+// mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
+constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
+
+}  // namespace
+
+Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) {
+  if (molecule.atoms.empty())
+    return Problem{file.string(), 0, 0, "there are no atoms to touch", "open a structure file with coordinates"};
+  Stage stage;
+  for (const Atom& a : molecule.atoms) stage.middle.A += a.position.A / double(molecule.atoms.size());
+  stage.balls = std::make_shared<const BallScene>(molecule.balls());
+  stage.molecule = std::make_shared<const Molecule>(std::move(molecule));
+  stage.workspace = fitWorkspace(*stage.balls);
+  stage.reach_A = 0.5 * glm::distance(stage.balls->low_A(), stage.balls->high_A()) + kLargestProbe_A;
+  return stage;
+}
+
+std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, double probe_A, const Contact& contact,
+                                     PointA hip) {
+  if (!stage) return nullptr;
+  std::unique_ptr<Tracker> tracker = method.make(stage.balls, probe_A);
+  const Vec3 outward = contact.scp.A - hip.A;
+  const double depth = glm::length(outward);
+  if (!contact.touching() || !(depth > 0.0)) return tracker;
+  // Another method's surface may lie a little higher: the hand comes in from as far out as it needs.
+  for (double out_A = kOutside_A; out_A < kFarthestOutside_A; out_A *= 1.5)
+    if (tracker->step({contact.scp.A + outward * (out_A / depth)}).fault == Fault::None) break;
+  tracker->step(hip);
+  return tracker;
+}
+
+}  // namespace moltact

@@ -1,0 +1,34 @@
+// What is touched: a molecule, its balls, and how large it lies under the hand. Built whole on any thread, then never
+// changed. Units: angstrom.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "engine/core/problem.h"
+#include "engine/core/units.h"
+#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/methods.h"
+#include "engine/molecule/molecule.h"
+
+namespace moltact {
+
+struct Stage {
+  std::shared_ptr<const Molecule> molecule;
+  std::shared_ptr<const BallScene> balls;
+  Workspace workspace;
+  PointA middle;         ///< of the atoms' centres, before which the probe waits
+  double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
+
+  explicit operator bool() const { return balls != nullptr; }
+};
+
+/// Puts a molecule on the stage. One without atoms gives a problem that names `file`.
+Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
+
+/// A tracker for the stage that goes on with `contact` at `hip` where there is one, so that a change of method is not
+/// felt as letting go. Null without a stage.
+std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, double probe_A, const Contact& contact,
+                                     PointA hip);
+
+}  // namespace moltact

@@ -1,0 +1,78 @@
+// What the last ticks found, for the plots, the status bar and the lesson: force over the last seconds, the loop's tick
+// time and lateness. Window's thread. Units: newton, second, microsecond.
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "engine/servo/servo_step.h"
+
+namespace moltact {
+
+/// The newest values of something measured at an even pace; the oldest fall out.
+class PlotBuffer {
+ public:
+  explicit PlotBuffer(std::size_t length) : values_(length, 0.0f) {}
+  /// What is not finite counts as 0.
+  void add(float value) {
+    values_[next_] = std::isfinite(value) ? value : 0.0f;
+    next_ = (next_ + 1) % values_.size();
+    if (count_ < values_.size()) ++count_;
+  }
+  std::size_t size() const { return count_; }
+  std::size_t capacity() const { return values_.size(); }
+  /// The value `age` places back; 0 is the newest. `age` must be less than size().
+  float ago(std::size_t age) const { return values_[(next_ + values_.size() - 1 - age) % values_.size()]; }
+
+ private:
+  std::vector<float> values_;
+  std::size_t next_ = 0, count_ = 0;
+};
+
+/// How well the loop kept its time over the last half second.
+struct LoopHealth {
+  double rate_Hz = 0;      ///< ticks begun in the last second
+  double late_p99_us = 0;  ///< 99 of 100 ticks began no later than this after their time
+  double work_mean_us = 0, work_max_us = 0;
+};
+
+class TouchLog {
+ public:
+  static constexpr double kPlot_s = 5.0;           ///< how far back the plots go
+  static constexpr std::size_t kTicksAPoint = 10;  ///< a point of a plot is the largest of so many ticks
+
+  TouchLog();
+  void add(const ServoSample& sample);
+  /// Once a frame, after the samples: renews `health` twice a second. `now_s` is any steady clock.
+  void measure(double now_s);
+
+  const ServoSample& latest() const { return latest_; }
+  const LoopHealth& health() const { return health_; }
+  const PlotBuffer& force() const { return force_; }  ///< N, the largest of every kTicksAPoint ticks
+  const PlotBuffer& work() const { return work_; }    ///< us, likewise
+  double force_N() const { return latest_force_N_; }
+  bool touching() const { return latest_.contact.touching(); }
+  double greatest_N() const;  ///< over the plotted time
+
+  /// For how long there has been contact although the HIP has been outside every ball; the caller says whether it is.
+  void countLeftBehind(bool hip_free, double dt_s) {
+    left_behind_s_ = touching() && hip_free ? left_behind_s_ + dt_s : 0.0;
+  }
+  double leftBehind_s() const { return left_behind_s_; }
+
+  /// Nothing has been felt yet: at a new scene.
+  void clear();
+
+ private:
+  ServoSample latest_;
+  double latest_force_N_ = 0, left_behind_s_ = 0;
+  PlotBuffer force_, work_;
+  float force_peak_ = 0, work_peak_ = 0;
+  std::size_t in_point_ = 0;
+  LoopHealth health_;
+  std::vector<float> late_us_;  // since the last measurement
+  double work_sum_us_ = 0, work_max_us_ = 0, measured_s_ = -1;
+};
+
+}  // namespace moltact

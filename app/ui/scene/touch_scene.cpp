@@ -1,0 +1,273 @@
+#include "app/ui/scene/touch_scene.h"
+
+#include <algorithm>
+
+#include "engine/haptics/sweep.h"
+#include "engine/servo/fit_workspace.h"
+#include "engine/servo/plain_trackers.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kLeftBehind_s = 0.4;  // contact without cause for so long is let go
+constexpr double kProbeRoom = 2.0;     // so many radii of the probe are seen round the molecule
+constexpr double kTurned = 1e-9;       // a view that has turned or moved by less has not
+constexpr double kSettle_s = 0.5;      // in which a device that was just chosen tells where its hand is
+constexpr double kByHand_A = 3.5;      // the radius of what is magnified round the probe
+constexpr double kAtLeast = 2.0;       // and at least so much more than the scene
+constexpr double kTry_N_per_mm = 0.2;  // the spring of a force that is tried
+constexpr double kStill_A = 2e-3;      // a hand slower than this in a frame is at rest
+
+glm::dmat3 axes(const Camera& camera) { return {camera.right(), camera.up(), camera.back()}; }
+
+bool sameView(const Camera& a, const Camera& b) {
+  const glm::dmat3 of_a = axes(a), of_b = axes(b);
+  double off = glm::distance(a.target.A, b.target.A);
+  for (int k = 0; k < 3; ++k) off = std::max(off, glm::distance(of_a[k], of_b[k]));
+  return off <= kTurned;
+}
+
+}  // namespace
+
+TouchScene::TouchScene(ServoClock clock) : servo_(clock), method_(methods().front().name) {}
+
+void TouchScene::show(Stage next, const std::filesystem::path& file, const Facing& facing) {
+  stage_ = std::move(next);
+  file_ = file;
+  servo_settings.workspace = stage_.workspace;
+  log_.clear();
+  watch_.begin(stage_, servo_settings.probe_A);
+  resetView(facing);
+  servo_.begin(handed(false), freshTracker());
+}
+
+std::unique_ptr<Tracker> TouchScene::freshTracker() const {
+  return played_ ? nullptr : makeTracker(stage_, *findMethod(method_), servo_settings.probe_A, Contact{}, PointA{});
+}
+
+void TouchScene::play(const std::optional<ServoSample>& sample) {
+  const bool was = playing();
+  played_ = sample;
+  if (was == playing()) return;
+  log_.clear();
+  ++servo_settings.discontinuities;
+  servo_.begin(handed(false), freshTracker());
+}
+
+// What the servo loop is to do now: as the panels set it, but without force where nobody looks or a hand is played. A
+// force that is tried does not depend on the scene.
+ServoSettings TouchScene::handed(bool trying) const {
+  ServoSettings out = servo_settings;
+  out.force_on = trying || (out.force_on && !resting_ && !played_);
+  if (trying) {
+    out.workspace = Workspace();
+    out.stiffness_N_per_mm = kTry_N_per_mm;
+    out.clutch = ClutchSettings();
+  }
+  return out;
+}
+
+void TouchScene::stopForce(bool stopped) {
+  servo_settings.panic = stopped;
+  if (stopped) endTry();
+  servo_.setSettings(handed(trying()));
+}
+
+bool TouchScene::tryForce(double force_N) {
+  if (played_ || servo_settings.panic) return false;
+  servo_.setSettings(handed(true));
+  servo_.tryTracker(std::make_unique<PullTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
+  return true;
+}
+
+void TouchScene::endTry() {
+  if (!trying()) return;
+  ++servo_settings.discontinuities;
+  servo_.setSettings(handed(false));
+  servo_.setTracker(freshTracker());
+}
+
+void TouchScene::beginAgain(const Facing& facing) {
+  log_.clear();
+  resetView(facing);
+  servo_.beginAgain(handed(trying()));
+}
+
+void TouchScene::startSoftly() {
+  log_.clear();
+  ++servo_settings.discontinuities;
+  servo_.beginAgain(handed(trying()));
+}
+
+void TouchScene::beginAgainAt(PointA place) {
+  beginAgain([&](Camera& turned, const Molecule&) { turned.face(place); });
+  camera.target = place;
+  layBeforeHand(place);
+  handBegins(place);
+}
+
+void TouchScene::resetView(const Facing& facing) {
+  if (!stage_) return;
+  camera.orientation = glm::dquat(1, 0, 0, 0);
+  // Round the molecule there is room for the probe, which hovers before it and beside it.
+  const auto fit = [&] { camera.fit(*stage_.molecule, view_aspect_, 0.08, kProbeRoom * servo_settings.probe_A); };
+  fit();
+  facing(camera, *stage_.molecule);
+  // Another side of the molecule may be wider.
+  fit();
+  if (region_) camera.fit(region_->centre, region_->radius_A, view_aspect_);
+  by_hand_ = false;
+  layBeforeHand(camera.target);
+  handBegins(region_ ? region_->centre : stage_.middle);
+}
+
+Workspace TouchScene::sceneWorkspace() const {
+  return region_ ? magnified(stage_.workspace, *region_, servo_.device()) : stage_.workspace;
+}
+
+double TouchScene::byHand_A_per_mm() const {
+  const Workspace whole = sceneWorkspace();
+  return std::min(magnified(whole, {log_.latest().hip, kByHand_A}, servo_.device()).A_per_mm,
+                  whole.A_per_mm / kAtLeast);
+}
+
+void TouchScene::magnify(bool on) {
+  if (!stage_ || played_ || recorded_ || on == by_hand_) return;
+  const ServoSample& now = log_.latest();
+  const double wanted = on ? byHand_A_per_mm() : sceneWorkspace().A_per_mm;
+  const double closer = servo_settings.workspace.A_per_mm / wanted;
+  servo_settings.workspace = rescaled(servo_settings.workspace, wanted, now.hand, now.hip);
+  // The probe stays where it is in the picture.
+  camera.target.A = now.hip.A + (camera.target.A - now.hip.A) / closer;
+  camera.distance_A /= closer;
+  fitted_ = camera;
+  by_hand_ = on;
+}
+
+void TouchScene::fitToDevice() {
+  if (!stage_) return;
+  const PointA toward = by_hand_ ? log_.latest().hip : camera.target;
+  layBeforeHand(toward);
+  handBegins(toward);
+}
+
+void TouchScene::followView() {
+  if (!stage_ || recorded_ || (held_ == servo_.held() && (!held_ || sameView(camera, fitted_)))) return;
+  layBeforeHand(camera.target);
+  ++servo_settings.discontinuities;
+  // The mouse stays where it is in the molecule.
+  if (!held_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
+}
+
+void TouchScene::layBeforeHand(PointA toward) {
+  Workspace fitted = sceneWorkspace();
+  if (by_hand_) {
+    fitted.A_per_mm = byHand_A_per_mm();
+    fitted.centre_A = toward.A;
+  }
+  held_ = servo_.held();
+  if (held_) fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
+  servo_settings.workspace = fitted;
+  fitted_ = camera;
+  fit_left_s_ = kSettle_s;
+}
+
+// Where the hand is shows only once its device has told it: a molecule that was put onto it goes back until it is free.
+void TouchScene::drawBack(double dt_s) {
+  const ServoSample& now = log_.latest();
+  fit_left_s_ -= dt_s;
+  if (!held_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
+      now.contact.fault != Fault::StartedInside)
+    return;
+  servo_settings.workspace = drawnBack(servo_settings.workspace, *stage_.balls, now.probe_A, now.hand);
+  ++servo_settings.discontinuities;
+}
+
+double TouchScene::magnification() const {
+  return stage_ ? stage_.workspace.A_per_mm / servo_settings.workspace.A_per_mm : 1.0;
+}
+
+void TouchScene::handBegins(PointA before) {
+  ++servo_settings.discontinuities;
+  controls.begin(camera, before, servo_settings.workspace, std::min(stage_.reach_A, camera.distance_A), servo_.mouse());
+  servo_.setSettings(handed(trying()));
+}
+
+void TouchScene::useMethod(std::string_view name) {
+  const Method* m = findMethod(name);
+  if (!m) return;
+  method_ = m->name;
+  if (trying()) return endTry();
+  // Each method goes on from the true contact, so that none inherits what another got wrong.
+  const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
+  if (!played_) servo_.setTracker(makeTracker(stage_, *m, servo_settings.probe_A, contact, log_.latest().hip));
+}
+
+void TouchScene::leadBy(const ServoSettings* recorded) {
+  const auto take = [&](const ServoSettings& from) {
+    servo_settings.probe_A = from.probe_A;
+    servo_settings.stiffness_N_per_mm = from.stiffness_N_per_mm;
+  };
+  if (recorded && !recorded_) before_recorded_ = servo_settings;
+  const bool anew = !recorded || !recorded_ || recorded_->discontinuities != recorded->discontinuities;
+  if (recorded) {
+    // Seen as it was felt.
+    if (anew || recorded_->workspace.rotation != recorded->workspace.rotation)
+      camera.orientation = glm::normalize(glm::quat_cast(recorded->workspace.rotation));
+    take(*recorded);
+    servo_settings.workspace = recorded->workspace;
+    servo_settings.clutch = recorded->clutch;
+    recorded_ = *recorded;
+  } else if (recorded_) {
+    take(*before_recorded_);
+    recorded_.reset();
+    fitToDevice();
+  }
+  if (anew) ++servo_settings.discontinuities;
+}
+
+bool TouchScene::beginRecording() {
+  if (!stage_ || played_ || trying() || recorded_) return false;
+  ++servo_settings.discontinuities;
+  servo_.setSettings(handed(false));
+  servo_.record(true);
+  servo_.setTracker(freshTracker());
+  return true;
+}
+
+FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
+  const Method& m = *findMethod(method_);
+  const PointA hand_before = log_.latest().hip;
+  felt_.clear();
+  const std::vector<ServoSample>& ticks = servo_.advance(dt_s);
+  if (played_) {
+    // What the hand does meanwhile counts for nothing.
+    for (played_owed_s_ += std::min(dt_s, 0.5); played_owed_s_ >= kTick_s; played_owed_s_ -= kTick_s)
+      log_.add(*played_);
+    hand_moved_ = false;
+  } else {
+    for (const ServoSample& sample : ticks) {
+      log_.add(sample);
+      felt_.push_back({sample, watch_.add(sample, m)});
+    }
+    log_.measure(now_s);
+    servo_.timeTicks(timed);
+    hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;
+    watchLeftBehind(dt_s);
+    drawBack(dt_s);
+  }
+  // Whatever is shown: the panic key is among the settings.
+  servo_.setSettings(handed(trying()));
+  return {felt_, m};
+}
+
+void TouchScene::watchLeftBehind(double dt_s) {
+  const ServoSample& now = log_.latest();
+  const bool free = stage_ && log_.touching() && clearance(*stage_.balls, now.probe_A, now.hip.A) > 0.0;
+  log_.countLeftBehind(free && !controls.pressing(), dt_s);
+  if (log_.leftBehind_s() <= kLeftBehind_s) return;
+  ++servo_settings.discontinuities;
+  log_.countLeftBehind(false, dt_s);
+}
+
+}  // namespace moltact

@@ -1,0 +1,145 @@
+// What is touched and seen: the molecule on the stage, the servo loop that follows the hand over it, the method in use,
+// the camera, and what was felt. Panels set the public members; the rest changes through the functions. Window's
+// thread.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/ui/scene/method_watch.h"
+#include "app/ui/scene/servo_link.h"
+#include "app/ui/scene/stage.h"
+#include "app/ui/scene/touch_log.h"
+#include "app/ui/scene/view_controls.h"
+#include "engine/haptics/methods.h"
+#include "engine/render/view_scene.h"
+#include "engine/servo/scale.h"
+
+namespace moltact {
+
+/// One tick of the servo loop, and what an exact tracker led by the same hand found.
+struct FeltTick {
+  ServoSample sample;
+  Contact exact;
+};
+
+/// The ticks of a frame, oldest first, which one method made.
+struct FeltTicks {
+  std::span<const FeltTick> ticks;
+  const Method& method;
+};
+
+class TouchScene {
+ public:
+  /// Turns a camera that has been fitted to the molecule the way it is to be seen.
+  using Facing = std::function<void(Camera&, const Molecule&)>;
+
+  explicit TouchScene(ServoClock clock);
+
+  ServoSettings servo_settings;  ///< as the panels set them; handed to the servo loop each frame
+  Camera camera;
+  ShapeSet shown;  ///< parts of the picture
+  ColourBy colour_by = ColourBy::Element;
+  ViewControls controls;
+
+  const Stage& stage() const { return stage_; }
+  const std::filesystem::path& file() const { return file_; }  ///< of the molecule on the stage
+  ServoLink& servo() { return servo_; }
+  const ServoLink& servo() const { return servo_; }
+  const std::string& method() const { return method_; }
+  const TouchLog& log() const { return log_; }
+  const MethodWatch& watch() const { return watch_; }
+
+  /// Another molecule; the view is set anew.
+  void show(Stage stage, const std::filesystem::path& file, const Facing& facing);
+  /// The same molecule as if it had just been opened, keeping what was found out about the methods.
+  void beginAgain(const Facing& facing);
+  /// Forgets the contact where the hand is: the force goes to zero and grows from nothing. The view stays.
+  void startSoftly();
+  /// The same, with a place turned to the front and in the middle of the view; the hand begins before it.
+  void beginAgainAt(PointA place);
+  /// The part of the molecule that the scenes shown from now on magnify; nothing: none.
+  void setRegion(const std::optional<Region>& region) { region_ = region; }
+  /// By hand, until the view is reset or another scene begins: what lies round the probe fills the room of the hand,
+  /// and is seen that much larger. Hand and probe stay, the force begins softly.
+  void magnify(bool on);
+  bool magnifiedByHand() const { return by_hand_; }
+  /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
+  void fitToDevice();
+  /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies
+  /// behind the middle of its room; where view or device have changed the hand is placed anew, so that nothing is
+  /// dragged along.
+  void followView();
+  /// How many times larger than the whole molecule's scale.
+  double magnification() const;
+  /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
+  void resetView(const Facing& facing);
+  /// Another haptic method, keeping a contact that there is. Unknown names change nothing.
+  void useMethod(std::string_view name);
+  /// The view's width over its height: what the camera is fitted to.
+  void setViewAspect(double aspect) { view_aspect_ = aspect; }
+
+  /// While nobody looks at the scene the hand feels nothing.
+  void rest(bool on) { resting_ = on; }
+
+  /// Once a frame: takes up every tick since the last one. `timed`: someone looks at how long ticks take. The ticks
+  /// hold until the next call.
+  FeltTicks advance(double dt_s, double now_s, bool timed);
+
+  /// Panic: no force from the next tick on until false again. Handed over at once, whatever is shown.
+  void stopForce(bool stopped);
+  /// Pulls to the device's right with that force until endTry(), whatever is on the stage; the scene is not felt
+  /// meanwhile. Does nothing, and gives false, while a hand is played or all force is stopped.
+  bool tryForce(double force_N);
+  /// The scene is felt again, softly and from outside.
+  void endTry();
+  bool trying() const { return servo_.trying(); }
+
+  /// What a recorded hand was led with: workspace, probe, surface and clutch stand in for the scene's own until null;
+  /// the clutch is then its next device's.
+  void leadBy(const ServoSettings* recorded);
+  /// Records from a new contact on; false where there is nothing to be felt.
+  bool beginRecording();
+
+  /// What is shown in the place of what the hand feels: it stands in the log, no force is given and advance() gives no
+  /// ticks. Nothing: the hand again, from outside.
+  void play(const std::optional<ServoSample>& sample);
+  bool playing() const { return played_.has_value(); }
+
+  /// The next frame would look different by itself.
+  bool live() const { return log_.touching() || controls.live() || hand_moved_; }
+
+ private:
+  void handBegins(PointA before);
+  void layBeforeHand(PointA toward);
+  void drawBack(double dt_s);
+  Workspace sceneWorkspace() const;
+  double byHand_A_per_mm() const;
+  void watchLeftBehind(double dt_s);
+  std::unique_ptr<Tracker> freshTracker() const;
+  ServoSettings handed(bool trying) const;
+
+  Stage stage_;
+  std::filesystem::path file_;
+  ServoLink servo_;
+  std::string method_;
+  TouchLog log_;
+  MethodWatch watch_;
+  std::vector<FeltTick> felt_;
+  std::optional<ServoSample> played_;
+  double played_owed_s_ = 0.0;
+  std::optional<ServoSettings> recorded_, before_recorded_;
+  bool held_ = false;        // a device in the hand leads, and the workspace is fitted to it
+  Camera fitted_;            // to this view
+  double fit_left_s_ = 0.0;  // so long a hand that turns out to be inside is taken out
+  double view_aspect_ = 1.0;
+  std::optional<Region> region_;
+  bool hand_moved_ = false, resting_ = false, by_hand_ = false;
+};
+
+}  // namespace moltact

@@ -1,0 +1,88 @@
+#include "app/ui/scene/view_controls.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+constexpr double kOrbit_rad_per_px = 0.008;
+constexpr double kOrbitKeys_rad_per_s = 1.4;
+constexpr double kPanKeys_px_per_s = 320.0;
+constexpr double kZoomNotch = 1.12;
+constexpr double kZoomKeysPerS = 2.2;
+constexpr double kHintFade_s = 0.6;
+constexpr double kHoverStep_A = 0.25;  // a hand that hovers farther in a frame is put there
+}  // namespace
+
+ViewRays viewRays(const Camera& camera, glm::dvec2 size_px) {
+  return {.eye_A = camera.eye().A,
+          .forward = -camera.back(),
+          .right = camera.right(),
+          .up = camera.up(),
+          .tan_half_fov = camera.tanHalfY(),
+          .width_px = size_px.x,
+          .height_px = size_px.y};
+}
+
+void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* balls, const ServoSettings& settings,
+                          bool touching, double force_N, MouseDevice& mouse) {
+  const Camera before = camera;
+  const glm::dvec2 orbit = in.orbit_px * kOrbit_rad_per_px +
+                           glm::dvec2(in.orbit_keys.x, -in.orbit_keys.y) * (kOrbitKeys_rad_per_s * in.dt_s);
+  if (orbit != glm::dvec2(0.0)) camera.orbit(orbit.x, orbit.y);
+  const glm::dvec2 pan = in.pan_px + glm::dvec2(in.pan_keys.x, -in.pan_keys.y) * (kPanKeys_px_per_s * in.dt_s);
+  if (pan != glm::dvec2(0.0)) camera.pan(pan.x, pan.y, int(in.size_px.y));
+  const double zoom = std::pow(kZoomNotch, in.zoom_notches) * std::pow(kZoomKeysPerS, in.zoom_keys * in.dt_s);
+  if (zoom != 1.0) camera.zoom(zoom);
+  camera_moved_ = !(camera == before);
+  has_turned_ = has_turned_ || orbit != glm::dvec2(0.0);
+
+  if (in.release) let_go_ = true;
+  if (!in.press) let_go_ = false;
+  pressing_ = in.press && !let_go_ && balls;
+  has_pressed_ = has_pressed_ || pressing_;
+  if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
+  if (!balls) return;
+
+  PointerInput pointer;
+  pointer.rays = viewRays(camera, in.size_px);
+  pointer.pointer_px = in.pointer_px;
+  if (first_aim_ && !pointer.pointer_px) {
+    const Vec3 px = camera.project(*first_aim_, std::max(1, int(in.size_px.x)), std::max(1, int(in.size_px.y)));
+    pointer.pointer_px = glm::dvec2(px.x, px.y);
+  }
+  first_aim_.reset();
+  pointer.keys = in.probe_keys;
+  pointer.press = pressing_;
+  pointer.push_notches = in.push_notches;
+  pointer.force_N = force_N;
+  pointer.N_per_A = settings.force_on
+                        ? in.expected_N_per_mm.value_or(settings.stiffness_N_per_mm) / settings.workspace.A_per_mm
+                        : 0.0;
+  pointer.dt_s = in.dt_s;
+  const PointA before_lead = lead_;
+  lead_ = hand_.lead(pointer, *balls, settings.probe_A);
+  // A hovering hand goes over the molecule, not through what lies between two places of the pointer.
+  const bool hovering = !pressing_ && !touching;
+  if (hovering && glm::distance(lead_.A, before_lead.A) > kHoverStep_A)
+    mouse.place(settings.workspace.toDevice(lead_));
+  else
+    mouse.lead(settings.workspace.toDevice(lead_));
+}
+
+double ViewControls::hintStrength() const { return std::clamp(hint_left_s_ / kHintFade_s, 0.0, 1.0); }
+
+bool ViewControls::live() const {
+  return pressing_ || camera_moved_ || (hint_left_s_ > 0.0 && hint_left_s_ < kHintFade_s);
+}
+
+void ViewControls::begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A,
+                         MouseDevice& mouse) {
+  hand_.reset();
+  first_aim_ = before;
+  pressing_ = let_go_ = false;
+  lead_ = {before.A + camera.back() * outside_A};
+  mouse.place(workspace.toDevice(lead_));
+}
+
+}  // namespace moltact

@@ -1,0 +1,61 @@
+// The 3-D view as a texture that the view panel shows. The renderer draws only what has changed; this decides how
+// finely: coarser while the view is turned on a slow machine, smooth once it rests. Window's thread, with the GL
+// context current.
+#pragma once
+
+#include <imgui.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "engine/render/picture.h"
+#include "engine/render/renderer.h"
+#include "engine/render/view_scene.h"
+
+namespace moltact {
+
+class GlTarget;
+
+class ViewPicture {
+ public:
+  ViewPicture();
+  ~ViewPicture();
+
+  /// Draws the scene where it differs from the last one. `moving`: the view turns, so that speed counts more than
+  /// sharpness. `line_scale`: the interface's.
+  void draw(const ViewScene& scene, int width_px, int height_px, bool moving, float line_scale);
+
+  /// Nobody looks at the next frames: draw() then does nothing but count them.
+  void hold(bool on) { held_ = on; }
+
+  /// Null until something has been drawn.
+  ImTextureID texture() const;
+  /// Keeps the picture as it is, to fade away over the ones that follow; does nothing before the first.
+  void keepForFade();
+  /// The picture kept last; null where none is.
+  ImTextureID kept() const;
+  /// The picture shown is coarser than it will be once the view has rested.
+  bool unfinished() const { return unfinished_; }
+  /// The picture as it is shown; empty before the first.
+  Picture read() const;
+  /// Why the scene cannot be drawn; empty when it can.
+  const std::string& fault() const { return fault_text_; }
+
+ private:
+  bool ready();
+
+  std::unique_ptr<Renderer> renderer_;
+  std::unique_ptr<GlTarget> kept_;
+  int width_px_ = 0, height_px_ = 0;  // of the last picture as drawn
+  std::string fault_text_;
+  bool unfinished_ = false, refused_ = false, held_ = false;
+  double whole_ms_ = 0;  // what drawing all atoms at full resolution takes here
+  int rested_frames_ = 0;
+  RenderOptions last_;
+};
+
+/// "moltact-001.png" or the first number after that is free in the folder.
+std::filesystem::path freePictureName(const std::filesystem::path& folder);
+
+}  // namespace moltact

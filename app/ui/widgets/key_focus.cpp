@@ -1,0 +1,201 @@
+#include "app/ui/widgets/key_focus.h"
+
+#include <algorithm>
+#include <utility>
+#include <vector>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <imgui_internal.h>
+
+#include "app/ui/actions.h"
+#include "app/ui/application.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
+
+namespace moltact {
+namespace {
+
+struct KeyStop {
+  ImGuiID id = 0;
+  ImGuiWindow* window = nullptr;
+  ImRect place;
+  bool field = false;  // text is written there
+};
+
+// In the order of drawing: of this frame so far, and of the one before.
+struct KeyStops {
+  std::vector<KeyStop> now, before;
+};
+KeyStops& stops() {
+  static KeyStops all;
+  return all;
+}
+
+bool popupOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
+
+bool takenKey(int key) {
+  if (!ImGui::IsKeyPressed(key, false)) return false;
+  ImGui::GetIO().KeysDownDuration[key] = 1e-6f;  // no longer newly pressed in this frame
+  return true;
+}
+
+// The controls that Tab goes round: those of the page that is open, else those of the panels.
+std::vector<KeyStop> ring() {
+  const ImGuiWindow* page = ImGui::GetTopMostPopupModal();
+  std::vector<KeyStop> out;
+  for (const KeyStop& s : stops().before)
+    if (page ? s.window->RootWindow == page : !(s.window->RootWindow->Flags & ImGuiWindowFlags_Popup)) out.push_back(s);
+  return out;
+}
+
+void leadTo(const KeyStop& s) {
+  ImGuiContext& g = *GImGui;
+  ImGui::ClearActiveID();
+  ImGui::FocusWindow(s.window);
+  ImGui::SetNavID(s.id, ImGuiNavLayer_Main, 0, ImGui::WindowRectAbsToRel(s.window, s.place));
+  ImGui::ScrollToBringRectIntoView(s.window, s.place);
+  g.NavDisableHighlight = false;
+  if (!s.field) return;
+  g.NavInputSource = ImGuiInputSource_Keyboard;
+  ImGui::ActivateItem(s.id);
+}
+
+// From the control that the keys are at to the next, or with `panel` to the first of another panel. False past the
+// last.
+bool move(int by, bool panel, bool round) {
+  const ImGuiContext& g = *GImGui;
+  const std::vector<KeyStop> all = ring();
+  if (all.empty()) return false;
+  const int count = int(all.size());
+  const ImGuiID at_id = g.ActiveId ? g.ActiveId : keysLeadControls() ? g.NavId : 0;
+  int at = int(std::find_if(all.begin(), all.end(), [&](const KeyStop& s) { return s.id == at_id; }) - all.begin());
+  if (at == count) at = by > 0 ? -1 : count;  // nowhere yet, or at what is gone
+  const auto rootOf = [&](int k) { return k >= 0 && k < count ? all[std::size_t(k)].window->RootWindow : nullptr; };
+  const ImGuiWindow* from = rootOf(at);
+  do at += by;
+  while (panel && from && rootOf(at) == from);
+  if (panel && by < 0)
+    while (at > 0 && rootOf(at - 1) == rootOf(at)) --at;
+  if (round) at = (at + count) % count;
+  if (at < 0 || at >= count) return false;
+  leadTo(all[std::size_t(at)]);
+  return true;
+}
+
+// Alt pressed and let go with nothing in between.
+bool altTapped(PanelState& panels) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const auto isAlt = [](int key) { return key == GLFW_KEY_LEFT_ALT || key == GLFW_KEY_RIGHT_ALT; };
+  bool other = ImGui::IsAnyMouseDown() || io.InputQueueCharacters.Size > 0, newly = false, let_go = false;
+  for (int key = 0; key < IM_ARRAYSIZE(io.KeysDown); ++key) {
+    if (isAlt(key)) {
+      newly = newly || ImGui::IsKeyPressed(key, false);
+      let_go = let_go || ImGui::IsKeyReleased(key);
+    } else {
+      other = other || io.KeysDown[key];
+    }
+  }
+  if (newly) panels.alt_alone = true;
+  if (other) panels.alt_alone = false;
+  return let_go && std::exchange(panels.alt_alone, false);
+}
+
+void openMenus(PanelState& panels) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool tapped = altTapped(panels);
+  if (ImGui::GetTopMostPopupModal()) return;
+  if (tapped || (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift && takenKey(GLFW_KEY_F10))) {
+    // The second time they close.
+    if (popupOpen())
+      ImGui::ClosePopupToLevel(0, true);
+    else
+      panels.menu_wanted = 0;
+  }
+  // From menu to menu, unless the arrow opens or closes one within.
+  if (panels.menu_open >= 0 && GImGui->OpenPopupStack.Size == 1) {
+    const int by = int(ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true) && !panels.at_submenu) -
+                   int(ImGui::IsKeyPressed(GLFW_KEY_LEFT, true));
+    if (by) {
+      ImGui::NavMoveRequestCancel();
+      panels.menu_wanted = (panels.menu_open + by + kMenus) % kMenus;
+    }
+  }
+  if (!io.KeyAlt || io.KeyCtrl || io.WantTextInput) return;
+  for (int menu = 0; menu < kMenus; ++menu)
+    if (ImGui::IsKeyPressed(menuLabel(Menu(menu)).front(), false)) panels.menu_wanted = menu;
+}
+
+}  // namespace
+
+bool keysLeadControls() { return ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard; }
+
+bool keysFree() { return !ImGui::GetIO().WantTextInput && !keysLeadControls() && !popupOpen(); }
+
+void leadByKeys(Application& app) {
+  ImGuiContext& g = *GImGui;
+  ImGuiIO& io = g.IO;
+  bool& in_panels = app.panels.keys_in_panels;
+  if (ImGui::GetFrameCount() <= 1) stops() = {};  // of another context
+  stops().before = std::exchange(stops().now, {});
+  // Escape has closed a menu or list before this frame's first line.
+  if (app.panels.popup_open && !popupOpen()) takenKey(GLFW_KEY_ESCAPE);
+  openMenus(app.panels);
+  const bool page = ImGui::GetTopMostPopupModal() != nullptr, menu = popupOpen() && !page;
+  for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button)
+    in_panels = in_panels && !ImGui::IsMouseClicked(button);
+  if (!page && !menu && in_panels && !io.WantTextInput && takenKey(GLFW_KEY_ESCAPE)) in_panels = false;
+  const bool tab = ImGui::IsKeyPressed(GLFW_KEY_TAB, true), panel = !page && takenKey(GLFW_KEY_F6);
+  if (!menu && !io.KeyCtrl && !io.KeyAlt && (tab || panel)) {
+    const bool moved = move(io.KeyShift ? -1 : 1, panel, page);
+    if (!page) in_panels = moved;
+    if (!moved) ImGui::ClearActiveID();
+  }
+  app.panels.popup_open = page || menu;
+  const bool on = page || menu || in_panels || app.panels.menu_wanted >= 0;
+  io.ConfigFlags =
+      on ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
+  if (!on) g.NavDisableHighlight = true;
+  // ImGui presses with Space alone.
+  const bool enter = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
+  if (on && enter && !io.WantTextInput && g.NavId && !g.NavDisableHighlight) ImGui::ActivateItem(g.NavId);
+}
+
+unsigned keyStop() {
+  const ImGuiContext& g = *GImGui;
+  const ImGuiLastItemData& item = g.LastItemData;
+  ImGuiWindow* window = g.CurrentWindow;
+  if (!item.ID || window->DC.NavLayerCurrent != ImGuiNavLayer_Main ||
+      item.InFlags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav) || window->Flags & ImGuiWindowFlags_NoNavInputs)
+    return 0;
+  std::vector<KeyStop>& all = stops().now;
+  if (all.empty() || all.back().id != item.ID)
+    all.push_back({item.ID, window, item.Rect, bool(item.InFlags & ImGuiItemFlags_Inputable)});
+  // What is chosen in a menu or a list is seen by its ground.
+  const bool menu = window->Flags & ImGuiWindowFlags_Popup && !(window->Flags & ImGuiWindowFlags_Modal);
+  if (keysAtItem() && !menu) {
+    const float off = look().px(2);
+    window->DrawList->AddRect({item.Rect.Min.x - off, item.Rect.Min.y - off},
+                              {item.Rect.Max.x + off, item.Rect.Max.y + off}, look().palette.accent, look().px(6), 0,
+                              look().px(2));
+  }
+  return item.ID;
+}
+
+bool keysAtItem() { return keysLeadControls() && !GImGui->NavDisableHighlight && ImGui::IsItemFocused(); }
+
+int arrowsAtItem() {
+  if (!keysAtItem()) return 0;
+  const bool right = ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true), left = ImGui::IsKeyPressed(GLFW_KEY_LEFT, true);
+  if (right || left) ImGui::NavMoveRequestCancel();
+  return int(right) - int(left);
+}
+
+std::string controlOfKeys() {
+  if (!keysLeadControls() || GImGui->NavDisableHighlight || !GImGui->NavId) return {};
+  for (const auto& [name, record] : widgets().all())
+    if (record.key_stop == GImGui->NavId) return name;
+  return {};
+}
+
+}  // namespace moltact

@@ -1,0 +1,17 @@
+// Keys by their names, as menus show them and scripts write them: "Ctrl+Shift+S", "F1", "Page Up". Window's thread.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace moltact {
+
+/// GLFW's codes of keys joined by "+", in capitals or not, with or without spaces ("pageup"); empty where one is not
+/// known. A modifier gives its left key.
+std::vector<int> keysNamed(std::string_view names);
+
+/// Whether these keys were pressed in this frame: the last of them newly, the modifiers and no others held. "?" means
+/// the character, wherever the keyboard has it. An empty text never is.
+bool keysPressed(std::string_view names);
+
+}  // namespace moltact

@@ -1,0 +1,52 @@
+#include "app/ui/widgets/layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+constexpr float kLeastView = 380.0f;        // at 96 dpi, beside two panels
+constexpr float kLeastViewNarrow = 200.0f;  // beside one
+constexpr float kLeastPanel = 220.0f;
+}  // namespace
+
+Layout layOut(const LayoutWish& w, bool lesson_first) {
+  Layout out;
+  const float s = w.scale;
+  const float menu = std::round(kMenuHeight * s), status = std::round(kStatusHeight * s);
+  const float top = menu, bottom = std::max(top, w.window.y - status);
+  float left = std::round(w.lesson_width * s), right = std::round(w.touch_width * s);
+  const float width = w.window.x;
+
+  out.narrow = width < left + right + kLeastView * s;
+  if (out.narrow && width >= (2 * kLeastPanel + kLeastView + 60.0f) * s) {
+    // The widths asked for do not fit, but narrower ones do.
+    const float give = std::min(1.0f, (width - kLeastView * s) / (left + right));
+    left = std::max(kLeastPanel * s, std::floor(left * give));
+    right = std::max(kLeastPanel * s, std::floor(right * give));
+    out.narrow = false;
+  }
+  bool lesson = w.lesson, touch = w.touch;
+  if (out.narrow) {
+    if (lesson && touch) (lesson_first ? touch : lesson) = false;
+    const float most = std::max(0.42f * width, std::min(width - kLeastViewNarrow * s, 0.6f * width));
+    left = std::min(left, std::round(most));
+    right = std::min(right, std::round(most));
+  }
+  if (!lesson) left = 0;
+  if (!touch) right = 0;
+  out.menu = {{0, 0}, {width, menu}};
+  out.status = {{0, bottom}, {width, w.window.y}};
+  if (w.page) {
+    out.page = {{0, top}, {width, bottom}};
+    return out;
+  }
+  out.lesson = {{0, top}, {left, bottom}};
+  out.touch = {{width - right, top}, {width, bottom}};
+  const float strip = std::min(std::round(w.strip_height * s), 0.5f * (bottom - top));
+  out.view = {{left, top}, {width - right, bottom - strip}};
+  out.strip = {{left, bottom - strip}, {width - right, bottom}};
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,63 @@
+// Short messages to the person, shown over the view until they are dismissed. Window's thread.
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace moltact {
+
+enum class MessageKind { Notice, Warning, Error };
+
+struct Message {
+  MessageKind kind = MessageKind::Notice;
+  std::string text;
+  double left_s = -1.0;                        ///< goes by itself after so long; negative: stays until dismissed
+  std::vector<std::string_view> actions = {};  ///< names of actions (actions.h) that are offered with it
+};
+
+class Messages {
+ public:
+  static constexpr std::size_t kMost = 4;  ///< the oldest goes when there are more
+  static constexpr double kNotice_s = 6.0;
+
+  void notice(std::string text) { add({MessageKind::Notice, std::move(text), kNotice_s}); }
+  void warning(std::string text) { add({MessageKind::Warning, std::move(text)}); }
+  /// Stays until dismissed or taken back, with actions at hand.
+  void ask(MessageKind kind, std::string text, std::vector<std::string_view> actions) {
+    add({kind, std::move(text), -1.0, std::move(actions)});
+  }
+  /// What it says is so no more.
+  void takeBack(std::string_view text) {
+    std::erase_if(all_, [&](const Message& m) { return m.text == text; });
+  }
+  bool tells(std::string_view text) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Message& m) { return m.text == text; });
+  }
+  void error(std::string text) { add({MessageKind::Error, std::move(text)}); }
+
+  const std::vector<Message>& all() const { return all_; }
+  void dismiss(std::size_t index) { all_.erase(all_.begin() + std::ptrdiff_t(index)); }
+  void clearErrors() {
+    std::erase_if(all_, [](const Message& m) { return m.kind == MessageKind::Error; });
+  }
+  void age(double dt_s) {
+    for (Message& m : all_)
+      if (m.left_s >= 0) m.left_s = std::max(0.0, m.left_s - dt_s);
+    std::erase_if(all_, [](const Message& m) { return m.left_s == 0.0; });
+  }
+  bool fading() const {
+    return std::any_of(all_.begin(), all_.end(), [](const Message& m) { return m.left_s >= 0; });
+  }
+
+ private:
+  void add(Message message) {
+    std::erase_if(all_, [&](const Message& m) { return m.text == message.text; });
+    all_.push_back(std::move(message));
+    if (all_.size() > kMost) all_.erase(all_.begin());
+  }
+  std::vector<Message> all_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,53 @@
+// Where each named widget stood in the last frame, and what it said: how a script finds what a person would see.
+// Window's thread. Units: pixel of the framebuffer.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <map>
+#include <string>
+#include <string_view>
+
+namespace moltact {
+
+struct WidgetRecord {
+  glm::vec2 low{0.0f}, high{0.0f};            ///< the whole rectangle
+  glm::vec2 clip_low{0.0f}, clip_high{0.0f};  ///< of the window that it stands in: what lies outside is not seen
+  std::string text;                           ///< its value or label as shown; may be empty
+  bool scrolls = false;                       ///< it stands in a window that can be scrolled up and down
+  unsigned key_stop = 0;                      ///< the keys lead to it, as ImGui's item of this id; 0: they do not
+
+  glm::vec2 centre() const { return 0.5f * (low + high); }
+  /// Its middle is seen.
+  bool visible() const {
+    const glm::vec2 c = centre();
+    return c.x >= clip_low.x && c.x <= clip_high.x && c.y >= clip_low.y && c.y <= clip_high.y;
+  }
+};
+
+class WidgetMap {
+ public:
+  void clear() { records_.clear(); }
+  void set(std::string_view name, WidgetRecord record) {
+    records_.insert_or_assign(std::string(name), std::move(record));
+  }
+  const WidgetRecord* find(std::string_view name) const {
+    const auto it = records_.find(name);
+    return it == records_.end() ? nullptr : &it->second;
+  }
+  const std::map<std::string, WidgetRecord, std::less<>>& all() const { return records_; }
+
+ private:
+  std::map<std::string, WidgetRecord, std::less<>> records_;
+};
+
+/// The map that the panels write to; the shell clears it before each frame.
+WidgetMap& widgets();
+
+/// Records ImGui's last item under a name, with the text it shows.
+void recordItem(std::string_view name, std::string text = {});
+/// The same with a rectangle of its own, where a script aims at a part of the item.
+void recordControl(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text);
+/// Records a rectangle of the current window that is no item.
+void recordRectangle(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text = {});
+
+}  // namespace moltact

@@ -1,0 +1,378 @@
+#include "engine/lesson/scripted_learner/answers_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/haptics/methods.h"
+#include "engine/lesson/quantity.h"
+#include "engine/lesson/suggestion.h"
+#include "engine/lesson/tasks/task.h"
+
+namespace moltact {
+namespace {
+
+using Kind = LearnerAct::Kind;
+
+constexpr double kTouch_N = 0.3, kTouchFor_s = 0.5;
+
+struct Verb {
+  std::string_view name;
+  Kind kind;
+};
+constexpr std::array kVerbs{Verb{"do", Kind::Do},         Verb{"touch", Kind::Touch}, Verb{"press", Kind::Press},
+                            Verb{"slide", Kind::Slide},   Verb{"wait", Kind::Wait},   Verb{"lift", Kind::Lift},
+                            Verb{"method", Kind::Method}, Verb{"say", Kind::Say},     Verb{"draw", Kind::Draw},
+                            Verb{"answer", Kind::Answer}, Verb{"next", Kind::Next},   Verb{"back", Kind::Back},
+                            Verb{"go", Kind::Go}};
+
+std::vector<std::string_view> parts(std::string_view text, char by) {
+  std::vector<std::string_view> out;
+  for (;;) {
+    const std::size_t end = std::min(text.find(by), text.size());
+    out.push_back(stripped(text.substr(0, end)));
+    if (end == text.size()) return out;
+    text.remove_prefix(end + 1);
+  }
+}
+
+class LineReader {
+ public:
+  LineReader(std::string_view line, std::size_t number, const std::string& file)
+      : line_(line), number_(number), file_(file) {}
+
+  /// Nothing for an empty line; a problem in `problems` for a wrong one.
+  std::optional<LearnerAct> read(std::vector<Problem>& problems) {
+    const std::string_view body = stripped(line_.substr(0, line_.find('#')));
+    if (body.empty()) return std::nullopt;
+    const std::size_t end = std::min(body.find(' '), body.size());
+    const std::string_view verb = body.substr(0, end), rest = stripped(body.substr(end));
+    const auto known = std::find_if(kVerbs.begin(), kVerbs.end(), [&](const Verb& v) { return v.name == verb; });
+    if (known == kVerbs.end()) {
+      std::vector<std::string_view> names;
+      for (const Verb& v : kVerbs) names.push_back(v.name);
+      problems.push_back(at(verb, "there is no act '" + std::string(verb) + "'", suggest(verb, names, "known")));
+      return std::nullopt;
+    }
+    LearnerAct act;
+    act.kind = known->kind;
+    act.line = number_;
+    act.column = column(verb);
+    if (const std::optional<Problem> wrong = fill(act, rest, body)) {
+      problems.push_back(*wrong);
+      return std::nullopt;
+    }
+    return act;
+  }
+
+ private:
+  std::size_t column(std::string_view part) const {
+    return part.data() < line_.data()
+               ? 1
+               : characterCount(line_.substr(0, static_cast<std::size_t>(part.data() - line_.data()))) + 1;
+  }
+  Problem at(std::string_view part, std::string message, std::string remedy) const {
+    return {file_, number_, column(part), std::move(message), std::move(remedy)};
+  }
+  Problem within(std::string_view part, Problem p) const {
+    p.file = file_;
+    p.line = number_;
+    p.column += column(part) - 1;
+    return p;
+  }
+
+  std::optional<Problem> place(LearnerAct& act, std::string_view text) const {
+    for (const std::string_view word : {"crease", "pit", "sphere", "anywhere"})
+      if (text == word) {
+        act.word = word == "anywhere" ? "" : std::string(word);
+        return std::nullopt;
+      }
+    const auto selection = parseSelection(text);
+    if (!selection) return within(text, selection.problem());
+    act.place = *selection;
+    return std::nullopt;
+  }
+
+  std::optional<Problem> quantity(double& number, std::string_view text, Dimension dimension) const {
+    const auto read = parseQuantity(text, dimension);
+    if (!read) return within(text, read.problem());
+    if (*read < 0.0) return at(text, "'" + std::string(text) + "' is less than nothing", "write a positive number");
+    number = *read;
+    return std::nullopt;
+  }
+
+  std::optional<Problem> fill(LearnerAct& act, std::string_view rest, std::string_view body) const {
+    const auto missing = [&](const char* what) {
+      return at(body.substr(body.size()), std::string("this act needs ") + what, "write it at the end of the line");
+    };
+    switch (act.kind) {
+      case Kind::Do:
+      case Kind::Lift:
+      case Kind::Next:
+      case Kind::Back:
+        if (!rest.empty()) return at(rest, "nothing comes after this act", "take it out");
+        return std::nullopt;
+      case Kind::Touch:
+      case Kind::Slide:
+        return rest.empty() ? missing("a place") : place(act, rest);
+      case Kind::Press: {
+        const std::size_t on = rest.find(" on ");
+        if (const auto wrong = quantity(act.number, stripped(rest.substr(0, on)), Dimension::Force)) return wrong;
+        if (on == std::string_view::npos) {
+          act.text = "here";
+          return std::nullopt;
+        }
+        return place(act, stripped(rest.substr(on + 4)));
+      }
+      case Kind::Wait:
+        return quantity(act.number, rest, Dimension::Time);
+      case Kind::Method:
+        if (!findMethod(rest))
+          return at(rest.empty() ? body : rest, "there is no haptic method '" + std::string(rest) + "'",
+                    suggest(rest, methodNames(), "known"));
+        act.word = rest;
+        return std::nullopt;
+      case Kind::Say:
+      case Kind::Go:
+        if (rest.empty()) return missing(act.kind == Kind::Say ? "a word" : "the step's id");
+        act.word = rest.starts_with('#') ? rest.substr(1) : rest;
+        return std::nullopt;
+      case Kind::Draw:
+        for (const std::string_view part : parts(rest, ',')) {
+          double force_N = 0.0;
+          if (const auto wrong = quantity(force_N, part, Dimension::Force)) return wrong;
+          act.curve.push_back(force_N);
+        }
+        return std::nullopt;
+      case Kind::Answer: {
+        const std::size_t colon = rest.find(':');
+        if (colon == std::string_view::npos || stripped(rest.substr(colon + 1)).empty())
+          return missing("a question, a colon and an answer");
+        act.word = stripped(rest.substr(0, colon));
+        act.text = stripped(rest.substr(colon + 1));
+        return std::nullopt;
+      }
+    }
+    return std::nullopt;
+  }
+
+  std::string_view line_;
+  std::size_t number_;
+  const std::string& file_;
+};
+
+std::optional<std::size_t> asNumber(std::string_view text, std::size_t most) {
+  const auto number = parseNumber(text);
+  if (!number || *number < 1.0 || *number > double(most) || *number != std::floor(*number)) return std::nullopt;
+  return static_cast<std::size_t>(*number) - 1;
+}
+
+// Carries out one act after the other, keeping where the hand is on the surface.
+class Performer {
+ public:
+  Performer(ScriptedLearner& learner, const std::string& file) : learner_(learner), file_(file) {}
+
+  std::vector<Problem> run(const std::vector<LearnerAct>& acts) {
+    for (const LearnerAct& act : acts) {
+      learner_.enterStep();
+      perform(act);
+    }
+    return std::move(problems_);
+  }
+
+ private:
+  void tell(const LearnerAct& act, std::string message, std::string remedy) {
+    problems_.push_back({file_, act.line, act.column, std::move(message), std::move(remedy)});
+  }
+
+  std::optional<SurfacePlace> find(const LearnerAct& act) {
+    const LessonSession& session = learner_.session();
+    const HandView view = learner_.view();
+    const Molecule* molecule = session.molecule();
+    if (!molecule) return std::nullopt;
+    const AtomSet atoms(act.place, *molecule);
+    if (atoms.count() == 0) {
+      const Problem why = act.place.whyEmpty(*molecule);
+      tell(act, why.message, why.remedy);
+      return std::nullopt;
+    }
+    const auto place = placeFor(view, placesToTouch(view, atoms, act.word));
+    if (!place) tell(act, "no such place is open to the probe from outside", "name another place");
+    return place;
+  }
+
+  void perform(const LearnerAct& act) {
+    const HandView view = learner_.view();
+    HandPlan plan;
+    switch (act.kind) {
+      case Kind::Do:
+        if (learner_.session().currentTask() >= learner_.session().step().tasks.size())
+          tell(act, "the step has no task left to do", "take the line out, or go on with 'next'");
+        else
+          learner_.doTask();
+        return;
+      case Kind::Touch:
+      case Kind::Press: {
+        const bool here = act.text == "here";
+        if (here && !on_) {
+          tell(act, "the hand touches nothing", "touch a place first, or name one: 'press 0.8 N on element O'");
+          return;
+        }
+        const auto place = here ? on_ : find(act);
+        if (!place) return;
+        const double depth_A = depthFor(view, act.kind == Kind::Touch ? kTouch_N : act.number);
+        if (here)
+          plan.push_back({.to = PointA{place->scp_A - place->outward * depth_A}, .wait_s = kTouchFor_s});
+        else
+          comeTo(plan, *place, depth_A, kTouchFor_s);
+        on_ = place;
+        depth_A_ = depth_A;
+        break;
+      }
+      case Kind::Slide: {
+        if (!on_) {
+          tell(act, "the hand touches nothing", "touch a place first");
+          return;
+        }
+        const auto place = find(act);
+        if (!place) return;
+        slide(plan, view, *on_, *place, depth_A_);
+        plan.back().wait_s = kTouchFor_s;
+        on_ = place;
+        break;
+      }
+      case Kind::Wait:
+        plan.push_back({.wait_s = act.number});
+        break;
+      case Kind::Lift:
+        if (on_) plan.push_back({.to = PointA{on_->scp_A + on_->outward}, .placed = true, .wait_s = kTouchFor_s});
+        on_.reset();
+        break;
+      case Kind::Method:
+        plan.push_back({.method = act.word});
+        break;
+      case Kind::Say:
+        say(act);
+        return;
+      case Kind::Draw:
+        draw(act);
+        return;
+      case Kind::Answer:
+        answer(act);
+        return;
+      case Kind::Next:
+      case Kind::Back:
+      case Kind::Go:
+        move(act);
+        return;
+    }
+    learner_.follow(plan);
+  }
+
+  const Task* current() const { return learner_.session().taskAt(learner_.session().currentTask()); }
+
+  void say(const LearnerAct& act) {
+    const std::vector<TaskButton> offered = current() ? current()->buttons() : std::vector<TaskButton>();
+    if (std::none_of(offered.begin(), offered.end(), [&](const TaskButton& b) { return b.word == act.word; })) {
+      std::string words;
+      for (const TaskButton& b : offered) words += (words.empty() ? "" : ", ") + std::string(b.word);
+      tell(act, "the task does not offer '" + act.word + "' now",
+           words.empty() ? "it offers nothing; touch first" : "it offers: " + words);
+      return;
+    }
+    on_.reset();
+    learner_.tell({.word = act.word});
+  }
+
+  void draw(const LearnerAct& act) {
+    const TaskCurves* curves = current() ? current()->curves() : nullptr;
+    if (!curves || !curves->drawing) {
+      tell(act, "no curve is asked for now", "take the line out");
+      return;
+    }
+    TaskAnswer answer;
+    const std::size_t n = curves->drawn.size();
+    for (std::size_t k = 0; k < n; ++k) {
+      const double at = double(k) / double(n - 1) * double(act.curve.size() - 1);
+      const auto low = std::min(static_cast<std::size_t>(at), act.curve.size() - 1),
+                 high = std::min(low + 1, act.curve.size() - 1);
+      answer.curve.push_back(act.curve[low] + (act.curve[high] - act.curve[low]) * (at - double(low)));
+    }
+    learner_.tell(answer);
+  }
+
+  void answer(const LearnerAct& act) {
+    const std::vector<Question>& questions = learner_.session().step().questions;
+    std::optional<std::size_t> index = asNumber(act.word, questions.size());
+    for (std::size_t k = 0; !index && k < questions.size(); ++k)
+      if (questions[k].id == act.word || plainText(questions[k].title) == act.word) index = k;
+    if (!index) {
+      std::string ids;
+      for (const Question& q : questions) ids += (ids.empty() ? "" : ", ") + q.id;
+      tell(act, "the step '" + learner_.session().step().id + "' has no question '" + act.word + "'",
+           ids.empty() ? "it asks nothing" : "its questions: " + ids);
+      return;
+    }
+    const Question& asked = questions[*index];
+    if (asked.choices.empty()) {
+      learner_.write(*index, act.text);
+      return;
+    }
+    std::vector<std::size_t> choices;
+    for (const std::string_view part : parts(act.text, ';')) {
+      std::optional<std::size_t> choice = asNumber(part, asked.choices.size());
+      for (std::size_t k = 0; !choice && k < asked.choices.size(); ++k)
+        if (plainText(asked.choices[k].text) == part) choice = k;
+      if (!choice) {
+        tell(act, "'" + std::string(part) + "' is none of the " + std::to_string(asked.choices.size()) + " choices",
+             "write a choice's number or its whole text");
+        return;
+      }
+      choices.push_back(*choice);
+    }
+    learner_.choose(*index, choices);
+  }
+
+  void move(const LearnerAct& act) {
+    on_.reset();
+    const LessonSession& session = learner_.session();
+    if (act.kind == Kind::Next && !session.hasNext())
+      tell(act, "this is the last step", "take the line out");
+    else if (act.kind == Kind::Back && !session.hasBack())
+      tell(act, "this is the first step", "take the line out");
+    else if (act.kind == Kind::Next)
+      learner_.next();
+    else if (act.kind == Kind::Back)
+      learner_.back();
+    else if (!learner_.goTo(act.word))
+      tell(act, "the lesson has no step '" + act.word + "'", "write the id of a step's heading");
+    learner_.enterStep();
+  }
+
+  ScriptedLearner& learner_;
+  const std::string& file_;
+  std::vector<Problem> problems_;
+  std::optional<SurfacePlace> on_;  // where the hand touches
+  double depth_A_ = 0.0;
+};
+
+}  // namespace
+
+AnswersReading readAnswers(const std::string& file, std::string_view text) {
+  AnswersReading out;
+  for (std::size_t number = 1; !text.empty(); ++number) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(0, end);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    if (auto act = LineReader(line, number, file).read(out.problems)) out.acts.push_back(*std::move(act));
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return out;
+}
+
+std::vector<Problem> carryOut(ScriptedLearner& learner, const std::vector<LearnerAct>& acts, const std::string& file) {
+  return Performer(learner, file).run(acts);
+}
+
+}  // namespace moltact

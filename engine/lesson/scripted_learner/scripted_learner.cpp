@@ -1,0 +1,192 @@
+#include "engine/lesson/scripted_learner/scripted_learner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+namespace moltact {
+
+ScriptedLearner::ScriptedLearner(std::shared_ptr<const Lesson> lesson, MoleculeByName molecules, Watch watch,
+                                 Options options)
+    : session_(std::move(lesson)), by_name_(std::move(molecules)), watch_(std::move(watch)), options_(options) {}
+
+LearnerEvent ScriptedLearner::event(LearnerEvent::Kind kind) const {
+  LearnerEvent e;
+  e.kind = kind;
+  e.time_s = touch_.time_s();
+  e.step = session_.step().id;
+  e.index = session_.stepIndex();
+  e.place = session_.step().place;
+  return e;
+}
+
+bool ScriptedLearner::enterStep() {
+  if (entered_ == session_.sceneNumber()) return on_stage_;
+  entered_ = session_.sceneNumber();
+  const SceneSpec& scene = session_.scene();
+  LearnerEvent e = event(LearnerEvent::Kind::Step);
+  e.text = session_.step().title;
+  e.note = scene.molecule;
+  watch_(e);
+  const auto molecule = by_name_(scene.molecule);
+  on_stage_ = bool(molecule);
+  if (!on_stage_) {
+    LearnerEvent fault = event(LearnerEvent::Kind::Fault);
+    fault.note = molecule.problem().message;
+    fault.place = scene.molecule_place;
+    watch_(fault);
+    return false;
+  }
+  session_.setMolecule(*molecule);
+  touch_.begin(*molecule, scene);
+  touch_.setStage(session_.taskStage());
+  task_begun_s_ = touch_.time_s();
+  return true;
+}
+
+bool ScriptedLearner::timeIsUp() const { return touch_.time_s() - task_begun_s_ > options_.task_s; }
+
+void ScriptedLearner::tick(PointA hip) {
+  const std::size_t task = session_.currentTask();
+  session_.feed(touch_.tick(hip));
+  if (session_.currentTask() != task) tellDone(task);
+}
+
+void ScriptedLearner::tellDone(std::size_t task) {
+  LearnerEvent e = event(LearnerEvent::Kind::Task);
+  e.index = task;
+  e.place = session_.step().tasks[task].place;
+  const TaskStatus status = session_.task(task);
+  e.text = status.say;
+  e.note = status.sentence;
+  e.figures = session_.taskFigures(task);
+  watch_(e);
+  touch_.setStage(session_.taskStage());
+  task_begun_s_ = touch_.time_s();
+}
+
+void ScriptedLearner::tell(const TaskAnswer& answer) {
+  const std::size_t task = session_.currentTask();
+  session_.answerTask(answer);
+  if (session_.currentTask() != task)
+    tellDone(task);
+  else
+    touch_.setStage(session_.taskStage());
+}
+
+void ScriptedLearner::follow(const HandPlan& plan) {
+  if (!enterStep()) return;
+  const std::size_t task = session_.currentTask();
+  for (const HandAct& act : plan) {
+    const auto goesOn = [&] { return session_.currentTask() == task && !timeIsUp(); };
+    if (!goesOn()) return;
+    if (!act.method.empty()) touch_.useMethod(act.method);
+    if (act.to && act.placed) touch_.place(*act.to);
+    if (act.to && !act.placed) {
+      const Vec3 from = touch_.hip().A, way = act.to->A - from;
+      const auto ticks = static_cast<long>(std::ceil(glm::length(way) / (std::max(0.1, act.speed_A_per_s) * kTick_s)));
+      for (long k = 1; k <= ticks && goesOn(); ++k) tick({from + way * (double(k) / double(ticks))});
+    }
+    const auto rest = static_cast<long>(std::lround(act.wait_s / kTick_s));
+    for (long k = 0; k < rest && goesOn(); ++k) tick(touch_.hip());
+    if (act.answer && goesOn()) tell(*act.answer);
+  }
+}
+
+bool ScriptedLearner::doTask() {
+  if (!enterStep()) return false;
+  const std::size_t task = session_.currentTask();
+  if (task >= session_.step().tasks.size()) return false;
+  task_begun_s_ = touch_.time_s();
+  double best = -1.0;
+  std::string why;
+  for (int attempt = 0, idle = 0; session_.currentTask() == task && idle < options_.attempts && !timeIsUp();
+       ++attempt, ++idle) {
+    const HandPlan plan = session_.taskAt(task)->demonstrate(touch_.view(attempt));
+    if (plan.empty()) {
+      why = "no place for it is open to the probe from outside";
+      break;
+    }
+    follow(plan);
+    if (session_.currentTask() != task) return true;
+    // Whoever gets further, by progress or by an answer, may go on trying.
+    const double progress = session_.task(task).progress;
+    if (progress > best) {
+      best = progress;
+      idle = -1;
+    }
+  }
+  if (session_.currentTask() != task) return true;
+  LearnerEvent e = event(LearnerEvent::Kind::GaveUp);
+  e.index = task;
+  e.place = session_.step().tasks[task].place;
+  const TaskStatus status = session_.task(task);
+  e.text = status.say;
+  char seconds[48];
+  std::snprintf(seconds, sizeof seconds, "not done after %.0f s of trying", touch_.time_s() - task_begun_s_);
+  e.note = (why.empty() ? std::string(seconds) : why) + "; the task says: " + status.sentence;
+  e.figures = session_.taskFigures(task);
+  watch_(e);
+  return false;
+}
+
+void ScriptedLearner::tellAnswer(std::size_t question, const std::string& answer, bool right) {
+  LearnerEvent e = event(LearnerEvent::Kind::Question);
+  e.index = question;
+  e.place = session_.step().questions[question].place;
+  e.text = plainText(session_.step().questions[question].title);
+  e.answer = answer;
+  e.right = right;
+  for (const RichText& text : session_.feedback(question)) e.note += (e.note.empty() ? "" : " ") + plainText(text);
+  watch_(e);
+}
+
+void ScriptedLearner::choose(std::size_t question, const std::vector<std::size_t>& choices) {
+  const bool right = session_.choose(question, choices);
+  std::string answer;
+  for (const std::size_t k : choices)
+    if (const auto& there = session_.step().questions[question].choices; k < there.size())
+      answer += (answer.empty() ? "" : "; ") + plainText(there[k].text);
+  tellAnswer(question, answer, right);
+}
+
+void ScriptedLearner::write(std::size_t question, const std::string& text) {
+  tellAnswer(question, text, session_.write(question, text));
+}
+
+void ScriptedLearner::answerRightly(std::size_t question) {
+  const Question& asked = session_.step().questions[question];
+  if (asked.choices.empty() && asked.answer) {
+    const AnswerSpec& answer = *asked.answer;
+    char number[64];
+    std::snprintf(number, sizeof number, "%.12g%s%s", answer.number, answer.unit.empty() ? "" : " ",
+                  answer.unit.c_str());
+    write(question, answer.kind == AnswerSpec::Kind::Number                          ? number
+                    : answer.kind == AnswerSpec::Kind::Text && !answer.texts.empty() ? answer.texts.front()
+                                                                                     : "An answer for the teacher.");
+    return;
+  }
+  std::vector<std::size_t> right;
+  for (std::size_t k = 0; k < asked.choices.size(); ++k)
+    if (asked.choices[k].right) right.push_back(k);
+  choose(question, right);
+}
+
+void ScriptedLearner::next() { session_.next(); }
+void ScriptedLearner::back() { session_.back(); }
+bool ScriptedLearner::goTo(const std::string& step) { return session_.goTo(step); }
+
+bool ScriptedLearner::demonstrate() {
+  for (;;) {
+    enterStep();
+    // A task that cannot be done stands before those after it; the questions and the other steps can still be seen.
+    while (session_.currentTask() < session_.step().tasks.size())
+      if (!doTask()) break;
+    for (std::size_t q = 0; q < session_.step().questions.size(); ++q) answerRightly(q);
+    if (!session_.hasNext()) return session_.finished();
+    next();
+  }
+}
+
+}  // namespace moltact

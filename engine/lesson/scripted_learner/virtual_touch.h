@@ -1,0 +1,51 @@
+// A molecule under a scripted hand, on a virtual clock: the same servo tick and trackers as under a real hand, a
+// millisecond each, as fast as the computer runs. One thread, not the haptic one. Units: angstrom, newton, second.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "engine/lesson/hand_plan.h"
+#include "engine/lesson/lesson.h"
+#include "engine/lesson/tasks/task.h"
+#include "engine/lesson/touch_sample.h"
+#include "engine/molecule/molecule.h"
+#include "engine/servo/servo_step.h"
+
+namespace moltact {
+
+class VirtualTouch {
+ public:
+  /// Sets the scene of a step with its molecule; the hand begins outside. The clock goes on from scene to scene.
+  void begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene);
+  /// What a task asks of the scene, or a default one for the scene as the lesson has it.
+  void setStage(const TaskStage& stage);
+  /// Another method, from a fresh start. Unknown names change nothing.
+  void useMethod(std::string_view name);
+
+  /// The hand is there without a way between.
+  void place(PointA hip);
+  /// A millisecond with the hand there.
+  TouchSample tick(PointA hip);
+
+  const BallScene& balls() const { return *balls_; }
+  HandView view(int attempt) const;
+  PointA hip() const { return hip_; }
+  double time_s() const { return double(ticks_) * kTick_s; }
+
+ private:
+  std::shared_ptr<const Molecule> molecule_;
+  std::shared_ptr<const BallScene> balls_;
+  std::unique_ptr<Tracker> tracker_, exact_;
+  std::string_view method_;
+  SceneSpec scene_;
+  TaskStage stage_;
+  ServoSettings settings_;
+  ServoStep step_;
+  DevicePose pose_;
+  PointA hip_;
+  std::uint64_t ticks_ = 0;
+};
+
+}  // namespace moltact

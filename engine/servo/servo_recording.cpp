@@ -1,0 +1,304 @@
+#include "engine/servo/servo_recording.h"
+
+#include <zlib.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdio>
+#include <type_traits>
+
+#include "engine/core/file_bytes.h"
+#include "engine/platform/read_file.h"
+#include "engine/servo/step_state.h"
+
+namespace moltact {
+namespace {
+
+static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 48 && sizeof(DeviceSpecs) == 120 &&
+                  sizeof(TickTime) == 16,
+              "a field more is to be recorded below, or a replay is not the same");
+
+constexpr std::string_view kMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
+constexpr std::string_view kBlockMagic = "BLK1";
+constexpr std::uint32_t kTicksInBlock = 256;
+constexpr std::size_t kLeastTickBytes = 81;  // a tick without settings and device
+constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32;
+
+// What must be the same for the bits to be the same: the state's members and the compiler.
+std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
+
+// Both ways at once, so that what is written and what is read cannot differ.
+struct Putter {
+  std::string& to;
+  template <class T>
+  void operator()(const T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    to.append(reinterpret_cast<const char*>(&value), sizeof value);
+  }
+};
+struct Getter {
+  const char* at;
+  const char* end;
+  bool ok = true;
+  template <class T>
+  void operator()(T& value) {
+    static_assert(std::is_arithmetic_v<T>);
+    if (static_cast<std::size_t>(end - at) < sizeof value) {
+      ok = false;
+      at = end;
+      return;
+    }
+    value = numberAt<T>(at);
+    at += sizeof value;
+  }
+};
+
+template <class Each, class V>
+void eachOf(Each& each, V& v) {
+  each(v.x), each(v.y), each(v.z);
+}
+template <class Each, class Settings>
+void settingsFields(Each& each, Settings& s) {
+  each(s.workspace.A_per_mm);
+  eachOf(each, s.workspace.centre_A);
+  for (int k = 0; k < 3; ++k) eachOf(each, s.workspace.rotation[k]);
+  each(s.stiffness_N_per_mm), each(s.max_force_N), each(s.probe_A), each(s.discontinuities), each(s.clutch.buttons);
+}
+template <class Each, class Figures>
+void figuresFields(Each& each, Figures& f) {
+  eachOf(each, f.workspace_mm);
+  each(f.dof_in), each(f.dof_out), each(f.max_force_N), each(f.continuous_force_N), each(f.max_stiffness_N_per_mm);
+  each(f.max_damping_N_s_per_m), each(f.damping_N_s_per_m), each(f.friction_N), each(f.resolution_mm), each(f.delay_s);
+  each(f.speed_limit_m_per_s), each(f.slew_limit_N_per_s);
+}
+template <class Each, class Tick>
+void tickFields(Each& each, Tick& t) {
+  eachOf(each, t.pose.position.mm);
+  each(t.pose.buttons), each(t.pose.discontinuities), each(t.pose.motor_heat), each(t.pose.age_s), each(t.time.dt_s),
+      each(t.time.delay_s);
+  eachOf(each, t.force.N);
+}
+
+bool sameBits(const Vec3& a, const Vec3& b) {
+  const auto bits = [](double x) { return std::bit_cast<std::uint64_t>(x); };
+  return bits(a.x) == bits(b.x) && bits(a.y) == bits(b.y) && bits(a.z) == bits(b.z);
+}
+
+// Whether a program of ours can have asked the loop for that. Poses and device's figures come from devices, which may
+// tell anything; the loop takes them as they are.
+bool canBe(const ServoSettings& s) {
+  const Workspace& w = s.workspace;
+  bool turns = true;
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 3; ++i) turns = turns && std::abs(w.rotation[k][i]) <= 1.001;
+  const auto within = [](double x, double most) { return x >= 0.0 && x <= most; };
+  return turns && w.A_per_mm > 1e-6 && w.A_per_mm < 1e6 && finite(w.centre_A) && within(s.stiffness_N_per_mm, 1e6) &&
+         within(s.max_force_N, 1e6) && within(s.probe_A, 1e6);
+}
+
+std::string bytesOf(const ServoSettings& settings) {
+  std::string out;
+  Putter put{out};
+  settingsFields(put, settings);
+  put(std::uint8_t(settings.force_on)), put(std::uint8_t(settings.panic)), put(std::uint8_t(settings.clutch.at_edge));
+  return out;
+}
+
+bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick) {
+  std::uint8_t flags = 0, on = 0, panic = 0, gives = 0, at_edge = 0;
+  get(flags);
+  if (flags & kSettings) {
+    settingsFields(get, settings);
+    get(on), get(panic), get(at_edge);
+    settings.clutch.at_edge = at_edge;
+    settings.force_on = on;
+    settings.panic = panic;
+    get.ok = get.ok && on <= 1 && panic <= 1 && at_edge <= 1 && canBe(settings);
+  }
+  tick.other_device = flags & kOtherDevice;
+  if (tick.other_device) {
+    figuresFields(get, tick.device);
+    get(gives);
+    tick.device.gives_force = gives;
+    get.ok = get.ok && gives <= 1;
+  }
+  tickFields(get, tick);
+  tick.pose.fresh = flags & kFresh;
+  tick.pose.connected = flags & kConnected;
+  tick.pose.fault = flags & kFaultFlag;
+  tick.fallen_back = flags & kFallenBack;
+  tick.settings = settings;
+  return get.ok;
+}
+
+}  // namespace
+
+Expected<ServoRecordingWriter> ServoRecordingWriter::create(const std::filesystem::path& file, bool replace) {
+  auto opened = AppendFile::open(file, replace ? AppendFile::Begin::Replace : AppendFile::Begin::New);
+  if (!opened) return opened.problem();
+  return ServoRecordingWriter(*std::move(opened));
+}
+
+std::optional<Problem> ServoRecordingWriter::begin(const std::map<std::string, std::string>& labels,
+                                                   const ServoStep& start) {
+  std::string text;
+  for (const auto& [key, value] : labels) text += key + '=' + value + '\n';
+  std::string head(kMagic);
+  Putter put{head};
+  const std::string build = buildName(), state = stateText(start);
+  put(std::uint32_t(text.size()));
+  put(std::uint32_t(build.size()));
+  put(std::uint32_t(state.size()));
+  head += text + build + state;
+  put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(head.data()), uInt(head.size()))));
+  return broken_ = file_.append(head);
+}
+
+std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
+  if (!broken_ && kept_ + ticks_in_block_ == kMostRecordedTicks)
+    return broken_ = Problem{"", 0, 0,
+                             "a recording is at most 66 minutes and 40 s long; what was recorded until then is kept",
+                             "begin another one"};
+  const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
+  const DevicePose& pose = tick.pose;
+  Putter put{block_};
+  put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
+                   (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |
+                   (tick.fallen_back ? kFallenBack : 0)));
+  if (other_settings) block_ += bytesOf(tick.settings);
+  if (tick.other_device) {
+    figuresFields(put, tick.device);
+    put(std::uint8_t(tick.device.gives_force));
+  }
+  tickFields(put, tick);
+  last_ = tick.settings;
+  return ++ticks_in_block_ == kTicksInBlock ? writeBlock() : std::nullopt;
+}
+
+std::optional<Problem> ServoRecordingWriter::writeBlock() {
+  if (ticks_in_block_ == 0) return broken_;
+  std::string whole(kBlockMagic);
+  Putter put{whole};
+  put(ticks_in_block_);
+  put(std::uint32_t(block_.size()));
+  put(std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(block_.data()), uInt(block_.size()))));
+  whole += block_;
+  if (!broken_) broken_ = file_.append(whole);
+  if (!broken_) kept_ += ticks_in_block_;
+  block_.clear();
+  ticks_in_block_ = 0;
+  return broken_;
+}
+
+std::optional<Problem> ServoRecordingWriter::finish() {
+  if (auto problem = writeBlock()) return problem;
+  return file_.sync();
+}
+
+Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
+  const auto bytes = readFile(file, kMostBytes, "a recording is 81 bytes a tick: is this one?");
+  if (!bytes) return bytes.problem();
+  const char* data = bytes->data();
+  const Problem none{file.string(), 0, 0, "this is no recording of a device",
+                     "recordings are made by `moltact device record`"};
+  const std::size_t fixed = kMagic.size() + 12;
+  if (std::string_view(*bytes).starts_with(kOldMagic))
+    return Problem{file.string(), 0, 0, "this recording is of an earlier version, whose ticks hold less",
+                   "record it anew"};
+  const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
+  if (bytes->size() < fixed || !(stateless || std::string_view(*bytes).starts_with(kMagic))) return none;
+  Getter get{data + kMagic.size(), data + bytes->size()};
+  std::uint32_t text_size = 0, build_size = 0, state_size = 0, crc = 0;
+  get(text_size), get(build_size), get(state_size);
+  const std::size_t head = fixed + std::size_t(text_size) + build_size + state_size;
+  if (head + 4 > bytes->size())
+    return Problem{file.string(), 0, 0, "the recording breaks off in its first lines", "record it anew"};
+  get.at = data + head;
+  get(crc);
+  if (crc != crc32(0, reinterpret_cast<const Bytef*>(data), uInt(head)))
+    return Problem{file.string(), 0, 0, "the recording's first lines are damaged", "record it anew"};
+
+  ServoRecording recording;
+  const std::string_view text(data + fixed, text_size);
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size()), equals = text.find('=', at);
+    if (equals < end)
+      recording.labels[std::string(text.substr(at, equals - at))] =
+          std::string(text.substr(equals + 1, end - equals - 1));
+    at = end + 1;
+  }
+  if (!stateless && std::string_view(data + fixed + text_size, build_size) == buildName()) {
+    auto state = stepFromText({data + fixed + text_size + build_size, state_size});
+    if (!state) return Problem{file.string(), 0, 0, state.problem().message, state.problem().remedy};
+    recording.start = *std::move(state);
+  }
+
+  recording.ticks.reserve(std::min(kMostRecordedTicks, static_cast<std::size_t>(get.end - get.at) / kLeastTickBytes));
+  DeviceSpecs device;
+  while (get.at < get.end) {
+    const auto torn = [&](const char* how) {
+      char when[64];
+      std::snprintf(when, sizeof when, " after %.3f s", double(recording.ticks.size()) * kTick_s);
+      recording.torn = std::string("the recording ") + how + when + "; what is before that is kept";
+    };
+    std::uint32_t count = 0, size = 0, block_crc = 0;
+    const bool block = static_cast<std::size_t>(get.end - get.at) >= kBlockMagic.size() &&
+                       std::string_view(get.at, kBlockMagic.size()) == kBlockMagic;
+    if (block) get.at += kBlockMagic.size();
+    get(count), get(size), get(block_crc);
+    if (!get.ok || static_cast<std::size_t>(get.end - get.at) < size) {
+      torn("breaks off");
+      break;
+    }
+    Getter inside{get.at, get.at + size};
+    get.at += size;
+    bool good =
+        block && count <= kTicksInBlock && block_crc == crc32(0, reinterpret_cast<const Bytef*>(inside.at), uInt(size));
+    ServoSettings settings;
+    std::vector<RecordedTick> ticks(good ? count : 0);
+    for (RecordedTick& tick : ticks) {
+      tick.device = device;
+      good = good && readTick(inside, settings, tick);
+      device = tick.device;
+    }
+    if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
+      torn("goes on for longer than is read");
+      break;
+    }
+    if (!good || inside.at != inside.end) {
+      torn("is damaged");
+      break;
+    }
+    recording.ticks.insert(recording.ticks.end(), ticks.begin(), ticks.end());
+  }
+  return recording;
+}
+
+ReplayResult replay(const ServoRecording& recording, Tracker* tracker) {
+  ServoStep step = recording.start.value_or(ServoStep());
+  ReplayResult out;
+  for (const RecordedTick& tick : recording.ticks) {
+    if (tick.other_device) step.setDevice(tick.device);
+    const ForceN force = step.tick(tick.settings, tracker, tick.pose, tick.time).force;
+    if (!sameBits(force.N, tick.force.N)) {
+      if (!out.first_difference) out.first_difference = out.ticks;
+      out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(force.N, tick.force.N));
+    }
+    ++out.ticks;
+  }
+  return out;
+}
+
+std::string fingerprint(const BallScene& scene) {
+  std::uint64_t hash = 14695981039346656037u;
+  for (const Ball& ball : scene.balls())
+    for (const double value : {ball.centre_A.x, ball.centre_A.y, ball.centre_A.z, ball.radius_A})
+      for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8)
+        hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
+  char text[40];
+  std::snprintf(text, sizeof text, "%zu %016llx", scene.size(), static_cast<unsigned long long>(hash));
+  return text;
+}
+
+}  // namespace moltact

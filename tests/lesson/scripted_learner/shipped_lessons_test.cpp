@@ -1,0 +1,55 @@
+// Every lesson in lessons/ can be finished: a scripted learner follows each task's demonstration and answers rightly.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "engine/lesson/reader.h"
+#include "engine/lesson/scripted_learner/scripted_learner.h"
+#include "engine/molecule/catalogue.h"
+
+using namespace moltact;
+
+namespace {
+
+Expected<std::shared_ptr<const Molecule>> shipped(const std::string& name) {
+  static std::map<std::string, std::shared_ptr<const Molecule>> read;
+  if (const auto known = read.find(name); known != read.end()) return known->second;
+  const std::filesystem::path molecules = MOLTACT_SOURCE_DIR "/molecules";
+  const auto file = findMolecule(name, {molecules, {}});
+  if (!file) return file.problem();
+  auto molecule = readMolecule(*file);
+  if (!molecule) return molecule.problem();
+  return read[name] = std::make_shared<const Molecule>(*std::move(molecule));
+}
+
+std::vector<std::filesystem::path> lessons() {
+  std::vector<std::filesystem::path> out;
+  for (const auto& entry : std::filesystem::directory_iterator(MOLTACT_SOURCE_DIR "/lessons"))
+    if (entry.path().extension() == ".md") out.push_back(entry.path());
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "every lesson in lessons/ is finished by the demonstrating student within the minutes that it states, on the "
+    "virtual clock") {
+  REQUIRE(lessons().size() >= 2);
+  for (const std::filesystem::path& file : lessons()) {
+    CAPTURE(file.filename().string());
+    LessonReading reading = readLesson(file);
+    REQUIRE(reading.lesson);
+    const auto lesson = std::make_shared<const Lesson>(*std::move(reading.lesson));
+    ScriptedLearner learner(lesson, shipped, [&](const LearnerEvent& e) {
+      if (e.kind == LearnerEvent::Kind::GaveUp || e.kind == LearnerEvent::Kind::Fault)
+        FAIL_CHECK(file.filename().string()
+                   << ":" << e.place.line << ": step '" << e.step << "', task " << e.index + 1 << ": " << e.note);
+      if (e.kind == LearnerEvent::Kind::Question) CHECK(e.right);
+    });
+    CHECK(learner.demonstrate());
+    CHECK(learner.time_s() <= 60.0 * lesson->minutes);
+  }
+}

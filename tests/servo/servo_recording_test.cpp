@@ -1,0 +1,251 @@
+// Recordings: what is written comes back to the last bit and gives the same forces; what is torn or no recording is
+// told.
+#include "engine/servo/servo_recording.h"
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <thread>
+
+#include "engine/bench/scenes.h"
+#include "engine/device/mouse_device.h"
+#include "engine/device/simulated_device.h"
+#include "engine/haptics/methods.h"
+#include "engine/servo/device_switch.h"
+#include "engine/servo/playback_device.h"
+#include "engine/servo/servo_thread.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+
+namespace {
+
+std::unique_ptr<Tracker> newTracker() {
+  return methods().front().make(test::makeScene(scenes::cluster(20, 3).balls), kWaterProbe_A);
+}
+
+std::filesystem::path scratch(const char* name) {
+  return std::filesystem::temp_directory_path() / ("moltact_trace_" + std::to_string(getpid()) + name);
+}
+
+// 20 s of the simulated stylus with settings that change, a plug that is pulled, and a clock that is late now and then.
+std::vector<RecordedTick> record(const std::filesystem::path& file) {
+  MouseDevice mouse;
+  SimulatedDevice stylus;
+  DeviceSwitch devices(mouse, &stylus);
+  ServoStep step;
+  const auto tracker = newTracker();
+  ServoSettings settings;
+  auto writer = ServoRecordingWriter::create(file, true);
+  REQUIRE(writer);
+  CHECK_FALSE(writer->begin({{"molecule", "cluster 20"}, {"method", "exact"}}, step));
+  std::vector<RecordedTick> ticks;
+  for (int k = 0; k < 20'000; ++k) {
+    if (k == 7000) settings.stiffness_N_per_mm = 0.3;
+    if (k == 9000) stylus.plug(false);
+    if (k == 9100) stylus.plug(true);
+    if (k == 15'000) settings.panic = true;
+    if (k == 15'100) settings.panic = false;
+    const TickTime time{.dt_s = k % 1000 == 999 ? 0.004 : 0.001, .delay_s = 1e-5};
+    DevicePose pose = devices.read(kTick_s, step);
+    pose.age_s = 1e-6f * float(k % 1000);
+    const ServoSample s = step.tick(settings, tracker.get(), pose, time);
+    devices.write(s.force);
+    ticks.push_back({settings, pose, time, devices.info(), devices.other(), s.force});
+    ticks.back().fallen_back = devices.fallenBack();
+    CHECK_FALSE(writer->add(ticks.back()));
+  }
+  CHECK_FALSE(writer->finish());
+  CHECK(writer->kept() == ticks.size());
+  return ticks;
+}
+
+std::string bytesOf(const std::filesystem::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+void write(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary) << bytes;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "20 000 recorded ticks, unplugged and stopped on the way, come back whole and give the same forces to the last "
+    "bit") {
+  const auto file = scratch("whole");
+  const std::vector<RecordedTick> ticks = record(file);
+  const auto recording = readServoRecording(file);
+  REQUIRE(recording);
+  CHECK(recording->torn.empty());
+  CHECK(recording->labels.at("molecule") == "cluster 20");
+  REQUIRE(recording->start);
+  REQUIRE(recording->ticks.size() == ticks.size());
+  double greatest = 0;
+  for (std::size_t k = 0; k < ticks.size(); ++k) {
+    REQUIRE(std::memcmp(&recording->ticks[k].force, &ticks[k].force, sizeof(ForceN)) == 0);
+    REQUIRE(recording->ticks[k].pose.age_s == ticks[k].pose.age_s);
+    REQUIRE(recording->ticks[k].fallen_back == ticks[k].fallen_back);
+    greatest = std::max(greatest, glm::length(ticks[k].force.N));
+  }
+  CHECK(greatest > 0.8);
+  const auto tracker = newTracker();
+  const ReplayResult again = replay(*recording, tracker.get());
+  CHECK(again.ticks == ticks.size());
+  CHECK_FALSE(again.first_difference);
+  // With another scene it says where the forces part.
+  const auto other = methods().front().make(test::makeScene(scenes::oneBall().balls), kWaterProbe_A);
+  CHECK(replay(*recording, other.get()).first_difference);
+  CHECK(std::filesystem::file_size(file) < 20'000 * 84);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("a recording cut at any of 200 places keeps its whole blocks and says after how many seconds it breaks off") {
+  const auto file = scratch("cut");
+  record(file);
+  const std::string whole = bytesOf(file);
+  for (int k = 0; k < 200; ++k) {
+    const std::size_t size = whole.size() * std::size_t(k) / 200;
+    write(file, whole.substr(0, size));
+    const auto recording = readServoRecording(file);
+    if (!recording) {
+      CHECK(size < 2000);
+      CHECK_FALSE(recording.problem().remedy.empty());
+      continue;
+    }
+    CHECK(recording->ticks.size() % 256 == 0);
+    CHECK((recording->torn.empty() || recording->torn.find("breaks off after ") != std::string::npos));
+  }
+  std::filesystem::remove(file);
+}
+
+TEST_CASE(
+    "a recording with any of 200 bytes changed gives what is before the damage, a problem, or the same ticks; and no "
+    "crash") {
+  const auto file = scratch("damaged");
+  record(file);
+  const std::string whole = bytesOf(file);
+  for (int k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    std::string bytes = whole;
+    bytes[whole.size() * std::size_t(k) / 200] ^= char(1 << (k % 8));
+    write(file, bytes);
+    const auto recording = readServoRecording(file);
+    if (recording)
+      CHECK_FALSE(recording->torn.empty());
+    else
+      CHECK_FALSE(recording.problem().message.empty());
+  }
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("what is no recording is told so: an empty file, a text, a folder, a missing file") {
+  const auto file = scratch("none");
+  for (const std::string& bytes :
+       {std::string(), std::string("ATOM      1  N   ALA"), std::string("MOLTRAC2"), std::string(100, '\xff')}) {
+    write(file, bytes);
+    CHECK_FALSE(readServoRecording(file));
+  }
+  write(file, "ATOM");
+  CHECK(readServoRecording(file).problem().message == "this is no recording of a device");
+  write(file, "MOLTRAC1" + std::string(100, '\0'));
+  CHECK(readServoRecording(file).problem().message == "this recording is of an earlier version, whose ticks hold less");
+  std::filesystem::remove(file);
+  CHECK_FALSE(readServoRecording(file));
+  CHECK_FALSE(readServoRecording(std::filesystem::temp_directory_path()));
+}
+
+TEST_CASE("a recorded hand played back as a device goes the same way and stays at its end") {
+  const auto file = scratch("play");
+  const std::vector<RecordedTick> ticks = record(file);
+  const auto recording = readServoRecording(file);
+  REQUIRE(recording);
+  PlaybackDevice device(*recording);
+  for (const RecordedTick& tick : ticks) REQUIRE(device.read(kTick_s).position.mm == tick.pose.position.mm);
+  CHECK(device.read(kTick_s).position.mm == ticks.back().pose.position.mm);
+  CHECK(PlaybackDevice(ServoRecording()).read(kTick_s).position.mm == Vec3(0));
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("what the haptic thread itself records in 1500 ticks of its own clock replays to the last bit") {
+  MouseDevice mouse;
+  ServoThread servo(mouse);
+  servo.setDevice(std::make_unique<SimulatedDevice>());
+  servo.record(true);
+  servo.setTracker(newTracker());
+  ServoRecording recording;
+  recording.start.emplace();
+  while (recording.ticks.size() < 1500) {
+    servo.drainRecording(*recording.start, [&](const RecordedTick& tick) { recording.ticks.push_back(tick); });
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  CHECK(servo.lostOfRecording() == 0);
+  const auto tracker = newTracker();
+  CHECK_FALSE(replay(recording, tracker.get()).first_difference);
+}
+
+TEST_CASE(
+    "a recording that is there stays as it is, unless it may be replaced; then the file holds the new one alone") {
+  const auto file = scratch("there");
+  write(file, std::string(100'000, 'x'));
+  const auto refused = ServoRecordingWriter::create(file);
+  REQUIRE_FALSE(refused);
+  CHECK(refused.problem().message == "it is already there");
+  CHECK(bytesOf(file) == std::string(100'000, 'x'));
+  auto writer = ServoRecordingWriter::create(file, true);
+  REQUIRE(writer);
+  CHECK_FALSE(writer->begin({}, ServoStep()));
+  for (int k = 0; k < 300; ++k) CHECK_FALSE(writer->add({}));
+  CHECK(writer->kept() == 256);
+  CHECK_FALSE(ServoRecordingWriter::create(file, true));  // another one is writing it
+  CHECK_FALSE(writer->finish());
+  CHECK(writer->kept() == 300);
+  const auto recording = readServoRecording(file);
+  REQUIRE(recording);
+  CHECK(recording->ticks.size() == 300);
+  CHECK(recording->torn.empty());
+  std::filesystem::remove(file);
+  CHECK_FALSE(ServoRecordingWriter::create(file / "no folder"));
+}
+
+TEST_CASE("every figure of a device that comes in the middle is in the recording") {
+  const auto file = scratch("figures");
+  DeviceSpecs figures;
+  figures.workspace_mm = Vec3(1, 2, 3);
+  figures.dof_in = 4, figures.dof_out = 5;
+  figures.max_force_N = 6, figures.continuous_force_N = 7, figures.max_stiffness_N_per_mm = 8,
+  figures.max_damping_N_s_per_m = 9;
+  figures.damping_N_s_per_m = 10, figures.friction_N = 11, figures.resolution_mm = 12, figures.delay_s = 13;
+  figures.speed_limit_m_per_s = 14, figures.slew_limit_N_per_s = 15;
+  figures.gives_force = true;
+  auto writer = ServoRecordingWriter::create(file, true);
+  REQUIRE(writer);
+  CHECK_FALSE(writer->begin({}, ServoStep()));
+  CHECK_FALSE(writer->add({}));
+  RecordedTick tick;
+  tick.device = figures;
+  tick.other_device = true;
+  CHECK_FALSE(writer->add(tick));
+  CHECK_FALSE(writer->finish());
+  const auto recording = readServoRecording(file);
+  REQUIRE(recording);
+  REQUIRE(recording->ticks.size() == 2);
+  CHECK(recording->ticks[1].device == figures);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("a full disk is told in the first tick that it does not take, not at the end") {
+  auto writer = ServoRecordingWriter::create("/dev/full", true);
+  REQUIRE(writer);
+  const auto problem = writer->begin({}, ServoStep());
+  REQUIRE(problem);
+  CHECK(problem->text() == "/dev/full: the disk is full; free some space on it");
+  for (int k = 1; k < 256; ++k) CHECK_FALSE(writer->add({}));
+  CHECK(writer->add({}));
+  CHECK(writer->finish());
+  CHECK(writer->kept() == 0);
+}
