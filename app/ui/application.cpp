@@ -61,7 +61,7 @@ void Application::open(const std::filesystem::path& file) {
     return;
   }
   step_scene_ = false;
-  loader_.begin(*found);
+  loader_.begin({*found});
   if (options_.clock == ServoClock::Frames) finishLoading();
 }
 
@@ -71,9 +71,9 @@ void Application::drop(const std::vector<std::filesystem::path>& dropped) {
   if (dropped.size() > 1) messages.notice("Of " + std::to_string(dropped.size()) + " files the first was opened.");
 }
 
-void Application::showMolecule(const std::filesystem::path& file) {
+void Application::showMolecule(const MoleculeKey& key) {
   step_scene_ = true;
-  loader_.begin(file);
+  loader_.begin(key);
   if (options_.clock == ServoClock::Frames) finishLoading();
 }
 
@@ -94,18 +94,18 @@ void Application::enterScene() {
   scene.shown = lesson.shapes();
   scene.colour_by = colourBy(*spec);
   panels.follow(spec->panels);
-  if (scene.stage()) lesson.meet(scene.stage().molecule, scene.file());
-  const Expected<std::filesystem::path> file = lesson.moleculeFile();
-  if (!file) {
-    messages.error(file.problem().text());
+  if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
+  const Expected<MoleculeKey> molecule = lesson.molecule();
+  if (!molecule) {
+    messages.error(molecule.problem().text());
     return;
   }
-  if (*file == scene.file() && scene.stage() && !loader_.busy()) {
+  if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
     scene.setRegion(lesson.region());
     beginSceneAgain();
     return;
   }
-  showMolecule(*file);
+  showMolecule(*molecule);
 }
 
 void Application::beginSceneAgain(std::optional<PointA> before) {
@@ -142,12 +142,12 @@ void Application::takeUp(Loaded loaded) {
   // A lesson's author knows what the file leaves out.
   if (!from_step) {
     for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
-    settings.remember(loaded.file);
+    settings.remember(loaded.key.file);
   }
   panels.welcome = false;
-  lesson.meet(loaded.stage->molecule, loaded.file);
+  lesson.meet(loaded.stage->molecule, loaded.key);
   scene.setRegion(lesson.region());
-  scene.show(*std::move(loaded.stage), loaded.file, facing());
+  scene.show(*std::move(loaded.stage), loaded.key, facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 

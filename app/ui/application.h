@@ -49,7 +49,7 @@ class Application {
   /// Files were dropped on the window: the first is opened.
   void drop(const std::vector<std::filesystem::path>& dropped);
   /// Puts a molecule on the stage as a lesson's step does: it is not among the files opened last.
-  void showMolecule(const std::filesystem::path& file);
+  void showMolecule(const MoleculeKey& key);
   /// Opens a lesson where its last attempt ended; without a sound attempt at its first step.
   void resume(const std::filesystem::path& lesson, const std::filesystem::path& attempt);
   /// Something has been opened that the welcome page can be left for.

@@ -130,6 +130,20 @@ Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& 
   return unknown(name, *entries);
 }
 
+Expected<MoleculeKey> findMolecule(const NamedMolecule& named, const MoleculeFolders& folders) {
+  Expected<fs::path> file = findMolecule(named.name, folders);
+  if (!file) return file.problem();
+  return MoleculeKey{*std::move(file), named.reading};
+}
+
+NamedMolecule lastingName(const MoleculeKey& key, const MoleculeFolders& folders) {
+  std::error_code error;
+  const std::string name = key.file.filename().string(), id = name.substr(0, name.find('.'));
+  if (const Expected<fs::path> found = findMolecule(id, folders); found && *found != id)
+    if (fs::equivalent(*found, key.file, error)) return {id, key.reading};
+  return {fs::absolute(key.file, error).lexically_normal().string(), key.reading};
+}
+
 Expected<Molecule> openMolecule(const std::string& name, const ReadOptions& options) {
   auto file = findMolecule(name, MoleculeFolders::ofThisComputer());
   if (!file) return file.problem();

@@ -17,15 +17,9 @@
 
 #include "engine/core/problem.h"
 #include "engine/molecule/molecule.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
-
-struct ReadOptions {
-  int model = 1;           ///< which model, counted from 1 in the order of the file (default: the first)
-  bool waters = false;     ///< keep the water molecules (default: leave them out)
-  std::string assembly{};  ///< name of a biological assembly to build ("1"); empty: the coordinates as they
-                           ///< stand (default)
-};
 
 /// A file larger than this, or one that unpacks to more, is refused (unit: byte).
 inline constexpr std::size_t kMaxMoleculeBytes = std::size_t{1} << 30;
@@ -43,6 +37,7 @@ inline constexpr double kMaxCoordinate_A = 1e9;
 /// The molecule in the file. The format follows from the name (.pdb .ent .cif .mmcif .xyzr, each also with
 /// .gz) and, where the name does not tell, from the content.
 Expected<Molecule> readMolecule(const std::filesystem::path& file, const ReadOptions& options = {});
+inline Expected<Molecule> readMolecule(const MoleculeKey& key) { return readMolecule(key.file, key.reading); }
 
 /// The same from bytes in memory, gzipped or not; `file` gives the name for the format and for problems.
 Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& file,

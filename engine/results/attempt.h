@@ -15,6 +15,7 @@
 #include "engine/core/units.h"
 #include "engine/haptics/tracker.h"
 #include "engine/lesson/lesson.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
@@ -152,6 +153,7 @@ struct StageSet {
   double stiffness_N_per_mm = 0.5;
   std::string method;
   bool force_on = true;
+  ReadOptions reading;  ///< how the file was read
 };
 /// How the person looked at it (engine/render/camera.h).
 struct ViewRotated {

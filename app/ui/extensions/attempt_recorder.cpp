@@ -30,13 +30,14 @@ StageSet stageOf(const Application& app) {
   const Molecule& molecule = *scene.stage().molecule;
   const ServoSettings& s = scene.servo_settings;
   return {molecule.id,
-          scene.file().filename().string(),
+          scene.molecule().file.filename().string(),
           molecule.atoms.size(),
           s.workspace,
           s.probe_A,
           s.stiffness_N_per_mm,
           scene.method(),
-          s.force_on};
+          s.force_on,
+          scene.molecule().reading};
 }
 
 bool same(const StageSet& a, const StageSet& b) {

@@ -24,7 +24,7 @@ class Renderer;
 
 /// What a picture shows: a molecule as a lesson's scene turns and marks it.
 struct CardSubject {
-  std::filesystem::path molecule;
+  MoleculeKey molecule;
   SceneSpec scene;
 };
 

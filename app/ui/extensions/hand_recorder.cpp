@@ -15,14 +15,6 @@ namespace {
 
 constexpr const char* kEnding = ".recording";
 
-// By its name where it is the library's own, else by its path.
-std::string moleculeName(const fs::path& file) {
-  const std::string name = file.stem().string();
-  const Expected<fs::path> found = findMolecule(name, MoleculeFolders::ofThisComputer());
-  std::error_code error;
-  return found && fs::equivalent(*found, file, error) ? name : fs::absolute(file, error).lexically_normal().string();
-}
-
 std::string seconds(double s) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f s", s);
@@ -35,7 +27,7 @@ bool looksLikeRecording(const fs::path& file) { return file.extension() == kEndi
 
 void HandRecorder::askToRecord(Application& app) {
   app.file_dialog.ask({.title = "Record the hand in a file",
-                       .name = app.scene.file().stem().string() + kEnding,
+                       .name = app.scene.molecule().file.stem().string() + kEnding,
                        .ending = kEnding,
                        .chosen = [](Application& asked,
                                     const fs::path& file) { asked.extensions().hand_recorder.record(asked, file); }},
@@ -62,12 +54,13 @@ void HandRecorder::drain(Application& app) {
   std::optional<Problem> problem;
   servo.drainRecording(start, [&](const RecordedTick& tick) {
     if (problem) return;
-    if (ticks_ == 0)
-      problem = writer_->begin({{"molecule", moleculeName(app.scene.file())},
-                                {"balls", fingerprint(*app.scene.stage().balls)},
-                                {"method", app.scene.method()},
-                                {"device", servo.device().name}},
-                               start);
+    if (ticks_ == 0) {
+      auto labels = moleculeLabels(lastingName(app.scene.molecule(), MoleculeFolders::ofThisComputer()));
+      labels["balls"] = fingerprint(*app.scene.stage().balls);
+      labels["method"] = app.scene.method();
+      labels["device"] = servo.device().name;
+      problem = writer_->begin(labels, start);
+    }
     if (!problem) problem = writer_->add(tick);
     ++ticks_;
   });
@@ -106,9 +99,10 @@ void HandRecorder::play(Application& app, const fs::path& file) {
   endPlay(app);
   file_ = file;
   waiting_ = *std::move(recording);
-  const std::string molecule = label("molecule");
-  const Expected<fs::path> found = findMolecule(molecule, MoleculeFolders::ofThisComputer());
-  if (found && *found != app.scene.file()) {
+  const NamedMolecule recorded = labelledMolecule(waiting_->labels);
+  const std::string& molecule = recorded.name;
+  const Expected<MoleculeKey> found = findMolecule(recorded, MoleculeFolders::ofThisComputer());
+  if (found && *found != app.scene.molecule()) {
     app.showMolecule(*found);
   } else if (!found && !app.scene.stage()) {
     waiting_.reset();

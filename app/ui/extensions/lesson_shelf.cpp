@@ -33,7 +33,7 @@ void read(LessonCard& card) {
   card.level = lesson.level;
   card.minutes = lesson.minutes;
   card.scene = lesson.steps.front().scene;
-  if (Expected<fs::path> file = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(file);
+  if (Expected<MoleculeKey> key = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(key);
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct LessonCard {
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can
   std::optional<SceneSpec> scene;          ///< of its first step
-  std::filesystem::path molecule;          ///< the scene's file; empty where it is not found
+  MoleculeKey molecule;                    ///< the scene's; empty where its file is not found
   std::optional<LessonProgress> progress;  ///< none: never begun
 };
 

@@ -18,7 +18,7 @@ constexpr double kLookAgain_s = 2.0;  // a picture or molecule that was missing 
 constexpr const char* kSaveAgain = "save it again, or open another lesson";
 
 LessonCheck checkNow(const std::string& name, const std::string& bytes, LessonMolecules& molecules) {
-  return checkLesson(name, bytes, [&](const std::string& molecule) { return molecules.find(name, molecule); });
+  return checkLesson(name, bytes, [&](const NamedMolecule& molecule) { return molecules.find(name, molecule); });
 }
 
 }  // namespace

@@ -9,6 +9,13 @@
 
 namespace moltact {
 namespace fs = std::filesystem;
+namespace {
+
+// An attempt names a molecule by its file without folders.
+NamedMolecule namedOf(const StageSet& stage) { return {stage.file, stage.reading}; }
+NamedMolecule namedOf(const MoleculeKey& key) { return {key.file.filename().string(), key.reading}; }
+
+}  // namespace
 
 bool looksLikeAttempt(const fs::path& file) { return file.extension() == ".jsonl"; }
 
@@ -23,12 +30,12 @@ void Playback::open(Application& app, const fs::path& file) {
       passed_over ? "line " + std::to_string(attempt->problems.front().line) + ", " + attempt->problems.front().message
                   : "";
   if (!on()) {
-    before_ = app.scene.file();
+    before_ = app.scene.molecule();
     seen_before_ = app.scene.camera;
   }
   timeline_.emplace(*std::move(attempt));
   file_ = file;
-  shown_stage_.clear();
+  shown_stage_ = {};
   missing_.clear();
   shown_view_ = nullptr;
   follows_view = true;
@@ -55,7 +62,7 @@ void Playback::close(Application& app, bool back) {
   // The view is where the attempt's last moment had it, which may be anywhere.
   if (app.lesson.session())
     app.lesson.askForScene();
-  else if (!before_.empty() && before_ != app.scene.file())
+  else if (!before_.empty() && before_ != app.scene.molecule())
     app.showMolecule(before_);
   else if (!before_.empty())
     app.scene.camera = seen_before_;
@@ -97,15 +104,17 @@ std::string Playback::lastMark() const {
 
 void Playback::stageFor(Application& app) {
   const StageSet* stage = timeline_->stage(at_s_);
-  if (!stage || stage->file == shown_stage_) return;
-  shown_stage_ = stage->file;
-  if (app.scene.file().filename() == stage->file && app.scene.stage()) return;
+  if (!stage || namedOf(*stage) == shown_stage_) return;
+  shown_stage_ = namedOf(*stage);
+  if (app.scene.stage() && namedOf(app.scene.molecule()) == shown_stage_) return;
   std::error_code error;
   for (const fs::path& folder : {file_.parent_path(), lessonsFolder()})
-    if (fs::is_regular_file(folder / stage->file, error)) return app.showMolecule(folder / stage->file);
+    if (fs::is_regular_file(folder / stage->file, error))
+      return app.showMolecule({folder / stage->file, stage->reading});
   // The library and what has been fetched are asked by the molecule's name: its file without its endings.
   const std::string& name = stage->file;
-  const Expected<fs::path> found = findMolecule(name.substr(0, name.find('.')), MoleculeFolders::ofThisComputer());
+  const NamedMolecule id(name.substr(0, name.find('.')), stage->reading);
+  const Expected<MoleculeKey> found = findMolecule(id, MoleculeFolders::ofThisComputer());
   if (found) return app.showMolecule(*found);
   if (missing_ == name) return;
   missing_ = name;
@@ -116,7 +125,7 @@ void Playback::stageFor(Application& app) {
 void Playback::showHand(Application& app) {
   ServoSample sample;
   const StageSet* stage = timeline_->stage(at_s_);
-  const bool here = stage && app.scene.stage() && app.scene.file().filename() == stage->file &&
+  const bool here = stage && app.scene.stage() && namedOf(app.scene.molecule()) == namedOf(*stage) &&
                     app.scene.stage().molecule->atoms.size() == stage->atoms;
   if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
     sample.has_tracker = true;

@@ -52,9 +52,11 @@ class Playback : public Extension {
   void showView(Application& app);
 
   std::optional<Timeline> timeline_;
-  std::filesystem::path file_, before_;  // the attempt; the molecule that was on the stage
-  Camera seen_before_;                   // how that was looked at
-  std::string shown_stage_, missing_;    // names of molecule files: asked for, and told as missing
+  std::filesystem::path file_;  // the attempt
+  MoleculeKey before_;          // on the stage before
+  Camera seen_before_;          // how that was looked at
+  NamedMolecule shown_stage_;   // asked for, by its file's name without folders
+  std::string missing_;         // the name of a molecule's file that was told as missing
   const ViewRotated* shown_view_ = nullptr;
   double at_s_ = 0.0;
   bool running_ = false;

@@ -20,7 +20,7 @@ void save(Application& app, const std::filesystem::path& file) {
 
 void askForGltf(Application& app) {
   app.file_dialog.ask({.title = "Save the molecule as a 3-D model",
-                       .name = app.scene.file().stem().string() + ".glb",
+                       .name = app.scene.molecule().file.stem().string() + ".glb",
                        .ending = ".glb",
                        .chosen = &save},
                       app.options().picture_folder);

@@ -50,7 +50,7 @@ void drawLessonTask(Application& app, std::size_t index) {
   status.sentence = localProse(status.sentence);
   const std::string name = "task/" + std::to_string(index);
   const bool away = status.current && !app.lesson.onStage();
-  const std::string& molecule = session.scene().molecule;
+  const std::string& molecule = session.scene().molecule.name;
   const std::string next = !away           ? status.sentence
                            : app.loading() ? "Opening " + molecule + " …"
                                            : "This step uses " + molecule + ".";

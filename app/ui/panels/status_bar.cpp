@@ -104,7 +104,8 @@ void drawStatusBar(Application& app) {
   segments.push_back(loopSegment(app));
   if (app.scene.stage()) {
     const Molecule& m = *app.scene.stage().molecule;
-    segments.push_back({"status/molecule", m.id.empty() ? app.scene.file().filename().string() : m.id, m.title, 1});
+    segments.push_back(
+        {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});
     if (!app.scene.playing())
       segments.push_back(
           {"status/modelled",

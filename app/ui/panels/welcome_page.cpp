@@ -181,7 +181,7 @@ void drawMolecules(Application& app, Grid& grid) {
   heading("Explore freely");
   rows(grid, items.size(), kMoleculeWidth, [&](std::size_t k, float width) {
     const LibraryItem& m = items[k];
-    const ImTextureID picture = app.extensions().card_pictures.find({m.file, SceneSpec{}});
+    const ImTextureID picture = app.extensions().card_pictures.find({{m.file}, SceneSpec{}});
     if (drawCard(grid, {.name = "welcome/molecule/" + m.id, .title = m.label, .line = m.id, .tip = m.label}, picture,
                  width))
       app.open(m.file);
