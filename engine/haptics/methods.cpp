@@ -6,6 +6,7 @@
 #include "engine/haptics/exact/exact_tracker.h"
 #include "engine/haptics/grid/grid_tracker.h"
 #include "engine/haptics/mesh/mesh_tracker.h"
+#include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/haptics/paper/paper_tracker.h"
 #include "engine/haptics/penalty/penalty_tracker.h"
 #include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
@@ -90,6 +91,11 @@ std::vector<std::string_view> methodNames() {
   std::vector<std::string_view> names;
   for (const Method& m : methods()) names.push_back(m.name);
   return names;
+}
+
+std::shared_ptr<const SphereMesh> feltFacets(std::string_view method) {
+  const Method* m = findMethod(method);
+  return m && m->triangles > 0 ? SphereMesh::ofTriangles(m->triangles) : nullptr;
 }
 
 std::string methodTitle(std::string_view name) {

@@ -12,6 +12,8 @@
 
 namespace moltact {
 
+class SphereMesh;
+
 struct Method {
   std::string_view name;      ///< as in `--method exact`
   std::string_view sentence;  ///< what it is, for the screen and `--help`
@@ -38,6 +40,9 @@ const Method* findBenchMethod(std::string_view name);
 
 /// The names of methods(), in the same order.
 std::vector<std::string_view> methodNames();
+
+/// The triangles that a method of methods() feels for a ball of radius 1; null for a method without.
+std::shared_ptr<const SphereMesh> feltFacets(std::string_view method);
 
 /// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
 std::string methodTitle(std::string_view name);

@@ -1,5 +1,6 @@
 #include "engine/molecule/reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -16,9 +17,10 @@ struct Format {
   ReadText read;
 };
 
-// A format is added with one line here.
+// A format is added with one line here: the catalogue, the window's file browser and the messages read it too. Of two
+// files of the same name the earlier ending is taken.
 constexpr Format kFormats[] = {
-    {".pdb", readPdb}, {".ent", readPdb}, {".cif", readMmcif}, {".mmcif", readMmcif}, {".xyzr", readXyzr},
+    {".cif", readMmcif}, {".pdb", readPdb}, {".ent", readPdb}, {".mmcif", readMmcif}, {".xyzr", readXyzr},
 };
 
 constexpr const char* kTooLargeRemedy = "split it, or keep one model";
@@ -86,6 +88,17 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
 }
 
 }  // namespace
+
+std::vector<std::string_view> moleculeEndings() {
+  std::vector<std::string_view> out;
+  for (const Format& format : kFormats) out.emplace_back(format.extension);
+  return out;
+}
+
+bool hasMoleculeName(const std::filesystem::path& file) {
+  const std::string ending = lower(innerName(file).extension().string());
+  return std::ranges::any_of(kFormats, [&](const Format& format) { return ending == format.extension; });
+}
 
 Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path, const ReadOptions& options) {
   TextSource text(memorySource(bytes), bytes.size(), kMaxMoleculeBytes, path.string());

@@ -14,6 +14,8 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/core/problem.h"
 #include "engine/molecule/molecule.h"
@@ -33,6 +35,12 @@ inline constexpr std::size_t kMoleculeBytesAnAtom = 120;
 
 /// A coordinate or radius farther out than this is refused (unit: angstrom).
 inline constexpr double kMaxCoordinate_A = 1e9;
+
+/// The endings of the names that are read, in lower case and without .gz: ".pdb", ".cif" and so on.
+std::vector<std::string_view> moleculeEndings();
+
+/// Whether a reader may know the file, by its name: one of these endings, with or without .gz, in whatever case.
+bool hasMoleculeName(const std::filesystem::path& file);
 
 /// The molecule in the file. The format follows from the name (.pdb .ent .cif .mmcif .xyzr, each also with
 /// .gz) and, where the name does not tell, from the content.

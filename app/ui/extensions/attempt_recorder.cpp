@@ -6,7 +6,7 @@
 #include <chrono>
 #include <utility>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "engine/platform/read_file.h"
 #include "engine/results/progress.h"
 

@@ -9,10 +9,10 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/ui/application.h"
-#include "app/ui/panels/method_chooser.h"
+#include "app/ui/application/application.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/methods.h"
 #include "engine/haptics/sweep.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/read_file.h"

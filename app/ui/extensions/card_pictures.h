@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/lesson/lesson.h"
 #include "engine/render/picture.h"
 #include "engine/render/view_scene.h"

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/core/text.h"
 
@@ -50,8 +50,8 @@ void ClassTurns::end(Application& app) {
   app.extensions().recorder.passTo(app, {});
 }
 
-std::string ClassTurns::prompt(const Application& app) const {
-  const LessonSession* session = app.lesson.session();
+std::string ClassTurns::prompt(const LessonGuide& lesson) const {
+  const LessonSession* session = lesson.session();
   if (!session) return "What will be felt next?";
   for (std::size_t k = 0; k < session->step().tasks.size(); ++k) {
     const TaskStatus task = session->task(k);
@@ -67,7 +67,8 @@ bool ClassTurns::predict(Application& app, const std::string& name, const std::s
   const std::string said(trimmed(text));
   if (said.empty() || std::find(waiting.begin(), waiting.end(), name) == waiting.end()) return false;
   const LessonSession* session = app.lesson.session();
-  app.extensions().recorder.keepPrediction({name, session ? session->step().id : std::string(), prompt(app), said});
+  app.extensions().recorder.keepPrediction(
+      {name, session ? session->step().id : std::string(), prompt(app.lesson), said});
   ++predictions_;
   return true;
 }

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "engine/results/turns.h"
 
 namespace moltact {
@@ -28,7 +29,7 @@ class ClassTurns : public Extension {
   void end(Application& app);
 
   /// What those who wait are asked: about the task or the question that the class is at.
-  std::string prompt(const Application& app) const;
+  std::string prompt(const LessonGuide& lesson) const;
   /// Keeps what one of them predicts. False, keeping nothing, for an empty text or a name that does not wait.
   bool predict(Application& app, const std::string& name, const std::string& text);
   std::size_t predictionsKept() const { return predictions_; }

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/application/extension.h"
 #include "app/ui/extensions/device_looker.h"
-#include "app/ui/extensions/extension.h"
 #include "engine/device/device_search.h"
 #include "engine/servo/safety_limits.h"
 

@@ -5,15 +5,13 @@
 #include <memory>
 #include <utility>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/molecule/catalogue.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
 namespace {
-
-constexpr const char* kEnding = ".recording";
 
 std::string seconds(double s) {
   char text[32];
@@ -23,14 +21,11 @@ std::string seconds(double s) {
 
 }  // namespace
 
-bool looksLikeRecording(const fs::path& file) { return file.extension() == kEnding; }
-
 void HandRecorder::askToRecord(Application& app) {
   app.file_dialog.ask({.title = "Record the hand in a file",
-                       .name = app.scene.molecule().file.stem().string() + kEnding,
-                       .ending = kEnding,
-                       .chosen = [](Application& asked,
-                                    const fs::path& file) { asked.extensions().hand_recorder.record(asked, file); }},
+                       .name = app.scene.molecule().file.stem().string() + kRecordingEnding,
+                       .ending = kRecordingEnding,
+                       .chosen = [this, &app](const fs::path& file) { record(app, file); }},
                       app.options().picture_folder);
 }
 
@@ -87,6 +82,16 @@ void HandRecorder::stop(Application& app) {
   else
     app.messages.notice(seconds(recorded_s()) + " of the hand are in " + file_.string() +
                         "; open the file to play them.");
+}
+
+void HandRecorder::beforeOpening(Application& app, FileKind kind) {
+  if (kind != FileKind::Attempt) endPlay(app);
+}
+
+bool HandRecorder::open(Application& app, FileKind kind, const fs::path& file) {
+  if (kind != FileKind::Recording) return false;
+  play(app, file);
+  return true;
 }
 
 void HandRecorder::play(Application& app, const fs::path& file) {

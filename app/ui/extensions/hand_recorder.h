@@ -7,13 +7,10 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/servo/playback_device.h"
 
 namespace moltact {
-
-/// Whether a file is a recording of a hand, by its name.
-bool looksLikeRecording(const std::filesystem::path& file);
 
 class HandRecorder : public Extension {
  public:
@@ -33,10 +30,13 @@ class HandRecorder : public Extension {
   double length_s() const;
   std::string name() const { return file_.filename().string(); }
 
+  void beforeOpening(Application& app, FileKind kind) override;
+  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
   void beforeTicks(Application& app) override;
   void afterPanels(Application& app) override;
   void atEnd(Application& app) override;
   bool live() const override { return recording() || playing_ || waiting_; }
+  bool leadsHand() const override { return playing_; }
 
  private:
   void drain(Application& app);

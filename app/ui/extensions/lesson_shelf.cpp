@@ -5,7 +5,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/files/library.h"
 #include "app/ui/files/user_folders.h"
 #include "engine/lesson/reader.h"
@@ -38,8 +38,8 @@ void read(LessonCard& card) {
 
 }  // namespace
 
-fs::path lessonFolderOf(const Application& app) {
-  return app.settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(app.settings.lesson_folder);
+fs::path lessonFolderOf(const Settings& settings) {
+  return settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(settings.lesson_folder);
 }
 
 void LessonShelf::list(const Application& app) {
@@ -55,7 +55,7 @@ void LessonShelf::list(const Application& app) {
     }
   };
   add(lessons(), false);
-  if (const fs::path own = lessonFolderOf(app); !own.empty()) add(lessonItems(own), true);
+  if (const fs::path own = lessonFolderOf(app.settings); !own.empty()) add(lessonItems(own), true);
   if (app.options().attempts_folder.empty()) return;
   for (LessonProgress& p : readProgress(app.options().attempts_folder))
     for (LessonCard& card : cards_)

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
@@ -17,7 +17,15 @@ NamedMolecule namedOf(const MoleculeKey& key) { return {key.file.filename().stri
 
 }  // namespace
 
-bool looksLikeAttempt(const fs::path& file) { return file.extension() == ".jsonl"; }
+void Playback::beforeOpening(Application& app, FileKind kind) {
+  if (kind != FileKind::Attempt) close(app, false);
+}
+
+bool Playback::open(Application& app, FileKind kind, const fs::path& file) {
+  if (kind != FileKind::Attempt) return false;
+  open(app, file);
+  return true;
+}
 
 void Playback::open(Application& app, const fs::path& file) {
   Expected<Attempt> attempt = readAttempt(file);

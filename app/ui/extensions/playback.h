@@ -6,14 +6,11 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/render/camera.h"
 #include "engine/results/timeline.h"
 
 namespace moltact {
-
-/// Whether a file is an attempt, by its name.
-bool looksLikeAttempt(const std::filesystem::path& file);
 
 class Playback : public Extension {
  public:
@@ -40,9 +37,12 @@ class Playback : public Extension {
   bool follows_view = true;  ///< the view turns as it did; off once the person turns it
   bool skips_rests = true;   ///< passes over times when the hand lay still
 
+  void beforeOpening(Application& app, FileKind kind) override;
+  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
   void beforeTicks(Application& app) override;
   void afterPanels(Application& app) override;
   bool live() const override { return running(); }
+  bool hidesLesson() const override { return on(); }
 
   static constexpr double kRest_s = 3.0;  ///< a longer rest is passed over
 

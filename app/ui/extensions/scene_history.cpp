@@ -2,7 +2,7 @@
 
 #include <imgui.h>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 
 namespace moltact {
@@ -44,8 +44,10 @@ void SceneHistory::redo(Application& app) {
   apply(app, done_.back().after, done_.back().camera_after);
 }
 
-void SceneHistory::noteView(const Camera& before, const Camera& after) {
-  if (!(before == after)) view_ = {before, after};
+// Undo brings back the camera as it was, or where it was on its way to.
+void SceneHistory::viewReset(Application& app, const Camera& seen) {
+  const Camera before = app.extensions().scene_change.bound(seen);
+  if (!(before == app.scene.camera)) view_ = {before, app.scene.camera};
 }
 
 void SceneHistory::afterPanels(Application& app) {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 
 namespace moltact {
 
@@ -19,13 +19,11 @@ class SceneHistory : public Extension {
   bool canRedo() const { return !undone_.empty(); }
   void undo(Application& app);
   void redo(Application& app);
-  /// The view was set anew by hand, or is on its way: undo brings back the camera as it was before.
-  void noteView(const Camera& before, const Camera& after);
-
   /// Takes up a change once the mouse rests, so that a slider's whole drag is one.
   void afterPanels(Application& app) override;
   void sceneChanged(Application&) override { begin(); }
   void stepChanged(Application&) override { begin(); }
+  void viewReset(Application& app, const Camera& seen) override;
 
  private:
   struct Choices {

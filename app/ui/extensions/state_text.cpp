@@ -1,6 +1,6 @@
 #include "app/ui/extensions/state_text.h"
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/platform/terminal.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "app/ui/scene/state_line.h"
 #include "engine/core/problem.h"
 #include "engine/platform/append_file.h"

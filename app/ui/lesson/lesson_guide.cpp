@@ -137,8 +137,4 @@ void LessonGuide::decorate(ViewScene& scene) const {
   if (on_stage_) scene.highlighted = highlighted_;
 }
 
-bool looksLikeLesson(const std::filesystem::path& file) {
-  return file.extension() == ".md" || file.extension() == ".MD";
-}
-
 }  // namespace moltact

@@ -103,7 +103,4 @@ void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene)
 /// A scene's molecule, its file beside the lesson or in the library. A problem where it is in neither.
 Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson);
 
-/// Whether a file is a lesson, by its name.
-bool looksLikeLesson(const std::filesystem::path& file);
-
 }  // namespace moltact

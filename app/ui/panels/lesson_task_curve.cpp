@@ -8,7 +8,7 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/widgets/controls.h"

@@ -5,12 +5,11 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/while_locked.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
-#include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/haptics/methods.h"
 
 namespace moltact {
@@ -102,11 +101,6 @@ void drawTouchHead(Application& app) {
   const std::vector<std::string> tabs{"Touch", "Methods"};
   std::size_t front = app.panels.methods_first ? 1 : 0;
   if (segments("tab", tabs, front)) app.panels.methods_first = front == 1;
-}
-
-std::shared_ptr<const SphereMesh> feltFacets(std::string_view method) {
-  const Method* m = findMethod(method);
-  return m && m->triangles > 0 ? SphereMesh::ofTriangles(m->triangles) : nullptr;
 }
 
 }  // namespace moltact

@@ -8,7 +8,7 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
 #include "app/ui/widgets/controls.h"
@@ -154,7 +154,7 @@ CardText textOf(const LessonCard& card) {
 
 void openLesson(Application& app, const LessonCard& card) {
   if (card.progress && card.progress->canResume())
-    app.resume(card.file, card.progress->file);
+    app.extensions().recorder.resume(app, card.file, card.progress->file);
   else
     app.open(card.file);
 }

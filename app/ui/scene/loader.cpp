@@ -1,7 +1,5 @@
 #include "app/ui/scene/loader.h"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <exception>
 #include <new>
@@ -59,14 +57,6 @@ std::optional<Loaded> Loader::take() {
 std::optional<Loaded> Loader::wait() {
   if (!wanted_.valid()) return std::nullopt;
   return wanted_.get();
-}
-
-bool looksLikeMolecule(const std::filesystem::path& file) {
-  static constexpr std::array kEndings{".pdb", ".ent", ".cif", ".mmcif", ".xyzr"};
-  std::string name = file.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  return std::any_of(kEndings.begin(), kEndings.end(), [&](const char* e) { return name.ends_with(e); });
 }
 
 }  // namespace moltact

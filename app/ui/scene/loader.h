@@ -41,7 +41,4 @@ class Loader {
 /// Reads a molecule and puts it on a stage. Any thread.
 Loaded readStage(const MoleculeKey& key);
 
-/// Whether a molecule reader may know the file, by its name.
-bool looksLikeMolecule(const std::filesystem::path& file);
-
 }  // namespace moltact
