@@ -16,6 +16,7 @@ inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v
 /// A place in the molecule's space (unit: angstrom).
 struct PointA {
   Vec3 A{0.0};
+  friend bool operator==(const PointA&, const PointA&) = default;
 };
 
 /// A place in the device's space (unit: millimetre; +x right, +y up, +z toward the person).
@@ -34,6 +35,7 @@ struct Workspace {
   double A_per_mm = 0.25;    ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
   Vec3 centre_A{0.0};        ///< the place in the molecule where the device's origin lies (unit: angstrom)
   glm::dmat3 rotation{1.0};  ///< the device's axes in the molecule's space, as columns (default: the same axes)
+  friend bool operator==(const Workspace&, const Workspace&) = default;
 
   PointA toMolecule(PointMm place) const { return {centre_A + rotation * (place.mm * A_per_mm)}; }
   PointMm toDevice(PointA place) const { return {glm::transpose(rotation) * (place.A - centre_A) / A_per_mm}; }

@@ -34,6 +34,7 @@ struct Contact {
   Vec3 normal{0.0};  ///< unit: the force's direction where a method shades it; zero: along SCP - HIP
 
   bool touching() const { return feature != Feature::Free; }
+  friend bool operator==(const Contact&, const Contact&) = default;
 };
 
 /// Where the spring pulls the HIP to: the SCP, or as far from the HIP along `normal` where a method shades the force.

@@ -142,6 +142,7 @@ struct InputChanged {
   InputWay by = InputWay::Mouse;
   std::string device;
   bool gives_force = false;
+  friend bool operator==(const InputChanged&, const InputChanged&) = default;
 };
 /// What is on the stage, as far as playing the trace back needs it.
 struct StageSet {
@@ -154,6 +155,7 @@ struct StageSet {
   std::string method;
   bool force_on = true;
   ReadOptions reading;  ///< how the file was read
+  friend bool operator==(const StageSet&, const StageSet&) = default;
 };
 /// How the person looked at it (engine/render/camera.h).
 struct ViewRotated {

@@ -86,13 +86,7 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
 
 void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
   if (!on_stage_ || !s.has_tracker) return;
-  session_->feed(TouchSample{.time_s = s.time_s,
-                             .hip = s.hip,
-                             .contact = s.contact,
-                             .force = s.force,
-                             .probe_A = s.probe_A,
-                             .method = method,
-                             .exact = exact});
+  session_->feed(touchSampleOf(s, method, exact));
 }
 
 ShapeSet LessonGuide::shapes() const {
