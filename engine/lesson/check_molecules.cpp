@@ -32,7 +32,10 @@ class Check {
           if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i) selects(value.path[i], value.places[i], *molecule);
         }
-        if (task.kind == "cross") crosses(task, *molecule);
+        const TaskKind* kind = findTaskKind(task.kind);
+        std::vector<Problem> problems;
+        if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, problems);
+        for (Problem& p : problems) findings_.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
       }
     }
   }
@@ -81,19 +84,6 @@ class Check {
     }
     for (Problem& idle : selection.idleNames(molecule))
       findings_.warning(at(idle), std::move(idle.message), std::move(idle.remedy));
-  }
-
-  void crosses(const TaskSpec& task, const Molecule& molecule) {
-    const Value &from_value = task.values["cross"], &to_value = task.values["to"];
-    if (!from_value.selection.given() || !to_value.selection.given()) return;
-    const AtomSet from(from_value.selection, molecule), to(to_value.selection, molecule);
-    for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
-      const auto atom = static_cast<std::int32_t>(i);
-      if (!from.has(atom) || !to.has(atom)) continue;
-      findings_.error(to_value.place, "the start and the end of the crossing have atoms in common",
-                      "choose atoms that are only in one");
-      return;
-    }
   }
 
   const Lesson& lesson_;
