@@ -7,6 +7,7 @@
 #include "engine/bench/many_threads.h"
 #include "engine/bench/plain_wall.h"
 #include "engine/bench/statistics.h"
+#include "engine/core/quantile.h"
 
 namespace moltact::bench {
 namespace {

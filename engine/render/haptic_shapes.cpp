@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/core/sphere_intersections.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
-#include "engine/render/ball_intersections.h"
 
 namespace moltact {
 namespace {
