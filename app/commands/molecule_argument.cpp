@@ -6,7 +6,9 @@
 namespace moltact {
 
 void MoleculeArgument::addTo(CLI::App& command) {
-  command.add_option("molecule", named.name, "A file (.pdb .cif .xyzr, also .gz), or a molecule of the library (1ubq)")
+  std::string endings;
+  for (const std::string_view e : moleculeEndings()) endings += (endings.empty() ? "" : " ") + std::string(e);
+  command.add_option("molecule", named.name, "A file (" + endings + ", also .gz), or a molecule of the library (1ubq)")
       ->required();
   command.add_option("--model", named.reading.model, "Which model of the file, from 1")
       ->capture_default_str()

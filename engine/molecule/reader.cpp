@@ -7,7 +7,21 @@
 #include "engine/molecule/parsed_structure.h"
 #include "engine/platform/read_file.h"
 
+// One line an ending of names: its reader is a function of this name in its own file. The catalogue, the window's file
+// browser and the messages are made from this table. Of two files of the same name the earlier ending is taken.
+#define MOLTACT_FORMATS(X) \
+  X(".cif", readMmcif)     \
+  X(".pdb", readPdb)       \
+  X(".ent", readPdb)       \
+  X(".mmcif", readMmcif)   \
+  X(".xyzr", readXyzr)
+
 namespace moltact {
+
+#define MOLTACT_DECLARE(ending, reader) Expected<Molecule> reader(TextSource& text, const ReadOptions& options);
+MOLTACT_FORMATS(MOLTACT_DECLARE)
+#undef MOLTACT_DECLARE
+
 namespace {
 
 using ReadText = Expected<Molecule> (*)(TextSource& text, const ReadOptions& options);
@@ -17,11 +31,15 @@ struct Format {
   ReadText read;
 };
 
-// A format is added with one line here: the catalogue, the window's file browser and the messages read it too. Of two
-// files of the same name the earlier ending is taken.
-constexpr Format kFormats[] = {
-    {".cif", readMmcif}, {".pdb", readPdb}, {".ent", readPdb}, {".mmcif", readMmcif}, {".xyzr", readXyzr},
-};
+#define MOLTACT_ROW(ending, reader) Format{ending, reader},
+constexpr Format kFormats[] = {MOLTACT_FORMATS(MOLTACT_ROW)};
+#undef MOLTACT_ROW
+
+std::string endingsText() {
+  std::string out;
+  for (const Format& format : kFormats) out += (out.empty() ? "" : " ") + std::string(format.extension);
+  return out;
+}
 
 constexpr const char* kTooLargeRemedy = "split it, or keep one model";
 
@@ -79,7 +97,7 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
   if (!read && trimmed(text.ahead()).empty()) return empty;
   if (!read)
     return Problem{file, 0, 0, "it is not a molecule in a format that is read here",
-                   "PDB (.pdb, .ent), mmCIF (.cif, .mmcif) and .xyzr are, each also with .gz"};
+                   "those are " + endingsText() + ", each also with .gz"};
   Expected<Molecule> molecule = read(text, options);
   if (text.problem()) return *text.problem();
   if (!molecule && text.blank()) return empty;

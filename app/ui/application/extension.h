@@ -1,6 +1,7 @@
 // What is told to an extension of the window (a recorder, sound, a watcher of files) while the program runs. Each is
-// one class in its own file and one member of Extensions (app/ui/extensions/extensions.h), and overrides the points
-// that it needs. Panels reach it through app.extensions(). Window's thread.
+// one class in its own file and one member of Extensions (app/ui/extensions/extensions.h), is given the other
+// extensions that it uses, and overrides the points that it needs. Panels reach it through app.extensions(). Window's
+// thread.
 //
 // A frame calls, in this order: beforeTicks, ticks, the panels, afterPanels. lessonChanged, stepChanged and
 // sceneChanged come in between, in this order, as soon as the thing has happened.

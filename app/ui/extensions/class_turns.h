@@ -11,8 +11,12 @@
 
 namespace moltact {
 
+class AttemptRecorder;
+
 class ClassTurns : public Extension {
  public:
+  explicit ClassTurns(AttemptRecorder& recorder) : recorder_(recorder) {}
+
   const Turns& turns() const { return turns_; }
   bool on() const { return turns_.on(); }
 
@@ -20,7 +24,7 @@ class ClassTurns : public Extension {
   void begin(Application& app, std::vector<std::string> names, double turn_s);
   /// The student who was called has the device: his attempt goes on, or begins.
   void start(Application& app);
-  void passOn(Application& app);
+  void passOn();
   /// The one who was called is not here.
   void skip(Application& app);
   void pause() { turns_.pause(); }
@@ -45,7 +49,8 @@ class ClassTurns : public Extension {
   bool live() const override { return turns_.state() == Turns::State::Running; }
 
  private:
-  void call(Application& app);
+  AttemptRecorder& recorder_;
+  void call();
 
   Turns turns_;
   std::size_t predictions_ = 0;

@@ -27,22 +27,23 @@ struct Extensions final : ExtensionSet {
   Extensions(const Extensions&) = delete;  // all_ holds the places of the members
   Extensions& operator=(const Extensions&) = delete;
 
+  // Each is given the others that it uses, which stand above it.
   SettingsKeeper settings_keeper;
   LessonWatch lesson_watch;
   LessonLocks lesson_locks;
   AttemptRecorder recorder;
-  ClassTurns turns;
-  Playback playback;
-  SceneHistory history;
+  ClassTurns turns{recorder};
+  Playback playback{recorder};
+  SceneChange scene_change;
+  SceneHistory history{scene_change};
   LessonShelf shelf;
   CardPictures card_pictures;
   TaskStager task_stager;
-  SceneChange scene_change;
   HandModel hand_model;
-  StateText state_text;
+  StateText state_text{task_stager};
   TouchSound touch_sound;
-  DeviceLink device;
-  HandRecorder hand_recorder;
+  DeviceLink device{task_stager};
+  HandRecorder hand_recorder{recorder, device};
 
   float stripHeight() const override;
   std::span<Extension* const> all() const override { return all_; }

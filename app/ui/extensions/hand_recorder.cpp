@@ -6,7 +6,8 @@
 #include <utility>
 
 #include "app/ui/application/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/attempt_recorder.h"
+#include "app/ui/extensions/device_link.h"
 #include "engine/molecule/catalogue.h"
 
 namespace moltact {
@@ -130,12 +131,12 @@ void HandRecorder::begin(Application& app) {
     app.messages.warning(
         "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else.");
   app.scene.useMethod(label("method"));
-  before_ = app.extensions().device.chosen();
+  before_ = link_.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));
   device_ = device.get();
   playing_ = true;
-  app.extensions().recorder.pause(true);
-  app.extensions().device.lend(app, std::move(device));
+  attempts_.pause(true);
+  link_.lend(app, std::move(device));
   lead(app);
 }
 
@@ -153,8 +154,8 @@ void HandRecorder::endPlay(Application& app) {
   const bool leads = app.scene.servo().chosen() == device_;
   device_ = nullptr;
   app.scene.leadBy(nullptr);
-  if (!app.scene.playing()) app.extensions().recorder.pause(false);
-  if (leads) app.extensions().device.giveBack(app, before_);
+  if (!app.scene.playing()) attempts_.pause(false);
+  if (leads) link_.giveBack(app, before_);
 }
 
 double HandRecorder::at_s() const { return playing_ ? double(device_->at()) * kTick_s : 0.0; }

@@ -12,8 +12,13 @@
 
 namespace moltact {
 
+class AttemptRecorder;
+class DeviceLink;
+
 class HandRecorder : public Extension {
  public:
+  HandRecorder(AttemptRecorder& recorder, DeviceLink& device) : attempts_(recorder), link_(device) {}
+
   /// Asks for a file, then records until stop(), or until another molecule or method is on the stage.
   void askToRecord(Application& app);
   void record(Application& app, const std::filesystem::path& file);
@@ -39,6 +44,8 @@ class HandRecorder : public Extension {
   bool leadsHand() const override { return playing_; }
 
  private:
+  AttemptRecorder& attempts_;  // rests while a recording plays
+  DeviceLink& link_;           // gets the playing hand as a device
   void drain(Application& app);
   void begin(Application& app);
   void lead(Application& app);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "app/ui/application/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/extensions/attempt_recorder.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 
@@ -49,7 +49,7 @@ void Playback::open(Application& app, const fs::path& file) {
   follows_view = true;
   at_s_ = 0.0;
   running_ = true;
-  app.extensions().recorder.pause(true);
+  recorder_.pause(true);
   app.messages.clearErrors();
   app.panels.welcome = false;
   if (passed_over)
@@ -65,7 +65,7 @@ void Playback::close(Application& app, bool back) {
   timeline_.reset();
   running_ = false;
   app.scene.play(std::nullopt);
-  app.extensions().recorder.pause(false);
+  recorder_.pause(false);
   if (!back) return;
   // The view is where the attempt's last moment had it, which may be anywhere.
   if (app.lesson.session())

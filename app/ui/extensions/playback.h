@@ -12,8 +12,12 @@
 
 namespace moltact {
 
+class AttemptRecorder;
+
 class Playback : public Extension {
  public:
+  explicit Playback(AttemptRecorder& recorder) : recorder_(recorder) {}
+
   /// Begins to play a file; one that cannot be read is told and changes nothing.
   void open(Application& app, const std::filesystem::path& file);
   /// Back to the lesson or molecule that was there before; with `back` false, something else is about to be opened.
@@ -47,6 +51,7 @@ class Playback : public Extension {
   static constexpr double kRest_s = 3.0;  ///< a longer rest is passed over
 
  private:
+  AttemptRecorder& recorder_;  // rests meanwhile
   void stageFor(Application& app);
   void showHand(Application& app);
   void showView(Application& app);

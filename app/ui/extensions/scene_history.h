@@ -11,8 +11,12 @@
 
 namespace moltact {
 
+class SceneChange;
+
 class SceneHistory : public Extension {
  public:
+  explicit SceneHistory(SceneChange& change) : change_(change) {}
+
   static constexpr std::size_t kMost = 100;  ///< the oldest changes are forgotten beyond this
 
   bool canUndo() const { return !done_.empty(); }
@@ -26,6 +30,7 @@ class SceneHistory : public Extension {
   void viewReset(Application& app, const Camera& seen) override;
 
  private:
+  SceneChange& change_;  // leads the camera to what is brought back
   struct Choices {
     std::string method;
     double probe_A = 0.0, stiffness_N_per_mm = 0.0;

@@ -211,7 +211,7 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = "Calibrate the device",
            .run = [](App& a) { a.scene.servo().chosen()->calibrate(); },
-           .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a); }},
+           .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a.scene.servo()); }},
     Action{.name = "stop-force",
            .menu = Menu::View,
            .label = "Stop all force",

@@ -60,7 +60,7 @@ std::optional<Segment> scaleSegment(const Application& app) {
   const TouchScene& scene = app.scene;
   const bool magnified = scene.magnification() > 1.005;
   if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
-  const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app);
+  const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
   std::string text = scale.sentence.substr(0, scale.sentence.size() - 1);  // without its full stop
   char times[48];
   std::snprintf(times, sizeof times, ", magnified %.1f times", scene.magnification());

@@ -45,7 +45,7 @@ void drawTurn(Application& app, ClassTurns& turns, float whole) {
   if (roomy && t.names().size() > 1) rowText("turns/next", "then " + elided(t.next(), l.tx(110)), l.palette.quiet);
   ImGui::SameLine(l.px(14) + whole - (roomy ? buttons : l.tx(96)));
   ImGui::SetCursorPosY(row);
-  if (button("turns/pass", "Pass on", ButtonLook::Primary, l.tx(96))) return turns.passOn(app);
+  if (button("turns/pass", "Pass on", ButtonLook::Primary, l.tx(96))) return turns.passOn();
   if (!roomy) return;
   ImGui::SameLine();
   const bool paused = t.state() == Turns::State::Paused;

@@ -1,7 +1,7 @@
 // cross: slide from one atom to another without leaving the surface, over the crease between them.
 #include <utility>
 
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {
