@@ -154,7 +154,7 @@ struct StageSet {
   double stiffness_N_per_mm = 0.5;
   std::string method;
   bool force_on = true;
-  ReadOptions reading;  ///< how the file was read
+  ReadOptions reading{};  ///< how the file was read
   friend bool operator==(const StageSet&, const StageSet&) = default;
 };
 /// How the person looked at it (engine/render/camera.h).

@@ -381,7 +381,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "stage") {
     StageSet s{
         text(j, "molecule", true),         text(j, "file", true),   countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
-        numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on"), {}};
+        numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
     if (j.contains("model")) s.reading.model = static_cast<int>(countAt(j, "model"));
     s.reading.waters = j.contains("waters") && flag(j, "waters");
     s.reading.assembly = text(j, "assembly", false);

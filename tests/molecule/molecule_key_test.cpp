@@ -44,3 +44,22 @@ TEST_CASE("a molecule of the library lasts by its id, another by its whole path,
   // Ubiquitin has 602 atoms of its own and 58 of waters in its file.
   CHECK(readMolecule(*found)->atoms.size() == 602 + 58);
 }
+
+TEST_CASE("every ending that a reader has is known by name, found among the fetched, and told where a file is none") {
+  const Scratch scratch;
+  CHECK(moleculeEndings().size() >= 5);
+  for (const std::string_view ending : moleculeEndings())
+    for (const char* packed : {"", ".gz"}) {
+      const std::string id = "9abc", name = id + std::string(ending) + packed;
+      CAPTURE(name);
+      CHECK(hasMoleculeName(name));
+      CHECK(hasMoleculeName("/some.where/X" + std::string(ending == ".pdb" ? ".PDB" : ending)));
+      const std::filesystem::path file = scratch.write(name, "");
+      const auto found = findMolecule(id, MoleculeFolders{libraryFolder(), scratch.folder});
+      REQUIRE(found);
+      CHECK(*found == file);
+      std::filesystem::remove(file);
+      CHECK(problemOf("Dear reader,\n", "letter.txt").find(ending) != std::string::npos);
+    }
+  for (const char* other : {"letter.txt", "pdb", ".gz", "x.pdbx", "lesson.md"}) CHECK_FALSE(hasMoleculeName(other));
+}
