@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
@@ -122,7 +122,7 @@ void drawLive(Application& app, DeviceLink& link) {
   words("device/name", info.name, p.text);
   if (!link.awaited().empty()) words("device/awaited", link.awaited() + " leads as soon as it is plugged in.", p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (link.wantsCalibration(app) && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
+  if (link.wantsCalibration(servo) && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
   std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y,
                 now.hand.mm.z, glm::length(now.force.N));
   std::string line = text;
@@ -130,7 +130,7 @@ void drawLive(Application& app, DeviceLink& link) {
     if (now.buttons >> k & 1u) line += "; button " + std::to_string(k + 1);
   words("device/live", localNumbers(line), p.quiet);
   drawRooms(now, info);
-  const DeviceLink::ScaleWords scale = link.scaleWords(app);
+  const DeviceLink::ScaleWords scale = link.scaleWords(app.scene);
   words("device/scale", localNumbers(scale.sentence), p.text);
   if (!scale.reason.empty()) words("device/scale reason", localNumbers(scale.reason), p.quiet);
   if (!info.gives_force) return;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -18,7 +18,7 @@ std::string counted(std::size_t n, const char* what) { return std::to_string(n) 
 std::string headline(const Application& app, const LessonWatch& watch) {
   const std::string file = watch.file().filename().string();
   const std::size_t errors = watch.errors(), warnings = watch.faults().size() - errors;
-  if (!watch.shown(app)) return file + " cannot be opened: " + counted(errors, "problem");
+  if (!watch.shown(app.lesson)) return file + " cannot be opened: " + counted(errors, "problem");
   if (errors == 0) return file + ": " + counted(warnings, "warning");
   return file + ": " + counted(errors, "problem") + (watch.stale() ? ". You see the last good version" : "");
 }

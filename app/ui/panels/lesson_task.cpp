@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
@@ -50,7 +50,7 @@ void drawLessonTask(Application& app, std::size_t index) {
   status.sentence = localProse(status.sentence);
   const std::string name = "task/" + std::to_string(index);
   const bool away = status.current && !app.lesson.onStage();
-  const std::string& molecule = session.scene().molecule;
+  const std::string& molecule = session.scene().molecule.name;
   const std::string next = !away           ? status.sentence
                            : app.loading() ? "Opening " + molecule + " …"
                                            : "This step uses " + molecule + ".";

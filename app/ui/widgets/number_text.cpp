@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdio>
+#include <cstdlib>
 #include <string_view>
 
 namespace moltact {
@@ -70,6 +72,12 @@ std::string plainNumbers(std::string text) {
   std::size_t digits = 0;
   while (comma != std::string::npos && comma + 1 + digits < text.size() && digit(text[comma + 1 + digits])) ++digits;
   return g_comma || digits != 3 ? exchanged(std::move(text), ',', '.') : text;
+}
+
+std::string clockText(int whole_s) {
+  char text[24];
+  std::snprintf(text, sizeof text, "%d:%02d", whole_s / 60, std::abs(whole_s % 60));
+  return text;
 }
 
 }  // namespace moltact

@@ -20,4 +20,7 @@ std::string withUnitsKept(const std::string& text);
 /// is preferred, unless three digits follow: "1,76" gives "1.76", "1,760" stays.
 std::string plainNumbers(std::string text);
 
+/// Minutes and seconds: "1:05".
+std::string clockText(int whole_s);
+
 }  // namespace moltact
