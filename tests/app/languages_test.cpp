@@ -1,8 +1,11 @@
 // The window in German: chosen while it runs, at the start, by the environment; its numbers; back to English.
+#include <imgui.h>
+
 #include <cstdlib>
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/key_names.h"
+#include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"
 #include "tests/app/driver_fixture.h"
 
@@ -76,6 +79,23 @@ TEST_CASE("what is asked for at the start stands before the settings until anoth
   d->app().settings.language = "en";
   d->frames(2);
   CHECK(d->text("menu/file") == "File");
+}
+
+TEST_CASE("signs of another script are loaded when they are first to be shown, and no others") {
+  auto d = startWith("argon");
+  const auto has = [](ImWchar c) {
+    const ImFont* font = look().font(Font::Body);
+    return font->FindGlyphNoFallback(c) != nullptr;
+  };
+  CHECK(has(u'ß'));
+  CHECK(has(u'α'));
+  CHECK_FALSE(has(u'Ж'));
+  d->app().messages.notice("Ж, 中");
+  d->frames(4);
+  CHECK(has(u'Ж'));
+  CHECK(has(u'а'));
+  CHECK_FALSE(has(u'中'));
+  CHECK_FALSE(has(u'ש'));
 }
 
 TEST_CASE("a language that has no texts is told once, and the window stays English") {
