@@ -9,22 +9,6 @@
 namespace moltact {
 namespace {
 
-struct Unit {
-  std::string_view symbol;
-  Dimension dimension;
-  double in_code_units;
-};
-
-// U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages give either.
-constexpr Unit kUnits[] = {
-    {"Å", Dimension::Length, 1.0},       {"\xE2\x84\xAB", Dimension::Length, 1.0},
-    {"A", Dimension::Length, 1.0},       {"nm", Dimension::Length, 10.0},
-    {"pm", Dimension::Length, 0.01},     {"N", Dimension::Force, 1.0},
-    {"mN", Dimension::Force, 0.001},     {"s", Dimension::Time, 1.0},
-    {"ms", Dimension::Time, 0.001},      {"min", Dimension::Time, 60.0},
-    {"N/mm", Dimension::Stiffness, 1.0}, {"N/m", Dimension::Stiffness, 0.001},
-};
-
 Problem problemAt(std::string_view text, std::size_t offset, std::string message, std::string remedy = {}) {
   return {{}, 0, characterCount(text.substr(0, offset)) + 1, std::move(message), std::move(remedy)};
 }
@@ -57,8 +41,8 @@ Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::si
   const std::string_view symbol = stripped(whole.substr(unit_at));
   const std::string wanted(unitsFor(dimension));
   if (symbol.empty()) return problemAt(whole, number_at, quoted(stripped(number)) + " needs a unit: " + wanted);
-  for (const Unit& u : kUnits) {
-    if (u.symbol != symbol) continue;
+  for (const Unit& u : units()) {
+    if (!(u.use & kWritten) || u.symbol != symbol) continue;
     if (u.dimension == dimension) return u.in_code_units;
     return problemAt(whole, number_at,
                      quoted(stripped(whole.substr(number_at))) + " is " + std::string(dimensionName(u.dimension)) +
@@ -81,7 +65,7 @@ std::string_view dimensionName(Dimension dimension) {
       return "a time";
     case Dimension::Stiffness:
       return "a stiffness";
-    case Dimension::None:
+    default:
       break;
   }
   return "a number";
@@ -97,7 +81,7 @@ std::string_view unitsFor(Dimension dimension) {
       return "s or min";
     case Dimension::Stiffness:
       return "N/m or N/mm";
-    case Dimension::None:
+    default:
       break;
   }
   return "";
@@ -113,7 +97,7 @@ std::string_view codeUnit(Dimension dimension) {
       return "s";
     case Dimension::Stiffness:
       return "N/mm";
-    case Dimension::None:
+    default:
       break;
   }
   return "";

@@ -3,14 +3,12 @@
 // The code's units: length A, force N, time s, stiffness N/mm.
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 
 #include "engine/core/problem.h"
+#include "engine/language/units.h"
 
 namespace moltact {
-
-enum class Dimension : std::uint8_t { None, Length, Force, Time, Stiffness };
 
 /// "a length", "a force", …
 std::string_view dimensionName(Dimension dimension);
