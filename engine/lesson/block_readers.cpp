@@ -1,6 +1,8 @@
 // Front matter and the fenced blocks scene, touch and answer.
 #include <algorithm>
 
+#include "engine/language/catalogue.h"
+#include "engine/language/language_code.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
@@ -56,6 +58,11 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   lesson.level = values["level"].text;
   lesson.author = values["author"].text;
   lesson.licence = values["licence"].text;
+  lesson.language = values["language"].text;
+  lesson.language_place = values["language"].place;
+  if (!lesson.language.empty() && !isLanguageCode(lesson.language))
+    reading.error(lesson.language_place, trf("'{0}' is no language's code", lesson.language),
+                  tr("write its two letters: en, de"));
   lesson.minutes = static_cast<int>(values["minutes"].number);
   lesson.goals = values["goals"].words;
   lesson.molecules = values["molecules"].words;
