@@ -8,6 +8,7 @@
 #include "app/commands/command.h"
 #include "app/commands/print_json.h"
 #include "app/commands/source_excerpt.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/source_text.h"
@@ -44,7 +45,13 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
   return out;
 }
 
-std::string counted(std::size_t n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
+// "2 lessons checked: no errors, 1 warning"
+std::string countsText(std::size_t lessons, std::size_t errors, std::size_t warnings) {
+  const std::string checked = trnf("{0} lesson checked", "{0} lessons checked", lessons, lessons),
+                    faults = errors ? trnf("{0} error", "{0} errors", errors, errors) : tr("no errors");
+  return warnings ? trf("{0}: {1}, {2}", checked, faults, trnf("{0} warning", "{0} warnings", warnings, warnings))
+                  : trf("{0}: {1}", checked, faults);
+}
 
 struct Row {
   const Problem* problem;
@@ -54,8 +61,8 @@ struct Row {
 /// Errors and warnings of a file together, in the order of the file.
 std::vector<Row> rowsOf(const Checked& checked) {
   std::vector<Row> rows;
-  for (const Problem& p : checked.errors) rows.push_back({&p, "error"});
-  for (const Problem& p : checked.warnings) rows.push_back({&p, "warning"});
+  for (const Problem& p : checked.errors) rows.push_back({&p, N_("error")});
+  for (const Problem& p : checked.warnings) rows.push_back({&p, N_("warning")});
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
     return a.problem->line != b.problem->line ? a.problem->line < b.problem->line
                                               : a.problem->column < b.problem->column;
@@ -69,7 +76,7 @@ void printText(const Checked& checked) {
     const Problem& p = *row.problem;
     out() << p.file;
     if (p.line) out() << ':' << p.line << ':' << p.column;
-    out() << ": " << row.severity << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy << '\n';
+    out() << ": " << tr(row.severity) << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy << '\n';
     if (p.line) out() << Lines{sourceExcerpt(source.line(p.line), p.column)};
   }
 }
@@ -120,9 +127,8 @@ void run(const CheckArguments& arguments) {
     printDocument(document);
   } else {
     for (const Checked& c : all) printText(c);
-    for (const fs::path& file : passed_over) out() << file.string() << ": no lesson, passed over\n";
-    out() << counted(lessons, "lesson") << " checked: " << (errors ? counted(errors, "error") : "no errors")
-          << (warnings ? ", " + counted(warnings, "warning") : "") << '\n';
+    for (const fs::path& file : passed_over) out() << trf("{0}: no lesson, passed over", file.string()) << '\n';
+    out() << countsText(lessons, errors, warnings) << '\n';
   }
   // What is wrong has been told.
   if (errors) throw CommandFailed{};
