@@ -355,7 +355,7 @@ void addBench(CLI::App& app) {
       ->delimiter(',');
   command->add_option(
       "--recording", arguments->recordings,
-      "Recorded hands instead of those that come with the program, with the part hands alone: a .trace, "
+      "Recorded hands instead of those that come with the program, with the part hands alone: a .recording, "
       "or rows of numbers (docs/hands.md)");
   command->add_option("--molecule", arguments->recording_molecule,
                       "The molecule that these hands go over, where the file does not say");

@@ -40,15 +40,15 @@ mouse() {
     echo "click device/record"; echo "wait 5"
   } > "$name.script"
   "$program" "$molecule" --size 1280x1300 --script "$name.script"
-  recorded=$(ls -t ./*.trace | head -n 1)
+  recorded=$(ls -t ./*.recording | head -n 1)
   "$program" device path "$recorded" --out "$hands/$name.hand" --label "hand=a script that moves the mouse's pointer" --label "stroke=$7" --touching 0.1
   rm "$recorded"
 }
 
 # stylus NAME MOLECULE SECONDS STROKE
 stylus() {
-  "$program" device record simulated "$2" --out "$1.trace" --seconds "$3"
-  "$program" device path "$1.trace" --out "$hands/$1.hand" --label "hand=the simulated stylus in its scripted hand" --label "stroke=$4" --touching 0.1
+  "$program" device record simulated "$2" --out "$1.recording" --seconds "$3"
+  "$program" device path "$1.recording" --out "$hands/$1.hand" --label "hand=the simulated stylus in its scripted hand" --label "stroke=$4" --touching 0.1
 }
 
 mouse mouse-across 1ubq 4.2 "ease(0.40, 0.60, 0.5, 3.7, t)" "0.50" 0 "one slow way across ubiquitin"

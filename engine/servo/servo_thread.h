@@ -34,8 +34,8 @@ class ServoThread final : private TickTarget {
     heartbeat_.fetch_add(1, std::memory_order_relaxed);
   }
 
-  /// From now on the owner hands settings over at least every kWatchdog_s. While it does not, its panic key is not
-  /// heartbeat either, and no force is given.
+  /// From now on the owner hands settings over at least every kWatchdog_s. While it does not, its panic key is
+  /// not heard either, and no force is given.
   void expectSettings() noexcept { expects_.store(true, std::memory_order_relaxed); }
   static constexpr double kWatchdog_s = 1.0;
 

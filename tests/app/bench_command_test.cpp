@@ -64,17 +64,17 @@ TEST_CASE(
     "the way of a recorded hand is written as rows of numbers, from before the first touch to the last, and is "
     "replayed like any") {
   const CommandPlace place;
-  REQUIRE(place.run("device record simulated argon-triangle --seconds 2.5 --out hand.trace").status == 0);
-  const Run run = place.run("device path hand.trace --out hand.hand --touching 0.05 --label 'hand=a test'");
+  REQUIRE(place.run("device record simulated argon-triangle --seconds 2.5 --out hand.recording").status == 0);
+  const Run run = place.run("device path hand.recording --out hand.hand --touching 0.05 --label 'hand=a test'");
   CHECK_MESSAGE(run.status == 0, run.err);
   const std::string text = contents(place.folder / "hand.hand");
   CHECK(text.find("# hand: a test") != std::string::npos);
   CHECK(text.find("# molecule: argon-triangle") != std::string::npos);
   CHECK(lines(text) < 2500);
   CHECK(lines(text) > 500);
-  CHECK(place.run("device path hand.trace --out x.hand --label nothing").status == 1);
-  CHECK(place.run("device path no.trace --out x.hand").status == 1);
-  CHECK(place.run("bench hands --quick --recording hand.hand hand.trace --methods penalty").status == 0);
+  CHECK(place.run("device path hand.recording --out x.hand --label nothing").status == 1);
+  CHECK(place.run("device path no.recording --out x.hand").status == 1);
+  CHECK(place.run("bench hands --quick --recording hand.hand hand.recording --methods penalty").status == 0);
 }
 
 TEST_CASE("the tables and sentences of the hands are written between the markers of a page") {

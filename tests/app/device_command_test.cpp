@@ -115,7 +115,7 @@ Run interrupted(const std::string& arguments, const std::string& before, const s
 TEST_CASE(
     "Ctrl-C in a check and in a recording: the device is closed in order, without force, and what was recorded until "
     "then is kept") {
-  const fs::path log = scratch(".log"), file = scratch(".trace");
+  const fs::path log = scratch(".log"), file = scratch(".recording");
   const Run check = interrupted("device check omni --yes --seconds 600", standIn(log), "Lay the stylus down");
   CHECK(check.status == 130);
   CHECK(contains(check.out, "FAILED   places at rest: broken off"));

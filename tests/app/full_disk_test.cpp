@@ -31,8 +31,8 @@ std::vector<Case> cases() {
           {"new-lesson x --folder small", "x.md", false},
           {"bench feel --quick --methods penalty --json small/x.json", "x.json"},
           {"bench feel --quick --methods penalty --markdown small/x.md", "x.md"},
-          {"device record simulated 1ubq --seconds 0.6 --out small/x.trace", "x.trace", false},
-          {"device record simulated 1ubq --seconds 0.6 --overwrite --out small/x.trace", "x.trace"},
+          {"device record simulated 1ubq --seconds 0.6 --out small/x.recording", "x.recording", false},
+          {"device record simulated 1ubq --seconds 0.6 --overwrite --out small/x.recording", "x.recording"},
           {"fetch 5adh --again --url \"file://$PWD/5adh.pdb.gz\"", "moltact/molecules/5ADH.cif.gz"},
           {"1ubq --screenshot small/x.png", "x.png"}};
 }

@@ -85,7 +85,7 @@ TEST_CASE(
   put("bad.csv", "x,y,z\n" + kText + "\n");
   put(kName + ".jsonl", sampleFile() + "{\"kind\":\"" + "hint\",\"t\":1,\"step\":2}\n" + kText + "\n");
   put("b.jsonl", kText);
-  put(kName + ".trace", "MOLTACT TRACE" + kText);
+  put(kName + ".recording", "MOLTACT TRACE" + kText);
   put(kName + ".script", kText + "\n");
   fs::create_directory(at / (kName + " folder"));
   put(kName + " folder/" + kName + ".md", kLesson);
@@ -147,12 +147,12 @@ TEST_CASE(
                                 "devices",
                                 "devices --json",
                                 "device check " + evil,
-                                "device record " + evil + " own.pdb --out x.trace",
-                                "device record simulated " + evil + " --out x.trace",
-                                "device record simulated own.pdb --seconds 0.1 --out " + file("-new.trace"),
-                                "device replay " + file(".trace"),
+                                "device record " + evil + " own.pdb --out x.recording",
+                                "device record simulated " + evil + " --out x.recording",
+                                "device record simulated own.pdb --seconds 0.1 --out " + file("-new.recording"),
+                                "device replay " + file(".recording"),
                                 "device replay " + evil,
-                                "device replay " + file("-new.trace"),
+                                "device replay " + file("-new.recording"),
                                 "new-lesson " + evil,
                                 "new-lesson " + quoted(kText),
                                 "new-lesson name --folder " + file("-lessons"),

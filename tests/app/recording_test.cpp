@@ -18,14 +18,14 @@ bool told(Driver& d, const std::string& part) {
 
 // The simulated stylus on ubiquitin for 6 s.
 std::filesystem::path recorded(const Scratch& scratch) {
-  const std::filesystem::path file = scratch.folder / "hand.trace";
+  const std::filesystem::path file = scratch.folder / "hand.recording";
   auto d = startWith("1ubq");
   d->app().extensions().device.choose(d->app(), "simulated");
   d->frames(10);
   d->app().extensions().hand_recorder.record(d->app(), file);
   d->tap("Ctrl+D");
   d->frames(180);
-  CHECK(contains(d->text("device/recording"), "s recorded in hand.trace"));
+  CHECK(contains(d->text("device/recording"), "s recorded in hand.recording"));
   d->frames(180);
   CHECK(d->click("device/record"));
   CHECK(told(*d, "of the hand are in"));
@@ -68,19 +68,19 @@ TEST_CASE(
   d->frames(5);
   CHECK(d->click("device/record"));
   d->frames(5);
-  CHECK(d->text("file/name") == "1ubq.trace");
+  CHECK(d->text("file/name") == "1ubq.recording");
   CHECK(d->click("file/choose"));
   d->frames(60);
   CHECK(d->app().extensions().hand_recorder.recording());
   std::string message;
   for (std::size_t k = 0; k < d->app().messages.all().size(); ++k)
-    if (contains(d->app().messages.all()[k].text, "The hand is recorded in 1ubq.trace."))
+    if (contains(d->app().messages.all()[k].text, "The hand is recorded in 1ubq.recording."))
       message = "message/" + std::to_string(k);
   CHECK(d->click(message + "/device"));
   d->frames(5);
   CHECK(d->click("device/record"));
   CHECK_FALSE(d->app().extensions().hand_recorder.recording());
-  CHECK(readServoRecording(scratch.folder / "1ubq.trace")->ticks.size() > 900);
+  CHECK(readServoRecording(scratch.folder / "1ubq.recording")->ticks.size() > 900);
 }
 
 TEST_CASE(
@@ -118,10 +118,10 @@ TEST_CASE(
   CHECK(touching > 60);
   d->tap("Ctrl+D");
   d->frames(3);
-  CHECK(contains(d->text("device/recording"), "hand.trace. No force is given meanwhile."));
+  CHECK(contains(d->text("device/recording"), "hand.recording. No force is given meanwhile."));
   d->frames(120);
   CHECK_FALSE(player.playing());
-  CHECK(told(*d, "hand.trace has been played to its end"));
+  CHECK(told(*d, "hand.recording has been played to its end"));
   CHECK(d->text("status/device") == "Simulated stylus");
   CHECK(d->app().scene.servo_settings.stiffness_N_per_mm == stiffness);
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
@@ -173,7 +173,7 @@ TEST_CASE("a recording whose molecule has changed since says so, and is played a
   const Scratch scratch;
   ServoRecording trace = *readServoRecording(recorded(scratch));
   trace.labels["balls"] = "601 0000000000000000";
-  const std::filesystem::path other = scratch.folder / "other.trace";
+  const std::filesystem::path other = scratch.folder / "other.recording";
   {
     auto writer = ServoRecordingWriter::create(other);
     REQUIRE(writer);
@@ -203,19 +203,19 @@ TEST_CASE(
   CHECK_FALSE(recorder.playing());
   CHECK(d->text("status/device") == "Simulated stylus");
   CHECK(d->app().scene.servo_settings.clutch.at_edge);
-  d->app().open(scratch.file("text.trace", "no recording"));
+  d->app().open(scratch.file("text.recording", "no recording"));
   d->frames(3);
   CHECK(told(*d, "no recording of a device"));
   CHECK_FALSE(recorder.playing());
   CHECK(d->text("status/device") == "Simulated stylus");
 
-  recorder.record(d->app(), scratch.folder / "second.trace");
+  recorder.record(d->app(), scratch.folder / "second.recording");
   d->frames(60);
   CHECK(recorder.recording());
   d->app().scene.useMethod("penalty");
   d->frames(3);
   CHECK_FALSE(recorder.recording());
-  CHECK(readServoRecording(scratch.folder / "second.trace")->ticks.size() > 900);
+  CHECK(readServoRecording(scratch.folder / "second.recording")->ticks.size() > 900);
 }
 
 }  // namespace moltact

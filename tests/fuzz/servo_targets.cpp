@@ -43,7 +43,7 @@ struct Sample {
   std::string labels = "molecule=1ubq\nmethod=exact\n", build, state, ticks;
   std::uint32_t count = 8;
   Sample() {
-    const std::string file = fileOf("", "sample.trace");
+    const std::string file = fileOf("", "sample.recording");
     auto writer = ServoRecordingWriter::create(file, true);
     ServoStep step;
     mustBe(writer && !writer->begin({{"molecule", "1ubq"}, {"method", "exact"}}, step), "a recording");
@@ -86,7 +86,7 @@ const Sample& sample() {
 }  // namespace
 
 void recording(std::string_view bytes) {
-  replayed(fileOf(bytes, "a.trace"));
+  replayed(fileOf(bytes, "a.recording"));
   // The same changes to the ticks, under a checksum that is right.
   Choices choices(bytes);
   std::string ticks = sample().ticks;
@@ -105,7 +105,7 @@ void recording(std::string_view bytes) {
     else if (at + 8 <= ticks.size())
       ticks.replace(at, 8, reinterpret_cast<const char*>(&kOdd[choices.pick(std::size(kOdd))]), 8);
   }
-  replayed(fileOf(sample().file(sample().state, ticks, sample().count), "a.trace"));
+  replayed(fileOf(sample().file(sample().state, ticks, sample().count), "a.recording"));
 }
 
 void recordingState(std::string_view bytes) {
@@ -125,7 +125,7 @@ void recordingState(std::string_view bytes) {
     else
       state.replace(at + 1, end - at - 1, kOdd[choices.pick(std::size(kOdd))]);
   }
-  replayed(fileOf(sample().file(state, sample().ticks, sample().count), "a.trace"));
+  replayed(fileOf(sample().file(state, sample().ticks, sample().count), "a.recording"));
 }
 
 }  // namespace moltact::fuzz

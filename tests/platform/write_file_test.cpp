@@ -126,7 +126,7 @@ TEST_CASE(
     "kill") {
   for (int at = 1;; ++at) {
     const Folder folder;
-    const fs::path file = folder.path / "a.trace";
+    const fs::path file = folder.path / "a.recording";
     put(file, kOld);
     const Ended ended = killedAt(at, [&] {
       Expected<AppendFile> out = AppendFile::open(file, AppendFile::Begin::Replace);
