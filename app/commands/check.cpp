@@ -45,14 +45,6 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
   return out;
 }
 
-// "2 lessons checked: no errors, 1 warning"
-std::string countsText(std::size_t lessons, std::size_t errors, std::size_t warnings) {
-  const std::string checked = trnf("{0} lesson checked", "{0} lessons checked", lessons, lessons),
-                    faults = errors ? trnf("{0} error", "{0} errors", errors, errors) : tr("no errors");
-  return warnings ? trf("{0}: {1}, {2}", checked, faults, trnf("{0} warning", "{0} warnings", warnings, warnings))
-                  : trf("{0}: {1}", checked, faults);
-}
-
 struct Row {
   const Problem* problem;
   const char* severity;
@@ -61,8 +53,8 @@ struct Row {
 /// Errors and warnings of a file together, in the order of the file.
 std::vector<Row> rowsOf(const Checked& checked) {
   std::vector<Row> rows;
-  for (const Problem& p : checked.errors) rows.push_back({&p, N_("error")});
-  for (const Problem& p : checked.warnings) rows.push_back({&p, N_("warning")});
+  for (const Problem& p : checked.errors) rows.push_back({&p, NC_("severity", "error")});
+  for (const Problem& p : checked.warnings) rows.push_back({&p, NC_("severity", "warning")});
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
     return a.problem->line != b.problem->line ? a.problem->line < b.problem->line
                                               : a.problem->column < b.problem->column;
@@ -76,7 +68,8 @@ void printText(const Checked& checked) {
     const Problem& p = *row.problem;
     out() << p.file;
     if (p.line) out() << ':' << p.line << ':' << p.column;
-    out() << ": " << tr(row.severity) << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy << '\n';
+    out() << ": " << trc("severity", row.severity) << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy
+          << '\n';
     if (p.line) out() << Lines{sourceExcerpt(source.line(p.line), p.column)};
   }
 }
@@ -128,7 +121,9 @@ void run(const CheckArguments& arguments) {
   } else {
     for (const Checked& c : all) printText(c);
     for (const fs::path& file : passed_over) out() << trf("{0}: no lesson, passed over", file.string()) << '\n';
-    out() << countsText(lessons, errors, warnings) << '\n';
+    std::string found = errors ? trnf("{0} error", "{0} errors", errors, errors) : tr("no errors");
+    if (warnings) found = trf("{0}, {1}", found, trnf("{0} warning", "{0} warnings", warnings, warnings));
+    out() << trnf("{0} lesson checked: {1}", "{0} lessons checked: {1}", lessons, lessons, found) << '\n';
   }
   // What is wrong has been told.
   if (errors) throw CommandFailed{};

@@ -1,5 +1,7 @@
 #include "app/commands/command.h"
 
+#include "app/commands/language_option.h"
+
 namespace moltact {
 
 void addBench(CLI::App& app);
@@ -30,6 +32,7 @@ void addAllCommands(CLI::App& app) {
   addCheck(app);
   addNewLesson(app);
   addLessonReference(app);
+  for (CLI::App* command : app.get_subcommands({})) addLanguageOption(*command);
 }
 
 }  // namespace moltact

@@ -44,7 +44,7 @@ void run(const Arguments& arguments) {
       attempts.push_back(*std::move(attempt));
     }
   }
-  for (const Problem& p : problems) err() << trf("moltact: passed over: {0}", p.text()) << '\n';
+  for (const Problem& p : problems) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
   if (attempts.empty()) throw CommandError{tr("there are no attempts to report on in what was named")};
   const ClassSummary summary = summarise(std::move(attempts), arguments.anonymous);
   if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));

@@ -8,9 +8,11 @@
 #include "app/ui/panels/panels.h"
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/key_focus.h"
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/catalogue.h"
+#include "engine/platform/use_language.h"
 #include "engine/results/progress.h"
 
 namespace moltact {
@@ -21,14 +23,29 @@ Application::Application(ApplicationOptions given)
       picture_(std::make_unique<ViewPicture>()),
       extensions_(std::make_unique<Extensions>()) {
   scene.shown = lesson.shapes();
-  if (options_.settings_file.empty()) return;
+  if (options_.settings_file.empty()) {
+    speak();
+    return;
+  }
   LoadedSettings loaded = loadSettings(options_.settings_file);
   settings = std::move(loaded.settings);
   extensions_->settings_keeper.begin(settings);
+  speak();
   if (!loaded.fault.empty()) messages.warning(loaded.fault);
 }
 
 Application::~Application() { end(); }
+
+void Application::speak() {
+  setDecimalSign(settings.decimal_sign);
+  if (spoken_ == settings.language) return;
+  // What was asked for at the start holds until the person chooses another.
+  std::string wanted = settings.language;
+  if (!spoken_ && !options_.language.empty()) wanted = options_.language;
+  if (!spoken_ && options_.language.empty() && !languageOfEnvironment().empty()) wanted = {};
+  spoken_ = settings.language;
+  if (const auto problem = useLanguage(wanted)) messages.warning(problem->text());
+}
 
 void Application::end() {
   if (std::exchange(ended_, true)) return;
@@ -68,7 +85,7 @@ void Application::open(const std::filesystem::path& file) {
 void Application::drop(const std::vector<std::filesystem::path>& dropped) {
   if (dropped.empty()) return;
   open(dropped.front());
-  if (dropped.size() > 1) messages.notice("Of " + std::to_string(dropped.size()) + " files the first was opened.");
+  if (dropped.size() > 1) messages.notice(trf("Of {0} files the first was opened.", dropped.size()));
 }
 
 void Application::showMolecule(const std::filesystem::path& file) {
@@ -165,7 +182,7 @@ void Application::resetViewByHand() {
 }
 
 void Application::askForPictureAs() {
-  file_dialog.ask({.title = "Save the view as a picture",
+  file_dialog.ask({.title = tr("Save the view as a picture"),
                    .name = freePictureName(options_.picture_folder).filename().string(),
                    .ending = ".png",
                    .chosen = [](Application& app, const std::filesystem::path& file) { app.askForPicture(file); }},
@@ -208,7 +225,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
     for (Extension* e : extensions) e->ticks(*this, felt);
   messages.age(dt_s);
 
-  setDecimalComma(settings.decimal_comma);
+  speak();
   leadByKeys(*this);
   runShortcuts(*this);
   layPanelsOut(window_px);

@@ -36,13 +36,13 @@ std::string withSign(std::string text) {
   return text;
 }
 
-std::string shown(double value, Digits digits, const Unit* unit) {
+std::string shown(double value, Digits digits, const Unit* unit, bool asked_for) {
   if (!std::isfinite(value)) return "–";
   const double factor = unit ? 1.0 / unit->in_code_units : 1.0;
   value *= factor;
   switch (digits.kind) {
     case Digits::Kind::Decimals:
-      return withSign(decimalsOf(value, digits.count - int(std::lround(std::log10(factor)))));
+      return withSign(decimalsOf(value, digits.count - (asked_for ? 0 : int(std::lround(std::log10(factor))))));
     case Digits::Kind::Significant:
       return withSign(significantOf(value, digits.count));
     case Digits::Kind::Usual:
@@ -51,7 +51,7 @@ std::string shown(double value, Digits digits, const Unit* unit) {
     case Digits::Kind::Plain:
       break;
   }
-  return withSign(fmt::format("{:g}", value));
+  return withSign(fmt::format("{:.{}g}", value, digits.kind == Digits::Kind::Plain ? digits.count : 6));
 }
 
 const Unit* unitOf(Dimension dimension, std::string_view in) {
@@ -62,7 +62,7 @@ const Unit* unitOf(Dimension dimension, std::string_view in) {
 }  // namespace
 
 std::string quantityNumber(double value, Dimension dimension, QuantityOptions options) {
-  return shown(value, options.digits, unitOf(dimension, options.in));
+  return shown(value, options.digits, unitOf(dimension, options.in), !options.in.empty());
 }
 
 std::string quantityNumber(double value, Dimension dimension, Digits digits) {
@@ -71,7 +71,7 @@ std::string quantityNumber(double value, Dimension dimension, Digits digits) {
 
 std::string quantityText(double value, Dimension dimension, QuantityOptions options) {
   const Unit* unit = unitOf(dimension, options.in);
-  std::string out = shown(value, options.digits, unit);
+  std::string out = shown(value, options.digits, unit, !options.in.empty());
   if (!unit) return out;
   if (unit->symbol != "°") out += kNoBreakSpace;  // the one that follows its number at once
   return out += unit->symbol;
@@ -81,7 +81,16 @@ std::string quantityText(double value, Dimension dimension, Digits digits) {
   return quantityText(value, dimension, {digits, {}});
 }
 
-std::string numberText(double value, Digits digits) { return shown(value, digits, nullptr); }
+std::string numberText(double value, Digits digits) { return shown(value, digits, nullptr, false); }
+
+std::string quantityIn(double value, std::string_view symbol, Digits digits) {
+  for (const Unit& u : units())
+    if (u.symbol == symbol && shownUnit(u.dimension))
+      return quantityText(value * u.in_code_units, u.dimension,
+                          shownUnit(u.dimension)->in_code_units == u.in_code_units ? QuantityOptions{digits, symbol}
+                                                                                   : QuantityOptions{digits, {}});
+  return numberText(value, digits) + (symbol.empty() ? "" : kNoBreakSpace) + std::string(symbol);
+}
 
 std::string_view unitText(Dimension dimension) {
   const Unit* unit = shownUnit(dimension);

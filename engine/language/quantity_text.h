@@ -16,13 +16,13 @@ struct Digits {
   int count = 0;
 };
 
-/// So many behind the decimal sign, in the code's unit: where a dimension is shown in a unit of which there are a
-/// hundred in it, two fewer.
+/// So many behind the decimal sign. Of a quantity: in the code's unit, so that where a dimension is shown in a unit of
+/// which a hundred are one of the code's there are two fewer; of a unit that the place asks for (`in`): in that.
 constexpr Digits decimals(int count) { return {Digits::Kind::Decimals, count}; }
 /// So many that count, never with an exponent: 0.25, 4.2, 120 for two.
 constexpr Digits significant(int count) { return {Digits::Kind::Significant, count}; }
 /// As many as it takes, six that count at most: 1.4, 2, 0.125.
-constexpr Digits plain() { return {Digits::Kind::Plain, 6}; }
+constexpr Digits plain(int most = 6) { return {Digits::Kind::Plain, most}; }
 
 struct QuantityOptions {
   Digits digits{};  ///< default: the decimals of the unit's line in units.cpp
@@ -33,6 +33,9 @@ struct QuantityOptions {
 /// The value (in the code's unit) in the unit that is shown, and that unit. What is no finite number is "–".
 std::string quantityText(double value, Dimension dimension, QuantityOptions options = {});
 std::string quantityText(double value, Dimension dimension, Digits digits);
+/// A value in the unit of that symbol, as an author or a task has it; shown in that of its dimension. A unit that is
+/// not known stands as it is.
+std::string quantityIn(double value, std::string_view symbol, Digits digits);
 
 /// The same without the unit, for a table or an axis that names it once.
 std::string quantityNumber(double value, Dimension dimension, QuantityOptions options = {});

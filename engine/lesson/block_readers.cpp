@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/language_code.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
@@ -66,6 +67,11 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   lesson.level = values["level"].text;
   lesson.author = values["author"].text;
   lesson.licence = values["licence"].text;
+  lesson.language = values["language"].text;
+  lesson.language_place = values["language"].place;
+  if (!lesson.language.empty() && !isLanguageCode(lesson.language))
+    reading.error(lesson.language_place, trf("'{0}' is no language's code", lesson.language),
+                  tr("write its two letters: en, de"));
   lesson.minutes = static_cast<int>(values["minutes"].number);
   lesson.goals = values["goals"].words;
   lesson.molecules = values["molecules"].words;

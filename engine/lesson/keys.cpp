@@ -28,6 +28,10 @@ std::vector<KeySpec> frontMatterKeys() {
        .meaning = "Whom the lesson is for.",
        .fallback = "beginner",
        .words = {N_("beginner"), N_("intermediate"), N_("advanced")}},
+      {.name = "language",
+       .type = ValueType::Text,
+       .meaning = "The language that the lesson is written in, by its two letters: en, de. It chooses between files of "
+                  "one lesson: first-touch.md and first-touch.de.md."},
       {.name = "goals",
        .type = ValueType::TextList,
        .meaning = "What a student can do or tell afterwards, one line each.",

@@ -148,6 +148,8 @@ struct Step {
 struct Lesson {
   std::string file;
   std::string title, level, author, licence;
+  std::string language;  ///< "de": of the front matter; may be empty
+  Place language_place;
   int minutes = 0;
   std::vector<std::string> goals, molecules;
   std::vector<Place> molecule_places;  ///< of each of `molecules`

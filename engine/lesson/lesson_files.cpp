@@ -6,10 +6,12 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <system_error>
 
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/language_code.h"
 #include "engine/lesson/reader.h"
 
 namespace moltact {
@@ -81,6 +83,33 @@ Expected<std::string> readLessonFile(const fs::path& file) {
   if (in.bad()) return fail(tr("the file cannot be read to its end"), tr("copy it again"));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
+}
+
+LessonName lessonName(const fs::path& file) {
+  const fs::path stem = file.stem();
+  const std::string ending = stem.extension().string();
+  if (ending.empty() || !isLanguageCode(std::string_view(ending).substr(1))) return {stem.string(), {}};
+  return {stem.stem().string(), ending.substr(1)};
+}
+
+std::vector<fs::path> inLanguage(std::vector<fs::path> lessons, std::string_view language) {
+  const auto rank = [&](const LessonName& name) {
+    return name.language == language ? 0 : name.language.empty() ? 1 : 2;
+  };
+  std::map<fs::path, int> best;  // of each lesson, by folder and id
+  for (const fs::path& file : lessons) {
+    const LessonName name = lessonName(file);
+    const auto [at, is_new] = best.try_emplace(file.parent_path() / name.id, rank(name));
+    if (!is_new) at->second = std::min(at->second, rank(name));
+  }
+  std::erase_if(lessons, [&](const fs::path& file) {
+    const LessonName name = lessonName(file);
+    int& wanted = best[file.parent_path() / name.id];
+    if (wanted != rank(name)) return true;
+    wanted = -1;  // of several no better than the first, the first
+    return false;
+  });
+  return lessons;
 }
 
 LessonFolder lessonsIn(const fs::path& folder) {

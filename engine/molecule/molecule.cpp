@@ -15,25 +15,32 @@ std::vector<Ball> Molecule::balls() const {
 }
 
 std::string Molecule::describe(std::size_t index) const {
+  const AtomWords w = words(index);
+  if (w.residue.empty()) return w.atom;
+  return w.chain.empty() ? trcf("an atom", "{0} of {1}", w.atom, w.residue)
+                         : trf("{0} of {1} (chain {2})", w.atom, w.residue, w.chain);
+}
+
+AtomWords Molecule::words(std::size_t index) const {
   const Atom& atom = atoms[index];
-  if (atom.residue == kNoResidue) return trf("atom {0}", index);
+  if (atom.residue == kNoResidue) return {trf("atom {0}", index), {}, {}};
   const Residue& residue = residues[atom.residue];
   const bool polymer = residue.kind == ResidueKind::AminoAcid || residue.kind == ResidueKind::Nucleotide;
   if (residue.atom_count == 1 && !polymer) {  // an ion or a noble gas: its element says more than two codes
     const std::string name(tr(element(atom.atomic_number).name));
-    return (name.empty() ? residue.name : name) + ' ' + std::to_string(residue.number);
+    return {(name.empty() ? residue.name : name) + ' ' + std::to_string(residue.number), {}, {}};
   }
-  const std::string of = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
+  AtomWords out;
+  out.atom = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   std::string name = residue.name;
   // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.
   if (residue.kind == ResidueKind::AminoAcid)
     for (std::size_t i = 1; i < name.size(); ++i)
       name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
-  if (name.empty()) name = trc("of an atom", "residue");
-  name += ' ' + std::to_string(residue.number);
-  if (residue.insertion != ' ') name += residue.insertion;
-  const std::string& chain = chains[residue.chain].name;
-  return chain.empty() ? trf("{0} of {1}", of, name) : trf("{0} of {1} (chain {2})", of, name, chain);
+  out.residue = (name.empty() ? std::string(trc("of an atom", "residue")) : name) + ' ' + std::to_string(residue.number);
+  if (residue.insertion != ' ') out.residue += residue.insertion;
+  out.chain = chains[residue.chain].name;
+  return out;
 }
 
 }  // namespace moltact

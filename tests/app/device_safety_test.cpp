@@ -306,7 +306,7 @@ TEST_CASE(
   lead(*d);
   d->tap("Ctrl+D");
   d->frames(5);
-  CHECK(contains(d->text("device/limits"), "the surface is at most 0.73 N/mm stiff"));
+  CHECK(contains(d->text("device/limits"), "the surface is at most 0.73\u00a0N/mm stiff"));
   CHECK(d->app().scene.servo().newest().stiffness_bound_N_per_mm == doctest::Approx(0.5 * 2.2 / 1.5));
 }
 

@@ -36,11 +36,11 @@ TEST_CASE("a number and its unit, parted by a space at which no line breaks; deg
   CHECK(unitText(Dimension::None).empty());
 }
 
-TEST_CASE("another unit of the same dimension where a place asks for one; decimals are those of the code's unit") {
-  CHECK(quantityText(0.0000123, Dimension::Time, {decimals(6), "µs"}) == "12\u00a0µs");
-  CHECK(quantityText(0.0000123, Dimension::Time, {decimals(7), "µs"}) == "12.3\u00a0µs");
+TEST_CASE("another unit of the same dimension where a place asks for one; its decimals are that unit's") {
+  CHECK(quantityText(0.0000123, Dimension::Time, {decimals(0), "µs"}) == "12\u00a0µs");
+  CHECK(quantityText(0.0000123, Dimension::Time, {decimals(1), "µs"}) == "12.3\u00a0µs");
   CHECK(quantityText(90, Dimension::Time, {plain(), "min"}) == "1.5\u00a0min");
-  CHECK(quantityText(0.5, Dimension::Stiffness, {decimals(3), "N/m"}) == "500\u00a0N/m");
+  CHECK(quantityText(0.5, Dimension::Stiffness, {decimals(0), "N/m"}) == "500\u00a0N/m");
   CHECK(quantityText(1.4, Dimension::Length, {decimals(1), "N"}) == "1.4\u00a0Å");  // no unit of a length
 }
 
@@ -54,6 +54,12 @@ TEST_CASE("digits that count, digits behind the sign, and as many as it takes") 
   CHECK(numberText(2.0) == "2");
   CHECK(numberText(0.125) == "0.125");
   CHECK(numberText(-0.01, decimals(1)) == "0.0");
+  CHECK(numberText(1.25, plain(2)) == "1.2");
+  CHECK(numberText(2.0, plain(2)) == "2");
+  CHECK(quantityText(0.291, Dimension::Share, decimals(3)) == "29.1\u00a0%");
+  CHECK(quantityIn(3.14159, "Å", decimals(2)) == "3.14\u00a0Å");
+  CHECK(quantityIn(2.0, "atoms", plain()) == "2\u00a0atoms");
+  CHECK(quantityIn(2.0, "", plain()) == "2");
   CHECK(numberText(std::numeric_limits<double>::quiet_NaN()) == "–");
   CHECK(quantityText(std::numeric_limits<double>::infinity(), Dimension::Force) == "–\u00a0N");
   CHECK(numberText(1e300, decimals(2)).size() == 304);

@@ -7,6 +7,7 @@
 #include "app/ui/extensions/playback.h"
 #include "app/ui/lesson/lesson_guide.h"
 #include "app/ui/scene/loader.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -17,7 +18,7 @@ void FileBrowser::look(const fs::path& where) {
   const fs::path whole = fs::weakly_canonical(where, error);
   fs::directory_iterator it(whole, fs::directory_options::skip_permission_denied, error);
   if (error) {
-    fault_text_ = "The folder " + where.string() + " cannot be read: " + error.message() + ".";
+    fault_text_ = trf("The folder {0} cannot be read: {1}.", where.string(), error.message());
     return;
   }
   fault_text_.clear();

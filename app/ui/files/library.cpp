@@ -1,7 +1,9 @@
 #include "app/ui/files/library.h"
 
 #include <fstream>
+#include <optional>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
@@ -38,7 +40,8 @@ std::string titleOf(const fs::path& file) {
 
 std::vector<LibraryItem> lessonItems(const fs::path& folder) {
   std::vector<LibraryItem> items;
-  for (const fs::path& file : lessonsIn(folder).lessons) items.push_back({file.stem().string(), titleOf(file), file});
+  for (const fs::path& file : inLanguage(lessonsIn(folder).lessons, language()))
+    items.push_back({lessonName(file).id, titleOf(file), file});
   return items;
 }
 
@@ -48,7 +51,12 @@ const std::vector<LibraryItem>& library() {
 }
 
 const std::vector<LibraryItem>& lessons() {
-  static const std::vector<LibraryItem> items = lessonItems(lessonsFolder());
+  static std::vector<LibraryItem> items;
+  static std::optional<std::string> listed_in;
+  if (listed_in != language()) {
+    listed_in = language();
+    items = lessonItems(lessonsFolder());
+  }
   return items;
 }
 

@@ -10,7 +10,7 @@
 namespace moltact {
 
 struct LibraryItem {
-  std::string id;     ///< "1ubq"
+  std::string id;     ///< "1ubq"; of a lesson its name without the language
   std::string label;  ///< "Ubiquitin (1UBQ)"
   std::filesystem::path file;
 };
@@ -20,9 +20,9 @@ inline constexpr std::string_view kFirstLesson = "first-touch";
 
 /// The molecules of the catalogue; empty where the program's data are not found.
 const std::vector<LibraryItem>& library();
-/// The lesson files in the program's lessons folder, by name.
+/// The lesson files in the program's lessons folder, by name; each lesson once, in the language in use.
 const std::vector<LibraryItem>& lessons();
-/// The lessons in a folder, by name; empty where it cannot be read.
+/// The lessons in a folder, by name; each once, in the language in use. Empty where it cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
 
 }  // namespace moltact

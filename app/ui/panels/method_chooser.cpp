@@ -12,6 +12,7 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -20,17 +21,17 @@ struct FamilyText {
   std::string_view family, sentence;
 };
 constexpr std::array kTexts{
-    FamilyText{"Exact", "Follows the spheres themselves, without error."},
-    FamilyText{"Paper", "The steps of Stocks and Laycock, 2008, as they were published."},
-    FamilyText{"Mesh", "Triangles stand in for each sphere. The fewer there are, the more you feel their edges."},
-    FamilyText{"Grid", "Distances are stored on a grid. The wider apart, the rounder its creases become."},
-    FamilyText{"Penalty", "Each atom pushes for itself, and nothing remembers from which side you came."},
+    FamilyText{"Exact", N_("Follows the spheres themselves, without error.")},
+    FamilyText{"Paper", N_("The steps of Stocks and Laycock, 2008, as they were published.")},
+    FamilyText{"Mesh", N_("Triangles stand in for each sphere. The fewer there are, the more you feel their edges.")},
+    FamilyText{"Grid", N_("Distances are stored on a grid. The wider apart, the rounder its creases become.")},
+    FamilyText{"Penalty", N_("Each atom pushes for itself, and nothing remembers from which side you came.")},
 };
 
 std::string plainSentence(const Method& m) {
   for (const FamilyText& t : kTexts)
-    if (t.family == m.family) return std::string(t.sentence);
-  return std::string(m.sentence);
+    if (t.family == m.family) return std::string(tr(t.sentence));
+  return std::string(tr(m.sentence));
 }
 
 using Field = std::string_view Method::*;
@@ -96,10 +97,10 @@ void drawMethodChooser(Application& app) {
 void drawTouchHead(Application& app) {
   if (!app.panels.methods) {
     WithFont title(Font::Title);
-    ImGui::TextUnformatted("Touch");
+    ImGui::TextUnformatted(tr("Touch"));
     return;
   }
-  const std::vector<std::string> tabs{"Touch", "Methods"};
+  const std::vector<std::string> tabs{N_("Touch"), N_("Methods")};
   std::size_t front = app.panels.methods_first ? 1 : 0;
   if (segments("tab", tabs, front)) app.panels.methods_first = front == 1;
 }

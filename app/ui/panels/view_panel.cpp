@@ -19,6 +19,7 @@
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -124,7 +125,7 @@ void savePicture(Application& app, std::filesystem::path file) {
   if (problem)
     app.messages.error(problem->text());
   else
-    app.messages.notice("Picture saved as " + file.string());
+    app.messages.notice(trf("Picture saved as {0}", file.string()));
 }
 
 }  // namespace
@@ -152,7 +153,7 @@ void drawViewPanel(Application& app) {
 
   if (app.extensions().task_stager.dark()) {
     drawDarkView(app, r);
-    if (app.takePictureRequest()) app.messages.notice("The screen is dark: there is nothing to save as a picture.");
+    if (app.takePictureRequest()) app.messages.notice(tr("The screen is dark: there is nothing to save as a picture."));
     endPanel();
     return;
   }

@@ -1,5 +1,6 @@
 #include "app/ui/scene/stage.h"
 
+#include "engine/language/catalogue.h"
 #include "engine/servo/fit_workspace.h"
 
 namespace moltact {
@@ -13,7 +14,8 @@ constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) {
   if (molecule.atoms.empty())
-    return Problem{file.string(), 0, 0, "there are no atoms to touch", "open a structure file with coordinates"};
+    return Problem{file.string(), 0, 0, tr("there are no atoms to touch"),
+                   tr("open a structure file with coordinates")};
   Stage stage;
   for (const Atom& a : molecule.atoms) stage.middle.A += a.position.A / double(molecule.atoms.size());
   stage.balls = std::make_shared<const BallScene>(molecule.balls());

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "engine/language/catalogue.h"
 #include "engine/render/gl_objects.h"
 
 namespace moltact {
@@ -30,7 +31,7 @@ bool ViewPicture::ready() {
     renderer_ = std::move(*made);
   else {
     refused_ = true;
-    fault_text_ = "The molecule cannot be drawn: " + made.problem().text();
+    fault_text_ = trf("The molecule cannot be drawn: {0}", made.problem().text());
   }
   return renderer_ != nullptr;
 }

@@ -123,7 +123,7 @@ void openMenus(PanelState& panels) {
   }
   if (!io.KeyAlt || io.KeyCtrl || io.WantTextInput) return;
   for (int menu = 0; menu < kMenus; ++menu)
-    if (ImGui::IsKeyPressed(menuLabel(Menu(menu)).front(), false)) panels.menu_wanted = menu;
+    if (ImGui::IsKeyPressed(menuLetter(Menu(menu)), false)) panels.menu_wanted = menu;
 }
 
 }  // namespace
