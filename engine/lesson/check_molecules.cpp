@@ -1,8 +1,11 @@
 // A lesson against its molecules.
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 #include <unordered_set>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -43,12 +46,8 @@ class Check {
     if (known == found_.end()) known = found_.emplace(name, by_name_(name)).first;
     if (known->second) return known->second->get();
     const Problem& why = known->second.problem();
-    const auto same = [&](const Problem& p) {
-      return p.line == place.line && p.column == place.column && p.message == why.message;
-    };
     // A scene that goes on from the one before names nothing anew.
-    if (std::none_of(findings_.errors.begin(), findings_.errors.end(), same))
-      findings_.error(place, why.message, why.remedy);
+    if (told_.insert({name, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
     return nullptr;
   }
 
@@ -71,8 +70,8 @@ class Check {
     for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
       const auto atom = static_cast<std::int32_t>(i);
       if (!from.has(atom) || !to.has(atom)) continue;
-      findings_.error(to_value.place, "the start and the end of the crossing have atoms in common",
-                      "choose atoms that are only in one");
+      findings_.error(to_value.place, tr("the start and the end of the crossing have atoms in common"),
+                      tr("choose atoms that are only in one"));
       return;
     }
   }
@@ -81,6 +80,7 @@ class Check {
   const MoleculeByName& by_name_;
   Findings& findings_;
   std::map<std::string, Expected<std::shared_ptr<const Molecule>>> found_;
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
 };
 
 }  // namespace
@@ -95,10 +95,10 @@ void moleculeList(const Lesson& lesson, Findings& findings) {
   for (std::size_t i = 0; i < lesson.molecules.size(); ++i) {
     const std::string& name = lesson.molecules[i];
     if (!listed.insert(name).second)
-      findings.error(lesson.molecule_places[i], "'" + name + "' is listed twice", "take one of the two out");
+      findings.error(lesson.molecule_places[i], trf("'{0}' is listed twice", name), tr("take one of the two out"));
     else if (!used.contains(name))
-      findings.error(lesson.molecule_places[i], "no scene uses '" + name + "'",
-                     "take it out, or add a scene with 'molecule: " + name + "'");
+      findings.error(lesson.molecule_places[i], trf("no scene uses '{0}'", name),
+                     trf("take it out, or add a scene with 'molecule: {0}'", name));
   }
 }
 

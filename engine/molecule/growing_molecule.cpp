@@ -1,6 +1,7 @@
 // Residues and chains as atoms come, and the limits of a molecule.
 #include <algorithm>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
 #include "engine/molecule/residue_kind.h"
 
@@ -23,8 +24,8 @@ std::size_t heapBytes(std::string_view text) { return text.size() > std::string(
 }  // namespace
 
 Problem tooManyAtoms(const std::string& file, std::size_t line) {
-  return {file, line, 0, "more than " + std::to_string(kMaxMoleculeAtoms / 1'000'000) + " million atoms",
-          "split the file, or keep one model"};
+  return {file, line, 0, trf("more than {0} million atoms", kMaxMoleculeAtoms / 1'000'000),
+          tr("split the file, or keep one model")};
 }
 
 void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::min(atoms, kMaxMoleculeAtoms)); }
@@ -36,8 +37,8 @@ std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_
                             m.residues.size() * (sizeof(Residue) + sizeof(std::uint32_t)) +
                             m.chains.size() * sizeof(Chain) + labels.size() * sizeof(std::string) + text_bytes_;
   if (bytes > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
-    return Problem{file, line, 0, "its residues and chains take more than 3 GB of memory",
-                   "split the file, or keep one model"};
+    return Problem{file, line, 0, tr("its residues and chains take more than 3 GB of memory"),
+                   tr("split the file, or keep one model")};
   return std::nullopt;
 }
 

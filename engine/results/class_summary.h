@@ -76,6 +76,9 @@ struct ClassSummary {
 /// names.
 ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous = false);
 
+/// "24 students, 2 lessons, 51 attempts".
+std::string summaryText(const ClassSummary& summary);
+
 /// The value below which a share of sorted values lies, with linear interpolation; 0 of none.
 double quantile(const std::vector<double>& sorted, double share);
 
