@@ -182,6 +182,7 @@ TEST_CASE(
     CAPTURE(p.language);
     const Lesson a = shippedLesson(p.name), b = shippedLesson(p.name + "." + p.language);
     CHECK(b.title != a.title);
+    CHECK(b.language == p.language);
     CHECK(b.minutes == a.minutes);
     CHECK(b.level == a.level);
     CHECK(b.molecules == a.molecules);
