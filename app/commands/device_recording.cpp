@@ -117,22 +117,22 @@ class Recorder {
     awaitReady(servo);
     out() << "Recording " << options_.seconds << " s.\n";
     out().flush();
-    servo.setTracker(std::move(tracker));
+    servo.loop().setInteraction(std::move(tracker));
     const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
-    for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording() && !interrupt_.seen(); ++look) {
+    for (int look = 0; ticks_ < wanted && !problem_ && !servo.loop().lostOfRecording() && !interrupt_.seen(); ++look) {
       if (look % (kAsk_ms / 10) == 0) ask(servo);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      servo.drainRecording(start, [&](const RecordedTick& tick) {
+      servo.loop().drainRecording(start, [&](const RecordedTick& tick) {
         if (ticks_ == 0 && !problem_) problem_ = writer_.begin(labels_, start);
         if (problem_ || ticks_ == wanted) return;
         ++ticks_;
         watch_.add(tick);
         problem_ = writer_.add(tick);
       });
-      servo.drain([](const ServoSample&) {});
+      servo.loop().drain([](const ServoSample&) {});
     }
-    const std::size_t lost = servo.lostOfRecording();
+    const std::size_t lost = servo.loop().lostOfRecording();
     servo.setDevice(nullptr);  // no force from here on, whatever is told
     if (!problem_) problem_ = writer_.finish();
     tell(lost);
@@ -157,14 +157,14 @@ class Recorder {
 
   // What the device asks of the person, each time that it is another; true where it is ready.
   bool ask(ServoThread& servo) {
-    const DeviceStatus status = servo.device()->status();
+    const DeviceStatus status = servo.loop().device()->status();
     const std::string& text = status.text;
     if (text != said_ && !text.empty()) {
       out() << text << (status.asks_calibrate ? " Then press Enter." : "") << '\n';
       out().flush();
     }
     std::string line;
-    if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.device()->calibrate();
+    if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.loop().device()->calibrate();
     if (!text.empty()) last_said_ = text;
     said_ = text;
     return status.ready;
@@ -220,7 +220,7 @@ void recordHand(const RecordOptions& options) {
   auto tracker = findMethod(options.method)->make(scene, settings.probe_A);
   MouseDevice mouse;
   ServoThread servo(mouse);
-  servo.setSettings(settings);
+  servo.loop().setSettings(settings);
   servo.setDevice(std::move(*device));
   servo.record(true);
   out() << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n';

@@ -274,9 +274,9 @@ const char* menuName(Menu menu) {
 
 const char* menuLabel(Menu menu) { return trc("menu", menuName(menu)); }
 
-int menuLetter(Menu menu) {
+char menuLetter(Menu menu) {
   const auto letter = static_cast<unsigned char>(*menuLabel(menu));
-  return letter < 128 && std::isalpha(letter) ? std::toupper(letter) : *menuName(menu);
+  return letter < 128 && std::isalpha(letter) ? char(std::toupper(letter)) : *menuName(menu);
 }
 
 std::span<const Action> allActions() { return kActions; }
@@ -302,8 +302,7 @@ void runShortcuts(Application& app) {
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
   // Escape first lets go of the molecule; only with a free hand does it lead away from it.
-  const bool hand_busy =
-      app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+  const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
   if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
 }
 

@@ -89,7 +89,8 @@ bool sameView(const ViewScene& a, const ViewScene& b) {
     return p.has_value() == q.has_value() && (!p || p->A == q->A);
   };
   const auto sameContact = [](const Contact& p, const Contact& q) {
-    return p.touching() == q.touching() && p.scp.A == q.scp.A && p.atoms == q.atoms;
+    return p.touching() == q.touching() && p.scp.A == q.scp.A && p.atoms == q.atoms &&
+           p.displacement_A == q.displacement_A;
   };
   const auto sameTarget = [](const TargetMarker& p, const TargetMarker& q) {
     return p.centre.A == q.centre.A && p.radius_A == q.radius_A && p.reached == q.reached;

@@ -162,7 +162,8 @@ struct ViewRotated {
 struct HipSample {
   double t_s = 0.0;
   PointA hip, scp;
-  ForceN force;  ///< in the device's space
+  ForceN force;              ///< in the device's space
+  Vec3 displacement_A{0.0};  ///< of the spring that was felt; zero without contact
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
 };

@@ -46,7 +46,7 @@ void HandRecorder::record(Application& app, const fs::path& file) {
   writer_.emplace(*std::move(made));
   file_ = file;
   ticks_ = 0;
-  tracker_ = app.scene.servo().trackers();
+  tracker_ = app.scene.servo().handedOver();
   told_ =
       app.messages.ask(MessageKind::Notice, trf("The hand is recorded in {0}.", file.filename().string()), {"device"});
 }
@@ -170,7 +170,7 @@ void HandRecorder::beforeTicks(Application& app) {
 void HandRecorder::afterPanels(Application& app) {
   if (!recording()) return;
   drain(app);
-  if (recording() && app.scene.servo().trackers() != tracker_) stop(app);
+  if (recording() && app.scene.servo().handedOver() != tracker_) stop(app);
 }
 
 void HandRecorder::atEnd(Application& app) { stop(app); }

@@ -124,6 +124,7 @@ void Playback::showHand(Application& app) {
     sample.contact.scp = hand->scp;
     sample.contact.feature = hand->feature;
     sample.contact.atoms = hand->atoms;
+    sample.contact.displacement_A = hand->displacement_A;
     sample.force = hand->force;
     sample.probe_A = stage->probe_A;
     sample.time_s = at_s_;

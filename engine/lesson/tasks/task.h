@@ -71,8 +71,8 @@ class Task {
  public:
   virtual ~Task() = default;
 
-  /// One tick. Samples whose time does not advance, or with a time, force or contact point that is not finite, are
-  /// passed over, as is everything after the task is done.
+  /// One tick. Samples whose time does not advance, or with a time, force, displacement or contact point that is not
+  /// finite, are passed over, as is everything after the task is done.
   void feed(const TouchSample& sample);
 
   bool done() const { return done_; }
