@@ -292,9 +292,9 @@ const char* menuName(Menu menu) {
 
 const char* menuLabel(Menu menu) { return trc("menu", menuName(menu)); }
 
-int menuLetter(Menu menu) {
+char menuLetter(Menu menu) {
   const auto letter = static_cast<unsigned char>(*menuLabel(menu));
-  return letter < 128 && std::isalpha(letter) ? std::toupper(letter) : *menuName(menu);
+  return letter < 128 && std::isalpha(letter) ? char(std::toupper(letter)) : *menuName(menu);
 }
 
 std::span<const Action> allActions() { return kActions; }

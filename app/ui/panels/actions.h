@@ -17,7 +17,7 @@ inline constexpr int kMenus = 5;
 /// "File", the English name of a menu; as it is shown; and the capital letter that opens it with Alt.
 const char* menuName(Menu menu);
 const char* menuLabel(Menu menu);
-int menuLetter(Menu menu);
+char menuLetter(Menu menu);
 
 struct Action {
   std::string_view name;  ///< "open": in the widget map menu/file/open and tool/open

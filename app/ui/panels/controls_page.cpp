@@ -51,7 +51,7 @@ void head(const char* text) {
 // "F, E, V, L, H"
 std::string menuLetters() {
   std::string out;
-  for (int menu = 0; menu < kMenus; ++menu) out += (menu ? ", " : "") + std::string(1, char(menuLetter(Menu(menu))));
+  for (int menu = 0; menu < kMenus; ++menu) out += (menu ? ", " : "") + std::string(1, menuLetter(Menu(menu)));
   return out;
 }
 

@@ -1,6 +1,7 @@
 #include "app/ui/widgets/key_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 #include <string>
