@@ -44,10 +44,18 @@ class NearbyBalls {
   /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
   std::uint64_t looked() const noexcept { return looked_; }
   void countFromZero() noexcept { looked_ = 0; }
+  /// A list goes on to serve: it reaches as much less far as the balls have grown.
   void setProbe(double probe_A) noexcept {
+    const double grown = probe_A - probe_;
     probe_ = probe_A;
-    reach_ = -1.0;
-    count_ = 0;
+    reach_ -= grown + kSpare_A;
+    if (!fits_ || !(reach_ > 0.0)) {
+      reach_ = -1.0;
+      count_ = 0;
+      return;
+    }
+    looked_ += count_;
+    for (std::size_t k = 0; k < count_; ++k) list_[k].radius = (*scene_)[std::size_t(list_[k].index)].radius_A + probe_;
   }
 
   NearBall ball(std::int32_t i) const noexcept { return inflated(i, (*scene_)[std::size_t(i)]); }
@@ -94,6 +102,8 @@ class NearbyBalls {
 
  private:
   static constexpr double kLeastReach_A = 1e-7;
+  static constexpr double kSpare_A =
+      1e-12;  // a reach that has been reckoned on by a change of the probe is off by less
 
   NearBall inflated(std::int32_t i, const Ball& b) const noexcept {
     return {b.centre_A - origin_, b.radius_A + probe_, i};

@@ -269,9 +269,9 @@ TEST_CASE(
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5 - 0.001));
   SafetyStage aged = ready();
-  aged.look({.position = {}, .age_s = 0.002f}, {});
+  aged.beginTick({.position = {}, .age_s = 0.002f}, {});
   CHECK(aged.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
-  aged.look({.position = {}, .age_s = std::nanf("")}, {});
+  aged.beginTick({.position = {}, .age_s = std::nanf("")}, {});
   CHECK(aged.stiffnessBound_N_per_mm() < 0.012);
   DeviceInfo coarse = omni();
   coarse.resolution_mm = 2.0;  // 2 x 0.26 N / 2 mm = 0.26 N/mm
