@@ -330,7 +330,7 @@ void runShortcuts(Application& app) {
 
 void runKeys(Application& app) {
   std::string letters;
-  for (int menu = 0; menu < kMenus; ++menu) letters += menuLabel(Menu(menu)).front();
+  for (int menu = 0; menu < kMenus; ++menu) letters += menuLetter(Menu(menu));
   leadByKeys(app.panels, letters);
   runShortcuts(app);
 }
