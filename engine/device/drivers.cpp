@@ -55,7 +55,7 @@ const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
 
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name) {
   if (const std::optional<FoundDevice> one = findDevice(name)) {
-    if (!one->usable) return Problem{"", 0, 0, trf("{0} cannot be used", one->title), one->why};
+    if (!one->usable) return Problem{"", 0, 0, trf("{0} cannot be used", tr(one->title.c_str())), one->why};
     return driverOf(name)->open(*one);
   }
   std::string names;

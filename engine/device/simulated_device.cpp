@@ -45,7 +45,7 @@ const DeviceDriver kSimulatedDriver{
     .name = "simulated",
     .sentence = N_("A simulated stylus in a hand that feels its way round the molecule: for demonstrations and tests."),
     .find =
-        [] { return std::vector{FoundDevice{.title = tr("Simulated stylus"), .usable = true, .gives_force = true}}; },
+        [] { return std::vector{FoundDevice{.title = N_("Simulated stylus"), .usable = true, .gives_force = true}}; },
     .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> {
       return std::unique_ptr<Device>(std::make_unique<SimulatedDevice>());
     },

@@ -23,7 +23,7 @@ std::string ownersOf(std::string_view key) {
   std::string owners;
   for (const TaskKind& kind : taskKinds())
     for (const KeySpec& k : kind.keys)
-      if (k.name == key && k.name != kind.name) owners += (owners.empty() ? "'" : ", '") + std::string(kind.name) + "'";
+      if (k.name == key && k.name != kind.name) owners += (owners.empty() ? "" : ", ") + trf("'{0}'", kind.name);
   return owners.empty() ? owners : trf("that key belongs to {0}", owners);
 }
 

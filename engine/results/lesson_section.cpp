@@ -134,20 +134,21 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
                                   {tr("Path,<br>Å")},
                                   {tr("Input"), true}});
   for (const PersonScore& p : lesson.people)
-    out += "<tr><td class=\"name\">" + escaped(p.person) +
-           (p.attempts > 1 ? "<br><span class=\"quiet small\">" +
-                                 trnf("{0} attempt", "{0} attempts", p.attempts, p.attempts) + "</span>"
-                           : "") +
-           "</td><td class=\"left\"><div class=\"doneCell\">" + bar(p.share(), true) + "<span>" + percent(p.share()) +
-           "</span></div></td><td class=\"left\">" +
-           (p.finished() ? std::string("<span class=\"tick\">✓</span> ") + tr("finished") : escaped(p.last_step)) +
-           "</td><td>" + duration(p.time_s) + "</td><td>" +
-           (p.answers.empty() ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answers.size())) +
-           "</td><td>" + std::to_string(p.hints) + "</td><td>" + number(p.touch_s, 0) + "</td><td>" +
-           number(p.peak_N, 2) + "</td><td>" + number(p.mean_N, 2) + "</td><td>" + number(p.path_A, 0) +
-           "</td><td class=\"left\">" + escaped(waysText(p)) +
-           (p.gives_force ? "<br><span class=\"quiet small nowrap\">" + escaped(p.device) + "</span>" : "") +
-           "</td></tr>";
+    out +=
+        "<tr><td class=\"name\">" + escaped(p.person) +
+        (p.attempts > 1 ? "<br><span class=\"quiet small\">" +
+                              trnf("{0} attempt", "{0} attempts", p.attempts, p.attempts) + "</span>"
+                        : "") +
+        "</td><td class=\"left\"><div class=\"doneCell\">" + bar(p.share(), true) + "<span>" + percent(p.share()) +
+        "</span></div></td><td class=\"left\">" +
+        (p.finished() ? std::string("<span class=\"tick\">✓</span> ") + tr("finished") : escaped(p.last_step)) +
+        "</td><td>" + duration(p.time_s) + "</td><td>" +
+        (p.answers.empty() ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answers.size())) +
+        "</td><td>" + std::to_string(p.hints) + "</td><td>" + number(p.touch_s, 0) + "</td><td>" + number(p.peak_N, 2) +
+        "</td><td>" + number(p.mean_N, 2) + "</td><td>" + number(p.path_A, 0) + "</td><td class=\"left\">" +
+        escaped(waysText(p)) +
+        (p.gives_force ? "<br><span class=\"quiet small nowrap\">" + escaped(tr(p.device.c_str())) + "</span>" : "") +
+        "</td></tr>";
   out += "</tbody></table></div>";
 }
 

@@ -11,8 +11,6 @@
 #include <string>
 #include <vector>
 
-#include "engine/language/catalogue.h"
-
 namespace fs = std::filesystem;
 
 namespace {

@@ -82,7 +82,7 @@ TEST_CASE("a key of another task, a misspelt one and a time for a length are tol
       "water\n```\n```touch\nreach: element O\nuntil: 1 N\nsay: S\n```\n");
   REQUIRE(read.errors.size() == 1);
   CHECK(read.errors[0].message == "der Block touch kennt „until“ nicht");
-  CHECK(read.errors[0].remedy == "dieser Schlüssel gehört zu 'press'");
+  CHECK(read.errors[0].remedy == "dieser Schlüssel gehört zu „press“");
 }
 
 TEST_CASE(

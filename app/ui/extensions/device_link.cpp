@@ -84,7 +84,7 @@ void DeviceLink::begin(Application& app) {
   // A name that no driver has any more is forgotten.
   if (!found && !findDevice(name.substr(0, name.find(':')))) return;
   awaited_ = name;
-  awaited_title_ = found ? found->title : name;
+  awaited_title_ = found ? tr(found->title.c_str()) : name;
   app.messages.notice(found && !found->why.empty()
                           ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, found->why)
                           : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));

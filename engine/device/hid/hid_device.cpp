@@ -182,7 +182,7 @@ DeviceStatus HidDevice::status() {
   status.connected = !gone_.load();
   if (!status.connected) {
     status.ready = false;
-    status.text = trf("{0} is unplugged: plug it in again.", info().name);
+    status.text = trf("{0} is unplugged: plug it in again.", tr(info().name.c_str()));
   } else if (const HidGuidance guidance = guidance_.read(); guidance.text) {
     status.ready = false;
     status.text = tr(guidance.text);
@@ -196,7 +196,7 @@ std::vector<FoundDevice> findHid(const HidKind& kind) {
   std::string strangers;
   for (const HidEntry& entry : listHid()) {
     if (!kind.is(entry)) continue;
-    FoundDevice one{.title = entry.title.empty() ? std::string(tr(kind.title)) : entry.title, .place = entry.path};
+    FoundDevice one{.title = entry.title.empty() ? std::string(kind.title) : entry.title, .place = entry.path};
     DeviceInfo info = kind.known;
     const auto port = openHid(entry);
     const auto protocol = kind.protocol();
@@ -215,7 +215,7 @@ std::vector<FoundDevice> findHid(const HidKind& kind) {
   }
   out.insert(out.end(), closed.begin(), closed.end());
   if (out.empty()) {
-    FoundDevice none{.title = std::string(tr(kind.title)), .gives_force = kind.known.gives_force};
+    FoundDevice none{.title = std::string(kind.title), .gives_force = kind.known.gives_force};
     none.why = tr("none is plugged in") + strangers;
     out.push_back(std::move(none));
   }
