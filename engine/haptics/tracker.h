@@ -48,6 +48,8 @@ struct MemoryUsage {
   std::size_t bytes = 0;           ///< all memory of the method beyond the list of balls itself (unit: byte)
 };
 
+class SphereFrame;
+
 class Tracker {
  public:
   virtual ~Tracker() = default;
@@ -61,6 +63,12 @@ class Tracker {
   /// Inflates every ball by `probe_A` (0 to kLargestProbe_A, clamped; non-finite is ignored). Allowed while
   /// touching: the SCP is carried along with the moving surface.
   virtual void setProbe(double probe_A) noexcept = 0;
+
+  /// Spheres that move: from now on they are the frame's, at its beginning; null: those that the tracker was made with.
+  /// The frame has as many and stays until another is set. False, with nothing changed, where the method cannot follow.
+  virtual bool setFrame(const SphereFrame*) noexcept { return false; }
+  /// The spheres go evenly to where they are at this share (0 to 1) of the frame, and the SCP with the surface.
+  virtual void moveTo(double /*share*/) noexcept {}
 
   virtual double probe_A() const noexcept = 0;
   virtual MemoryUsage memoryUsage() const noexcept = 0;

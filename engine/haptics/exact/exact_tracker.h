@@ -27,6 +27,8 @@ class ExactTracker final : public Tracker {
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
+  bool setFrame(const SphereFrame* frame) noexcept override;  // moving_spheres.cpp
+  void moveTo(double share) noexcept override;
   double probe_A() const noexcept override { return near_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 
@@ -82,7 +84,9 @@ class ExactTracker final : public Tracker {
   int thirdOf(const ActiveSet& set) const noexcept;
   void holdHere() noexcept;
   bool outsideAll() noexcept;
-  bool toFreePlace() noexcept;  // carry_surface.cpp
+  bool toFreePlace() noexcept;                                    // carry_surface.cpp
+  bool followsQuickly(const Vec3& hip, double moved_A) noexcept;  // moving_spheres.cpp
+  void trackSurface(const Vec3& hip) noexcept;
   void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
   Hit firstMet(const Vec3& to) noexcept;
@@ -96,7 +100,13 @@ class ExactTracker final : public Tracker {
   double contact_A_ = 0.0;  // a ball whose surface is no farther than this from the SCP is touched
   bool armed_ = false;      // has the HIP been outside since the start?
   bool behind_ = false;     // the last flow was cut short
-  bool may_sink_ = false;   // it has passed balls that are touched and do not hold
+  bool moved_ = false;  // the spheres have moved on from `seen_share_` of the frame, where the SCP was last brought out
+  double seen_share_ = 0.0;
+  // While spheres move: when the share was clear_share_, no ball but the holders was nearer to this place than
+  // clear_gap_.
+  Vec3 clear_from_{0.0};
+  double clear_gap_ = 0.0, clear_share_ = 0.0;
+  bool may_sink_ = false;  // it has passed balls that are touched and do not hold
   Feature feature_ = Feature::Free;
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
   std::array<Touch, kMostTouching> touching_;        // what the SCP touches, while it flows
