@@ -35,11 +35,17 @@ std::unique_ptr<Tracker> makeSasMesh(std::shared_ptr<const BallScene> scene, dou
 
 constexpr std::size_t kMostPrepared = 20'000;  // balls whose whole surface is modelled in seconds and some 100 MB
 
+// A method that cannot follow spheres that move.
+constexpr Method still(Method method) {
+  method.follows_motion = false;
+  return method;
+}
+
 constexpr std::array kMethods{
     Method{"exact", "the sphere tracker without error: the god-object on the union of balls", &make<ExactTracker>,
            "Exact"},
-    Method{"paper", "Algorithm 1 of Stocks and Laycock (2008) as published, its faults included", &make<PaperTracker>,
-           "Paper"},
+    still(Method{"paper", "Algorithm 1 of Stocks and Laycock (2008) as published, its faults included",
+                 &make<PaperTracker>, "Paper"}),
     Method{"mesh80", "a god-object on 80 triangles a ball", &makeMesh<80>, "Mesh", "80", "", 80},
     Method{"mesh320", "a god-object on 320 triangles a ball", &makeMesh<320>, "Mesh", "320", "", 320},
     Method{"mesh960", "a god-object on 960 triangles a ball, as many as in the paper", &makeMesh<960>, "Mesh", "960",
@@ -50,19 +56,23 @@ constexpr std::array kMethods{
            "Mesh", "960", "Smooth", 960},
     Method{"mesh960-tree", "the same on 960 triangles, the trees asked anew in every tick",
            &makeMesh<960, false, false>, "Mesh", "960", "No memory", 960},
-    Method{"grid02", "a signed-distance grid, smoothly interpolated, 0.2 A apart", &makeGrid<2>, "Grid", "0.2 Å"},
-    Method{"grid04", "a signed-distance grid, smoothly interpolated, 0.4 A apart", &makeGrid<4>, "Grid", "0.4 Å"},
-    Method{"grid08", "a signed-distance grid, smoothly interpolated, 0.8 A apart", &makeGrid<8>, "Grid", "0.8 Å"},
+    still(
+        Method{"grid02", "a signed-distance grid, smoothly interpolated, 0.2 A apart", &makeGrid<2>, "Grid", "0.2 Å"}),
+    still(
+        Method{"grid04", "a signed-distance grid, smoothly interpolated, 0.4 A apart", &makeGrid<4>, "Grid", "0.4 Å"}),
+    still(
+        Method{"grid08", "a signed-distance grid, smoothly interpolated, 0.8 A apart", &makeGrid<8>, "Grid", "0.8 Å"}),
     Method{"penalty", "the sum of each ball's push, without a proxy", &make<PenaltyTracker>, "Penalty"},
     // For the bench only:
-    Method{"grid02-ready", "the grid 0.2 A apart, made beforehand wherever the surface is", &makeGrid<2, true>, "Grid",
-           "0.2 Å", "Ready", 0, kMostPrepared},
-    Method{"grid04-ready", "the grid 0.4 A apart, made beforehand wherever the surface is", &makeGrid<4, true>, "Grid",
-           "0.4 Å", "Ready", 0, kMostPrepared},
-    Method{"sasmesh05", "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart",
-           &makeSasMesh<50>, "Surface mesh", "0.5 Å", "", 0, kMostPrepared, true},
-    Method{"sasmesh025", "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart",
-           &makeSasMesh<25>, "Surface mesh", "0.25 Å", "", 0, kMostPrepared, true},
+    still(Method{"grid02-ready", "the grid 0.2 A apart, made beforehand wherever the surface is", &makeGrid<2, true>,
+                 "Grid", "0.2 Å", "Ready", 0, kMostPrepared}),
+    still(Method{"grid04-ready", "the grid 0.4 A apart, made beforehand wherever the surface is", &makeGrid<4, true>,
+                 "Grid", "0.4 Å", "Ready", 0, kMostPrepared}),
+    still(Method{"sasmesh05", "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart",
+                 &makeSasMesh<50>, "Surface mesh", "0.5 Å", "", 0, kMostPrepared, true}),
+    still(Method{"sasmesh025",
+                 "a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart",
+                 &makeSasMesh<25>, "Surface mesh", "0.25 Å", "", 0, kMostPrepared, true}),
 };
 
 constexpr std::size_t kOffered =
