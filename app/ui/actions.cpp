@@ -292,8 +292,7 @@ void runShortcuts(Application& app) {
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
   // Escape first lets go of the molecule; only with a free hand does it lead away from it.
-  const bool hand_busy =
-      app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+  const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
   if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
 }
 

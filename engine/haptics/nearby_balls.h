@@ -48,10 +48,18 @@ class NearbyBalls {
   /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
   std::uint64_t looked() const noexcept { return looked_; }
   void countFromZero() noexcept { looked_ = 0; }
+  /// A list goes on to serve: it reaches as much less far as the balls have grown.
   void setProbe(double probe_A) noexcept {
+    const double grown = probe_A - probe_;
     probe_ = probe_A;
-    reach_ = -1.0;
-    count_ = 0;
+    reach_ -= grown + kSpare_A;
+    if (!fits_ || !(reach_ > 0.0)) {
+      reach_ = -1.0;
+      count_ = 0;
+      return;
+    }
+    looked_ += count_;
+    for (std::size_t k = 0; k < count_; ++k) list_[k].radius = ball(list_[k].index).radius;
   }
 
   /// From now on the spheres are those of the frame, at its beginning; null: the scene's own. The frame has as many as
@@ -143,6 +151,8 @@ class NearbyBalls {
 
  private:
   static constexpr double kLeastReach_A = 1e-7;
+  static constexpr double kSpare_A =
+      1e-12;  // a reach that has been reckoned on by a change of the probe is off by less
 
   // The list's spheres as they are at this share.
   void refresh() noexcept {

@@ -81,14 +81,14 @@ Problem faultOf(const Node& leaf, const Molecule& molecule) {
   };
   switch (leaf.kind) {
     case SelectionKind::Chain:
-      for (const Chain& c : molecule.chains) there.insert(c.name);
+      for (const Chain& c : molecule.chains) there.insert(c.name.string());
       return named("chain", "chains");
     case SelectionKind::Ligand:
       for (const Residue& r : molecule.residues)
-        if (r.kind == ResidueKind::Ligand) there.insert(r.name);
+        if (r.kind == ResidueKind::Ligand) there.insert(r.name.string());
       return name.empty() ? plain("a ligand" + not_in) : named("ligand", "ligands");
     case SelectionKind::Resname:
-      for (const Residue& r : molecule.residues) there.insert(r.name);
+      for (const Residue& r : molecule.residues) there.insert(r.name.string());
       return named("residue name", "names");
     case SelectionKind::Name:
       for (const Atom& a : molecule.atoms) there.emplace(a.name.data(), std::find(a.name.begin(), a.name.end(), '\0'));

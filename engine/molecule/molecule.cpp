@@ -20,11 +20,11 @@ std::string Molecule::describe(std::size_t index) const {
   const bool polymer = residue.kind == ResidueKind::AminoAcid || residue.kind == ResidueKind::Nucleotide;
   if (residue.atom_count == 1 && !polymer) {  // an ion or a noble gas: its element says more than two codes
     std::string name(element(atom.atomic_number).name);
-    return (name.empty() ? residue.name : name) + ' ' + std::to_string(residue.number);
+    return (name.empty() ? residue.name.string() : name) + ' ' + std::to_string(residue.number);
   }
   std::string out = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   out += " of ";
-  std::string name = residue.name;
+  std::string name = residue.name.string();
   // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.
   if (residue.kind == ResidueKind::AminoAcid)
     for (std::size_t i = 1; i < name.size(); ++i)
@@ -32,8 +32,8 @@ std::string Molecule::describe(std::size_t index) const {
   out += name.empty() ? "residue" : name;
   out += ' ' + std::to_string(residue.number);
   if (residue.insertion != ' ') out += residue.insertion;
-  const std::string& chain = chains[residue.chain].name;
-  if (!chain.empty()) out += " (chain " + chain + ')';
+  const std::string_view chain = chains[residue.chain].name;
+  if (!chain.empty()) out.append(" (chain ").append(chain) += ')';
   return out;
 }
 

@@ -11,6 +11,7 @@
 
 #include "app/ui/application.h"
 #include "app/ui/panels/method_chooser.h"
+#include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/sweep.h"
@@ -109,14 +110,14 @@ CardPictures::CardPictures() = default;
 CardPictures::~CardPictures() = default;
 
 ImTextureID CardPictures::find(const CardSubject& subject) {
-  if (subject.molecule.empty()) return nullptr;
+  if (subject.molecule.empty()) return {};
   const std::string key = look_ + subject.molecule.string() + '|' + sceneKey(subject.scene);
   auto [at, is_new] = cards_.try_emplace(key);
   if (is_new) {
     at->second = std::make_unique<Card>();
     queue_.emplace_back(key, subject);
   }
-  return reinterpret_cast<ImTextureID>(std::intptr_t(at->second->texture));
+  return textureOf(at->second->texture);
 }
 
 void CardPictures::afterPanels(Application& app) {

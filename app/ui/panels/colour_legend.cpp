@@ -35,7 +35,8 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
       ++of_element[std::min<std::size_t>(a.atomic_number, kElementCount)];
   }
   for (std::size_t k = 0; k < of_chain.size(); ++k)
-    if (of_chain[k]) chains.push_back({chainColour(std::uint32_t(k)), "chain " + molecule.chains[k].name, of_chain[k]});
+    if (of_chain[k])
+      chains.push_back({chainColour(std::uint32_t(k)), "chain " + molecule.chains[k].name.string(), of_chain[k]});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k])
       others.push_back({elementColour(std::uint8_t(k), elements), std::string(element(int(k)).name), of_element[k]});

@@ -5,12 +5,10 @@
 #include <cstdlib>
 #include <string>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
 #include "app/ui/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
@@ -114,10 +112,10 @@ void keys(Playback& playback) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!keysFree() || io.KeyCtrl || io.KeyAlt) return;
   constexpr double kStep_s = 5.0;
-  if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) playback.setRunning(!playback.running());
-  if (ImGui::IsKeyPressed(GLFW_KEY_LEFT, true))
+  if (ImGui::IsKeyPressed(ImGuiKey_Space, false)) playback.setRunning(!playback.running());
+  if (ImGui::IsKeyPressed(ImGuiKey_LeftArrow, true))
     io.KeyShift ? playback.seekMark(-1) : playback.seek(playback.at_s() - kStep_s);
-  if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true))
+  if (ImGui::IsKeyPressed(ImGuiKey_RightArrow, true))
     io.KeyShift ? playback.seekMark(1) : playback.seek(playback.at_s() + kStep_s);
 }
 

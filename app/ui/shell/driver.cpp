@@ -149,25 +149,25 @@ void Driver::type(std::string_view utf8) {
 }
 
 bool Driver::hold(std::string_view names) {
-  const std::vector<int> keys = keysNamed(names);
-  for (const int key : keys) shell_->input().key(key, true);
+  const std::vector<ImGuiKey> keys = keysNamed(names);
+  for (const ImGuiKey key : keys) shell_->input().key(key, true);
   frames(1);
   return !keys.empty();
 }
 
 bool Driver::letGo(std::string_view names) {
-  std::vector<int> keys = keysNamed(names);
+  std::vector<ImGuiKey> keys = keysNamed(names);
   std::reverse(keys.begin(), keys.end());
-  for (const int key : keys) shell_->input().key(key, false);
+  for (const ImGuiKey key : keys) shell_->input().key(key, false);
   frames(2);
   return !keys.empty();
 }
 
 bool Driver::tap(std::string_view names) {
-  std::vector<int> keys = keysNamed(names);
-  for (const int key : keys) shell_->input().key(key, true);
+  std::vector<ImGuiKey> keys = keysNamed(names);
+  for (const ImGuiKey key : keys) shell_->input().key(key, true);
   std::reverse(keys.begin(), keys.end());
-  for (const int key : keys) shell_->input().key(key, false);
+  for (const ImGuiKey key : keys) shell_->input().key(key, false);
   frames(2);
   return !keys.empty();
 }

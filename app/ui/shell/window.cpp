@@ -18,6 +18,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/user_folders.h"
 #include "app/ui/shell/frame_stats.h"
+#include "app/ui/shell/glfw_keys.h"
 #include "app/ui/shell/shell.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/interrupt.h"
@@ -65,7 +66,8 @@ void connect(GLFWwindow* window) {
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { linkOf(w).shell.input().wheel(x, y); });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-    if (key >= 0 && action != GLFW_REPEAT) linkOf(w).shell.input().key(key, action == GLFW_PRESS);
+    const ImGuiKey named = keyOfGlfw(key);
+    if (isKey(named) && action != GLFW_REPEAT) linkOf(w).shell.input().key(named, action == GLFW_PRESS);
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) { linkOf(w).shell.input().character(c); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {

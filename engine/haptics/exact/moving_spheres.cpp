@@ -49,7 +49,7 @@ void ExactTracker::trackSurface(const Vec3& hip) noexcept {
   const int pieces = moved_A > kPiece_A ? int(std::ceil(std::min(moved_A / kPiece_A, kMostMoves))) : 1;
   for (int k = 1; k <= pieces; ++k) {
     if (pieces > 1) near_.moveTo(k == pieces ? share : from + (share - from) * k / pieces);
-    if (toFreePlace()) continue;
+    if (toFreePlace() == Freed::Yes) continue;
     near_.moveTo(share);  // the place closed over the SCP: there is no surface left to be held by
     reset();
     return;

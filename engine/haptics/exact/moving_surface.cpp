@@ -12,6 +12,7 @@ namespace moltact {
 namespace {
 
 constexpr double kPiece_A = 0.05;  // the radius changes by no more at once, so that the SCP stays on its side of a wall
+constexpr double kLeastPiece_A = 1e-5;  // where not even so small a change leaves a free place, there is none
 constexpr double kSqueezed_A =
     0.5;  // out of a closing crease the SCP moves faster than the surface, but never through a wall
 constexpr std::size_t kMostHolding = 8;
@@ -20,9 +21,14 @@ constexpr std::size_t kMostHolding = 8;
 struct Balls {
   std::array<std::int32_t, kMostHolding> ball{};
   std::size_t count = 0;
+  bool more = false;  // there were more than fit
   void add(std::int32_t index) {
     const auto end = ball.begin() + std::ptrdiff_t(count);
-    if (count < kMostHolding && std::find(ball.begin(), end, index) == end) ball[count++] = index;
+    if (std::find(ball.begin(), end, index) != end) return;
+    if (count < kMostHolding)
+      ball[count++] = index;
+    else
+      more = true;
   }
 };
 
@@ -30,23 +36,46 @@ struct Balls {
 
 void ExactTracker::setProbe(double probe_A) noexcept {
   if (!std::isfinite(probe_A)) return;
-  const double wanted = std::clamp(probe_A, 0.0, kLargestProbe_A), had = near_.probe_A();
-  if (wanted == had) return;
-  const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kPiece_A));
-  for (int k = 1; k <= pieces; ++k) {
-    near_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
-    if (!armed_) continue;
-    if (!toFreePlace()) {  // the place closed over the SCP: there is no surface left to be held by
-      near_.setProbe(wanted);
-      reset();
-      return;
-    }
-  }
+  goal_A_ = std::clamp(probe_A, 0.0, kLargestProbe_A);
+  if (!swells_) step_A_ = kPiece_A;
+  swells_ = goal_A_ != near_.probe_A();
+  if (!swells_) return;
+  near_.countFromZero();
+  swell();
+  swelled_ = true;
 }
 
-// Brings the SCP to the nearest free place; false, with nothing changed, when there is none among the balls that close
-// in on it.
-bool ExactTracker::toFreePlace() noexcept {
+// Carries the SCP on toward the goal, step by step, until it is there or as much has been looked at as a tick may cost.
+void ExactTracker::swell() noexcept {
+  const std::uint64_t most = near_.looked() + kMostLooked;
+  do {
+    const double now = near_.probe_A();
+    if (!armed_ || goal_A_ < now) {
+      near_.setProbe(goal_A_);
+      if (armed_) toFreePlace();
+    } else {
+      // Among crowds a step is no longer than what is known round the SCP, so that the places it may go to are known
+      // too.
+      const double known = near_.each(scp_, kSqueezed_A, [](const NearBall&) {}),
+                   step = std::min(step_A_, std::max(0.25 * known, kLeastPiece_A));
+      near_.setProbe(std::min(goal_A_, now + step));
+      const Freed freed = toFreePlace();
+      if (freed == Freed::Yes) {
+        step_A_ = std::min(kPiece_A, 2.0 * step_A_);
+      } else if (freed == Freed::TooMany && step > kLeastPiece_A) {  // in a smaller step fewer close in on it
+        near_.setProbe(now);
+        step_A_ = std::max(kLeastPiece_A, 0.25 * step);
+      } else {  // the place closed over the SCP: there is no surface left to be held by
+        reset();
+      }
+    }
+    swells_ = near_.probe_A() != goal_A_;
+  } while (swells_ && near_.looked() < most);
+}
+
+// Brings the SCP to the nearest free place; with nothing changed when there is none among the balls that close in on
+// it.
+ExactTracker::Freed ExactTracker::toFreePlace() noexcept {
   const Vec3 was = scp_;
   const double sunk_A = 4.0 * contactAt(was);
   forgetSurroundings();
@@ -64,14 +93,15 @@ bool ExactTracker::toFreePlace() noexcept {
     });
     return any;
   };
+  const double known = near_.each(was, kSqueezed_A, [](const NearBall&) {});
   if (!inside(was)) {
     if (feature_ != Feature::Free) feature_ = Feature::Point;  // the next flow finds what it rests on
-    return true;
+    return Freed::Yes;
   }
 
   for (int round = 0; round < 4; ++round) {
     const Balls among = closing_in;
-    double best2 = kSqueezed_A * kSqueezed_A;
+    double best2 = std::pow(std::min(kSqueezed_A, known), 2);
     bool found = false;
     const auto offer = [&](const Vec3& p, std::int32_t a, std::int32_t b, std::int32_t c) {
       const Vec3 way = p - was;
@@ -103,11 +133,11 @@ bool ExactTracker::toFreePlace() noexcept {
     }
     if (found) {
       feature_ = Feature::Point;  // the next flow finds which of them hold it
-      return true;
+      return Freed::Yes;
     }
     if (closing_in.count == among.count) break;
   }
-  return false;
+  return closing_in.more ? Freed::TooMany : Freed::No;
 }
 
 }  // namespace moltact
