@@ -4,23 +4,25 @@
 #include <array>
 #include <string>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
 constexpr std::array kShapes{
-    ShapeName{Shape::Atoms, "atoms", "the atoms as balls of their van der Waals radii", false},
-    ShapeName{Shape::Spheres, "spheres", "the atoms' spheres inflated by the probe, which the hand feels", true},
-    ShapeName{Shape::Circles, "circles", "circles where two inflated spheres meet", true},
-    ShapeName{Shape::Points, "points", "points where three inflated spheres meet", true},
-    ShapeName{Shape::Cones, "cones", "the two cones that share the circle in use, with the atoms' centres as apexes",
-              true},
-    ShapeName{Shape::Facets, "facets", "the triangles round the contact, while a method that feels triangles is in use",
-              true},
-    ShapeName{Shape::Hip, "hip", "the haptic interface point: where the hand is", true},
-    ShapeName{Shape::Scp, "scp", "the surface contact point: the hand's proxy on the surface", true},
-    ShapeName{Shape::Force, "force", "an arrow for the force on the hand", false},
-    ShapeName{Shape::Probe, "probe", "the probe: a water molecule in its sphere", false},
-    ShapeName{Shape::Target, "target", "what a task asks for: places to reach and marked atoms", false},
+    ShapeName{Shape::Atoms, "atoms", N_("the atoms as balls of their van der Waals radii"), false},
+    ShapeName{Shape::Spheres, "spheres", N_("the atoms' spheres inflated by the probe, which the hand feels"), true},
+    ShapeName{Shape::Circles, "circles", N_("circles where two inflated spheres meet"), true},
+    ShapeName{Shape::Points, "points", N_("points where three inflated spheres meet"), true},
+    ShapeName{Shape::Cones, "cones",
+              N_("the two cones that share the circle in use, with the atoms' centres as apexes"), true},
+    ShapeName{Shape::Facets, "facets",
+              N_("the triangles round the contact, while a method that feels triangles is in use"), true},
+    ShapeName{Shape::Hip, "hip", N_("the haptic interface point: where the hand is"), true},
+    ShapeName{Shape::Scp, "scp", N_("the surface contact point: the hand's proxy on the surface"), true},
+    ShapeName{Shape::Force, "force", N_("an arrow for the force on the hand"), false},
+    ShapeName{Shape::Probe, "probe", N_("the probe: a water molecule in its sphere"), false},
+    ShapeName{Shape::Target, "target", N_("what a task asks for: places to reach and marked atoms"), false},
 };
 
 constexpr Colour hex(std::uint32_t rgb) {
@@ -47,10 +49,10 @@ Expected<ShapeSet> parseShapes(std::string_view names) {
       }
     if (known) continue;
     std::string list;
-    for (const ShapeName& s : kShapes) list += std::string(s.name) + ", ";
+    for (const ShapeName& s : kShapes) list += (list.empty() ? "" : ", ") + std::string(s.name);
     return Problem{.file = {},
-                   .message = "there is no shape named '" + std::string(name) + "'",
-                   .remedy = "the names are " + list + "and the groups haptic, all and none"};
+                   .message = trf("there is no shape named '{0}'", name),
+                   .remedy = trf("the names are {0}, and the groups haptic, all and none", list)};
   }
   return set;
 }
@@ -81,26 +83,6 @@ Theme lightTheme() {
           .target = hex(0xE07A00),
           .wire_strength = 1.25f,
           .fade = 0.42f};
-}
-
-bool sameView(const ViewScene& a, const ViewScene& b) {
-  if (a.blank && b.blank) return true;
-  const auto samePlace = [](const std::optional<PointA>& p, const std::optional<PointA>& q) {
-    return p.has_value() == q.has_value() && (!p || p->A == q->A);
-  };
-  const auto sameContact = [](const Contact& p, const Contact& q) {
-    return p.touching() == q.touching() && p.scp.A == q.scp.A && p.atoms == q.atoms;
-  };
-  const auto sameTarget = [](const TargetMarker& p, const TargetMarker& q) {
-    return p.centre.A == q.centre.A && p.radius_A == q.radius_A && p.reached == q.reached;
-  };
-  return a.blank == b.blank && a.molecule == b.molecule && a.camera == b.camera && a.shown == b.shown &&
-         a.theme == b.theme && a.elements == b.elements && a.colour_by == b.colour_by && samePlace(a.hip, b.hip) &&
-         sameContact(a.contact, b.contact) && a.force_N == b.force_N && a.probe_A == b.probe_A &&
-         a.arrow_A_per_N == b.arrow_A_per_N && a.haptic_atoms == b.haptic_atoms &&
-         a.haptic_atoms_at_most == b.haptic_atoms_at_most && a.facets == b.facets && a.water == b.water &&
-         a.hand == b.hand && a.left_hand == b.left_hand && a.highlighted == b.highlighted &&
-         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), sameTarget);
 }
 
 }  // namespace moltact

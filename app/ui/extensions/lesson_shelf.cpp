@@ -5,9 +5,10 @@
 #include <system_error>
 #include <tuple>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/files/library.h"
 #include "app/ui/files/user_folders.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/reader.h"
 
 namespace moltact {
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 int levelRank(const std::string& level) {
-  static constexpr std::array<std::string_view, 3> kLevels{"beginner", "intermediate", "advanced"};
+  static constexpr std::array<std::string_view, 3> kLevels{N_("beginner"), N_("intermediate"), N_("advanced")};
   const auto known = std::find(kLevels.begin(), kLevels.end(), level);
   return int(known - kLevels.begin());
 }
@@ -25,7 +26,7 @@ void read(LessonCard& card) {
   card.read = true;
   LessonReading reading = readLesson(card.file);
   if (!reading.lesson) {
-    card.fault = reading.errors.empty() ? "This is not a lesson." : reading.errors.front().text();
+    card.fault = reading.errors.empty() ? tr("This is not a lesson.") : reading.errors.front().text();
     return;
   }
   const Lesson& lesson = *reading.lesson;
@@ -33,18 +34,19 @@ void read(LessonCard& card) {
   card.level = lesson.level;
   card.minutes = lesson.minutes;
   card.scene = lesson.steps.front().scene;
-  if (Expected<fs::path> file = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(file);
+  if (Expected<MoleculeKey> key = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(key);
 }
 
 }  // namespace
 
-fs::path lessonFolderOf(const Application& app) {
-  return app.settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(app.settings.lesson_folder);
+fs::path lessonFolderOf(const Settings& settings) {
+  return settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(settings.lesson_folder);
 }
 
 void LessonShelf::list(const Application& app) {
   cards_.clear();
   next_ = 0;
+  listed_in_ = language();
   const auto add = [this](const std::vector<LibraryItem>& items, bool own) {
     for (const LibraryItem& item : items) {
       LessonCard& card = cards_.emplace_back();
@@ -55,7 +57,7 @@ void LessonShelf::list(const Application& app) {
     }
   };
   add(lessons(), false);
-  if (const fs::path own = lessonFolderOf(app); !own.empty()) add(lessonItems(own), true);
+  if (const fs::path own = lessonFolderOf(app.settings); !own.empty()) add(lessonItems(own), true);
   if (app.options().attempts_folder.empty()) return;
   for (LessonProgress& p : readProgress(app.options().attempts_folder))
     for (LessonCard& card : cards_)
@@ -70,9 +72,9 @@ const LessonCard* LessonShelf::latest() const {
 }
 
 void LessonShelf::afterPanels(Application& app) {
-  const bool opened = app.panels.welcome && !open_;
+  const bool opened = app.panels.welcome && !open_, other_language = listed_in_ != language();
   open_ = app.panels.welcome;
-  if (opened) list(app);
+  if (opened || (open_ && other_language)) list(app);
   if (!open_ || next_ >= cards_.size()) return;
   read(cards_[next_++]);
   if (next_ < cards_.size()) return;

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
+#include "app/ui/files/settings.h"
 #include "engine/lesson/lesson.h"
 #include "engine/results/progress.h"
 
@@ -15,7 +16,7 @@ namespace moltact {
 
 struct LessonCard {
   std::filesystem::path file;
-  std::string id;     ///< the file's name without its ending
+  std::string id;     ///< the file's name without its ending and language
   std::string title;  ///< the file's name until it has been read
   std::string level;  ///< as the author wrote it; may be empty
   int minutes = 0;    ///< 0: not told
@@ -23,13 +24,13 @@ struct LessonCard {
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can
   std::optional<SceneSpec> scene;          ///< of its first step
-  std::filesystem::path molecule;          ///< the scene's file; empty where it is not found
+  MoleculeKey molecule;                    ///< the scene's; empty where its file is not found
   std::optional<LessonProgress> progress;  ///< none: never begun
 };
 
 class LessonShelf : public Extension {
  public:
-  /// The program's lessons, by level, then the person's own, by title.
+  /// The program's lessons, by level, then the person's own, by title; each in the language in use where it has it.
   const std::vector<LessonCard>& cards() const { return cards_; }
   /// The lesson to go on with: the one touched last, where it was not finished. Null without one.
   const LessonCard* latest() const;
@@ -42,11 +43,12 @@ class LessonShelf : public Extension {
   void list(const Application& app);
 
   std::vector<LessonCard> cards_;
-  std::size_t next_ = 0;  // the card to be read
-  bool open_ = false;     // the page was open in the last frame
+  std::size_t next_ = 0;   // the card to be read
+  std::string listed_in_;  // the language
+  bool open_ = false;      // the page was open in the last frame
 };
 
 /// Where the person's own lessons are looked for: the folder of the settings, else ownLessonsFolder().
-std::filesystem::path lessonFolderOf(const Application& app);
+std::filesystem::path lessonFolderOf(const Settings& settings);
 
 }  // namespace moltact

@@ -4,7 +4,8 @@
 #include <chrono>
 #include <system_error>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 
 namespace moltact {
@@ -15,10 +16,10 @@ namespace fs = std::filesystem;
 constexpr double kPoll_s = 0.25;
 constexpr double kGone_s = 3.0;       // editors that save by way of another file leave none for a moment
 constexpr double kLookAgain_s = 2.0;  // a picture or molecule that was missing may have been put there
-constexpr const char* kSaveAgain = "save it again, or open another lesson";
+constexpr const char* kSaveAgain = N_("save it again, or open another lesson");
 
 LessonCheck checkNow(const std::string& name, const std::string& bytes, LessonMolecules& molecules) {
-  return checkLesson(name, bytes, [&](const std::string& molecule) { return molecules.find(name, molecule); });
+  return checkLesson(name, bytes, [&](const NamedMolecule& molecule) { return molecules.find(name, molecule); });
 }
 
 }  // namespace
@@ -34,7 +35,7 @@ LessonWatch::Look LessonWatch::lookAt(const fs::path& file) {
   return look;
 }
 
-bool LessonWatch::shown(const Application& app) const { return app.lesson.session() && app.lesson.file() == file_; }
+bool LessonWatch::shown(const LessonGuide& lesson) const { return lesson.session() && lesson.file() == file_; }
 
 void LessonWatch::watch(const fs::path& file) {
   file_ = file;
@@ -53,12 +54,12 @@ void LessonWatch::lessonChanged(Application& app) {
   begin(app);
 }
 
-void LessonWatch::refused(Application& app, const fs::path& file) {
+void LessonWatch::lessonRefused(Application& app, const fs::path& file) {
   watch(file);
   // What is wrong with a file that a person has just chosen is told at once.
   const Expected<std::string> bytes = readLessonFile(file);
   if (bytes && !bytes->empty()) return begin(app);
-  list({{}, {bytes ? Problem{file.string(), 0, 0, "the file is empty", kSaveAgain} : bytes.problem()}, {}});
+  list({{}, {bytes ? Problem{file.string(), 0, 0, tr("the file is empty"), tr(kSaveAgain)} : bytes.problem()}, {}});
   read_ = seen_;
 }
 
@@ -83,7 +84,9 @@ void LessonWatch::poll(Application& app) {
     unreadable_s_ += kPoll_s;
     if (unreadable_s_ < kGone_s || now == read_) return;
     read_ = now;
-    list({{}, {{file_.string(), 0, 0, now.there ? "the file is empty" : "the file is gone", kSaveAgain}}, {}});
+    list({{},
+          {{file_.string(), 0, 0, now.there ? tr("the file is empty") : tr("the file is gone"), tr(kSaveAgain)}},
+          {}});
     return;
   }
   unreadable_s_ = 0.0;
@@ -114,7 +117,7 @@ void LessonWatch::begin(Application& app) {
 }
 
 void LessonWatch::takeUp(Application& app, LessonCheck check) {
-  const bool is_shown = shown(app), first = is_shown && bytes_.empty() && !changed_;
+  const bool is_shown = shown(app.lesson), first = is_shown && bytes_.empty() && !changed_;
   if (first) {
     // The lesson that has just been opened: it is the text on the screen, whatever is wrong with it.
     bytes_ = pending_bytes_;
@@ -136,7 +139,7 @@ void LessonWatch::takeUp(Application& app, LessonCheck check) {
   app.lesson.replace(*std::move(check.lesson));
   own_opening_ = app.lesson.openings();
   app.scene.startSoftly();
-  app.messages.notice("Read again: " + file_.filename().string());
+  app.messages.notice(trf("Read again: {0}", file_.filename().string()));
 }
 
 void LessonWatch::list(const LessonCheck& check) {

@@ -7,15 +7,19 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "app/ui/scene/state_line.h"
 #include "engine/core/problem.h"
 #include "engine/platform/append_file.h"
 
 namespace moltact {
 
+class TaskStager;
+
 class StateText : public Extension {
  public:
+  explicit StateText(const TaskStager& stager) : stager_(stager) {}
+
   /// From now on lines go to this file, which is begun anew, or to standard output for "-": the step, what its task
   /// asks for, what is touched. Returns what went wrong, or nothing.
   std::optional<Problem> writeTo(const std::filesystem::path& file);
@@ -26,13 +30,17 @@ class StateText : public Extension {
 
   /// What is touched, renewed at a pace that can be read.
   const std::string& line() const { return reading_.text(); }
+  /// line() tells of a contact, and not that there is none or why.
+  bool tellsContact() const { return tells_contact_; }
 
  private:
+  const TaskStager& stager_;  // in the dark no atom is named
   void write(const std::string& line);
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
   std::optional<AppendFile> file_;
   bool to_terminal_ = false;
+  bool tells_contact_ = false;
   bool owing_ = false;  // there is news that has not been told
 };
 

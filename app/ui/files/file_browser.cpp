@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/ui/extensions/hand_recorder.h"
-#include "app/ui/extensions/playback.h"
-#include "app/ui/lesson/lesson_guide.h"
-#include "app/ui/scene/loader.h"
+#include "app/ui/files/file_kinds.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -17,7 +15,7 @@ void FileBrowser::look(const fs::path& where) {
   const fs::path whole = fs::weakly_canonical(where, error);
   fs::directory_iterator it(whole, fs::directory_options::skip_permission_denied, error);
   if (error) {
-    fault_text_ = "The folder " + where.string() + " cannot be read: " + error.message() + ".";
+    fault_text_ = trf("The folder {0} cannot be read: {1}.", where.string(), error.message());
     return;
   }
   fault_text_.clear();
@@ -29,9 +27,7 @@ void FileBrowser::look(const fs::path& where) {
     const std::string name = it->path().filename().string();
     if (name.starts_with('.')) continue;
     const bool is_folder = it->is_directory(ignored);
-    const bool wanted = accept_ ? accept_(it->path())
-                                : looksLikeMolecule(it->path()) || looksLikeLesson(it->path()) ||
-                                      looksLikeAttempt(it->path()) || looksLikeRecording(it->path());
+    const bool wanted = accept_ ? accept_(it->path()) : fileKind(it->path()).has_value();
     if (is_folder || wanted) entries_.push_back({name, is_folder});
   }
   std::sort(entries_.begin(), entries_.end(),

@@ -8,13 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "app/ui/widgets/theme_choice.h"
+#include "engine/language/quantity_text.h"
+#include "engine/render/atom_style.h"
+
 namespace moltact {
-
-enum class ThemeChoice { Light, Dark, HighContrast };
-
-/// "light", "dark", "high-contrast".
-std::string_view themeName(ThemeChoice theme);
-std::optional<ThemeChoice> themeNamed(std::string_view name);
 
 /// What stands where the probe and the hand are: the probe as a water molecule or as a plain ball, or a model at the
 /// HIP too.
@@ -33,8 +31,9 @@ struct Settings {
   bool legend = true;              ///< colours that are not the customary ones are named in the view
   bool colour_blind_safe = false;  ///< atoms in colours that every kind of colour vision tells apart
   bool left_handed = false;        ///< over the molecule the right button pushes and the left one turns
-  bool decimal_comma = false;      ///< numbers as "1,4" and not as "1.4"
-  std::string lesson_folder;       ///< where the person's own lessons are; empty: ownLessonsFolder()
+  std::string language;            ///< "de"; empty: the system's
+  DecimalSign decimal_sign = DecimalSign::OfLanguage;  ///< of every number that is shown
+  std::string lesson_folder;        ///< where the person's own lessons are; empty: ownLessonsFolder()
   std::vector<std::string> recent;  ///< files opened last, newest first, at most kRecent
   static constexpr std::size_t kRecent = 8;
 
@@ -47,6 +46,11 @@ struct Settings {
   void remember(const std::filesystem::path& file);
   friend bool operator==(const Settings&, const Settings&) = default;
 };
+
+/// The colours of the atoms that a person prefers.
+inline ElementColours elementColoursOf(const Settings& s) {
+  return s.colour_blind_safe ? ElementColours::ColourBlindSafe : ElementColours::Customary;
+}
 
 /// Settings and, where the file could not be used, why (one sentence; the defaults stand in for what is not sound).
 struct LoadedSettings {

@@ -5,24 +5,20 @@
 #include <cstdlib>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
-
-std::string clockText(double t_s) {
-  char text[24];
-  const int whole = wholeOf<int>(t_s);
-  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, std::abs(whole % 60));
-  return text;
-}
 
 ImU32 colourOf(TimelineMark::Kind kind) {
   const Palette& p = look().palette;
@@ -84,7 +80,8 @@ void drawScrubber(Playback& playback, float width) {
       }
     const double t_s = length_s * double(std::clamp((pointer - from) / (to - from), 0.0f, 1.0f));
     if (ImGui::IsItemActive()) playback.seek(near && ImGui::IsMouseClicked(0) ? near->t_s : t_s);
-    ImGui::SetTooltip("%s", ((near ? near->text + "  " : "") + clockText(near ? near->t_s : t_s)).c_str());
+    ImGui::SetTooltip("%s",
+                      ((near ? near->text + "  " : "") + clockText(wholeOf<int>(near ? near->t_s : t_s))).c_str());
   }
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float bar = l.px(3);
@@ -95,14 +92,13 @@ void drawScrubber(Playback& playback, float width) {
   const float x = place(playback.at_s());
   draw->AddCircleFilled({x, middle}, l.px(8), l.palette.accent, 28);
   draw->AddCircleFilled({x, middle}, l.px(3.5f), l.palette.panel, 20);
-  recordRectangle("playback/bar", {low.x, low.y}, {end.x, end.y}, clockText(playback.at_s()));
+  recordRectangle("playback/bar", {low.x, low.y}, {end.x, end.y}, clockText(wholeOf<int>(playback.at_s())));
 }
 
 void drawSpeed(Playback& playback) {
   static constexpr double kSpeeds[] = {0.5, 1.0, 2.0, 4.0, 8.0};
-  char text[16];
-  std::snprintf(text, sizeof text, "%g ×", playback.speed);
-  if (!button("playback/speed", text, ButtonLook::Plain, look().tx(58))) return;
+  const std::string text = numberText(playback.speed) + " ×";
+  if (!button("playback/speed", text.c_str(), ButtonLook::Plain, look().tx(58))) return;
   const double* after =
       std::find_if(std::begin(kSpeeds), std::end(kSpeeds), [&](double s) { return s > playback.speed + 1e-9; });
   playback.speed = after == std::end(kSpeeds) ? kSpeeds[0] : *after;
@@ -145,12 +141,14 @@ void drawPlaybackBar(Application& app) {
   keys(playback);
 
   const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  if (button("playback/play", playback.running() ? "Pause" : "Play", ButtonLook::Primary, l.tx(72)))
+  if (button("playback/play", playback.running() ? tr("Pause") : tr("Play"), ButtonLook::Primary, l.tx(72)))
     playback.setRunning(!playback.running());
-  tip("Space; arrows left and right by 5 s, with Shift from mark to mark");
+  tip(trf("Space; arrows left and right by {0}, with Shift from mark to mark",
+          quantityText(5, Dimension::Time, decimals(0)))
+          .c_str());
   ImGui::SameLine();
-  const std::string length = clockText(playback.timeline().length_s()),
-                    time = clockText(playback.at_s()) + " / " + length;
+  const std::string length = clockText(wholeOf<int>(playback.timeline().length_s())),
+                    time = clockText(wholeOf<int>(playback.at_s())) + " / " + length;
   // Where there is little room the time stands before the words.
   const bool wide = whole > l.tx(430);
   const float time_w = wide ? ImGui::CalcTextSize((length + " / " + length).c_str()).x + l.px(6) + gap : 0.0f;
@@ -181,17 +179,18 @@ void drawPlaybackBar(Application& app) {
     ImGui::SetCursorPosY(row);
   }
   if (roomy) {
-    if (button("playback/follow", playback.follows_view ? "View as it was" : "View is yours", ButtonLook::Plain,
+    if (button("playback/follow", playback.follows_view ? tr("View as it was") : tr("View is yours"), ButtonLook::Plain,
                l.tx(128)))
       playback.follows_view = !playback.follows_view;
-    tip("Whether the molecule turns as the student turned it, or only as you do");
+    tip(tr("Whether the molecule turns as the student turned it, or only as you do"));
     ImGui::SameLine();
-    if (button("playback/rests", playback.skips_rests ? "Rests left out" : "Rests shown", ButtonLook::Plain, l.tx(124)))
+    if (button("playback/rests", playback.skips_rests ? tr("Rests left out") : tr("Rests shown"), ButtonLook::Plain,
+               l.tx(124)))
       playback.skips_rests = !playback.skips_rests;
-    tip("Times when the hand lay still for more than 3 s");
+    tip(trf("Times when the hand lay still for more than {0}", quantityText(3, Dimension::Time, decimals(0))).c_str());
     ImGui::SameLine();
   }
-  const bool close = button("playback/close", "Close", ButtonLook::Plain, close_w);
+  const bool close = button("playback/close", tr("Close"), ButtonLook::Plain, close_w);
   endPanel();
   if (close) playback.close(app);
 }

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/ui/files/settings.h"
+#include "app/ui/widgets/theme_choice.h"
 #include "engine/render/view_scene.h"
 
 namespace moltact {
@@ -41,13 +41,14 @@ struct Look {
   Theme viewTheme() const;
 };
 
-/// The colours of the atoms that a person prefers.
-inline ElementColours elementColoursOf(const Settings& s) {
-  return s.colour_blind_safe ? ElementColours::ColourBlindSafe : ElementColours::Customary;
-}
-
 /// The look of the current frame.
 const Look& look();
+
+/// Has the signs of a text loaded, where the fonts hold them, before the next frame: of other scripts than those that
+/// are always there. Cheap for what is.
+void wantSigns(std::string_view utf8);
+/// Whether there are signs that applyLook() is to load.
+bool signsWanted();
 
 /// Sets ImGui's style for a theme, a scale and a size of letters; loads the fonts anew when these have changed.
 /// Returns what could not be loaded (empty: all well); the built-in font stands in.

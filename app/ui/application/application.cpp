@@ -1,0 +1,235 @@
+#include "app/ui/application/application.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "app/ui/scene/view_picture.h"
+#include "app/ui/widgets/theme.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+#include "engine/molecule/catalogue.h"
+#include "engine/platform/use_language.h"
+
+namespace moltact {
+
+Application::Application(ApplicationOptions given, ApplicationParts parts)
+    : scene(given.clock),
+      options_(std::move(given)),
+      picture_(std::make_unique<ViewPicture>()),
+      extensions_(std::move(parts.extensions)),
+      keys_(parts.keys),
+      panels_(parts.panels) {
+  scene.shown = lesson.shapes();
+  std::string fault;
+  if (!options_.settings_file.empty()) {
+    LoadedSettings loaded = loadSettings(options_.settings_file);
+    settings = std::move(loaded.settings);
+    fault = std::move(loaded.fault);
+  }
+  speak();
+  if (!fault.empty()) messages.warning(fault);
+  for (Extension* e : extensions_->all()) e->atStart(*this);
+}
+
+Application::~Application() { end(); }
+
+void Application::speak() {
+  setDecimalSign(settings.decimal_sign);
+  if (spoken_ == settings.language) return;
+  // What was asked for at the start holds until the person chooses another.
+  std::string wanted = settings.language;
+  if (!spoken_ && !options_.language.empty()) wanted = options_.language;
+  if (!spoken_ && options_.language.empty() && !languageOfEnvironment().empty()) wanted = {};
+  spoken_ = settings.language;
+  if (const auto problem = useLanguage(wanted)) messages.warning(problem->text());
+}
+
+void Application::end() {
+  if (std::exchange(ended_, true)) return;
+  scene.servo().endForce();
+  for (Extension* e : extensions_->all()) e->atEnd(*this);
+}
+
+void Application::open(const std::filesystem::path& file) {
+  // A name without an ending may be one of the library.
+  const FileKind kind = fileKind(file).value_or(FileKind::Molecule);
+  for (Extension* e : extensions_->all()) e->beforeOpening(*this, kind);
+  for (Extension* e : extensions_->all())
+    if (e->open(*this, kind, file)) return;
+  if (kind == FileKind::Lesson) return openLesson(file);
+  const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
+  if (!found) {
+    messages.error(found.problem().text());
+    panels.welcome = panels.welcome || !hasWork();
+    return;
+  }
+  step_scene_ = false;
+  loader_.begin({*found});
+  if (options_.clock == ServoClock::Frames) finishLoading();
+}
+
+void Application::openLesson(const std::filesystem::path& file) {
+  if (!lesson.open(file)) {
+    for (Extension* e : extensions_->all()) e->lessonRefused(*this, file);
+    panels.welcome = panels.welcome || !hasWork();
+    return;
+  }
+  messages.clearErrors();
+  settings.remember(file);
+  panels.lesson = panels.lesson_first = true;
+  panels.welcome = false;
+  enterScene();
+}
+
+void Application::drop(const std::vector<std::filesystem::path>& dropped) {
+  if (dropped.empty()) return;
+  open(dropped.front());
+  if (dropped.size() > 1) messages.notice(trf("Of {0} files the first was opened.", dropped.size()));
+}
+
+void Application::showMolecule(const MoleculeKey& key) {
+  step_scene_ = true;
+  loader_.begin(key);
+  if (options_.clock == ServoClock::Frames) finishLoading();
+}
+
+void Application::enterScene() {
+  tellSteps();
+  const SceneSpec* spec = lesson.takeNewScene();
+  if (!spec) return;
+  panels.hints = false;
+  scene.servo_settings.probe_A = spec->probe_A;
+  scene.servo_settings.stiffness_N_per_mm = spec->stiffness_N_per_mm;
+  scene.servo_settings.force_on = spec->force;
+  if (findMethod(spec->method) && spec->method != scene.method()) scene.useMethod(spec->method);
+  scene.shown = lesson.shapes();
+  scene.colour_by = colourBy(*spec);
+  panels.follow(spec->panels);
+  if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
+  const Expected<MoleculeKey> molecule = lesson.molecule();
+  if (!molecule) {
+    messages.error(molecule.problem().text());
+    return;
+  }
+  if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
+    scene.setRegion(lesson.region());
+    beginSceneAgain();
+    return;
+  }
+  showMolecule(*molecule);
+}
+
+void Application::beginSceneAgain(std::optional<PointA> before) {
+  if (before)
+    scene.beginAgainAt(*before);
+  else
+    scene.beginAgain(facing());
+  for (Extension* e : extensions_->all()) e->sceneChanged(*this);
+}
+
+void Application::tellSteps() {
+  if (!lesson.session()) return;
+  const bool opened = told_opening_ != lesson.openings(), moved = told_step_ != lesson.session()->stepIndex();
+  told_opening_ = lesson.openings();
+  told_step_ = lesson.session()->stepIndex();
+  if (opened)
+    for (Extension* e : extensions_->all()) e->lessonChanged(*this);
+  if (opened || moved)
+    for (Extension* e : extensions_->all()) e->stepChanged(*this);
+}
+
+void Application::finishLoading() {
+  if (std::optional<Loaded> loaded = loader_.wait()) takeUp(std::move(*loaded));
+}
+
+void Application::takeUp(Loaded loaded) {
+  const bool from_step = std::exchange(step_scene_, false);
+  if (!loaded.stage) {
+    messages.error(loaded.stage.problem().text());
+    panels.welcome = panels.welcome || !hasWork();
+    return;
+  }
+  messages.clearErrors();
+  // A lesson's author knows what the file leaves out.
+  if (!from_step) {
+    for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
+    settings.remember(loaded.key.file);
+  }
+  panels.welcome = false;
+  lesson.meet(loaded.stage->molecule, loaded.key);
+  scene.setRegion(lesson.region());
+  scene.show(*std::move(loaded.stage), loaded.key, facing());
+  for (Extension* e : extensions_->all()) e->sceneChanged(*this);
+}
+
+TouchScene::Facing Application::facing() const {
+  return [this](Camera& camera, const Molecule& molecule) { lesson.face(camera, molecule); };
+}
+
+void Application::resetView() { scene.resetView(facing()); }
+
+void Application::resetViewByHand() {
+  const Camera seen = scene.camera;
+  resetView();
+  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
+}
+
+void Application::askForPictureAs() {
+  file_dialog.ask({.title = tr("Save the view as a picture"),
+                   .name = freePictureName(options_.picture_folder).filename().string(),
+                   .ending = ".png",
+                   .chosen = [this](const std::filesystem::path& file) { askForPicture(file); }},
+                  options_.picture_folder);
+}
+
+void Application::layPanelsOut(glm::vec2 window_px) {
+  layout_ = layOut(
+      {.window = window_px,
+       .scale = look().scale * look().text,
+       .lesson = panels.lesson && lesson.session() && std::ranges::none_of(extensions_->all(), &Extension::hidesLesson),
+       .touch = panels.touch,
+       .page = panels.welcome,
+       .lesson_width = float(settings.lesson_width),
+       .touch_width = float(settings.touch_width),
+       .strip_height = extensions_->stripHeight()},
+      panels.lesson_first);
+  if (panels.welcome) return;
+  const glm::vec2 view = layout_.view.size();
+  scene.setViewAspect(view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  // The first picture of a scene is fitted to the view as it really is.
+  if (aspect_guessed_ && scene.stage()) {
+    aspect_guessed_ = false;
+    resetView();
+  }
+}
+
+void Application::frame(double dt_s, glm::vec2 window_px) {
+  dt_s_ = dt_s;
+  now_s_ += dt_s;
+  if (std::optional<Loaded> loaded = loader_.take()) takeUp(std::move(*loaded));
+  loading_s_ = loader_.busy() ? loading_s_ + dt_s : 0.0;
+  const std::span<Extension* const> extensions = extensions_->all();
+  for (Extension* e : extensions) e->beforeTicks(*this);
+  scene.rest(panels.welcome);
+  const FeltTicks felt = scene.advance(dt_s, now_s_, panels.methodsInFront());
+  // A recorded hand does nobody's task.
+  if (std::ranges::none_of(extensions, &Extension::leadsHand))
+    for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
+  if (!felt.ticks.empty())
+    for (Extension* e : extensions) e->ticks(*this, felt);
+  messages.age(dt_s);
+
+  speak();
+  keys_(*this);
+  layPanelsOut(window_px);
+  panels_(*this);
+  enterScene();
+  for (Extension* e : extensions) e->afterPanels(*this);
+}
+
+bool Application::live() const {
+  return scene.live() || loader_.busy() || messages.fading() || picture_->unfinished() ||
+         std::ranges::any_of(extensions_->all(), &Extension::live);
+}
+
+}  // namespace moltact

@@ -1,0 +1,137 @@
+// The program behind the window: what is touched, the lesson that is open, what the person prefers, and the order of a
+// frame. It draws nothing itself: the panels do (app/ui/panels). What is more than that is an extension
+// (extension.h).
+// It knows neither: both are given to it as its parts (app/ui/shell/application_parts.h). Window's thread.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "app/ui/application/extension.h"
+#include "app/ui/application/panel_state.h"
+#include "app/ui/files/file_browser.h"
+#include "app/ui/files/file_dialog.h"
+#include "app/ui/files/settings.h"
+#include "app/ui/lesson/lesson_guide.h"
+#include "app/ui/scene/loader.h"
+#include "app/ui/scene/touch_scene.h"
+#include "app/ui/widgets/layout.h"
+#include "app/ui/widgets/messages.h"
+
+namespace moltact {
+
+class Application;
+struct Extensions;
+class ViewPicture;
+
+struct ApplicationOptions {
+  ServoClock clock = ServoClock::RealThread;
+  bool devices_unasked =
+      true;  ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
+  std::string language;                   ///< at the start, in the place of the settings': "de"; empty: theirs
+  std::filesystem::path settings_file;    ///< empty: settings are neither read nor kept
+  std::filesystem::path attempts_folder;  ///< where attempts at lessons are kept; empty: nowhere
+  std::filesystem::path cache_folder;     ///< for what can be made again; empty: nothing is kept
+  std::filesystem::path picture_folder;   ///< where "Save picture" puts pictures (default: the current folder)
+};
+
+/// What is drawn and extended above the application.
+struct ApplicationParts {
+  std::unique_ptr<ExtensionSet> extensions;
+  void (*keys)(Application&);    ///< once a frame, before the layout: what the keys of the frame do
+  void (*panels)(Application&);  ///< once a frame: draws all panels
+};
+
+class Application {
+ public:
+  Application(ApplicationOptions options, ApplicationParts parts);
+  ~Application();
+
+  /// The program's end, whatever it comes by: lets the force go, then has everything saved that is to be. Once; the
+  /// destructor does it too.
+  void end();
+
+  /// Opens a file by its kind (files/file_kinds.h), or a molecule by its name in the library. What cannot be opened is
+  /// told in a message and changes nothing.
+  void open(const std::filesystem::path& file);
+  /// Files were dropped on the window: the first is opened.
+  void drop(const std::vector<std::filesystem::path>& dropped);
+  /// Puts a molecule on the stage as a lesson's step does: it is not among the files opened last.
+  void showMolecule(const MoleculeKey& key);
+  /// Something has been opened that the welcome page can be left for.
+  bool hasWork() const { return scene.stage() || lesson.session(); }
+
+  /// One frame: takes up what the servo loop found, then draws all panels.
+  void frame(double dt_s, glm::vec2 window_px);
+
+  /// Whether the next frame would look different by itself: forces move, something is loading or fading.
+  bool live() const;
+  /// Waits for a file that is being opened and shows it.
+  void finishLoading();
+  bool loading() const { return loader_.busy(); }
+  /// How long a file has been read (unit: second); 0 while none is.
+  double loadingFor_s() const { return loading_s_; }
+
+  TouchScene scene;
+  LessonGuide lesson;
+  Messages messages;
+  Settings settings;
+  PanelState panels;
+  FileBrowser files;       ///< of the page that opens files
+  FileDialog file_dialog;  ///< asks for a file to be written, or for a folder
+
+  /// Each by its name, for who includes app/ui/extensions/extensions.h.
+  Extensions& extensions();
+  const Extensions& extensions() const;
+  ViewPicture& picture() { return *picture_; }
+  const Layout& layout() const { return layout_; }
+  const ApplicationOptions& options() const { return options_; }
+
+  /// The camera as it was when the scene was opened.
+  void resetView();
+  /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins
+  /// there.
+  void beginSceneAgain(std::optional<PointA> before = {});
+  /// The same as resetView because a person asked for it: it can be undone.
+  void resetViewByHand();
+  /// The view panel is to save the next picture it draws; where the file is empty, in the folder of the options.
+  void askForPicture(std::filesystem::path file = {}) { picture_asked_ = std::move(file); }
+  std::optional<std::filesystem::path> takePictureRequest() { return std::exchange(picture_asked_, std::nullopt); }
+  /// Asks where a picture is to go, then for the picture.
+  void askForPictureAs();
+  /// The person wants to leave.
+  void leave() { leaving_ = true; }
+  bool leaving() const { return leaving_; }
+
+  double dt_s() const { return dt_s_; }
+  double now_s() const { return now_s_; }
+
+ private:
+  TouchScene::Facing facing() const;
+  void takeUp(Loaded loaded);
+  void openLesson(const std::filesystem::path& file);
+  void enterScene();  // of the lesson's step, where that has changed
+  void tellSteps();
+  void speak();  // the language and the decimal sign of the settings
+  void layPanelsOut(glm::vec2 window_px);
+
+  const ApplicationOptions options_;
+  std::unique_ptr<ViewPicture> picture_;
+  std::unique_ptr<ExtensionSet> extensions_;
+  void (*keys_)(Application&);
+  void (*panels_)(Application&);
+  Loader loader_;
+  Layout layout_;
+  double dt_s_ = 0, now_s_ = 0, loading_s_ = 0;
+  std::size_t told_opening_ = 0, told_step_ = 0;
+  bool aspect_guessed_ = true;  // the view's shape is known once the first frame has been laid out
+  bool step_scene_ = false;     // what is being read belongs to a lesson's step
+  bool leaving_ = false, ended_ = false;
+  std::optional<std::string> spoken_;  // the setting that the language in use comes from
+  std::optional<std::filesystem::path> picture_asked_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,77 @@
+// Which panels and pages are open, and what a panel remembers from frame to frame. Window's thread.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/ui/widgets/key_focus.h"
+
+namespace moltact {
+
+/// The card of the welcome page that the keys are at.
+struct CardFocus {
+  std::size_t card = ~std::size_t{0};  ///< counted from the page's first; beyond the last: none
+  std::size_t cards = 0;               ///< on the page in the last frame
+  std::size_t columns = 1;             ///< in the card's rows
+  bool scroll = false;                 ///< the card is to be scrolled into sight
+};
+
+struct PanelState : KeyFocus {
+  bool lesson = true, touch = true;
+  bool lesson_first = true;             ///< where only one side panel has room
+  bool touch_details = false;           ///< the touch panel's second half
+  bool methods = false;                 ///< in the touch panel's place, behind a tab
+  bool methods_first = false;           ///< which of the two is in front
+  bool by_step = false;                 ///< the lesson's step set touch and methods, so that another sets them back
+  bool hints = false;                   ///< the current step's hints
+  bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
+  float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)
+  bool arrows_draw = false;             ///< in this frame the arrow keys lead a pen in the lesson and not the probe
+  std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
+  bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
+       turns_page = false;
+  bool welcome = false;  ///< the welcome page stands in the place of view and panels
+  CardFocus card;
+  float menus_end = 0.0f;    ///< where the menus end (unit: pixel): the tool bar has room from there on
+  bool full_screen = false;  ///< as the window is to be
+  std::size_t lesson_step = ~std::size_t{0};  ///< whose text stands in the lesson panel: another begins at its top
+
+  /// Opens the panel that compares methods, or closes it.
+  void showMethods(bool on) {
+    methods = methods_first = on;
+    by_step = false;
+    if (on) touch = true;
+  }
+  /// As a scene asks for: "touch", "methods", or "none". Nothing gives back what the student had before.
+  void follow(const std::vector<std::string>& asked) {
+    if (!asked.empty()) {
+      if (!by_step) own_touch = touch, own_methods = methods;
+      by_step = true;
+      set(asked);
+    } else if (std::exchange(by_step, false)) {
+      touch = own_touch;
+      methods = methods_first = own_methods;
+    }
+  }
+  /// The same for a scene that locks its panels: whatever the student did is undone.
+  void keep(const std::vector<std::string>& asked) {
+    lesson = true;
+    by_step = by_step || !asked.empty();
+    const bool front = methods_first;
+    set(asked.empty() ? std::vector<std::string>{"touch"} : asked);
+    methods_first = methods && front;
+  }
+  bool methodsInFront() const { return methods && methods_first; }
+
+ private:
+  void set(const std::vector<std::string>& asked) {
+    methods = methods_first = std::find(asked.begin(), asked.end(), "methods") != asked.end();
+    touch = methods || std::find(asked.begin(), asked.end(), "touch") != asked.end();
+  }
+  bool own_touch = true, own_methods = false;  // as the student had them
+};
+
+}  // namespace moltact

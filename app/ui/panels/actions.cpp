@@ -1,0 +1,338 @@
+#include "app/ui/panels/actions.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/key_names.h"
+#include "engine/language/catalogue.h"
+#include "engine/render/gltf_export.h"
+
+namespace moltact {
+namespace {
+
+using App = Application;
+
+bool hasStage(const App& a) { return bool(a.scene.stage()) && !a.panels.welcome; }
+bool inLesson(const App& a) { return a.lesson.session() && !a.panels.welcome; }
+bool atWork(const App& a) { return !a.panels.welcome; }
+// Where a lesson locks its panels, a narrow window still shows the one or the other.
+bool mayTouchPanel(const App& a) { return atWork(a) && (a.panels.touch || !a.lesson.locks("panels")); }
+bool mayMethods(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
+
+bool mayMagnify(const App& a) {
+  return hasStage(a) && !a.scene.playing() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
+}
+
+// Where only one side panel has room, showing one hides the other.
+void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
+  const bool seen = !place.empty();
+  wanted = !seen;
+  if (!seen) a.panels.lesson_first = lesson;
+}
+
+void saveGltf(App& app, const std::filesystem::path& file) {
+  if (!app.scene.stage()) return;
+  const Expected<GltfScene> scene =
+      exportMolecule(*app.scene.stage().molecule, {.colours = elementColoursOf(app.settings)});
+  if (!scene) return app.messages.error(scene.problem().text());
+  if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
+  app.messages.notice(trf("Molecule saved as {0}; 1 unit is 1 nm", file.string()));
+}
+
+void askForGltf(App& app) {
+  app.file_dialog.ask({.title = tr("Save the molecule as a 3-D model"),
+                       .name = app.scene.molecule().file.stem().string() + ".glb",
+                       .ending = ".glb",
+                       .chosen = [&app](const std::filesystem::path& file) { saveGltf(app, file); }},
+                      app.options().picture_folder);
+}
+
+constexpr std::array kActions{
+    Action{.name = "welcome",
+           .menu = Menu::File,
+           .label = N_("Welcome page"),
+           .shortcut = "Ctrl+H",
+           .sentence = N_("All lessons and molecules"),
+           .icon = Icon::Home,
+           .tool = 1,
+           .run = [](App& a) { a.panels.welcome = !a.panels.welcome || !a.hasWork(); },
+           .on = [](const App& a) { return a.panels.welcome; }},
+    Action{.name = "open",
+           .menu = Menu::File,
+           .label = N_("Open …"),
+           .shortcut = "Ctrl+O",
+           .sentence = N_("Open a molecule or a lesson"),
+           .icon = Icon::Folder,
+           .tool = 2,
+           .run = [](App& a) { a.panels.open_page = true; }},
+    Action{.name = "picture",
+           .menu = Menu::File,
+           .parted = true,
+           .label = N_("Save picture"),
+           .shortcut = "Ctrl+S",
+           .sentence = N_("Save the view as a picture"),
+           .icon = Icon::Camera,
+           .tool = 4,
+           .run = [](App& a) { a.askForPicture(); },
+           .enabled = hasStage},
+    Action{.name = "picture_as",
+           .menu = Menu::File,
+           .label = N_("Save picture as …"),
+           .shortcut = "Ctrl+Shift+S",
+           .run = [](App& a) { a.askForPictureAs(); },
+           .enabled = hasStage},
+    Action{.name = "export",
+           .menu = Menu::File,
+           .label = N_("Save molecule as glTF …"),
+           .sentence = N_("Save the molecule as a 3-D model for slides and web pages"),
+           .run = [](App& a) { askForGltf(a); },
+           .enabled = hasStage},
+    Action{.name = "quit",
+           .menu = Menu::File,
+           .parted = true,
+           .label = N_("Quit"),
+           .shortcut = "Ctrl+Q",
+           .run = [](App& a) { a.leave(); },
+           .while_writing = true},
+
+    Action{.name = "undo",
+           .menu = Menu::Edit,
+           .label = N_("Undo"),
+           .shortcut = "Ctrl+Z",
+           .sentence = N_("Undo the last change of method, probe, spring, parts shown, colours or view"),
+           .icon = Icon::Undo,
+           .tool = 3,
+           .run = [](App& a) { a.extensions().history.undo(a); },
+           .enabled = [](const App& a) { return atWork(a) && a.extensions().history.canUndo(); }},
+    Action{.name = "redo",
+           .menu = Menu::Edit,
+           .label = N_("Redo"),
+           .shortcut = "Ctrl+Shift+Z",
+           .also = "Ctrl+Y",
+           .sentence = N_("Redo what was undone"),
+           .icon = Icon::Redo,
+           .tool = 3,
+           .run = [](App& a) { a.extensions().history.redo(a); },
+           .enabled = [](const App& a) { return atWork(a) && a.extensions().history.canRedo(); }},
+    Action{.name = "preferences",
+           .menu = Menu::Edit,
+           .parted = true,
+           .label = N_("Preferences …"),
+           .shortcut = "Ctrl+,",
+           .sentence = N_("Colours, sizes, mouse and numbers"),
+           .icon = Icon::Gear,
+           .tool = 4,
+           .run = [](App& a) { a.panels.preferences_page = true; }},
+
+    Action{.name = "lesson",
+           .menu = Menu::View,
+           .label = N_("Lesson panel"),
+           .shortcut = "Ctrl+L",
+           .sentence = N_("Lesson panel"),
+           .icon = Icon::LeftPanel,
+           .tool = 1,
+           .run = [](App& a) { switchPanel(a, a.panels.lesson, a.layout().lesson, true); },
+           .enabled = inLesson,
+           .on = [](const App& a) { return !a.layout().lesson.empty(); }},
+    Action{.name = "touch",
+           .menu = Menu::View,
+           .label = N_("Touch panel"),
+           .shortcut = "Ctrl+T",
+           .sentence = N_("Touch panel"),
+           .icon = Icon::RightPanel,
+           .tool = 1,
+           .run = [](App& a) { switchPanel(a, a.panels.touch, a.layout().touch, false); },
+           .enabled = mayTouchPanel,
+           .on = [](const App& a) { return !a.layout().touch.empty(); }},
+    Action{.name = "methods",
+           .menu = Menu::View,
+           .label = N_("Methods panel"),
+           .shortcut = "Ctrl+M",
+           .run = [](App& a) { a.panels.showMethods(!a.panels.methods); },
+           .enabled = mayMethods,
+           .on = [](const App& a) { return a.panels.methods; }},
+    Action{.name = "chains",
+           .menu = Menu::View,
+           .label = N_("Colour by chain"),
+           .run =
+               [](App& a) {
+                 a.scene.colour_by = a.scene.colour_by == ColourBy::Chain ? ColourBy::Element : ColourBy::Chain;
+               },
+           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
+           .on = [](const App& a) { return a.scene.colour_by == ColourBy::Chain; }},
+    Action{.name = "legend",
+           .menu = Menu::View,
+           .label = N_("Legend of colours"),
+           .run = [](App& a) { a.settings.legend = !a.settings.legend; },
+           .enabled = [](const App& a) { return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain; },
+           .on = [](const App& a) { return a.settings.legend; }},
+    Action{.name = "light",
+           .menu = Menu::View,
+           .parted = true,
+           .label = N_("Light"),
+           .run = [](App& a) { a.settings.theme = ThemeChoice::Light; },
+           .on = [](const App& a) { return a.settings.theme == ThemeChoice::Light; }},
+    Action{.name = "dark",
+           .menu = Menu::View,
+           .label = N_("Dark"),
+           .run = [](App& a) { a.settings.theme = ThemeChoice::Dark; },
+           .on = [](const App& a) { return a.settings.theme == ThemeChoice::Dark; }},
+    Action{.name = "high-contrast",
+           .menu = Menu::View,
+           .label = N_("High contrast"),
+           .run = [](App& a) { a.settings.theme = ThemeChoice::HighContrast; },
+           .on = [](const App& a) { return a.settings.theme == ThemeChoice::HighContrast; }},
+    Action{.name = "sound",
+           .menu = Menu::View,
+           .parted = true,
+           .label = N_("Sound of touch"),
+           .sentence = N_("Hear what is touched"),
+           .icon = Icon::Sound,
+           .tool = 4,
+           .run = [](App& a) { a.settings.sound = !a.settings.sound; },
+           .on = [](const App& a) { return a.settings.sound; }},
+    Action{.name = "large-text",
+           .menu = Menu::View,
+           .label = N_("What is touched in large type"),
+           .run = [](App& a) { a.settings.large_state_text = !a.settings.large_state_text; },
+           .on = [](const App& a) { return a.settings.large_state_text; }},
+    Action{.name = "device",
+           .menu = Menu::View,
+           .parted = true,
+           .label = N_("Device …"),
+           .shortcut = "Ctrl+D",
+           .sentence = N_("The device in your hand: choose it, try it, see its limits"),
+           .run = [](App& a) { a.panels.device_page = true; }},
+    Action{.name = "calibrate",
+           .menu = Menu::View,
+           .label = N_("Calibrate the device"),
+           .run = [](App& a) { a.scene.servo().chosen()->calibrate(); },
+           .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a.scene.servo()); }},
+    Action{.name = "stop-force",
+           .menu = Menu::View,
+           .label = N_("Stop all force"),
+           .shortcut = "F9",
+           .run = [](App& a) { a.scene.stopForce(!a.scene.servo_settings.panic); },
+           .on = [](const App& a) { return a.scene.servo_settings.panic; },
+           .while_writing = true},
+    Action{.name = "reset",
+           .menu = Menu::View,
+           .parted = true,
+           .label = N_("Reset view"),
+           .shortcut = "Home",
+           .run = [](App& a) { a.resetViewByHand(); },
+           .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
+    Action{.name = "magnify",
+           .menu = Menu::View,
+           .label = N_("Magnify round the probe"),
+           .shortcut = "Ctrl+G",
+           .sentence = N_("What lies round the probe fills the room of your hand"),
+           .run = [](App& a) { a.scene.magnify(!a.scene.magnifiedByHand()); },
+           .enabled = mayMagnify,
+           .on = [](const App& a) { return a.scene.magnifiedByHand(); }},
+    Action{.name = "full-screen",
+           .menu = Menu::View,
+           .label = N_("Full screen"),
+           .shortcut = "F11",
+           .sentence = N_("Full screen, for a projector"),
+           .icon = Icon::FullScreen,
+           .tool = 5,
+           .run = [](App& a) { a.panels.full_screen = !a.panels.full_screen; },
+           .on = [](const App& a) { return a.panels.full_screen; }},
+
+    Action{.name = "next",
+           .menu = Menu::Lesson,
+           .label = N_("Next step"),
+           .shortcut = "Alt+Right",
+           .run = [](App& a) { a.lesson.next(); },
+           .enabled = [](const App& a) { return inLesson(a) && a.lesson.canGoOn(); }},
+    Action{.name = "back",
+           .menu = Menu::Lesson,
+           .label = N_("Previous step"),
+           .shortcut = "Alt+Left",
+           .run = [](App& a) { a.lesson.back(); },
+           .enabled = [](const App& a) { return inLesson(a) && a.lesson.canGoBack(); }},
+    Action{.name = "turns",
+           .menu = Menu::Lesson,
+           .parted = true,
+           .label = N_("Take turns at one device …"),
+           .sentence = N_("Turns of set length for a class that shares a device"),
+           .run = [](App& a) { a.panels.turns_page = true; },
+           .enabled = [](const App& a) { return !a.extensions().turns.on(); },
+           .on = [](const App& a) { return a.extensions().turns.on(); }},
+
+    Action{.name = "controls",
+           .menu = Menu::Help,
+           .label = N_("Mouse and keys"),
+           .shortcut = "F1",
+           .also = "?",
+           .sentence = N_("What mouse and keys do"),
+           .icon = Icon::Question,
+           .tool = 5,
+           .run = [](App& a) { a.panels.controls_page = true; }},
+    Action{.name = "about",
+           .menu = Menu::Help,
+           .label = N_("About Moltact"),
+           .run = [](App& a) { a.panels.about_page = true; }},
+};
+
+}  // namespace
+
+const char* menuName(Menu menu) {
+  static constexpr std::array<const char*, kMenus> kLabels{
+      NC_("menu", "File"), NC_("menu", "Edit"), NC_("menu", "View"), NC_("menu", "Lesson"), NC_("menu", "Help")};
+  return kLabels[std::size_t(menu)];
+}
+
+const char* menuLabel(Menu menu) { return trc("menu", menuName(menu)); }
+
+char menuLetter(Menu menu) {
+  const auto letter = static_cast<unsigned char>(*menuLabel(menu));
+  return letter < 128 && std::isalpha(letter) ? char(std::toupper(letter)) : *menuName(menu);
+}
+
+std::span<const Action> allActions() { return kActions; }
+
+const Action* findAction(std::string_view name) {
+  const auto found = std::find_if(kActions.begin(), kActions.end(), [&](const Action& a) { return a.name == name; });
+  return found == kActions.end() ? nullptr : &*found;
+}
+
+bool enabled(const Action& action, const Application& app) { return !action.enabled || action.enabled(app); }
+
+std::string toolTip(const Action& action) {
+  std::string text(tr(action.sentence.empty() ? action.label : action.sentence));
+  if (!action.shortcut.empty()) text += " (" + keysText(action.shortcut) + ")";
+  return text;
+}
+
+namespace {
+
+void runShortcuts(Application& app) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool page = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+  for (const Action& action : kActions) {
+    if ((page || io.WantTextInput) && !action.while_writing) continue;
+    if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
+  }
+  // Escape first lets go of the molecule; only with a free hand does it lead away from it.
+  const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
+  if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
+}
+
+}  // namespace
+
+void runKeys(Application& app) {
+  std::string letters;
+  for (int menu = 0; menu < kMenus; ++menu) letters += menuLetter(Menu(menu));
+  leadByKeys(app.panels, letters);
+  runShortcuts(app);
+}
+
+}  // namespace moltact

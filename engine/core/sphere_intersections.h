@@ -1,0 +1,57 @@
+// Where spheres meet: the circle of two and the points of three. Pure functions; any thread; they neither allocate nor
+// throw. Units: angstrom. The trackers that are felt have their own, written for what they keep from tick to tick: the
+// paper's as it was published (haptics/paper), the exact one's for places that move (haptics/exact).
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "engine/core/ball.h"
+
+namespace moltact {
+
+struct SphereCircle {
+  Vec3 centre_A{0.0}, axis{0, 0, 1};  ///< the axis has length 1 and points from the first ball to the second
+  double radius_A = 0.0;
+};
+
+/// A ball inflated by a probe.
+inline Ball inflated(const Ball& ball, double probe_A) { return {ball.centre_A, ball.radius_A + probe_A}; }
+
+/// The circle in which the surfaces of two balls meet; nothing when they are apart, nested or concentric.
+inline std::optional<SphereCircle> circleOf(const Ball& a, const Ball& b) {
+  const Vec3 between = b.centre_A - a.centre_A;
+  const double d = glm::length(between), R = a.radius_A, r = b.radius_A;
+  if (!(d > 0.0) || !(d < R + r) || !(d > std::abs(R - r))) return std::nullopt;
+  // Heron's formula: a difference of squares would lose half the digits of a small circle.
+  const double factors = (R + r - d) * (R + r + d) * (d - R + r) * (d + R - r);
+  if (!(factors > 0.0)) return std::nullopt;
+  const Vec3 axis = between / d;
+  return SphereCircle{a.centre_A + axis * ((d * d - r * r + R * R) / (2.0 * d)), axis, std::sqrt(factors) / (2.0 * d)};
+}
+
+/// The two places where the surfaces of three balls meet; nothing where there are none.
+inline std::optional<std::array<Vec3, 2>> pointsOf(const Ball& a, const Ball& b, const Ball& c) {
+  const auto circle = circleOf(a, b);
+  if (!circle) return std::nullopt;
+  const Vec3 to_c = c.centre_A - circle->centre_A;
+  const double along = glm::dot(to_c, circle->axis);
+  const double cut = c.radius_A * c.radius_A - along * along;  // squared radius of c's cut in the circle's plane
+  const Vec3 v = to_c - along * circle->axis;
+  const double d = glm::length(v);
+  if (!(cut > 0) || !(d > 0)) return std::nullopt;
+  const double x = (d * d - cut + circle->radius_A * circle->radius_A) / (2 * d);
+  const double square = circle->radius_A * circle->radius_A - x * x;
+  if (!(square > 0)) return std::nullopt;
+  const Vec3 foot = circle->centre_A + v * (x / d), side = glm::cross(circle->axis, v / d) * std::sqrt(square);
+  return std::array<Vec3, 2>{foot + side, foot - side};
+}
+
+/// A unit vector at a right angle to `axis` (any length but 0).
+inline Vec3 anyNormal(const Vec3& axis) {
+  const Vec3 other = std::abs(axis.x) < 0.6 * glm::length(axis) ? Vec3(1, 0, 0) : Vec3(0, 1, 0);
+  return glm::normalize(glm::cross(axis, other));
+}
+
+}  // namespace moltact
