@@ -44,34 +44,45 @@ constexpr MethodFamily kExact{N_("Exact"), N_("Follows the spheres themselves, w
     kPenalty{N_("Penalty"), N_("Each atom pushes for itself, and nothing remembers from which side you came.")},
     kSurfaceMesh{N_("Surface mesh"), N_("One mesh of the whole surface, made beforehand.")};
 
+// A method that cannot follow spheres that move.
+constexpr Method still(Method method) {
+  method.follows_motion = false;
+  return method;
+}
+
 constexpr std::array kMethods{
     Method{"exact", N_("the sphere tracker without error: the god-object on the union of balls"), &make<ExactTracker>,
            kExact},
-    Method{"paper", N_("Algorithm 1 of Stocks and Laycock (2008) as published, its faults included"), &make<PaperTracker>,
-           kPaper},
+    still(Method{"paper", N_("Algorithm 1 of Stocks and Laycock (2008) as published, its faults included"),
+                 &make<PaperTracker>, kPaper}),
     Method{"mesh80", N_("a god-object on 80 triangles a ball"), &makeMesh<80>, kMesh, "80", "", 80},
     Method{"mesh320", N_("a god-object on 320 triangles a ball"), &makeMesh<320>, kMesh, "320", "", 320},
     Method{"mesh960", N_("a god-object on 960 triangles a ball, as many as in the paper"), &makeMesh<960>, kMesh, "960",
            N_("Flat"), 960},
     Method{"mesh1280", N_("a god-object on 1280 triangles a ball"), &makeMesh<1280>, kMesh, "1280", "", 1280},
     Method{"mesh5120", N_("a god-object on 5120 triangles a ball"), &makeMesh<5120>, kMesh, "5120", "", 5120},
-    Method{"mesh960-smooth", N_("the same on 960 triangles with interpolated normals: force shading"), &makeMesh<960, true>,
-           kMesh, "960", N_("Smooth"), 960},
+    Method{"mesh960-smooth", N_("the same on 960 triangles with interpolated normals: force shading"),
+           &makeMesh<960, true>, kMesh, "960", N_("Smooth"), 960},
     Method{"mesh960-tree", N_("the same on 960 triangles, the trees asked anew in every tick"),
            &makeMesh<960, false, false>, kMesh, "960", N_("No memory"), 960},
-    Method{"grid02", N_("a signed-distance grid, smoothly interpolated, 0.2 A apart"), &makeGrid<2>, kGrid, N_("0.2 Å")},
-    Method{"grid04", N_("a signed-distance grid, smoothly interpolated, 0.4 A apart"), &makeGrid<4>, kGrid, N_("0.4 Å")},
-    Method{"grid08", N_("a signed-distance grid, smoothly interpolated, 0.8 A apart"), &makeGrid<8>, kGrid, N_("0.8 Å")},
+    still(Method{"grid02", N_("a signed-distance grid, smoothly interpolated, 0.2 A apart"), &makeGrid<2>, kGrid,
+                 N_("0.2 Å")}),
+    still(Method{"grid04", N_("a signed-distance grid, smoothly interpolated, 0.4 A apart"), &makeGrid<4>, kGrid,
+                 N_("0.4 Å")}),
+    still(Method{"grid08", N_("a signed-distance grid, smoothly interpolated, 0.8 A apart"), &makeGrid<8>, kGrid,
+                 N_("0.8 Å")}),
     Method{"penalty", N_("the sum of each ball's push, without a proxy"), &make<PenaltyTracker>, kPenalty},
     // For the bench only:
-    Method{"grid02-ready", N_("the grid 0.2 A apart, made beforehand wherever the surface is"), &makeGrid<2, true>, kGrid,
-           N_("0.2 Å"), N_("Ready"), 0, kMostPrepared},
-    Method{"grid04-ready", N_("the grid 0.4 A apart, made beforehand wherever the surface is"), &makeGrid<4, true>, kGrid,
-           N_("0.4 Å"), N_("Ready"), 0, kMostPrepared},
-    Method{"sasmesh05", N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
-           &makeSasMesh<50>, kSurfaceMesh, N_("0.5 Å"), "", 0, kMostPrepared, true},
-    Method{"sasmesh025", N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart"),
-           &makeSasMesh<25>, kSurfaceMesh, N_("0.25 Å"), "", 0, kMostPrepared, true},
+    still(Method{"grid02-ready", N_("the grid 0.2 A apart, made beforehand wherever the surface is"),
+                 &makeGrid<2, true>, kGrid, N_("0.2 Å"), N_("Ready"), 0, kMostPrepared}),
+    still(Method{"grid04-ready", N_("the grid 0.4 A apart, made beforehand wherever the surface is"),
+                 &makeGrid<4, true>, kGrid, N_("0.4 Å"), N_("Ready"), 0, kMostPrepared}),
+    still(Method{"sasmesh05",
+                 N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
+                 &makeSasMesh<50>, kSurfaceMesh, N_("0.5 Å"), "", 0, kMostPrepared, true}),
+    still(Method{"sasmesh025",
+                 N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart"),
+                 &makeSasMesh<25>, kSurfaceMesh, N_("0.25 Å"), "", 0, kMostPrepared, true}),
 };
 
 constexpr std::size_t kOffered =

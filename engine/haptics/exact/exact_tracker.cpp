@@ -105,6 +105,11 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   if (swells_) [[unlikely]]
     return whileItSwells(h);
   const Vec3 local = h - near_.origin();
+  if (moved_) [[unlikely]] {
+    trackSurface(local);
+    if (!moved_) return contact(h);
+    moved_ = false;
+  }
   if (!armed_) {
     if (near_.inside(local)) return {.scp = hip, .fault = Fault::StartedInside};
     const double gap = std::max(0.0, gapRound(local));
@@ -268,7 +273,7 @@ Hit ExactTracker::firstMet(const Vec3& to) noexcept {
     if (first.ball() >= 0 && first.at() <= known) return {first.ball(), std::min(1.0, first.at() / length)};
     if (known >= length) return {};
   }
-  return sweepFrom(near_.scene(), near_.probe_A(), near_.origin(), scp_, to, contact_A_);
+  return near_.firstMet(scp_, to, contact_A_);
 }
 
 ExactTracker::SlideResult ExactTracker::fly(const Vec3& hip) noexcept {

@@ -28,6 +28,8 @@ class ExactTracker final : public Tracker {
   void reset() noexcept override;
   /// A growing surface carries the SCP in steps, as many as kMostLooked allows; the rest follows in the next ticks.
   void setProbe(double probe_A) noexcept override;
+  bool setFrame(const SphereFrame* frame) noexcept override;  // moving_spheres.cpp
+  void moveTo(double share) noexcept override;
   /// What the balls are inflated by now: where a large change is carried on over several ticks it lags behind
   /// setProbe().
   double probe_A() const noexcept override { return near_.probe_A(); }
@@ -89,8 +91,10 @@ class ExactTracker final : public Tracker {
   int thirdOf(const ActiveSet& set) const noexcept;
   void holdHere() noexcept;
   bool outsideAll() noexcept;
-  void swell() noexcept;         // carry_surface.cpp
-  Freed toFreePlace() noexcept;  // carry_surface.cpp
+  void swell() noexcept;                                          // moving_surface.cpp
+  Freed toFreePlace() noexcept;                                   // moving_surface.cpp
+  bool followsQuickly(const Vec3& hip, double moved_A) noexcept;  // moving_spheres.cpp
+  void trackSurface(const Vec3& hip) noexcept;
   void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
   Hit firstMet(const Vec3& to) noexcept;
@@ -105,8 +109,14 @@ class ExactTracker final : public Tracker {
   double contact_A_ = 0.0;  // a ball whose surface is no farther than this from the SCP is touched
   bool armed_ = false;      // has the HIP been outside since the start?
   bool behind_ = false;     // the last flow was cut short
-  bool swells_ = false;     // the surface is on its way to probe goal_A_
-  bool swelled_ = false;    // and has gone on since the last tick
+  bool moved_ = false;  // the spheres have moved on from `seen_share_` of the frame, where the SCP was last brought out
+  double seen_share_ = 0.0;
+  // While spheres move: when the share was clear_share_, no ball but the holders was nearer to this place than
+  // clear_gap_.
+  Vec3 clear_from_{0.0};
+  double clear_gap_ = 0.0, clear_share_ = 0.0;
+  bool swells_ = false;   // the surface is on its way to probe goal_A_
+  bool swelled_ = false;  // and has gone on since the last tick
   double goal_A_ = 0.0, step_A_ = 0.0;
   bool may_sink_ = false;  // it has passed balls that are touched and do not hold
   Feature feature_ = Feature::Free;

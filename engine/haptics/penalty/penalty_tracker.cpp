@@ -19,6 +19,17 @@ void PenaltyTracker::setProbe(double probe_A) noexcept {
   free_gap_ = 0.0;
 }
 
+bool PenaltyTracker::setFrame(const SphereFrame* frame) noexcept {
+  nearby_.setFrame(frame);
+  free_gap_ = 0.0;
+  return true;
+}
+
+void PenaltyTracker::moveTo(double share) noexcept {
+  nearby_.moveTo(share);
+  free_gap_ = 0.0;
+}
+
 MemoryUsage PenaltyTracker::memoryUsage() const noexcept { return {0, sizeof(*this) + nearby_.scene().bytes()}; }
 
 Contact PenaltyTracker::step(PointA hip) noexcept {
@@ -51,7 +62,7 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
   if (count == 0) {
     armed_ = true;
     free_from_ = h;
-    free_gap_ = clearance(nearby_.scene(), nearby_.probe_A(), hip.A);
+    free_gap_ = nearby_.clearanceAt(h);
     return {.scp = hip};
   }
   if (!armed_) return {.scp = hip, .fault = Fault::StartedInside};
