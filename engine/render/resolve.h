@@ -2,6 +2,8 @@
 // Needs a current context.
 #pragma once
 
+#include <memory>
+
 #include "engine/render/gl_objects.h"
 #include "engine/render/lighting.h"
 
