@@ -3,7 +3,9 @@
 #include <new>
 
 #include "app/commands/command.h"
+#include "app/commands/language_option.h"
 #include "app/window_options.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/force_hold.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
@@ -20,6 +22,7 @@ int run(int argc, char** argv) {
   app.failure_message([](const CLI::App*, const CLI::Error& e) {
     return moltact::oneLine(e.what()) + "\nRun with --help for more information.\n";
   });
+  moltact::speakAsAsked();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -39,9 +42,10 @@ int told(int argc, char** argv) {
   } catch (const moltact::CommandFailed&) {
     return 1;
   } catch (const std::bad_alloc&) {
-    moltact::err() << "moltact: not enough memory for this; close other programs, or take a smaller file\n";
+    moltact::err() << "moltact: "
+                   << moltact::tr("not enough memory for this; close other programs, or take a smaller file") << '\n';
   } catch (const std::exception& e) {
-    moltact::err() << "moltact: it could not go on: " << e.what() << '\n';
+    moltact::err() << "moltact: " << moltact::trf("it could not go on: {0}", e.what()) << '\n';
   }
   return 1;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdio>
 
+#include "app/commands/language_option.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -11,6 +12,7 @@ constexpr double kLeastScale = 0.5, kMostScale = 8.0;  // of the monitor
 
 void addWindowArguments(CLI::App& app, WindowArguments& into) {
   app.add_option("file", into.file, "A molecule or a lesson to open in the window");
+  addLanguageOption(app, into.language);
   app.add_option(
       "--state-text", into.state_text,
       "Also write what is touched, and what the lesson asks for, as lines of text to this file, or to the terminal "
@@ -26,12 +28,14 @@ void addWindowArguments(CLI::App& app, WindowArguments& into) {
 
 int runWindowArguments(const WindowArguments& a) {
   if (a.screenshot.empty() && a.script.empty())
-    return runWindow({.file = a.file, .frame_stats = a.frame_stats, .state_text = a.state_text});
+    return runWindow(
+        {.file = a.file, .frame_stats = a.frame_stats, .language = a.language, .state_text = a.state_text});
   OffscreenOptions options{.file = a.file,
                            .screenshot = a.screenshot,
                            .script = a.script,
                            .content_scale = a.scale,
                            .frame_stats = a.frame_stats,
+                           .language = a.language,
                            .state_text = a.state_text,
                            .attempts = a.attempts};
   if (!(a.scale >= kLeastScale && a.scale <= kMostScale)) {  // false for what is not a number, too

@@ -8,6 +8,7 @@
 #include "app/commands/command.h"
 #include "app/commands/print_json.h"
 #include "app/commands/source_excerpt.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/source_text.h"
@@ -44,8 +45,6 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
   return out;
 }
 
-std::string counted(std::size_t n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
-
 struct Row {
   const Problem* problem;
   const char* severity;
@@ -54,8 +53,8 @@ struct Row {
 /// Errors and warnings of a file together, in the order of the file.
 std::vector<Row> rowsOf(const Checked& checked) {
   std::vector<Row> rows;
-  for (const Problem& p : checked.errors) rows.push_back({&p, "error"});
-  for (const Problem& p : checked.warnings) rows.push_back({&p, "warning"});
+  for (const Problem& p : checked.errors) rows.push_back({&p, NC_("severity", "error")});
+  for (const Problem& p : checked.warnings) rows.push_back({&p, NC_("severity", "warning")});
   std::stable_sort(rows.begin(), rows.end(), [](const Row& a, const Row& b) {
     return a.problem->line != b.problem->line ? a.problem->line < b.problem->line
                                               : a.problem->column < b.problem->column;
@@ -69,7 +68,8 @@ void printText(const Checked& checked) {
     const Problem& p = *row.problem;
     out() << p.file;
     if (p.line) out() << ':' << p.line << ':' << p.column;
-    out() << ": " << row.severity << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy << '\n';
+    out() << ": " << trc("severity", row.severity) << ": " << p.message << (p.remedy.empty() ? "" : "; ") << p.remedy
+          << '\n';
     if (p.line) out() << Lines{sourceExcerpt(source.line(p.line), p.column)};
   }
 }
@@ -120,9 +120,10 @@ void run(const CheckArguments& arguments) {
     printDocument(document);
   } else {
     for (const Checked& c : all) printText(c);
-    for (const fs::path& file : passed_over) out() << file.string() << ": no lesson, passed over\n";
-    out() << counted(lessons, "lesson") << " checked: " << (errors ? counted(errors, "error") : "no errors")
-          << (warnings ? ", " + counted(warnings, "warning") : "") << '\n';
+    for (const fs::path& file : passed_over) out() << trf("{0}: no lesson, passed over", file.string()) << '\n';
+    std::string found = errors ? trnf("{0} error", "{0} errors", errors, errors) : tr("no errors");
+    if (warnings) found = trf("{0}, {1}", found, trnf("{0} warning", "{0} warnings", warnings, warnings));
+    out() << trnf("{0} lesson checked: {1}", "{0} lessons checked: {1}", lessons, lessons, found) << '\n';
   }
   // What is wrong has been told.
   if (errors) throw CommandFailed{};

@@ -1,5 +1,7 @@
 #include "app/commands/command.h"
 
+#include "app/commands/language_option.h"
+
 // One line a command, in the order of `moltact --help`: its function is add<Name>(CLI::App&), in its own file.
 #define MOLTACT_COMMANDS(X) \
   X(Info)                   \
@@ -26,6 +28,7 @@ void addAllCommands(CLI::App& app) {
 #define MOLTACT_ADD(Name) add##Name(app);
   MOLTACT_COMMANDS(MOLTACT_ADD)
 #undef MOLTACT_ADD
+  for (CLI::App* command : app.get_subcommands({})) addLanguageOption(*command);
 }
 
 }  // namespace moltact

@@ -11,6 +11,7 @@
 #include "engine/device/driver.h"
 #include "engine/device/mouse_device.h"
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
@@ -106,22 +107,22 @@ class Recorder {
     awaitReady(servo);
     out() << "Recording " << options_.seconds << " s.\n";
     out().flush();
-    servo.setTracker(std::move(tracker));
+    servo.loop().setInteraction(std::move(tracker));
     const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
-    for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording() && !interrupt_.seen(); ++look) {
+    for (int look = 0; ticks_ < wanted && !problem_ && !servo.loop().lostOfRecording() && !interrupt_.seen(); ++look) {
       if (look % (kAsk_ms / 10) == 0) ask(servo);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      servo.drainRecording(start, [&](const RecordedTick& tick) {
+      servo.loop().drainRecording(start, [&](const RecordedTick& tick) {
         if (ticks_ == 0 && !problem_) problem_ = writer_.begin(labels_, start);
         if (problem_ || ticks_ == wanted) return;
         ++ticks_;
         watch_.add(tick);
         problem_ = writer_.add(tick);
       });
-      servo.drain([](const ServoSample&) {});
+      servo.loop().drain([](const ServoSample&) {});
     }
-    const std::size_t lost = servo.lostOfRecording();
+    const std::size_t lost = servo.loop().lostOfRecording();
     servo.setDevice(nullptr);  // no force from here on, whatever is told
     if (!problem_) problem_ = writer_.finish();
     tell(lost);
@@ -135,7 +136,7 @@ class Recorder {
       const bool late = ready == 0 && 1e-3 * kAsk_ms * look >= options_.wait_s;
       if (late || interrupt_.seen()) {
         servo.setDevice(nullptr);
-        if (!late) throw CommandError{"broken off before the first tick; nothing was recorded", kBrokenOff};
+        if (!late) throw CommandError{tr("broken off before the first tick; nothing was recorded"), kBrokenOff};
         char text[80];
         std::snprintf(text, sizeof text, "it was not ready within %g s, and nothing was recorded", options_.wait_s);
         throw CommandError{Problem{options_.device, 0, 0, text, last_said_}.text()};
@@ -146,14 +147,14 @@ class Recorder {
 
   // What the device asks of the person, each time that it is another; true where it is ready.
   bool ask(ServoThread& servo) {
-    const DeviceStatus status = servo.device()->status();
+    const DeviceStatus status = servo.loop().device()->status();
     const std::string& text = status.text;
     if (text != said_ && !text.empty()) {
       out() << text << (status.asks_calibrate ? " Then press Enter." : "") << '\n';
       out().flush();
     }
     std::string line;
-    if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.device()->calibrate();
+    if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.loop().device()->calibrate();
     if (!text.empty()) last_said_ = text;
     said_ = text;
     return status.ready;
@@ -164,8 +165,8 @@ class Recorder {
     const auto ticks = static_cast<unsigned long long>(writer_.kept());
     std::snprintf(kept, sizeof kept, "%llu ticks (%.2f s)", ticks, double(ticks) * kTick_s);
     if (problem_)
-      throw CommandError{problem_->text() + "; the force is off, and " +
-                         (ticks ? std::string(kept) + " are kept in the file" : "nothing was recorded")};
+      throw CommandError{ticks ? trf("{0}; the force is off, and {1} are kept in the file", problem_->text(), kept)
+                               : trf("{0}; the force is off, and nothing was recorded", problem_->text())};
     const auto fail = [&](const std::string& what, const std::string& remedy) {
       throw CommandError{Problem{options_.file, 0, 0, what, remedy}.text()};
     };
@@ -194,8 +195,8 @@ ServoRecordingWriter openedFile(const RecordOptions& options) {
   if (writer) return *std::move(writer);
   std::error_code error;
   if (!options.overwrite && fs::exists(options.file, error))
-    throw CommandError{options.file +
-                       " is there already and stays as it is; choose another name, or replace it with --overwrite"};
+    throw CommandError{trf(
+        "{0} is there already and stays as it is; choose another name, or replace it with --overwrite", options.file)};
   throw CommandError{writer.problem().text()};
 }
 
@@ -209,7 +210,7 @@ void recordHand(const RecordOptions& options) {
   auto tracker = findMethod(options.method)->make(scene, settings.probe_A);
   MouseDevice mouse;
   ServoThread servo(mouse);
-  servo.setSettings(settings);
+  servo.loop().setSettings(settings);
   servo.setDevice(std::move(*device));
   servo.record(true);
   out() << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n';

@@ -57,7 +57,7 @@ void writeTrace(const ReplayOptions& options, const std::vector<PointA>& path, c
     append(row, path[k].A);
     row += c.touching() ? ",1" : ",0";
     append(row, c.scp.A);
-    append(row, c.touching() ? options.stiffness_N_per_A * (c.scp.A - path[k].A) : Vec3(0.0));
+    append(row, options.stiffness_N_per_A * c.displacement_A);
     row += ',';
     row += nameOf(c.feature);
     for (const std::int32_t atom : c.atoms) row += ',' + std::to_string(atom);
@@ -158,7 +158,8 @@ void addReplay(CLI::App& app) {
   command->add_option("--probe", options->probe_A, "the probe's radius, added to every atom's (angstrom)")
       ->check(numberFrom(0.0, kLargestProbe_A))
       ->capture_default_str();
-  command->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom between HIP and SCP (N)")
+  command
+      ->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom of the spring that is felt (N)")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
   command->add_flag("--time", options->time,

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 #include "engine/results/class_csv.h"
@@ -32,7 +33,7 @@ void run(const Arguments& arguments) {
     }
     if (files->empty())
       problems.push_back(
-          {named, 0, 0, "there are no .jsonl files in this folder", "name the folder that holds the attempts"});
+          {named, 0, 0, tr("there are no .jsonl files in this folder"), tr("name the folder that holds the attempts")});
     for (const std::filesystem::path& file : *files) {
       Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoTrace);
       if (!attempt) {
@@ -43,17 +44,15 @@ void run(const Arguments& arguments) {
       attempts.push_back(*std::move(attempt));
     }
   }
-  for (const Problem& p : problems) err() << "moltact: passed over: " << p.text() << '\n';
-  if (attempts.empty()) throw CommandError{"there are no attempts to report on in what was named"};
+  for (const Problem& p : problems) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
+  if (attempts.empty()) throw CommandError{tr("there are no attempts to report on in what was named")};
   const ClassSummary summary = summarise(std::move(attempts), arguments.anonymous);
   if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));
   if (!arguments.html.empty()) {
     const std::string now = utcText(std::chrono::system_clock::now());
     write(arguments.html, classPage(summary, problems, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
-  out() << summary.people.size() << (summary.people.size() == 1 ? " student, " : " students, ")
-        << summary.lessons.size() << (summary.lessons.size() == 1 ? " lesson, " : " lessons, ") << summary.attempts
-        << (summary.attempts == 1 ? " attempt" : " attempts") << '\n';
+  out() << summaryText(summary) << '\n';
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ std::vector<Feel> measureFeel(const std::vector<const Method*>& methods) {
       std::size_t lost = 0;
       for (const Vec3& h : path.counted) {
         const Contact c = tracker->step({h});
-        const Vec3 pull = c.touching() ? springEnd(c, {h}).A - h : Vec3(0);
+        const Vec3& pull = c.displacement_A;
         if (last) {
           if (c.touching() && *last != Vec3(0)) turn.push_back(angle_deg(*last, pull));
           change.push_back(glm::distance(*last, pull));

@@ -197,11 +197,11 @@ StabilityScene disturbed(std::uint64_t seed) {
   scenes::Random random(seed);
   for (StabilityTick& t : script.ticks) {
     const double dice = random.uniform(0, 1);
-    t.kind = dice < 0.01   ? TickKind::NotANumber
-             : dice < 0.03 ? TickKind::Lost
-             : dice < 0.05 ? TickKind::Doubled
-             : dice < 0.07 ? TickKind::Late
-                           : TickKind::Normal;
+    t.fault = dice < 0.01   ? LoopFault::NotANumber
+              : dice < 0.03 ? LoopFault::Lost
+              : dice < 0.05 ? LoopFault::Doubled
+              : dice < 0.07 ? LoopFault::Late
+                            : LoopFault::None;
   }
   out.script = std::move(script.ticks);
   out.energy = false;

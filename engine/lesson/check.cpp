@@ -5,13 +5,15 @@
 
 namespace moltact {
 LessonCheck checkLesson(const std::string& name, std::string bytes, const MoleculeByName& molecule) {
-  LessonReading read = readLessonText(name, std::move(bytes));
+  LessonReading read = readLessonText(name, bytes);
   checks::Findings found{name, std::move(read.errors), std::move(read.warnings)};
   if (const Lesson* lesson = read.lesson ? &*read.lesson : read.partial ? &*read.partial : nullptr) {
     checks::molecules(*lesson, molecule, found);
     checks::moleculeList(*lesson, found);
     checks::steps(*lesson, found);
     checks::files(*lesson, name, found);
+    checks::language(*lesson, name, found);
+    checks::signs(bytes, found);
   }
   orderProblems(found.errors);
   orderProblems(found.warnings);

@@ -34,4 +34,10 @@ void steps(const Lesson& lesson, Findings& findings);
 /// Links to files and pictures that are not in the lesson's folder; links into other lessons whose step is not there.
 void files(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
 
+/// A file's name that ends as if it named a language and does not; one that the front matter contradicts.
+void language(const Lesson& lesson, const std::filesystem::path& lesson_file, Findings& findings);
+
+/// Characters that the window cannot write, line by line of the file's text.
+void signs(std::string_view text, Findings& findings);
+
 }  // namespace moltact::checks

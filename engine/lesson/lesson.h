@@ -125,7 +125,7 @@ struct AnswerSpec {
   double number = 0.0, tolerance = 0.0;  ///< in `unit`
   std::string unit;                      ///< "Å"; empty for a plain number
   std::vector<std::string> texts;        ///< what counts as right, as written
-  std::string right, wrong;              ///< feedback
+  AuthorsText right, wrong;              ///< feedback
 };
 
 struct Question {
@@ -158,6 +158,8 @@ struct Step {
 struct Lesson {
   std::string file;
   std::string title, level, author, licence;
+  std::string language;  ///< "de": of the front matter; may be empty
+  Place language_place;
   int minutes = 0;
   std::vector<std::string> goals, molecules;
   std::vector<Place> molecule_places;  ///< of each of `molecules`

@@ -6,9 +6,12 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <map>
 #include <system_error>
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/language_code.h"
 #include "engine/lesson/reader.h"
 
 namespace moltact {
@@ -69,16 +72,44 @@ Expected<std::string> readLessonFile(const fs::path& file) {
   };
   std::error_code error;
   const auto status = fs::status(file, error);
-  if (status.type() == fs::file_type::not_found) return fail("there is no such file", "check its name and folder");
-  if (!fs::is_regular_file(status)) return fail("this is not a file", "name a lesson, a file that ends in .md");
+  if (status.type() == fs::file_type::not_found)
+    return fail(tr("there is no such file"), tr("check its name and folder"));
+  if (!fs::is_regular_file(status)) return fail(tr("this is not a file"), tr("name a lesson, a file that ends in .md"));
   std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(std::string("the file cannot be opened: ") + std::strerror(errno), "check that you may read it");
+  if (!in) return fail(trf("the file cannot be opened: {0}", std::strerror(errno)), tr("check that you may read it"));
   // One byte more than is allowed is enough to know that the file is too large.
   std::string bytes(kLargestLesson + 1, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (in.bad()) return fail("the file cannot be read to its end", "copy it again");
+  if (in.bad()) return fail(tr("the file cannot be read to its end"), tr("copy it again"));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
+}
+
+LessonName lessonName(const fs::path& file) {
+  const fs::path stem = file.stem();
+  const std::string ending = stem.extension().string();
+  if (ending.empty() || !isLanguageCode(std::string_view(ending).substr(1))) return {stem.string(), {}};
+  return {stem.stem().string(), ending.substr(1)};
+}
+
+std::vector<fs::path> inLanguage(std::vector<fs::path> lessons, std::string_view language) {
+  const auto rank = [&](const LessonName& name) {
+    return name.language == language ? 0 : name.language.empty() ? 1 : 2;
+  };
+  std::map<fs::path, int> best;  // of each lesson, by folder and id
+  for (const fs::path& file : lessons) {
+    const LessonName name = lessonName(file);
+    const auto [at, is_new] = best.try_emplace(file.parent_path() / name.id, rank(name));
+    if (!is_new) at->second = std::min(at->second, rank(name));
+  }
+  std::erase_if(lessons, [&](const fs::path& file) {
+    const LessonName name = lessonName(file);
+    int& wanted = best[file.parent_path() / name.id];
+    if (wanted != rank(name)) return true;
+    wanted = -1;  // of several no better than the first, the first
+    return false;
+  });
+  return lessons;
 }
 
 LessonFolder lessonsIn(const fs::path& folder) {
@@ -97,11 +128,11 @@ LessonFolder lessonsIn(const fs::path& folder) {
   std::sort(out.lessons.begin(), out.lessons.end());
   std::sort(out.others.begin(), out.others.end());
   if (error)
-    out.fault =
-        Problem{folder.string(), 0, 0, "the folder cannot be read: " + error.message(), "check that you may read it"};
+    out.fault = Problem{folder.string(), 0, 0, trf("the folder cannot be read: {0}", error.message()),
+                        tr("check that you may read it")};
   else if (out.lessons.empty())
-    out.fault = Problem{folder.string(), 0, 0, "there is no lesson in this folder",
-                        "name a folder with lessons, files that end in .md"};
+    out.fault = Problem{folder.string(), 0, 0, tr("there is no lesson in this folder"),
+                        tr("name a folder with lessons, files that end in .md")};
   return out;
 }
 

@@ -28,6 +28,18 @@ std::optional<FileLink> fileLink(const std::filesystem::path& lesson_file, std::
 /// "https" or "mailto" of an address; empty for a link to a file or step.
 std::string_view linkScheme(std::string_view link);
 
+/// A lesson file's name: "first-touch.de.md" is the lesson "first-touch" in German; one without a language stands for
+/// all languages that have none of their own.
+struct LessonName {
+  std::string id;        ///< "first-touch"
+  std::string language;  ///< "de", a code of ISO 639-1; empty: none is named
+};
+LessonName lessonName(const std::filesystem::path& file);
+
+/// Of the files of one folder that are the same lesson, the one in this language; else the one that names none; else
+/// the first. The order stays.
+std::vector<std::filesystem::path> inLanguage(std::vector<std::filesystem::path> lessons, std::string_view language);
+
 struct LessonFolder {
   std::vector<std::filesystem::path> lessons;  ///< ascending
   std::vector<std::filesystem::path> others;   ///< Markdown without anything of a lesson, such as README.md

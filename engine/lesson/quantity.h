@@ -3,20 +3,18 @@
 // The code's units: length A, force N, time s, stiffness N/mm.
 #pragma once
 
-#include <cstdint>
 #include <string_view>
 
 #include "engine/core/problem.h"
+#include "engine/language/units.h"
 
 namespace moltact {
 
-enum class Dimension : std::uint8_t { None, Length, Force, Time, Stiffness };
+/// "a length", "a force", … in English; `tr` where a person reads it in a message.
+const char* dimensionName(Dimension dimension);
 
-/// "a length", "a force", …
-std::string_view dimensionName(Dimension dimension);
-
-/// The units an author may use, as they are shown: "Å or nm".
-std::string_view unitsFor(Dimension dimension);
+/// The units an author may use, as they are shown: "Å or nm". In English, as above.
+const char* unitsFor(Dimension dimension);
 
 /// The unit in which the code counts: "Å", "N", "s", "N/mm".
 std::string_view codeUnit(Dimension dimension);

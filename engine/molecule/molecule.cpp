@@ -2,6 +2,7 @@
 
 #include <cctype>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
 
 namespace moltact {
@@ -14,26 +15,31 @@ std::vector<Ball> Molecule::balls() const {
 }
 
 std::string Molecule::describe(std::size_t index) const {
+  const AtomWords w = words(index);
+  if (w.residue.empty()) return w.atom;
+  return w.chain.empty() ? trcf("an atom", "{0} of {1}", w.atom, w.residue)
+                         : trf("{0} of {1} (chain {2})", w.atom, w.residue, w.chain);
+}
+
+AtomWords Molecule::words(std::size_t index) const {
   const Atom& atom = atoms[index];
-  if (atom.residue == kNoResidue) return "atom " + std::to_string(index);
+  if (atom.residue == kNoResidue) return {trf("atom {0}", index), {}, {}};
   const Residue& residue = residues[atom.residue];
   const bool polymer = residue.kind == ResidueKind::AminoAcid || residue.kind == ResidueKind::Nucleotide;
   if (residue.atom_count == 1 && !polymer) {  // an ion or a noble gas: its element says more than two codes
-    std::string name(element(atom.atomic_number).name);
-    return (name.empty() ? residue.name.string() : name) + ' ' + std::to_string(residue.number);
+    const std::string name(tr(element(atom.atomic_number).name));
+    return {(name.empty() ? residue.name.string() : name) + ' ' + std::to_string(residue.number), {}, {}};
   }
-  std::string out = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
-  out += " of ";
+  AtomWords out;
+  out.atom = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
   std::string name = residue.name.string();
   // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.
   if (residue.kind == ResidueKind::AminoAcid)
     for (std::size_t i = 1; i < name.size(); ++i)
       name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
-  out += name.empty() ? "residue" : name;
-  out += ' ' + std::to_string(residue.number);
-  if (residue.insertion != ' ') out += residue.insertion;
-  const std::string_view chain = chains[residue.chain].name;
-  if (!chain.empty()) out.append(" (chain ").append(chain) += ')';
+  out.residue = (name.empty() ? std::string(trc("of an atom", "residue")) : name) + ' ' + std::to_string(residue.number);
+  if (residue.insertion != ' ') out.residue += residue.insertion;
+  out.chain = chains[residue.chain].name.string();
   return out;
 }
 

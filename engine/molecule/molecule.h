@@ -42,6 +42,13 @@ struct Chain {
   std::uint32_t first_residue = 0, residue_count = 0;
 };
 
+/// What an atom is called, by parts.
+struct AtomWords {
+  std::string atom;     ///< "CA"; of a residue of its own, as an ion is, its element and number: "zinc 201"
+  std::string residue;  ///< "Asp 52"; empty where the atom is alone, or belongs to none
+  std::string chain;    ///< "A"; may be empty
+};
+
 struct Molecule {
   std::string id;     ///< short name for the screen: "1UBQ", "benzene"
   std::string title;  ///< one line on what it is; may be empty
@@ -58,6 +65,8 @@ struct Molecule {
 
   /// "O of Asp 52 (chain A)", as the screen and the log say it. `atom` must be in range.
   std::string describe(std::size_t atom) const;
+  /// The words that describe() is made of. `atom` must be in range.
+  AtomWords words(std::size_t atom) const;
 };
 
 }  // namespace moltact

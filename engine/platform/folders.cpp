@@ -11,6 +11,13 @@ bool holdsMolecules(const fs::path& folder) {
   return fs::is_regular_file(folder / "molecules" / "catalogue.json", error);
 }
 
+// Empty where the system does not say.
+fs::path executablesFolder() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path() : program.parent_path();
+}
+
 }  // namespace
 
 fs::path folderFromEnvironment(const char* name) {
@@ -23,9 +30,8 @@ fs::path homeFolder() {
   std::error_code ignored;
   // Only the program's own data: a relative one is that of the folder in which it was started.
   if (const char* set = std::getenv("MOLTACT_HOME"); set && *set) return fs::absolute(set, ignored);
-  std::error_code error;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path();
-  if (!error)
+  const fs::path beside = executablesFolder();
+  if (!beside.empty())
     for (const fs::path& folder : {beside, beside.parent_path() / "share" / "moltact"})
       if (holdsMolecules(folder)) return folder;
   return MOLTACT_SOURCE_FOLDER;
@@ -34,6 +40,13 @@ fs::path homeFolder() {
 fs::path moleculesFolder() { return homeFolder() / "molecules"; }
 fs::path lessonsFolder() { return homeFolder() / "lessons"; }
 fs::path assetsFolder() { return homeFolder() / "assets"; }
+
+fs::path translationsFolder() {
+  std::error_code error;
+  for (const fs::path& folder : {homeFolder(), executablesFolder()})
+    if (!folder.empty() && fs::is_directory(folder / "translations", error)) return folder / "translations";
+  return fs::path(MOLTACT_BUILD_FOLDER) / "translations";
+}
 
 fs::path userDataFolder() {
   const fs::path data = folderFromEnvironment("XDG_DATA_HOME");

@@ -15,6 +15,10 @@ std::filesystem::path moleculesFolder();  ///< homeFolder()/molecules
 std::filesystem::path lessonsFolder();    ///< homeFolder()/lessons
 std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 
+/// The folder that holds the catalogues of translations, de.mo and others: homeFolder()/translations, else
+/// `translations` beside the executable, else that of the build.
+std::filesystem::path translationsFolder();
+
 /// The folder that an environment variable names. Empty where it is not set or names none from the root: the XDG base
 /// directory specification says that a relative path is to be ignored, and a relative home would be another one in
 /// every folder.

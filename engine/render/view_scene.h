@@ -88,8 +88,8 @@ struct ViewScene {
   bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
 
   std::optional<PointA> hip;  ///< no probe is drawn without it
-  Contact contact;            ///< its SCP and atoms are used while touching
-  double force_N = 0.0;       ///< length of the force, along SCP - HIP
+  Contact contact;            ///< its SCP, displacement and atoms are used while touching
+  double force_N = 0.0;       ///< length of the force, along the contact's displacement
   double probe_A = kWaterProbe_A;
   bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
   std::shared_ptr<const SolidModel>

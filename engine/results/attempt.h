@@ -23,6 +23,8 @@ namespace moltact {
 enum class InputWay : std::uint8_t { Device, Mouse, Keyboard };
 /// "device", "mouse" or "keyboard".
 std::string_view nameOf(InputWay way);
+/// The same in the language in use.
+std::string shownName(InputWay way);
 
 struct QuestionOutline {
   std::string id, text;              ///< plain text
@@ -166,7 +168,8 @@ struct ViewRotated {
 struct HipSample {
   double t_s = 0.0;
   PointA hip, scp;
-  ForceN force;  ///< in the device's space
+  ForceN force;              ///< in the device's space
+  Vec3 displacement_A{0.0};  ///< of the spring that was felt; zero without contact
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
 };

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "engine/language/catalogue.h"
 #include "engine/results/attempt_ranges.h"
 
 namespace moltact {
@@ -43,6 +44,7 @@ Json written(const LessonOutline& lesson) {
   return {{"file", lesson.file}, {"title", lesson.title}, {"hash", lesson.hash}, {"steps", std::move(steps)}};
 }
 
+constexpr double kStraight_A = 0.002;               // a spring within rounding of SCP - HIP is not written down
 constexpr std::string_view kFeatureSigns = ".SCP";  // free, sphere, circle, point
 
 // Each kind of fact writes its keys after "kind" and "t".
@@ -122,6 +124,8 @@ struct FactWriter {
   void operator()(const HipChunk& e) {
     Json ms = Json::array(), hip = Json::array(), scp = Json::array(), force = Json::array(), atoms = Json::array();
     std::string features;
+    Json displacement = Json::array();
+    bool shaded = false;
     std::array<std::int32_t, 3> held{-1, -1, -1};
     const double from_s = e.samples.empty() ? 0.0 : e.samples.front().t_s;
     for (std::size_t i = 0; i < e.samples.size(); ++i) {
@@ -132,6 +136,8 @@ struct FactWriter {
       if (s.feature == Feature::Free) continue;
       append(scp, s.scp.A);
       append(force, s.force.N);
+      append(displacement, s.displacement_A);
+      shaded = shaded || glm::distance(s.displacement_A, s.scp.A - s.hip.A) > kStraight_A;
       if (s.atoms == held) continue;
       held = s.atoms;
       Json change = Json::array({i});
@@ -146,6 +152,7 @@ struct FactWriter {
     if (scp.empty()) return;
     out["scp"] = std::move(scp);
     out["force"] = std::move(force);
+    if (shaded) out["displacement"] = std::move(displacement);
     out["atoms"] = std::move(atoms);
   }
   void operator()(const LessonReread& e) { out["lesson"] = written(e.lesson); }
@@ -189,12 +196,12 @@ std::string_view kindOf(const AttemptFact& fact) {
 
 const Json& need(const Json& from, const char* key) {
   const auto it = from.find(key);
-  if (it == from.end()) throw Lacking{std::string("'") + key + "' is missing"};
+  if (it == from.end()) throw Lacking{trf("'{0}' is missing", key)};
   return *it;
 }
 
 std::string text(const Json& value, const char* key) {
-  if (!value.is_string()) throw Lacking{std::string("'") + key + "' is no text"};
+  if (!value.is_string()) throw Lacking{trf("'{0}' is no text", key)};
   return value.get<std::string>();
 }
 std::string text(const Json& from, const char* key, bool needed) {
@@ -205,13 +212,13 @@ std::string text(const Json& from, const char* key, bool needed) {
 
 // Every number of the format has a range (attempt_ranges.h).
 double number(const Json& value, const char* key) {
-  if (!value.is_number()) throw Lacking{std::string("'") + key + "' is no number"};
+  if (!value.is_number()) throw Lacking{trf("'{0}' is no number", key)};
   const double number = value.get<double>();
   const AttemptRange* range = attemptRange(key);
   if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number)))
     return number;
-  if (range && range->whole) throw Lacking{std::string("'") + key + "' is no whole number that fits"};
-  throw Lacking{std::string("'") + key + "' is a number that no Moltact writes"};
+  if (range && range->whole) throw Lacking{trf("'{0}' is no whole number that fits", key)};
+  throw Lacking{trf("'{0}' is a number that no Moltact writes", key)};
 }
 double numberAt(const Json& from, const char* key) { return number(need(from, key), key); }
 double numberOr(const Json& from, const char* key, double otherwise) {
@@ -225,8 +232,8 @@ std::size_t countAt(const Json& from, const char* key) { return count(need(from,
 
 const Json& list(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
   const Json& value = need(from, key);
-  if (!value.is_array()) throw Lacking{std::string("'") + key + "' is no list"};
-  if (value.size() > most) throw Lacking{std::string("'") + key + "' is longer than any that Moltact writes"};
+  if (!value.is_array()) throw Lacking{trf("'{0}' is no list", key)};
+  if (value.size() > most) throw Lacking{trf("'{0}' is longer than any that Moltact writes", key)};
   return value;
 }
 const Json& listOrNone(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
@@ -238,7 +245,7 @@ std::int32_t atom(const Json& value) { return static_cast<std::int32_t>(number(v
 
 bool flag(const Json& from, const char* key) {
   const Json& value = need(from, key);
-  if (!value.is_boolean()) throw Lacking{std::string("'") + key + "' is neither true nor false"};
+  if (!value.is_boolean()) throw Lacking{trf("'{0}' is neither true nor false", key)};
   return value.get<bool>();
 }
 
@@ -246,13 +253,12 @@ InputWay way(const Json& from) {
   const std::string name = text(from, "by", true);
   for (const InputWay w : {InputWay::Device, InputWay::Mouse, InputWay::Keyboard})
     if (name == nameOf(w)) return w;
-  throw Lacking{"'by' is none of device, mouse and keyboard"};
+  throw Lacking{tr("'by' is none of device, mouse and keyboard")};
 }
 
 std::vector<double> numbers(const Json& from, const char* key, std::size_t size) {
   const Json& values = list(from, key);
-  if (values.size() != size)
-    throw Lacking{std::string("'") + key + "' should hold " + std::to_string(size) + " numbers"};
+  if (values.size() != size) throw Lacking{trf("'{0}' should hold {1} numbers", key, size)};
   std::vector<double> out;
   for (const Json& v : values) out.push_back(number(v, key));
   return out;
@@ -264,7 +270,7 @@ Vec3 vector(const Json& from, const char* key) {
 }
 
 const Json& object(const Json& value, const char* what) {
-  if (!value.is_object()) throw Lacking{std::string("'") + what + "' is no object"};
+  if (!value.is_object()) throw Lacking{trf("'{0}' is no object", what)};
   return value;
 }
 
@@ -290,13 +296,14 @@ HipChunk trace(const Json& from) {
   const Json& ms = list(from, "ms");
   const std::string features = text(from, "feature", true);
   const std::size_t n = ms.size();
-  if (features.size() != n) throw Lacking{"'feature' and 'ms' differ in length"};
+  if (features.size() != n) throw Lacking{tr("'feature' and 'ms' differ in length")};
   const std::size_t touching = n - static_cast<std::size_t>(std::count(features.begin(), features.end(), '.'));
   const std::vector<double> hip = numbers(from, "hip", 3 * n);
-  std::vector<double> scp, force;
+  std::vector<double> scp, force, displacement;
   if (touching) {
     scp = numbers(from, "scp", 3 * touching);
     force = numbers(from, "force", 3 * touching);
+    if (from.contains("displacement")) displacement = numbers(from, "displacement", 3 * touching);
   }
   const double from_s = numberAt(from, "from");
   const Json& changes = listOrNone(from, "atoms");
@@ -308,11 +315,13 @@ HipChunk trace(const Json& from) {
     s.t_s = from_s + number(ms[i], "ms") / 1000.0;
     s.hip.A = s.scp.A = {hip[3 * i], hip[3 * i + 1], hip[3 * i + 2]};
     const std::size_t feature = kFeatureSigns.find(features[i]);
-    if (feature == std::string_view::npos) throw Lacking{"'feature' has a sign that is not known"};
+    if (feature == std::string_view::npos) throw Lacking{tr("'feature' has a sign that is not known")};
     s.feature = static_cast<Feature>(feature);
     if (s.feature != Feature::Free) {
       s.scp.A = {scp[k], scp[k + 1], scp[k + 2]};
       s.force.N = {force[k], force[k + 1], force[k + 2]};
+      s.displacement_A =
+          displacement.empty() ? s.scp.A - s.hip.A : Vec3(displacement[k], displacement[k + 1], displacement[k + 2]);
       k += 3;
       if (change < changes.size() && changes[change].is_array() && !changes[change].empty() &&
           count(changes[change][0], "atoms") == i) {
@@ -393,13 +402,13 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     const glm::dmat3 product = glm::transpose(s.workspace.rotation) * s.workspace.rotation;
     for (int k = 0; k < 9; ++k)
       if (std::abs(product[k / 3][k % 3] - (k % 4 == 0)) > kOff || glm::determinant(s.workspace.rotation) < 0.0)
-        throw Lacking{"'turn' is no rotation"};
+        throw Lacking{tr("'turn' is no rotation")};
     return s;
   }
   if (kind == "view") {
     const std::vector<double> q = numbers(j, "orientation", 4);
     if (const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); std::abs(length - 1.0) > 1e-2)
-      throw Lacking{"'orientation' is no rotation"};
+      throw Lacking{tr("'orientation' is no rotation")};
     return ViewRotated{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
   }
   if (kind == "trace") return trace(j);
@@ -418,7 +427,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   return std::nullopt;
 }
 
-Problem noObject() { return {{}, 0, 0, "it is no JSON object", "it is passed over"}; }
+Problem noObject() { return {{}, 0, 0, tr("it is no JSON object"), tr("it is passed over")}; }
 
 Json parsed(std::string_view line) {
   if (line.size() > kLongestLine) return Json(Json::value_t::discarded);
@@ -467,7 +476,8 @@ bool mayBeginAttempt(std::string_view line) {
 
 Expected<AttemptHeader> readHeaderLine(std::string_view line) {
   const Json j = parsed(line);
-  const Problem none{{}, 0, 0, "it is no attempt at a lesson", "attempts are the .jsonl files that Moltact writes"};
+  const Problem none{
+      {}, 0, 0, tr("it is no attempt at a lesson"), tr("attempts are the .jsonl files that Moltact writes")};
   if (!j.is_object() || !j.contains("kind") || j["kind"] != "attempt") return none;
   try {
     AttemptHeader h;
@@ -480,7 +490,7 @@ Expected<AttemptHeader> readHeaderLine(std::string_view line) {
     h.lesson = outline(need(j, "lesson"));
     return h;
   } catch (const Lacking& lacking) {
-    return Problem{{}, 0, 0, "its first line is damaged: " + lacking.what, none.remedy};
+    return Problem{{}, 0, 0, trf("its first line is damaged: {0}", lacking.what), none.remedy};
   }
 }
 
@@ -493,7 +503,7 @@ Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line) {
     if (!fact) return std::optional<AttemptEvent>();
     return std::optional<AttemptEvent>(AttemptEvent{t_s, *std::move(fact)});
   } catch (const Lacking& lacking) {
-    return Problem{{}, 0, 0, lacking.what, "the line is passed over"};
+    return Problem{{}, 0, 0, lacking.what, tr("the line is passed over")};
   }
 }
 

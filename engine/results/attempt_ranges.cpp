@@ -28,6 +28,7 @@ constexpr std::array kRanges{
     // place
     AttemptRange{"hip", -kBeyond_A, kBeyond_A},
     AttemptRange{"scp", -kBeyond_A, kBeyond_A},
+    AttemptRange{"displacement", -2.0 * kBeyond_A, 2.0 * kBeyond_A},
     AttemptRange{"centre_A", -kBeyond_A, kBeyond_A},
     AttemptRange{"target_A", -kBeyond_A, kBeyond_A},
     AttemptRange{"distance_A", 0.1, 1e8},

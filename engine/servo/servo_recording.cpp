@@ -8,22 +8,27 @@
 #include <type_traits>
 
 #include "engine/core/file_bytes.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/platform/read_file.h"
 #include "engine/servo/step_state.h"
 
 namespace moltact {
 namespace {
 
-static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 48 && sizeof(DeviceSpecs) == 120 &&
+static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 128 &&
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-constexpr std::string_view kMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
+// The third version's ticks have no orientation and its devices no torque; the second's begin from no state either.
+constexpr std::string_view kMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
+                           kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kLeastTickBytes = 81;  // a tick without settings and device
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32;
+constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
+                       kOriented = 64;
 
 // What must be the same for the bits to be the same: the state's members and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
@@ -105,7 +110,13 @@ std::string bytesOf(const ServoSettings& settings) {
   return out;
 }
 
-bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick) {
+template <class Each, class Q>
+void orientationFields(Each& each, Q& q) {
+  each(q.w), each(q.x), each(q.y), each(q.z);
+}
+
+// `places_only`: as the third version wrote it.
+bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, bool places_only) {
   std::uint8_t flags = 0, on = 0, panic = 0, gives = 0, at_edge = 0;
   get(flags);
   if (flags & kSettings) {
@@ -119,11 +130,13 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick) {
   tick.other_device = flags & kOtherDevice;
   if (tick.other_device) {
     figuresFields(get, tick.device);
+    if (!places_only) get(tick.device.max_torque_N_mm);
     get(gives);
     tick.device.gives_force = gives;
     get.ok = get.ok && gives <= 1;
   }
   tickFields(get, tick);
+  if (!places_only && flags & kOriented) orientationFields(get, tick.pose.orientation);
   tick.pose.fresh = flags & kFresh;
   tick.pose.connected = flags & kConnected;
   tick.pose.fault = flags & kFaultFlag;
@@ -157,21 +170,24 @@ std::optional<Problem> ServoRecordingWriter::begin(const std::map<std::string, s
 
 std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
   if (!broken_ && kept_ + ticks_in_block_ == kMostRecordedTicks)
-    return broken_ = Problem{"", 0, 0,
-                             "a recording is at most 66 minutes and 40 s long; what was recorded until then is kept",
-                             "begin another one"};
+    return broken_ = Problem{
+               "", 0, 0, tr("a recording is at most 66 minutes and 40 s long; what was recorded until then is kept"),
+               tr("begin another one")};
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
   const DevicePose& pose = tick.pose;
+  const bool oriented = pose.orientation != kNoRotation;
   Putter put{block_};
   put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
                    (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |
-                   (tick.fallen_back ? kFallenBack : 0)));
+                   (tick.fallen_back ? kFallenBack : 0) | (oriented ? kOriented : 0)));
   if (other_settings) block_ += bytesOf(tick.settings);
   if (tick.other_device) {
     figuresFields(put, tick.device);
+    put(tick.device.max_torque_N_mm);
     put(std::uint8_t(tick.device.gives_force));
   }
   tickFields(put, tick);
+  if (oriented) orientationFields(put, pose.orientation);
   last_ = tick.settings;
   return ++ticks_in_block_ == kTicksInBlock ? writeBlock() : std::nullopt;
 }
@@ -197,27 +213,28 @@ std::optional<Problem> ServoRecordingWriter::finish() {
 }
 
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
-  const auto bytes = readFile(file, kMostBytes, "a recording is 81 bytes a tick: is this one?");
+  const auto bytes = readFile(file, kMostBytes, tr("a recording is 81 bytes a tick: is this one?"));
   if (!bytes) return bytes.problem();
   const char* data = bytes->data();
-  const Problem none{file.string(), 0, 0, "this is no recording of a device",
-                     "recordings are made by `moltact device record`"};
+  const Problem none{file.string(), 0, 0, tr("this is no recording of a device"),
+                     tr("recordings are made by `moltact device record`")};
   const std::size_t fixed = kMagic.size() + 12;
   if (std::string_view(*bytes).starts_with(kOldMagic))
-    return Problem{file.string(), 0, 0, "this recording is of an earlier version, whose ticks hold less",
-                   "record it anew"};
+    return Problem{file.string(), 0, 0, tr("this recording is of an earlier version, whose ticks hold less"),
+                   tr("record it anew")};
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
-  if (bytes->size() < fixed || !(stateless || std::string_view(*bytes).starts_with(kMagic))) return none;
+  const bool places_only = stateless || std::string_view(*bytes).starts_with(kPlacesMagic);
+  if (bytes->size() < fixed || !(places_only || std::string_view(*bytes).starts_with(kMagic))) return none;
   Getter get{data + kMagic.size(), data + bytes->size()};
   std::uint32_t text_size = 0, build_size = 0, state_size = 0, crc = 0;
   get(text_size), get(build_size), get(state_size);
   const std::size_t head = fixed + std::size_t(text_size) + build_size + state_size;
   if (head + 4 > bytes->size())
-    return Problem{file.string(), 0, 0, "the recording breaks off in its first lines", "record it anew"};
+    return Problem{file.string(), 0, 0, tr("the recording breaks off in its first lines"), tr("record it anew")};
   get.at = data + head;
   get(crc);
   if (crc != crc32(0, reinterpret_cast<const Bytef*>(data), uInt(head)))
-    return Problem{file.string(), 0, 0, "the recording's first lines are damaged", "record it anew"};
+    return Problem{file.string(), 0, 0, tr("the recording's first lines are damaged"), tr("record it anew")};
 
   ServoRecording recording;
   const std::string_view text(data + fixed, text_size);
@@ -228,7 +245,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
           std::string(text.substr(equals + 1, end - equals - 1));
     at = end + 1;
   }
-  if (!stateless && std::string_view(data + fixed + text_size, build_size) == buildName()) {
+  if (!places_only && std::string_view(data + fixed + text_size, build_size) == buildName()) {
     auto state = stepFromText({data + fixed + text_size + build_size, state_size});
     if (!state) return Problem{file.string(), 0, 0, state.problem().message, state.problem().remedy};
     recording.start = *std::move(state);
@@ -237,10 +254,9 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   recording.ticks.reserve(std::min(kMostRecordedTicks, static_cast<std::size_t>(get.end - get.at) / kLeastTickBytes));
   DeviceSpecs device;
   while (get.at < get.end) {
-    const auto torn = [&](const char* how) {
-      char when[64];
-      std::snprintf(when, sizeof when, " after %.3f s", double(recording.ticks.size()) * kTick_s);
-      recording.torn = std::string("the recording ") + how + when + "; what is before that is kept";
+    const auto torn = [&](const char* sentence) {
+      recording.torn =
+          trf(sentence, quantityText(double(recording.ticks.size()) * kTick_s, Dimension::Time, decimals(3)));
     };
     std::uint32_t count = 0, size = 0, block_crc = 0;
     const bool block = static_cast<std::size_t>(get.end - get.at) >= kBlockMagic.size() &&
@@ -248,7 +264,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     if (block) get.at += kBlockMagic.size();
     get(count), get(size), get(block_crc);
     if (!get.ok || static_cast<std::size_t>(get.end - get.at) < size) {
-      torn("breaks off");
+      torn(N_("the recording breaks off after {0}; what is before that is kept"));
       break;
     }
     Getter inside{get.at, get.at + size};
@@ -259,15 +275,15 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     std::vector<RecordedTick> ticks(good ? count : 0);
     for (RecordedTick& tick : ticks) {
       tick.device = device;
-      good = good && readTick(inside, settings, tick);
+      good = good && readTick(inside, settings, tick, places_only);
       device = tick.device;
     }
     if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
-      torn("goes on for longer than is read");
+      torn(N_("the recording goes on for longer than is read after {0}; what is before that is kept"));
       break;
     }
     if (!good || inside.at != inside.end) {
-      torn("is damaged");
+      torn(N_("the recording is damaged after {0}; what is before that is kept"));
       break;
     }
     recording.ticks.insert(recording.ticks.end(), ticks.begin(), ticks.end());
@@ -275,12 +291,12 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   return recording;
 }
 
-ReplayResult replay(const ServoRecording& recording, Tracker* tracker) {
+ReplayResult replay(const ServoRecording& recording, Interaction* felt) {
   ServoStep step = recording.start.value_or(ServoStep());
   ReplayResult out;
   for (const RecordedTick& tick : recording.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ForceN force = step.tick(tick.settings, tracker, tick.pose, tick.time).force;
+    const ForceN force = step.tick(tick.settings, felt, tick.pose, tick.time).force;
     if (!sameBits(force.N, tick.force.N)) {
       if (!out.first_difference) out.first_difference = out.ticks;
       out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(force.N, tick.force.N));

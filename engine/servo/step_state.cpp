@@ -5,10 +5,12 @@
 #include <map>
 #include <type_traits>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
-static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 208 && sizeof(ThermalModel) == 16 &&
-                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 784 && sizeof(ServoStep) == 960,
+static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
+                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1592,
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is
@@ -24,6 +26,12 @@ struct StepState {
   }
 
   template <class Each>
+  static void quaternion(Each& each, const std::string& prefix, const std::string& name, Quat& q) {
+    each(prefix, name + ".w", q.w, -1.01, 1.01), each(prefix, name + ".x", q.x, -1.01, 1.01),
+        each(prefix, name + ".y", q.y, -1.01, 1.01), each(prefix, name + ".z", q.z, -1.01, 1.01);
+  }
+
+  template <class Each>
   static void of(Each& each, const std::string& p, HandSpeed& s) {
     for (std::size_t k = 0; k < s.ring_.size(); ++k) {
       vector(each, p, "place_m." + std::to_string(k), s.ring_[k].place_m);
@@ -36,7 +44,10 @@ struct StepState {
 
   template <class Each>
   static void of(Each& each, const std::string& p, PassivityControl& s) {
-    for (std::size_t k = 0; k < s.given_.size(); ++k) vector(each, p, "given_N." + std::to_string(k), s.given_[k]);
+    for (std::size_t k = 0; k < s.given_.size(); ++k) {
+      vector(each, p, "given_N." + std::to_string(k), s.given_[k]);
+      vector(each, p, "given_N_mm." + std::to_string(k), s.torques_[k]);
+    }
     each(p, "next", s.next_, std::size_t{0}, s.given_.size() - 1), each(p, "debt_J", s.debt_J_, 0.0, kAny);
   }
 
@@ -61,8 +72,11 @@ struct StepState {
     each(p, "fastest_m_per_s", s.fastest_m_per_s_, 0.0, safety::kFastest_m_per_s);
     each(p, "rise_N_per_s", s.rise_N_per_s_, 0.0, safety::kSlew_N_per_s),
         each(p, "closes_loop", s.closes_loop_, false, true);
-    of(each, p + "speed.", s.speed_);
+    each(p, "peak_torque_N_mm", s.peak_torque_N_mm_, 0.0, kAny);
+    of(each, p + "speed.", s.speed_), of(each, p + "turning.", s.turning_);
     vector(each, p, "place_mm", s.place_mm_), vector(each, p, "moved_m", s.moved_m_);
+    quaternion(each, p, "orientation", s.orientation_);
+    vector(each, p, "angle_rad", s.angle_rad_), vector(each, p, "turned_rad", s.turned_rad_, 4.0);
     each(p, "placed", s.placed_, false, true),
         each(p, "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
     each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kOff_s);
@@ -70,9 +84,10 @@ struct StepState {
     each(p, "off", s.off_, false, true);
     of(each, p + "heat.", s.heat_), of(each, p + "passivity.", s.passivity_);
     each(p, "gain", s.gain_, 0.0, 1.0), each(p, "stiffness", s.stiffness_, 0.0, safety::kHardest_N_per_mm);
-    each(p, "stretch_mm", s.stretch_mm_, -kAny, kAny);
+    each(p, "stretch_mm", s.springs_.stretch_mm, 0.0, kAny), each(p, "torque_mm2", s.springs_.torque_mm2, 0.0, kAny);
+    each(p, "energy_mm2", s.springs_.energy_mm2, -kAny, kAny);
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
-    vector(each, p, "force_N", s.force_N_);
+    vector(each, p, "force_N", s.force_N_), vector(each, p, "torque_N_mm", s.torque_N_mm_);
     // What acted in the last tick is written anew in the next.
   }
 
@@ -117,7 +132,7 @@ struct Reader {
     if (!wrong.empty()) return;
     const auto found = values.find(prefix + name);
     if (found == values.end()) {
-      wrong = "does not say " + prefix + name;
+      wrong = trf("the state that the recording begins from does not say {0}", prefix + name);
       return;
     }
     const std::string_view text = found->second;
@@ -129,7 +144,7 @@ struct Reader {
     else
       end = std::from_chars(text.data(), last, read);
     if (end.ec != std::errc{} || end.ptr != last || !(read >= least && read <= greatest)) {
-      wrong = "has a " + prefix + name + " that cannot be";
+      wrong = trf("the state that the recording begins from has a {0} that cannot be", prefix + name);
       return;
     }
     value = T(read);
@@ -147,21 +162,20 @@ std::string stateText(const ServoStep& step) {
 }
 
 Expected<ServoStep> stepFromText(std::string_view text) {
-  const auto problem = [](std::string what) {
-    return Problem{"", 0, 0, "the state that the recording begins from " + std::move(what), "record it anew"};
-  };
+  const auto problem = [](std::string what) { return Problem{"", 0, 0, std::move(what), tr("record it anew")}; };
   Reader reader;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size()), equals = text.find('=');
-    if (equals >= end) return problem("holds a line without a value");
+    if (equals >= end) return problem(tr("the state that the recording begins from holds a line without a value"));
     if (!reader.values.emplace(text.substr(0, equals), text.substr(equals + 1, end - equals - 1)).second)
-      return problem("says a value twice");
+      return problem(tr("the state that the recording begins from says a value twice"));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   ServoStep step;
   StepState::of(reader, step);
   if (!reader.wrong.empty()) return problem(reader.wrong);
-  if (!reader.values.empty()) return problem("holds a value that is not known");
+  if (!reader.values.empty())
+    return problem(tr("the state that the recording begins from holds a value that is not known"));
   return step;
 }
 

@@ -6,7 +6,6 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/key_names.h"
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "tests/app/driver_fixture.h"
 
@@ -128,17 +127,16 @@ TEST_CASE("with a left-handed mouse the right button pushes and the left one tur
 
 TEST_CASE("with a decimal comma 1.4 Å reads 1,4 Å, and the other way about") {
   auto d = startWith("argon");
-  CHECK(d->text("probe") == "1.4 Å");
-  d->app().settings.decimal_comma = true;
+  CHECK(d->text("probe") == "1.4\u00a0Å");
+  d->app().settings.decimal_sign = DecimalSign::Comma;
   d->frames(2);
-  CHECK(d->text("probe") == "1,4 Å");
-  CHECK(localNumbers("step 3. Then 0.8 N") == "step 3. Then 0,8 N");
-  CHECK(plainNumbers("0,8") == "0.8");
-  setDecimalComma(false);
-  CHECK(localNumbers("0.8 N") == "0.8 N");
-  // Who writes a decimal comma where a point is preferred is understood too, unless it may part thousands.
-  CHECK(plainNumbers("1,76") == "1.76");
-  CHECK(plainNumbers("1,760") == "1,760");
+  CHECK(d->text("probe") == "1,4\u00a0Å");
+  CHECK(d->click("tool/preferences"));
+  d->frames(3);
+  CHECK(d->click("preferences/numbers/1.4"));
+  d->frames(2);
+  CHECK(d->text("probe") == "1.4\u00a0Å");
+  CHECK(d->app().settings.decimal_sign == DecimalSign::Point);
 }
 
 TEST_CASE("preferences change the theme, the size and the atoms' colours at once") {
@@ -278,12 +276,22 @@ TEST_CASE("a kept preference of every kind comes back") {
   Scratch scratch;
   Settings s;
   s.theme = ThemeChoice::HighContrast;
-  s.colour_blind_safe = s.left_handed = s.decimal_comma = true;
+  s.colour_blind_safe = s.left_handed = true;
+  s.decimal_sign = DecimalSign::Comma;
+  s.language = "de";
   s.text_size = 1.3;
   s.legend = false;
   s.lesson_folder = "/tmp/lessons of mine";
   REQUIRE(saveSettings(s, scratch.folder / "settings.json").empty());
   CHECK(loadSettings(scratch.folder / "settings.json").settings == s);
+}
+
+TEST_CASE("a settings file from before the choice of three that wanted a decimal comma still gives one") {
+  Scratch scratch;
+  const auto file = scratch.file("settings.json", R"({"decimal_comma": true})");
+  CHECK(loadSettings(file).settings.decimal_sign == DecimalSign::Comma);
+  CHECK(loadSettings(scratch.file("other.json", R"({"decimal_comma": true, "decimal_sign": "point"})"))
+            .settings.decimal_sign == DecimalSign::Point);
 }
 
 TEST_CASE("F11 asks for the full screen and gives it back") {

@@ -5,7 +5,6 @@
 #include <random>
 
 #include "app/ui/scene/state_line.h"
-#include "app/ui/widgets/number_text.h"
 #include "engine/molecule/reader.h"
 
 using namespace moltact;
@@ -35,11 +34,11 @@ Contact on(Feature feature, std::array<std::int32_t, 3> atoms) {
 
 TEST_CASE("ball, crease and pit are told with element, atom, residue and newtons to one place") {
   const Molecule m = read(kTwoResidues, "two.pdb");
-  CHECK(contactText(&m, on(Feature::Sphere, {2, -1, -1}), 0.449) == "touching: oxygen O of Asp 52, 0.4 N");
+  CHECK(contactText(&m, on(Feature::Sphere, {2, -1, -1}), 0.449) == "touching: oxygen O of Asp 52, 0.4\u00a0N");
   CHECK(contactText(&m, on(Feature::Circle, {1, 2, -1}), 1.2) ==
-        "touching: carbon C of Asp 52, crease with its oxygen O, 1.2 N");
+        "touching: carbon C of Asp 52, crease with its oxygen O, 1.2\u00a0N");
   CHECK(contactText(&m, on(Feature::Point, {1, 2, 3}), 1.25) ==
-        "touching: carbon C of Asp 52, pit with its oxygen O and nitrogen N of Tyr 53, 1.2 N");
+        "touching: carbon C of Asp 52, pit with its oxygen O and nitrogen N of Tyr 53, 1.2\u00a0N");
   CHECK(touchedText(m, on(Feature::Point, {0, 1, 2})) == "carbon CA of Asp 52, pit with its carbon C and oxygen O");
   CHECK(touchedText(m, on(Feature::Point, {3, 1, 2})) ==
         "nitrogen N of Tyr 53, pit with carbon C and oxygen O of Asp 52");
@@ -69,22 +68,6 @@ TEST_CASE("whereto the surface pushes is told in eight directions, and straight 
   CHECK(pushText({-0.6, 0.1, 0.79}) == "pushed to the left");
   CHECK(pushText({0, 0.6, 0.8}) == "pushed up");
   CHECK(pushText({-0.4, -0.4, 0.82}) == "pushed down and to the left");
-}
-
-TEST_CASE(
-    "in prose a point between digits becomes a comma where that is preferred, but not in versions and addresses") {
-  setDecimalComma(true);
-  CHECK(localProse("A ball of 1.4 Å, then 3.28 Å. Next 0.5.") == "A ball of 1,4 Å, then 3,28 Å. Next 0,5.");
-  CHECK(localProse("version 1.4.2, doi 10.1038/227, v1.4, 10.1.b") == "version 1.4.2, doi 10.1038/227, v1.4, 10.1.b");
-  CHECK(localProse("−1.4 (2.0) 3.5Å") == "−1,4 (2,0) 3,5Å");
-  setDecimalComma(false);
-  CHECK(localProse("1.4 Å") == "1.4 Å");
-}
-
-TEST_CASE("a number stays with its unit and not with a word") {
-  CHECK(withUnitsKept("by 0.08 Å and 26 N/m; 20 % of 3 atoms, 2 s.") ==
-        "by 0.08\u00a0Å and 26\u00a0N/m; 20\u00a0% of 3 atoms, 2\u00a0s.");
-  CHECK(withUnitsKept("5 more, 7 nmr") == "5 more, 7 nmr");
 }
 
 TEST_CASE(

@@ -54,8 +54,9 @@ TEST_CASE(
   d->frames(3);
   CHECK(d->text("status/device") == "Simulated stylus");
   CHECK(d->text("device/name") == "Simulated stylus");
-  CHECK(contains(d->text("device/live"), " mm; force "));
-  CHECK(contains(d->text("device/scale"), "1 mm here is 0.25 Å there, 1 N here would be 130 pN there."));
+  CHECK(contains(d->text("device/live"), "\u00a0mm; force "));
+  CHECK(contains(d->text("device/scale"),
+                 "1\u00a0mm here is 0.25\u00a0Å there, 1\u00a0N here would be 130\u00a0pN there."));
   CHECK(contains(d->text("device/scale reason"),
                  "Two carbon atoms pressed that far into each other would push back with "));
   // A spring harder than the stylus can hold counts as hard as it is felt.
@@ -63,7 +64,7 @@ TEST_CASE(
   d->app().scene.servo_settings.stiffness_N_per_mm = 2 * bound;
   d->frames(3);
   CHECK(d->text("device/scale") == scaleSentence(d->app().scene.servo_settings.workspace, bound));
-  CHECK(contains(d->text("device/limits"), "At most 3.3 N for a moment and 0.88 N for good"));
+  CHECK(contains(d->text("device/limits"), "At most 3.3\u00a0N for a moment and 0.88\u00a0N for good"));
   CHECK(d->click("device/mouse"));
   d->frames(3);
   CHECK(d->text("status/device") == "Mouse");

@@ -1,7 +1,13 @@
 // Nothing is cut off: every widget of every page lies in the window that it stands in, at each scale and in each theme.
 #include <functional>
+#include <map>
+#include <set>
 
+#include "app/ui/actions.h"
 #include "app/ui/extensions/extensions.h"
+#include "engine/core/text.h"
+#include "engine/language/catalogue.h"
+#include "engine/platform/folders.h"
 #include "tests/app/driver_fixture.h"
 #include "tests/results/sample_attempt.h"
 
@@ -20,8 +26,10 @@ std::string cutOff(glm::vec2 window) {
   return out;
 }
 
+const std::string kLongTitle = "A lesson of a length that a title may have";
+
 struct Page {
-  const char* name;
+  std::string name;
   std::function<void(Driver&)> show;
 };
 
@@ -31,9 +39,9 @@ struct Files {
   std::string lesson, wrong, attempt;
 
   Files() {
-    const std::string head =
-        "---\ntitle: A lesson of a length that a title may have\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: "
-        "A\nlicence: L\nlocked: all\n---\n";
+    const std::string head = "---\ntitle: " + kLongTitle +
+                             "\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: "
+                             "A\nlicence: L\nlocked: all\n---\n";
     const std::string text =
         "## One\n```scene\nmolecule: 1ubq\ncolour: chain\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## "
         "Two\nText.\n";
@@ -150,6 +158,58 @@ TEST_CASE("on every page with letters of 130 % and 150 % every widget lies insid
     d->app().settings.text_size = size;
     CAPTURE(size);
     checkAllPages(*d, {1280, 800});
+  }
+}
+
+TEST_CASE("in every language no text of a page at 1280x800 sticks out, nor is one cut off that is whole in English") {
+  auto d = startWith("");
+  openFirst(*d);
+  std::map<std::string, std::set<std::string>> in_english;
+  for (const Language& language : languages(translationsFolder())) {
+    d->app().settings.language = language.code;
+    d->app().panels.touch = true;
+    d->frames(3);
+    REQUIRE(moltact::language() == language.code);
+    CAPTURE(language.code);
+    for (const Page& page : kPages) {
+      page.show(*d);
+      d->frames(5);
+      CAPTURE(page.name);
+      CHECK(cutOff({1280, 800}) == "");
+      std::string cut;
+      // Names of files and titles of lessons may be too long in any language.
+      for (const std::string& text : widgets().cut())
+        if (text != kLongTitle && !in_english[page.name].contains(text)) cut += "\n" + text;
+      if (language.code == "en")
+        in_english[page.name] = widgets().cut();
+      else
+        CHECK(cut == "");
+      closeAll(*d);
+    }
+  }
+}
+
+TEST_CASE("in every language the menus are whole, and no two begin with the same letter") {
+  auto d = startWith("argon");
+  for (const Language& language : languages(translationsFolder())) {
+    d->app().settings.language = language.code;
+    d->frames(3);
+    CAPTURE(language.code);
+    std::set<int> letters;
+    for (int menu = 0; menu < kMenus; ++menu) {
+      const std::string name = "menu/" + lower(menuName(Menu(menu)));
+      CHECK(letters.insert(menuLetter(Menu(menu))).second);
+      CHECK(d->text(name) == menuLabel(Menu(menu)));
+      CHECK(d->click(name));
+      d->frames(3);
+      // A menu is as wide as its longest line; that must have room.
+      for (const auto& [item, r] : widgets().all()) {
+        CAPTURE(item);
+        if (item.starts_with(name + "/")) CHECK((r.low.x >= 0 && r.high.x <= 1280 && r.high.y <= 800));
+      }
+      d->tap("Escape");
+      d->frames(3);
+    }
   }
 }
 

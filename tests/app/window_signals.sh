@@ -3,6 +3,7 @@
 # that dies, by SIGSEGV. In each case the last that the device is given is no force; where the end is in order the attempt is
 # closed and the settings are kept. Arguments: the program, a lesson, the stand-in for libHD.so.
 set -eu
+export MOLTACT_LANGUAGE=en
 program=$1 lesson=$2 stand_in=$3
 work=$(mktemp -d)
 server= pid=

@@ -2,6 +2,7 @@
 # The real window under a virtual X server: starts, takes keys and the mouse, shows something, and ends with status 0.
 # Arguments: the program, a molecule.
 set -eu
+export MOLTACT_LANGUAGE=en
 program=$1 molecule=$2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT

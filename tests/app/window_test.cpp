@@ -202,7 +202,7 @@ TEST_CASE("the probe's slider sets the radius, and the shape switches change the
   auto d = startWith();
   d->drag("probe", 400, 0);
   CHECK(d->app().scene.servo_settings.probe_A == doctest::Approx(4.0));
-  CHECK(d->text("probe") == "4.0 Å");
+  CHECK(d->text("probe") == "4.0\u00a0Å");
   const Picture before = d->picture();
   const bool spheres = d->app().scene.shown.has(Shape::Spheres);
   CHECK(d->click("show/spheres"));

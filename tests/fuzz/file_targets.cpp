@@ -1,10 +1,12 @@
-// HIP paths, glTF models, the catalogue of molecules and the settings.
+// HIP paths, glTF models, the catalogue of molecules, the settings and catalogues of translations.
 #include <cmath>
 
 #include "app/commands/hip_path_file.h"
 #include "app/ui/files/settings.h"
 #include "engine/gltf/closed_surface.h"
 #include "engine/gltf/gltf_file.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/mo_file.h"
 #include "engine/molecule/catalogue.h"
 #include "tests/fuzz/target.h"
 
@@ -47,6 +49,26 @@ void settings(std::string_view bytes) {
   mustBe(s.lesson_width >= 240 && s.lesson_width <= 700 && s.touch_width >= 220 && s.touch_width <= 600,
          "widths in their ranges");
   mustBe(s.recent.size() <= Settings::kRecent, "no more files than are remembered");
+}
+
+void translations(std::string_view bytes) {
+  const auto texts = MoFile::parse(std::string(bytes));
+  if (!texts) return mustBe(!texts.problem().message.empty(), "a message");
+  // What is in the file, and what is not.
+  std::string_view rest = bytes;
+  for (int k = 0; k < 50 && !rest.empty(); ++k) {
+    const std::string_view word = rest.substr(0, rest.find('\0'));
+    const std::string english(word);
+    const Piece pieces[]{Piece(1), Piece("two")};
+    if (const char* text = texts->find({}, word)) {
+      mustBe(*text != '\0', "a text that is not empty");
+      filled(text, english.c_str(), pieces);
+    }
+    for (const unsigned long n : {0ul, 1ul, 2ul, 5ul, ~0ul})
+      if (const char* text = texts->findPlural(word, n)) mustBe(*text != '\0', "a form that is not empty");
+    texts->find(word, "English");
+    rest.remove_prefix(std::min(rest.size(), word.size() + 1));
+  }
 }
 
 }  // namespace moltact::fuzz

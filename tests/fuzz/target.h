@@ -60,5 +60,6 @@ void lesson(std::string_view), selection(std::string_view), answers(std::string_
 void attempt(std::string_view), attemptLines(std::string_view);
 void recording(std::string_view), recordingState(std::string_view);
 void hipPath(std::string_view), gltf(std::string_view), catalogue(std::string_view), settings(std::string_view);
+void translations(std::string_view);
 
 }  // namespace moltact::fuzz

@@ -20,6 +20,7 @@ constexpr Target kTargets[] = {
     {"gltf", gltf},
     {"catalogue", catalogue},
     {"settings", settings},
+    {"translations", translations},
 };
 
 }  // namespace

@@ -55,6 +55,55 @@ TEST_CASE("a lesson without faults has no errors, and a student can begin it") {
   CHECK(check.lesson.has_value());
 }
 
+TEST_CASE(
+    "a lesson's name tells its language; what it ends in and is no language is a warning, a contradiction an error") {
+  CHECK(lessonName("a/first-touch.de.md").id == "first-touch");
+  CHECK(lessonName("a/first-touch.de.md").language == "de");
+  CHECK(lessonName("first-touch.md").language.empty());
+  CHECK(lessonName("first.touch.md").id == "first.touch");
+  CHECK(lessonName("first.touch.md").language.empty());
+  const auto told = [](const char* name, const std::string& keys) {
+    const LessonCheck check = checkLesson(name, "---\n" + keys + kHead.substr(4) + kStep, onlyMix);
+    Texts out = texts(check.errors), more = texts(check.warnings);
+    out.insert(out.end(), more.begin(), more.end());
+    return out;
+  };
+  CHECK(told("l.de.md", "").empty());
+  CHECK(told("l.de.md", "language: de\n").empty());
+  CHECK(told("l.md", "language: de\n").empty());
+  CHECK(told("l.de.md", "language: en\n") == Texts{"l.de.md:2:11: the file's name says that the lesson is in 'de', its "
+                                                   "front matter in 'en'; let both say the same"});
+  CHECK(told("l.md", "language: deutsch\n") ==
+        Texts{"l.md:2:11: 'deutsch' is no language's code; write its two letters: en, de"});
+  CHECK(
+      told("l.old.md", "") ==
+      Texts{
+          "l.old.md:1:1: 'old' at the end of the file's name is no language; name a lesson in another language by its "
+          "two letters: first-touch.de.md"});
+}
+
+TEST_CASE("of the files of a lesson the one in the language is taken, else the one of no language, else the first") {
+  const std::vector<fs::path> all{"x/a.de.md", "x/a.md", "x/b.md", "x/c.de.md", "x/c.fr.md", "y/a.md"};
+  CHECK(inLanguage(all, "de") == std::vector<fs::path>{"x/a.de.md", "x/b.md", "x/c.de.md", "y/a.md"});
+  CHECK(inLanguage(all, "en") == std::vector<fs::path>{"x/a.md", "x/b.md", "x/c.de.md", "y/a.md"});
+  CHECK(inLanguage(all, "fr") == std::vector<fs::path>{"x/a.md", "x/b.md", "x/c.fr.md", "y/a.md"});
+}
+
+TEST_CASE(
+    "characters that the window cannot write are told with their line: Chinese, Hebrew and a smile, not Greek or "
+    "Cyrillic") {
+  CHECK(warnings(kHead + kStep + "α-Helix, Ж, 20 Å, “so” – 3 ≤ 4 → 5₂\n").empty());
+  CHECK(warnings(kHead + kStep + "Two \u4E2D and \u4E2D\u6587\n\nthen \U0001F600\n\nand \u05E9\n") ==
+        Texts{"l.md:14:5: the window's fonts have no sign for '\u4E2D' (U+4E2D), '\u6587' (U+6587); it is shown as "
+              "'?': write it "
+              "otherwise",
+              "l.md:16:6: the window's fonts have no sign for '\U0001F600' (U+1F600); it is shown as '?': write it "
+              "otherwise",
+              "l.md:18:5: the window cannot set the script of '\u05E9' (U+05E9); it sets signs from left to right, "
+              "each for "
+              "itself"});
+}
+
 TEST_CASE("an unknown key, a bare number, an empty selection and an unused molecule are told in one go") {
   CHECK(errors("---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, water\nauthor: A\nlicence: L\nlisense: M\n---\n" +
                kStep + "```touch\nreach: ligand BTX\nnear: 4\nsay: S\n```\n") ==

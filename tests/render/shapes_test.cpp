@@ -25,6 +25,7 @@ ViewScene crease() {
   scene.contact.feature = Feature::Circle;
   scene.contact.atoms = {0, 1, -1};
   scene.hip = PointA{Vec3(0, a - 0.5, 0)};
+  stretchToScp(scene.contact, *scene.hip);
   scene.force_N = 0.5;
   scene.camera = frontCamera(24);
   scene.camera.lookFrom(0.6, 0.35);

@@ -38,6 +38,7 @@ TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms tha
     CHECK(got[k].t_s == doctest::Approx(wanted[k].t_s));
     CHECK(glm::distance(got[k].hip.A, wanted[k].hip.A) < 1e-3);
     CHECK(glm::distance(got[k].scp.A, wanted[k].scp.A) < 1e-3);
+    CHECK(glm::distance(got[k].displacement_A, wanted[k].displacement_A) < 1e-3);
     CHECK(glm::distance(got[k].force.N, wanted[k].force.N) < 1e-3);
     CHECK(got[k].feature == wanted[k].feature);
     CHECK(got[k].atoms == wanted[k].atoms);

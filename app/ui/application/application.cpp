@@ -4,9 +4,11 @@
 #include <utility>
 
 #include "app/ui/scene/view_picture.h"
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/catalogue.h"
+#include "engine/platform/use_language.h"
 
 namespace moltact {
 
@@ -18,15 +20,29 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
       keys_(parts.keys),
       panels_(parts.panels) {
   scene.shown = lesson.shapes();
+  std::string fault;
   if (!options_.settings_file.empty()) {
     LoadedSettings loaded = loadSettings(options_.settings_file);
     settings = std::move(loaded.settings);
-    if (!loaded.fault.empty()) messages.warning(loaded.fault);
+    fault = std::move(loaded.fault);
   }
+  speak();
+  if (!fault.empty()) messages.warning(fault);
   for (Extension* e : extensions_->all()) e->atStart(*this);
 }
 
 Application::~Application() { end(); }
+
+void Application::speak() {
+  setDecimalSign(settings.decimal_sign);
+  if (spoken_ == settings.language) return;
+  // What was asked for at the start holds until the person chooses another.
+  std::string wanted = settings.language;
+  if (!spoken_ && !options_.language.empty()) wanted = options_.language;
+  if (!spoken_ && options_.language.empty() && !languageOfEnvironment().empty()) wanted = {};
+  spoken_ = settings.language;
+  if (const auto problem = useLanguage(wanted)) messages.warning(problem->text());
+}
 
 void Application::end() {
   if (std::exchange(ended_, true)) return;
@@ -68,7 +84,7 @@ void Application::openLesson(const std::filesystem::path& file) {
 void Application::drop(const std::vector<std::filesystem::path>& dropped) {
   if (dropped.empty()) return;
   open(dropped.front());
-  if (dropped.size() > 1) messages.notice("Of " + std::to_string(dropped.size()) + " files the first was opened.");
+  if (dropped.size() > 1) messages.notice(trf("Of {0} files the first was opened.", dropped.size()));
 }
 
 void Application::showMolecule(const MoleculeKey& key) {
@@ -159,7 +175,7 @@ void Application::resetViewByHand() {
 }
 
 void Application::askForPictureAs() {
-  file_dialog.ask({.title = "Save the view as a picture",
+  file_dialog.ask({.title = tr("Save the view as a picture"),
                    .name = freePictureName(options_.picture_folder).filename().string(),
                    .ending = ".png",
                    .chosen = [this](const std::filesystem::path& file) { askForPicture(file); }},
@@ -203,7 +219,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
     for (Extension* e : extensions) e->ticks(*this, felt);
   messages.age(dt_s);
 
-  setDecimalComma(settings.decimal_comma);
+  speak();
   keys_(*this);
   layPanelsOut(window_px);
   panels_(*this);

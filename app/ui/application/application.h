@@ -31,6 +31,7 @@ struct ApplicationOptions {
   ServoClock clock = ServoClock::RealThread;
   bool devices_unasked =
       true;  ///< where nobody chose a device, one that is plugged in is taken at the start and offered later
+  std::string language;                   ///< at the start, in the place of the settings': "de"; empty: theirs
   std::filesystem::path settings_file;    ///< empty: settings are neither read nor kept
   std::filesystem::path attempts_folder;  ///< where attempts at lessons are kept; empty: nowhere
   std::filesystem::path cache_folder;     ///< for what can be made again; empty: nothing is kept
@@ -114,6 +115,7 @@ class Application {
   void openLesson(const std::filesystem::path& file);
   void enterScene();  // of the lesson's step, where that has changed
   void tellSteps();
+  void speak();  // the language and the decimal sign of the settings
   void layPanelsOut(glm::vec2 window_px);
 
   const ApplicationOptions options_;
@@ -128,6 +130,7 @@ class Application {
   bool aspect_guessed_ = true;  // the view's shape is known once the first frame has been laid out
   bool step_scene_ = false;     // what is being read belongs to a lesson's step
   bool leaving_ = false, ended_ = false;
+  std::optional<std::string> spoken_;  // the setting that the language in use comes from
   std::optional<std::filesystem::path> picture_asked_;
 };
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/ui/application/application.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/read_file.h"
 #include "engine/results/progress.h"
 
@@ -92,7 +93,7 @@ void AttemptRecorder::resume(Application& app, const std::filesystem::path& less
   app.open(lesson_file);
   if (app.lesson.file() != lesson_file || !app.lesson.session()) return;
   if (!attempt) {
-    app.messages.warning(attempt.problem().text() + ". The lesson begins anew.");
+    app.messages.warning(trf("{0}. The lesson begins anew.", attempt.problem().text()));
     return;
   }
   app.lesson.session()->restore(memoryOf(*attempt));
@@ -231,15 +232,16 @@ void AttemptRecorder::tell(Application& app) {
     const std::size_t n = mended_.get();
     if (n > 0)
       app.messages.notice(
-          n == 1 ? "The program ended in the middle of a lesson last time. What was done until then is kept."
-                 : "The program ended in the middle of " + std::to_string(n) +
-                       " lessons. What was done until then is kept.");
+          trnf("The program ended in the middle of a lesson last time. What was done until then is kept.",
+               "The program ended in the middle of {0} lessons. What was done until then is kept.", n, n));
   }
   if (!log_) return;
   if (const std::optional<Problem> fault = log_->takeFault())
-    app.messages.warning("What you do is not being kept on the disk: " + fault->text() +
-                         ". Go on with the lesson: it is held in memory and written as soon as that can be.");
-  if (log_->takeRecovered()) app.messages.notice("What you do is kept on the disk again, with all that waited.");
+    app.messages.warning(trf(
+        "What you do is not being kept on the disk: {0}. Go on with the lesson: it is held in memory and written as "
+        "soon as that can be.",
+        fault->text()));
+  if (log_->takeRecovered()) app.messages.notice(tr("What you do is kept on the disk again, with all that waited."));
 }
 
 }  // namespace moltact

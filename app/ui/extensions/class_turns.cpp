@@ -5,6 +5,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -52,14 +53,14 @@ void ClassTurns::end(Application& app) {
 
 std::string ClassTurns::prompt(const LessonGuide& lesson) const {
   const LessonSession* session = lesson.session();
-  if (!session) return "What will be felt next?";
+  if (!session) return tr("What will be felt next?");
   for (std::size_t k = 0; k < session->step().tasks.size(); ++k) {
     const TaskStatus task = session->task(k);
-    if (task.current && !task.say.empty()) return "“" + task.say + "” What will be felt?";
+    if (task.current && !task.say.empty()) return trf("“{0}” What will be felt?", task.say);
   }
   for (std::size_t k = 0; k < session->step().questions.size(); ++k)
     if (!session->question(k).answered_right) return plainText(session->step().questions[k].title);
-  return "What will be felt next?";
+  return tr("What will be felt next?");
 }
 
 bool ClassTurns::predict(Application& app, const std::string& name, const std::string& text) {

@@ -6,6 +6,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/task_stager.h"
+#include "engine/language/catalogue.h"
 #include "engine/servo/safety_stage.h"
 #include "engine/servo/scale.h"
 
@@ -29,7 +30,7 @@ void DeviceLink::choose(Application& app, const std::string& name) {
   awaited_.clear();
   awaited_title_.clear();
   app.settings.device = name;
-  app.messages.takeBack(offer_);
+  app.messages.takeBack(offer_id_);
 }
 
 std::optional<Problem> DeviceLink::use(Application& app, const std::string& name, std::unique_ptr<Device> opened) {
@@ -55,7 +56,8 @@ std::optional<Problem> DeviceLink::use(Application& app, const std::string& name
 void DeviceLink::taken(Application& app, const std::string& name) {
   chosen_ = name;
   status_ = DeviceStatus();
-  app.messages.takeBack(std::exchange(told_, {}));
+  app.messages.takeBack(told_id_);
+  told_.clear();
   asked_s_ = -1.0;
 }
 
@@ -82,9 +84,10 @@ void DeviceLink::begin(Application& app) {
   // A name that no driver has any more is forgotten.
   if (!found && !findDevice(name.substr(0, name.find(':')))) return;
   awaited_ = name;
-  awaited_title_ = found ? found->title : name;
-  app.messages.notice(awaited_title_ + " is not there" + (found && !found->why.empty() ? " (" + found->why + ")" : "") +
-                      ". Until it is, the mouse leads.");
+  awaited_title_ = found ? tr(found->title.c_str()) : name;
+  app.messages.notice(found && !found->why.empty()
+                          ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, found->why)
+                          : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
 }
 
 double DeviceLink::lookEvery_s(const Application& app) const {
@@ -115,7 +118,7 @@ void DeviceLink::await(Application& app) {
   if (!device || awaited_.empty() || use(app, awaited_, std::move(*device))) return;
   awaited_.clear();
   awaited_title_.clear();
-  app.messages.notice(app.scene.servo().chosen()->info().name + " is there and leads.");
+  app.messages.notice(trf("{0} is there and leads.", tr(app.scene.servo().chosen()->info().name.c_str())));
 }
 
 // At the start what is there is taken. Later nothing changes under the hand by itself.
@@ -132,9 +135,11 @@ void DeviceLink::offer(Application& app) {
   const std::string name = best == found_.end() ? "" : best->name;
   if (name == offered_) return;
   offered_ = name;
-  app.messages.takeBack(std::exchange(
-      offer_, name.empty() ? "" : best->title + " is plugged in. Choose it on the device page to feel with it."));
-  if (!name.empty()) app.messages.ask(MessageKind::Notice, offer_, {"device"});
+  app.messages.takeBack(offer_id_);
+  if (!name.empty())
+    offer_id_ = app.messages.ask(MessageKind::Notice,
+                                 trf("{0} is plugged in. Choose it on the device page to feel with it.", best->title),
+                                 {"device"});
 }
 
 void DeviceLink::tryForce(Application& app) {
@@ -185,23 +190,23 @@ void DeviceLink::ask(Application& app) {
   if (!device || (asked_s_ >= 0.0 && app.now_s() - asked_s_ < kAsk_s)) return;
   asked_s_ = app.now_s();
   const DeviceStatus was = std::exchange(status_, device->status());
-  const std::string& name = device->info().name;
+  const std::string name = tr(device->info().name.c_str());
   std::string now = status_.text;
   if (!status_.connected)
-    now += " Until then the mouse leads.";
+    now = trf("{0} Until then the mouse leads.", now);
   else if (!status_.ready)
-    now = name + " gives no force yet. " + now;
+    now = trf("{0} gives no force yet. {1}", name, now);
   if (now == told_) return;
-  app.messages.takeBack(told_);
+  app.messages.takeBack(told_id_);
   told_ = now;
   if (wantsCalibration(app.scene.servo()))
-    app.messages.ask(MessageKind::Warning, now, {"calibrate", "device"});
+    told_id_ = app.messages.ask(MessageKind::Warning, now, {"calibrate", "device"});
   else if (!now.empty())
-    app.messages.ask(MessageKind::Warning, now, {"device"});
+    told_id_ = app.messages.ask(MessageKind::Warning, now, {"device"});
   if (!was.connected && status_.connected && status_.ready)
-    app.messages.notice(name + " leads again.");
+    app.messages.notice(trf("{0} leads again.", name));
   else if (!was.ready && status_.ready)
-    app.messages.notice(name + " is ready.");
+    app.messages.notice(trf("{0} is ready.", name));
 }
 
 bool DeviceLink::wantsCalibration(const ServoLink& servo) const {
@@ -246,8 +251,8 @@ std::vector<std::string> DeviceLink::limitNotices(const Messages& messages) cons
     // The device knows better what is wrong; it is told once.
     const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
     if (!own_words)
-      out.emplace_back(one->sentence);
-    else if (!messages.tells(told_))
+      out.emplace_back(tr(one->sentence));
+    else if (!messages.tells(told_id_))
       out.push_back(told_);
   }
   return out;

@@ -95,10 +95,11 @@ class DeviceLink : public Extension {
   double searched_s_ = 0.0;
   DeviceLooker looker_;
   bool begun_ = false, takes_default_ = false;
-  double looked_s_ = -1.0;       // none yet: negative
-  std::string offered_, offer_;  // the device that nobody chose and could, and the message that offers it
+  double looked_s_ = -1.0;                // none yet: negative
+  std::string offered_;                   // the device that nobody chose and could
+  MessageId offer_id_ = 0, told_id_ = 0;  // the messages that offer it and tell the state
   DeviceStatus status_;
-  std::string told_;  // of the device's state, in a message
+  std::string told_;  // of the device's state
   double asked_s_ = -1.0, trying_s_ = 0.0, soft_start_s_ = 0.0;
   std::array<double, 32> limit_left_s_{};
   std::array<float, kLate_us.size() + 1> lateness_{};

@@ -1,6 +1,5 @@
 #include "app/ui/extensions/hand_recorder.h"
 
-#include <cstdio>
 #include <map>
 #include <memory>
 #include <utility>
@@ -8,22 +7,14 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/extensions/device_link.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/catalogue.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
-namespace {
-
-std::string seconds(double s) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", s);
-  return text;
-}
-
-}  // namespace
-
 void HandRecorder::askToRecord(Application& app) {
-  app.file_dialog.ask({.title = "Record the hand in a file",
+  app.file_dialog.ask({.title = tr("Record the hand in a file"),
                        .name = app.scene.molecule().file.stem().string() + kRecordingEnding,
                        .ending = kRecordingEnding,
                        .chosen = [this, &app](const fs::path& file) { record(app, file); }},
@@ -35,13 +26,13 @@ void HandRecorder::record(Application& app, const fs::path& file) {
   Expected<ServoRecordingWriter> made = ServoRecordingWriter::create(file, true);
   if (!made) return app.messages.error(made.problem().text());
   if (!app.scene.beginRecording())
-    return app.messages.error("Nothing can be recorded now: open a molecule, and end what is played.");
+    return app.messages.error(tr("Nothing can be recorded now: open a molecule, and end what is played."));
   writer_.emplace(*std::move(made));
   file_ = file;
   ticks_ = 0;
-  tracker_ = app.scene.servo().trackers();
-  told_ = "The hand is recorded in " + file.filename().string() + ".";
-  app.messages.ask(MessageKind::Notice, told_, {"device"});
+  tracker_ = app.scene.servo().handedOver();
+  told_ =
+      app.messages.ask(MessageKind::Notice, trf("The hand is recorded in {0}.", file.filename().string()), {"device"});
 }
 
 void HandRecorder::drain(Application& app) {
@@ -61,8 +52,8 @@ void HandRecorder::drain(Application& app) {
     ++ticks_;
   });
   if (!problem && servo.lostOfRecording())
-    problem = Problem{file_.string(), 0, 0, "the window stood too long and ticks are missing from here on",
-                      "end other programs, and record anew"};
+    problem = Problem{file_.string(), 0, 0, tr("the window stood too long and ticks are missing from here on"),
+                      tr("end other programs, and record anew")};
   if (!problem) return;
   app.messages.error(problem->text());
   writer_.reset();
@@ -81,8 +72,8 @@ void HandRecorder::stop(Application& app) {
   if (problem)
     app.messages.error(problem->text());
   else
-    app.messages.notice(seconds(recorded_s()) + " of the hand are in " + file_.string() +
-                        "; open the file to play them.");
+    app.messages.notice(trf("{0} of the hand are in {1}; open the file to play them.",
+                            quantityText(recorded_s(), Dimension::Time, decimals(1)), file_.string()));
 }
 
 void HandRecorder::beforeOpening(Application& app, FileKind kind) {
@@ -99,7 +90,7 @@ void HandRecorder::play(Application& app, const fs::path& file) {
   Expected<ServoRecording> recording = readServoRecording(file);
   if (!recording) return app.messages.error(recording.problem().text());
   if (recording->ticks.empty())
-    return app.messages.error(file.string() + ": there are no ticks in this recording. Record it anew.");
+    return app.messages.error(trf("{0}: there are no ticks in this recording. Record it anew.", file.string()));
   if (!recording->torn.empty()) app.messages.warning(recording->torn);
   stop(app);
   endPlay(app);
@@ -112,10 +103,11 @@ void HandRecorder::play(Application& app, const fs::path& file) {
     app.showMolecule(*found);
   } else if (!found && !app.scene.stage()) {
     waiting_.reset();
-    app.messages.error("The molecule of this recording, " + molecule + ", is not on this computer.");
+    app.messages.error(trf("The molecule of this recording, {0}, is not on this computer.", molecule));
   } else if (!found) {
-    app.messages.warning("The molecule of this recording, " + molecule +
-                         ", is not on this computer: the hand is led on what is on the stage.");
+    app.messages.warning(
+        trf("The molecule of this recording, {0}, is not on this computer: the hand is led on what is on the stage.",
+            molecule));
   }
 }
 
@@ -128,8 +120,8 @@ std::string HandRecorder::label(const char* key) const {
 void HandRecorder::begin(Application& app) {
   app.panels.welcome = false;
   if (const std::string balls = label("balls"); !balls.empty() && balls != fingerprint(*app.scene.stage().balls))
-    app.messages.warning(
-        "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else.");
+    app.messages.warning(tr(
+        "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else."));
   app.scene.useMethod(label("method"));
   before_ = link_.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));
@@ -168,13 +160,13 @@ void HandRecorder::beforeTicks(Application& app) {
   if (!device_->ended()) return lead(app);
   const std::string name = file_.filename().string();
   endPlay(app);
-  app.messages.notice(name + " has been played to its end; " + app.scene.servo().device().name + " leads again.");
+  app.messages.notice(trf("{0} has been played to its end; {1} leads again.", name, app.scene.servo().device().name));
 }
 
 void HandRecorder::afterPanels(Application& app) {
   if (!recording()) return;
   drain(app);
-  if (recording() && app.scene.servo().trackers() != tracker_) stop(app);
+  if (recording() && app.scene.servo().handedOver() != tracker_) stop(app);
 }
 
 void HandRecorder::atEnd(Application& app) { stop(app); }

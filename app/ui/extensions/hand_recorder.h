@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/ui/application/extension.h"
+#include "app/ui/widgets/messages.h"
 #include "engine/servo/playback_device.h"
 
 namespace moltact {
@@ -56,7 +57,7 @@ class HandRecorder : public Extension {
   std::optional<ServoRecordingWriter> writer_;
   std::uint64_t ticks_ = 0;
   std::uint32_t tracker_ = 0;  // the scene's, by its number, when it began
-  std::string told_;           // the message that says so
+  MessageId told_ = 0;         // the message that says so
   // Of one that is played:
   std::optional<ServoRecording> waiting_;  // for its molecule
   PlaybackDevice* device_ = nullptr;       // the servo loop's, while that one leads

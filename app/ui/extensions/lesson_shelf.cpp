@@ -8,6 +8,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/files/library.h"
 #include "app/ui/files/user_folders.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/reader.h"
 
 namespace moltact {
@@ -16,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 int levelRank(const std::string& level) {
-  static constexpr std::array<std::string_view, 3> kLevels{"beginner", "intermediate", "advanced"};
+  static constexpr std::array<std::string_view, 3> kLevels{N_("beginner"), N_("intermediate"), N_("advanced")};
   const auto known = std::find(kLevels.begin(), kLevels.end(), level);
   return int(known - kLevels.begin());
 }
@@ -25,7 +26,7 @@ void read(LessonCard& card) {
   card.read = true;
   LessonReading reading = readLesson(card.file);
   if (!reading.lesson) {
-    card.fault = reading.errors.empty() ? "This is not a lesson." : reading.errors.front().text();
+    card.fault = reading.errors.empty() ? tr("This is not a lesson.") : reading.errors.front().text();
     return;
   }
   const Lesson& lesson = *reading.lesson;
@@ -45,6 +46,7 @@ fs::path lessonFolderOf(const Settings& settings) {
 void LessonShelf::list(const Application& app) {
   cards_.clear();
   next_ = 0;
+  listed_in_ = language();
   const auto add = [this](const std::vector<LibraryItem>& items, bool own) {
     for (const LibraryItem& item : items) {
       LessonCard& card = cards_.emplace_back();
@@ -70,9 +72,9 @@ const LessonCard* LessonShelf::latest() const {
 }
 
 void LessonShelf::afterPanels(Application& app) {
-  const bool opened = app.panels.welcome && !open_;
+  const bool opened = app.panels.welcome && !open_, other_language = listed_in_ != language();
   open_ = app.panels.welcome;
-  if (opened) list(app);
+  if (opened || (open_ && other_language)) list(app);
   if (!open_ || next_ >= cards_.size()) return;
   read(cards_[next_++]);
   if (next_ < cards_.size()) return;

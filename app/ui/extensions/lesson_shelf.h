@@ -16,7 +16,7 @@ namespace moltact {
 
 struct LessonCard {
   std::filesystem::path file;
-  std::string id;     ///< the file's name without its ending
+  std::string id;     ///< the file's name without its ending and language
   std::string title;  ///< the file's name until it has been read
   std::string level;  ///< as the author wrote it; may be empty
   int minutes = 0;    ///< 0: not told
@@ -30,7 +30,7 @@ struct LessonCard {
 
 class LessonShelf : public Extension {
  public:
-  /// The program's lessons, by level, then the person's own, by title.
+  /// The program's lessons, by level, then the person's own, by title; each in the language in use where it has it.
   const std::vector<LessonCard>& cards() const { return cards_; }
   /// The lesson to go on with: the one touched last, where it was not finished. Null without one.
   const LessonCard* latest() const;
@@ -43,8 +43,9 @@ class LessonShelf : public Extension {
   void list(const Application& app);
 
   std::vector<LessonCard> cards_;
-  std::size_t next_ = 0;  // the card to be read
-  bool open_ = false;     // the page was open in the last frame
+  std::size_t next_ = 0;   // the card to be read
+  std::string listed_in_;  // the language
+  bool open_ = false;      // the page was open in the last frame
 };
 
 /// Where the person's own lessons are looked for: the folder of the settings, else ownLessonsFolder().

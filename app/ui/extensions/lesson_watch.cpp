@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "app/ui/application/application.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 
 namespace moltact {
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 constexpr double kPoll_s = 0.25;
 constexpr double kGone_s = 3.0;       // editors that save by way of another file leave none for a moment
 constexpr double kLookAgain_s = 2.0;  // a picture or molecule that was missing may have been put there
-constexpr const char* kSaveAgain = "save it again, or open another lesson";
+constexpr const char* kSaveAgain = N_("save it again, or open another lesson");
 
 LessonCheck checkNow(const std::string& name, const std::string& bytes, LessonMolecules& molecules) {
   return checkLesson(name, bytes, [&](const NamedMolecule& molecule) { return molecules.find(name, molecule); });
@@ -58,7 +59,7 @@ void LessonWatch::lessonRefused(Application& app, const fs::path& file) {
   // What is wrong with a file that a person has just chosen is told at once.
   const Expected<std::string> bytes = readLessonFile(file);
   if (bytes && !bytes->empty()) return begin(app);
-  list({{}, {bytes ? Problem{file.string(), 0, 0, "the file is empty", kSaveAgain} : bytes.problem()}, {}});
+  list({{}, {bytes ? Problem{file.string(), 0, 0, tr("the file is empty"), tr(kSaveAgain)} : bytes.problem()}, {}});
   read_ = seen_;
 }
 
@@ -83,7 +84,9 @@ void LessonWatch::poll(Application& app) {
     unreadable_s_ += kPoll_s;
     if (unreadable_s_ < kGone_s || now == read_) return;
     read_ = now;
-    list({{}, {{file_.string(), 0, 0, now.there ? "the file is empty" : "the file is gone", kSaveAgain}}, {}});
+    list({{},
+          {{file_.string(), 0, 0, now.there ? tr("the file is empty") : tr("the file is gone"), tr(kSaveAgain)}},
+          {}});
     return;
   }
   unreadable_s_ = 0.0;
@@ -136,7 +139,7 @@ void LessonWatch::takeUp(Application& app, LessonCheck check) {
   app.lesson.replace(*std::move(check.lesson));
   own_opening_ = app.lesson.openings();
   app.scene.startSoftly();
-  app.messages.notice("Read again: " + file_.filename().string());
+  app.messages.notice(trf("Read again: {0}", file_.filename().string()));
 }
 
 void LessonWatch::list(const LessonCheck& check) {

@@ -4,6 +4,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/attempt_recorder.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 
@@ -35,8 +36,7 @@ void Playback::open(Application& app, const fs::path& file) {
   }
   const std::size_t passed_over = attempt->problems.size();
   const std::string first_problem =
-      passed_over ? "line " + std::to_string(attempt->problems.front().line) + ", " + attempt->problems.front().message
-                  : "";
+      passed_over ? trf("line {0}, {1}", attempt->problems.front().line, attempt->problems.front().message) : "";
   if (!on()) {
     before_ = app.scene.molecule();
     seen_before_ = app.scene.camera;
@@ -53,11 +53,11 @@ void Playback::open(Application& app, const fs::path& file) {
   app.messages.clearErrors();
   app.panels.welcome = false;
   if (passed_over)
-    app.messages.notice(std::to_string(passed_over) + (passed_over == 1 ? " line" : " lines") + " of " +
-                        file.filename().string() + " could not be read and " + (passed_over == 1 ? "is" : "are") +
-                        " left out. The first: " + first_problem + ".");
+    app.messages.notice(trnf("{0} line of {1} could not be read and is left out. The first: {2}.",
+                             "{0} lines of {1} could not be read and are left out. The first: {2}.", passed_over,
+                             passed_over, file.filename().string(), first_problem));
   if (!timeline_->stage(timeline_->length_s()))
-    app.messages.notice("This attempt has no touches to show; its steps and answers are on the bar.");
+    app.messages.notice(tr("This attempt has no touches to show; its steps and answers are on the bar."));
 }
 
 void Playback::close(Application& app, bool back) {
@@ -126,8 +126,8 @@ void Playback::stageFor(Application& app) {
   if (found) return app.showMolecule(*found);
   if (missing_ == name) return;
   missing_ = name;
-  app.messages.warning("The molecule of this attempt, " + name + ", is not on this computer: put it beside " +
-                       file_.filename().string() + ".");
+  app.messages.warning(trf("The molecule of this attempt, {0}, is not on this computer: put it beside {1}.", name,
+                           file_.filename().string()));
 }
 
 void Playback::showHand(Application& app) {
@@ -141,6 +141,7 @@ void Playback::showHand(Application& app) {
     sample.contact.scp = hand->scp;
     sample.contact.feature = hand->feature;
     sample.contact.atoms = hand->atoms;
+    sample.contact.displacement_A = hand->displacement_A;
     sample.force = hand->force;
     sample.probe_A = stage->probe_A;
     sample.time_s = at_s_;

@@ -3,6 +3,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/task_stager.h"
 #include "app/ui/scene/contact_text.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -40,8 +41,7 @@ void StateText::write(const std::string& line) {
 
 void StateText::stepChanged(Application& app) {
   const LessonSession* session = app.lesson.session();
-  write("step " + std::to_string(session->stepIndex() + 1) + " of " + std::to_string(session->lesson().steps.size()) +
-        ": " + session->step().title);
+  write(trf("step {0} of {1}: {2}", session->stepIndex() + 1, session->lesson().steps.size(), session->step().title));
 }
 
 void StateText::afterPanels(Application& app) {
@@ -57,7 +57,7 @@ void StateText::afterPanels(Application& app) {
   const bool dark = stager_.dark();
   const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
   const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
-  reading_.update(what, whole, force_N, app.now_s());
+  if (reading_.update(what, whole, force_N, app.now_s())) tells_contact_ = molecule && contact.touching();
   if (speaking_.update(what, whole, force_N, app.now_s())) write(whole);
   owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
 }

@@ -30,6 +30,8 @@ class StateText : public Extension {
 
   /// What is touched, renewed at a pace that can be read.
   const std::string& line() const { return reading_.text(); }
+  /// line() tells of a contact, and not that there is none or why.
+  bool tellsContact() const { return tells_contact_; }
 
  private:
   const TaskStager& stager_;  // in the dark no atom is named
@@ -38,6 +40,7 @@ class StateText : public Extension {
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
   std::optional<AppendFile> file_;
   bool to_terminal_ = false;
+  bool tells_contact_ = false;
   bool owing_ = false;  // there is news that has not been told
 };
 

@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "app/ui/files/file_kinds.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -14,7 +15,7 @@ void FileBrowser::look(const fs::path& where) {
   const fs::path whole = fs::weakly_canonical(where, error);
   fs::directory_iterator it(whole, fs::directory_options::skip_permission_denied, error);
   if (error) {
-    fault_text_ = "The folder " + where.string() + " cannot be read: " + error.message() + ".";
+    fault_text_ = trf("The folder {0} cannot be read: {1}.", where.string(), error.message());
     return;
   }
   fault_text_.clear();

@@ -4,6 +4,7 @@
 
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -29,7 +30,7 @@ bool fileRow(const std::string& name, Icon icon, const std::string& label) {
 fs::path drawFileList(FileBrowser& b, const std::string& prefix, const char* nothing) {
   fs::path next, file;
   if (b.folder().has_parent_path() && b.folder() != b.folder().parent_path() &&
-      fileRow(prefix + "/up", Icon::Up, "Parent folder"))
+      fileRow(prefix + "/up", Icon::Up, tr("Parent folder")))
     next = b.folder().parent_path();
   ImGuiListClipper clipper;
   clipper.Begin(int(b.entries().size()), look().tx(30) + ImGui::GetStyle().ItemSpacing.y);

@@ -1,7 +1,9 @@
 #include "app/ui/files/library.h"
 
 #include <fstream>
+#include <optional>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
@@ -16,7 +18,8 @@ std::vector<LibraryItem> readLibrary() {
   const fs::path folder = moleculesFolder();
   const Expected<std::vector<CatalogueEntry>> entries = readCatalogue(folder);
   if (!entries) return items;
-  for (const CatalogueEntry& e : *entries) items.push_back({e.id, e.title.empty() ? e.id : e.title, folder / e.file});
+  for (const CatalogueEntry& e : *entries)
+    items.push_back({e.id, e.title.empty() ? e.id : trc("molecule", e.title.c_str()), folder / e.file});
   return items;
 }
 
@@ -38,17 +41,28 @@ std::string titleOf(const fs::path& file) {
 
 std::vector<LibraryItem> lessonItems(const fs::path& folder) {
   std::vector<LibraryItem> items;
-  for (const fs::path& file : lessonsIn(folder).lessons) items.push_back({file.stem().string(), titleOf(file), file});
+  for (const fs::path& file : inLanguage(lessonsIn(folder).lessons, language()))
+    items.push_back({lessonName(file).id, titleOf(file), file});
   return items;
 }
 
 const std::vector<LibraryItem>& library() {
-  static const std::vector<LibraryItem> items = readLibrary();
+  static std::vector<LibraryItem> items;
+  static std::optional<std::string> listed_in;
+  if (listed_in != language()) {
+    listed_in = language();
+    items = readLibrary();
+  }
   return items;
 }
 
 const std::vector<LibraryItem>& lessons() {
-  static const std::vector<LibraryItem> items = lessonItems(lessonsFolder());
+  static std::vector<LibraryItem> items;
+  static std::optional<std::string> listed_in;
+  if (listed_in != language()) {
+    listed_in = language();
+    items = lessonItems(lessonsFolder());
+  }
   return items;
 }
 

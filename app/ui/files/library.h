@@ -1,4 +1,4 @@
-// What comes with the program: its molecules and lessons, as menus list them, read once; and lesson folders. Window's
+// What comes with the program: its molecules and lessons, as menus list them, read once in each language; and lesson folders. Window's
 // thread.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace moltact {
 
 struct LibraryItem {
-  std::string id;     ///< "1ubq"
+  std::string id;     ///< "1ubq"; of a lesson its name without the language
   std::string label;  ///< "Ubiquitin (1UBQ)"
   std::filesystem::path file;
 };
@@ -18,11 +18,11 @@ struct LibraryItem {
 /// The lesson that a newcomer begins with.
 inline constexpr std::string_view kFirstLesson = "first-touch";
 
-/// The molecules of the catalogue; empty where the program's data are not found.
+/// The molecules of the catalogue, their titles in the language in use; empty where the program's data are not found.
 const std::vector<LibraryItem>& library();
-/// The lesson files in the program's lessons folder, by name.
+/// The lesson files in the program's lessons folder, by name; each lesson once, in the language in use.
 const std::vector<LibraryItem>& lessons();
-/// The lessons in a folder, by name; empty where it cannot be read.
+/// The lessons in a folder, by name; each once, in the language in use. Empty where it cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
 
 }  // namespace moltact

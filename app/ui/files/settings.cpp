@@ -8,6 +8,7 @@
 #include <sstream>
 #include <system_error>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/write_file.h"
 
 namespace moltact {
@@ -23,6 +24,14 @@ void readNumber(const nlohmann::json& from, const char* key, double& to, double 
 }
 
 constexpr std::array<std::string_view, 4> kProbeLooks{"water", "ball", "stylus", "finger"};
+
+constexpr std::array<std::string_view, 3> kDecimalSigns{"language", "point", "comma"};
+
+std::optional<DecimalSign> decimalSignNamed(std::string_view name) {
+  const auto at = std::find(kDecimalSigns.begin(), kDecimalSigns.end(), name);
+  if (at == kDecimalSigns.end()) return std::nullopt;
+  return DecimalSign(at - kDecimalSigns.begin());
+}
 
 void readSwitch(const nlohmann::json& from, const char* key, bool& to) {
   if (const auto it = from.find(key); it != from.end() && it->is_boolean()) to = it->get<bool>();
@@ -57,7 +66,7 @@ LoadedSettings loadSettings(const fs::path& file) {
   const nlohmann::json json = nlohmann::json::parse(text.str(), nullptr, false);
   if (!in || !json.is_object()) {
     out.fault =
-        "Your settings in " + file.string() + " could not be read; the defaults are used and will replace them.";
+        trf("Your settings in {0} could not be read; the defaults are used and will replace them.", file.string());
     return out;
   }
   Settings& s = out.settings;
@@ -70,7 +79,14 @@ LoadedSettings loadSettings(const fs::path& file) {
   readSwitch(json, "legend", s.legend);
   readSwitch(json, "colour_blind_safe", s.colour_blind_safe);
   readSwitch(json, "left_handed", s.left_handed);
-  readSwitch(json, "decimal_comma", s.decimal_comma);
+  if (const auto code = json.find("language"); code != json.end() && code->is_string())
+    s.language = code->get<std::string>().substr(0, 8);
+  // Before there was a choice of three the file said whether it was a comma.
+  bool comma = false;
+  readSwitch(json, "decimal_comma", comma);
+  if (comma) s.decimal_sign = DecimalSign::Comma;
+  if (const auto sign = json.find("decimal_sign"); sign != json.end() && sign->is_string())
+    s.decimal_sign = decimalSignNamed(sign->get<std::string>()).value_or(s.decimal_sign);
   if (const auto folder = json.find("lesson_folder"); folder != json.end() && folder->is_string())
     s.lesson_folder = folder->get<std::string>();
   if (const auto look = json.find("probe_look"); look != json.end() && look->is_string())
@@ -97,7 +113,8 @@ nlohmann::json written(const Settings& s) {
           {"legend", s.legend},
           {"colour_blind_safe", s.colour_blind_safe},
           {"left_handed", s.left_handed},
-          {"decimal_comma", s.decimal_comma},
+          {"language", s.language},
+          {"decimal_sign", kDecimalSigns[std::size_t(s.decimal_sign)]},
           {"lesson_folder", s.lesson_folder},
           {"probe_look", probeLookName(s.probe_look)},
           {"device", s.device},
@@ -123,7 +140,7 @@ std::string saveSettings(const Settings& settings, const fs::path& file, const S
     json = std::move(kept);
   }
   const auto problem = writeWhole(file, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + '\n');
-  return problem ? "Your settings could not be saved: " + problem->text() + "." : std::string();
+  return problem ? trf("Your settings could not be saved: {0}.", problem->text()) : std::string();
 }
 
 }  // namespace moltact

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/ui/widgets/theme_choice.h"
+#include "engine/language/quantity_text.h"
 #include "engine/render/atom_style.h"
 
 namespace moltact {
@@ -30,8 +31,9 @@ struct Settings {
   bool legend = true;              ///< colours that are not the customary ones are named in the view
   bool colour_blind_safe = false;  ///< atoms in colours that every kind of colour vision tells apart
   bool left_handed = false;        ///< over the molecule the right button pushes and the left one turns
-  bool decimal_comma = false;      ///< numbers as "1,4" and not as "1.4"
-  std::string lesson_folder;       ///< where the person's own lessons are; empty: ownLessonsFolder()
+  std::string language;            ///< "de"; empty: the system's
+  DecimalSign decimal_sign = DecimalSign::OfLanguage;  ///< of every number that is shown
+  std::string lesson_folder;        ///< where the person's own lessons are; empty: ownLessonsFolder()
   std::vector<std::string> recent;  ///< files opened last, newest first, at most kRecent
   static constexpr std::size_t kRecent = 8;
 

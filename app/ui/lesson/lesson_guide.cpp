@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
@@ -60,7 +61,7 @@ const SceneSpec* LessonGuide::takeNewScene() {
 }
 
 Expected<MoleculeKey> LessonGuide::molecule() const {
-  if (!session_) return Problem{{}, 0, 0, "no lesson is open", {}};
+  if (!session_) return Problem{{}, 0, 0, tr("no lesson is open"), {}};
   return moleculeOf(session_->scene(), file_);
 }
 

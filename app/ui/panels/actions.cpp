@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
+#include "engine/language/catalogue.h"
 #include "engine/render/gltf_export.h"
 
 namespace moltact {
@@ -40,11 +42,11 @@ void saveGltf(App& app, const std::filesystem::path& file) {
       exportMolecule(*app.scene.stage().molecule, {.colours = elementColoursOf(app.settings)});
   if (!scene) return app.messages.error(scene.problem().text());
   if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
-  app.messages.notice("Molecule saved as " + file.string() + "; 1 unit is 1 nm");
+  app.messages.notice(trf("Molecule saved as {0}; 1 unit is 1 nm", file.string()));
 }
 
 void askForGltf(App& app) {
-  app.file_dialog.ask({.title = "Save the molecule as a 3-D model",
+  app.file_dialog.ask({.title = tr("Save the molecule as a 3-D model"),
                        .name = app.scene.molecule().file.stem().string() + ".glb",
                        .ending = ".glb",
                        .chosen = [&app](const std::filesystem::path& file) { saveGltf(app, file); }},
@@ -54,66 +56,66 @@ void askForGltf(App& app) {
 constexpr std::array kActions{
     Action{.name = "welcome",
            .menu = Menu::File,
-           .label = "Welcome page",
+           .label = N_("Welcome page"),
            .shortcut = "Ctrl+H",
-           .sentence = "All lessons and molecules",
+           .sentence = N_("All lessons and molecules"),
            .icon = Icon::Home,
            .tool = 1,
            .run = [](App& a) { a.panels.welcome = !a.panels.welcome || !a.hasWork(); },
            .on = [](const App& a) { return a.panels.welcome; }},
     Action{.name = "open",
            .menu = Menu::File,
-           .label = "Open …",
+           .label = N_("Open …"),
            .shortcut = "Ctrl+O",
-           .sentence = "Open a molecule or a lesson",
+           .sentence = N_("Open a molecule or a lesson"),
            .icon = Icon::Folder,
            .tool = 2,
            .run = [](App& a) { a.panels.open_page = true; }},
     Action{.name = "picture",
            .menu = Menu::File,
            .parted = true,
-           .label = "Save picture",
+           .label = N_("Save picture"),
            .shortcut = "Ctrl+S",
-           .sentence = "Save the view as a picture",
+           .sentence = N_("Save the view as a picture"),
            .icon = Icon::Camera,
            .tool = 4,
            .run = [](App& a) { a.askForPicture(); },
            .enabled = hasStage},
     Action{.name = "picture_as",
            .menu = Menu::File,
-           .label = "Save picture as …",
+           .label = N_("Save picture as …"),
            .shortcut = "Ctrl+Shift+S",
            .run = [](App& a) { a.askForPictureAs(); },
            .enabled = hasStage},
     Action{.name = "export",
            .menu = Menu::File,
-           .label = "Save molecule as glTF …",
-           .sentence = "Save the molecule as a 3-D model for slides and web pages",
+           .label = N_("Save molecule as glTF …"),
+           .sentence = N_("Save the molecule as a 3-D model for slides and web pages"),
            .run = [](App& a) { askForGltf(a); },
            .enabled = hasStage},
     Action{.name = "quit",
            .menu = Menu::File,
            .parted = true,
-           .label = "Quit",
+           .label = N_("Quit"),
            .shortcut = "Ctrl+Q",
            .run = [](App& a) { a.leave(); },
            .while_writing = true},
 
     Action{.name = "undo",
            .menu = Menu::Edit,
-           .label = "Undo",
+           .label = N_("Undo"),
            .shortcut = "Ctrl+Z",
-           .sentence = "Undo the last change of method, probe, spring, parts shown, colours or view",
+           .sentence = N_("Undo the last change of method, probe, spring, parts shown, colours or view"),
            .icon = Icon::Undo,
            .tool = 3,
            .run = [](App& a) { a.extensions().history.undo(a); },
            .enabled = [](const App& a) { return atWork(a) && a.extensions().history.canUndo(); }},
     Action{.name = "redo",
            .menu = Menu::Edit,
-           .label = "Redo",
+           .label = N_("Redo"),
            .shortcut = "Ctrl+Shift+Z",
            .also = "Ctrl+Y",
-           .sentence = "Redo what was undone",
+           .sentence = N_("Redo what was undone"),
            .icon = Icon::Redo,
            .tool = 3,
            .run = [](App& a) { a.extensions().history.redo(a); },
@@ -121,18 +123,18 @@ constexpr std::array kActions{
     Action{.name = "preferences",
            .menu = Menu::Edit,
            .parted = true,
-           .label = "Preferences …",
+           .label = N_("Preferences …"),
            .shortcut = "Ctrl+,",
-           .sentence = "Colours, sizes, mouse and numbers",
+           .sentence = N_("Colours, sizes, mouse and numbers"),
            .icon = Icon::Gear,
            .tool = 4,
            .run = [](App& a) { a.panels.preferences_page = true; }},
 
     Action{.name = "lesson",
            .menu = Menu::View,
-           .label = "Lesson panel",
+           .label = N_("Lesson panel"),
            .shortcut = "Ctrl+L",
-           .sentence = "Lesson panel",
+           .sentence = N_("Lesson panel"),
            .icon = Icon::LeftPanel,
            .tool = 1,
            .run = [](App& a) { switchPanel(a, a.panels.lesson, a.layout().lesson, true); },
@@ -140,9 +142,9 @@ constexpr std::array kActions{
            .on = [](const App& a) { return !a.layout().lesson.empty(); }},
     Action{.name = "touch",
            .menu = Menu::View,
-           .label = "Touch panel",
+           .label = N_("Touch panel"),
            .shortcut = "Ctrl+T",
-           .sentence = "Touch panel",
+           .sentence = N_("Touch panel"),
            .icon = Icon::RightPanel,
            .tool = 1,
            .run = [](App& a) { switchPanel(a, a.panels.touch, a.layout().touch, false); },
@@ -150,14 +152,14 @@ constexpr std::array kActions{
            .on = [](const App& a) { return !a.layout().touch.empty(); }},
     Action{.name = "methods",
            .menu = Menu::View,
-           .label = "Methods panel",
+           .label = N_("Methods panel"),
            .shortcut = "Ctrl+M",
            .run = [](App& a) { a.panels.showMethods(!a.panels.methods); },
            .enabled = mayMethods,
            .on = [](const App& a) { return a.panels.methods; }},
     Action{.name = "chains",
            .menu = Menu::View,
-           .label = "Colour by chain",
+           .label = N_("Colour by chain"),
            .run =
                [](App& a) {
                  a.scene.colour_by = a.scene.colour_by == ColourBy::Chain ? ColourBy::Element : ColourBy::Chain;
@@ -166,55 +168,55 @@ constexpr std::array kActions{
            .on = [](const App& a) { return a.scene.colour_by == ColourBy::Chain; }},
     Action{.name = "legend",
            .menu = Menu::View,
-           .label = "Legend of colours",
+           .label = N_("Legend of colours"),
            .run = [](App& a) { a.settings.legend = !a.settings.legend; },
            .enabled = [](const App& a) { return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain; },
            .on = [](const App& a) { return a.settings.legend; }},
     Action{.name = "light",
            .menu = Menu::View,
            .parted = true,
-           .label = "Light",
+           .label = N_("Light"),
            .run = [](App& a) { a.settings.theme = ThemeChoice::Light; },
            .on = [](const App& a) { return a.settings.theme == ThemeChoice::Light; }},
     Action{.name = "dark",
            .menu = Menu::View,
-           .label = "Dark",
+           .label = N_("Dark"),
            .run = [](App& a) { a.settings.theme = ThemeChoice::Dark; },
            .on = [](const App& a) { return a.settings.theme == ThemeChoice::Dark; }},
     Action{.name = "high-contrast",
            .menu = Menu::View,
-           .label = "High contrast",
+           .label = N_("High contrast"),
            .run = [](App& a) { a.settings.theme = ThemeChoice::HighContrast; },
            .on = [](const App& a) { return a.settings.theme == ThemeChoice::HighContrast; }},
     Action{.name = "sound",
            .menu = Menu::View,
            .parted = true,
-           .label = "Sound of touch",
-           .sentence = "Hear what is touched",
+           .label = N_("Sound of touch"),
+           .sentence = N_("Hear what is touched"),
            .icon = Icon::Sound,
            .tool = 4,
            .run = [](App& a) { a.settings.sound = !a.settings.sound; },
            .on = [](const App& a) { return a.settings.sound; }},
     Action{.name = "large-text",
            .menu = Menu::View,
-           .label = "What is touched in large type",
+           .label = N_("What is touched in large type"),
            .run = [](App& a) { a.settings.large_state_text = !a.settings.large_state_text; },
            .on = [](const App& a) { return a.settings.large_state_text; }},
     Action{.name = "device",
            .menu = Menu::View,
            .parted = true,
-           .label = "Device …",
+           .label = N_("Device …"),
            .shortcut = "Ctrl+D",
-           .sentence = "The device in your hand: choose it, try it, see its limits",
+           .sentence = N_("The device in your hand: choose it, try it, see its limits"),
            .run = [](App& a) { a.panels.device_page = true; }},
     Action{.name = "calibrate",
            .menu = Menu::View,
-           .label = "Calibrate the device",
+           .label = N_("Calibrate the device"),
            .run = [](App& a) { a.scene.servo().chosen()->calibrate(); },
            .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a.scene.servo()); }},
     Action{.name = "stop-force",
            .menu = Menu::View,
-           .label = "Stop all force",
+           .label = N_("Stop all force"),
            .shortcut = "F9",
            .run = [](App& a) { a.scene.stopForce(!a.scene.servo_settings.panic); },
            .on = [](const App& a) { return a.scene.servo_settings.panic; },
@@ -222,23 +224,23 @@ constexpr std::array kActions{
     Action{.name = "reset",
            .menu = Menu::View,
            .parted = true,
-           .label = "Reset view",
+           .label = N_("Reset view"),
            .shortcut = "Home",
            .run = [](App& a) { a.resetViewByHand(); },
            .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
     Action{.name = "magnify",
            .menu = Menu::View,
-           .label = "Magnify round the probe",
+           .label = N_("Magnify round the probe"),
            .shortcut = "Ctrl+G",
-           .sentence = "What lies round the probe fills the room of your hand",
+           .sentence = N_("What lies round the probe fills the room of your hand"),
            .run = [](App& a) { a.scene.magnify(!a.scene.magnifiedByHand()); },
            .enabled = mayMagnify,
            .on = [](const App& a) { return a.scene.magnifiedByHand(); }},
     Action{.name = "full-screen",
            .menu = Menu::View,
-           .label = "Full screen",
+           .label = N_("Full screen"),
            .shortcut = "F11",
-           .sentence = "Full screen, for a projector",
+           .sentence = N_("Full screen, for a projector"),
            .icon = Icon::FullScreen,
            .tool = 5,
            .run = [](App& a) { a.panels.full_screen = !a.panels.full_screen; },
@@ -246,45 +248,53 @@ constexpr std::array kActions{
 
     Action{.name = "next",
            .menu = Menu::Lesson,
-           .label = "Next step",
+           .label = N_("Next step"),
            .shortcut = "Alt+Right",
            .run = [](App& a) { a.lesson.next(); },
            .enabled = [](const App& a) { return inLesson(a) && a.lesson.canGoOn(); }},
     Action{.name = "back",
            .menu = Menu::Lesson,
-           .label = "Previous step",
+           .label = N_("Previous step"),
            .shortcut = "Alt+Left",
            .run = [](App& a) { a.lesson.back(); },
            .enabled = [](const App& a) { return inLesson(a) && a.lesson.canGoBack(); }},
     Action{.name = "turns",
            .menu = Menu::Lesson,
            .parted = true,
-           .label = "Take turns at one device …",
-           .sentence = "Turns of set length for a class that shares a device",
+           .label = N_("Take turns at one device …"),
+           .sentence = N_("Turns of set length for a class that shares a device"),
            .run = [](App& a) { a.panels.turns_page = true; },
            .enabled = [](const App& a) { return !a.extensions().turns.on(); },
            .on = [](const App& a) { return a.extensions().turns.on(); }},
 
     Action{.name = "controls",
            .menu = Menu::Help,
-           .label = "Mouse and keys",
+           .label = N_("Mouse and keys"),
            .shortcut = "F1",
            .also = "?",
-           .sentence = "What mouse and keys do",
+           .sentence = N_("What mouse and keys do"),
            .icon = Icon::Question,
            .tool = 5,
            .run = [](App& a) { a.panels.controls_page = true; }},
     Action{.name = "about",
            .menu = Menu::Help,
-           .label = "About Moltact",
+           .label = N_("About Moltact"),
            .run = [](App& a) { a.panels.about_page = true; }},
 };
 
 }  // namespace
 
-std::string_view menuLabel(Menu menu) {
-  static constexpr std::array<std::string_view, kMenus> kLabels{"File", "Edit", "View", "Lesson", "Help"};
+const char* menuName(Menu menu) {
+  static constexpr std::array<const char*, kMenus> kLabels{
+      NC_("menu", "File"), NC_("menu", "Edit"), NC_("menu", "View"), NC_("menu", "Lesson"), NC_("menu", "Help")};
   return kLabels[std::size_t(menu)];
+}
+
+const char* menuLabel(Menu menu) { return trc("menu", menuName(menu)); }
+
+char menuLetter(Menu menu) {
+  const auto letter = static_cast<unsigned char>(*menuLabel(menu));
+  return letter < 128 && std::isalpha(letter) ? char(std::toupper(letter)) : *menuName(menu);
 }
 
 std::span<const Action> allActions() { return kActions; }
@@ -297,8 +307,8 @@ const Action* findAction(std::string_view name) {
 bool enabled(const Action& action, const Application& app) { return !action.enabled || action.enabled(app); }
 
 std::string toolTip(const Action& action) {
-  std::string text(action.sentence.empty() ? action.label : action.sentence);
-  if (!action.shortcut.empty()) text += " (" + std::string(action.shortcut) + ")";
+  std::string text(tr(action.sentence.empty() ? action.label : action.sentence));
+  if (!action.shortcut.empty()) text += " (" + keysText(action.shortcut) + ")";
   return text;
 }
 
@@ -320,7 +330,7 @@ void runShortcuts(Application& app) {
 
 void runKeys(Application& app) {
   std::string letters;
-  for (int menu = 0; menu < kMenus; ++menu) letters += menuLabel(Menu(menu)).front();
+  for (int menu = 0; menu < kMenus; ++menu) letters += menuLetter(Menu(menu));
   leadByKeys(app.panels, letters);
   runShortcuts(app);
 }

@@ -14,13 +14,16 @@ class Application;
 
 enum class Menu { File, Edit, View, Lesson, Help };
 inline constexpr int kMenus = 5;
-std::string_view menuLabel(Menu menu);
+/// "File", the English name of a menu; as it is shown; and the capital letter that opens it with Alt.
+const char* menuName(Menu menu);
+const char* menuLabel(Menu menu);
+char menuLetter(Menu menu);
 
 struct Action {
   std::string_view name;  ///< "open": in the widget map menu/file/open and tool/open
   Menu menu = Menu::File;
-  bool parted = false;  ///< a line stands above it in its menu
-  std::string_view label;
+  bool parted = false;             ///< a line stands above it in its menu
+  std::string_view label;          ///< in English, as the sentence; tr() where it is shown
   std::string_view shortcut = {};  ///< "Ctrl+O": as keysPressed() reads it; empty: none
   std::string_view also = {};      ///< a second shortcut, which menus do not show
   std::string_view sentence = {};  ///< what it does, where the label does not say it: for the tool tip

@@ -9,6 +9,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
 #include "engine/render/molecule_model.h"
 
@@ -36,10 +37,11 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   }
   for (std::size_t k = 0; k < of_chain.size(); ++k)
     if (of_chain[k])
-      chains.push_back({chainColour(std::uint32_t(k)), "chain " + molecule.chains[k].name.string(), of_chain[k]});
+      chains.push_back({chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string()), of_chain[k]});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k])
-      others.push_back({elementColour(std::uint8_t(k), elements), std::string(element(int(k)).name), of_element[k]});
+      others.push_back(
+          {elementColour(std::uint8_t(k), elements), std::string(tr(element(int(k)).name)), of_element[k]});
   std::stable_sort(others.begin(), others.end(),
                    [](const LegendEntry& a, const LegendEntry& b) { return a.atoms > b.atoms; });
   chains.insert(chains.end(), others.begin(), others.end());
@@ -59,7 +61,7 @@ void drawColourLegend(Application& app, const Rectangle& view) {
   ViewScene marks;
   app.lesson.decorate(marks);
   if (!marks.highlighted.empty() && app.scene.shown.has(Shape::Target))
-    entries.push_back({l.viewTheme().target, "marked", marks.highlighted.size()});
+    entries.push_back({l.viewTheme().target, tr("marked"), marks.highlighted.size()});
   WithFont small(Font::Small);
   const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(),
               indent = 2 * dot + l.px(8);

@@ -5,38 +5,41 @@
 #include "app/ui/application/application.h"
 #include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
 
 struct Row {
   const char *what, *mouse, *keys;
+  const char* left_handed = nullptr;  // with a left-handed mouse; null: the same
 };
 // What is no command but a movement.
 constexpr std::array kRows{
-    Row{"Move the probe", "move", "arrows"},
-    Row{"Push it in", "hold left button", "hold Space"},
-    Row{"Push harder, softer", "wheel while pushing", "+   −"},
-    Row{"Let go", "release", "Esc"},
-    Row{"Turn the molecule", "drag right button", "Ctrl + arrows"},
-    Row{"Move the view", "drag middle button", "Shift + arrows"},
-    Row{"Closer, farther", "wheel", "Page Up, Page Down"},
-    Row{"Answer a question", "click", "1 to 9, then Enter for several"},
-    Row{"Write an answer", "click the field", "A, then Enter"},
-    Row{"Buttons of a task", "click", "Enter, or the letter on it"},
-    Row{"Hints", "click", "H"},
-    Row{"Link in what is said", "click", "G"},
-    Row{"Scroll the lesson", "wheel", "Ctrl + Page Up, Page Down"},
-    Row{"Next, previous method", "click", "M, Shift + M"},
-    Row{"From control to control", "", "Tab, Shift + Tab"},
-    Row{"From panel to panel", "", "F6, Shift + F6"},
-    Row{"Press it, change it", "click, drag", "Space or Enter, arrows"},
-    Row{"Back to the molecule", "click", "Esc"},
-    Row{"Menus", "click", "F10 or Alt, or Alt + F, E, V, L, H"},
-    Row{"Open a file", "drop it on the window", "Ctrl + O"},
-    Row{"Leave the molecule", "house in the tool bar", "Esc with a free hand"},
+    Row{N_("Move the probe"), N_("move"), N_("arrows")},
+    Row{N_("Push it in"), N_("hold left button"), N_("hold Space"), N_("hold right button")},
+    Row{N_("Push harder, softer"), N_("wheel while pushing"), N_("+   −")},
+    Row{N_("Let go"), N_("release"), N_("Esc")},
+    Row{N_("Turn the molecule"), N_("drag right button"), N_("Ctrl + arrows"), N_("drag left button")},
+    Row{N_("Move the view"), N_("drag middle button"), N_("Shift + arrows")},
+    Row{N_("Closer, farther"), N_("wheel"), N_("Page Up, Page Down")},
+    Row{N_("Answer a question"), N_("click"), N_("1 to 9, then Enter for several")},
+    Row{N_("Write an answer"), N_("click the field"), N_("A, then Enter")},
+    Row{N_("Buttons of a task"), N_("click"), N_("Enter, or the letter on it")},
+    Row{N_("Hints"), N_("click"), N_("H")},
+    Row{N_("Link in what is said"), N_("click"), N_("G")},
+    Row{N_("Scroll the lesson"), N_("wheel"), N_("Ctrl + Page Up, Page Down")},
+    Row{N_("Next, previous method"), N_("click"), N_("M, Shift + M")},
+    Row{N_("From control to control"), "", N_("Tab, Shift + Tab")},
+    Row{N_("From panel to panel"), "", N_("F6, Shift + F6")},
+    Row{N_("Press it, change it"), N_("click, drag"), N_("Space or Enter, arrows")},
+    Row{N_("Back to the molecule"), N_("click"), N_("Esc")},
+    Row{N_("Menus"), N_("click"), N_("F10 or Alt, or Alt + {0}")},
+    Row{N_("Open a file"), N_("drop it on the window"), N_("Ctrl + O")},
+    Row{N_("Leave the molecule"), N_("house in the tool bar"), N_("Esc with a free hand")},
 };
 
 void head(const char* text) {
@@ -45,13 +48,15 @@ void head(const char* text) {
   ImGui::TextWrapped("%s", text);
 }
 
-// Left and right change places for a left-handed mouse.
-std::string forHand(std::string text, bool left_handed) {
-  if (!left_handed) return text;
-  if (const std::size_t at = text.find("left button"); at != std::string::npos) return text.replace(at, 4, "right");
-  if (const std::size_t at = text.find("right button"); at != std::string::npos) return text.replace(at, 5, "left");
-  return text;
+// "F, E, V, L, H"
+std::string menuLetters() {
+  std::string out;
+  for (int menu = 0; menu < kMenus; ++menu) out += (menu ? ", " : "") + std::string(1, menuLetter(Menu(menu)));
+  return out;
 }
+
+// An empty text is nobody's to translate.
+const char* shown(const char* text) { return *text ? tr(text) : text; }
 
 void drawMovements(const Application& app) {
   if (!ImGui::BeginTable("rows", 3,
@@ -61,19 +66,20 @@ void drawMovements(const Application& app) {
   ImGui::TableSetupColumn("Mouse", 0, 1.1f);
   ImGui::TableSetupColumn("Keyboard", 0, 1.2f);
   ImGui::TableNextRow();
-  for (const char* text : {"Over the molecule", "Mouse", "Keyboard"}) head(text);
+  for (const char* text : {tr("Over the molecule"), tr("Mouse"), tr("Keyboard")}) head(text);
   for (const Row& row : kRows) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     {
       WithFont strong(Font::Strong);
-      ImGui::TextWrapped("%s", row.what);
+      ImGui::TextWrapped("%s", tr(row.what));
     }
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", forHand(row.mouse, app.settings.left_handed).c_str());
-    recordItem(std::string("controls/") + row.what, forHand(row.mouse, app.settings.left_handed));
+    const char* mouse = shown(app.settings.left_handed && row.left_handed ? row.left_handed : row.mouse);
+    ImGui::TextWrapped("%s", mouse);
+    recordItem(std::string("controls/") + row.what, mouse);
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", row.keys);
+    ImGui::TextWrapped("%s", trf(row.keys, menuLetters()).c_str());
   }
   ImGui::EndTable();
 }
@@ -86,20 +92,20 @@ void drawCommands() {
   ImGui::TableSetupColumn("Menu", 0, 1.1f);
   ImGui::TableSetupColumn("Keyboard", 0, 1.2f);
   ImGui::TableNextRow();
-  for (const char* text : {"In the program", "Menu", "Keyboard"}) head(text);
+  for (const char* text : {tr("In the program"), tr("Menu"), tr("Keyboard")}) head(text);
   for (const Action& a : allActions()) {
     if (a.shortcut.empty()) continue;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     {
       WithFont strong(Font::Strong);
-      ImGui::TextWrapped("%s", std::string(a.label).c_str());
+      ImGui::TextWrapped("%s", std::string(tr(a.label)).c_str());
     }
     ImGui::TableNextColumn();
-    ImGui::TextWrapped("%s", std::string(menuLabel(a.menu)).c_str());
+    ImGui::TextWrapped("%s", menuLabel(a.menu));
     ImGui::TableNextColumn();
-    std::string keys(a.shortcut);
-    if (!a.also.empty()) keys += " or " + std::string(a.also);
+    const std::string keys =
+        a.also.empty() ? keysText(a.shortcut) : trf("{0} or {1}", keysText(a.shortcut), keysText(a.also));
     ImGui::TextWrapped("%s", keys.c_str());
     recordItem("controls/command/" + std::string(a.name), keys);
   }
@@ -109,7 +115,7 @@ void drawCommands() {
 }  // namespace
 
 void drawControlsPage(Application& app) {
-  if (!beginPage("controls", "Mouse and keys", app.panels.controls_page, 640, 700)) return;
+  if (!beginPage("controls", tr("Mouse and keys"), app.panels.controls_page, 640, 700)) return;
   ImGui::BeginChild("sheet");
   drawMovements(app);
   ImGui::Dummy({0, look().px(10)});

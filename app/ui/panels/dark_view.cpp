@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <numbers>
 #include <string>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -47,10 +47,8 @@ void drawMeter(double force_N, double most_N, ImVec2 middle, float radius) {
   arc(kTo, kTrack);
   const float part = most_N > 0.0 ? float(std::clamp(force_N / most_N, 0.0, 1.0)) : 0.0f;
   if (part > 0.004f) arc(kFrom + (kTo - kFrom) * part, kFill);
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f N", force_N);
-  centred("view/force meter", look().font(Font::Title), localNumbers(text), {middle.x, middle.y + 0.86f * radius}, 0.0f,
-          kBright);
+  const std::string text = quantityText(force_N, Dimension::Force, decimals(1));
+  centred("view/force meter", look().font(Font::Title), text, {middle.x, middle.y + 0.86f * radius}, 0.0f, kBright);
 }
 
 // Whereto the surface pushes, as a hand at a force-feedback device feels it: an arrow as long as it goes sideways, on a
@@ -75,10 +73,10 @@ void drawDirection(const Vec3& direction, ImVec2 middle, float radius) {
   }
 }
 
-// From the hand to the contact point, in the camera's axes; nothing where no force is given.
+// Whereto the force that is felt leads, in the camera's axes; nothing where no force is given.
 Vec3 pushOf(const Application& app) {
   const ServoSample& now = app.scene.log().latest();
-  const Vec3 way = now.contact.scp.A - now.hip.A;
+  const Vec3& way = now.contact.displacement_A;
   if (!app.scene.log().touching() || app.scene.log().force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
   return glm::conjugate(app.scene.camera.orientation) * glm::normalize(way);
 }
@@ -105,15 +103,15 @@ void drawDarkView(Application& app, const Rectangle& view) {
   }
   centred("view/state", l.font(Font::Body), unnamedContactText(log.latest().contact), {middle.x, below + l.px(14)},
           width, log.touching() ? kBright : kQuiet);
-  const std::string hint = log.touching() ? "Slide with the mouse or the arrow keys; wheel, + and − push"
-                                          : "Hold the left button, or Space, to push";
+  const std::string hint = log.touching() ? tr("Slide with the mouse or the arrow keys; wheel, + and − push")
+                                          : tr("Hold the left button, or Space, to push");
   centred("view/hint", l.font(Font::Small), hint, {middle.x, view.high.y - l.px(26)}, width, kQuiet);
 }
 
 bool drawnDark(Application& app) {
   if (!app.extensions().task_stager.dark()) return false;
   WithText quiet(look().palette.quiet);
-  ImGui::TextWrapped("The screen is dark: what you feel is all there is.");
+  ImGui::TextWrapped("%s", tr("The screen is dark: what you feel is all there is."));
   recordItem("hidden in the dark");
   return true;
 }

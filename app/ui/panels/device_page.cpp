@@ -1,17 +1,17 @@
 // View > Device: which devices there are, the one in use live, its calibration, a gentle force to try it with, the
 // limits in force, how punctual the loop is, and what its scale means.
 #include <algorithm>
-#include <cstdio>
 #include <string>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -28,25 +28,25 @@ void words(const char* name, const std::string& text, ImU32 colour) {
 void drawStop(Application& app, DeviceLink& link) {
   const Palette& p = look().palette;
   const bool panic = app.scene.servo_settings.panic;
-  if (button("device/stop", panic ? "Allow force again (F9)" : "Stop all force (F9)",
+  if (button("device/stop", panic ? tr("Allow force again (F9)") : tr("Stop all force (F9)"),
              panic ? ButtonLook::Primary : ButtonLook::Plain))
     app.scene.stopForce(!panic);
   std::string acted;
-  for (const LimitWords* one : link.actingLimits())
-    acted += (acted.empty() ? "Acting: " : ", ") + std::string(one->name);
+  for (const LimitWords* one : link.actingLimits()) acted += (acted.empty() ? "" : ", ") + std::string(tr(one->name));
   ImGui::SameLine(0, look().px(12));
   ImGui::AlignTextToFramePadding();
-  words("device/acting", acted.empty() ? "No limit acts." : acted, acted.empty() ? p.quiet : p.warn);
+  words("device/acting", acted.empty() ? tr("No limit acts.") : trf("Acting: {0}", acted),
+        acted.empty() ? p.quiet : p.warn);
   ImGui::Dummy({0, look().px(2)});
 }
 
 void drawUsable(Application& app, DeviceLink& link) {
-  sectionTitle("Choose a device");
-  if (link.found().empty()) words("device/looking", "Looking …", look().palette.quiet);
+  sectionTitle(tr("Choose a device"));
+  if (link.found().empty()) words("device/looking", tr("Looking …"), look().palette.quiet);
   for (const FoundDevice& one : link.found()) {
     if (!one.usable) continue;
     const std::string name = "device/" + one.name;
-    if (button(name.c_str(), one.title.c_str(), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain,
+    if (button(name.c_str(), tr(one.title.c_str()), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain,
                -1.0f))
       link.choose(app, one.name);
     if (one.place.empty()) continue;
@@ -58,11 +58,11 @@ void drawUsable(Application& app, DeviceLink& link) {
 void drawUnusable(const DeviceLink& link) {
   if (std::none_of(link.found().begin(), link.found().end(), [](const FoundDevice& one) { return !one.usable; }))
     return;
-  sectionTitle("Not to be used now");
+  sectionTitle(tr("Not to be used now"));
   for (const FoundDevice& one : link.found()) {
     if (one.usable) continue;
     const std::string name = "device/" + one.name;
-    words(name.c_str(), one.title, look().palette.text);
+    words(name.c_str(), tr(one.title.c_str()), look().palette.text);
     WithFont small(Font::Small);
     words((name + "/why").c_str(), one.why, look().palette.quiet);
   }
@@ -104,9 +104,9 @@ void drawRooms(const ServoSample& now, const DeviceInfo& info) {
   const float scale = std::min(width / float(room.x), height / float(std::max(room.y, room.z)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const Vec3 &hand = now.hand.mm, &force = now.force.N;
-  drawRoom("device/front", "from the front", at, {width, height}, scale, {room.x, room.y}, {hand.x, hand.y},
+  drawRoom("device/front", tr("from the front"), at, {width, height}, scale, {room.x, room.y}, {hand.x, hand.y},
            {force.x, force.y});
-  drawRoom("device/above", "from above", {at.x + width + gap, at.y}, {width, height}, scale, {room.x, room.z},
+  drawRoom("device/above", tr("from above"), {at.x + width + gap, at.y}, {width, height}, scale, {room.x, room.z},
            {hand.x, -hand.z}, {force.x, -force.z});
   const WithFont small(Font::Small);
   ImGui::Dummy({2 * width + gap, height + l.px(4) + ImGui::GetFontSize()});
@@ -117,83 +117,91 @@ void drawLive(Application& app, DeviceLink& link) {
   ServoLink& servo = app.scene.servo();
   const DeviceInfo& info = servo.device();
   const ServoSample& now = servo.newest();
-  sectionTitle("In use");
-  char text[240];
-  words("device/name", info.name, p.text);
-  if (!link.awaited().empty()) words("device/awaited", link.awaited() + " leads as soon as it is plugged in.", p.warn);
+  sectionTitle(tr("In use"));
+  words("device/name", tr(info.name.c_str()), p.text);
+  if (!link.awaited().empty())
+    words("device/awaited", trf("{0} leads as soon as it is plugged in.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (link.wantsCalibration(servo) && button("device/calibrate", "Calibrate")) servo.chosen()->calibrate();
-  std::snprintf(text, sizeof text, "Hand at %.1f, %.1f, %.1f mm; force %.2f N", now.hand.mm.x, now.hand.mm.y,
-                now.hand.mm.z, glm::length(now.force.N));
-  std::string line = text;
+  if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
+  const auto place = [](double mm) { return quantityNumber(mm, Dimension::HandLength); };
+  std::string line =
+      trf("Hand at {0}, {1}, {2}; force {3}", place(now.hand.mm.x), place(now.hand.mm.y),
+          quantityText(now.hand.mm.z, Dimension::HandLength), quantityText(glm::length(now.force.N), Dimension::Force));
   for (int k = 0; k < 32; ++k)
-    if (now.buttons >> k & 1u) line += "; button " + std::to_string(k + 1);
-  words("device/live", localNumbers(line), p.quiet);
+    if (now.buttons >> k & 1u) line = trf("{0}; button {1}", line, k + 1);
+  words("device/live", line, p.quiet);
   drawRooms(now, info);
   const DeviceLink::ScaleWords scale = link.scaleWords(app.scene);
-  words("device/scale", localNumbers(scale.sentence), p.text);
-  if (!scale.reason.empty()) words("device/scale reason", localNumbers(scale.reason), p.quiet);
+  words("device/scale", scale.sentence, p.text);
+  if (!scale.reason.empty()) words("device/scale reason", scale.reason, p.quiet);
   if (!info.gives_force) return;
   if (link.status().motor_heat >= 0.0) {
-    words("device/heat label", "Heat of the motors", p.quiet);
+    words("device/heat label", tr("Heat of the motors"), p.quiet);
     progressBar("device/heat", float(link.status().motor_heat), false);
   }
   const bool trying = link.tryingLeft_s() > 0.0;
-  if (button("device/try", trying ? "Pulling to the right …" : "Try a gentle force", ButtonLook::Plain, 0.0f,
+  if (button("device/try", trying ? tr("Pulling to the right …") : tr("Try a gentle force"), ButtonLook::Plain, 0.0f,
              !trying && link.status().ready && !app.scene.playing() && !app.scene.servo_settings.panic))
     link.tryForce(app);
-  tip(app.scene.playing() ? "Not while a recorded hand is shown or the device changes hands."
-                          : "Pulls to the right with 0.4 N for four seconds, growing slowly. Hold the stylus lightly.");
+  tip(app.scene.playing()
+          ? tr("Not while a recorded hand is shown or the device changes hands.")
+          : trf("Pulls to the right with {0} for four seconds, growing slowly. Hold the stylus lightly.",
+                quantityText(DeviceLink::kTry_N, Dimension::Force, decimals(1)))
+                .c_str());
 }
 
 void drawLimits(Application& app) {
   const Palette& p = look().palette;
   const DeviceInfo& info = app.scene.servo().device();
-  sectionTitle("Safety");
-  char text[320];
-  if (info.gives_force)
-    std::snprintf(text, sizeof text,
-                  "At most %.1f N for a moment and %.2f N for good. With the delay as it is measured the surface is at "
-                  "most %.2f N/mm stiff.",
-                  std::min(info.max_force_N, app.scene.servo_settings.max_force_N), info.continuous_force_N,
-                  app.scene.servo().newest().stiffness_bound_N_per_mm);
-  else
-    std::snprintf(text, sizeof text, "This device gives no force. What you see of it on the screen is at most %.1f N.",
-                  app.scene.servo_settings.max_force_N);
-  words("device/limits", localNumbers(text), p.quiet);
+  sectionTitle(tr("Safety"));
+  const ServoSettings& s = app.scene.servo_settings;
+  const auto force = [](double force_N, int digits) {
+    return quantityText(force_N, Dimension::Force, decimals(digits));
+  };
+  const std::string text =
+      info.gives_force
+          ? trf("At most {0} for a moment and {1} for good. With the delay as it is measured the surface is at most "
+                "{2} stiff.",
+                force(std::min(info.max_force_N, s.max_force_N), 1), force(info.continuous_force_N, 2),
+                quantityText(app.scene.servo().newest().stiffness_bound_N_per_mm, Dimension::Stiffness))
+          : trf("This device gives no force. What you see of it on the screen is at most {0}.",
+                force(s.max_force_N, 1));
+  words("device/limits", text, p.quiet);
 }
 
 // A hand as a file: recorded here, played by opening it.
 void drawRecording(Application& app) {
   HandRecorder& recorder = app.extensions().hand_recorder;
   const Palette& p = look().palette;
-  sectionTitle("Recording of the hand");
-  char text[80];
+  sectionTitle(tr("Recording of the hand"));
+  const auto seconds = [](double s) { return quantityText(s, Dimension::Time, decimals(1)); };
   if (recorder.recording()) {
-    std::snprintf(text, sizeof text, "%.1f s recorded in ", recorder.recorded_s());
-    words("device/recording", localNumbers(text) + recorder.name(), p.text);
-    if (button("device/record", "Stop recording", ButtonLook::Primary)) recorder.stop(app);
+    words("device/recording", trf("{0} recorded in {1}", seconds(recorder.recorded_s()), recorder.name()), p.text);
+    if (button("device/record", tr("Stop recording"), ButtonLook::Primary)) recorder.stop(app);
   } else if (recorder.playing()) {
-    std::snprintf(text, sizeof text, "%.1f of %.1f s of ", recorder.at_s(), recorder.length_s());
-    words("device/recording", localNumbers(text) + recorder.name() + ". No force is given meanwhile.", p.text);
-    if (button("device/record", "Stop playing", ButtonLook::Primary)) recorder.endPlay(app);
+    words("device/recording",
+          trf("{0} of {1} of {2}. No force is given meanwhile.",
+              quantityNumber(recorder.at_s(), Dimension::Time, decimals(1)), seconds(recorder.length_s()),
+              recorder.name()),
+          p.text);
+    if (button("device/record", tr("Stop playing"), ButtonLook::Primary)) recorder.endPlay(app);
   } else {
     const bool may = app.scene.stage() && !app.scene.playing() && !app.scene.trying();
-    if (button("device/record", "Record …", ButtonLook::Plain, 0.0f, may)) {
+    if (button("device/record", tr("Record …"), ButtonLook::Plain, 0.0f, may)) {
       app.panels.device_page = false;  // one page at a time
       recorder.askToRecord(app);
     }
-    tip("Every place and force, 1000 a second, as long as molecule and method stay.");
+    tip(tr("Every place and force, 1000 a second, as long as molecule and method stay."));
     ImGui::SameLine(0, look().px(8));
-    if (button("device/play", "Play one …")) app.panels.device_page = false, app.panels.open_page = true;
-    tip("Leads the hand on its molecule as it was recorded. No force is given meanwhile.");
+    if (button("device/play", tr("Play one …"))) app.panels.device_page = false, app.panels.open_page = true;
+    tip(tr("Leads the hand on its molecule as it was recorded. No force is given meanwhile."));
   }
 }
 
 // A bar a class of lateness.
 void drawLateness(const DeviceLink& link) {
   const Look& l = look();
-  sectionTitle("How late ticks begin");
+  sectionTitle(tr("How late ticks begin"));
   const auto& share = link.lateness();
   const float width = ImGui::GetContentRegionAvail().x, height = l.px(64), step = width / float(share.size());
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -209,11 +217,19 @@ void drawLateness(const DeviceLink& link) {
   WithFont small(Font::Small);
   WithText quiet(l.palette.quiet);
   const ImVec2 below = ImGui::GetCursorScreenPos();
-  const char* const labels[] = {"20 µs", "50", "100", "200", "500", "1 ms", "2", "5", "more"};
-  static_assert(std::size(labels) == DeviceLink::kLate_us.size() + 1);
+  // "20 µs", "50", "100", "200", "500", "1 ms", "2", "5", "more": a unit where it begins.
   for (std::size_t k = 0; k < share.size(); ++k) {
-    const float text = ImGui::CalcTextSize(labels[k]).x;
-    draw->AddText({at.x + (float(k) + 0.5f) * step - 0.5f * text, below.y}, l.palette.quiet, labels[k]);
+    std::string label = tr("more");
+    if (k < DeviceLink::kLate_us.size()) {
+      const double late_s = DeviceLink::kLate_us[k] * 1e-6;
+      const auto unit = [](double s) -> std::string_view { return s < 1e-3 ? "µs" : "ms"; };
+      const bool first = k == 0 || unit(late_s) != unit(DeviceLink::kLate_us[k - 1] * 1e-6);
+      const QuantityOptions how{plain(), unit(late_s)};
+      label = first ? quantityText(late_s, Dimension::Time, how) : quantityNumber(late_s, Dimension::Time, how);
+    }
+    const float text = ImGui::CalcTextSize(label.c_str()).x;
+    if (text > step) widgets().noteCut(label);
+    draw->AddText({at.x + (float(k) + 0.5f) * step - 0.5f * text, below.y}, l.palette.quiet, label.c_str());
   }
   ImGui::Dummy({width, ImGui::GetFontSize()});
 }
@@ -222,7 +238,7 @@ void drawLateness(const DeviceLink& link) {
 
 void drawDevicePage(Application& app) {
   DeviceLink& link = app.extensions().device;
-  if (!beginPage("device page", "Device", app.panels.device_page, 560, 700)) return;
+  if (!beginPage("device page", tr("Device"), app.panels.device_page, 560, 700)) return;
   drawStop(app, link);
   ImGui::BeginChild("list");
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };

@@ -11,6 +11,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -40,16 +41,16 @@ void drawFilePage(Application& app) {
     ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {l.px(8), l.px(2)});
     ImGui::BeginChild("entries", {0, -foot});
     const std::filesystem::path file =
-        drawFileList(d.browser, "file", folder ? "No folders here." : "No folders or files of this kind here.");
+        drawFileList(d.browser, "file", folder ? tr("No folders here.") : tr("No folders or files of this kind here."));
     if (!file.empty()) d.written = file.filename().string();
     ImGui::EndChild();
     ImGui::PopStyleVar();
     if (!d.browser.fault().empty() || there) {
       WithText warn(l.palette.warn);
-      ImGui::TextWrapped("%s", there ? "There is already a file of this name." : d.browser.fault().c_str());
+      ImGui::TextWrapped("%s", there ? tr("There is already a file of this name.") : d.browser.fault().c_str());
       recordItem("file/warning", "there");
     }
-    const char* label = folder ? "Choose this folder" : there ? "Replace it" : "Save";
+    const char* label = folder ? tr("Choose this folder") : there ? tr("Replace it") : tr("Save");
     chosen = button("file/choose", label, ButtonLook::Primary, -1.0f, !answer.empty()) || chosen;
   }
   if (chosen) {

@@ -2,9 +2,11 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -48,7 +50,7 @@ struct BlockPainter {
 
   void operator()(const Tip& tip) {
     const Look& l = look();
-    disclosure((name + "/hint").c_str(), "Hint  (H)", app.panels.hints);
+    disclosure((name + "/hint").c_str(), withKey(tr("Hint"), "H").c_str(), app.panels.hints);
     if (!app.panels.hints) return;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12);

@@ -10,6 +10,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 
 namespace moltact {
@@ -27,8 +28,7 @@ void drawHead(Application& app, const LessonSession& session) {
     WithFont small(Font::Small);
     WithText quiet(l.palette.quiet);
     const auto number = std::find(way.begin(), way.end(), at) - way.begin() + 1;
-    const std::string place =
-        session.step().aside ? "Aside" : "Step " + std::to_string(number) + " of " + std::to_string(count);
+    const std::string place = session.step().aside ? std::string(tr("Aside")) : trf("Step {0} of {1}", number, count);
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);
@@ -62,14 +62,14 @@ void drawFoot(Application& app, const LessonSession& session) {
   const Look& l = look();
   const float width = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
   if (session.step().aside) {
-    if (button("lesson/next", "Back to the lesson", ButtonLook::Primary, width)) app.lesson.next();
+    if (button("lesson/next", tr("Back to the lesson"), ButtonLook::Primary, width)) app.lesson.next();
     return;
   }
   const float back_w = std::min(l.tx(96), 0.4f * width);
-  if (button("lesson/back", "Back", ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
+  if (button("lesson/back", tr("Back"), ButtonLook::Plain, back_w, session.hasBack())) app.lesson.back();
   ImGui::SameLine();
   const bool last = !session.hasNext();
-  const char* label = last ? (session.finished() ? "Lesson done" : "Last step") : "Next";
+  const char* label = last ? (session.finished() ? tr("Lesson done") : tr("Last step")) : tr("Next");
   const ButtonLook kind = session.stepDone() ? ButtonLook::Primary : ButtonLook::Plain;
   if (button("lesson/next", label, last ? ButtonLook::Plain : kind, width - back_w - gap, !last)) app.lesson.next();
 }
@@ -78,7 +78,7 @@ void drawFoot(Application& app, const LessonSession& session) {
 void followOut(Application& app, const std::string& link) {
   const std::optional<FileLink> file = fileLink(app.lesson.file(), link);
   if (!file || file->file.extension() != ".md") {
-    app.messages.notice("This link leads out of the lesson: " + link);
+    app.messages.notice(trf("This link leads out of the lesson: {0}", link));
     return;
   }
   app.open(file->file);

@@ -9,24 +9,27 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
 
-std::string counted(std::size_t n, const char* what) { return std::to_string(n) + ' ' + what + (n == 1 ? "" : "s"); }
-
 std::string headline(const Application& app, const LessonWatch& watch) {
   const std::string file = watch.file().filename().string();
   const std::size_t errors = watch.errors(), warnings = watch.faults().size() - errors;
-  if (!watch.shown(app.lesson)) return file + " cannot be opened: " + counted(errors, "problem");
-  if (errors == 0) return file + ": " + counted(warnings, "warning");
-  return file + ": " + counted(errors, "problem") + (watch.stale() ? ". You see the last good version" : "");
+  const std::string problems = trnf("{0} problem", "{0} problems", errors, errors);
+  if (!watch.shown(app.lesson)) return trf("{0} cannot be opened: {1}", file, problems);
+  if (errors == 0) return trf("{0}: {1}", file, trnf("{0} warning", "{0} warnings", warnings, warnings));
+  return watch.stale() ? trf("{0}: {1}. You see the last good version", file, problems)
+                       : trf("{0}: {1}", file, problems);
 }
+
+std::string placeText(std::size_t line) { return line ? trf("Line {0}", line) : tr("File"); }
 
 void drawFault(const LessonWatch::Fault& fault, std::size_t index, float place_w) {
   const Look& l = look();
   const Problem& p = fault.problem;
-  const std::string place = p.line ? "Line " + std::to_string(p.line) : "File";
+  const std::string place = placeText(p.line);
   const float left = ImGui::GetCursorPosX();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float line = ImGui::GetTextLineHeight();
@@ -90,7 +93,7 @@ void drawLessonProblems(Application& app) {
   ImGui::PopTextWrapPos();
   recordItem("lesson-problems", text);
   ImGui::SetCursorPos({width - side - button_w, top + 0.5f * (head - l.tx(34))});
-  if (button("lesson-problems/show", open ? "Hide" : "Show", ButtonLook::Plain, button_w))
+  if (button("lesson-problems/show", open ? tr("Hide") : tr("Show"), ButtonLook::Plain, button_w))
     app.panels.lesson_problems = !open;
   if (open) {
     ImGui::SetCursorPosY(top + head + pad);
@@ -98,7 +101,7 @@ void drawLessonProblems(Application& app) {
     const float before = ImGui::GetCursorPosY();
     std::size_t most_line = 0;
     for (const LessonWatch::Fault& f : watch.faults()) most_line = std::max(most_line, f.problem.line);
-    const float place_w = ImGui::CalcTextSize(most_line ? ("Line " + std::to_string(most_line)).c_str() : "File").x;
+    const float place_w = ImGui::CalcTextSize(placeText(most_line).c_str()).x;
     for (std::size_t k = 0; k < watch.faults().size(); ++k) drawFault(watch.faults()[k], k, place_w);
     app.panels.lesson_problems_height = ImGui::GetCursorPosY() - before;
     ImGui::EndChild();

@@ -11,10 +11,12 @@
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -29,7 +31,7 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
   const float text_w = width - 2 * pad - 2 * mark - l.px(10);
-  const std::string plain = localProse(plainText(choice.text)), lines = wrapped(plain, text_w);
+  const std::string plain = plainText(choice.text), lines = wrapped(plain, text_w);
   const ImVec2 size = ImGui::CalcTextSize(lines.c_str(), nullptr, false, text_w + 1);
   const float height = std::max(size.y, 2 * mark) + 2 * pad;
   ImGui::PushID(name.c_str());
@@ -110,7 +112,8 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
   ImGui::PopStyleVar();
   const bool entered = keys && !ticked.empty() && enterIsFree(session) && lessonKeyPressed('\n');
   if (!one && !status.answered_right &&
-      (button((name + "/check").c_str(), "Check  (Enter)", ButtonLook::Primary, look().tx(132), !ticked.empty()) ||
+      (button((name + "/check").c_str(), withKey(tr("Check"), "Enter").c_str(), ButtonLook::Primary, look().tx(132),
+              !ticked.empty()) ||
        entered)) {
     std::sort(ticked.begin(), ticked.end());
     session.choose(index, ticked);
@@ -131,21 +134,21 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
     handed_in =
         ImGui::InputTextMultiline("##answer", &written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
-    tip("A begins to write, Ctrl and Enter keeps it");
-    handed_in = button((name + "/check").c_str(), "Keep", ButtonLook::Plain, button_w) || handed_in;
+    tip(tr("A begins to write, Ctrl and Enter keeps it"));
+    handed_in = button((name + "/check").c_str(), tr("Keep"), ButtonLook::Plain, button_w) || handed_in;
   } else {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_w - gap);
-    const std::string hint =
-        (answer.unit.empty() ? "your answer" : "in " + answer.unit) + (status.answered_right ? "" : "  (A)");
+    const std::string what = answer.unit.empty() ? std::string(tr("your answer")) : trf("in {0}", answer.unit);
+    const std::string hint = status.answered_right ? what : withKey(what, "A");
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {look().px(10), std::floor(0.5f * (look().tx(34) - ImGui::GetFontSize()))});
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
     recordItem(name + "/field", written);
     ImGui::SameLine();
-    handed_in = button((name + "/check").c_str(), "Check", ButtonLook::Primary, button_w) || handed_in;
+    handed_in = button((name + "/check").c_str(), tr("Check"), ButtonLook::Primary, button_w) || handed_in;
   }
-  if (handed_in) session.write(index, answer.kind == AnswerSpec::Kind::Number ? plainNumbers(written) : written);
+  if (handed_in) session.write(index, answer.kind == AnswerSpec::Kind::Number ? numberAsTyped(written) : written);
 }
 
 }  // namespace
@@ -175,7 +178,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   if (status.attempts > 0) {
     const ImU32 colour = status.last_right ? l.palette.good : l.palette.bad;
     std::vector<RichText> said = session.feedback(index);
-    if (said.empty()) said.push_back({TextRun{.text = status.last_right ? "Right." : "Not yet. Try again."}});
+    if (said.empty()) said.push_back({TextRun{.text = status.last_right ? tr("Right.") : tr("Not yet. Try again.")}});
     for (const RichText& p : said) follow(drawRichText((name + "/feedback").c_str(), p, colour));
     for (const std::size_t k : status.chosen)
       if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;

@@ -1,7 +1,6 @@
 // A touch task in the lesson: a card with a mark, what is asked, what to do next, and how far the student has come.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "app/ui/application/application.h"
@@ -9,10 +8,12 @@
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -22,13 +23,10 @@ void drawFigures(const std::string& name, const Task& task) {
   std::string line;
   for (const TaskFigure& f : task.ownFigures()) {
     if (f.value == 0.0 && f.unit.empty()) continue;  // nothing was counted: no slip, no wrong turn
-    char number[32];
-    std::snprintf(number, sizeof number, f.value == std::round(f.value) ? "%.0f" : "%.2f", f.value);
-    line += (line.empty() ? "" : "  ·  ") + std::string(f.name) + " " + number +
-            (f.unit.empty() ? "" : " " + std::string(f.unit));
+    line += (line.empty() ? "" : "  ·  ") + std::string(tr(f.name)) + " " +
+            quantityIn(f.value, f.unit, decimals(f.value == std::round(f.value) ? 0 : 2));
   }
   if (line.empty()) return;
-  line = localProse(std::move(line));
   WithFont small(Font::Small);
   WithText quiet(look().palette.quiet);
   const float room = ImGui::GetContentRegionAvail().x;
@@ -45,15 +43,13 @@ void drawLessonTask(Application& app, std::size_t index) {
   const Palette& p = l.palette;
   LessonSession& session = *app.lesson.session();
   if (index >= session.step().tasks.size()) return;
-  TaskStatus status = session.task(index);
-  status.say = localProse(status.say);
-  status.sentence = localProse(status.sentence);
+  const TaskStatus status = session.task(index);
   const std::string name = "task/" + std::to_string(index);
   const bool away = status.current && !app.lesson.onStage();
   const std::string& molecule = session.scene().molecule.name;
   const std::string next = !away           ? status.sentence
-                           : app.loading() ? "Opening " + molecule + " …"
-                                           : "This step uses " + molecule + ".";
+                           : app.loading() ? trf("Opening {0} …", molecule)
+                                           : trf("This step uses {0}.", molecule);
 
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12), mark = l.px(11);
   const float text_x = pad + 2 * mark + l.px(10), text_w = std::max(l.px(60), width - text_x - pad);
@@ -114,8 +110,8 @@ void drawLessonTask(Application& app, std::size_t index) {
     if (status.done) drawFigures(name, *task);
   }
   if (away && !app.loading() &&
-      (button((name + "/bring back").c_str(), ("Bring " + molecule + " back  (Enter)").c_str(), ButtonLook::Primary,
-              width) ||
+      (button((name + "/bring back").c_str(), withKey(trf("Bring {0} back", molecule), "Enter").c_str(),
+              ButtonLook::Primary, width) ||
        lessonKeyPressed('\n')))
     app.lesson.askForScene();
 }

@@ -7,7 +7,9 @@
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -20,7 +22,7 @@ bool drawTaskButtons(Application& app, std::size_t index, const Task& task) {
   std::vector<std::string> labels;
   float widest = 0.0f;
   for (const TaskButton& b : offered) {
-    labels.push_back(std::string(b.label) + (b.key == '\n' ? "  (Enter)" : std::string("  (") + b.key + ")"));
+    labels.push_back(withKey(tr(b.label), b.key == '\n' ? "Enter" : std::string_view(&b.key, 1)));
     widest = std::max(widest, ImGui::CalcTextSize(labels.back().c_str()).x + l.px(28));
   }
   // Side by side where they have room, else one below the other.

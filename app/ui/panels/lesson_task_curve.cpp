@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -11,9 +10,11 @@
 #include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_focus.h"
-#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -59,19 +60,18 @@ void drawAxes(const Area& area, const TaskCurves& curves) {
     draw->AddLine({area.low.x, area.y(part * area.most_N)}, {area.high.x, area.y(part * area.most_N)},
                   part > 0.0 ? l.palette.line : l.palette.faint, 1.0f);
   draw->AddLine({area.low.x, area.low.y}, {area.low.x, area.high.y}, l.palette.faint, 1.0f);
-  char text[64];
   const auto write = [&](ImVec2 at, float pivot, const char* what) {
     const float width = font->CalcTextSizeA(size, 1e9f, 0.0f, what).x;
     draw->AddText(font, size, {std::round(at.x - pivot * width), std::round(at.y)}, l.palette.quiet, what);
   };
   for (const double part : {0.5, 1.0}) {
-    std::snprintf(text, sizeof text, part == 1.0 ? "%.2g N" : "%.2g", part * area.most_N);
-    write({area.low.x - l.px(5), area.y(part * area.most_N) - 0.5f * size}, 1.0f, localNumbers(text).c_str());
+    const std::string text = part == 1.0 ? quantityText(part * area.most_N, Dimension::Force, plain(2))
+                                         : quantityNumber(part * area.most_N, Dimension::Force, plain(2));
+    write({area.low.x - l.px(5), area.y(part * area.most_N) - 0.5f * size}, 1.0f, text.c_str());
   }
   write({area.low.x, area.high.y + l.px(3)}, 0.5f, "0");
-  std::snprintf(text, sizeof text, "%.2g Å", curves.x_most);
-  write({area.high.x, area.high.y + l.px(3)}, 1.0f, localNumbers(text).c_str());
-  write({0.5f * (area.low.x + area.high.x), area.high.y + l.px(3)}, 0.5f, std::string(curves.x_name).c_str());
+  write({area.high.x, area.high.y + l.px(3)}, 1.0f, quantityText(curves.x_most, Dimension::Length, plain(2)).c_str());
+  write({0.5f * (area.low.x + area.high.x), area.high.y + l.px(3)}, 0.5f, std::string(tr(curves.x_name)).c_str());
 }
 
 void drawLegend(ImVec2 at, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {
@@ -85,8 +85,8 @@ void drawLegend(ImVec2 at, bool felt, ImU32 drawn_colour, ImU32 felt_colour) {
     draw->AddText(font, font->FontSize, at, l.palette.quiet, what);
     at.x += font->CalcTextSizeA(font->FontSize, 1e9f, 0.0f, what).x + l.px(14);
   };
-  entry("expected", drawn_colour);
-  if (felt) entry("felt", felt_colour);
+  entry(tr("expected"), drawn_colour);
+  if (felt) entry(tr("felt"), felt_colour);
 }
 
 // The mouse draws from where it was to where it is, so that a quick stroke leaves no holes.
@@ -166,7 +166,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   }
   const bool any = std::any_of(draft.values.begin(), draft.values.end(), [](double v) { return std::isfinite(v); });
   std::string text = drawing ? any ? "drawing" : "empty" : "drawn";
-  if (curves.agreement) text = std::to_string(std::lround(100.0 * *curves.agreement)) + " %";
+  if (curves.agreement) text = quantityText(*curves.agreement, Dimension::Share);
   recordRectangle(name + "/curve", {area.low.x, area.low.y}, {area.high.x, area.high.y}, text);
 
   ImGui::GetWindowDrawList()->AddRectFilled(area.low, area.high, l.palette.raised);
@@ -176,7 +176,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   if (felt) drawCurve(area, curves.felt, l.palette.warn, l.px(2.2f), true);
   drawCurve(area, drawing ? draft.values : curves.drawn, l.palette.accent, l.px(2.2f), false);
   if (curves.agreement) {
-    const std::string agree = text + " in common";
+    const std::string agree = trf("{0} in common", text);
     ImFont* font = l.font(Font::Small);
     const float agree_w = font->CalcTextSizeA(small, 1e9f, 0.0f, agree.c_str()).x;
     ImGui::GetWindowDrawList()->AddText(font, small, {area.high.x - agree_w, origin.y}, l.palette.text, agree.c_str());
@@ -188,7 +188,7 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
   ImGui::GetWindowDrawList()->AddCircleFilled(pen, l.px(5), l.palette.accent, 24);
   ImGui::GetWindowDrawList()->AddCircleFilled(pen, l.px(2.5f), l.palette.panel, 24);
   if (!any) {
-    const char* how = "Draw here with the mouse or the arrow keys";
+    const char* how = tr("Draw here with the mouse or the arrow keys");
     ImFont* font = l.font(Font::Small);
     const float how_w = font->CalcTextSizeA(small, 1e9f, 0.0f, how).x;
     ImGui::GetWindowDrawList()->AddText(
@@ -196,15 +196,15 @@ void drawTaskCurve(Application& app, std::size_t index, const TaskCurves& curves
         l.palette.quiet, how);
   }
   const float wipe_w = l.tx(70), gap = ImGui::GetStyle().ItemSpacing.x;
-  if ((button((name + "/hand in").c_str(), "This is what I expect  (Enter)", ButtonLook::Primary, width - wipe_w - gap,
-              any) ||
+  if ((button((name + "/hand in").c_str(), withKey(tr("This is what I expect"), "Enter").c_str(), ButtonLook::Primary,
+              width - wipe_w - gap, any) ||
        lessonKeyPressed('\n')) &&
       any) {
     draft.values = whole(draft.values);
     app.lesson.session()->answerTask({{}, draft.values});
   }
   ImGui::SameLine();
-  if (button((name + "/wipe").c_str(), "Wipe", ButtonLook::Plain, wipe_w, any))
+  if (button((name + "/wipe").c_str(), tr("Wipe"), ButtonLook::Plain, wipe_w, any))
     draft = {std::vector<double>(curves.drawn.size(), std::numeric_limits<double>::quiet_NaN()), 0};
 }
 

@@ -9,6 +9,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -18,7 +19,7 @@ void drawLimitNotice(Application& app) {
   const bool stopped = app.scene.servo_settings.panic;
   std::string text;
   if (stopped) {
-    text = "All force is stopped. F9 allows it again.";
+    text = tr("All force is stopped. F9 allows it again.");
   } else if (app.scene.servo().device().gives_force) {
     for (const std::string& words : app.extensions().device.limitNotices(app.messages))
       text += (text.empty() ? "" : "\n") + words;

@@ -1,7 +1,6 @@
 // Top: the menus, made from the table of actions; lists of files and parts have menus of their own within them.
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "app/ui/application/application.h"
@@ -11,9 +10,12 @@
 #include "app/ui/scene/shape_label.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -46,14 +48,14 @@ bool beginSubmenu(Application& app, const std::string& name, const char* label, 
 }
 
 void libraryMenu(Application& app) {
-  if (!beginSubmenu(app, "menu/file/library", "Library")) return;
+  if (!beginSubmenu(app, "menu/file/library", tr("Library"))) return;
   for (const LibraryItem& entry : library())
     if (item("menu/file/library/" + entry.id, entry.label.c_str())) app.open(entry.file);
   ImGui::EndMenu();
 }
 
 void recentMenu(Application& app) {
-  if (!beginSubmenu(app, "menu/file/recent", "Recent", !app.settings.recent.empty())) return;
+  if (!beginSubmenu(app, "menu/file/recent", tr("Recent"), !app.settings.recent.empty())) return;
   std::string chosen;
   for (std::size_t k = 0; k < app.settings.recent.size(); ++k)
     if (item("menu/file/recent/" + std::to_string(k), app.settings.recent[k].c_str())) chosen = app.settings.recent[k];
@@ -62,7 +64,7 @@ void recentMenu(Application& app) {
 }
 
 void shapesMenu(Application& app) {
-  if (!beginSubmenu(app, "menu/view/shapes", "Shapes", !app.panels.welcome && !app.lesson.locks("show"))) return;
+  if (!beginSubmenu(app, "menu/view/shapes", tr("Shapes"), !app.panels.welcome && !app.lesson.locks("show"))) return;
   for (const ShapeName& shape : shapeNames()) {
     const bool on = app.scene.shown.has(shape.shape);
     if (item("menu/view/shapes/" + std::string(shape.name), shapeLabel(shape).c_str(), nullptr, on))
@@ -72,11 +74,10 @@ void shapesMenu(Application& app) {
 }
 
 void sizeMenu(Application& app) {
-  if (!beginSubmenu(app, "menu/view/scale", "Interface size")) return;
+  if (!beginSubmenu(app, "menu/view/scale", tr("Interface size"))) return;
   for (const int percent : {75, 90, 100, 125, 150, 175, 200, 250, 300}) {
-    char label[16];
-    std::snprintf(label, sizeof label, "%d %%", percent);
-    if (item("menu/view/scale/" + std::to_string(percent), label, nullptr,
+    const std::string label = quantityText(percent / 100.0, Dimension::Share);
+    if (item("menu/view/scale/" + std::to_string(percent), label.c_str(), nullptr,
              app.settings.scale * 100.0 == double(percent)))
       app.settings.scale = percent / 100.0;
   }
@@ -101,14 +102,14 @@ constexpr Inset kInsets[] = {{"open", libraryMenu},
                              {"turns", lessonList}};
 
 void drawMenu(Application& app, Menu menu) {
-  const std::string label(menuLabel(menu)), prefix = "menu/" + lower(label);
+  const std::string label(menuLabel(menu)), prefix = "menu/" + lower(menuName(menu));
   if (app.panels.menu_wanted == int(menu)) openByKeys(label.c_str());
   if (!beginMenu(prefix, label.c_str())) return;
   app.panels.menu_open = int(menu);
   for (const Action& a : allActions()) {
     if (a.menu != menu) continue;
     if (a.parted) ImGui::Separator();
-    const std::string text(a.label), shortcut(a.shortcut);
+    const std::string text(tr(a.label)), shortcut = keysText(a.shortcut);
     if (item(prefix + "/" + std::string(a.name), text.c_str(), shortcut.c_str(), a.on && a.on(app), enabled(a, app)))
       a.run(app);
     for (const Inset& inset : kInsets)

@@ -6,6 +6,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -16,8 +17,8 @@ void drawActions(Application& app, const Message& message, const std::string& na
     const Action* action = findAction(message.actions[k]);
     if (!action) continue;
     if (k > 0) ImGui::SameLine(0, look().px(8));
-    if (button((name + "/" + std::string(action->name)).c_str(), std::string(action->label).c_str(), ButtonLook::Plain,
-               0.0f, enabled(*action, app)))
+    if (button((name + "/" + std::string(action->name)).c_str(), std::string(tr(action->label)).c_str(),
+               ButtonLook::Plain, 0.0f, enabled(*action, app)))
       action->run(app);
   }
 }
@@ -66,7 +67,7 @@ void drawMessageStack(Application& app) {
       drawActions(app, m, name);
     }
     ImGui::SetCursorPos({width - pad - l.px(24), pad - l.px(5)});
-    if (iconButton((name + "/dismiss").c_str(), Icon::Close, "Dismiss")) dismissed = k;
+    if (iconButton((name + "/dismiss").c_str(), Icon::Close, tr("Dismiss"))) dismissed = k;
     ImGui::End();
     ImGui::PopStyleVar(3);
     ImGui::PopStyleColor(2);

@@ -4,13 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -35,19 +35,13 @@ void text(ImVec2 at, ImU32 colour, const std::string& words, float size, float a
 }
 
 std::string tickTimeText(double time_us) {
-  char out[32];
-  if (time_us < 1.0)
-    std::snprintf(out, sizeof out, "%.0f ns", time_us * 1e3);
-  else
-    std::snprintf(out, sizeof out, time_us < 10 ? "%.1f µs" : "%.0f µs", time_us);
-  return localNumbers(out);
+  if (time_us < 1.0) return quantityText(time_us * 1e-6, Dimension::Time, {decimals(0), "ns"});
+  return quantityText(time_us * 1e-6, Dimension::Time, {decimals(time_us < 10 ? 1 : 0), "µs"});
 }
 
 std::string errorText(double error_A) {
-  if (error_A < kLeastError_A) return "no error";
-  char out[32];
-  std::snprintf(out, sizeof out, error_A < 1e-3 ? "%.0e Å" : "%.2g Å", error_A);
-  return localNumbers(out);
+  if (error_A < kLeastError_A) return tr("no error");
+  return quantityText(error_A, Dimension::Length, plain(error_A < 1e-3 ? 1 : 2));
 }
 
 // A head line with a title and a reading, the area below it on a raised ground, and the numbers of the time axis.
@@ -62,11 +56,10 @@ Frame begin(const char* title, const std::string& reading, float height) {
   Frame f{{low.x + l.tx(kLeftMargin), low.y + head}, {high.x, high.y - foot}, small};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(f.low, f.high, p.raised, l.px(6));
-  struct Mark {
-    double time_us;
-    const char* words;
-  };
-  for (const auto& [time_us, words] : {Mark{0.1, "0.1 µs"}, {1.0, "1 µs"}, {10.0, "10 µs"}}) {
+  if (l.font(Font::Small)->CalcTextSizeA(small, 1e9f, 0.0f, (std::string(title) + reading).c_str()).x > high.x - low.x)
+    widgets().noteCut(title);
+  for (const double time_us : {0.1, 1.0, 10.0}) {
+    const std::string words = quantityText(time_us * 1e-6, Dimension::Time, {plain(), "µs"});
     const float x = std::round(f.x(time_us));
     draw->AddLine({x, f.low.y}, {x, f.high.y}, p.line, 1.0f);
     text({x, f.high.y + l.px(2)}, p.faint, words, small * 0.86f, 0.5f);
@@ -80,8 +73,9 @@ void tickHistogram(const char* name, const MethodRecord* record, float height) {
   const Look& l = look();
   const Palette& p = l.palette;
   const bool any = record && !record->times.empty();
-  const std::string reading = any ? "half within " + tickTimeText(record->times.quantile_us(0.5)) : "touch to measure";
-  const Frame f = begin("Time for a tick", reading, height);
+  const std::string reading =
+      any ? trf("half within {0}", tickTimeText(record->times.quantile_us(0.5))) : tr("touch to measure");
+  const Frame f = begin(tr("Time for a tick"), reading, height);
   if (any) {
     ImDrawList* draw = ImGui::GetWindowDrawList();
     double most = 0.0;
@@ -93,8 +87,7 @@ void tickHistogram(const char* name, const MethodRecord* record, float height) {
       const float x = f.low.x + wide * float(k), h = std::max(l.px(1.5f), tall * float(share / most));
       draw->AddRectFilled({x + 0.08f * wide, f.high.y - h}, {x + 0.92f * wide, f.high.y}, p.accent, l.px(1));
     }
-    text({f.low.x - l.px(6), f.low.y}, p.faint, std::to_string(int(std::lround(100.0 * most))) + " %", f.small * 0.86f,
-         1.0f);
+    text({f.low.x - l.px(6), f.low.y}, p.faint, quantityText(double(most), Dimension::Share), f.small * 0.86f, 1.0f);
   }
   recordItem(name, reading);
 }
@@ -104,8 +97,8 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
   const Palette& p = l.palette;
   const MethodRecord* live = watch.find(in_use);
   const bool judged = live && live->ticks >= MethodWatch::kJudged_ticks && !live->times.empty();
-  const std::string reading = judged ? errorText(live->error_A) : "touch to measure";
-  const Frame f = begin("Error against time", reading, height);
+  const std::string reading = judged ? errorText(live->error_A) : tr("touch to measure");
+  const Frame f = begin(tr("Error against time"), reading, height);
   recordItem(name, reading);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float inset = l.px(9), y0 = f.high.y - inset, y1 = f.low.y + inset;
@@ -114,12 +107,14 @@ void speedAccuracyChart(const char* name, const MethodWatch& watch, const std::s
     return y0 - (y0 - y1) *
                     float(std::clamp(std::log10(std::max(error_A, kLeastError_A) / kLeastError_A) / decades, 0.0, 1.0));
   };
-  const char* marks[] = {"0", "0.001", nullptr, "0.1", nullptr, "10 Å"};
   double at = kLeastError_A;
   for (int k = 0; k < 6; ++k, at *= 10.0) {
-    if (!marks[k]) continue;
+    if (k == 2 || k == 4) continue;
+    const std::string mark = k == 0   ? "0"
+                             : k == 5 ? quantityText(at, Dimension::Length, plain(2))
+                                      : quantityNumber(at, Dimension::Length, plain(2));
     draw->AddLine({f.low.x, y(at)}, {f.high.x, y(at)}, p.line, 1.0f);
-    text({f.low.x - l.px(6), y(at) - 0.43f * f.small}, p.faint, marks[k], f.small * 0.86f, 1.0f);
+    text({f.low.x - l.px(6), y(at) - 0.43f * f.small}, p.faint, mark, f.small * 0.86f, 1.0f);
   }
 
   struct Box {

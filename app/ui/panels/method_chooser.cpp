@@ -10,6 +10,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -80,10 +81,10 @@ void drawMethodChooser(Application& app) {
 void drawTouchHead(Application& app) {
   if (!app.panels.methods) {
     WithFont title(Font::Title);
-    ImGui::TextUnformatted("Touch");
+    ImGui::TextUnformatted(tr("Touch"));
     return;
   }
-  const std::vector<std::string> tabs{"Touch", "Methods"};
+  const std::vector<std::string> tabs{N_("Touch"), N_("Methods")};
   std::size_t front = app.panels.methods_first ? 1 : 0;
   if (segments("tab", tabs, front)) app.panels.methods_first = front == 1;
 }

@@ -8,6 +8,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -23,13 +24,17 @@ void drawMethodsPanel(Application& app) {
   if (feltFacets(app.scene.method())) {
     const WhileLocked locked(app, "show");
     bool on = app.scene.shown.has(Shape::Facets);
-    if (toggle("show/facets", "Draw the triangles", on, "The triangles that the method feels, round the probe."))
+    if (toggle("show/facets", tr("Draw the triangles"), on,
+               tr("The triangles that the method feels, round the probe.")))
       app.scene.shown.set(Shape::Facets, on);
   }
   plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
-       {.title = "Force", .unit = "N", .least_top = 1.0f, .height = 50.0f});
+       {.title = tr("Force"), .least_top = 1.0f, .height = 50.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   plot("plot/turn", app.scene.watch().turns(), app.scene.watch().greatestTurn_deg(),
-       {.title = "Largest turn in a tick", .least_top = 2.0f, .height = 50.0f, .format = "%.1f°"});
+       {.title = tr("Largest turn in a tick"),
+        .least_top = 2.0f,
+        .height = 50.0f,
+        .shown_as = {Dimension::Angle, {decimals(1), {}}}});
   const MethodRecord* record = app.scene.watch().find(app.scene.method());
   tickHistogram("plot/times", record, 56.0f);
   speedAccuracyChart("plot/tradeoff", app.scene.watch(), app.scene.method(), 140.0f);

@@ -14,6 +14,7 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -36,10 +37,10 @@ void drawShelf(Application& app) {
     }
     ImGui::Dummy({0, look().px(6)});
   };
-  offer("Molecules", "open/library/", library());
-  offer("Lessons", "open/lesson/", lessons());
+  offer(tr("Molecules"), "open/library/", library());
+  offer(tr("Lessons"), "open/lesson/", lessons());
   if (app.settings.recent.empty()) return;
-  sectionTitle("Recent");
+  sectionTitle(tr("Recent"));
   std::string chosen;
   for (std::size_t k = 0; k < app.settings.recent.size(); ++k)
     if (fileRow("open/recent/" + std::to_string(k), Icon::File, fs::path(app.settings.recent[k]).filename().string()))
@@ -50,7 +51,7 @@ void drawShelf(Application& app) {
 }  // namespace
 
 void drawOpenPage(Application& app) {
-  if (!beginPage("open", "Open a molecule or a lesson", app.panels.open_page, 900, 660)) {
+  if (!beginPage("open", tr("Open a molecule or a lesson"), app.panels.open_page, 900, 660)) {
     app.files.open = false;
     return;
   }
@@ -98,7 +99,7 @@ void drawOpenPage(Application& app) {
     ImGui::TextUnformatted(elided(b.folder().string(), ImGui::GetContentRegionAvail().x).c_str());
   }
   const fs::path file =
-      drawFileList(b, "open", "No folders, molecules (.pdb .ent .cif .xyzr, also .gz) or lessons (.md) here.");
+      drawFileList(b, "open", tr("No folders, molecules (.pdb .ent .cif .xyzr, also .gz) or lessons (.md) here."));
   if (!file.empty()) chooseFile(app, file);
   ImGui::EndChild();
   ImGui::PopStyleVar();

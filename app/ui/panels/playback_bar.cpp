@@ -10,10 +10,12 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
-#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -95,9 +97,8 @@ void drawScrubber(Playback& playback, float width) {
 
 void drawSpeed(Playback& playback) {
   static constexpr double kSpeeds[] = {0.5, 1.0, 2.0, 4.0, 8.0};
-  char text[16];
-  std::snprintf(text, sizeof text, "%g ×", playback.speed);
-  if (!button("playback/speed", text, ButtonLook::Plain, look().tx(58))) return;
+  const std::string text = numberText(playback.speed) + " ×";
+  if (!button("playback/speed", text.c_str(), ButtonLook::Plain, look().tx(58))) return;
   const double* after =
       std::find_if(std::begin(kSpeeds), std::end(kSpeeds), [&](double s) { return s > playback.speed + 1e-9; });
   playback.speed = after == std::end(kSpeeds) ? kSpeeds[0] : *after;
@@ -140,9 +141,11 @@ void drawPlaybackBar(Application& app) {
   keys(playback);
 
   const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x;
-  if (button("playback/play", playback.running() ? "Pause" : "Play", ButtonLook::Primary, l.tx(72)))
+  if (button("playback/play", playback.running() ? tr("Pause") : tr("Play"), ButtonLook::Primary, l.tx(72)))
     playback.setRunning(!playback.running());
-  tip("Space; arrows left and right by 5 s, with Shift from mark to mark");
+  tip(trf("Space; arrows left and right by {0}, with Shift from mark to mark",
+          quantityText(5, Dimension::Time, decimals(0)))
+          .c_str());
   ImGui::SameLine();
   const std::string length = clockText(wholeOf<int>(playback.timeline().length_s())),
                     time = clockText(wholeOf<int>(playback.at_s())) + " / " + length;
@@ -176,17 +179,18 @@ void drawPlaybackBar(Application& app) {
     ImGui::SetCursorPosY(row);
   }
   if (roomy) {
-    if (button("playback/follow", playback.follows_view ? "View as it was" : "View is yours", ButtonLook::Plain,
+    if (button("playback/follow", playback.follows_view ? tr("View as it was") : tr("View is yours"), ButtonLook::Plain,
                l.tx(128)))
       playback.follows_view = !playback.follows_view;
-    tip("Whether the molecule turns as the student turned it, or only as you do");
+    tip(tr("Whether the molecule turns as the student turned it, or only as you do"));
     ImGui::SameLine();
-    if (button("playback/rests", playback.skips_rests ? "Rests left out" : "Rests shown", ButtonLook::Plain, l.tx(124)))
+    if (button("playback/rests", playback.skips_rests ? tr("Rests left out") : tr("Rests shown"), ButtonLook::Plain,
+               l.tx(124)))
       playback.skips_rests = !playback.skips_rests;
-    tip("Times when the hand lay still for more than 3 s");
+    tip(trf("Times when the hand lay still for more than {0}", quantityText(3, Dimension::Time, decimals(0))).c_str());
     ImGui::SameLine();
   }
-  const bool close = button("playback/close", "Close", ButtonLook::Plain, close_w);
+  const bool close = button("playback/close", tr("Close"), ButtonLook::Plain, close_w);
   endPanel();
   if (close) playback.close(app);
 }

@@ -9,6 +9,8 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/platform/folders.h"
 
 namespace moltact {
 namespace {
@@ -22,30 +24,30 @@ void quietText(const std::string& text) {
 }
 
 void drawColours(Settings& s) {
-  sectionTitle("Colours");
-  static const std::vector<std::string> kThemes{"Light", "Dark", "High contrast"};
+  sectionTitle(tr("Colours"));
+  static const std::vector<std::string> kThemes{N_("Light"), N_("Dark"), N_("High contrast")};
   std::size_t theme = std::size_t(s.theme);
   if (segments("preferences/theme", kThemes, theme)) s.theme = ThemeChoice(theme);
-  toggle("preferences/colour-blind-safe", "Atom colours for every kind of colour vision", s.colour_blind_safe);
+  toggle("preferences/colour-blind-safe", tr("Atom colours for every kind of colour vision"), s.colour_blind_safe);
 }
 
 void drawProbe(Settings& s) {
-  sectionTitle("Probe and hand");
-  static const std::vector<std::string> kLooks{"Water", "Ball", "Stylus", "Finger"};
+  sectionTitle(tr("Probe and hand"));
+  static const std::vector<std::string> kLooks{N_("Water"), N_("Ball"), N_("Stylus"), N_("Finger")};
   std::size_t look = std::size_t(s.probe_look);
   if (segments("preferences/probe", kLooks, look)) s.probe_look = ProbeLook(look);
-  quietText("A stylus or a finger stands where your hand is, beside the water molecule.");
+  quietText(tr("A stylus or a finger stands where your hand is, beside the water molecule."));
 }
 
 void drawSize(Settings& s) {
-  sectionTitle("Size of letters");
+  sectionTitle(tr("Size of letters"));
   static const std::vector<std::string> kLetters{"100 %", "115 %", "130 %", "150 %"};
   static constexpr double kLetterSizes[] = {1.0, 1.15, 1.3, 1.5};
   std::size_t letters = 0;
   while (letters + 1 < std::size(kLetterSizes) && s.text_size > kLetterSizes[letters] + 0.01) ++letters;
   if (segments("preferences/text-size", kLetters, letters)) s.text_size = kLetterSizes[letters];
   ImGui::Dummy({0, look().px(8)});
-  sectionTitle("Size of everything");
+  sectionTitle(tr("Size of everything"));
   double percent = std::round(s.scale * 100.0);
   // The page grows under the pointer: the size is taken when the button is let go.
   static constexpr double kSteps[] = {75, 90, 100, 125, 150, 175, 200, 250, 300};
@@ -53,22 +55,35 @@ void drawSize(Settings& s) {
   for (std::size_t k = 0; k < std::size(kSteps); ++k)
     if (std::abs(kSteps[k] - percent) < std::abs(kSteps[at] - percent)) at = k;
   const float width = 0.5f * (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x);
-  if (button("preferences/smaller", "Smaller", ButtonLook::Plain, width, at > 0)) s.scale = kSteps[at - 1] / 100.0;
+  if (button("preferences/smaller", tr("Smaller"), ButtonLook::Plain, width, at > 0)) s.scale = kSteps[at - 1] / 100.0;
   ImGui::SameLine();
-  if (button("preferences/larger", "Larger", ButtonLook::Plain, width, at + 1 < std::size(kSteps)))
+  if (button("preferences/larger", tr("Larger"), ButtonLook::Plain, width, at + 1 < std::size(kSteps)))
     s.scale = kSteps[at + 1] / 100.0;
-  quietText(std::to_string(int(percent)) + " % of what this display asks for");
-  recordItem("preferences/size", std::to_string(int(percent)) + " %");
+  const std::string size = quantityText(percent / 100.0, Dimension::Share);
+  quietText(trf("{0} of what this display asks for", size));
+  recordItem("preferences/size", size);
+}
+
+void drawLanguage(Settings& s) {
+  sectionTitle(tr("Language"));
+  static const std::vector<Language> kLanguages = languages(translationsFolder());
+  std::vector<std::string> names{N_("As the system")};
+  std::size_t chosen = 0;
+  for (const Language& l : kLanguages) {
+    if (l.code == s.language) chosen = names.size();
+    names.push_back(l.name);
+  }
+  if (segments("preferences/language", names, chosen)) s.language = chosen == 0 ? "" : kLanguages[chosen - 1].code;
 }
 
 void drawOwnLessons(Application& app) {
-  sectionTitle("Your own lessons");
+  sectionTitle(tr("Your own lessons"));
   const std::filesystem::path folder = lessonFolderOf(app.settings);
-  quietText(folder.empty() ? "No folder is set." : folder.string());
+  quietText(folder.empty() ? tr("No folder is set.") : folder.string());
   recordItem("preferences/lesson-folder", folder.string());
-  if (!button("preferences/choose-folder", "Choose another folder …")) return;
+  if (!button("preferences/choose-folder", tr("Choose another folder …"))) return;
   app.panels.preferences_page = false;
-  app.file_dialog.ask({.title = "The folder with your lessons",
+  app.file_dialog.ask({.title = tr("The folder with your lessons"),
                        .chosen =
                            [&app](const std::filesystem::path& chosen) {
                              app.settings.lesson_folder = chosen.string();
@@ -80,30 +95,33 @@ void drawOwnLessons(Application& app) {
 }  // namespace
 
 void drawPreferencesPage(Application& app) {
-  if (!beginPage("preferences", "Preferences", app.panels.preferences_page, 520, 740)) return;
+  if (!beginPage("preferences", tr("Preferences"), app.panels.preferences_page, 520, 740)) return;
   ImGui::BeginChild("list");
   Settings& s = app.settings;
   const auto part = [] { ImGui::Dummy({0, look().px(8)}); };
+  drawLanguage(s);
+  part();
   drawColours(s);
   part();
   drawSize(s);
   part();
   drawProbe(s);
   part();
-  sectionTitle("More than the eye");
-  toggle("preferences/sound", "Sound of touch", s.sound, "Contact, crossing from atom to atom, and force as pitch.");
-  toggle("preferences/large-text", "What is touched in large type", s.large_state_text);
-  toggle("preferences/reduced-motion", "Less motion", s.reduced_motion,
-         "Another scene is there at once; the view does not glide or fade.");
+  sectionTitle(tr("More than the eye"));
+  toggle("preferences/sound", tr("Sound of touch"), s.sound,
+         tr("Contact, crossing from atom to atom, and force as pitch."));
+  toggle("preferences/large-text", tr("What is touched in large type"), s.large_state_text);
+  toggle("preferences/reduced-motion", tr("Less motion"), s.reduced_motion,
+         tr("Another scene is there at once; the view does not glide or fade."));
   part();
-  sectionTitle("Mouse");
-  toggle("preferences/left-handed", "Left-handed mouse", s.left_handed,
-         "Over the molecule the right button pushes and the left one turns.");
+  sectionTitle(tr("Mouse"));
+  toggle("preferences/left-handed", tr("Left-handed mouse"), s.left_handed,
+         tr("Over the molecule the right button pushes and the left one turns."));
   part();
-  sectionTitle("Numbers");
-  static const std::vector<std::string> kNumbers{"1.4", "1,4"};
-  std::size_t comma = s.decimal_comma;
-  if (segments("preferences/numbers", kNumbers, comma)) s.decimal_comma = comma == 1;
+  sectionTitle(tr("Numbers"));
+  static const std::vector<std::string> kNumbers{N_("As in the language"), "1.4", "1,4"};
+  std::size_t sign = std::size_t(s.decimal_sign);
+  if (segments("preferences/numbers", kNumbers, sign)) s.decimal_sign = DecimalSign(sign);
   part();
   drawOwnLessons(app);
   ImGui::EndChild();

@@ -1,6 +1,5 @@
 // Bottom: the device, how the 1 kHz loop keeps its time, the molecule, and how much of it is modelled. What has no room
 // is left out, the least needed first.
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,9 +8,10 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -33,26 +33,28 @@ std::string grouped(std::size_t n) {
 
 Segment loopSegment(const Application& app) {
   const Palette& p = look().palette;
-  if (app.scene.servo().clock() == ServoClock::Frames) return {"status/loop", "1000 Hz, virtual clock", "", 3, p.good};
+  if (app.scene.servo().clock() == ServoClock::Frames)
+    return {"status/loop", trf("{0}, virtual clock", quantityText(1000.0, Dimension::Frequency)), "", 3, p.good};
   const LoopHealth& h = app.scene.log().health();
   const RealtimeStatus status = app.scene.servo().realtime();
-  char text[160];
-  const char* kind = status == RealtimeStatus::Realtime   ? "real-time"
-                     : status == RealtimeStatus::Ordinary ? "ordinary priority"
-                                                          : "starting";
-  std::snprintf(text, sizeof text, "%.0f Hz, %s, late %.0f µs, tick %.1f µs", h.rate_Hz, kind, h.late_p99_us,
-                h.work_mean_us);
-  char tip[400];
-  std::snprintf(
-      tip, sizeof tip,
-      "The touch loop should run 1000 times a second. 99 of 100 ticks began at most %.0f µs late; the longest "
-      "took %.1f µs; %llu were left out.%s",
-      h.late_p99_us, h.work_max_us, static_cast<unsigned long long>(app.scene.servo().missedTicks()),
-      status == RealtimeStatus::Ordinary ? " The system does not allow this program real-time priority, so ticks may "
-                                           "come late while the picture is drawn."
-                                         : "");
+  const char* kind = status == RealtimeStatus::Realtime   ? tr("real-time")
+                     : status == RealtimeStatus::Ordinary ? tr("ordinary priority")
+                                                          : tr("starting");
+  const auto micro = [](double time_us, int digits) {
+    return quantityText(time_us * 1e-6, Dimension::Time, {decimals(digits), "µs"});
+  };
+  const std::string late = micro(h.late_p99_us, 0);
+  const std::string text = trf("{0}, {1}, late {2}, tick {3}", quantityText(h.rate_Hz, Dimension::Frequency), kind,
+                               late, micro(h.work_mean_us, 1));
+  std::string tip = trf(
+      "The touch loop should run 1000 times a second. 99 of 100 ticks began at most {0} late; the longest took {1}; "
+      "{2} were left out.",
+      late, micro(h.work_max_us, 1), app.scene.servo().missedTicks());
+  if (status == RealtimeStatus::Ordinary)
+    tip += std::string(" ") + tr("The system does not allow this program real-time priority, so ticks may come late "
+                                 "while the picture is drawn.");
   const bool well = h.rate_Hz > 950 && (status == RealtimeStatus::Realtime || h.late_p99_us < 2000);
-  return {"status/loop", localNumbers(text), localNumbers(tip), 3, well ? p.good : p.warn};
+  return {"status/loop", text, tip, 3, well ? p.good : p.warn};
 }
 
 // What a way of the hand is in the molecule: where a hand is felt with, or the scale is not the molecule's own.
@@ -61,12 +63,10 @@ std::optional<Segment> scaleSegment(const Application& app) {
   const bool magnified = scene.magnification() > 1.005;
   if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
   const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
-  std::string text = scale.sentence.substr(0, scale.sentence.size() - 1);  // without its full stop
-  char times[48];
-  std::snprintf(times, sizeof times, ", magnified %.1f times", scene.magnification());
-  if (magnified) text += times;
-  return Segment{"status/scale", localNumbers(text), localNumbers(scale.reason), 2,
-                 magnified ? look().palette.accent : 0};
+  std::string text = scale.sentence;
+  if (text.ends_with('.')) text.pop_back();
+  if (magnified) text = trf("{0}, magnified {1} times", text, numberText(scene.magnification(), decimals(1)));
+  return Segment{"status/scale", text, scale.reason, 2, magnified ? look().palette.accent : 0};
 }
 
 }  // namespace
@@ -88,17 +88,17 @@ void drawStatusBar(Application& app) {
   const ServoSample& now = app.scene.log().latest();
   std::vector<Segment> segments;
   segments.push_back({"status/contact",
-                      app.scene.log().touching()                  ? "touching"
-                      : now.contact.fault == Fault::StartedInside ? "inside"
-                                                                  : "free",
+                      app.scene.log().touching()                  ? tr("touching")
+                      : now.contact.fault == Fault::StartedInside ? tr("inside")
+                                                                  : tr("free"),
                       app.extensions().task_stager.dark()
                           ? std::string()
                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
                       0, app.scene.log().touching() ? l.palette.accent : l.palette.faint});
-  segments.push_back({"status/device", app.scene.servo().device().name,
+  segments.push_back({"status/device", tr(app.scene.servo().device().name.c_str()),
                       app.scene.servo().device().gives_force
                           ? ""
-                          : "No force-feedback device is connected; the mouse or keyboard stands in for it.",
+                          : tr("No force-feedback device is connected; the mouse or keyboard stands in for it."),
                       2});
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
   segments.push_back(loopSegment(app));
@@ -109,10 +109,10 @@ void drawStatusBar(Application& app) {
     if (!app.scene.playing())
       segments.push_back(
           {"status/modelled",
-           grouped(now.memory_usage.atoms_modelled) + " of " + grouped(m.atoms.size()) + " atoms modelled",
-           "The tracker prepares only the atoms near your probe.", 4});
+           trf("{0} of {1} atoms modelled", grouped(now.memory_usage.atoms_modelled), grouped(m.atoms.size())),
+           tr("The tracker prepares only the atoms near your probe."), 4});
   }
-  if (app.loading()) segments.push_back({"status/loading", "Opening …", "", 0, l.palette.warn});
+  if (app.loading()) segments.push_back({"status/loading", tr("Opening …"), "", 0, l.palette.warn});
 
   const float gap = l.px(22), dot = l.px(14);
   const auto width = [&](const Segment& s) { return ImGui::CalcTextSize(s.text.c_str()).x + (s.dot ? dot : 0.0f); };

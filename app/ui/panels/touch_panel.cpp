@@ -9,6 +9,8 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -23,7 +25,7 @@ void drawShapeSwitches(Application& app) {
     if (shape.shape == Shape::Facets && !feltFacets(app.scene.method())) continue;
     bool on = app.scene.shown.has(shape.shape);
     if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on,
-               std::string(shape.sentence).c_str()))
+               std::string(tr(shape.sentence)).c_str()))
       app.scene.shown.set(shape.shape, on);
   }
 }
@@ -39,39 +41,42 @@ void drawTouchPanel(Application& app) {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
   drawTouchHead(app);
   plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
-       {.title = "Force", .unit = "N", .least_top = 1.0f});
+       {.title = tr("Force"), .least_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   ImGui::Spacing();
   {
     const WhileLocked locked(app, "probe");
-    slider("probe", "Probe radius", app.scene.servo_settings.probe_A, 0.0, kLargestOffered_A, 0.1, "%.1f Å",
-           "The radius of the ball you touch with. 1.4 Å is a water molecule.");
+    slider("probe", tr("Probe radius"), app.scene.servo_settings.probe_A, 0.0, kLargestOffered_A, 0.1,
+           {Dimension::Length, {decimals(1), {}}},
+           trf("The radius of the ball you touch with. {0} is a water molecule.",
+               quantityText(1.4, Dimension::Length, decimals(1)))
+               .c_str());
   }
   ImGui::Spacing();
-  sectionTitle("What the hand feels");
+  sectionTitle(tr("What the hand feels"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
   drawShapeSwitches(app);
   ImGui::PopStyleVar();
   ImGui::Spacing();
-  disclosure("more", "Spring, tracker and timing", app.panels.touch_details);
+  disclosure("more", tr("Spring, tracker and timing"), app.panels.touch_details);
   if (app.panels.touch_details) {
     {
       const WhileLocked locked(app, "stiffness");
-      slider("stiffness", "Stiffness", app.scene.servo_settings.stiffness_N_per_mm, kSoftest_N_per_mm,
-             kStiffest_N_per_mm, 0.05, "%.2f N/mm",
-             "The spring between your hand and the surface: how hard the molecule feels.");
+      slider("stiffness", tr("Stiffness"), app.scene.servo_settings.stiffness_N_per_mm, kSoftest_N_per_mm,
+             kStiffest_N_per_mm, 0.05, {Dimension::Stiffness},
+             tr("The spring between your hand and the surface: how hard the molecule feels."));
     }
     {
       const WhileLocked locked(app, "force");
-      toggle("force", "Force on", app.scene.servo_settings.force_on,
-             "Off: contact is followed, but no force is given.");
+      toggle("force", tr("Force on"), app.scene.servo_settings.force_on,
+             tr("Off: contact is followed, but no force is given."));
     }
-    ImGui::TextUnformatted("Tracker");
+    ImGui::TextUnformatted(tr("Tracker"));
     drawMethodChooser(app);
     if (!app.panels.methods && !app.lesson.locks("panels") &&
-        button("compare", "Compare the methods …", ButtonLook::Plain, -1.0f))
+        button("compare", tr("Compare the methods …"), ButtonLook::Plain, -1.0f))
       app.panels.showMethods(true);
     plot("plot/tick", app.scene.log().work(), app.scene.log().health().work_mean_us,
-         {.title = "Time for a tick", .unit = "µs", .least_top = 2.0f});
+         {.title = tr("Time for a tick"), .least_top = 2.0f, .shown_as = {Dimension::Time, {decimals(1), "µs"}, 1e-6}});
   }
   ImGui::PopStyleVar();
   endPanel();

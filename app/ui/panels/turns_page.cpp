@@ -9,34 +9,35 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
 
 void drawHandOver(Application& app, ClassTurns& turns) {
   bool open = true;
-  if (!beginPage("hand over", "Next turn", open, 460, 300)) return;
+  if (!beginPage("hand over", tr("Next turn"), open, 460, 300)) return;
   const Look& l = look();
   const std::string name = turns.turns().current();
   {
     WithFont heading(Font::Heading);
     ImGui::PushTextWrapPos(0.0f);
-    ImGui::TextUnformatted((name + ", it is your turn.").c_str());
+    ImGui::TextUnformatted(trf("{0}, it is your turn.", name).c_str());
     ImGui::PopTextWrapPos();
     recordItem("turn/name", name);
   }
   ImGui::Spacing();
-  ImGui::TextWrapped(
-      "Take the device in your hand, or the mouse. The force is off until you begin, and comes up softly.");
-  if (app.lesson.session()) ImGui::TextWrapped("What you do is kept under your name.");
+  ImGui::TextWrapped("%s", tr("Take the device in your hand, or the mouse. The force is off until you begin, and comes "
+                              "up softly."));
+  if (app.lesson.session()) ImGui::TextWrapped("%s", tr("What you do is kept under your name."));
   ImGui::Dummy({0, l.px(10)});
   const float whole = ImGui::GetContentRegionAvail().x, gap = ImGui::GetStyle().ItemSpacing.x, side = l.tx(110);
-  const bool begun = button("turn/begin", "Begin", ButtonLook::Primary, whole - 2 * side - 2 * gap);
+  const bool begun = button("turn/begin", tr("Begin"), ButtonLook::Primary, whole - 2 * side - 2 * gap);
   ImGui::SameLine();
-  const bool absent = button("turn/absent", "Not here", ButtonLook::Plain, side);
-  tip("Takes this name out of the round");
+  const bool absent = button("turn/absent", tr("Not here"), ButtonLook::Plain, side);
+  tip(tr("Takes this name out of the round"));
   ImGui::SameLine();
-  const bool end = button("turn/end", "End turns", ButtonLook::Plain, side);
+  const bool end = button("turn/end", tr("End turns"), ButtonLook::Plain, side);
   if (begun || absent || end) ImGui::CloseCurrentPopup();
   endPage();
   if (begun)
@@ -48,30 +49,31 @@ void drawHandOver(Application& app, ClassTurns& turns) {
 }
 
 void drawSetUp(Application& app, ClassTurns& turns) {
-  if (!beginPage("turns page", "Take turns at one device", app.panels.turns_page, 520, 560)) return;
+  if (!beginPage("turns page", tr("Take turns at one device"), app.panels.turns_page, 520, 560)) return;
   const Look& l = look();
   ClassTurns::Draft& draft = turns.draft;
-  ImGui::TextWrapped(
-      "Each student works for the same time; what each does is kept under the name. Those who wait predict.");
+  ImGui::TextWrapped("%s", tr("Each student works for the same time; what each does is kept under the name. Those who "
+                              "wait predict."));
   ImGui::Spacing();
   {
     WithFont strong(Font::Strong);
-    ImGui::TextUnformatted("Names or codes, one a line, in the order of the turns");
+    ImGui::TextUnformatted(tr("Names or codes, one a line, in the order of the turns"));
   }
   const float below = l.tx(150);
   ImGui::InputTextMultiline("##names", &draft.names,
                             {-1, std::max(l.tx(80), ImGui::GetContentRegionAvail().y - below)});
   recordItem("turns/names", draft.names);
-  slider("turns/minutes", "Minutes a turn", draft.minutes, 0.5, 20.0, 0.5, "%.1f min");
+  slider("turns/minutes", tr("Minutes a turn"), draft.minutes, 0.5, 20.0, 0.5,
+         {Dimension::Time, {decimals(1), "min"}, 60.0});
   if (!app.lesson.session()) {
     WithText warn(l.palette.warn);
-    ImGui::TextWrapped("No lesson is open: turns are timed, but nothing is kept.");
+    ImGui::TextWrapped("%s", tr("No lesson is open: turns are timed, but nothing is kept."));
   } else {
     WithText quiet(l.palette.quiet);
-    ImGui::TextWrapped("The names stay on this computer, with what was done (docs/results.md).");
+    ImGui::TextWrapped("%s", tr("The names stay on this computer, with what was done (docs/results.md)."));
   }
   const std::vector<std::string> names = Turns::namesIn(draft.names);
-  const std::string label = names.empty() ? "Begin" : "Begin with " + elided(names.front(), l.tx(200));
+  const std::string label = names.empty() ? tr("Begin") : trf("Begin with {0}", elided(names.front(), l.tx(200)));
   const bool begun = button("turns/begin", label.c_str(), ButtonLook::Primary, -1.0f, !names.empty());
   if (begun) {
     app.panels.turns_page = false;

@@ -10,9 +10,11 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -42,21 +44,24 @@ void drawTurn(Application& app, ClassTurns& turns, float whole) {
     const std::string who = elided(t.current(), std::max(l.tx(40), t.names().size() > 1 && roomy ? 0.6f * room : room));
     rowText("turns/current", who, l.palette.text);
   }
-  if (roomy && t.names().size() > 1) rowText("turns/next", "then " + elided(t.next(), l.tx(110)), l.palette.quiet);
+  if (roomy && t.names().size() > 1)
+    rowText("turns/next", trf("then {0}", elided(t.next(), l.tx(110))), l.palette.quiet);
   ImGui::SameLine(l.px(14) + whole - (roomy ? buttons : l.tx(96)));
   ImGui::SetCursorPosY(row);
-  if (button("turns/pass", "Pass on", ButtonLook::Primary, l.tx(96))) return turns.passOn();
+  if (button("turns/pass", tr("Pass on"), ButtonLook::Primary, l.tx(96))) return turns.passOn();
   if (!roomy) return;
   ImGui::SameLine();
   const bool paused = t.state() == Turns::State::Paused;
-  if (button("turns/pause", paused ? "Go on" : "Pause", ButtonLook::Plain, l.tx(84)))
+  if (button("turns/pause", paused ? tr("Go on") : tr("Pause"), ButtonLook::Plain, l.tx(84)))
     paused ? turns.goOn() : turns.pause();
-  tip("Stops the time of this turn");
+  tip(tr("Stops the time of this turn"));
   ImGui::SameLine();
-  if (button("turns/longer", "+1 min", ButtonLook::Plain, l.tx(74))) turns.extend(60.0);
+  if (button("turns/longer", ("+" + quantityText(60, Dimension::Time, {plain(), "min"})).c_str(), ButtonLook::Plain,
+             l.tx(74)))
+    turns.extend(60.0);
   ImGui::SameLine();
-  if (button("turns/end", "End", ButtonLook::Plain, l.tx(66))) turns.end(app);
-  tip("Ends the turns; what everyone did is kept");
+  if (button("turns/end", tr("End"), ButtonLook::Plain, l.tx(66))) turns.end(app);
+  tip(tr("Ends the turns; what everyone did is kept"));
 }
 
 void drawTime(const Turns& t, const Rectangle& r) {
@@ -78,7 +83,7 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   {
     WithText quiet(l.palette.quiet);
-    const std::string asked = "Who waits, predicts: " + turns.prompt(app.lesson);
+    const std::string asked = trf("Who waits, predicts: {0}", turns.prompt(app.lesson));
     ImGui::TextUnformatted(elided(asked, whole).c_str());
     recordItem("turns/prompt", asked);
     tip(asked.c_str());
@@ -97,14 +102,14 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
   }
   ImGui::SameLine();
   ImGui::SetNextItemWidth(whole - name_w - keep_w - 2 * gap);
-  bool keep = ImGui::InputTextWithHint("##prediction", "your prediction", &draft.prediction,
+  bool keep = ImGui::InputTextWithHint("##prediction", tr("your prediction"), &draft.prediction,
                                        ImGuiInputTextFlags_EnterReturnsTrue);
   ImGui::PopStyleVar();
   recordItem("turns/prediction", draft.prediction);
   ImGui::SameLine();
-  keep = button("turns/keep", "Keep", ButtonLook::Plain, keep_w) || keep;
+  keep = button("turns/keep", tr("Keep"), ButtonLook::Plain, keep_w) || keep;
   if (!keep || !turns.predict(app, waiting[draft.who], draft.prediction)) return;
-  app.messages.notice("Kept: what " + waiting[draft.who] + " predicts.");
+  app.messages.notice(trf("Kept: what {0} predicts.", waiting[draft.who]));
   draft.prediction.clear();
   draft.who = (draft.who + 1) % waiting.size();
 }

@@ -2,17 +2,18 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/number_text.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -48,9 +49,7 @@ void scaleBar(const Application& app, const Rectangle& view) {
       length_A *= step;
       break;
     }
-  char number[32];
-  std::snprintf(number, sizeof number, "%g Å", length_A);
-  const std::string text = localNumbers(number);
+  const std::string text = quantityText(length_A, Dimension::Length, plain());
   const float width = floatOf(length_A / pixel_A), x1 = view.high.x - l.px(18), x0 = x1 - width,
               y = view.high.y - l.px(20);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -71,7 +70,7 @@ void scaleBar(const Application& app, const Rectangle& view) {
 // The force in newtons, a little beyond the arrow's head; beside the contact where the arrow points at the viewer.
 void forceLabel(const Application& app, const ServoSample& now, const Rectangle& view) {
   const double force_N = app.scene.log().force_N();
-  const Vec3 lift = now.contact.scp.A - now.hip.A;
+  const Vec3& lift = now.contact.displacement_A;
   const double depth_A = glm::length(lift);
   if (!(force_N >= 0.05) || !(depth_A > 0.0)) return;
   const Look& l = look();
@@ -80,9 +79,7 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * floatOf(force_N) + l.px(26));
   const Vec3 foot = app.scene.camera.project(now.contact.scp, int(size.x), int(size.y));
   Vec3 at = app.scene.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
-  char number[24];
-  std::snprintf(number, sizeof number, "%.1f N", force_N);
-  const std::string text = localNumbers(number);
+  const std::string text = quantityText(force_N, Dimension::Force, decimals(1));
   ImFont* font = l.font(Font::Small);
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
@@ -101,10 +98,10 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
 
 const char* hintText(bool has_pressed, bool left_handed) {
   if (has_pressed)
-    return left_handed ? "Drag with the left button to turn the molecule, wheel to come closer"
-                       : "Drag with the right button to turn the molecule, wheel to come closer";
-  return left_handed ? "Hold the right button, or Space, to push against the molecule"
-                     : "Hold the left button, or Space, to push against the molecule";
+    return left_handed ? tr("Drag with the left button to turn the molecule, wheel to come closer")
+                       : tr("Drag with the right button to turn the molecule, wheel to come closer");
+  return left_handed ? tr("Hold the right button, or Space, to push against the molecule")
+                     : tr("Hold the left button, or Space, to push against the molecule");
 }
 
 // What takes long is seen to go on: a bar that runs to and fro.
@@ -115,7 +112,7 @@ void loadingSign(const Application& app, const Rectangle& view) {
   const float width = std::min(l.tx(260), 0.8f * view.size().x), high = l.px(5),
               x0 = 0.5f * (view.low.x + view.high.x - width);
   const float y = 0.5f * (view.low.y + view.high.y);
-  pill("view/loading", "Opening …", {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width, l.palette.panel,
+  pill("view/loading", tr("Opening …"), {x0 + 0.5f * width, y - l.px(10)}, {0.5f, 1.0f}, width, l.palette.panel,
        l.palette.text);
   const double turn = std::fmod(app.now_s(), kRound_s) / kRound_s, part = turn < 0.5 ? 2.0 * turn : 2.0 - 2.0 * turn;
   const float knob = 0.3f * width, x = x0 + float(part) * (width - knob);
@@ -138,12 +135,14 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     ImGui::GetWindowDrawList()->AddRectFilled(corner, {corner.x + l.px(30), corner.y + l.px(30)}, faded(p.panel, 0.75f),
                                               l.px(6));
   ImGui::SetCursorScreenPos(corner);
-  if (app.scene.stage() && iconButton("view/reset", Icon::Fit, "Reset view (Home)")) app.resetViewByHand();
+  if (app.scene.stage() &&
+      iconButton("view/reset", Icon::Fit, (tr("Reset view") + (" (" + keysText("Home") + ")")).c_str()))
+    app.resetViewByHand();
 
   loadingSign(app, view);
   if (!app.scene.stage()) {
     if (!app.loading())
-      pill("view/empty", "Open a molecule or a lesson: File, Open, or drop a file here.",
+      pill("view/empty", tr("Open a molecule or a lesson: File, Open, or drop a file here."),
            {0.5f * (view.low.x + view.high.x), 0.5f * (view.low.y + view.high.y)}, {0.5f, 0.5f}, width, p.panel,
            p.text);
     return;
@@ -160,11 +159,10 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   } else if (now.contact.touching()) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
     // The line rests a moment before it tells something new; by then it may be the first touch.
-    const std::string& line = app.extensions().state_text.line();
-    const bool told = line.starts_with("touching");
+    const StateText& state = app.extensions().state_text;
     pill("view/state",
-         localNumbers(told ? line
-                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N())),
+         state.tellsContact() ? state.line()
+                              : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && !app.scene.playing() && !app.scene.servo().held()) {

@@ -17,6 +17,7 @@
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -89,7 +90,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   return in;
 }
 
-ViewScene sceneOf(const Application& app) {
+}  // namespace
+
+ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
   scene.molecule = app.scene.stage().molecule;
@@ -115,13 +118,15 @@ ViewScene sceneOf(const Application& app) {
   return scene;
 }
 
+namespace {
+
 void savePicture(Application& app, std::filesystem::path file) {
   if (file.empty()) file = freePictureName(app.options().picture_folder);
   const std::optional<Problem> problem = writePng(file, app.picture().read());
   if (problem)
     app.messages.error(problem->text());
   else
-    app.messages.notice("Picture saved as " + file.string());
+    app.messages.notice(trf("Picture saved as {0}", file.string()));
 }
 
 }  // namespace
@@ -148,13 +153,13 @@ void drawViewPanel(Application& app) {
 
   if (app.extensions().task_stager.dark()) {
     drawDarkView(app, r);
-    if (app.takePictureRequest()) app.messages.notice("The screen is dark: there is nothing to save as a picture.");
+    if (app.takePictureRequest()) app.messages.notice(tr("The screen is dark: there is nothing to save as a picture."));
     endPanel();
     return;
   }
   ViewPicture& picture = app.picture();
   const SceneChange& change = app.extensions().scene_change;
-  picture.draw(sceneOf(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
+  picture.draw(seenScene(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
                look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});

@@ -13,6 +13,8 @@
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -137,16 +139,16 @@ CardText textOf(const LessonCard& card) {
   t.name = (card.own ? "welcome/own/" : "welcome/lesson/") + card.id;
   t.title = card.title;
   if (!card.fault.empty()) {
-    t.line = "cannot be opened";
+    t.line = tr("cannot be opened");
     t.tip = card.fault;
     t.bad = true;
     return t;
   }
-  if (card.minutes > 0) t.line = std::to_string(card.minutes) + " min";
-  if (!card.level.empty()) t.line += (t.line.empty() ? "" : " · ") + card.level;
+  if (card.minutes > 0) t.line = quantityText(60.0 * card.minutes, Dimension::Time, {plain(), "min"});
+  if (!card.level.empty()) t.line += (t.line.empty() ? "" : " · ") + std::string(tr(card.level.c_str()));
   t.progress = card.progress ? float(card.progress->share()) : 0.0f;
   t.done = card.progress && card.progress->finished;
-  if (card.progress && card.progress->canResume()) t.tip = "Go on at: " + card.progress->step_title;
+  if (card.progress && card.progress->canResume()) t.tip = trf("Go on at: {0}", card.progress->step_title);
   return t;
 }
 
@@ -163,7 +165,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
   for (const LessonCard& c : e.shelf.cards())
     if (c.own == own) cards.push_back(&c);
   if (cards.empty()) return;
-  heading(own ? "Your lessons" : "Lessons");
+  heading(own ? tr("Your lessons") : tr("Lessons"));
   const LessonCard* chosen = nullptr;
   rows(grid, cards.size(), kLessonWidth, [&](std::size_t k, float width) {
     const LessonCard& c = *cards[k];
@@ -176,7 +178,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
 void drawMolecules(Application& app, Grid& grid) {
   const std::vector<LibraryItem>& items = library();
   if (items.empty()) return;
-  heading("Explore freely");
+  heading(tr("Explore freely"));
   rows(grid, items.size(), kMoleculeWidth, [&](std::size_t k, float width) {
     const LibraryItem& m = items[k];
     const ImTextureID picture = app.extensions().card_pictures.find({{m.file}, SceneSpec{}});
@@ -192,11 +194,11 @@ void drawNext(Application& app, float most) {
   const LessonSession* session = app.lesson.session();
   std::string label;
   if (session)
-    label = "Back to " + session->lesson().title;
+    label = trf("Back to {0}", session->lesson().title);
   else if (app.scene.stage())
-    label = "Back to the molecule";
+    label = tr("Back to the molecule");
   else if (latest)
-    label = "Go on with " + latest->title;
+    label = trf("Go on with {0}", latest->title);
   if (!label.empty()) {
     const std::string shown = elided(label, most - look().px(40));
     if (button("welcome/next", shown.c_str(), ButtonLook::Primary)) {
@@ -207,7 +209,7 @@ void drawNext(Application& app, float most) {
     }
     if (most > look().px(560)) ImGui::SameLine();
   }
-  if (button("welcome/open", "Open a file …")) app.panels.open_page = true;
+  if (button("welcome/open", tr("Open a file …"))) app.panels.open_page = true;
 }
 
 void readKeys(Grid& grid, PanelState& panels) {
@@ -243,15 +245,15 @@ void drawWelcomePage(Application& app) {
   ImGui::Dummy({0, l.px(6)});
   {
     WithFont big(Font::Heading);
-    ImGui::TextUnformatted("Touch the molecules of life");
-    recordItem("welcome/title", "Touch the molecules of life");
+    ImGui::TextUnformatted(tr("Touch the molecules of life"));
+    recordItem("welcome/title", tr("Touch the molecules of life"));
   }
   {
     WithText quiet(l.palette.quiet);
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + grid.width);
     ImGui::TextUnformatted(
-        "Take a lesson, or explore a molecule on your own. A haptic stylus lets you feel the surface; the mouse works "
-        "too.");
+        tr("Take a lesson, or explore a molecule on your own. A haptic stylus lets you feel the surface; the mouse "
+           "works too."));
     ImGui::PopTextWrapPos();
   }
   ImGui::Dummy({0, l.px(4)});

@@ -2,6 +2,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/widgets/theme.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -22,7 +23,7 @@ WhileLocked::~WhileLocked() {
   // The controls draw in the palette's own colours, which a disabled item keeps.
   ImGui::GetWindowDrawList()->AddRectFilled(low_, high, faded(look().palette.panel, 0.5f));
   if (ImGui::IsWindowHovered() && ImGui::IsMouseHoveringRect(low_, high))
-    ImGui::SetTooltip("The lesson keeps this as it is.");
+    ImGui::SetTooltip("%s", tr("The lesson keeps this as it is."));
 }
 
 }  // namespace moltact

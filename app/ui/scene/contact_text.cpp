@@ -1,9 +1,10 @@
 #include "app/ui/scene/contact_text.h"
 
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/elements.h"
 
 namespace moltact {
@@ -12,17 +13,15 @@ namespace {
 // "carbon CA of Ala 3", "nitrogen N of Gly 4 (chain B)", "zinc 201", "argon atom 2"; without its owner: "carbon CA".
 std::string atomText(const Molecule& molecule, std::size_t index, bool with_owner) {
   const Atom& atom = molecule.atoms[index];
-  std::string name(atom.atomic_number ? element(atom.atomic_number).name : std::string_view());
-  if (atom.residue == kNoResidue) return (name.empty() ? "" : name + ' ') + "atom " + std::to_string(index);
-  std::string whole = molecule.describe(index);
-  // An atom that is a residue of its own is described by its element already.
-  const std::size_t of = whole.find(" of ");
-  if (of == std::string::npos) return whole;
-  std::string owner = whole.substr(of);
-  if (molecule.chains.size() == 1) owner = owner.substr(0, owner.find(" (chain"));
-  if (!name.empty()) name += ' ';
-  name += whole.substr(0, of);
-  return with_owner ? name + owner : name;
+  const std::string name(atom.atomic_number ? tr(element(atom.atomic_number).name) : std::string_view());
+  if (atom.residue == kNoResidue) return name.empty() ? trf("atom {0}", index) : trf("{0} atom {1}", name, index);
+  const AtomWords words = molecule.words(index);
+  // An atom that is a residue of its own is called by its element already.
+  if (words.residue.empty()) return molecule.describe(index);
+  const std::string whole = name.empty() ? words.atom : name + ' ' + words.atom;
+  if (!with_owner) return whole;
+  if (molecule.chains.size() == 1 || words.chain.empty()) return trcf("an atom", "{0} of {1}", whole, words.residue);
+  return trf("{0} of {1} (chain {2})", whole, words.residue, words.chain);
 }
 
 }  // namespace
@@ -36,57 +35,63 @@ std::string touchedText(const Molecule& molecule, const Contact& contact) {
     const std::uint32_t owner = molecule.atoms[atoms[j]].residue;
     return owner != kNoResidue && owner == molecule.atoms[atoms[k]].residue;
   };
-  std::string out = atomText(molecule, atoms[0], true);
-  if (atoms.size() == 1) return out;
-  out += contact.feature == Feature::Point ? ", pit with " : ", crease with ";
+  const std::string first = atomText(molecule, atoms[0], true);
+  if (atoms.size() == 1) return first;
   // Owners are named once: "its carbon C", "carbon C and oxygen O of Ala 3".
+  std::string others;
   for (std::size_t k = 1; k < atoms.size(); ++k) {
-    if (k == 2) out += " and ";
     const bool its = together(0, k), said = its && k == 2 && together(0, 1);
     const bool owner_follows = k == 1 && atoms.size() == 3 && together(1, 2);
-    out += (its && !said ? "its " : "") + atomText(molecule, atoms[k], !its && !owner_follows);
+    std::string one = atomText(molecule, atoms[k], !its && !owner_follows);
+    if (its && !said) one = trf("its {0}", one);
+    others = k == 1 ? one : trf("{0} and {1}", others, one);
   }
-  return out;
+  return contact.feature == Feature::Point ? trf("{0}, pit with {1}", first, others)
+                                           : trf("{0}, crease with {1}", first, others);
 }
 
 std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on) {
-  if (!molecule) return "no molecule";
-  if (contact.fault == Fault::StartedInside) return "You are inside the molecule: come out once to feel its surface";
-  if (contact.fault == Fault::NotFinite) return "the device gives no sound position: no force";
-  if (!contact.touching()) return "not touching";
-  char force[32];
-  std::snprintf(force, sizeof force, ", %.1f N", force_N);
-  return "touching: " + touchedText(*molecule, contact) + (force_on ? force : ", force is off");
+  if (!molecule) return tr("no molecule");
+  if (contact.fault == Fault::StartedInside)
+    return tr("You are inside the molecule: come out once to feel its surface");
+  if (contact.fault == Fault::NotFinite) return tr("the device gives no sound position: no force");
+  if (!contact.touching()) return tr("not touching");
+  const std::string touched = touchedText(*molecule, contact);
+  return force_on ? trf("touching: {0}, {1}", touched, quantityText(force_N, Dimension::Force, decimals(1)))
+                  : trf("touching: {0}, force is off", touched);
 }
 
 std::string unnamedContactText(const Contact& contact) {
-  if (contact.fault == Fault::StartedInside) return "You are inside the molecule. Draw back until you are outside.";
+  if (contact.fault == Fault::StartedInside) return tr("You are inside the molecule. Draw back until you are outside.");
   switch (contact.feature) {
     case Feature::Free:
       break;
     case Feature::Sphere:
-      return "touching the round face of an atom";
+      return tr("touching the round face of an atom");
     case Feature::Circle:
-      return "touching a crease between two atoms";
+      return tr("touching a crease between two atoms");
     case Feature::Point:
-      return "touching a pit between three atoms";
+      return tr("touching a pit between three atoms");
   }
-  return "not touching";
+  return tr("not touching");
 }
 
 std::string pushText(const Vec3& direction) {
   constexpr double kStraight = 0.26,
                    kAside = 0.38;  // sine of 15 degrees; of half the angle between two of eight directions
   const double sideways = std::hypot(direction.x, direction.y);
-  if (sideways < kStraight) return direction.z >= 0.0 ? "pushed toward you" : "pushed away from you";
+  if (sideways < kStraight) return direction.z >= 0.0 ? tr("pushed toward you") : tr("pushed away from you");
   const double x = direction.x / sideways, y = direction.y / sideways;
-  const std::string up = y > kAside    ? "up"
-                         : y < -kAside ? "down"
-                                       : "",
-                    right = x > kAside    ? "to the right"
-                            : x < -kAside ? "to the left"
-                                          : "";
-  return "pushed " + up + (up.empty() || right.empty() ? "" : " and ") + right;
+  const int right = x > kAside ? 1 : x < -kAside ? -1 : 0, up = y > kAside ? 1 : y < -kAside ? -1 : 0;
+  if (up > 0) {
+    if (right > 0) return tr("pushed up and to the right");
+    return right < 0 ? tr("pushed up and to the left") : tr("pushed up");
+  }
+  if (up < 0) {
+    if (right > 0) return tr("pushed down and to the right");
+    return right < 0 ? tr("pushed down and to the left") : tr("pushed down");
+  }
+  return right > 0 ? tr("pushed to the right") : tr("pushed to the left");
 }
 
 }  // namespace moltact

@@ -6,6 +6,7 @@
 #include <string>
 #include <system_error>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/force_hold.h"
 
@@ -19,10 +20,10 @@ Loaded guarded(const Loader::Read& read, const MoleculeKey& key) {
   try {
     return read(key);
   } catch (const std::bad_alloc&) {
-    return {key, Problem{file, 0, 0, "there is not enough memory to open it",
-                         "close other programs, or open a smaller structure"}};
+    return {key, Problem{file, 0, 0, tr("there is not enough memory to open it"),
+                          tr("close other programs, or open a smaller structure")}};
   } catch (const std::exception& e) {
-    return {key, Problem{file, 0, 0, std::string("it cannot be opened: ") + e.what(), "check the file"}};
+    return {key, Problem{file, 0, 0, trf("it cannot be opened: {0}", e.what()), tr("check the file")}};
   }
 }
 

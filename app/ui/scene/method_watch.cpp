@@ -42,7 +42,7 @@ MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / T
 
 void MethodWatch::begin(const Stage& stage, double probe_A) {
   balls_ = stage.balls;
-  exact_ = makeTracker(stage, methods().front(), probe_A, Contact{}, PointA{});
+  exact_ = stage ? methods().front().make(stage.balls, probe_A) : nullptr;
   latest_exact_ = {};
   left_behind_ticks_ = 0;
   tried_.clear();
@@ -63,7 +63,7 @@ MethodRecord& MethodWatch::record(std::string_view method) {
 }
 
 void MethodWatch::noteTurn(const ServoSample& s) {
-  const Vec3 pull = s.contact.touching() ? springEnd(s.contact, s.hip).A - s.hip.A : Vec3(0.0);
+  const Vec3& pull = s.contact.displacement_A;
   const double length = glm::length(pull), before = glm::length(pull_before_);
   if (length > kPull_A && before > kPull_A) {
     const double turn = std::atan2(glm::length(glm::cross(pull, pull_before_)), glm::dot(pull, pull_before_));

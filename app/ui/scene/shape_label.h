@@ -3,20 +3,25 @@
 
 #include <string>
 
+#include "engine/language/catalogue.h"
 #include "engine/render/view_scene.h"
 
 namespace moltact {
 
 /// "Hand (HIP)", "Creases (circles)": for the screen, the lessons' word first.
 inline std::string shapeLabel(const ShapeName& shape) {
-  if (shape.shape == Shape::Hip) return "Hand (HIP)";
-  if (shape.shape == Shape::Scp) return "Contact point (SCP)";
-  if (shape.shape == Shape::Spheres) return "Faces (grown spheres)";
-  if (shape.shape == Shape::Circles) return "Creases (circles)";
-  if (shape.shape == Shape::Points) return "Pits (points)";
-  std::string label(shape.name);
-  if (!label.empty() && label[0] >= 'a' && label[0] <= 'z') label[0] = char(label[0] - 'a' + 'A');
-  return label;
+  if (shape.shape == Shape::Hip) return tr("Hand (HIP)");
+  if (shape.shape == Shape::Scp) return tr("Contact point (SCP)");
+  if (shape.shape == Shape::Spheres) return tr("Faces (grown spheres)");
+  if (shape.shape == Shape::Circles) return tr("Creases (circles)");
+  if (shape.shape == Shape::Points) return tr("Pits (points)");
+  if (shape.shape == Shape::Atoms) return tr("Atoms");
+  if (shape.shape == Shape::Cones) return tr("Cones");
+  if (shape.shape == Shape::Force) return trc("the arrow", "Force");
+  if (shape.shape == Shape::Probe) return tr("Probe");
+  if (shape.shape == Shape::Target) return tr("Target");
+  if (shape.shape == Shape::Facets) return tr("Facets");
+  return std::string(shape.name);
 }
 
 }  // namespace moltact

@@ -121,7 +121,7 @@ class TouchScene {
   Workspace sceneWorkspace() const;
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
-  std::unique_ptr<Tracker> freshTracker() const;
+  std::unique_ptr<Interaction> freshInteraction() const;
   ServoSettings handed(bool trying) const;
 
   Stage stage_;

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "app/ui/widgets/imgui_versions.h"
+#include "engine/language/catalogue.h"
 #include "engine/render/gl_objects.h"
 
 namespace moltact {
@@ -31,7 +32,7 @@ bool ViewPicture::ready() {
     renderer_ = std::move(*made);
   else {
     refused_ = true;
-    fault_text_ = "The molecule cannot be drawn: " + made.problem().text();
+    fault_text_ = trf("The molecule cannot be drawn: {0}", made.problem().text());
   }
   return renderer_ != nullptr;
 }

@@ -23,6 +23,7 @@ int runOffscreen(const OffscreenOptions& options) {
   wanted.height = options.height;
   wanted.content_scale = options.content_scale;
   wanted.draw_all = options.frame_stats;  // else only what is looked at
+  wanted.application.language = options.language;
   wanted.application.attempts_folder = options.attempts;
   Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(wanted));
   if (!made) return fail(made.problem());

@@ -36,9 +36,9 @@ void Shell::setLook(ThemeChoice theme, float scale, float text) {
 }
 
 void Shell::frame(int width, int height, double dt_s, const std::function<void()>& panels, bool drawn) {
-  if (look_changed_) {
+  if (look_changed_ || signsWanted()) {
     look_changed_ = false;
-    const bool another = loaded_ != 0.0f && loaded_ != scale_ * text_;
+    const bool another = loaded_ != 0.0f && (signsWanted() || loaded_ != scale_ * text_);
     if (another) ImGui_ImplOpenGL3_DestroyFontsTexture();
     std::string fault = applyLook(theme_, scale_, text_);
     if (!fault.empty()) fault_text_ = std::move(fault);

@@ -21,6 +21,7 @@
 #include "app/ui/shell/frame_stats.h"
 #include "app/ui/shell/glfw_keys.h"
 #include "app/ui/shell/shell.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
@@ -162,16 +163,18 @@ void setIcon(GLFWwindow* window) {
 }
 
 int noDisplay(const char* why) {
-  err() << "moltact: no window can be opened (" << why << ")\n"
-        << "Without a display the commands work that moltact --help lists, such as info, render, check, play, report "
-           "and bench.\n";
+  err()
+      << "moltact: " << trf("no window can be opened ({0})", why) << '\n'
+      << tr("Without a display the commands work that moltact --help lists, such as info, render, check, play, report "
+            "and bench.")
+      << '\n';
   return 1;
 }
 
 const char* lastGlfwError() {
   const char* why = nullptr;
   glfwGetError(&why);
-  return why ? why : "the display server gives no reason";
+  return why ? why : tr("the display server gives no reason");
 }
 
 // The application that runs, for exit(): a display server that dies makes its library call that in the middle of a
@@ -210,7 +213,8 @@ int runWindow(const WindowOptions& options) {
   {
     const InterruptWatch interrupt;  // outlives the device
     Shell shell;
-    Application app({.settings_file = settingsFile(),
+    Application app({.language = options.language,
+                     .settings_file = settingsFile(),
                      .attempts_folder = attemptsFolder(),
                      .cache_folder = cacheFolder(),
                      .picture_folder = pictureFolder()},

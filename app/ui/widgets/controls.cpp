@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "app/ui/widgets/key_focus.h"
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -36,7 +35,15 @@ bool button(const char* name, const char* label, ButtonLook kind, float width, b
   ImGui::PushID(name);
   const float high = look().tx(34);
   if (kind == ButtonLook::Primary) ImGui::PushFont(look().font(Font::Strong));
+  // A label that fills its button stands in the middle and has less air on either side; ImGui would cut its end.
+  const ImVec2 air = ImGui::GetStyle().FramePadding;
+  const float text_w = ImGui::CalcTextSize(label, nullptr, true).x,
+              given = width < 0.0f ? ImGui::GetContentRegionAvail().x + width : width;
+  const bool tight = width != 0.0f && text_w + 2.0f * air.x > given;
+  if (tight) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::max(0.0f, 0.5f * (given - text_w)), air.y});
   const bool clicked = ImGui::Button(label, {width, high});
+  if (tight) ImGui::PopStyleVar();
+  if (text_w > ImGui::GetItemRectSize().x) widgets().noteCut(label);
   if (kind == ButtonLook::Primary) ImGui::PopFont();
   ImGui::PopID();
   ImGui::EndDisabled();
@@ -92,7 +99,7 @@ bool toggle(const char* name, const char* label, bool& on, const char* text) {
 }
 
 bool slider(const char* name, const char* label, double& value, double least, double most, double step,
-            const char* format, const char* text) {
+            const ShownAs& shown_as, const char* text) {
   const Palette& p = look().palette;
   const float width = std::max(ImGui::GetContentRegionAvail().x, look().px(60));
   const float text_h = ImGui::GetFontSize(), track_h = look().px(4), knob = look().px(8), gap = look().px(7);
@@ -115,9 +122,7 @@ bool slider(const char* name, const char* label, double& value, double least, do
   }
 
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  char number[64];
-  std::snprintf(number, sizeof number, format, value);
-  const std::string shown = localNumbers(number);
+  const std::string shown = quantityText(value * shown_as.code_units, shown_as.dimension, shown_as.how);
   const float value_w = ImGui::CalcTextSize(shown.c_str()).x;
   const std::string name_shown = elided(label, width - value_w - look().px(8));
   drawText(low, p.text, name_shown.c_str());
@@ -144,7 +149,7 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
   // have no room at all, all are equal.
   const auto wordsWide = [&] {
     float words = 0.0f;
-    for (const std::string& label : labels) words += ImGui::CalcTextSize(label.c_str()).x;
+    for (const std::string& label : labels) words += ImGui::CalcTextSize(tr(label.c_str())).x;
     return words;
   };
   const float count = float(std::max<std::size_t>(1, labels.size()));
@@ -156,7 +161,7 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
   bool changed = false;
   ImGui::PushID(name);
   for (std::size_t k = 0; k < labels.size(); ++k) {
-    const float each = fits ? ImGui::CalcTextSize(labels[k].c_str()).x + rest / count : width / count;
+    const float each = fits ? ImGui::CalcTextSize(tr(labels[k].c_str())).x + rest / count : width / count;
     ImGui::SetCursorScreenPos({next, low.y});
     next += each;
     ImGui::PushID(int(k));
@@ -170,7 +175,7 @@ bool segments(const char* name, std::span<const std::string> labels, std::size_t
     if (on || ImGui::IsItemHovered())
       draw->AddRectFilled(a + ImVec2(inset, inset), b + ImVec2(-inset, -inset), on ? p.accent : p.hovered,
                           look().px(5));
-    const std::string shown = elided(labels[k], each - (fits ? 0.0f : 2 * inset));
+    const std::string shown = elided(tr(labels[k].c_str()), each - (fits ? 0.0f : 2 * inset));
     const ImVec2 size = ImGui::CalcTextSize(shown.c_str());
     drawText({0.5f * (a.x + b.x - size.x), 0.5f * (a.y + b.y - size.y)}, on ? p.accent_text : p.quiet, shown.c_str());
     recordItem(std::string(name) + "/" + labels[k], on ? "on" : "off");
@@ -209,9 +214,7 @@ void progressBar(const char* name, float part, bool done) {
   if (part > 0.0f)
     draw->AddRectFilled(low, {low.x + std::max(high, (end.x - low.x) * part), end.y}, done ? p.good : p.accent,
                         0.5f * high);
-  char text[16];
-  std::snprintf(text, sizeof text, "%.0f %%", double(part) * 100.0);
-  recordItem(name, text);
+  recordItem(name, quantityText(double(part), Dimension::Share));
 }
 
 void sectionTitle(const char* label) {
@@ -233,6 +236,7 @@ void tip(const char* text) {
 
 std::string elided(const std::string& text, float width) {
   if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  widgets().noteCut(text);
   std::string cut = text;
   while (!cut.empty()) {
     do cut.pop_back();

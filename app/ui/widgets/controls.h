@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "app/ui/widgets/layout.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 
@@ -42,12 +43,19 @@ bool button(const char* name, const char* label, ButtonLook look = ButtonLook::P
 bool iconButton(const char* name, Icon icon, const char* tip, bool on = false, bool enabled = true);
 /// A switch with its label on the left of the line and the knob on the right. True when it was changed.
 bool toggle(const char* name, const char* label, bool& on, const char* tip = nullptr);
-/// A label and value above a track. `format` is printf's for the value with its unit. Ends and steps in the value's
-/// unit; the wheel moves it by `step` while the pointer rests on it, unless the panel itself scrolls. True when it was
-/// changed.
+/// How a control's value is shown.
+struct ShownAs {
+  Dimension dimension = Dimension::None;
+  QuantityOptions how{};
+  double code_units = 1.0;  ///< 1 of the value in the code's unit of that dimension
+};
+
+/// A label and value above a track. Ends and steps in the value's unit; the wheel moves it by `step` while the pointer
+/// rests on it, unless the panel itself scrolls. True when it was changed.
 bool slider(const char* name, const char* label, double& value, double least, double most, double step,
-            const char* format, const char* tip = nullptr);
-/// Choices side by side. True when another was chosen.
+            const ShownAs& shown_as, const char* tip = nullptr);
+/// Choices side by side, named by their English labels (N_), which are shown in the language in use; the widget map has
+/// them in English. True when another was chosen.
 bool segments(const char* name, std::span<const std::string> labels, std::size_t& chosen);
 /// A line that opens and closes what comes after it.
 bool disclosure(const char* name, const char* label, bool& open);

@@ -1,10 +1,12 @@
 #include "app/ui/widgets/key_names.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 #include <string>
 
+#include "engine/language/catalogue.h"
 namespace moltact {
 namespace {
 
@@ -61,6 +63,27 @@ std::vector<ImGuiKey> keysNamed(std::string_view names) {
     names.remove_prefix(std::min(end + 1, names.size()));
   }
   return out;
+}
+
+std::string keysText(std::string_view names) {
+  // As they are printed on keyboards; what is not among them is the same everywhere.
+  static constexpr std::array<std::string_view, 15> kPrinted{
+      NC_("key", "Ctrl"), NC_("key", "Shift"), NC_("key", "Alt"),     NC_("key", "Space"),     NC_("key", "Escape"),
+      NC_("key", "Esc"),  NC_("key", "Enter"), NC_("key", "Tab"),     NC_("key", "Left"),      NC_("key", "Right"),
+      NC_("key", "Up"),   NC_("key", "Down"),  NC_("key", "Page Up"), NC_("key", "Page Down"), NC_("key", "Home")};
+  std::string out;
+  while (!names.empty()) {
+    const std::size_t end = std::min(names.find('+'), names.size());
+    const std::string name(names.substr(0, end));
+    const bool printed = std::find(kPrinted.begin(), kPrinted.end(), name) != kPrinted.end();
+    out += (out.empty() ? "" : "+") + std::string(printed ? trc("key", name.c_str()) : name.c_str());
+    names.remove_prefix(std::min(end + 1, names.size()));
+  }
+  return out;
+}
+
+std::string withKey(std::string_view label, std::string_view names) {
+  return std::string(label) + "  (" + keysText(names) + ")";
 }
 
 bool keysPressed(std::string_view names) {

@@ -10,11 +10,15 @@ namespace moltact {
 
 enum class MessageKind { Notice, Warning, Error };
 
+/// Of a message that was given; 0 is none's.
+using MessageId = unsigned;
+
 struct Message {
   MessageKind kind = MessageKind::Notice;
   std::string text;
   double left_s = -1.0;                        ///< goes by itself after so long; negative: stays until dismissed
   std::vector<std::string_view> actions = {};  ///< names of actions (actions.h) that are offered with it
+  MessageId id = 0;
 };
 
 class Messages {
@@ -25,15 +29,18 @@ class Messages {
   void notice(std::string text) { add({MessageKind::Notice, std::move(text), kNotice_s}); }
   void warning(std::string text) { add({MessageKind::Warning, std::move(text)}); }
   /// Stays until dismissed or taken back, with actions at hand.
-  void ask(MessageKind kind, std::string text, std::vector<std::string_view> actions) {
+  MessageId ask(MessageKind kind, std::string text, std::vector<std::string_view> actions) {
     add({kind, std::move(text), -1.0, std::move(actions)});
+    return all_.back().id;
   }
-  /// What it says is so no more.
-  void takeBack(std::string_view text) {
-    std::erase_if(all_, [&](const Message& m) { return m.text == text; });
+  /// What it says is so no more. Sets `id` to none's.
+  void takeBack(MessageId& id) {
+    std::erase_if(all_, [&](const Message& m) { return id != 0 && m.id == id; });
+    id = 0;
   }
-  bool tells(std::string_view text) const {
-    return std::any_of(all_.begin(), all_.end(), [&](const Message& m) { return m.text == text; });
+  /// It has not been dismissed, nor pushed out by newer ones.
+  bool tells(MessageId id) const {
+    return std::any_of(all_.begin(), all_.end(), [&](const Message& m) { return id != 0 && m.id == id; });
   }
   void error(std::string text) { add({MessageKind::Error, std::move(text)}); }
 
@@ -54,10 +61,12 @@ class Messages {
  private:
   void add(Message message) {
     std::erase_if(all_, [&](const Message& m) { return m.text == message.text; });
+    message.id = ++given_;
     all_.push_back(std::move(message));
     if (all_.size() > kMost) all_.erase(all_.begin());
   }
   std::vector<Message> all_;
+  MessageId given_ = 0;
 };
 
 }  // namespace moltact

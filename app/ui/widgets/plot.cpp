@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -28,19 +28,17 @@ void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotL
   const Look& l = look();
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, small = l.font(Font::Small)->FontSize;
-  char value[32];
-  std::snprintf(value, sizeof value, how.format, newest);
-  const std::string reading = localNumbers(value) + (*how.unit ? " " : "") + how.unit;
+  const std::string reading = quantityText(newest * how.shown_as.code_units, how.shown_as.dimension, how.shown_as.how);
 
   const float head = small + l.px(6), body = l.px(how.height);
   ImGui::Dummy({width, head + body});
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList* draw = ImGui::GetWindowDrawList();
   ImFont* font = l.font(Font::Small);
-  char title[80];
-  std::snprintf(title, sizeof title, "%s, last %.0f s", how.title, how.span_s);
-  draw->AddText(font, small, low, p.quiet, title);
+  const std::string title = trf("{0}, last {1}", how.title, quantityText(how.span_s, Dimension::Time, decimals(0)));
+  draw->AddText(font, small, low, p.quiet, title.c_str());
   const float reading_w = font->CalcTextSizeA(small, 1e9f, 0.0f, reading.c_str()).x;
+  if (font->CalcTextSizeA(small, 1e9f, 0.0f, title.c_str()).x + reading_w > width) widgets().noteCut(title);
   draw->AddText(font, small, {high.x - reading_w, low.y}, p.text, reading.c_str());
 
   const ImVec2 a{low.x, low.y + head}, b = high;
@@ -74,9 +72,7 @@ void plot(const char* name, const PlotBuffer& buffer, double newest, const PlotL
     draw->PopClipRect();
   }
   // Over the curve, which may run behind it.
-  char mark[32];
-  std::snprintf(mark, sizeof mark, top < 1.0f ? "%.2g" : "%.0f", double(top));
-  const std::string most = localNumbers(mark);
+  const std::string most = numberText(double(top), top < 1.0f ? plain(2) : decimals(0));
   const ImVec2 size = font->CalcTextSizeA(small * 0.86f, 1e9f, 0.0f, most.c_str()), at{a.x + l.px(6), y(top) + l.px(1)};
   draw->AddRectFilled({at.x - l.px(2), at.y}, {at.x + size.x + l.px(2), at.y + size.y}, faded(p.raised, 0.85f),
                       l.px(3));

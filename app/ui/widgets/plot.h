@@ -2,16 +2,16 @@
 #pragma once
 
 #include "app/ui/widgets/plot_buffer.h"
+#include "app/ui/widgets/controls.h"
 
 namespace moltact {
 
 struct PlotLook {
   const char* title = "";
-  const char* unit = "";        ///< after the number of the scale
-  float least_top = 1.0f;       ///< the scale's upper end is at least this
-  float height = 86.0f;         ///< unit: pixel at 96 dpi
-  double span_s = 5.0;          ///< from the oldest value to the newest
-  const char* format = "%.1f";  ///< of the scale's numbers and the newest value
+  float least_top = 1.0f;  ///< the scale's upper end is at least this
+  float height = 86.0f;    ///< unit: pixel at 96 dpi
+  double span_s = 5.0;     ///< from the oldest value to the newest
+  ShownAs shown_as{};      ///< the newest value
 };
 
 /// As wide as there is room, recorded as `name` with the newest value as its text.

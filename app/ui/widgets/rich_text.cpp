@@ -6,9 +6,9 @@
 #include <cmath>
 #include <string_view>
 
-#include "app/ui/widgets/number_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -65,7 +65,7 @@ std::string drawRichText(const char* name, const RichText& text, ImU32 colour, f
   for (const TextRun& run : text) {
     ImFont* font = fontOf(run);
     const ImU32 ink = run.link.empty() ? colour : l.palette.accent;
-    const std::string shown = run.code ? run.text : withUnitsKept(localProse(run.text));
+    const std::string shown = run.code ? run.text : withUnitsKept(run.text);
     std::string_view rest = shown;
     ImVec2 link_low{1e9f, 1e9f}, link_high{-1e9f, -1e9f};
     bool link_hovered = false;
@@ -126,10 +126,7 @@ std::string drawRichText(const char* name, const RichText& text, ImU32 colour, f
   }
   const float height = float(pen.line) * pen.line_height + (pen.x > 0 || pen.line == 0 ? pen.line_height : 0.0f);
   ImGui::Dummy({pen.width, height});
-  RichText told = text;
-  for (TextRun& run : told)
-    if (!run.code) run.text = localProse(std::move(run.text));
-  recordItem(name, plainText(told));
+  recordItem(name, plainText(text));
   return clicked;
 }
 

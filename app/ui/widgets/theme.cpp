@@ -2,9 +2,15 @@
 
 #include <imgui_freetype.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "engine/fonts/sign_table.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -147,9 +153,30 @@ constexpr ImWchar kText[] = {0x20, 0xFF, 0x100, 0x17F, 0x2010, 0x2044, 0};
 constexpr ImWchar kSigns[] = {0x370,  0x3FF,  0x2070, 0x209C, 0x2190, 0x21FF, 0x2200,
                               0x2265, 0x25A0, 0x25FF, 0x2713, 0x2717, 0};
 
-// Where Debian's packages fonts-inter and fonts-dejavu-core put them.
-constexpr const char* kInter = "/usr/share/fonts/opentype/inter/";
-constexpr const char* kDejaVu = "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf";
+// What other texts hold is loaded by pages of 128 characters, when the first of a page is to be shown.
+constexpr unsigned kPage = 128;
+std::array<bool, 0x10000 / kPage> g_pages{};
+bool g_pages_changed = false;
+
+// ImGui's ranges of the wanted pages, closed by 0, in front of them those that are always there.
+std::vector<ImWchar> withPages(const ImWchar* always) {
+  std::vector<ImWchar> out;
+  for (; always && *always; ++always) out.push_back(*always);
+  for (unsigned page = 0; page < g_pages.size(); ++page)
+    if (g_pages[page]) {
+      out.push_back(ImWchar(std::max(1u, page * kPage)));
+      out.push_back(ImWchar(page * kPage + kPage - 1));
+    }
+  out.push_back(0);
+  return out;
+}
+
+bool always(char32_t c) {
+  for (const ImWchar* ranges : {kText, kSigns})
+    for (; *ranges; ranges += 2)
+      if (c >= ranges[0] && c <= ranges[1]) return true;
+  return false;
+}
 
 std::string loadFonts(Look& l) {
   struct Face {
@@ -167,20 +194,27 @@ std::string loadFonts(Look& l) {
   io.Fonts->Clear();
   io.Fonts->FontBuilderIO = ImGuiFreeType::GetBuilderForFreeType();
   io.Fonts->FontBuilderFlags = ImGuiFreeTypeBuilderFlags_LightHinting;
+  // ImGui reads the ranges when the atlas is built.
+  static std::vector<ImWchar> text, signs, pages;
+  text = withPages(kText);
+  signs = withPages(kSigns);
+  pages = withPages(nullptr);
   std::string missing;
   for (std::size_t k = 0; k < kFaces.size(); ++k) {
-    const std::string file = std::string(kInter) + kFaces[k].file;
+    const std::string file = std::string(kInterFolder) + kFaces[k].file;
     // ImGui's font size is the height of ascent and descent together; Inter's em is 1 / 1.21 of it.
     const float size = std::round(kFaces[k].size * 1.19f * l.scale * l.text);
     ImFont* font = nullptr;
-    if (std::filesystem::exists(file)) font = io.Fonts->AddFontFromFileTTF(file.c_str(), size, nullptr, kText);
+    if (std::filesystem::exists(file)) font = io.Fonts->AddFontFromFileTTF(file.c_str(), size, nullptr, text.data());
     if (!font) {
-      if (missing.empty()) missing = file + " is missing, so the text looks plain; install the package fonts-inter";
+      if (missing.empty())
+        missing = trf("{0} is missing, so the text looks plain; install the package fonts-inter", file);
       font = io.Fonts->AddFontDefault();
     } else if (std::filesystem::exists(kDejaVu)) {
       ImFontConfig merge;
       merge.MergeMode = true;
-      if (kFaces[k].signs) io.Fonts->AddFontFromFileTTF(kDejaVu, size * 0.95f, &merge, kSigns);
+      const std::vector<ImWchar>& more = kFaces[k].signs ? signs : pages;
+      if (more.size() > 1) io.Fonts->AddFontFromFileTTF(kDejaVu, size * 0.95f, &merge, more.data());
     }
     l.fonts[k] = font;
   }
@@ -213,10 +247,22 @@ Theme Look::viewTheme() const {
   return t;
 }
 
+void wantSigns(std::string_view utf8) {
+  // Below U+0200 all is there.
+  if (std::none_of(utf8.begin(), utf8.end(), [](char c) { return static_cast<unsigned char>(c) >= 0xC8; })) return;
+  for (const char32_t c : charactersOf(utf8)) {
+    if (c < 0x180 || c > 0xFFFF || g_pages[c / kPage] || always(c)) continue;
+    if (SignTable::ofWindow().writable(c) != Writable::Yes) continue;
+    g_pages[c / kPage] = g_pages_changed = true;
+  }
+}
+
+bool signsWanted() { return g_pages_changed; }
+
 std::string applyLook(ThemeChoice theme, float scale, float text) {
   std::string missing;
-  const bool reload =
-      g_look.scale * g_look.text != scale * text || !ImGui::GetIO().Fonts->IsBuilt() || !g_look.fonts[0];
+  const bool reload = std::exchange(g_pages_changed, false) || g_look.scale * g_look.text != scale * text ||
+                      !ImGui::GetIO().Fonts->IsBuilt() || !g_look.fonts[0];
   g_look.theme = theme;
   g_look.scale = scale;
   g_look.text = text;

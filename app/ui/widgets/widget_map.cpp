@@ -4,11 +4,13 @@
 #include <imgui_internal.h>
 
 #include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/theme.h"
 
 namespace moltact {
 namespace {
 
 void recordAs(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text, unsigned key_stop) {
+  wantSigns(text);
   WidgetRecord record{low, high, {}, {}, std::move(text)};
   record.key_stop = key_stop;
   if (const ImGuiWindow* window = ImGui::GetCurrentWindowRead()) {

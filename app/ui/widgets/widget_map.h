@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -26,7 +27,10 @@ struct WidgetRecord {
 
 class WidgetMap {
  public:
-  void clear() { records_.clear(); }
+  void clear() {
+    records_.clear();
+    cut_.clear();
+  }
   void set(std::string_view name, WidgetRecord record) {
     records_.insert_or_assign(std::string(name), std::move(record));
   }
@@ -36,7 +40,12 @@ class WidgetMap {
   }
   const std::map<std::string, WidgetRecord, std::less<>>& all() const { return records_; }
 
+  /// The texts that had no room and were shown cut off, each once.
+  const std::set<std::string>& cut() const { return cut_; }
+  void noteCut(std::string text) { cut_.insert(std::move(text)); }
+
  private:
+  std::set<std::string> cut_;
   std::map<std::string, WidgetRecord, std::less<>> records_;
 };
 

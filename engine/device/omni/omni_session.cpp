@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -16,7 +18,8 @@ void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale 
 void readFigures(const hd::Library& hd, OmniSession& session) {
   DeviceInfo& info = session.info;  // as made: the Omni's published figures
   info.gives_force = true;
-  info.dof_in = info.dof_out = 3;  // the turn of the stylus is not used
+  info.dof_in = 6;
+  info.dof_out = 3;
   info.continuous_force_N = 0.88;
   figure(hd, hd::kMaxForce, info.max_force_N);
   figure(hd, hd::kMaxContinuousForce, info.continuous_force_N);
@@ -49,7 +52,7 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
   if (session.device == hd::kInvalidHandle || hd::endsConnection(error) || error == hd::kInvalidLicense) {
     closeOmni(hd, session);
     const hd::ErrorWords words = hd::errorWords(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
-    return hd::problemOf("no Omni or Touch could be opened", words);
+    return hd::problemOf(tr("no Omni or Touch could be opened"), words);
   }
   hd.makeCurrentDevice(session.device);
   session.model = text(hd, hd::kModel);

@@ -51,9 +51,16 @@ void ExactTracker::reset() noexcept {
 MemoryUsage ExactTracker::memoryUsage() const noexcept { return {near_.held(), sizeof(*this) + near_.scene().bytes()}; }
 
 Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  return {.scp = {feature_ == Feature::Free && !behind_ ? hip : near_.origin() + scp_},
+  if (feature_ == Feature::Free) return {.scp = {behind_ ? near_.origin() + scp_ : hip}, .atoms = holders_};
+  // Put together at once, without a branch on how many hold: this is most of what a tick in contact adds to its way.
+  const Vec3 scp = near_.origin() + scp_, displacement = scp - hip;
+  const auto normal = [&](std::size_t k) { return (scp_ - held_[k].centre) * held_[k].inverse_radius; };
+  return {.scp = {scp},
           .atoms = holders_,
-          .feature = feature_};
+          .feature = feature_,
+          .displacement_A = displacement,
+          .energy_A2 = 0.5 * glm::dot(displacement, displacement),
+          .normals = {normal(0), normal(1), normal(2)}};
 }
 
 // The balls that hold the SCP, in ascending order.
@@ -62,6 +69,17 @@ void ExactTracker::holdBy(std::int32_t a, std::int32_t b, std::int32_t c) noexce
   if (c >= 0 && c < b) std::swap(b, c);
   if (b >= 0 && b < a) std::swap(a, b);
   holders_ = {a, b, c};
+  lookAtHolders();
+}
+
+// What the normals are made from; of none there is a normal of nothing.
+void ExactTracker::lookAtHolders() noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    held_[k] = {};
+    if (holders_[k] < 0) continue;
+    const NearBall on = near_.ball(holders_[k]);
+    held_[k] = {on.centre, on.radius > 0.0 ? 1.0 / on.radius : 0.0};
+  }
 }
 
 Contact ExactTracker::step(PointA hip) noexcept {

@@ -97,6 +97,7 @@ class ExactTracker final : public Tracker {
   SlideResult slideResult(double way_A) const noexcept;
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
+  void lookAtHolders() noexcept;
   Contact contact(const Vec3& hip) const noexcept;
 
   NearbyBalls near_;
@@ -110,7 +111,12 @@ class ExactTracker final : public Tracker {
   bool may_sink_ = false;  // it has passed balls that are touched and do not hold
   Feature feature_ = Feature::Free;
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
-  std::array<Touch, kMostTouching> touching_;        // what the SCP touches, while it flows
+  struct Held {
+    Vec3 centre{0.0};
+    double inverse_radius = 0.0;
+  };
+  std::array<Held, 3> held_{};                 // the same balls
+  std::array<Touch, kMostTouching> touching_;  // what the SCP touches, while it flows
   std::size_t touching_count_ = 0;
 
   // What lets an ordinary tick end at once, for the feature the SCP is on.

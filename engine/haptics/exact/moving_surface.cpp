@@ -103,6 +103,7 @@ void ExactTracker::swell() noexcept {
     }
     swells_ = near_.probe_A() != goal_A_;
   } while (swells_ && near_.looked() < most);
+  lookAtHolders();
 }
 
 // Brings the SCP to the nearest free place; with nothing changed when there is none among the balls that close in on

@@ -51,16 +51,23 @@ Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   if (hold_count_ == 0 && scp_ == hip - nearby_.origin()) return {.scp = {hip}};
   // The answer is put together at once: piece by piece it would be read back before its pieces are stored, which
   // stalls.
-  const auto ball = [&](int k) { return touching_[std::size_t(holding_[std::size_t(k)])].ball; };
-  std::int32_t a = hold_count_ > 0 ? ball(0) : -1, b = hold_count_ > 1 ? ball(1) : -1,
-               c = hold_count_ > 2 ? ball(2) : -1;
-  if (hold_count_ > 1 && a > b) std::swap(a, b);
-  if (hold_count_ > 2 && b > c) std::swap(b, c);
-  if (hold_count_ > 2 && a > b) std::swap(a, b);
-  return {.scp = {nearby_.origin() + scp_},
-          .atoms = {a, b, c},
+  const auto held = [&](int k) -> const Touch& { return touching_[std::size_t(holding_[std::size_t(k)])]; };
+  std::array<int, 3> by{0, 1, 2};  // the holders, their balls ascending
+  const auto order = [&](std::size_t j, std::size_t k) {
+    if (held(by[j]).ball > held(by[k]).ball) std::swap(by[j], by[k]);
+  };
+  if (hold_count_ > 1) order(0, 1);
+  if (hold_count_ > 2) order(1, 2), order(0, 1);
+  const auto ball = [&](int k) { return hold_count_ > k ? held(by[std::size_t(k)]).ball : -1; };
+  const auto normal = [&](int k) { return hold_count_ > k ? face(held(by[std::size_t(k)])).normal : Vec3(0.0); };
+  const Vec3 scp = nearby_.origin() + scp_, straight = scp - hip;
+  const Vec3 shaded = options_.smooth ? shadedNormal(hip - nearby_.origin()) : Vec3(0.0);
+  return {.scp = {scp},
+          .atoms = {ball(0), ball(1), ball(2)},
           .feature = Feature(std::max(hold_count_, 1)),
-          .normal = options_.smooth ? shadedNormal(hip - nearby_.origin()) : Vec3(0.0)};
+          .displacement_A = shaded == Vec3(0.0) ? straight : shaded * glm::length(straight),
+          .energy_A2 = 0.5 * glm::dot(straight, straight),
+          .normals = {normal(0), normal(1), normal(2)}};
 }
 
 Contact MeshTracker::step(PointA hip) noexcept {

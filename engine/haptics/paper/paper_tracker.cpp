@@ -58,7 +58,7 @@ Contact PaperTracker::step(PointA hip) noexcept {
   }
   if (state_ == Feature::Circle) scp_ = paper::closestOnCircle(cone_.circle, h, scp_);
   if (state_ != Feature::Point) findPoint(h);
-  return contact();
+  return contact(hip);
 }
 
 // Of several atoms that hold the HIP, the one it is deepest in: the one that a moving HIP entered first.
@@ -194,7 +194,7 @@ void PaperTracker::setProbe(double probe_A) noexcept {
   }
 }
 
-Contact PaperTracker::contact() const {
+Contact PaperTracker::contact(PointA hip) const {
   Contact out;
   out.scp = {scp_};
   out.feature = state_;
@@ -205,6 +205,11 @@ Contact PaperTracker::contact() const {
     for (std::size_t k = 0; k < 3; ++k) out.atoms[k] = volume_.planes[k].circle[0];
     std::sort(out.atoms.begin(), out.atoms.end());
   }
+  if (!out.touching()) return out;
+  stretchToScp(out, hip);
+  // The SCP may lie off a sphere that the algorithm takes it to be on.
+  for (std::size_t k = 0; k < 3 && out.atoms[k] >= 0; ++k)
+    if (const Vec3 away = scp_ - centre(out.atoms[k]); away != Vec3(0.0)) out.normals[k] = glm::normalize(away);
   return out;
 }
 

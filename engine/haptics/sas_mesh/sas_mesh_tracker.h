@@ -51,6 +51,7 @@ class SasMeshTracker final : public Tracker {
   SlideResult overTriangle(const Vec3& hip, int& stuck) noexcept;
   SlideResult alongEdge(const Vec3& hip, int& stuck) noexcept;
   SlideResult fromCorner(const Vec3& hip, int& stuck) noexcept;
+  Vec3 outward() const noexcept;
   void goToTriangle(std::int32_t triangle) noexcept;
   void goToEdge(std::int32_t triangle, std::int32_t edge) noexcept;
   void goToCorner(std::int32_t triangle, std::int32_t corner) noexcept;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -13,8 +14,6 @@ constexpr double kHeld_A = 0.1;    // the exact spring is at least so long where
 constexpr double kJump_deg = 5.0;  // a fingertip notices the force turn by this at once
 constexpr double kSteady_deg = 1.0;  // while the true force turns by no more
 constexpr double kPull_A = 0.02;     // a shorter spring has no direction to speak of
-
-Vec3 pull(const Contact& c, PointA hip) { return springEnd(c, hip).A - hip.A; }
 
 double angle_deg(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
@@ -36,7 +35,8 @@ class Meet : public Task {
   void take(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     const bool judged = s.exact.touching() && s.contact.fault == Fault::None;
-    const Vec3 now = touching_ ? pull(s.contact, s.hip) : Vec3(0.0), exact = judged ? pull(s.exact, s.hip) : Vec3(0.0);
+    const Vec3& now = s.contact.displacement_A;
+    const Vec3 exact = judged ? s.exact.displacement_A : Vec3(0.0);
     if (what_ == "jump") {
       const auto felt = [](const Vec3& v) { return glm::length(v) > kPull_A; };
       const bool all = dt_s > 0.0 && felt(now) && felt(before_) && felt(exact) && felt(exact_before_);
@@ -86,11 +86,11 @@ class Meet : public Task {
   }
 
   std::string guidance() const override {
-    if (!touching_) return "Touch the surface and push in.";
-    if (what_ == "jump") return "Slide slowly until the force turns with a jerk.";
-    if (what_ == "lost") return "Push further in until the method loses the surface.";
-    if (what_ == "wrong-side") return "Push further in until the force throws you out of the far side.";
-    return "Slide until the contact point lies off the true one, and rest there.";
+    if (!touching_) return tr("Touch the surface and push in.");
+    if (what_ == "jump") return tr("Slide slowly until the force turns with a jerk.");
+    if (what_ == "lost") return tr("Push further in until the method loses the surface.");
+    if (what_ == "wrong-side") return tr("Push further in until the force throws you out of the far side.");
+    return tr("Slide until the contact point lies off the true one, and rest there.");
   }
 
   std::string what_;

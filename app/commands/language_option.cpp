@@ -1,0 +1,36 @@
+#include "app/commands/language_option.h"
+
+#include "engine/platform/terminal.h"
+#include "engine/platform/use_language.h"
+
+namespace moltact {
+namespace {
+
+void follow(const std::string& code) {
+  if (const auto problem = useLanguage(code)) throw CLI::ValidationError("--language", problem->text());
+}
+
+constexpr const char* kHelp = "The language of what is said: en, de; without it that of the system";
+
+}  // namespace
+
+void speakAsAsked() {
+  if (const auto problem = useLanguage({})) err() << "moltact: " << problem->text() << '\n';
+}
+
+void addLanguageOption(CLI::App& app) {
+  app.add_option_function<std::string>("--language", follow, kHelp)->trigger_on_parse();
+}
+
+void addLanguageOption(CLI::App& app, std::string& into) {
+  app.add_option_function<std::string>(
+         "--language",
+         [&into](const std::string& code) {
+           follow(code);
+           into = code;
+         },
+         kHelp)
+      ->trigger_on_parse();
+}
+
+}  // namespace moltact

@@ -1,0 +1,120 @@
+#include "engine/language/quantity_text.h"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <random>
+
+#include "engine/language/catalogue.h"
+
+using namespace moltact;
+
+namespace {
+
+struct Sign {
+  explicit Sign(DecimalSign sign) { setDecimalSign(sign); }
+  ~Sign() { setDecimalSign(DecimalSign::OfLanguage); }
+};
+
+}  // namespace
+
+TEST_CASE("a number and its unit, parted by a space at which no line breaks; degrees by none") {
+  CHECK(quantityText(1.4, Dimension::Length) == "1.40\u00a0Å");
+  CHECK(quantityText(1.4, Dimension::Length, decimals(1)) == "1.4\u00a0Å");
+  CHECK(quantityText(0.426, Dimension::Force) == "0.43\u00a0N");
+  CHECK(quantityText(3.25, Dimension::Time) == "3.2\u00a0s");
+  CHECK(quantityText(0.5, Dimension::Stiffness) == "0.50\u00a0N/mm");
+  CHECK(quantityText(-12.04, Dimension::HandLength) == "-12.0\u00a0mm");
+  CHECK(quantityText(0.29, Dimension::Share) == "29\u00a0%");
+  CHECK(quantityText(12.34, Dimension::Angle) == "12.3°");
+  CHECK(quantityText(1000.2, Dimension::Frequency) == "1000\u00a0Hz");
+  CHECK(quantityText(1.5, Dimension::None) == "1.5");
+  CHECK(quantityNumber(1.4, Dimension::Length, decimals(1)) == "1.4");
+  CHECK(unitText(Dimension::Force) == "N");
+  CHECK(unitText(Dimension::None).empty());
+}
+
+TEST_CASE("another unit of the same dimension where a place asks for one; its decimals are that unit's") {
+  CHECK(quantityText(0.0000123, Dimension::Time, {decimals(0), "µs"}) == "12\u00a0µs");
+  CHECK(quantityText(0.0000123, Dimension::Time, {decimals(1), "µs"}) == "12.3\u00a0µs");
+  CHECK(quantityText(90, Dimension::Time, {plain(), "min"}) == "1.5\u00a0min");
+  CHECK(quantityText(0.5, Dimension::Stiffness, {decimals(0), "N/m"}) == "500\u00a0N/m");
+  CHECK(quantityText(1.4, Dimension::Length, {decimals(1), "N"}) == "1.4\u00a0Å");  // no unit of a length
+}
+
+TEST_CASE("digits that count, digits behind the sign, and as many as it takes") {
+  CHECK(numberText(0.2512, significant(2)) == "0.25");
+  CHECK(numberText(4.0, significant(2)) == "4.0");
+  CHECK(numberText(9.96, significant(2)) == "10");
+  CHECK(numberText(123.0, significant(2)) == "120");
+  CHECK(numberText(0.000123, significant(2)) == "0.00012");
+  CHECK(numberText(0.0, significant(2)) == "0");
+  CHECK(numberText(2.0) == "2");
+  CHECK(numberText(0.125) == "0.125");
+  CHECK(numberText(-0.01, decimals(1)) == "0.0");
+  CHECK(numberText(1.25, plain(2)) == "1.2");
+  CHECK(numberText(2.0, plain(2)) == "2");
+  CHECK(quantityText(0.291, Dimension::Share, decimals(3)) == "29.1\u00a0%");
+  CHECK(quantityIn(3.14159, "Å", decimals(2)) == "3.14\u00a0Å");
+  CHECK(quantityIn(2.0, "atoms", plain()) == "2\u00a0atoms");
+  CHECK(quantityIn(2.0, "", plain()) == "2");
+  CHECK(numberText(std::numeric_limits<double>::quiet_NaN()) == "–");
+  CHECK(quantityText(std::numeric_limits<double>::infinity(), Dimension::Force) == "–\u00a0N");
+  CHECK(numberText(1e300, decimals(2)).size() == 304);
+}
+
+TEST_CASE("10 000 random numbers are rounded as the C library's printf does it; seed 3") {
+  std::mt19937_64 random(3);
+  for (int k = 0; k < 10000; ++k) {
+    const double value = std::ldexp(double(std::int64_t(random())), int(random() % 60) - 90);
+    const int count = int(random() % 5);
+    char text[400];
+    std::snprintf(text, sizeof text, "%.*f", count, value);
+    std::string expected = text;
+    if (expected.starts_with('-') && expected.find_first_not_of("-0.") == std::string::npos) expected.erase(0, 1);
+    CHECK(numberText(value, decimals(count)) == expected);
+    std::snprintf(text, sizeof text, "%g", value);
+    CHECK(numberText(value) == text);
+  }
+}
+
+TEST_CASE("the decimal sign is the language's, or the one that the person prefers") {
+  CHECK(decimalSign() == '.');
+  REQUIRE_FALSE(setLanguage("qq", MOLTACT_TEST_CATALOGUES "/little"));
+  CHECK(quantityText(1.4, Dimension::Length) == "1,40\u00a0Å");
+  {
+    const Sign point(DecimalSign::Point);
+    CHECK(numberText(1.4) == "1.4");
+  }
+  setLanguage("en", {});
+  const Sign comma(DecimalSign::Comma);
+  CHECK(numberText(-1234.5, decimals(2)) == "-1234,50");
+}
+
+TEST_CASE("a number as it was typed is read with either sign, and a comma before three digits by the preference") {
+  CHECK(numberAsTyped("1,76") == "1.76");
+  CHECK(numberAsTyped("1.76") == "1.76");
+  CHECK(numberAsTyped("1,760") == "1,760");
+  const Sign comma(DecimalSign::Comma);
+  CHECK(numberAsTyped("1,760") == "1.760");
+  CHECK(numberAsTyped("0,8") == "0.8");
+}
+
+TEST_CASE("in prose a number stays with its unit and not with a word") {
+  CHECK(withUnitsKept("by 0.08 Å and 26 N/m; 20 % of 3 atoms, 2 s.") ==
+        "by 0.08\u00a0Å and 26\u00a0N/m; 20\u00a0% of 3 atoms, 2\u00a0s.");
+  CHECK(withUnitsKept("5 more, 7 nmr") == "5 more, 7 nmr");
+}
+
+TEST_CASE("every dimension but two has exactly one unit in which it is shown, of 1 in the code's unit or stated so") {
+  for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness,
+                            Dimension::HandLength, Dimension::Angle, Dimension::Share, Dimension::Frequency}) {
+    int shown = 0;
+    for (const Unit& u : units()) shown += u.dimension == d && (u.use & kShown);
+    CHECK(shown == 1);
+  }
+  CHECK_FALSE(shownUnit(Dimension::None));
+  CHECK_FALSE(shownUnit(Dimension::Other));
+}
