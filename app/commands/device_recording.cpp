@@ -1,6 +1,5 @@
 #include "app/commands/device_recording.h"
 
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -51,25 +50,15 @@ ServoSettings settingsFor(const BallScene& scene, const DeviceSpecs& device) {
   return settings;
 }
 
-// By its name where it is the library's own, else by a path that holds in every folder.
-std::string lastingName(const MoleculeArgument& molecule) {
-  const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
-  const auto file = findMolecule(molecule.name, folders);
-  if (!file) throw CommandError{file.problem().text()};
-  std::error_code error;
-  const bool library = *file != molecule.name && fs::equivalent(file->parent_path(), folders.library, error);
-  return library ? molecule.name : fs::absolute(*file).lexically_normal().string();
-}
-
 Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std::string& device) {
-  const ReadOptions& reading = options.molecule.reading;
-  return {{"molecule", lastingName(options.molecule)},
-          {"model", std::to_string(reading.model)},
-          {"waters", reading.waters ? "yes" : "no"},
-          {"assembly", reading.assembly},
-          {"balls", fingerprint(scene)},
-          {"method", options.method},
-          {"device", device}};
+  const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
+  const Expected<MoleculeKey> key = findMolecule(options.molecule.named, folders);
+  if (!key) throw CommandError{key.problem().text()};
+  Labels labels = moleculeLabels(lastingName(*key, folders));
+  labels["balls"] = fingerprint(scene);
+  labels["method"] = options.method;
+  labels["device"] = device;
+  return labels;
 }
 
 // For how long the device did not lead as it should.
@@ -228,21 +217,6 @@ void recordHand(const RecordOptions& options) {
   recorder.run(servo, std::move(tracker));
 }
 
-// The molecule as it was read for the recording.
-MoleculeArgument moleculeOf(const Labels& labels) {
-  const auto label = [&](const char* key) {
-    const auto found = labels.find(key);
-    return found == labels.end() ? std::string() : found->second;
-  };
-  MoleculeArgument out;
-  out.name = label("molecule");
-  const std::string model = label("model");
-  std::from_chars(model.data(), model.data() + model.size(), out.reading.model);
-  out.reading.waters = label("waters") == "yes";
-  out.reading.assembly = label("assembly");
-  return out;
-}
-
 void replayHand(const std::string& file) {
   const auto recording = readServoRecording(file);
   if (!recording) throw CommandError{recording.problem().text()};
@@ -257,7 +231,7 @@ void replayHand(const std::string& file) {
   const Method* method = findMethod(label("method"));
   if (!method)
     fail("it was recorded with a method \"" + label("method") + "\" that is not known here", "record it anew");
-  const auto scene = sceneOf(moleculeOf(recording->labels));
+  const auto scene = sceneOf({labelledMolecule(recording->labels)});
   if (!label("balls").empty() && label("balls") != fingerprint(*scene))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it anew");

@@ -9,6 +9,7 @@
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
+#include "engine/core/quantile.h"
 #include "engine/haptics/methods.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
@@ -72,13 +73,10 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
   std::sort(ns.begin(), ns.end());
   double sum = 0;
   for (const double one : ns) sum += one;
-  const auto at = [&](double share) {
-    return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * double(ns.size())))];
-  };
   out["mean"] = sum / double(ns.size());
-  out["p50"] = at(0.5);
-  out["p99"] = at(0.99);
-  out["p99.99"] = at(0.9999);
+  out["p50"] = percentile(ns, 0.5);
+  out["p99"] = percentile(ns, 0.99);
+  out["p99.99"] = percentile(ns, 0.9999);
   out["max"] = ns.back();
   return out;
 }

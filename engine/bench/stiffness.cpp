@@ -6,6 +6,7 @@
 
 #include "engine/bench/many_threads.h"
 #include "engine/bench/statistics.h"
+#include "engine/core/quantile.h"
 #include "engine/servo/plain_trackers.h"
 
 namespace moltact::bench {

@@ -33,6 +33,7 @@ inline Vec3 rotationBetween(const Quat& from, const Quat& to) {
 /// A place in the molecule's space (unit: angstrom).
 struct PointA {
   Vec3 A{0.0};
+  friend bool operator==(const PointA&, const PointA&) = default;
 };
 
 /// A place and an orientation in the molecule's space: the hand's axes lie along the molecule's rotated by it.
@@ -63,6 +64,7 @@ struct Workspace {
   double A_per_mm = 0.25;    ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
   Vec3 centre_A{0.0};        ///< the place in the molecule where the device's origin lies (unit: angstrom)
   glm::dmat3 rotation{1.0};  ///< the device's axes in the molecule's space, as columns (default: the same axes)
+  friend bool operator==(const Workspace&, const Workspace&) = default;
 
   PointA toMolecule(PointMm place) const { return {centre_A + rotation * (place.mm * A_per_mm)}; }
   PoseA toMolecule(PointMm place, const Quat& orientation) const {

@@ -39,6 +39,7 @@ struct Contact {
                                                                  ///< `atoms`: unit, outward; zero where none
 
   bool touching() const { return feature != Feature::Free; }
+  friend bool operator==(const Contact&, const Contact&) = default;
 };
 
 /// Fills in the displacement and the energy of a single spring from the HIP to the SCP.

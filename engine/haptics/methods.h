@@ -12,11 +12,19 @@
 
 namespace moltact {
 
+class SphereMesh;
+
+/// Methods that differ only in how finely they work share one.
+struct MethodFamily {
+  std::string_view name;   ///< "Mesh"
+  std::string_view plain;  ///< what it does, in a student's words
+};
+
 struct Method {
   std::string_view name;      ///< as in `--method exact`
   std::string_view sentence;  ///< what it is, for the screen and `--help`
   std::unique_ptr<Tracker> (*make)(std::shared_ptr<const BallScene> scene, double probe_A);
-  std::string_view family = {};   ///< methods that differ only in how finely they work share it: "Mesh"
+  MethodFamily family;
   std::string_view grade = {};    ///< how finely: "960", "0.4 Å"; empty where a family is one method
   std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
   int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
@@ -38,6 +46,9 @@ const Method* findBenchMethod(std::string_view name);
 
 /// The names of methods(), in the same order.
 std::vector<std::string_view> methodNames();
+
+/// The triangles that a method of methods() feels for a ball of radius 1; null for a method without.
+std::shared_ptr<const SphereMesh> feltFacets(std::string_view method);
 
 /// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
 std::string methodTitle(std::string_view name);

@@ -148,11 +148,6 @@ class AtomSieve {
 std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
                                      const std::string& name, const std::string& file);
 
-/// The readers behind the table of formats.
-Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options);
-Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options);
-Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options);
-
 /// "more than 25 million atoms".
 Problem tooManyAtoms(const std::string& file, std::size_t line);
 

@@ -127,9 +127,4 @@ void Camera::fit(PointA centre, double radius_A, double aspect, double margin) {
   distance_A = std::clamp(radius_A * std::sqrt(1 + t * t) / t, kNearest_A, kFarthestBack_A);
 }
 
-bool operator==(const Camera& a, const Camera& b) {
-  return a.target.A == b.target.A && a.orientation == b.orientation && a.distance_A == b.distance_A &&
-         a.fov_y_rad == b.fov_y_rad;
-}
-
 }  // namespace moltact

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/sphere_intersections.h"
 #include "engine/gltf/gltf_file.h"
-#include "engine/render/ball_intersections.h"
 #include "engine/render/haptic_shapes.h"
 
 namespace moltact {

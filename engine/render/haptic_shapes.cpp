@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "engine/core/saturated.h"
+#include "engine/core/sphere_intersections.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
-#include "engine/render/ball_intersections.h"
 
 namespace moltact {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "engine/render/gl_objects.h"
-#include "engine/render/sphere_impostors.h"
+#include "engine/render/lighting.h"
 
 namespace moltact {
 

@@ -75,6 +75,7 @@ struct TargetMarker {
   PointA centre;
   double radius_A = 1.0;
   bool reached = false;  ///< drawn in the colour of success
+  friend bool operator==(const TargetMarker&, const TargetMarker&) = default;
 };
 
 struct ViewScene {
@@ -104,9 +105,12 @@ struct ViewScene {
 
   std::vector<std::uint32_t> highlighted;  ///< atoms marked in the target's colour; out-of-range ones are ignored
   std::vector<TargetMarker> targets;
+
+  /// Molecules, models and meshes are compared by address.
+  friend bool operator==(const ViewScene&, const ViewScene&) = default;
 };
 
-/// Whether two scenes give the same picture. Molecules are compared by address.
-bool sameView(const ViewScene& a, const ViewScene& b);
+/// Whether two scenes give the same picture.
+inline bool sameView(const ViewScene& a, const ViewScene& b) { return (a.blank && b.blank) || a == b; }
 
 }  // namespace moltact

@@ -15,6 +15,7 @@
 #include "engine/core/units.h"
 #include "engine/haptics/tracker.h"
 #include "engine/lesson/lesson.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
@@ -141,6 +142,7 @@ struct InputChanged {
   InputWay by = InputWay::Mouse;
   std::string device;
   bool gives_force = false;
+  friend bool operator==(const InputChanged&, const InputChanged&) = default;
 };
 /// What is on the stage, as far as playing the trace back needs it.
 struct StageSet {
@@ -152,6 +154,8 @@ struct StageSet {
   double stiffness_N_per_mm = 0.5;
   std::string method;
   bool force_on = true;
+  ReadOptions reading{};  ///< how the file was read
+  friend bool operator==(const StageSet&, const StageSet&) = default;
 };
 /// How the person looked at it (engine/render/camera.h).
 struct ViewRotated {

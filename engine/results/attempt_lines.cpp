@@ -111,6 +111,9 @@ struct FactWriter {
     out["stiffness_N_per_mm"] = rounded(e.stiffness_N_per_mm);
     out["method"] = e.method;
     out["force_on"] = e.force_on;
+    if (e.reading.model != 1) out["model"] = e.reading.model;
+    if (e.reading.waters) out["waters"] = true;
+    if (!e.reading.assembly.empty()) out["assembly"] = e.reading.assembly;
   }
   void operator()(const ViewRotated& e) {
     for (const double q : e.orientation) out["orientation"].push_back(std::round(q * 1e5) / 1e5);
@@ -388,6 +391,9 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     StageSet s{
         text(j, "molecule", true),         text(j, "file", true),   countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
         numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
+    if (j.contains("model")) s.reading.model = static_cast<int>(countAt(j, "model"));
+    s.reading.waters = j.contains("waters") && flag(j, "waters");
+    s.reading.assembly = text(j, "assembly", false);
     s.workspace.A_per_mm = numberAt(j, "A_per_mm");
     s.workspace.centre_A = vector(j, "centre_A");
     const std::vector<double> turn = numbers(j, "turn", 9);

@@ -40,6 +40,7 @@ constexpr std::array kRanges{
     AttemptRange{"orientation", -1.001, 1.001},
     // counts and indices
     AttemptRange{"format", 1.0, kMostAtoms, true},
+    AttemptRange{"model", 1.0, 1e6, true},
     AttemptRange{"attempt", 1.0, 1e6, true},
     AttemptRange{"task", 0.0, 1e6, true},
     AttemptRange{"chosen", 0.0, 1e6, true},

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/problem.h"
+#include "engine/core/quantile.h"
 #include "engine/results/attempt_file.h"
 
 namespace moltact {
@@ -75,8 +76,5 @@ struct ClassSummary {
 /// Attempts in any order. With `anonymous`, names become "S01", "S02" …, in an order that tells nothing about the
 /// names.
 ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous = false);
-
-/// The value below which a share of sorted values lies, with linear interpolation; 0 of none.
-double quantile(const std::vector<double>& sorted, double share);
 
 }  // namespace moltact

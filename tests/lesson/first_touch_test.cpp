@@ -15,8 +15,9 @@ namespace {
 
 constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
 
-Expected<std::shared_ptr<const Molecule>> shipped(const std::string& name) {
-  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb");
+Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
+  const std::string& name = named.name;
+  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb", named.reading);
   if (!molecule) return molecule.problem();
   return std::make_shared<const Molecule>(*std::move(molecule));
 }
@@ -55,7 +56,7 @@ TEST_CASE("first-touch.md reads without errors or warnings into 5 steps, from ar
   for (std::size_t i = 0; i < 5; ++i) {
     CHECK(lesson.steps[i].scene.molecule == expected[i]);
     CHECK(lesson.steps[i].tasks.size() >= 2);
-    used.insert(lesson.steps[i].scene.molecule);
+    used.insert(lesson.steps[i].scene.molecule.name);
   }
   CHECK(used.size() == lesson.molecules.size());
   std::size_t questions = 0, notes = 0, tips = 0;

@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/core/sphere_intersections.h"
 #include "engine/gltf/gltf_file.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/molecule/reader.h"
-#include "engine/render/ball_intersections.h"
 #include "engine/render/glyphs.h"
 #include "engine/render/haptic_shapes.h"
 #include "tests/render/stage.h"

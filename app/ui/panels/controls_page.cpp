@@ -2,8 +2,8 @@
 #include <array>
 #include <string>
 
-#include "app/ui/actions.h"
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
+#include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/theme.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
@@ -122,7 +122,7 @@ void drawLive(Application& app, DeviceLink& link) {
   if (!link.awaited().empty())
     words("device/awaited", trf("{0} leads as soon as it is plugged in.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (link.wantsCalibration(app) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
+  if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
   const auto place = [](double mm) { return quantityNumber(mm, Dimension::HandLength); };
   std::string line =
       trf("Hand at {0}, {1}, {2}; force {3}", place(now.hand.mm.x), place(now.hand.mm.y),
@@ -131,7 +131,7 @@ void drawLive(Application& app, DeviceLink& link) {
     if (now.buttons >> k & 1u) line = trf("{0}; button {1}", line, k + 1);
   words("device/live", line, p.quiet);
   drawRooms(now, info);
-  const DeviceLink::ScaleWords scale = link.scaleWords(app);
+  const DeviceLink::ScaleWords scale = link.scaleWords(app.scene);
   words("device/scale", scale.sentence, p.text);
   if (!scale.reason.empty()) words("device/scale reason", scale.reason, p.quiet);
   if (!info.gives_force) return;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/widgets/controls.h"

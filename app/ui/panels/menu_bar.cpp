@@ -3,10 +3,10 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/actions.h"
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
+#include "app/ui/panels/actions.h"
 #include "app/ui/scene/shape_label.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/controls.h"

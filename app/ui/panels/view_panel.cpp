@@ -4,7 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/lesson_keys.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
 #include "app/ui/widgets/controls.h"
@@ -154,7 +154,7 @@ CardText textOf(const LessonCard& card) {
 
 void openLesson(Application& app, const LessonCard& card) {
   if (card.progress && card.progress->canResume())
-    app.resume(card.file, card.progress->file);
+    app.extensions().recorder.resume(app, card.file, card.progress->file);
   else
     app.open(card.file);
 }
@@ -181,7 +181,7 @@ void drawMolecules(Application& app, Grid& grid) {
   heading(tr("Explore freely"));
   rows(grid, items.size(), kMoleculeWidth, [&](std::size_t k, float width) {
     const LibraryItem& m = items[k];
-    const ImTextureID picture = app.extensions().card_pictures.find({m.file, SceneSpec{}});
+    const ImTextureID picture = app.extensions().card_pictures.find({{m.file}, SceneSpec{}});
     if (drawCard(grid, {.name = "welcome/molecule/" + m.id, .title = m.label, .line = m.id, .tip = m.label}, picture,
                  width))
       app.open(m.file);

@@ -31,9 +31,9 @@ bool sameView(const Camera& a, const Camera& b) {
 
 TouchScene::TouchScene(ServoClock clock) : servo_(clock), method_(methods().front().name) {}
 
-void TouchScene::show(Stage next, const std::filesystem::path& file, const Facing& facing) {
+void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& facing) {
   stage_ = std::move(next);
-  file_ = file;
+  molecule_ = molecule;
   servo_settings.workspace = stage_.workspace;
   log_.clear();
   watch_.begin(stage_, servo_settings.probe_A);

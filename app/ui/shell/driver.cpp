@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/ui/scene/view_picture.h"
+#include "app/ui/shell/application_parts.h"
 #include "app/ui/widgets/key_names.h"
 #include "engine/render/gl_objects.h"
 
@@ -30,7 +31,7 @@ Expected<std::unique_ptr<Driver>> Driver::create(Options options) {
   d->gl_ = std::move(*gl);
   d->target_ = std::make_unique<Target>();
   d->shell_ = std::make_unique<Shell>();
-  d->app_ = std::make_unique<Application>(d->options_.application);
+  d->app_ = std::make_unique<Application>(d->options_.application, applicationParts());
   return {std::move(d)};
 }
 

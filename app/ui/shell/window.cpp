@@ -14,9 +14,10 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/user_folders.h"
+#include "app/ui/shell/application_parts.h"
 #include "app/ui/shell/frame_stats.h"
 #include "app/ui/shell/glfw_keys.h"
 #include "app/ui/shell/shell.h"
@@ -216,7 +217,8 @@ int runWindow(const WindowOptions& options) {
                      .settings_file = settingsFile(),
                      .attempts_folder = attemptsFolder(),
                      .cache_folder = cacheFolder(),
-                     .picture_folder = pictureFolder()});
+                     .picture_folder = pictureFolder()},
+                    applicationParts());
     const AtExit at_exit(app);
     Link link{shell, app};
     Cursors cursors;

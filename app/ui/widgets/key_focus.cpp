@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "app/ui/actions.h"
-#include "app/ui/application.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
@@ -78,7 +76,7 @@ bool move(int by, bool panel, bool round) {
 }
 
 // Alt pressed and let go with nothing in between.
-bool altTapped(PanelState& panels) {
+bool altTapped(KeyFocus& panels) {
   const ImGuiIO& io = ImGui::GetIO();
   const auto isAlt = [](ImGuiKey key) { return key == ImGuiKey_LeftAlt || key == ImGuiKey_RightAlt; };
   bool other = ImGui::IsAnyMouseDown() || io.InputQueueCharacters.Size > 0, newly = false, let_go = false;
@@ -96,7 +94,8 @@ bool altTapped(PanelState& panels) {
   return let_go && std::exchange(panels.alt_alone, false);
 }
 
-void openMenus(PanelState& panels) {
+void openMenus(KeyFocus& panels, std::string_view menu_letters) {
+  const int menus = int(menu_letters.size());
   const ImGuiIO& io = ImGui::GetIO();
   const bool tapped = altTapped(panels);
   if (ImGui::GetTopMostPopupModal()) return;
@@ -113,12 +112,12 @@ void openMenus(PanelState& panels) {
                    int(ImGui::IsKeyPressed(ImGuiKey_LeftArrow, true));
     if (by) {
       ImGui::NavMoveRequestCancel();
-      panels.menu_wanted = (panels.menu_open + by + kMenus) % kMenus;
+      panels.menu_wanted = (panels.menu_open + by + menus) % menus;
     }
   }
   if (!io.KeyAlt || io.KeyCtrl || io.WantTextInput) return;
-  for (int menu = 0; menu < kMenus; ++menu)
-    if (ImGui::IsKeyPressed(keyOf(menuLetter(Menu(menu))), false)) panels.menu_wanted = menu;
+  for (int menu = 0; menu < menus; ++menu)
+    if (ImGui::IsKeyPressed(keyOf(menu_letters[std::size_t(menu)]), false)) panels.menu_wanted = menu;
 }
 
 }  // namespace
@@ -127,15 +126,15 @@ bool keysLeadControls() { return ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_N
 
 bool keysFree() { return !ImGui::GetIO().WantTextInput && !keysLeadControls() && !popupOpen(); }
 
-void leadByKeys(Application& app) {
+void leadByKeys(KeyFocus& panels, std::string_view menu_letters) {
   ImGuiContext& g = *GImGui;
   ImGuiIO& io = g.IO;
-  bool& in_panels = app.panels.keys_in_panels;
+  bool& in_panels = panels.keys_in_panels;
   if (ImGui::GetFrameCount() <= 1) stops() = {};  // of another context
   stops().before = std::exchange(stops().now, {});
   // Escape has closed a menu or list before this frame's first line.
-  if (app.panels.popup_open && !popupOpen()) takeKey(ImGuiKey_Escape);
-  openMenus(app.panels);
+  if (panels.popup_open && !popupOpen()) takeKey(ImGuiKey_Escape);
+  openMenus(panels, menu_letters);
   const bool page = ImGui::GetTopMostPopupModal() != nullptr, menu = popupOpen() && !page;
   for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button)
     in_panels = in_panels && !ImGui::IsMouseClicked(button);
@@ -146,8 +145,8 @@ void leadByKeys(Application& app) {
     if (!page) in_panels = moved;
     if (!moved) ImGui::ClearActiveID();
   }
-  app.panels.popup_open = page || menu;
-  const bool on = page || menu || in_panels || app.panels.menu_wanted >= 0;
+  panels.popup_open = page || menu;
+  const bool on = page || menu || in_panels || panels.menu_wanted >= 0;
   io.ConfigFlags =
       on ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
   if (!on) showKeysPlace(false);

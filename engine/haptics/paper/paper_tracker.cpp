@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/haptics/hip_input.h"
+
 namespace moltact {
 
 PaperTracker::PaperTracker(std::shared_ptr<const BallScene> scene, double probe_A)
@@ -25,8 +27,7 @@ MemoryUsage PaperTracker::memoryUsage() const noexcept {
 // Algorithm 1. A state found in a tick constrains the SCP in that same tick.
 Contact PaperTracker::step(PointA hip) noexcept {
   const Vec3& h = hip.A;
-  const auto valid = [](double x) { return std::abs(x) <= kFarthest_A; };  // false for NaN
-  if (!valid(h.x) || !valid(h.y) || !valid(h.z)) return {.scp = {scp_}, .fault = Fault::NotFinite};
+  if (!usableHip(h)) return {.scp = {scp_}, .fault = Fault::NotFinite};
 
   // "if Not in collision with an atom": the test of all atoms, behind the spatial partition.
   if (state_ == Feature::Free) {

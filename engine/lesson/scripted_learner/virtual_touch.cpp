@@ -2,6 +2,7 @@
 
 #include "engine/lesson/lesson_region.h"
 #include "engine/servo/fit_workspace.h"
+#include "engine/servo/scale.h"
 
 namespace moltact {
 
@@ -53,13 +54,10 @@ TouchSample VirtualTouch::tick(PointA hip) {
   ++ticks_;
   if (s.placed) exact_->reset();
   exact_->setProbe(s.probe_A);
-  return {.time_s = time_s(),
-          .hip = s.hip,
-          .contact = s.contact,
-          .force = s.force,
-          .probe_A = s.probe_A,
-          .method = method_,
-          .exact = method_ == methods().front().name ? s.contact : exact_->step(s.hip)};
+  const bool is_exact = method_ == methods().front().name;
+  TouchSample sample = touchSampleOf(s, method_, is_exact ? s.contact : exact_->step(s.hip));
+  sample.time_s = time_s();  // of this clock, which goes on from scene to scene
+  return sample;
 }
 
 HandView VirtualTouch::view(int attempt) const {

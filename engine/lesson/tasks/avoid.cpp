@@ -1,5 +1,5 @@
 // avoid: move over the surface for a time without touching a region.
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

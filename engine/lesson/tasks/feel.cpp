@@ -1,7 +1,7 @@
 // feel: visit kinds of place (sphere, crease, pit), or a number of different atoms.
 #include <algorithm>
 
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

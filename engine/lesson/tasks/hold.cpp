@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

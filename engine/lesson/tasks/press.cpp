@@ -1,5 +1,5 @@
 // press: push against atoms or anywhere until the surface pushes back with a force.
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

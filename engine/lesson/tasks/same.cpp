@@ -4,7 +4,7 @@
 #include <random>
 
 #include "engine/haptics/methods.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/sensitivity.h"
 
 namespace moltact {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/lesson/surface_places.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

@@ -43,7 +43,8 @@ bool enabled(const Action& action, const Application& app);
 /// "Open … (Ctrl+O)", or the sentence with the shortcut.
 std::string toolTip(const Action& action);
 
-/// Runs the actions whose shortcuts were pressed in this frame. Not while a page is open over the panels.
-void runShortcuts(Application& app);
+/// Once a frame, before the layout: leads the keys from control to control (widgets/key_focus.h), then runs the actions
+/// whose shortcuts were pressed. Shortcuts rest while a page is open over the panels.
+void runKeys(Application& app);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-#include "app/ui/actions.h"
+#include "app/ui/panels/actions.h"
 
 #include <imgui.h>
 
@@ -6,11 +6,12 @@
 #include <array>
 #include <cctype>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/files/gltf_saver.h"
+#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
 #include "engine/language/catalogue.h"
+#include "engine/render/gltf_export.h"
 
 namespace moltact {
 namespace {
@@ -33,6 +34,23 @@ void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
   const bool seen = !place.empty();
   wanted = !seen;
   if (!seen) a.panels.lesson_first = lesson;
+}
+
+void saveGltf(App& app, const std::filesystem::path& file) {
+  if (!app.scene.stage()) return;
+  const Expected<GltfScene> scene =
+      exportMolecule(*app.scene.stage().molecule, {.colours = elementColoursOf(app.settings)});
+  if (!scene) return app.messages.error(scene.problem().text());
+  if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
+  app.messages.notice("Molecule saved as " + file.string() + "; 1 unit is 1 nm");
+}
+
+void askForGltf(App& app) {
+  app.file_dialog.ask({.title = "Save the molecule as a 3-D model",
+                       .name = app.scene.molecule().file.stem().string() + ".glb",
+                       .ending = ".glb",
+                       .chosen = [&app](const std::filesystem::path& file) { saveGltf(app, file); }},
+                      app.options().picture_folder);
 }
 
 constexpr std::array kActions{
@@ -195,7 +213,7 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("Calibrate the device"),
            .run = [](App& a) { a.scene.servo().chosen()->calibrate(); },
-           .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a); }},
+           .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a.scene.servo()); }},
     Action{.name = "stop-force",
            .menu = Menu::View,
            .label = N_("Stop all force"),
@@ -294,6 +312,8 @@ std::string toolTip(const Action& action) {
   return text;
 }
 
+namespace {
+
 void runShortcuts(Application& app) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool page = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -304,6 +324,15 @@ void runShortcuts(Application& app) {
   // Escape first lets go of the molecule; only with a free hand does it lead away from it.
   const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
   if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
+}
+
+}  // namespace
+
+void runKeys(Application& app) {
+  std::string letters;
+  for (int menu = 0; menu < kMenus; ++menu) letters += menuLetter(Menu(menu));
+  leadByKeys(app.panels, letters);
+  runShortcuts(app);
 }
 
 }  // namespace moltact
