@@ -20,6 +20,7 @@
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off.h"
 #include "engine/bench/trade_off_sentences.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/terminal.h"
@@ -88,7 +89,8 @@ void checkPages(const fs::path& folder) {
   std::error_code error;
   if (!fs::is_directory(folder, error))
     throw CommandError{
-        Problem{folder.string(), 0, 0, "there is no such folder", "name the folder of the pages, such as docs"}.text()};
+        Problem{folder.string(), 0, 0, tr("there is no such folder"), tr("name the folder of the pages, such as docs")}
+            .text()};
 }
 
 std::vector<const Method*> chosen(const std::vector<std::string>& names, bool quick) {
@@ -104,7 +106,7 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
       std::string known;
       for (const Method& m : benchMethods()) known.append(known.empty() ? "" : ", ").append(m.name);
       throw CommandError{
-          Problem{"--methods", 0, 0, "there is no method \"" + name + "\"", "choose from " + known}.text()};
+          Problem{"--methods", 0, 0, trf("there is no method \"{0}\"", name), trf("choose from {0}", known)}.text()};
     }
   return out;
 }
@@ -256,9 +258,9 @@ HandOnMolecule handFrom(const fs::path& file, const std::string& otherwise) {
   HandOnMolecule hand;
   hand.molecule = otherwise.empty() ? path->label("molecule") : otherwise;
   if (hand.molecule.empty())
-    throw CommandError{
-        Problem{file.string(), 0, 0, "it does not say on which molecule this hand went", "name one with --molecule"}
-            .text()};
+    throw CommandError{Problem{file.string(), 0, 0, tr("it does not say on which molecule this hand went"),
+                               tr("name one with --molecule")}
+                           .text()};
   const auto molecule = openMolecule(hand.molecule);
   if (!molecule) throw CommandError{molecule.problem().text()};
   hand.scene = std::make_shared<const BallScene>(molecule->balls());

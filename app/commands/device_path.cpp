@@ -6,6 +6,7 @@
 #include "app/commands/command.h"
 #include "app/commands/number_range.h"
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/terminal.h"
@@ -40,14 +41,16 @@ void run(const PathOptions& options) {
     const std::size_t is = label.find('=');
     if (is == std::string::npos || is == 0)
       throw CommandError{
-          Problem{"--label", 0, 0, "\"" + label + "\" is no KEY=VALUE", "write for example --label hand=Anna"}.text()};
+          Problem{"--label", 0, 0, trf("\"{0}\" is no KEY=VALUE", label), tr("write for example --label hand=Anna")}
+              .text()};
     path->labels[label.substr(0, is)] = label.substr(is + 1);
   }
   if (options.before_touch_s >= 0) {
     const auto at = [&](auto it) { return std::size_t(it - path->touched.begin()); };
     const std::size_t first = at(std::find(path->touched.begin(), path->touched.end(), true));
     if (first == path->touched.size())
-      throw CommandError{Problem{options.file, 0, 0, "nothing is touched in it", "leave --touching out"}.text()};
+      throw CommandError{
+          Problem{options.file, 0, 0, tr("nothing is touched in it"), tr("leave --touching out")}.text()};
     const std::size_t last = at(std::find(path->touched.rbegin(), path->touched.rend(), true).base()) - 1;
     const std::size_t begin = first - std::min(first, std::size_t(options.before_touch_s * 1000));
     path->places = {path->places.begin() + std::ptrdiff_t(begin), path->places.begin() + std::ptrdiff_t(last) + 1};
@@ -62,7 +65,8 @@ Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
   if (file.extension() != ".recording") return bench::readHandPath(file);
   const auto recording = readServoRecording(file);
   if (!recording) return recording.problem();
-  if (recording->ticks.empty()) return Problem{file.string(), 0, 0, "the recording holds no ticks", "record it anew"};
+  if (recording->ticks.empty())
+    return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it anew")};
   if (!recording->torn.empty()) err() << "moltact: " << recording->torn << "; the hand's way ends there\n";
   return bench::handPathOf(*recording, file.stem().string(), trackerOf(*recording).get());
 }

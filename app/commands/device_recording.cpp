@@ -11,6 +11,7 @@
 #include "engine/device/driver.h"
 #include "engine/device/mouse_device.h"
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
@@ -135,7 +136,7 @@ class Recorder {
       const bool late = ready == 0 && 1e-3 * kAsk_ms * look >= options_.wait_s;
       if (late || interrupt_.seen()) {
         servo.setDevice(nullptr);
-        if (!late) throw CommandError{"broken off before the first tick; nothing was recorded", kBrokenOff};
+        if (!late) throw CommandError{tr("broken off before the first tick; nothing was recorded"), kBrokenOff};
         char text[80];
         std::snprintf(text, sizeof text, "it was not ready within %g s, and nothing was recorded", options_.wait_s);
         throw CommandError{Problem{options_.device, 0, 0, text, last_said_}.text()};
@@ -164,8 +165,8 @@ class Recorder {
     const auto ticks = static_cast<unsigned long long>(writer_.kept());
     std::snprintf(kept, sizeof kept, "%llu ticks (%.2f s)", ticks, double(ticks) * kTick_s);
     if (problem_)
-      throw CommandError{problem_->text() + "; the force is off, and " +
-                         (ticks ? std::string(kept) + " are kept in the file" : "nothing was recorded")};
+      throw CommandError{ticks ? trf("{0}; the force is off, and {1} are kept in the file", problem_->text(), kept)
+                               : trf("{0}; the force is off, and nothing was recorded", problem_->text())};
     const auto fail = [&](const std::string& what, const std::string& remedy) {
       throw CommandError{Problem{options_.file, 0, 0, what, remedy}.text()};
     };
@@ -194,8 +195,8 @@ ServoRecordingWriter openedFile(const RecordOptions& options) {
   if (writer) return *std::move(writer);
   std::error_code error;
   if (!options.overwrite && fs::exists(options.file, error))
-    throw CommandError{options.file +
-                       " is there already and stays as it is; choose another name, or replace it with --overwrite"};
+    throw CommandError{trf(
+        "{0} is there already and stays as it is; choose another name, or replace it with --overwrite", options.file)};
   throw CommandError{writer.problem().text()};
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/read_file.h"
 
 namespace moltact {
@@ -43,8 +44,8 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
     ++line_number;
     if (line_number == 1) {
       if (withoutBlanks(line) != kHeader)
-        return Problem{name, 1, 1, "the first line is not the header x,y,z",
-                       "write x,y,z in the first line, then a row a tick"};
+        return Problem{name, 1, 1, tr("the first line is not the header x,y,z"),
+                       tr("write x,y,z in the first line, then a row a tick")};
       continue;
     }
     if (line.empty()) continue;
@@ -58,27 +59,27 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
       if (stop - next > 1 && *next == '+' && next[1] != '-') ++next;
       const auto [after, fault] = std::from_chars(next, stop, place.A[k]);
       if (fault == std::errc::result_out_of_range)
-        return Problem{name, line_number, column(next), "this number is too large or too small for a coordinate",
-                       "keep coordinates within 1e9 A"};
+        return Problem{name, line_number, column(next), tr("this number is too large or too small for a coordinate"),
+                       tr("keep coordinates within 1e9 A")};
       if (fault != std::errc{})
-        return Problem{name, line_number, column(next), "a number was expected here",
-                       "a row is three numbers with commas between: x,y,z in angstroms"};
+        return Problem{name, line_number, column(next), tr("a number was expected here"),
+                       tr("a row is three numbers with commas between: x,y,z in angstroms")};
       next = after;
       while (next != stop && isBlank(*next)) ++next;
       if (k < 2 && (next == stop || *next != ','))
-        return Problem{name, line_number, column(next), "a comma was expected here",
-                       "a row is three numbers with commas between: x,y,z in angstroms"};
+        return Problem{name, line_number, column(next), tr("a comma was expected here"),
+                       tr("a row is three numbers with commas between: x,y,z in angstroms")};
       if (k < 2) ++next;
     }
     if (next != stop)
-      return Problem{name, line_number, column(next), "there is more than x,y,z in this row",
-                     "remove what follows the third number"};
+      return Problem{name, line_number, column(next), tr("there is more than x,y,z in this row"),
+                     tr("remove what follows the third number")};
     if (path.size() == kMostPlaces)
-      return Problem{name, line_number, 1, "more than 25 million rows", "split it into shorter paths"};
+      return Problem{name, line_number, 1, tr("more than 25 million rows"), tr("split it into shorter paths")};
     path.push_back(place);
   }
   if (path.empty())
-    return Problem{name, 0, 0, "there is no row in this file", "write the header x,y,z and then a row a tick"};
+    return Problem{name, 0, 0, tr("there is no row in this file"), tr("write the header x,y,z and then a row a tick")};
   return path;
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/source_text.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
@@ -22,9 +23,9 @@ struct NewLessonArguments {
 void writeNew(const fs::path& file, const std::string& text) {
   std::error_code error;
   if (fs::exists(fs::symlink_status(file, error)))
-    throw CommandError{file.string() + " is there already and stays as it is; choose another name"};
+    throw CommandError{trf("{0} is there already and stays as it is; choose another name", file.string())};
   const auto problem = writeWhole(file, text, IfThere::Refuse);
-  if (problem) throw CommandError{problem->text() + ", or choose another folder with --folder"};
+  if (problem) throw CommandError{trf("{0}, or choose another folder with --folder", problem->text())};
 }
 
 /// A file's name as a shell takes it.
@@ -39,12 +40,13 @@ void run(const NewLessonArguments& arguments) {
   const std::string name = lessonFileName(arguments.name);
   if (name.empty() || firstBadByte(arguments.name) != std::string::npos ||
       arguments.name.find_first_of("/\n") != std::string::npos)
-    throw CommandError{
-        "'" + arguments.name +
-        "' is no name for a lesson; name it in a few words, such as 'Haem pockets', and its folder with --folder"};
+    throw CommandError{trf(
+        "'{0}' is no name for a lesson; name it in a few words, such as 'Haem pockets', and its folder with --folder",
+        arguments.name)};
   std::error_code error;
   fs::create_directories(arguments.folder, error);
-  if (error) throw CommandError{arguments.folder + " cannot be made: " + error.message() + "; choose another folder"};
+  if (error)
+    throw CommandError{trf("{0} cannot be made: {1}; choose another folder", arguments.folder, error.message())};
   const fs::path file = arguments.folder == "." ? fs::path(name) : fs::path(arguments.folder) / name;
   writeNew(file, newLessonText(lessonTitle(arguments.name)));
   const std::string word = shellWord(file.string());

@@ -5,6 +5,7 @@
 #include "app/commands/command.h"
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/scripted_learner/answers_file.h"
@@ -154,7 +155,7 @@ void run(const PlayOptions& options) {
           << " on the virtual clock\n";
   }
   if (session.finished() && problems.empty()) return;
-  if (!session.finished()) problems.push_back({{}, 0, 0, "the lesson was not finished; left in: " + left, {}});
+  if (!session.finished()) problems.push_back({{}, 0, 0, trf("the lesson was not finished; left in: {0}", left), {}});
   fail(problems);
 }
 

@@ -52,11 +52,7 @@ void run(const Arguments& arguments) {
     const std::string now = utcText(std::chrono::system_clock::now());
     write(arguments.html, classPage(summary, problems, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
-  const std::size_t people = summary.people.size(), lessons = summary.lessons.size(), attempts_read = summary.attempts;
-  out() << trf("{0}, {1}, {2}", trnf("{0} student", "{0} students", people, people),
-               trnf("{0} lesson", "{0} lessons", lessons, lessons),
-               trnf("{0} attempt", "{0} attempts", attempts_read, attempts_read))
-        << '\n';
+  out() << summaryText(summary) << '\n';
 }
 
 }  // namespace

@@ -8,7 +8,11 @@ into=$(mktemp -d)
 trap 'rm -rf "$into"' EXIT
 
 find engine app \( -name '*.cpp' -o -name '*.h' \) | sort >"$into/files"
-xgettext --files-from="$into/files" --language=C++ --from-code=UTF-8 --output="$into/raw.pot" \
+# The titles of the molecules that come with the program are sentences too; they stand in a JSON file.
+mkdir "$into/molecules"
+sed -nE 's/.*"title": ("[^"]*").*/NC_("molecule", \1)/p' molecules/catalogue.json >"$into/molecules/catalogue.json"
+echo molecules/catalogue.json >>"$into/files"
+xgettext --directory="$into" --directory=. --files-from="$into/files" --language=C++ --from-code=UTF-8 --output="$into/raw.pot" \
   --keyword --keyword=tr --keyword=trc:1c,2 --keyword=trn:1,2 --keyword=trf --keyword=trcf:1c,2 --keyword=trnf:1,2 \
   --keyword=N_ --keyword=NC_:1c,2 --add-comments=Translators: --add-location=file --sort-by-file --width=110 \
   --package-name=moltact --msgid-bugs-address=moltact

@@ -36,7 +36,7 @@ struct DeviceSpecs {
 
 /// A device, described once, before it is used.
 struct DeviceInfo : DeviceSpecs {
-  std::string name;  ///< as the status bar says it
+  std::string name;  ///< as the status bar says it: by `tr`, for a name of ours is in English
   friend bool operator==(const DeviceInfo&, const DeviceInfo&) = default;
 };
 

@@ -17,7 +17,7 @@ namespace moltact {
 /// One device that a driver knows of.
 struct FoundDevice {
   std::string name = {};   ///< as in `moltact device check NAME`: the driver's, with ":2" and so on from the second on
-  std::string title = {};  ///< what is written on it
+  std::string title = {};  ///< what is written on it, or a name of ours in English; `tr` where it is shown
   std::string place = {};  ///< where it is plugged in, in the driver's words; may be empty
   bool usable = false;
   std::string why = {};  ///< why it cannot be used and what would mend it; empty where it can

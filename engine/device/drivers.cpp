@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "engine/device/driver.h"
+#include "engine/language/catalogue.h"
 
 // One line a driver, the default first and the mouse last: it is k<Name>Driver, in its own file.
 #define MOLTACT_DRIVERS(X) \
@@ -67,12 +68,12 @@ const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
 
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name) {
   if (const std::optional<FoundDevice> one = findDevice(name)) {
-    if (!one->usable) return Problem{"", 0, 0, one->title + " cannot be used", one->why};
+    if (!one->usable) return Problem{"", 0, 0, trf("{0} cannot be used", tr(one->title.c_str())), one->why};
     return driverOf(name)->open(*one);
   }
   std::string names;
   for (const FoundDevice& one : findDevices()) names += (names.empty() ? "" : ", ") + one.name;
-  return Problem{"", 0, 0, "there is no device \"" + std::string(name) + '"', "these are known: " + names};
+  return Problem{"", 0, 0, trf("there is no device \"{0}\"", name), trf("these are known: {0}", names)};
 }
 
 }  // namespace moltact

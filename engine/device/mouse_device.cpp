@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 MouseDevice::MouseDevice() {
-  info_.name = "Mouse";
+  info_.name = N_("Mouse");
   info_.workspace_mm = Vec3(std::numeric_limits<double>::infinity());  // the hand is put where it is wanted
 }
 

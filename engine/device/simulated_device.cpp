@@ -1,12 +1,13 @@
 #include "engine/device/simulated_device.h"
 
 #include "engine/device/driver.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
 DeviceInfo describe(const DeviceParameters& device) {
   DeviceInfo info;
-  info.name = "Simulated stylus";
+  info.name = N_("Simulated stylus");
   info.dof_in = 6;
   info.dof_out = 3;
   info.workspace_mm = Vec3(2 * ScriptedHand::kAway_mm + 40.0);  // its hand comes from farther off than an Omni reaches
@@ -37,15 +38,16 @@ void SimulatedDevice::write(ForceN force) noexcept {
 DeviceStatus SimulatedDevice::status() {
   DeviceStatus status;
   status.connected = plugged_.load(std::memory_order_acquire);
-  if (!status.connected) status.text = "The simulated stylus is unplugged.";
+  if (!status.connected) status.text = tr("The simulated stylus is unplugged.");
   return status;
 }
 
 extern const DeviceDriver kSimulatedDriver;
 const DeviceDriver kSimulatedDriver{
     .name = "simulated",
-    .sentence = "A simulated stylus in a hand that feels its way round the molecule: for demonstrations and tests.",
-    .find = [] { return std::vector{FoundDevice{.title = "Simulated stylus", .usable = true, .gives_force = true}}; },
+    .sentence = N_("A simulated stylus in a hand that feels its way round the molecule: for demonstrations and tests."),
+    .find =
+        [] { return std::vector{FoundDevice{.title = N_("Simulated stylus"), .usable = true, .gives_force = true}}; },
     .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> {
       return std::unique_ptr<Device>(std::make_unique<SimulatedDevice>());
     },

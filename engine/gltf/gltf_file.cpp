@@ -13,6 +13,7 @@
 #include <tiny_gltf.h>
 
 #include "engine/core/file_bytes.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/write_file.h"
 
 namespace moltact {
@@ -34,11 +35,11 @@ class Reader {
   explicit Reader(const tinygltf::Model& model) : model_(model) {}
 
   SolidModel read() {
-    if (model_.scenes.empty()) throw Broken{"has no scene"};
+    if (model_.scenes.empty()) throw Broken{tr("the model has no scene")};
     const std::size_t scene = model_.defaultScene < 0 ? 0 : std::size_t(model_.defaultScene);
-    if (scene >= model_.scenes.size()) throw Broken{"names a scene that it does not hold"};
+    if (scene >= model_.scenes.size()) throw Broken{tr("the model names a scene that it does not hold")};
     for (const int node : model_.scenes[scene].nodes) visit(node, glm::mat4(1.0f), 0);
-    if (out_.corners.empty()) throw Broken{"holds no triangles"};
+    if (out_.corners.empty()) throw Broken{tr("the model holds no triangles")};
     out_.low = out_.high = out_.corners.front().place;
     for (const SolidModel::Corner& c : out_.corners) {
       out_.low = glm::min(out_.low, c.place);
@@ -49,9 +50,8 @@ class Reader {
 
  private:
   template <class T>
-  const T& at(const std::vector<T>& all, int index, const char* what) const {
-    if (index < 0 || std::size_t(index) >= all.size())
-      throw Broken{std::string("names a ") + what + " that it does not hold"};
+  const T& at(const std::vector<T>& all, int index, const char* otherwise) const {
+    if (index < 0 || std::size_t(index) >= all.size()) throw Broken{tr(otherwise)};
     return all[std::size_t(index)];
   }
 
@@ -66,11 +66,13 @@ class Reader {
   }
 
   void visit(int index, const glm::mat4& parent, std::size_t depth) {
-    if (++visited_ > kMostNodes || depth > kDeepest) throw Broken{"has nodes within nodes without end"};
-    const tinygltf::Node& node = at(model_.nodes, index, "node");
+    if (++visited_ > kMostNodes || depth > kDeepest) throw Broken{tr("the model has nodes within nodes without end")};
+    const tinygltf::Node& node = at(model_.nodes, index, N_("the model names a node that it does not hold"));
     const glm::mat4 place = parent * placeOf(node);
     if (node.mesh >= 0)
-      for (const tinygltf::Primitive& p : at(model_.meshes, node.mesh, "mesh").primitives) add(p, place);
+      for (const tinygltf::Primitive& p :
+           at(model_.meshes, node.mesh, N_("the model names a mesh that it does not hold")).primitives)
+        add(p, place);
     for (const int child : node.children) visit(child, place, depth + 1);
   }
 
@@ -81,20 +83,22 @@ class Reader {
     int type = 0;
   };
   Elements elementsOf(int index, int shape) const {
-    const tinygltf::Accessor& a = at(model_.accessors, index, "list of numbers");
-    if (a.sparse.isSparse) throw Broken{"holds sparse lists of numbers, which are not read"};
-    const tinygltf::BufferView& v = at(model_.bufferViews, a.bufferView, "view of a buffer");
-    const tinygltf::Buffer& b = at(model_.buffers, v.buffer, "buffer");
+    const tinygltf::Accessor& a =
+        at(model_.accessors, index, N_("the model names a list of numbers that it does not hold"));
+    if (a.sparse.isSparse) throw Broken{tr("the model holds sparse lists of numbers, which are not read")};
+    const tinygltf::BufferView& v =
+        at(model_.bufferViews, a.bufferView, N_("the model names a view of a buffer that it does not hold"));
+    const tinygltf::Buffer& b = at(model_.buffers, v.buffer, N_("the model names a buffer that it does not hold"));
     const int component = tinygltf::GetComponentSizeInBytes(std::uint32_t(a.componentType)),
               parts = tinygltf::GetNumComponentsInType(std::uint32_t(a.type));
     const int stride = a.ByteStride(v);
     if (a.type != shape || component <= 0 || parts <= 0 || stride < component * parts)
-      throw Broken{"holds numbers of the wrong kind"};
+      throw Broken{tr("the model holds numbers of the wrong kind")};
     const std::size_t size = std::size_t(component * parts);
     const bool fits = a.count > 0 && v.byteOffset <= b.data.size() && v.byteLength <= b.data.size() - v.byteOffset &&
                       a.byteOffset <= v.byteLength && size <= v.byteLength - a.byteOffset &&
                       a.count - 1 <= (v.byteLength - a.byteOffset - size) / std::size_t(stride);
-    if (!fits) throw Broken{"ends before its lists of numbers do"};
+    if (!fits) throw Broken{tr("the model ends before its lists of numbers do")};
     return {b.data.data() + v.byteOffset + a.byteOffset, std::size_t(stride), a.count, a.componentType};
   }
 
@@ -107,29 +111,30 @@ class Reader {
     if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE) return *at;
     if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT) return numberAt<std::uint16_t>(at);
     if (e.type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT) return numberAt<std::uint32_t>(at);
-    throw Broken{"holds numbers of the wrong kind"};
+    throw Broken{tr("the model holds numbers of the wrong kind")};
   }
 
   void add(const tinygltf::Primitive& p, const glm::mat4& to_scene) {
     if (p.mode != TINYGLTF_MODE_TRIANGLES)
-      throw Broken{"holds lines, points or strips; only lists of triangles are read"};
+      throw Broken{tr("the model holds lines, points or strips; only lists of triangles are read")};
     const auto attribute = [&](const char* name) {
       const auto it = p.attributes.find(name);
       return it == p.attributes.end() ? -1 : it->second;
     };
-    if (attribute("POSITION") < 0) throw Broken{"holds triangles without places (are they compressed?)"};
+    if (attribute("POSITION") < 0) throw Broken{tr("the model holds triangles without places (are they compressed?)")};
     const Elements places = elementsOf(attribute("POSITION"), TINYGLTF_TYPE_VEC3);
     Elements normals, indices;
     if (attribute("NORMAL") >= 0) normals = elementsOf(attribute("NORMAL"), TINYGLTF_TYPE_VEC3);
     if (p.indices >= 0) indices = elementsOf(p.indices, TINYGLTF_TYPE_SCALAR);
     if (places.type != TINYGLTF_COMPONENT_TYPE_FLOAT || (normals.data && normals.type != TINYGLTF_COMPONENT_TYPE_FLOAT))
-      throw Broken{"holds numbers of the wrong kind"};
+      throw Broken{tr("the model holds numbers of the wrong kind")};
     const std::size_t count = (indices.data ? indices.count : places.count) / 3 * 3;
     if (out_.corners.size() + count > 3 * kMostModelTriangles)
-      throw Broken{"has more than " + std::to_string(kMostModelTriangles) + " triangles"};
+      throw Broken{trf("the model has more than {0} triangles", kMostModelTriangles)};
     glm::vec3 colour(1.0f);
     if (p.material >= 0) {
-      const auto& factor = at(model_.materials, p.material, "material").pbrMetallicRoughness.baseColorFactor;
+      const auto& factor = at(model_.materials, p.material, N_("the model names a material that it does not hold"))
+                               .pbrMetallicRoughness.baseColorFactor;
       if (factor.size() >= 3)
         for (int k = 0; k < 3; ++k) colour[k] = toScreen(std::clamp(float(factor[std::size_t(k)]), 0.0f, 1.0f));
     }
@@ -139,12 +144,12 @@ class Reader {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::size_t vertex = indices.data ? indexAt(indices, i + k) : i + k;
         if (vertex >= places.count || (normals.data && vertex >= normals.count))
-          throw Broken{"names corners that it does not hold"};
+          throw Broken{tr("the model names corners that it does not hold")};
         corners[k].place = glm::vec3(to_scene * glm::vec4(vectorAt(places, vertex), 1.0f));
         if (normals.data) corners[k].normal = turn * vectorAt(normals, vertex);
         corners[k].colour = colour;
         if (!std::isfinite(glm::dot(corners[k].place, glm::vec3(1.0f))))
-          throw Broken{"holds places that are no numbers"};
+          throw Broken{tr("the model holds places that are no numbers")};
       }
       const glm::vec3 face = glm::cross(corners[1].place - corners[0].place, corners[2].place - corners[0].place);
       for (SolidModel::Corner& c : corners) {
@@ -283,15 +288,15 @@ class Writer {
 
 Expected<SolidModel> readGltf(const std::filesystem::path& file) {
   const auto problem = [&](const std::string& message,
-                           const std::string& remedy = "give a glTF 2.0 file (.glb or .gltf) with triangles") {
+                           const std::string& remedy = tr("give a glTF 2.0 file (.glb or .gltf) with triangles")) {
     return Problem{.file = file.string(), .message = message, .remedy = remedy};
   };
   std::error_code error;
   const std::uintmax_t bytes = std::filesystem::file_size(file, error);
   std::ifstream in(file, std::ios::binary);
   std::array<char, 4> magic{};
-  if (error || !in) return problem("the model cannot be read", "check its name, and whether you may read it");
-  if (bytes > kMostBytes) return problem("the model is larger than 64 MB", "give a simpler model");
+  if (error || !in) return problem(tr("the model cannot be read"), tr("check its name, and whether you may read it"));
+  if (bytes > kMostBytes) return problem(tr("the model is larger than 64 MB"), tr("give a simpler model"));
   in.read(magic.data(), 4);
   tinygltf::TinyGLTF loader;
   loader.SetImageLoader(&passOver, nullptr);
@@ -303,13 +308,14 @@ Expected<SolidModel> readGltf(const std::filesystem::path& file) {
                              : loader.LoadASCIIFromFile(&model, &why, &warning, file.string());
     if (!read) {
       why.erase(std::remove(why.begin(), why.end(), '\n'), why.end());
-      return problem("the model is no sound glTF file" + (why.empty() ? "" : ": " + why));
+      return problem(why.empty() ? tr("the model is no sound glTF file")
+                                 : trf("the model is no sound glTF file: {0}", why));
     }
     return Reader(model).read();
   } catch (const Broken& broken) {
-    return problem("the model " + broken.why);
+    return problem(broken.why);
   } catch (const std::exception& e) {  // the parser's own, on nonsense in a file
-    return problem(std::string("the model is no sound glTF file: ") + e.what());
+    return problem(trf("the model is no sound glTF file: {0}", e.what()));
   }
 }
 
@@ -319,8 +325,8 @@ std::optional<Problem> writeGlb(const std::filesystem::path& file, const GltfSce
   tinygltf::TinyGLTF saver;
   if (!saver.WriteGltfSceneToStream(&writer.model(), out, false, true) || !out)
     return Problem{.file = file.string(),
-                   .message = "the scene is too large for a glTF file",
-                   .remedy = "take a smaller molecule, or a coarser surface"};
+                   .message = tr("the scene is too large for a glTF file"),
+                   .remedy = tr("take a smaller molecule, or a coarser surface")};
   return writeWhole(file, out.view());
 }
 

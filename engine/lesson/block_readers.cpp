@@ -11,11 +11,20 @@ namespace moltact::reading {
 namespace {
 
 KeyValues readBlock(Reading& reading, std::span<const KeyLine> lines, std::span<const KeySpec* const> keys,
-                    std::string_view name, Place place) {
+                    const char* name, Place place) {
   std::vector<Problem> problems;
   KeyValues values = readKeyValues(lines, keys, name, place, problems);
   reading.add(std::move(problems));
   return values;
+}
+
+/// Whose a key is that the task at hand does not have; empty where no kind of task has it.
+std::string ownersOf(std::string_view key) {
+  std::string owners;
+  for (const TaskKind& kind : taskKinds())
+    for (const KeySpec& k : kind.keys)
+      if (k.name == key && k.name != kind.name) owners += (owners.empty() ? "" : ", ") + trf("'{0}'", kind.name);
+  return owners.empty() ? owners : trf("that key belongs to {0}", owners);
 }
 
 std::vector<KeyLine> linesOf(Reading& reading, std::span<const BlockLine> lines) {
@@ -29,9 +38,9 @@ std::vector<KeyLine> linesOf(Reading& reading, std::span<const BlockLine> lines)
 
 std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   const SourceText& source = reading.source;
-  const std::string remedy = "begin the file with '---', 'title: …' and the other keys, and '---'";
+  const std::string remedy = tr("begin the file with '---', 'title: …' and the other keys, and '---'");
   if (stripped(source.line(1)) != "---") {
-    reading.error({1, 1}, "the lesson has no front matter", remedy);
+    reading.error({1, 1}, tr("the lesson has no front matter"), remedy);
     return 0;
   }
   std::vector<BlockLine> lines;
@@ -44,7 +53,7 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   }
   const bool forgotten = end > source.lineCount() || goesOn(source.line(end));
   if (forgotten) {
-    reading.error({1, 1}, "the front matter has no end", "close it with a line '---'");
+    reading.error({1, 1}, tr("the front matter has no end"), tr("close it with a line '---'"));
     if (end > source.lineCount()) return source.bytes().size();
     // Prose between it and the first step is no list of keys.
     const auto prose =
@@ -90,11 +99,11 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
     if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule.name) == known.end() &&
         !reading.enough())
-      reading.error(scene.places.molecule, "'" + scene.molecule.name + "' is not among the lesson's molecules",
-                    suggest(scene.molecule.name, known, "add it to the front matter or take one of"));
+      reading.error(scene.places.molecule, trf("'{0}' is not among the lesson's molecules", scene.molecule.name),
+                    suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
   } else if (!before &&
              std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
-    reading.error(block.place, "the lesson's first scene needs the key 'molecule'", "add a line 'molecule: …'");
+    reading.error(block.place, tr("the lesson's first scene needs the key 'molecule'"), tr("add a line 'molecule: …'"));
   }
   if (takes("model")) scene.molecule.reading.model = static_cast<int>(values["model"].number);
   if (takes("assembly")) {
@@ -113,7 +122,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   if (takes("panels")) {
     scene.panels = values["panels"].words;
     if (scene.panels.size() > 1 && std::find(scene.panels.begin(), scene.panels.end(), "none") != scene.panels.end())
-      reading.error(values["panels"].place, "'none' stands alone", "take it out, or the other panels");
+      reading.error(values["panels"].place, tr("'none' stands alone"), tr("take it out, or the other panels"));
   }
   if (takes("locked")) {
     scene.locked = lesson.locked;
@@ -146,9 +155,8 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     if (!found) continue;
     if (kind && kind != found) {
       reading.error(line.key_place,
-                    "a touch block holds one task, but this one has '" + std::string(kind->name) + "' and '" +
-                        std::string(found->name) + "'",
-                    "write two touch blocks");
+                    trf("a touch block holds one task, but this one has '{0}' and '{1}'", kind->name, found->name),
+                    tr("write two touch blocks"));
       return {};
     }
     kind = found;
@@ -160,17 +168,7 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
     for (const KeySpec& k : kind->keys) keys.push_back(&k);
     for (const KeySpec& k : common) keys.push_back(&k);
     std::vector<Problem> problems;
-    task.values = readKeyValues(lines, keys, blockName(KeyBlock::Touch), block.place, problems);
-    for (Problem& p : problems) {
-      const bool unknown = p.message.find("has no key") != std::string::npos;
-      if (!unknown) continue;
-      std::string owners;
-      for (const TaskKind& other : taskKinds())
-        for (const KeySpec& k : other.keys)
-          if (p.message.ends_with("'" + std::string(k.name) + "'") && k.name != other.name)
-            owners += (owners.empty() ? "'" : ", '") + std::string(other.name) + "'";
-      if (!owners.empty()) p.remedy = "that key belongs to " + owners;
-    }
+    task.values = readKeyValues(lines, keys, blockName(KeyBlock::Touch), block.place, problems, &ownersOf);
     const bool good = problems.empty();
     if (good && kind->check) kind->check({std::string(kind->name), task.values, task.place}, problems);
     // With errors too: the lesson cannot be used then, but more can be told of it.
@@ -191,13 +189,13 @@ TaskSpec readTouch(Reading& reading, const MarkdownBlock& block) {
   bool told = false;
   for (const KeyLine& line : lines)
     if (std::find(names.begin(), names.end(), line.key) == names.end()) {
-      reading.error(line.key_place, "touch has no key '" + line.key + "'",
-                    suggest(line.key, told ? names : kinds, "tasks"));
+      reading.error(line.key_place, trf("{0} has no key '{1}'", trc("block", blockName(KeyBlock::Touch)), line.key),
+                    suggest(line.key, told ? names : kinds, tr("tasks")));
       told = true;
     }
   if (!told)
-    reading.error(block.place, "the touch block names no task",
-                  "add a line that starts with " + joinedWithOr(kinds) + " and a colon");
+    reading.error(block.place, tr("the touch block names no task"),
+                  trf("add a line that starts with {0} and a colon", joined(kinds, tr(" or "))));
   return {};
 }
 
@@ -206,14 +204,14 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
   const KeyValues values =
       readBlock(reading, linesOf(reading, block.lines), keys, blockName(KeyBlock::Answer), block.place);
   AnswerSpec answer;
-  answer.right = values["right"].text;
-  answer.wrong = values["wrong"].text;
+  answer.right = AuthorsText(values["right"]);
+  answer.wrong = AuthorsText(values["wrong"]);
   const int given = values.has("number") + values.has("text") + values.has("free");
   if (given != 1) {
     reading.error(block.place,
-                  given == 0 ? "the answer block says nothing about what is right"
-                             : "the answer block asks for more than one thing",
-                  "give one of 'number: …', 'text: …' and 'free: yes'");
+                  given == 0 ? tr("the answer block says nothing about what is right")
+                             : tr("the answer block asks for more than one thing"),
+                  tr("give one of 'number: …', 'text: …' and 'free: yes'"));
   } else if (values.has("number")) {
     answer.kind = AnswerSpec::Kind::Number;
     const Value &number = values["number"], &tolerance = values["tolerance"];
@@ -221,19 +219,20 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
     answer.tolerance = tolerance.number;
     if (!number.words.empty()) answer.unit = number.words[0];
     if (values.has("tolerance") && number.words != tolerance.words)
-      reading.error(
-          tolerance.place, "the tolerance and the number have different units",
-          answer.unit.empty() ? "write the tolerance without a unit" : "write the tolerance in " + answer.unit);
+      reading.error(tolerance.place, tr("the tolerance and the number have different units"),
+                    answer.unit.empty() ? tr("write the tolerance without a unit")
+                                        : trf("write the tolerance in {0}", answer.unit));
     else if (answer.tolerance < 0.0)
-      reading.error(tolerance.place, "the tolerance is below zero", "write it without the minus sign");
+      reading.error(tolerance.place, tr("the tolerance is below zero"), tr("write it without the minus sign"));
   } else if (values.has("text")) {
     answer.kind = AnswerSpec::Kind::Text;
     answer.texts = values["text"].words;
     if (answer.texts.empty())
-      reading.error(values["text"].place, "this question has no right answer", "write the words that count as right");
+      reading.error(values["text"].place, tr("this question has no right answer"),
+                    tr("write the words that count as right"));
   }
   if (values.has("tolerance") && !values.has("number"))
-    reading.error(values["tolerance"].place, "'tolerance' goes with 'number'", "take it out");
+    reading.error(values["tolerance"].place, tr("'tolerance' goes with 'number'"), tr("take it out"));
   return answer;
 }
 

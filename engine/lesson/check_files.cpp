@@ -3,6 +3,7 @@
 #include <map>
 #include <system_error>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_texts.h"
@@ -28,9 +29,9 @@ std::string nearestFile(const fs::path& missing, std::map<fs::path, std::vector<
       names.push_back(it->path().filename().string());
   std::sort(names.begin(), names.end());
   const std::vector<std::string_view> known(names.begin(), names.end());
-  const std::string near = suggest(missing.filename().string(), known, "");
-  return near.starts_with("did you mean") ? near
-                                          : "put it there, or mend its name; it is looked for in the lesson's folder";
+  const std::string_view near = nearest(missing.filename().string(), known);
+  return near.empty() ? tr("put it there, or mend its name; it is looked for in the lesson's folder")
+                      : didYouMean(near);
 }
 
 class Files {
@@ -42,27 +43,33 @@ class Files {
     const std::string_view scheme = linkScheme(link);
     if (scheme == "http" || scheme == "https" || scheme == "mailto") return;
     if (!scheme.empty())
-      findings_.error(place, "the link '" + std::string(link) + "' leads to nothing that a lesson can show",
-                      "link to a step (#…), a file beside the lesson or a web address (https://…)");
+      findings_.error(place, trf("the link '{0}' leads to nothing that a lesson can show", link),
+                      tr("link to a step (#…), a file beside the lesson or a web address (https://…)"));
     else if (const auto to = fileLink(lesson_file_, link);
-             to && isThere("link", link, to->file, place) && !to->step.empty())
+             to && isThere(What::Link, link, to->file, place) && !to->step.empty())
       stepOf(*to, place);
   }
 
   void picture(const Image& image) {
     if (image.path.empty() || findings_.enough()) return;
-    if (const auto to = fileLink(lesson_file_, image.path)) isThere("picture", image.path, to->file, image.place);
+    if (const auto to = fileLink(lesson_file_, image.path)) isThere(What::Picture, image.path, to->file, image.place);
   }
 
  private:
-  bool isThere(const char* what, std::string_view written, const fs::path& file, Place place) {
-    const std::string start = std::string("the ") + what + " '" + std::string(written) + "'";
+  enum class What { Link, Picture };
+
+  bool isThere(What what, std::string_view written, const fs::path& file, Place place) {
     std::error_code error;
     if (written.starts_with('/'))
-      findings_.error(place, start + " leads to a place of this computer only",
-                      "put the file beside the lesson and write its name");
+      findings_.error(place,
+                      what == What::Link ? trf("the link '{0}' leads to a place of this computer only", written)
+                                         : trf("the picture '{0}' leads to a place of this computer only", written),
+                      tr("put the file beside the lesson and write its name"));
     else if (!fs::exists(file, error))
-      findings_.error(place, start + " leads to no file", nearestFile(file, names_in_));
+      findings_.error(place,
+                      what == What::Link ? trf("the link '{0}' leads to no file", written)
+                                         : trf("the picture '{0}' leads to no file", written),
+                      nearestFile(file, names_in_));
     else
       return true;
     return false;
@@ -81,8 +88,8 @@ class Files {
     }
     if (steps.empty() || std::find(steps.begin(), steps.end(), link.step) != steps.end()) return;
     const std::vector<std::string_view> ids(steps.begin(), steps.end());
-    findings_.error(place, "there is no step '#" + link.step + "' in " + link.file.filename().string(),
-                    suggest(link.step, ids, "steps"));
+    findings_.error(place, trf("there is no step '#{0}' in {1}", link.step, link.file.filename().string()),
+                    suggest(link.step, ids, tr("steps")));
   }
 
   const fs::path& lesson_file_;

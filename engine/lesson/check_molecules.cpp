@@ -1,8 +1,11 @@
 // A lesson against its molecules.
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 #include <unordered_set>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -65,12 +68,8 @@ class Check {
       if (!reading_place.line) return nullptr;
       place = reading_place;
     }
-    const auto same = [&](const Problem& p) {
-      return p.line == place.line && p.column == place.column && p.message == why.message;
-    };
     // A scene that goes on from the one before names nothing anew.
-    if (std::none_of(findings_.errors.begin(), findings_.errors.end(), same))
-      findings_.error(place, why.message, why.remedy);
+    if (told_.insert({named, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
     return nullptr;
   }
 
@@ -90,6 +89,7 @@ class Check {
   const MoleculeByName& by_name_;
   Findings& findings_;
   std::map<NamedMolecule, Expected<std::shared_ptr<const Molecule>>> found_;
+  std::set<std::tuple<NamedMolecule, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
 };
 
 }  // namespace
@@ -104,10 +104,10 @@ void moleculeList(const Lesson& lesson, Findings& findings) {
   for (std::size_t i = 0; i < lesson.molecules.size(); ++i) {
     const std::string& name = lesson.molecules[i];
     if (!listed.insert(name).second)
-      findings.error(lesson.molecule_places[i], "'" + name + "' is listed twice", "take one of the two out");
+      findings.error(lesson.molecule_places[i], trf("'{0}' is listed twice", name), tr("take one of the two out"));
     else if (!used.contains(name))
-      findings.error(lesson.molecule_places[i], "no scene uses '" + name + "'",
-                     "take it out, or add a scene with 'molecule: " + name + "'");
+      findings.error(lesson.molecule_places[i], trf("no scene uses '{0}'", name),
+                     trf("take it out, or add a scene with 'molecule: {0}'", name));
   }
 }
 

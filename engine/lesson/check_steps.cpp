@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/source_text.h"
@@ -49,8 +50,8 @@ void comparesLocked(const Step& step, Findings& findings) {
   for (const TaskSpec& task : step.tasks)
     if (const Value& methods = task.values["compare"];
         task.kind == "compare" && !methods.words.empty() && methods.words[0] != "places")
-      findings.error(methods.place, "the student cannot switch methods here, for they are locked",
-                     "take 'method' out of 'locked', or this task");
+      findings.error(methods.place, tr("the student cannot switch methods here, for they are locked"),
+                     tr("take 'method' out of 'locked', or this task"));
 }
 
 }  // namespace
@@ -60,11 +61,11 @@ void steps(const Lesson& lesson, Findings& findings) {
   for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
     const Step& step = lesson.steps[i];
     if (!can_reach[i])
-      findings.error(step.place, "no link leads to this aside, so no student can come to it",
-                     "link to it from another step: [" + step.title + "](#" + step.id + ")");
+      findings.error(step.place, tr("no link leads to this aside, so no student can come to it"),
+                     trf("link to it from another step: [{0}](#{1})", step.title, step.id));
     comparesLocked(step, findings);
     if (!saysSomething(step))
-      findings.error(step.place, "this step says nothing to the student", "write a sentence below its heading");
+      findings.error(step.place, tr("this step says nothing to the student"), tr("write a sentence below its heading"));
   }
 }
 

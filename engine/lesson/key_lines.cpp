@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/suggestion.h"
 
 namespace moltact {
@@ -43,8 +44,8 @@ std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector
     if (body == "-" || body.starts_with("- ")) {
       const std::string_view item = stripped(body.substr(1));
       if (out.empty())
-        problems.push_back(
-            problemAt(shifted(line.place, text, body), "a list without a key", "write 'key:' on the line above"));
+        problems.push_back(problemAt(shifted(line.place, text, body), tr("a list without a key"),
+                                     tr("write 'key:' on the line above")));
       else if (!item.empty())
         out.back().items.push_back({std::string(item), shifted(line.place, text, item)});
       continue;
@@ -52,9 +53,8 @@ std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector
     const std::size_t colon = body.find(':');
     const std::string_view key = stripped(body.substr(0, colon));
     if (colon == std::string_view::npos || key.empty()) {
-      problems.push_back(problemAt(shifted(line.place, text, body),
-                                   "'" + std::string(body) + "' is not a key and its value",
-                                   "write it as 'key: value'"));
+      problems.push_back(problemAt(shifted(line.place, text, body), trf("'{0}' is not a key and its value", body),
+                                   tr("write it as 'key: value'")));
       continue;
     }
     const std::string_view value = stripped(body.substr(colon + 1));
@@ -64,28 +64,30 @@ std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector
   return out;
 }
 
-KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec* const> keys, std::string_view block,
-                        Place block_place, std::vector<Problem>& problems) {
+KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec* const> keys, const char* block,
+                        Place block_place, std::vector<Problem>& problems, const UnknownKey& unknown) {
   KeyValues out;
   std::vector<std::string_view> seen, names;
   for (const KeySpec* k : keys) names.push_back(k->name);
   for (const KeyLine& line : lines) {
     const KeySpec* key = find(keys, line.key);
     if (!key) {
-      problems.push_back(problemAt(line.key_place, std::string(block) + " has no key '" + line.key + "'",
-                                   suggest(line.key, names, "keys")));
+      const std::string remedy = unknown ? unknown(line.key) : std::string();
+      problems.push_back(problemAt(line.key_place, trf("{0} has no key '{1}'", trc("block", block), line.key),
+                                   remedy.empty() ? suggest(line.key, names, tr("keys")) : remedy));
       continue;
     }
     if (std::find(seen.begin(), seen.end(), key->name) != seen.end()) {
-      problems.push_back(problemAt(line.key_place, "'" + line.key + "' is given twice", "take one of the two out"));
+      problems.push_back(
+          problemAt(line.key_place, trf("'{0}' is given twice", line.key), tr("take one of the two out")));
       continue;
     }
     seen.push_back(key->name);
     if (!line.items.empty() && (key->type != ValueType::TextList || !line.value.empty())) {
-      problems.push_back(problemAt(line.items[0].place, "'" + line.key + "' takes no list here",
+      problems.push_back(problemAt(line.items[0].place, trf("'{0}' takes no list here", line.key),
                                    key->type == ValueType::TextList
-                                       ? "write every item on a line of its own that starts with '- '"
-                                       : "write one value after the colon"));
+                                       ? tr("write every item on a line of its own that starts with '- '")
+                                       : tr("write one value after the colon")));
       continue;
     }
     Expected<Value> value = line.items.empty() ? parseValue(*key, line.value) : Expected<Value>(listValue(*key, line));
@@ -104,8 +106,8 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
   for (const KeySpec* key : keys) {
     if (std::find(seen.begin(), seen.end(), key->name) != seen.end()) continue;
     if (key->required)
-      problems.push_back(problemAt(block_place, std::string(block) + " needs the key '" + std::string(key->name) + "'",
-                                   "add a line '" + std::string(key->name) + ": …'"));
+      problems.push_back(problemAt(block_place, trf("{0} needs the key '{1}'", trc("block", block), key->name),
+                                   trf("add a line '{0}: …'", key->name)));
     else if (!key->fallback.empty())
       if (auto value = parseValue(*key, key->fallback)) out.set(key->name, *std::move(value));
   }

@@ -2,6 +2,7 @@
 
 #include "engine/haptics/methods.h"
 #include "engine/haptics/tracker.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -26,7 +27,7 @@ std::vector<KeySpec> frontMatterKeys() {
        .type = ValueType::Word,
        .meaning = "Whom the lesson is for.",
        .fallback = "beginner",
-       .words = {"beginner", "intermediate", "advanced"}},
+       .words = {N_("beginner"), N_("intermediate"), N_("advanced")}},
       {.name = "language",
        .type = ValueType::Text,
        .meaning = "The language that the lesson is written in, by its two letters: en, de. It chooses between files of "
@@ -150,7 +151,7 @@ std::vector<KeySpec> touchKeys() {
       {.name = "praise",
        .type = ValueType::Text,
        .meaning = "What is said when the task is done.",
-       .fallback = "Done."},
+       .fallback = N_("Done.")},
   };
 }
 
@@ -169,34 +170,39 @@ std::vector<KeySpec> answerKeys() {
        .type = ValueType::Word,
        .meaning = "A free answer that is kept for the teacher and not judged.",
        .words = {"yes"}},
-      {.name = "right", .type = ValueType::Text, .meaning = "What is said to a right answer.", .fallback = "Right."},
+      {.name = "right",
+       .type = ValueType::Text,
+       .meaning = "What is said to a right answer.",
+       .fallback = N_("Right.")},
       {.name = "wrong",
        .type = ValueType::Text,
        .meaning = "What is said to a wrong answer.",
-       .fallback = "Not yet. Try again."},
+       .fallback = N_("Not yet. Try again.")},
   };
 }
 
 }  // namespace
 
-std::string_view blockName(KeyBlock block) {
+const char* blockName(KeyBlock block) {
   switch (block) {
     case KeyBlock::FrontMatter:
-      return "front matter";
+      return NC_("block", "front matter");
     case KeyBlock::Scene:
-      return "scene";
+      return NC_("block", "scene");
     case KeyBlock::Touch:
-      return "touch";
+      return NC_("block", "touch");
     case KeyBlock::Answer:
       break;
   }
-  return "answer";
+  return NC_("block", "answer");
 }
 
 const std::vector<KeySpec>& keysOf(KeyBlock block) {
   static const std::vector<KeySpec> tables[] = {frontMatterKeys(), sceneKeys(), touchKeys(), answerKeys()};
   return tables[static_cast<int>(block)];
 }
+
+std::string AuthorsText::text() const { return own_ ? written_ : tr(written_.c_str()); }
 
 Place selectionPlace(const Value& value) {
   const std::size_t at = value.text.rfind(value.selection.text());

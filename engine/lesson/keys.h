@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
@@ -18,8 +19,8 @@ namespace moltact {
 
 enum class KeyBlock : std::uint8_t { FrontMatter, Scene, Touch, Answer };
 
-/// "front matter", "scene", "touch", "answer": as messages name it.
-std::string_view blockName(KeyBlock block);
+/// "front matter", "scene", "touch", "answer" in English; `trc("block", …)` where a message names it.
+const char* blockName(KeyBlock block);
 
 enum class ValueType : std::uint8_t {
   Text,       ///< a line of text
@@ -67,6 +68,18 @@ struct Value {
 
 /// Where the selection of a value begins: behind the word "facing" of a View.
 Place selectionPlace(const Value& value);
+
+/// A text for students: as the author wrote it, or the key's fallback in the language in use.
+class AuthorsText {
+ public:
+  AuthorsText() = default;
+  explicit AuthorsText(const Value& value) : written_(value.text), own_(value.place.line != 0) {}
+  std::string text() const;
+
+ private:
+  std::string written_;
+  bool own_ = false;
+};
 
 /// Values by key. A key that was neither given nor has a fallback is not in it.
 class KeyValues {

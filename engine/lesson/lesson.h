@@ -125,7 +125,7 @@ struct AnswerSpec {
   double number = 0.0, tolerance = 0.0;  ///< in `unit`
   std::string unit;                      ///< "Å"; empty for a plain number
   std::vector<std::string> texts;        ///< what counts as right, as written
-  std::string right, wrong;              ///< feedback
+  AuthorsText right, wrong;              ///< feedback
 };
 
 struct Question {

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
 #include "engine/lesson/reader.h"
 
@@ -71,14 +72,15 @@ Expected<std::string> readLessonFile(const fs::path& file) {
   };
   std::error_code error;
   const auto status = fs::status(file, error);
-  if (status.type() == fs::file_type::not_found) return fail("there is no such file", "check its name and folder");
-  if (!fs::is_regular_file(status)) return fail("this is not a file", "name a lesson, a file that ends in .md");
+  if (status.type() == fs::file_type::not_found)
+    return fail(tr("there is no such file"), tr("check its name and folder"));
+  if (!fs::is_regular_file(status)) return fail(tr("this is not a file"), tr("name a lesson, a file that ends in .md"));
   std::ifstream in(file, std::ios::binary);
-  if (!in) return fail(std::string("the file cannot be opened: ") + std::strerror(errno), "check that you may read it");
+  if (!in) return fail(trf("the file cannot be opened: {0}", std::strerror(errno)), tr("check that you may read it"));
   // One byte more than is allowed is enough to know that the file is too large.
   std::string bytes(kLargestLesson + 1, '\0');
   in.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
-  if (in.bad()) return fail("the file cannot be read to its end", "copy it again");
+  if (in.bad()) return fail(tr("the file cannot be read to its end"), tr("copy it again"));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
 }
@@ -126,11 +128,11 @@ LessonFolder lessonsIn(const fs::path& folder) {
   std::sort(out.lessons.begin(), out.lessons.end());
   std::sort(out.others.begin(), out.others.end());
   if (error)
-    out.fault =
-        Problem{folder.string(), 0, 0, "the folder cannot be read: " + error.message(), "check that you may read it"};
+    out.fault = Problem{folder.string(), 0, 0, trf("the folder cannot be read: {0}", error.message()),
+                        tr("check that you may read it")};
   else if (out.lessons.empty())
-    out.fault = Problem{folder.string(), 0, 0, "there is no lesson in this folder",
-                        "name a folder with lessons, files that end in .md"};
+    out.fault = Problem{folder.string(), 0, 0, tr("there is no lesson in this folder"),
+                        tr("name a folder with lessons, files that end in .md")};
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <system_error>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/reader.h"
 
@@ -14,10 +15,12 @@ Expected<std::shared_ptr<const Molecule>> read(const MoleculeKey& key) {
   auto molecule = readMolecule(key);
   if (molecule) return std::make_shared<const Molecule>(*std::move(molecule));
   const Problem& why = molecule.problem();
-  std::string where = fs::path(why.file).filename().string();
-  if (why.line) where += ", line " + std::to_string(why.line);
-  return Problem{
-      {}, 0, 0, "the molecule's file cannot be used: " + (where.empty() ? "" : where + ": ") + why.message, why.remedy};
+  const std::string file_name = fs::path(why.file).filename().string();
+  std::string message =
+      file_name.empty() ? trf("the molecule's file cannot be used: {0}", why.message)
+      : why.line ? trf("the molecule's file cannot be used: {0}, line {1}: {2}", file_name, why.line, why.message)
+                 : trf("the molecule's file cannot be used: {0}: {1}", file_name, why.message);
+  return Problem{{}, 0, 0, std::move(message), why.remedy};
 }
 
 Expected<fs::path> fileOf(const fs::path& lesson_file, const std::string& name) {
@@ -27,18 +30,18 @@ Expected<fs::path> fileOf(const fs::path& lesson_file, const std::string& name) 
     return Problem{{},
                    0,
                    0,
-                   "there is no file '" + name + "' beside the lesson",
-                   "check its name; it is looked for in the lesson's folder"};
+                   trf("there is no file '{0}' beside the lesson", name),
+                   tr("check its name; it is looked for in the lesson's folder")};
   Expected<fs::path> known = findMolecule(name, MoleculeFolders::ofThisComputer());
   if (!known)
     return Problem{
-        {}, 0, 0, "there is no molecule '" + name + "' in the library nor beside the lesson", known.problem().remedy};
+        {}, 0, 0, trf("there is no molecule '{0}' in the library nor beside the lesson", name), known.problem().remedy};
   if (!fs::is_regular_file(*known, error))
     return Problem{{},
                    0,
                    0,
-                   "there is no file '" + name + "' beside the lesson",
-                   "check its name; it is looked for in the lesson's folder"};
+                   trf("there is no file '{0}' beside the lesson", name),
+                   tr("check its name; it is looked for in the lesson's folder")};
   return known;
 }
 

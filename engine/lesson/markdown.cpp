@@ -5,6 +5,8 @@
 #include <charconv>
 #include <functional>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -71,10 +73,10 @@ class Builder {
     if (status == 0) return std::move(stack_.front());
     const Place place = source_.at(offset_);
     if (status == kTooDeep)
-      return Problem{source_.name(), place.line, place.column, "lists and quotes are nested too deeply",
-                     "use fewer levels"};
-    return Problem{source_.name(), place.line, place.column, "this text cannot be parsed as Markdown",
-                   "look for very long or broken lines here"};
+      return Problem{source_.name(), place.line, place.column, tr("lists and quotes are nested too deeply"),
+                     tr("use fewer levels")};
+    return Problem{source_.name(), place.line, place.column, tr("this text cannot be parsed as Markdown"),
+                   tr("look for very long or broken lines here")};
   }
 
  private:

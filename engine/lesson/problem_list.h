@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/core/problem.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 
@@ -25,8 +26,8 @@ inline void orderProblems(std::vector<Problem>& problems) {
   if (!enoughProblems(problems)) return;
   problems.resize(kMostLessonProblems);
   Problem last = problems.back();
-  last.message = "there are more, which are not told";
-  last.remedy = "mend these first";
+  last.message = tr("there are more, which are not told");
+  last.remedy = tr("mend these first");
   problems.push_back(std::move(last));
 }
 

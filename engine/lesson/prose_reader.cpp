@@ -4,6 +4,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
@@ -38,7 +39,7 @@ void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
     takeOffStart(paragraphs[0], bytes);
     if (plainText(paragraphs[0]).empty()) paragraphs.erase(paragraphs.begin());
     if (paragraphs.empty())
-      reading.error(block.place, "this note is empty", "write its text on the next line, after '> '");
+      reading.error(block.place, tr("this note is empty"), tr("write its text on the next line, after '> '"));
   };
   if (!start.starts_with("[!")) {
     blocks.push_back(Quote{std::move(paragraphs)});
@@ -58,8 +59,8 @@ void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       blocks.push_back(Quote{std::move(paragraphs)});
     }
   } else {
-    reading.error(block.place, "'[!" + word + "]' is no kind of note",
-                  "write [!TIP] for a hint or [!NOTE] and 'Teacher:' for the teacher");
+    reading.error(block.place, trf("'[!{0}]' is no kind of note", word),
+                  tr("write [!TIP] for a hint or [!NOTE] and 'Teacher:' for the teacher"));
   }
 }
 
@@ -71,8 +72,8 @@ void readList(Reading& reading, const MarkdownBlock& list, int depth, ListBlock&
     line.number = list.ordered ? number++ : 0;
     line.text = item.text;
     if (item.is_task)
-      reading.error(item.place, "a task list outside a question",
-                    "put '### Question: …' above it, or take out the '[ ]'");
+      reading.error(item.place, tr("a task list outside a question"),
+                    tr("put '### Question: …' above it, or take out the '[ ]'"));
     for (const Image& image : item.images) pictures.push_back(image);
     bool placed = !line.text.empty();
     if (placed) out.items.push_back(line);
@@ -80,7 +81,8 @@ void readList(Reading& reading, const MarkdownBlock& list, int depth, ListBlock&
       if (child.kind == Kind::List) {
         readList(reading, child, depth + 1, out, pictures);
       } else if (child.kind == Kind::Code) {
-        reading.error(child.place, "a fenced block inside a list", "move it out of the list, to the start of the line");
+        reading.error(child.place, tr("a fenced block inside a list"),
+                      tr("move it out of the list, to the start of the line"));
       } else if (!child.text.empty()) {
         ListBlock::Item more = line;
         more.text = child.text;
@@ -122,10 +124,10 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       if (!block.text.empty() && !stripped(plainText(block.text)).empty()) blocks.push_back(Paragraph{block.text});
       for (const Image& image : block.images) {
         if (image.path.empty())
-          reading.error(block.place, "a picture without a file", "write ![what it shows](picture.png)");
+          reading.error(block.place, tr("a picture without a file"), tr("write ![what it shows](picture.png)"));
         if (image.description.empty())
-          reading.warning(block.place, "a picture without a description",
-                          "write what it shows between the square brackets");
+          reading.warning(block.place, tr("a picture without a description"),
+                          tr("write what it shows between the square brackets"));
         blocks.push_back(image);
       }
       break;
@@ -149,9 +151,10 @@ void readProse(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
     case Kind::Html:
       // Comments are for authors; other markup would silently vanish.
       if (const std::string html = plainText(block.text); !html.starts_with("<!--"))
-        reading.warning(block.place, "HTML is not shown", "write it in Markdown");
+        reading.warning(block.place, tr("HTML is not shown"), tr("write it in Markdown"));
       else if (html.find("-->") == std::string::npos)
-        reading.error(block.place, "this comment has no end, so nothing below it is shown", "close it with '-->'");
+        reading.error(block.place, tr("this comment has no end, so nothing below it is shown"),
+                      tr("close it with '-->'"));
       break;
     default:
       break;
@@ -169,7 +172,8 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
     for (const MarkdownBlock& child : item.children)
       if (choice.text.empty()) choice.text = child.text;
     if (!item.is_task) {
-      reading.error(item.place, "this choice does not say whether it is right", "start it with '- [x]' or '- [ ]'");
+      reading.error(item.place, tr("this choice does not say whether it is right"),
+                    tr("start it with '- [x]' or '- [ ]'"));
       continue;
     }
     if (const auto arrow = findArrow(choice.text)) {
@@ -182,14 +186,14 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
         if (choice.link.empty() && run.link.starts_with('#')) choice.link = run.link;
     }
     if (plainText(choice.text).empty())
-      reading.error(item.place, "an empty choice", "write what can be chosen, then → and the feedback");
+      reading.error(item.place, tr("an empty choice"), tr("write what can be chosen, then → and the feedback"));
     else if (choice.feedback.empty())
-      reading.warning(item.place, "this choice has no feedback",
-                      "write → after it and tell the student why it is right or wrong");
+      reading.warning(item.place, tr("this choice has no feedback"),
+                      tr("write → after it and tell the student why it is right or wrong"));
     if (const auto [twin, is_new] = lines.emplace(plainText(choice.text), item.place.line);
         !is_new && !choice.text.empty())
-      reading.error(item.place, "this choice is there twice",
-                    "take one of the two out; the other is on line " + std::to_string(twin->second));
+      reading.error(item.place, tr("this choice is there twice"),
+                    trf("take one of the two out; the other is on line {0}", twin->second));
     out.push_back(std::move(choice));
   }
   return out;
@@ -198,16 +202,17 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
 void checkQuestion(Reading& reading, const Question& question) {
   if (question.answer) {
     if (!question.choices.empty())
-      reading.error(question.place, "this question has both choices and an answer block", "keep one of the two");
+      reading.error(question.place, tr("this question has both choices and an answer block"),
+                    tr("keep one of the two"));
     return;
   }
   if (question.choices.empty())
-    reading.error(question.place, "this question has nothing to answer",
-                  "add a list of choices '- [x] …' or an answer block");
+    reading.error(question.place, tr("this question has nothing to answer"),
+                  tr("add a list of choices '- [x] …' or an answer block"));
   else if (question.choices.size() == 1)
-    reading.error(question.place, "this question has only one choice", "add another line '- [ ] …'");
+    reading.error(question.place, tr("this question has only one choice"), tr("add another line '- [ ] …'"));
   else if (question.rightChoices() == 0)
-    reading.error(question.place, "this question has no right answer", "mark the right choice with '[x]'");
+    reading.error(question.place, tr("this question has no right answer"), tr("mark the right choice with '[x]'"));
 }
 
 void checkLinks(Reading& reading, const Lesson& lesson) {
@@ -219,7 +224,7 @@ void checkLinks(Reading& reading, const Lesson& lesson) {
       if (!run.link.starts_with('#') || reading.enough()) continue;
       const std::string_view id = std::string_view(run.link).substr(1);
       if (!known.contains(id))
-        reading.error(run.link_place, "the link '" + run.link + "' leads to no step", suggest(id, ids, "steps"));
+        reading.error(run.link_place, trf("the link '{0}' leads to no step", run.link), suggest(id, ids, tr("steps")));
     }
   });
 }

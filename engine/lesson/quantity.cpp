@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/source_text.h"
 
 namespace moltact {
@@ -12,8 +13,6 @@ namespace {
 Problem problemAt(std::string_view text, std::size_t offset, std::string message, std::string remedy = {}) {
   return {{}, 0, characterCount(text.substr(0, offset)) + 1, std::move(message), std::move(remedy)};
 }
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 struct Number {
   double value = 0.0;
@@ -27,60 +26,75 @@ Expected<Number> leadingNumber(std::string_view whole, std::size_t from) {
   const auto [end, error] = std::from_chars(first, text.data() + text.size(), out.value);
   out.length = static_cast<std::size_t>(end - text.data());
   if (error == std::errc::result_out_of_range)
-    return problemAt(whole, from, quoted(text.substr(0, out.length)) + " is too large or too small a number");
+    return problemAt(whole, from, trf("'{0}' is too large or too small a number", text.substr(0, out.length)));
   if (error != std::errc{} || !std::isfinite(out.value))
-    return problemAt(whole, from, text.empty() ? "a number is missing" : quoted(text) + " is not a number");
+    return problemAt(whole, from, text.empty() ? tr("a number is missing") : trf("'{0}' is not a number", text));
   if (text.substr(out.length).starts_with(','))
-    return problemAt(whole, from + out.length, "a comma in a number", "write the decimal sign as a point: 0.3");
+    return problemAt(whole, from + out.length, tr("a comma in a number"), tr("write the decimal sign as a point: 0.3"));
   return out;
+}
+
+std::string notAUnit(std::string_view symbol, Dimension dimension) {
+  switch (dimension) {
+    case Dimension::Length:
+      return trf("'{0}' is no unit of length", symbol);
+    case Dimension::Force:
+      return trf("'{0}' is no unit of force", symbol);
+    case Dimension::Time:
+      return trf("'{0}' is no unit of time", symbol);
+    case Dimension::Stiffness:
+      return trf("'{0}' is no unit of stiffness", symbol);
+    default:
+      break;
+  }
+  return trf("'{0}' is no unit", symbol);
 }
 
 /// `from` to the end must be a unit, or nothing where the dimension was given elsewhere.
 Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::size_t unit_at, Dimension dimension) {
   const std::string_view number = whole.substr(number_at, unit_at - number_at);
   const std::string_view symbol = stripped(whole.substr(unit_at));
-  const std::string wanted(unitsFor(dimension));
-  if (symbol.empty()) return problemAt(whole, number_at, quoted(stripped(number)) + " needs a unit: " + wanted);
+  const char* wanted = tr(unitsFor(dimension));
+  if (symbol.empty()) return problemAt(whole, number_at, trf("'{0}' needs a unit: {1}", stripped(number), wanted));
   for (const Unit& u : units()) {
     if (!(u.use & kWritten) || u.symbol != symbol) continue;
     if (u.dimension == dimension) return u.in_code_units;
     return problemAt(whole, number_at,
-                     quoted(stripped(whole.substr(number_at))) + " is " + std::string(dimensionName(u.dimension)) +
-                         ", but " + std::string(dimensionName(dimension)) + " is needed: " + wanted);
+                     trf("'{0}' is {1}, but {2} is needed: {3}", stripped(whole.substr(number_at)),
+                         tr(dimensionName(u.dimension)), tr(dimensionName(dimension)), wanted));
   }
   const std::size_t at = static_cast<std::size_t>(symbol.data() - whole.data());
-  return problemAt(whole, at, quoted(symbol) + " is no unit of " + std::string(dimensionName(dimension)).substr(2),
-                   "write " + wanted);
+  return problemAt(whole, at, notAUnit(symbol, dimension), trf("write {0}", wanted));
 }
 
 }  // namespace
 
-std::string_view dimensionName(Dimension dimension) {
+const char* dimensionName(Dimension dimension) {
   switch (dimension) {
     case Dimension::Length:
-      return "a length";
+      return N_("a length");
     case Dimension::Force:
-      return "a force";
+      return N_("a force");
     case Dimension::Time:
-      return "a time";
+      return N_("a time");
     case Dimension::Stiffness:
-      return "a stiffness";
+      return N_("a stiffness");
     default:
       break;
   }
-  return "a number";
+  return N_("a number");
 }
 
-std::string_view unitsFor(Dimension dimension) {
+const char* unitsFor(Dimension dimension) {
   switch (dimension) {
     case Dimension::Length:
-      return "Å or nm";
+      return N_("Å or nm");
     case Dimension::Force:
-      return "N or mN";
+      return N_("N or mN");
     case Dimension::Time:
-      return "s or min";
+      return N_("s or min");
     case Dimension::Stiffness:
-      return "N/m or N/mm";
+      return N_("N/m or N/mm");
     default:
       break;
   }
@@ -110,14 +124,14 @@ Expected<double> parseQuantity(std::string_view text, Dimension dimension) {
   const auto factor = factorOf(text, from, from + number->length, dimension);
   if (!factor) return factor.problem();
   const double value = number->value * *factor;
-  if (!std::isfinite(value)) return problemAt(text, from, quoted(stripped(text)) + " is too large");
+  if (!std::isfinite(value)) return problemAt(text, from, trf("'{0}' is too large", stripped(text)));
   return value;
 }
 
 Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension) {
   const std::size_t to = text.find(" to ");
   if (to == std::string_view::npos)
-    return problemAt(text, 0, quoted(stripped(text)) + " is not a range", "write it as '0.2 N to 0.6 N'");
+    return problemAt(text, 0, trf("'{0}' is not a range", stripped(text)), tr("write it as '0.2 N to 0.6 N'"));
   const auto high_problem_shift = characterCount(text.substr(0, to + 4));
   auto high = parseQuantity(text.substr(to + 4), dimension);
   if (!high) {
@@ -140,7 +154,8 @@ Expected<QuantityRange> parseRange(std::string_view text, Dimension dimension) {
     if (!parsed) return parsed.problem();
     low = *parsed;
   }
-  if (low > *high) return problemAt(text, from, "the range ends below its start", "write the smaller value first");
+  if (low > *high)
+    return problemAt(text, from, tr("the range ends below its start"), tr("write the smaller value first"));
   return QuantityRange{low, *high};
 }
 
@@ -151,7 +166,7 @@ Expected<double> parseNumber(std::string_view text) {
   const std::size_t after = from + number->length;
   const std::string_view rest = stripped(text.substr(after));
   if (!rest.empty())
-    return problemAt(text, static_cast<std::size_t>(rest.data() - text.data()), quoted(rest) + " after the number");
+    return problemAt(text, static_cast<std::size_t>(rest.data() - text.data()), trf("'{0}' after the number", rest));
   return number->value;
 }
 

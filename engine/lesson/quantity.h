@@ -10,11 +10,11 @@
 
 namespace moltact {
 
-/// "a length", "a force", …
-std::string_view dimensionName(Dimension dimension);
+/// "a length", "a force", … in English; `tr` where a person reads it in a message.
+const char* dimensionName(Dimension dimension);
 
-/// The units an author may use, as they are shown: "Å or nm".
-std::string_view unitsFor(Dimension dimension);
+/// The units an author may use, as they are shown: "Å or nm". In English, as above.
+const char* unitsFor(Dimension dimension);
 
 /// The unit in which the code counts: "Å", "N", "s", "N/mm".
 std::string_view codeUnit(Dimension dimension);

@@ -4,6 +4,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
@@ -30,11 +31,11 @@ class Walk {
     }
     endQuestion();
     if (lesson_.steps.empty()) {
-      reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, "the lesson has no steps",
-                     "start each step with a heading '## …'");
+      reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, tr("the lesson has no steps"),
+                     tr("start each step with a heading '## …'"));
     } else if (!scene_stated_) {
-      reading_.error(lesson_.steps[0].place, "the first step has no scene",
-                     "add a fenced block 'scene' with 'molecule: …'");
+      reading_.error(lesson_.steps[0].place, tr("the first step has no scene"),
+                     tr("add a fenced block 'scene' with 'molecule: …'"));
     }
     return !too_many_;
   }
@@ -79,11 +80,12 @@ class Walk {
   void heading(const MarkdownBlock& block) {
     const std::string title(stripped(plainText(block.text)));
     if (title.starts_with(kQuestion) && block.level != 3)
-      reading_.error(block.place, "a question on the wrong level of heading", "write it as '### Question: …'");
+      reading_.error(block.place, tr("a question on the wrong level of heading"), tr("write it as '### Question: …'"));
     if (block.level == 1) {
       // Many editors want a first heading; the title in the front matter is the one that is shown.
       if (step())
-        reading_.error(block.place, "a heading of the first level inside the lesson", "start each step with '## …'");
+        reading_.error(block.place, tr("a heading of the first level inside the lesson"),
+                       tr("start each step with '## …'"));
       return;
     }
     endQuestion();
@@ -95,8 +97,8 @@ class Walk {
   void startStep(const MarkdownBlock& block, const std::string& title) {
     if (lesson_.steps.size() == kMostLessonSteps) {
       too_many_ = true;
-      reading_.error(block.place, "a lesson of more than " + std::to_string(kMostLessonSteps) + " steps",
-                     "split it into several lessons");
+      reading_.error(block.place, trf("a lesson of more than {0} steps", kMostLessonSteps),
+                     tr("split it into several lessons"));
       return;
     }
     Step next;
@@ -106,11 +108,12 @@ class Walk {
     next.title = next.aside ? stripped(std::string_view(title).substr(kAside.size())) : title;
     next.place = block.place;
     if (next.aside && !step())
-      reading_.error(block.place, "the first step is an aside", "start with a step that every student sees: '## …'");
-    if (next.title.empty()) reading_.error(block.place, "a step without a name", "write its name after '## '");
+      reading_.error(block.place, tr("the first step is an aside"),
+                     tr("start with a step that every student sees: '## …'"));
+    if (next.title.empty()) reading_.error(block.place, tr("a step without a name"), tr("write its name after '## '"));
     if (const auto [twin, is_new] = step_lines_.emplace(next.id, block.place.line); !is_new && !next.id.empty())
-      reading_.error(block.place, "two steps are called '" + title + "'",
-                     "rename one; the other is on line " + std::to_string(twin->second));
+      reading_.error(block.place, trf("two steps are called '{0}'", title),
+                     trf("rename one; the other is on line {0}", twin->second));
     question_lines_.clear();
     // What an aside puts on the stage is gone where the student has passed it over.
     if (step()) next.scene = next.aside || !lastMainStep() ? step()->scene : lastMainStep()->scene;
@@ -120,7 +123,7 @@ class Walk {
 
   void startQuestion(const MarkdownBlock& block, const std::string& title) {
     if (!step()) {
-      reading_.error(block.place, "a question before the first step", "put it below a heading '## …'");
+      reading_.error(block.place, tr("a question before the first step"), tr("put it below a heading '## …'"));
       return;
     }
     Question question;
@@ -136,11 +139,11 @@ class Walk {
     if (!question.title.empty() && question.title.front().text.starts_with(' '))
       question.title.front().text.erase(0, 1);
     const std::string_view asked = stripped(std::string_view(title).substr(kQuestion.size()));
-    if (asked.empty()) reading_.error(block.place, "a question without words", "write it after 'Question:'");
+    if (asked.empty()) reading_.error(block.place, tr("a question without words"), tr("write it after 'Question:'"));
     question.id = slug(asked);
     if (const auto [twin, is_new] = question_lines_.emplace(question.id, block.place.line); !is_new && !asked.empty())
-      reading_.error(block.place, "this question is asked twice in one step",
-                     "rename one; the other is on line " + std::to_string(twin->second));
+      reading_.error(block.place, tr("this question is asked twice in one step"),
+                     trf("rename one; the other is on line {0}", twin->second));
     step()->questions.push_back(std::move(question));
     step()->blocks.push_back(QuestionHere{step()->questions.size() - 1});
     in_question_ = true;
@@ -153,14 +156,15 @@ class Walk {
 
   bool outsideStep(const MarkdownBlock& block) {
     if (!step())
-      reading_.error(block.place, "a " + block.info + " block before the first step", "put it below a heading '## …'");
+      reading_.error(block.place, trf("a {0} block before the first step", block.info),
+                     tr("put it below a heading '## …'"));
     return !step();
   }
 
   void scene(const MarkdownBlock& block) {
     if (outsideStep(block)) return;
     if (step()->states_scene) {
-      reading_.error(block.place, "a second scene in one step", "start a new step, or put both into one block");
+      reading_.error(block.place, tr("a second scene in one step"), tr("start a new step, or put both into one block"));
       return;
     }
     const SceneSpec before = step()->scene;
@@ -172,7 +176,7 @@ class Walk {
     if (outsideStep(block)) return;
     if (!scene_stated_) {
       // A later step's scene does not help the student who is here now.
-      reading_.error(block.place, "a touch task without anything on the stage", "put a scene block above it");
+      reading_.error(block.place, tr("a touch task without anything on the stage"), tr("put a scene block above it"));
       scene_stated_ = true;
     }
     TaskSpec task = reading::readTouch(reading_, block);
@@ -183,11 +187,11 @@ class Walk {
 
   void answer(const MarkdownBlock& block) {
     if (!in_question_) {
-      reading_.error(block.place, "an answer block without a question", "put '### Question: …' above it");
+      reading_.error(block.place, tr("an answer block without a question"), tr("put '### Question: …' above it"));
       return;
     }
     if (step()->questions.back().answer) {
-      reading_.error(block.place, "a second answer block in one question", "take one of the two out");
+      reading_.error(block.place, tr("a second answer block in one question"), tr("take one of the two out"));
       return;
     }
     step()->questions.back().answer = reading::readAnswer(reading_, block);
@@ -195,8 +199,8 @@ class Walk {
 
   void unknownFence(const MarkdownBlock& block) {
     constexpr std::string_view kFences[] = {"scene", "touch", "answer"};
-    reading_.warning(block.place, "'" + block.info + "' is no block of a lesson and is shown as it stands",
-                     suggest(block.info, kFences, "blocks"));
+    reading_.warning(block.place, trf("'{0}' is no block of a lesson and is shown as it stands", block.info),
+                     suggest(block.info, kFences, tr("blocks")));
   }
 
   Reading& reading_;
@@ -209,17 +213,17 @@ class Walk {
 /// Problems with the bytes themselves, after which nothing else can be read.
 std::optional<Problem> badBytes(const SourceText& source) {
   if (source.bytes().size() > kLargestLesson)
-    return Problem{source.name(), 0, 0, "a lesson of more than 1 MiB", "split it into several lessons"};
+    return Problem{source.name(), 0, 0, tr("a lesson of more than 1 MiB"), tr("split it into several lessons")};
   if (stripped(source.bytes()).empty())
-    return Problem{source.name(), 1, 1, "the file is empty", "start from the text of another lesson"};
+    return Problem{source.name(), 1, 1, tr("the file is empty"), tr("start from the text of another lesson")};
   for (std::size_t n = 1; n <= source.lineCount(); ++n)
     if (source.line(n).size() > kLongestLessonLine)
-      return Problem{source.name(), n, 1, "a line of more than " + std::to_string(kLongestLessonLine) + " bytes",
-                     "break it into several lines"};
+      return Problem{source.name(), n, 1, trf("a line of more than {0} bytes", kLongestLessonLine),
+                     tr("break it into several lines")};
   if (const std::size_t bad = firstBadByte(source.bytes()); bad != std::string_view::npos) {
     const Place place = source.at(bad);
-    return Problem{source.name(), place.line, place.column, "this is not UTF-8 text",
-                   "save the file in the encoding UTF-8"};
+    return Problem{source.name(), place.line, place.column, tr("this is not UTF-8 text"),
+                   tr("save the file in the encoding UTF-8")};
   }
   return {};
 }
@@ -270,8 +274,8 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
     std::erase_if(reading.errors, follows);
     std::erase_if(reading.warnings, follows);
     for (const Place place : open_fences)
-      reading.error(place, "this fenced block has no end, so what follows it is not read",
-                    "close it with a line of its own: ```");
+      reading.error(place, tr("this fenced block has no end, so what follows it is not read"),
+                    tr("close it with a line of its own: ```"));
   }
   orderProblems(reading.errors);
   orderProblems(reading.warnings);

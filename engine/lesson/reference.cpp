@@ -32,7 +32,7 @@ std::string codeList(const std::vector<std::string_view>& words) {
   std::vector<std::string> quoted;
   for (const std::string_view w : words) quoted.push_back(code(w));
   const std::vector<std::string_view> views(quoted.begin(), quoted.end());
-  return joinedWithOr(views);
+  return joined(views, " or ");
 }
 
 /// The same for a key that takes several of them.

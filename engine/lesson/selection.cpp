@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/haptics/ball_scene.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/selection_node.h"
 #include "engine/molecule/elements.h"
 #include "engine/molecule/molecule.h"
@@ -129,49 +130,50 @@ std::vector<std::uint32_t> Selection::select(const Molecule& molecule) const {
 }
 
 std::string Selection::noun() const {
-  if (!root_) return "the surface";
+  if (!root_) return tr("the surface");
   const Node& n = *root_;
   const bool one_name = n.names.size() == 1, one_number = n.numbers.size() == 1;
   switch (n.kind) {
     case SelectionKind::All:
-      return "the surface";
+      return tr("the surface");
     case SelectionKind::Protein:
-      return "the protein";
+      return tr("the protein");
     case SelectionKind::Nucleic:
-      return "the nucleic acid";
+      return tr("the nucleic acid");
     case SelectionKind::Water:
-      return "a water molecule";
+      return tr("a water molecule");
     case SelectionKind::Ion:
-      return "an ion";
+      return tr("an ion");
     case SelectionKind::Ligand:
-      return one_name ? "the ligand " + n.names[0] : "the ligand";
+      return one_name ? trf("the ligand {0}", n.names[0]) : tr("the ligand");
     case SelectionKind::Chain:
-      if (one_name) return "chain " + n.names[0];
+      if (one_name) return trf("chain {0}", n.names[0]);
       break;
     case SelectionKind::Resname:
-      if (one_name) return "a residue " + n.names[0];
+      if (one_name) return trf("a residue {0}", n.names[0]);
       break;
     case SelectionKind::Name:
-      if (one_name) return "an atom " + n.names[0];
+      if (one_name) return trf("an atom {0}", n.names[0]);
       break;
     case SelectionKind::Residue:
       if (one_number)
-        return (n.numbers[0].first == n.numbers[0].last ? "residue " : "residues ") + rangeText(n.numbers[0]);
+        return n.numbers[0].first == n.numbers[0].last ? trf("residue {0}", rangeText(n.numbers[0]))
+                                                       : trf("residues {0}", rangeText(n.numbers[0]));
       break;
     case SelectionKind::AtomIndex:
-      if (one_number && n.numbers[0].first == n.numbers[0].last) return "atom " + rangeText(n.numbers[0]);
+      if (one_number && n.numbers[0].first == n.numbers[0].last) return trf("atom {0}", rangeText(n.numbers[0]));
       break;
     case SelectionKind::Element:
       if (n.elements.size() == 1) {
-        const std::string name(element(n.elements[0]).name);
+        const std::string_view name = element(n.elements[0]).name;
         const bool vowel = std::string_view("aeiou").find(name.front()) != std::string_view::npos;
-        return (vowel ? "an " : "a ") + name + " atom";
+        return vowel ? trf("an {0} atom", tr(name)) : trf("a {0} atom", tr(name));
       }
       break;
     default:
       break;
   }
-  return "the place you look for";
+  return tr("the place you look for");
 }
 
 }  // namespace moltact

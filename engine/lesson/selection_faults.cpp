@@ -4,6 +4,7 @@
 #include <set>
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/selection_node.h"
 #include "engine/lesson/suggestion.h"
@@ -44,7 +45,7 @@ Node only(const Node& node, std::size_t k) {
 
 std::string listed(const std::set<std::string>& names) {
   constexpr std::size_t kMost = 12;
-  if (names.empty()) return "none";
+  if (names.empty()) return trc("an empty list", "none");
   std::string out;
   std::size_t n = 0;
   for (const std::string& name : names) {
@@ -54,70 +55,75 @@ std::string listed(const std::set<std::string>& names) {
   return out;
 }
 
+std::string nameOther() { return tr("name atoms that it has"); }
+
 /// What could stand in the place of a name that the molecule does not have.
 std::string remedyFor(const std::string& name, const std::set<std::string>& there) {
   for (const std::string& known : there)
-    if (lower(known) == lower(name)) return "did you mean '" + known + "'? Names are written as in the file";
+    if (lower(known) == lower(name)) return trf("did you mean '{0}'? Names are written as in the file", known);
   const std::vector<std::string_view> known(there.begin(), there.end());
   // Of names of one or two letters, any is near to any other.
-  const std::string near = name.size() > 2 ? suggest(name, known, "") : std::string();
-  return near.starts_with("did you mean") ? near : "name atoms that it has";
+  const std::string_view near = name.size() > 2 ? nearest(name, known) : std::string_view();
+  return near.empty() ? nameOther() : didYouMean(near);
+}
+
+/// The molecule as it stands after "in" or "of".
+std::string placeOf(const Molecule& molecule) {
+  return molecule.id.empty() ? trc("after in or of", "the molecule") : molecule.id;
 }
 
 /// What is told of a leaf that selects nothing: its first name and what there is instead.
 Problem faultOf(const Node& leaf, const Molecule& molecule) {
-  const std::string place = molecule.id.empty() ? "the molecule" : molecule.id, not_in = " is not in " + place;
+  const std::string place = placeOf(molecule);
   const std::string name = leaf.names.empty() ? std::string() : leaf.names.front();
   std::set<std::string> there;
-  const auto named = [&](const char* what, const char* list) {
-    return Problem{{},
-                   0,
-                   leaf.columns.empty() ? leaf.column : leaf.columns[0],
-                   std::string(what) + " '" + name + "'" + not_in + " (" + list + ": " + listed(there) + ")",
-                   remedyFor(name, there)};
+  const auto at = [&](std::string message, std::string remedy) {
+    return Problem{{}, 0, leaf.columns.empty() ? leaf.column : leaf.columns[0], std::move(message), std::move(remedy)};
   };
-  const auto plain = [&](const std::string& text) {
-    return Problem{{}, 0, leaf.columns.empty() ? leaf.column : leaf.columns[0], text, "name atoms that it has"};
+  const auto named = [&](const char* sentence) {
+    return at(trf(sentence, name, place, listed(there)), remedyFor(name, there));
   };
+  const auto plain = [&](std::string message) { return at(std::move(message), nameOther()); };
   switch (leaf.kind) {
     case SelectionKind::Chain:
       for (const Chain& c : molecule.chains) there.insert(c.name.string());
-      return named("chain", "chains");
+      return named(N_("chain '{0}' is not in {1} (chains: {2})"));
     case SelectionKind::Ligand:
       for (const Residue& r : molecule.residues)
         if (r.kind == ResidueKind::Ligand) there.insert(r.name.string());
-      return name.empty() ? plain("a ligand" + not_in) : named("ligand", "ligands");
+      return name.empty() ? plain(trf("a ligand is not in {0}", place))
+                          : named(N_("ligand '{0}' is not in {1} (ligands: {2})"));
     case SelectionKind::Resname:
       for (const Residue& r : molecule.residues) there.insert(r.name.string());
-      return named("residue name", "names");
+      return named(N_("residue name '{0}' is not in {1} (names: {2})"));
     case SelectionKind::Name:
       for (const Atom& a : molecule.atoms) there.emplace(a.name.data(), std::find(a.name.begin(), a.name.end(), '\0'));
-      return named("atom name", "names");
+      return named(N_("atom name '{0}' is not in {1} (names: {2})"));
     case SelectionKind::Element:
       for (const Atom& a : molecule.atoms) there.emplace(element(a.atomic_number).symbol);
-      return plain("element '" + std::string(element(leaf.elements[0]).symbol) + "'" + not_in +
-                   " (elements: " + listed(there) + ")");
+      return plain(
+          trf("element '{0}' is not in {1} (elements: {2})", element(leaf.elements[0]).symbol, place, listed(there)));
     case SelectionKind::AtomIndex:
-      return plain("atom " + rangeText(leaf.numbers[0]) + not_in + " (" + std::to_string(molecule.atoms.size()) +
-                   " atoms, counted from 0)");
+      return plain(trf("atom {0} is not in {1} ({2} atoms, counted from 0)", rangeText(leaf.numbers[0]), place,
+                       molecule.atoms.size()));
     case SelectionKind::Residue: {
-      const std::string text = "residue " + rangeText(leaf.numbers[0]) + not_in;
-      if (molecule.residues.empty()) return plain(text + " (it has no residues)");
+      const std::string number = rangeText(leaf.numbers[0]);
+      if (molecule.residues.empty()) return plain(trf("residue {0} is not in {1} (it has no residues)", number, place));
       const auto [low, high] =
           std::minmax_element(molecule.residues.begin(), molecule.residues.end(),
                               [](const Residue& a, const Residue& b) { return a.number < b.number; });
-      return plain(text + " (residues: " + std::to_string(low->number) + " to " + std::to_string(high->number) + ")");
+      return plain(trf("residue {0} is not in {1} (residues: {2} to {3})", number, place, low->number, high->number));
     }
     case SelectionKind::Protein:
-      return plain("protein" + not_in);
+      return plain(trf("protein is not in {0}", place));
     case SelectionKind::Nucleic:
-      return plain("nucleic acid" + not_in);
+      return plain(trf("nucleic acid is not in {0}", place));
     case SelectionKind::Water:
-      return plain("water" + not_in);
+      return plain(trf("water is not in {0}", place));
     case SelectionKind::Ion:
-      return plain("an ion" + not_in);
+      return plain(trf("an ion is not in {0}", place));
     default:
-      return plain("no atom of " + place + " is selected");
+      return plain(trf("no atom of {0} is selected", place));
   }
 }
 
@@ -125,8 +131,7 @@ Problem faultOf(const Node& leaf, const Molecule& molecule) {
 
 Problem Selection::whyEmpty(const Molecule& molecule) const {
   if (const Node* empty = root_ ? firstEmpty(*root_, molecule) : nullptr) return faultOf(*empty, molecule);
-  const std::string place = molecule.id.empty() ? "the molecule" : molecule.id;
-  return {{}, 0, 1, "no atom of " + place + " is '" + text_ + "'", "name atoms that it has"};
+  return {{}, 0, 1, trf("no atom of {0} is '{1}'", placeOf(molecule), text_), nameOther()};
 }
 
 std::vector<Problem> Selection::idleNames(const Molecule& molecule) const {

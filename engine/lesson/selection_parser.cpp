@@ -1,6 +1,7 @@
 #include <charconv>
 #include <optional>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/selection_node.h"
@@ -55,13 +56,13 @@ class Parser {
   explicit Parser(std::string_view text) : text_(text) { advance(); }
 
   Expected<Selection> parse() {
-    if (next_.end()) return problem(next_, "a selection is missing", "for example: resname HEM");
+    if (next_.end()) return problem(next_, tr("a selection is missing"), tr("for example: resname HEM"));
     NodePtr root = readOr(0);
     if (root && !next_.end()) {
       if (next_.is(")"))
-        fail(next_, "a closing bracket without its opening one", "take it out");
+        fail(next_, tr("a closing bracket without its opening one"), tr("take it out"));
       else
-        fail(next_, "'" + std::string(next_.text) + "' does not belong here", "join two selections with 'and' or 'or'");
+        fail(next_, trf("'{0}' does not belong here", next_.text), tr("join two selections with 'and' or 'or'"));
     }
     if (problem_) return *problem_;
     return Selection(std::string(stripped(text_)), std::move(root));
@@ -89,7 +90,7 @@ class Parser {
     if (text_[at_] == '"') {
       const std::size_t close = std::min(text_.find('"', at_ + 1), text_.size());
       next_ = {text_.substr(at_ + 1, close - at_ - 1), at_, true};
-      if (close == text_.size()) fail(next_, "a quotation mark without its partner", "close the name with \"");
+      if (close == text_.size()) fail(next_, tr("a quotation mark without its partner"), tr("close the name with \""));
       at_ = std::min(close + 1, text_.size());
       return;
     }
@@ -111,7 +112,7 @@ class Parser {
     NodePtr left = readAnd(depth);
     while (left && next_.is("or")) {
       if (++joined_ > kMostJoined)
-        return fail(next_, "the selection is too long", "use ranges or several names: residue 10-20 25");
+        return fail(next_, tr("the selection is too long"), tr("use ranges or several names: residue 10-20 25"));
       advance();
       NodePtr right = readAnd(depth);
       if (!right) return nullptr;
@@ -123,7 +124,8 @@ class Parser {
   NodePtr readAnd(int depth) {
     NodePtr left = readNot(depth);
     while (left && next_.is("and")) {
-      if (++joined_ > kMostJoined) return fail(next_, "the selection is too long", "join fewer parts with 'and'");
+      if (++joined_ > kMostJoined)
+        return fail(next_, tr("the selection is too long"), tr("join fewer parts with 'and'"));
       advance();
       NodePtr right = readNot(depth);
       if (!right) return nullptr;
@@ -133,7 +135,8 @@ class Parser {
   }
 
   NodePtr readNot(int depth) {
-    if (depth >= kDeepestSelection) return fail(next_, "the selection is nested too deeply", "use fewer brackets");
+    if (depth >= kDeepestSelection)
+      return fail(next_, tr("the selection is nested too deeply"), tr("use fewer brackets"));
     if (next_.is("not")) {
       advance();
       NodePtr inner = readNot(depth + 1);
@@ -145,7 +148,7 @@ class Parser {
       advance();
       NodePtr inner = readOr(depth + 1);
       if (!inner) return nullptr;
-      if (!next_.is(")")) return fail(open, "an opening bracket without its closing one", "add ')'");
+      if (!next_.is(")")) return fail(open, tr("an opening bracket without its closing one"), tr("add ')'"));
       advance();
       return inner;
     }
@@ -156,7 +159,8 @@ class Parser {
     advance();
     const std::size_t start = next_.at;
     while (!next_.end() && !next_.is("of") && !next_.is("(") && !next_.is(")")) advance();
-    if (!next_.is("of")) return fail(next_, "'within' needs a distance and 'of'", "write: within 5 Å of (resname HEM)");
+    if (!next_.is("of"))
+      return fail(next_, tr("'within' needs a distance and 'of'"), tr("write: within 5 Å of (resname HEM)"));
     const std::string_view written = text_.substr(start, next_.at - start);
     const auto distance = parseQuantity(written, Dimension::Length);
     if (!distance) {
@@ -166,7 +170,7 @@ class Parser {
       return nullptr;
     }
     if (*distance < 0.0)
-      return fail({written, start, false}, "a distance below zero", "write: within 5 Å of (resname HEM)");
+      return fail({written, start, false}, tr("a distance below zero"), tr("write: within 5 Å of (resname HEM)"));
     advance();
     NodePtr inner = readNot(depth + 1);
     if (!inner) return nullptr;
@@ -182,15 +186,14 @@ class Parser {
     const SelectionWord* word = findWord(token);
     if (!word) {
       if (token.end() || isJoiner(token))
-        return fail(token,
-                    token.end() ? "the selection ends too early"
-                                : "a selection is missing before '" + std::string(token.text) + "'",
-                    "for example: resname HEM");
+        return fail(
+            token,
+            token.end() ? tr("the selection ends too early") : trf("a selection is missing before '{0}'", token.text),
+            tr("for example: resname HEM"));
       std::vector<std::string_view> known;
       for (const SelectionWord& w : selectionWords()) known.push_back(w.word);
       known.insert(known.end(), std::begin(kJoiners), std::end(kJoiners) - 1);
-      return fail(token, "'" + std::string(token.text) + "' is no word of a selection",
-                  suggest(token.text, known, "words"));
+      return fail(token, trf("'{0}' is no word of a selection", token.text), suggest(token.text, known, tr("words")));
     }
     advance();
     Node node;
@@ -205,10 +208,10 @@ class Parser {
     }
     if (count == 0 && word->takes != Takes::OptionalNames) {
       constexpr std::string_view kExamples[] = {"", "name CA", "", "residue 52", "atom 0", "element O"};
-      return fail(
-          next_, "'" + std::string(word->word) + "' needs something after it",
-          "for example: " + (word->takes == Takes::Names ? std::string(word->word) + " A"
-                                                         : std::string(kExamples[static_cast<int>(word->takes)])));
+      return fail(next_, trf("'{0}' needs something after it", word->word),
+                  trf("for example: {0}",
+                      (word->takes == Takes::Names ? std::string(word->word) + " A"
+                                                   : std::string(kExamples[static_cast<int>(word->takes)]))));
     }
     return std::make_shared<const Node>(std::move(node));
   }
@@ -222,7 +225,7 @@ class Parser {
       case Takes::Elements: {
         const std::uint8_t number = atomicNumber(next_.text);
         if (number == 0)
-          fail(next_, "'" + std::string(next_.text) + "' is no chemical element", "write its symbol: C, N, O, Fe");
+          fail(next_, trf("'{0}' is no chemical element", next_.text), tr("write its symbol: C, N, O, Fe"));
         node.elements.push_back(number);
         return number != 0;
       }
@@ -253,8 +256,9 @@ class Parser {
     }
     if (good && word.takes == Takes::Indices && range.first < 0) good = false;
     if (!good)
-      fail(next_, "'" + std::string(next_.text) + "' is no " + std::string(word.word) + " number",
-           word.takes == Takes::Residues ? "write 52, 10-20 or 52A" : "atoms are counted from 0: write 3 or 0-5");
+      fail(next_, trf("'{0}' is no {1} number", next_.text, word.word),
+           word.takes == Takes::Residues ? tr("write 52, 10-20 or 52A")
+                                         : tr("atoms are counted from 0: write 3 or 0-5"));
     node.numbers.push_back(range);
     return good;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -151,7 +152,7 @@ TaskStatus LessonSession::task(std::size_t index) const {
   out.say = step().tasks[index].values["say"].text;
   if (out.done) {
     out.progress = 1.0;
-    out.sentence = step().tasks[index].values["praise"].text;
+    out.sentence = AuthorsText(step().tasks[index].values["praise"]).text();
     if (state().finished[index]) out.sentence = state().finished[index]->sentence();
   } else if (out.current && tasks_[index]) {
     out.progress = tasks_[index]->progress();
@@ -207,13 +208,13 @@ std::vector<RichText> LessonSession::feedback(std::size_t question) const {
   if (status.attempts == 0) return out;
   if (asked.answer) {
     if (asked.answer->kind != AnswerSpec::Kind::Free || status.last_right)
-      out.push_back({TextRun{.text = status.last_right ? asked.answer->right : asked.answer->wrong}});
+      out.push_back({TextRun{.text = status.last_right ? asked.answer->right.text() : asked.answer->wrong.text()}});
     return out;
   }
   for (const std::size_t i : status.chosen)
     if (!asked.choices[i].feedback.empty()) out.push_back(asked.choices[i].feedback);
   if (!status.last_right && asked.rightChoices() > 1)
-    out.push_back({TextRun{.text = "Look again: more than one is right."}});
+    out.push_back({TextRun{.text = tr("Look again: more than one is right.")}});
   return out;
 }
 

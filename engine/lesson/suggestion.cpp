@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 namespace {
@@ -39,9 +41,8 @@ std::size_t distanceUpTo(std::string_view a, std::string_view b, std::size_t mos
 
 std::size_t editDistance(std::string_view a, std::string_view b) { return distanceUpTo(a, b, kLongest); }
 
-std::string suggest(std::string_view word, std::span<const std::string_view> known, std::string_view list_name) {
-  if (known.empty()) return {};
-  std::string_view nearest;
+std::string_view nearest(std::string_view word, std::span<const std::string_view> known) {
+  std::string_view found;
   std::size_t least = 1000;
   for (std::string_view k : known) {
     if (least == 0) break;
@@ -52,10 +53,17 @@ std::string suggest(std::string_view word, std::span<const std::string_view> kno
     const std::size_t distance = distanceUpTo(word, k, most);
     if (distance <= most) {
       least = distance;
-      nearest = k;
+      found = k;
     }
   }
-  if (!nearest.empty()) return "did you mean '" + std::string(nearest) + "'?";
+  return found;
+}
+
+std::string didYouMean(std::string_view word) { return trf("did you mean '{0}'?", word); }
+
+std::string suggest(std::string_view word, std::span<const std::string_view> known, std::string_view list_name) {
+  if (known.empty()) return {};
+  if (const std::string_view near = nearest(word, known); !near.empty()) return didYouMean(near);
   std::string out = std::string(list_name) + ": ";
   constexpr std::size_t kMostListed = 100;
   for (std::size_t i = 0; i < std::min(known.size(), kMostListed); ++i) out += (i ? ", " : "") + std::string(known[i]);
@@ -63,10 +71,10 @@ std::string suggest(std::string_view word, std::span<const std::string_view> kno
   return out;
 }
 
-std::string joinedWithOr(std::span<const std::string_view> words) {
+std::string joined(std::span<const std::string_view> words, std::string_view last) {
   std::string out;
   for (std::size_t i = 0; i < words.size(); ++i)
-    out += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + std::string(words[i]);
+    out.append(i == 0 ? std::string_view() : i + 1 == words.size() ? last : ", ").append(words[i]);
   return out;
 }
 

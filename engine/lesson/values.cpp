@@ -2,6 +2,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/keys.h"
 #include "engine/lesson/suggestion.h"
 
@@ -12,8 +13,6 @@ Problem at(std::string_view text, std::string_view part, std::string message, st
   const auto offset = static_cast<std::size_t>(part.data() - text.data());
   return {{}, 0, characterCount(text.substr(0, offset)) + 1, std::move(message), std::move(remedy)};
 }
-
-std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"; }
 
 std::string plain(double value, Dimension dimension) {
   std::ostringstream out;
@@ -34,16 +33,16 @@ std::vector<std::string_view> commaParts(std::string_view text) {
 
 Expected<Value> bounded(const KeySpec& key, std::string_view text, Value value, double low, double high) {
   if (low < key.least)
-    return at(text, text, quoted(text) + " is too small", "the smallest is " + plain(key.least, key.dimension));
+    return at(text, text, trf("'{0}' is too small", text), trf("the smallest is {0}", plain(key.least, key.dimension)));
   if (high > key.most)
-    return at(text, text, quoted(text) + " is too large", "the largest is " + plain(key.most, key.dimension));
+    return at(text, text, trf("'{0}' is too large", text), trf("the largest is {0}", plain(key.most, key.dimension)));
   return value;
 }
 
 Expected<Value> countValue(const KeySpec& key, std::string_view text, Value value) {
   const auto number = parseNumber(text);
   if (!number) return number.problem();
-  if (*number != std::floor(*number)) return at(text, text, quoted(text) + " is not a whole number");
+  if (*number != std::floor(*number)) return at(text, text, trf("'{0}' is not a whole number", text));
   value.number = *number;
   return bounded(key, text, std::move(value), *number, *number);
 }
@@ -66,9 +65,9 @@ Expected<Value> numberValue(std::string_view text, Value value) {
 Expected<Value> wordsValue(const KeySpec& key, std::string_view text, Value value, bool list) {
   const std::vector<std::string_view> parts = list ? commaParts(text) : std::vector<std::string_view>{text};
   for (const std::string_view part : parts) {
-    if (part.empty()) return at(text, part, "a word is missing", "take out the comma");
+    if (part.empty()) return at(text, part, tr("a word is missing"), tr("take out the comma"));
     if (std::find(key.words.begin(), key.words.end(), part) == key.words.end())
-      return at(text, part, quoted(key.name) + " cannot be " + quoted(part), suggest(part, key.words, "known"));
+      return at(text, part, trf("'{0}' cannot be '{1}'", key.name, part), suggest(part, key.words, tr("known")));
     value.words.emplace_back(part);
     value.places.push_back({0, at(text, part, {}).column});
   }
@@ -96,7 +95,7 @@ Expected<Value> targetValue(const KeySpec& key, std::string_view text, Value val
   if (!selected && text.find(' ') == std::string_view::npos)
     for (const std::string_view word : key.words)
       if (editDistance(word, text) <= std::max<std::size_t>(1, word.size() / 3))
-        return at(text, text, quoted(key.name) + " cannot be " + quoted(text), "did you mean " + quoted(word) + "?");
+        return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), didYouMean(word));
   return selected;
 }
 
@@ -116,7 +115,7 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
     more = end < rest.size();
     const std::string_view part = stripped(rest.substr(0, end));
     if (part.empty() || part == "then" || part.starts_with("then ") || part.ends_with(" then"))
-      return at(text, part, "a place is missing beside 'then'", "name atoms on both sides of it");
+      return at(text, part, tr("a place is missing beside 'then'"), tr("name atoms on both sides of it"));
     auto read = selectionValue(text, part, {});
     if (!read) return read.problem();
     value.path.push_back(read->selection);
@@ -131,7 +130,7 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
 Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
   Value value;
   value.text = std::string(text);
-  if (text.empty()) return Problem{{}, 0, 1, quoted(key.name) + " has no value", "write it after the colon"};
+  if (text.empty()) return Problem{{}, 0, 1, trf("'{0}' has no value", key.name), tr("write it after the colon")};
   switch (key.type) {
     case ValueType::Text:
       return value;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
@@ -149,8 +150,8 @@ class Assembler {
       for (const std::uint32_t c : in) {
         const std::size_t atoms = chains_[c].atoms;
         if (part.operators.size() > (kMaxMoleculeAtoms - bits) / atoms)
-          return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " has more than 25 million atoms",
-                         "read it without one"};
+          return Problem{file_, 0, 0, trf("the assembly {0} has more than 25 million atoms", inQuotes(assembly_.name)),
+                         tr("read it without one")};
         chains_[c].uses.push_back({p, bits});
         chains_in_[p].push_back({c, bits});
         bits += atoms * part.operators.size();
@@ -178,8 +179,8 @@ class Assembler {
               for (int axis = 0; axis < 3; ++axis)
                 if (!(std::abs(place[axis]) <= kMaxCoordinate_A))
                   return Problem{file_, 0, 0,
-                                 "the assembly " + inQuotes(assembly_.name) + " has atoms farther out than 1e9 A",
-                                 "read it without one"};
+                                 trf("the assembly {0} has atoms farther out than 1e9 A", inQuotes(assembly_.name)),
+                                 tr("read it without one")};
               const bool kept = copies == 1 || places.add(place);
               keep_[bit + o] = kept;
               kept_ += kept;
@@ -192,8 +193,8 @@ class Assembler {
 
   std::optional<Problem> write() {
     if (kept_ == 0)
-      return Problem{file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " names no chain of the file",
-                     "read it without one"};
+      return Problem{file_, 0, 0, trf("the assembly {0} names no chain of the file", inQuotes(assembly_.name)),
+                     tr("read it without one")};
     // The copies are like what they are copied from.
     if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMostBytes) return tooMuchMemory();
     GrowingMolecule out;
@@ -263,7 +264,7 @@ class Assembler {
 std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
                                      const std::string& name, const std::string& file) {
   if (assemblies.empty())
-    return Problem{file, 0, 0, "the file describes no biological assembly", "read it without one"};
+    return Problem{file, 0, 0, tr("the file describes no biological assembly"), tr("read it without one")};
   const auto found =
       std::find_if(assemblies.begin(), assemblies.end(), [&](const ParsedAssembly& a) { return a.name == name; });
   if (found == assemblies.end()) {
@@ -272,7 +273,8 @@ std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vecto
     for (const ParsedAssembly& a : assemblies)
       if (static_cast<std::size_t>(&a - assemblies.data()) < kMostNamed) names += (names.empty() ? "" : ", ") + a.name;
     if (assemblies.size() > kMostNamed) names += ", …";
-    return Problem{file, 0, 0, "there is no biological assembly " + inQuotes(name), "the file describes: " + names};
+    return Problem{file, 0, 0, trf("there is no biological assembly {0}", inQuotes(name)),
+                   trf("the file describes: {0}", names)};
   }
   return Assembler(molecule, *found, file).run();
 }

@@ -4,6 +4,7 @@
 #include <functional>
 #include <unordered_map>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
 #include "engine/molecule/parsed_structure.h"
 #include "engine/molecule/residue_kind.h"
@@ -15,9 +16,7 @@ namespace {
 constexpr std::size_t kMostAtPlace = 100'000;
 constexpr std::size_t kMostUnknownElements = 1000;
 
-std::string counted(std::size_t n, const char* one, const char* many) {
-  return std::to_string(n) + ' ' + (n == 1 ? one : many);
-}
+std::string countedAtoms(std::size_t n) { return trnf("{0} atom", "{0} atoms", n, n); }
 
 /// Leaves out water; returns how many molecules that were. A file of nothing but water keeps it.
 std::size_t dropWaters(GrowingMolecule& grown) {
@@ -86,8 +85,8 @@ std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
 std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
   for (int k = 0; k < 3; ++k)
     if (!(std::abs(from.position_A[k]) <= kMaxCoordinate_A))
-      return Problem{file_, from.line, 0, "the atom " + inQuotes(from.name) + " lies farther out than 1e9 A",
-                     "correct its coordinates"};
+      return Problem{file_, from.line, 0, trf("the atom {0} lies farther out than 1e9 A", inQuotes(from.name)),
+                     tr("correct its coordinates")};
   if (auto problem = out_.full(file_, from.line)) return problem;
   expectMore();
   const bool same_place = !waiting_.empty() && from.number == number_ && from.insertion == insertion_ &&
@@ -193,11 +192,10 @@ void AtomSieve::warnOfElements(std::vector<std::string>& warnings) const {
       rest += count;
       continue;
     }
-    warnings.push_back("No van der Waals radius is known for the element " + inQuotes(symbol) + " (" +
-                       counted(count, "atom", "atoms") + "); 1.70 A was taken.");
+    warnings.push_back(trf("No van der Waals radius is known for the element {0} ({1}); 1.70 A was taken.",
+                           inQuotes(symbol), countedAtoms(count)));
   }
-  if (rest)
-    warnings.push_back("1.70 A was also taken for " + counted(rest, "atom", "atoms") + " of further unknown elements.");
+  if (rest) warnings.push_back(trf("1.70 A was also taken for {0} of further unknown elements.", countedAtoms(rest)));
 }
 
 Expected<Molecule> AtomSieve::finish(ParsedHead head) {
@@ -205,9 +203,10 @@ Expected<Molecule> AtomSieve::finish(ParsedHead head) {
   out_.close();
   Molecule& out = out_.molecule;
   if (out.atoms.empty())
-    return Problem{file_, 0, 0,
-                   "the file holds no atoms" + (head.models > 1 ? " in model " + std::to_string(options_.model) : ""),
-                   "take a coordinate file from the PDB (www.rcsb.org)"};
+    return Problem{
+        file_, 0, 0,
+        head.models > 1 ? trf("the file holds no atoms in model {0}", options_.model) : tr("the file holds no atoms"),
+        tr("take a coordinate file from the PDB (www.rcsb.org)")};
   if (!options_.waters) {
     const std::size_t waters = dropWaters(out_);
     out.waters_left_out = static_cast<std::uint32_t>(waters);
@@ -223,12 +222,13 @@ Expected<Molecule> AtomSieve::finish(ParsedHead head) {
   out.alternates_left_out = static_cast<std::uint32_t>(alternates_left_out_);
   out.waters_left_out = waters;
   if (head.models > 1)
-    out.warnings.push_back("The file has " + std::to_string(head.models) + " models; this is model " +
-                           std::to_string(options_.model) + ".");
+    out.warnings.push_back(trf("The file has {0} models; this is model {1}.", head.models, options_.model));
   if (alternates_left_out_)
-    out.warnings.push_back(counted(alternates_left_out_, "atom", "atoms") +
-                           " at a less occupied alternate location left out.");
-  if (waters) out.warnings.push_back(counted(waters, "water molecule", "water molecules") + " left out.");
+    out.warnings.push_back(trnf("{0} atom at a less occupied alternate location left out.",
+                                "{0} atoms at a less occupied alternate location left out.", alternates_left_out_,
+                                alternates_left_out_));
+  if (waters)
+    out.warnings.push_back(trnf("{0} water molecule left out.", "{0} water molecules left out.", waters, waters));
   out.warnings.insert(out.warnings.end(), head.warnings.begin(), head.warnings.end());
   out.warnings.insert(out.warnings.end(), warnings.begin(), warnings.end());
   return std::move(out);

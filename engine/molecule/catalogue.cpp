@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/pdb_id.h"
 #include "engine/platform/folders.h"
 
@@ -43,12 +44,12 @@ Expected<std::vector<CatalogueEntry>> entriesFrom(const nlohmann::json& json, co
     e.atoms = item.at("atoms").get<std::size_t>();
     // A name with a folder in it could lead out of the library.
     if (e.file.empty() || fs::path(e.file).filename() != e.file)
-      return Problem{file, 0, 0, "the entry '" + e.id + "' has the file '" + e.file + "'",
-                     "give the bare name of a file in the folder"};
+      return Problem{file, 0, 0, trf("the entry '{0}' has the file '{1}'", e.id, e.file),
+                     tr("give the bare name of a file in the folder")};
     if (e.id != lower(e.id) || e.id.empty())
-      return Problem{file, 0, 0, "the id '" + e.id + "' is not in lower case", "write ids in lower case"};
+      return Problem{file, 0, 0, trf("the id '{0}' is not in lower case", e.id), tr("write ids in lower case")};
     if (std::any_of(out.begin(), out.end(), [&](const CatalogueEntry& o) { return o.id == e.id; }))
-      return Problem{file, 0, 0, "the id '" + e.id + "' is there twice", "give every molecule its own id"};
+      return Problem{file, 0, 0, trf("the id '{0}' is there twice", e.id), tr("give every molecule its own id")};
     out.push_back(std::move(e));
   }
   return out;
@@ -78,14 +79,14 @@ Problem unknown(const std::string& name, const std::vector<CatalogueEntry>& entr
       nearest = e.id;
     }
   std::string remedy;
-  if (!nearest.empty()) remedy = "did you mean '" + nearest + "'?";
+  if (!nearest.empty()) remedy = trf("did you mean '{0}'?", nearest);
   if (!pdbId(name).empty())
-    remedy += (remedy.empty() ? "" : " ") + std::string("'moltact fetch " + name + "' downloads an entry of the PDB");
+    remedy += (remedy.empty() ? "" : " ") + trf("'moltact fetch {0}' downloads an entry of the PDB", name);
   if (remedy.empty()) {
-    remedy = "name a file, or one of:";
+    remedy = tr("name a file, or one of:");
     for (const CatalogueEntry& e : entries) remedy += ' ' + e.id;
   }
-  return {name, 0, 0, "there is no such file, and no molecule of this name in the library", remedy};
+  return {name, 0, 0, tr("there is no such file, and no molecule of this name in the library"), remedy};
 }
 
 }  // namespace
@@ -94,13 +95,13 @@ Expected<std::vector<CatalogueEntry>> readCatalogue(const fs::path& folder) {
   const fs::path path = folder / "catalogue.json";
   std::ifstream in(path);
   if (!in)
-    return Problem{path.string(), 0, 0, "the catalogue of molecules cannot be opened",
-                   "install the program again, or set MOLTACT_HOME"};
+    return Problem{path.string(), 0, 0, tr("the catalogue of molecules cannot be opened"),
+                   tr("install the program again, or set MOLTACT_HOME")};
   try {
     return entriesFrom(nlohmann::json::parse(in), path.string());
   } catch (const nlohmann::json::exception& e) {
-    return Problem{path.string(), 0, 0, std::string("the catalogue is not as it should be: ") + e.what(),
-                   "mend the file"};
+    return Problem{path.string(), 0, 0, trf("the catalogue is not as it should be: {0}", e.what()),
+                   tr("mend the file")};
   }
 }
 
@@ -108,7 +109,7 @@ MoleculeFolders MoleculeFolders::ofThisComputer() { return {moleculesFolder(), u
 
 Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& folders) {
   if (name.empty())
-    return Problem{"", 0, 0, "no molecule is named", "name a file or a molecule of the library, such as 1ubq"};
+    return Problem{"", 0, 0, tr("no molecule is named"), tr("name a file or a molecule of the library, such as 1ubq")};
   std::error_code error;
   // A folder of the same name must not hide a molecule of the library.
   const bool is_path =

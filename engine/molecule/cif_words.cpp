@@ -1,6 +1,7 @@
 #include "engine/molecule/cif_words.h"
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -20,8 +21,8 @@ bool beginsWith(std::string_view word, std::string_view start) {
 }  // namespace
 
 Problem CifWords::problemHere(const std::string& what) const {
-  return {text_.file(), line_, column_, "it is not sound mmCIF: " + what,
-          "correct the file, or take it again from its source"};
+  return {text_.file(), line_, column_, trf("it is not sound mmCIF: {0}", what),
+          tr("correct the file, or take it again from its source")};
 }
 
 CifWords::Kind CifWords::fail(const std::string& what) {
@@ -40,12 +41,12 @@ bool CifWords::textField() {
       return true;
     }
     if (field_.size() + whole_.size() > kLongestText) {
-      problem_ = problemHere("a text of more than 32 MiB");
+      problem_ = problemHere(tr("a text of more than 32 MiB"));
       return false;
     }
     field_.append("\n").append(whole_);
   }
-  problem_ = problemHere("a text that begins with ';' has no end");
+  problem_ = problemHere(tr("a text that begins with ';' has no end"));
   return false;
 }
 
@@ -70,7 +71,7 @@ CifWords::Kind CifWords::next() {
     while ((end = rest_.find(first, end)) != std::string_view::npos && end + 1 < rest_.size() &&
            !isBlank(rest_[end + 1]))
       ++end;
-    if (end == std::string_view::npos) return fail("the quoted text has no end");
+    if (end == std::string_view::npos) return fail(tr("the quoted text has no end"));
     word_ = rest_.substr(1, end - 1);
     rest_.remove_prefix(end + 1);
     return Kind::Value;

@@ -1,5 +1,6 @@
 #include "engine/molecule/fetch_entry.h"
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/pdb_id.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/download.h"
@@ -15,17 +16,18 @@ Problem downloadProblem(const DownloadResult& result, const std::string& id, con
                         const fs::path& file) {
   switch (result.failure) {
     case DownloadFailure::NotFound:
-      return {id, 0, 0, "the Protein Data Bank has no such entry (tried " + url + ")", "check the id at www.rcsb.org"};
+      return {id, 0, 0, trf("the Protein Data Bank has no such entry (tried {0})", url),
+              tr("check the id at www.rcsb.org")};
     case DownloadFailure::BrokenOff:
-      return {id, 0, 0, "broken off; nothing was kept of it", ""};
+      return {id, 0, 0, tr("broken off; nothing was kept of it"), ""};
     case DownloadFailure::TooLarge:
-      return {id, 0, 0, "the entry is larger than 1 GiB (" + url + ")", "take a smaller entry"};
+      return {id, 0, 0, trf("the entry is larger than 1 GiB ({0})", url), tr("take a smaller entry")};
     case DownloadFailure::Refused:
-      return {id, 0, 0, "the server refused " + url + ": " + result.detail,
-              "try again later, or download the file by hand and put it at " + file.string()};
+      return {id, 0, 0, trf("the server refused {0}: {1}", url, result.detail),
+              trf("try again later, or download the file by hand and put it at {0}", file.string())};
     default:
-      return {id, 0, 0, "cannot reach " + url + ": " + result.detail,
-              "are you online? Otherwise download the file on another computer and put it at " + file.string()};
+      return {id, 0, 0, trf("cannot reach {0}: {1}", url, result.detail),
+              trf("are you online? Otherwise download the file on another computer and put it at {0}", file.string())};
   }
 }
 
@@ -37,20 +39,20 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
                                   bool again, const std::function<bool()>& broken_off) {
   const std::string id = pdbId(text);
   if (id.empty())
-    return Problem{text, 0, 0, "it is not an id of the Protein Data Bank",
-                   "an id is a digit and three letters or digits (5ADH), or pdb_ and eight"};
+    return Problem{text, 0, 0, tr("it is not an id of the Protein Data Bank"),
+                   tr("an id is a digit and three letters or digits (5ADH), or pdb_ and eight")};
   if (folder.empty())
-    return Problem{"", 0, 0, "there is no home folder to keep the entry in", "set HOME or XDG_DATA_HOME"};
+    return Problem{"", 0, 0, tr("there is no home folder to keep the entry in"), tr("set HOME or XDG_DATA_HOME")};
   const fs::path file = folder / (id + ".cif.gz");
   std::error_code error;
   if (!again && fs::exists(file, error))
     if (auto there = readMolecule(file)) return FetchedEntry{file, there->atoms.size(), true};
   fs::create_directories(folder, error);
   if (error)
-    return Problem{folder.string(), 0, 0, "the folder cannot be created: " + error.message(),
-                   "set XDG_DATA_HOME to a folder that can be written"};
+    return Problem{folder.string(), 0, 0, trf("the folder cannot be created: {0}", error.message()),
+                   tr("set XDG_DATA_HOME to a folder that can be written")};
   const auto unwritten = [](Problem problem) {
-    problem.remedy += ", or set XDG_DATA_HOME to another folder";
+    problem.remedy = trf("{0}, or set XDG_DATA_HOME to another folder", problem.remedy);
     return problem;
   };
   Expected<Draft> draft = Draft::begin(file);
@@ -65,8 +67,8 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   // The draft's name ends as the final one does, because the reader goes by it.
   auto molecule = readMolecule(draft->path());
   if (!molecule)
-    return Problem{id, 0, 0, "what came from " + url + " cannot be read: " + molecule.problem().message,
-                   "try again later"};
+    return Problem{id, 0, 0, trf("what came from {0} cannot be read: {1}", url, molecule.problem().message),
+                   tr("try again later")};
   if ((problem = draft->commit())) return unwritten(*problem);
   return FetchedEntry{file, molecule->atoms.size(), false};
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
 #include "engine/molecule/residue_kind.h"
 
@@ -24,8 +25,8 @@ std::size_t heapBytes(std::string_view text) { return text.size() > ShortText::k
 }  // namespace
 
 Problem tooManyAtoms(const std::string& file, std::size_t line) {
-  return {file, line, 0, "more than " + std::to_string(kMaxMoleculeAtoms / 1'000'000) + " million atoms",
-          "split the file, or keep one model"};
+  return {file, line, 0, trf("more than {0} million atoms", kMaxMoleculeAtoms / 1'000'000),
+          tr("split the file, or keep one model")};
 }
 
 void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::min(atoms, kMaxMoleculeAtoms)); }
@@ -33,8 +34,8 @@ void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::mi
 std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_t line) const {
   if (molecule.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
   if (bytes() > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
-    return Problem{file, line, 0, "its residues and chains take more than 3 GB of memory",
-                   "split the file, or keep one model"};
+    return Problem{file, line, 0, tr("its residues and chains take more than 3 GB of memory"),
+                   tr("split the file, or keep one model")};
   return std::nullopt;
 }
 

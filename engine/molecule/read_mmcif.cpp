@@ -8,6 +8,7 @@
 #include <span>
 #include <unordered_map>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/cif_words.h"
 #include "engine/molecule/parsed_structure.h"
 
@@ -65,7 +66,7 @@ constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags},
                                  {"_entry.", kEntryTags},
                                  {"_struct.", kTitleTags}};
 
-constexpr const char* kRemedy = "correct the file, or take it again from its source";
+constexpr const char* kRemedy = N_("correct the file, or take it again from its source");
 constexpr std::size_t kMostModels = 100'000, kMostOperators = 100'000, kMostCopies = 1'000'000;
 constexpr std::size_t kMostKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
 
@@ -90,8 +91,8 @@ bool parseInteger(std::string_view word, int& value) {
 }
 
 Problem noTable(const std::string& file) {
-  return {file, 0, 0, "there is no _atom_site table with Cartn_x, Cartn_y and Cartn_z in it",
-          "take a coordinate file from the PDB (www.rcsb.org)"};
+  return {file, 0, 0, tr("there is no _atom_site table with Cartn_x, Cartn_y and Cartn_z in it"),
+          tr("take a coordinate file from the PDB (www.rcsb.org)")};
 }
 
 /// The names in one bracket of an operator expression: "1,3-5,P".
@@ -175,7 +176,8 @@ class Reader {
  private:
   std::optional<Problem> readAll() {
     Kind kind = words_.next();
-    if (kind != Kind::Data && kind != Kind::End) return words_.problemHere("a data block 'data_…' is to come first");
+    if (kind != Kind::Data && kind != Kind::End)
+      return words_.problemHere(tr("a data block 'data_…' is to come first"));
     while (kind != Kind::End) {
       switch (kind) {
         case Kind::Data:
@@ -193,7 +195,7 @@ class Reader {
           kind = words_.next();
           break;  // a dictionary's own; none is in a molecule's file
         default:
-          return words_.problemHere("a value without a tag: " + inQuotes(words_.text()));
+          return words_.problemHere(trf("a value without a tag: {0}", inQuotes(words_.text())));
       }
     }
     if (words_.problem() || text_.problem()) return std::nullopt;
@@ -224,8 +226,8 @@ class Reader {
     if (kind == Kind::End)
       return words_.problem() || text_.problem()
                  ? std::nullopt
-                 : std::optional(words_.problemHere("the tag " + inQuotes(tag) + " has no value"));
-    if (kind != Kind::Value) return words_.problemHere("the tag " + inQuotes(tag) + " has no value");
+                 : std::optional(words_.problemHere(trf("the tag {0} has no value", inQuotes(tag))));
+    if (kind != Kind::Value) return words_.problemHere(trf("the tag {0} has no value", inQuotes(tag)));
     const auto table = done_ ? std::nullopt : tableOf(tag);
     if (const auto column = table ? columnOf(*table, tag) : std::nullopt) {
       Cell& cell = single_[static_cast<std::size_t>(*table)][*column];
@@ -245,7 +247,7 @@ class Reader {
     }
     if (columns.empty())
       return words_.problem() || text_.problem() ? std::nullopt
-                                                 : std::optional(words_.problemHere("a loop without tags"));
+                                                 : std::optional(words_.problemHere(tr("a loop without tags")));
     Row row;
     std::size_t at = 0;
     for (; kind == Kind::Value; kind = words_.next()) {
@@ -256,7 +258,7 @@ class Reader {
         if (auto problem = readRow(*table, row)) return problem;
     }
     if (at != 0 && !words_.problem() && !text_.problem())
-      return words_.problemHere("the values of a loop do not fill its last row");
+      return words_.problemHere(tr("the values of a loop do not fill its last row"));
     return std::nullopt;
   }
 
@@ -297,7 +299,7 @@ class Reader {
   }
 
   Problem rowProblem(const std::string& what) const {
-    return {file_, 0, 0, "row " + std::to_string(rows_) + " of the _atom_site table: " + what, kRemedy};
+    return {file_, 0, 0, trf("row {0} of the _atom_site table: {1}", rows_, what), tr(kRemedy)};
   }
 
   static std::string_view firstOf(const Cell& one, const Cell& other) { return one.says() ? one.said() : other.said(); }
@@ -308,7 +310,7 @@ class Reader {
     const std::string_view model = row[kModel].there ? row[kModel].said() : "1";
     if (current_ == 0 || last_model_ != model) {
       current_ = place_of_.emplace(model, static_cast<int>(place_of_.size()) + 1).first->second;
-      if (place_of_.size() > kMostModels) return rowProblem("more than 100 000 models");
+      if (place_of_.size() > kMostModels) return rowProblem(tr("more than 100 000 models"));
       last_model_ = model;
       head_.models = static_cast<int>(place_of_.size());
     }
@@ -317,7 +319,7 @@ class Reader {
     for (int k = 0; k < 3; ++k)
       if (const Cell& cell = row[static_cast<std::size_t>(kX + k)];
           cell.null || !cifNumber(cell.text, out.position_A[k]))
-        return rowProblem(std::string("Cartn_") + "xyz"[k] + " is not a number: " + inQuotes(cell.text));
+        return rowProblem(trf("{0} is not a number: {1}", std::string("Cartn_") + "xyz"[k], inQuotes(cell.text)));
     out.name = firstOf(row[kAuthName], row[kName]);
     out.residue = firstOf(row[kAuthComp], row[kComp]);
     out.chain = firstOf(row[kAuthChain], row[kChain]);
@@ -332,12 +334,13 @@ class Reader {
       number.remove_suffix(1);
     }
     if (!number.empty() && !parseInteger(number, out.number))
-      return rowProblem("the residue number is not a number: " + inQuotes(number));
+      return rowProblem(trf("the residue number is not a number: {0}", inQuotes(number)));
     if (const std::string_view alternate = row[kAlternate].said(); !alternate.empty()) out.alternate = alternate[0];
     if (row[kOccupancy].says() && !cifNumber(row[kOccupancy].text, out.occupancy)) {
       if (head_.warnings.size() < 20)
-        head_.warnings.push_back("Row " + std::to_string(rows_) + " of the _atom_site table: the occupancy " +
-                                 inQuotes(row[kOccupancy].text) + " is not a number and was taken as 1.");
+        head_.warnings.push_back(
+            trf("Row {0} of the _atom_site table: the occupancy {1} is not a number and was taken as 1.", rows_,
+                inQuotes(row[kOccupancy].text)));
       out.occupancy = 1.0;
     }
     out.hetero = row[kGroup].said() == "HETATM";
@@ -358,11 +361,11 @@ class Reader {
       operators_.emplace(row[0].said(), op);
       kept_ += row[0].text.size();
     } else if (head_.warnings.size() < 40) {
-      head_.warnings.push_back("The assembly operator " + inQuotes(row[0].text) +
-                               " holds what is not a number and was left out.");
+      head_.warnings.push_back(
+          trf("The assembly operator {0} holds what is not a number and was left out.", inQuotes(row[0].text)));
     }
     if (operators_.size() > kMostOperators || kept_ > kMostKept)
-      return Problem{file_, 0, 0, "more than 100 000 operators of assemblies", "read it without an assembly"};
+      return Problem{file_, 0, 0, tr("more than 100 000 operators of assemblies"), tr("read it without an assembly")};
     return std::nullopt;
   }
 
@@ -372,7 +375,8 @@ class Reader {
     Generator& g = generators_.emplace_back();
     for (std::size_t k = 0; k < g.size(); ++k) g[k] = row[k].said(), kept_ += g[k].size() + sizeof(std::string);
     if (kept_ > kMostKept)
-      return Problem{file_, 0, 0, "more than 32 MiB of descriptions of assemblies", "read it without an assembly"};
+      return Problem{file_, 0, 0, tr("more than 32 MiB of descriptions of assemblies"),
+                     tr("read it without an assembly")};
     return std::nullopt;
   }
 
@@ -391,8 +395,8 @@ class Reader {
         part.operators = operatorsOf(g[1], operators_);
         copies += part.operators.size();
         if (copies > kMostCopies)
-          return Problem{file_, 0, 0, "the assembly " + inQuotes(g[0]) + " has more than a million copies",
-                         "read it without one"};
+          return Problem{file_, 0, 0, trf("the assembly {0} has more than a million copies", inQuotes(g[0])),
+                         tr("read it without one")};
       }
       if (head_.assemblies.empty() || head_.assemblies.back().name != g[0]) head_.assemblies.push_back({g[0], {}});
       head_.assemblies.back().parts.push_back(std::move(part));

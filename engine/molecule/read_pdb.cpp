@@ -8,6 +8,7 @@
 #include <new>
 #include <optional>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
@@ -43,9 +44,7 @@ struct Field {
 constexpr Field kCoordinates[3] = {{30, 8, "x"}, {38, 8, "y"}, {46, 8, "z"}};
 constexpr Field kOccupancy = {54, 6, "occupancy"};
 
-std::string columns(const Field& f) {
-  return "columns " + std::to_string(f.first + 1) + "-" + std::to_string(f.first + f.width);
-}
+std::string columns(const Field& f) { return trf("columns {0}-{1}", f.first + 1, f.first + f.width); }
 
 bool isResidueNumber(std::string_view field) {
   field = trimmed(field);
@@ -86,9 +85,9 @@ gemmi::Element elementOf(const char* line, bool has_element) {
 std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_view line, const std::string& file,
                                std::size_t number) {
   constexpr const char* kRemedy =
-      "the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF";
+      N_("the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF");
   if (line.size() < 54)
-    return Problem{file, number, line.size() + 1, "the atom's line ends before its coordinates do", kRemedy};
+    return Problem{file, number, line.size() + 1, tr("the atom's line ends before its coordinates do"), tr(kRemedy)};
   char out[kLineWidth + 1];
   std::memset(out, ' ', kLineWidth);
   line.copy(out, kLineWidth);
@@ -102,16 +101,17 @@ std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_vie
     const std::string_view field = line.substr(f.first, f.width);
     if (!parseNumber(field, atom.position_A[k]) || std::abs(atom.position_A[k]) > kMaxCoordinate_A)
       return Problem{file, number, f.first + 1,
-                     std::string(f.name) + " (" + columns(f) + ") is not a number: " + inQuotes(field), kRemedy};
+                     trf("{0} ({1}) is not a number: {2}", f.name, columns(f), inQuotes(field)), tr(kRemedy)};
   }
   if (!isResidueNumber(clean.substr(22, 4)))
     return Problem{file, number, 23,
-                   "the residue number (columns 23-26) is not a number: " + inQuotes(clean.substr(22, 4)), kRemedy};
+                   trf("the residue number (columns 23-26) is not a number: {0}", inQuotes(clean.substr(22, 4))),
+                   tr(kRemedy)};
   const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
   if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, atom.occupancy)) {
     if (!blank && sieve.warnings.size() < kMostLineWarnings)
-      sieve.warnings.push_back("Line " + std::to_string(number) + ": the occupancy " + inQuotes(field) +
-                               " is not a number and was taken as 1.");
+      sieve.warnings.push_back(
+          trf("Line {0}: the occupancy {1} is not a number and was taken as 1.", number, inQuotes(field)));
     atom.occupancy = 1.0;
   }
   // Columns 77-80 hold an element and a charge since 1996, a part of the line's number before.
@@ -147,13 +147,13 @@ std::size_t masterCount(std::string_view line) {
 void warnOfCut(Sieve& sieve) {
   constexpr std::size_t kMostByMaster = 99'999;  // its columns hold no more
   if (sieve.ends_in_atom)
-    sieve.warnings.push_back("The file ends with an atom and has no END record after it: it may be cut short.");
+    sieve.warnings.push_back(tr("The file ends with an atom and has no END record after it: it may be cut short."));
   // Of several models the PDB counts the first alone, other programs all.
   if (sieve.atoms_by_master && sieve.atoms_in_file <= kMostByMaster && sieve.atoms_by_master != sieve.atoms_in_file &&
       sieve.atoms_by_master != sieve.atoms_in_first)
-    sieve.warnings.push_back("The MASTER record counts " + std::to_string(sieve.atoms_by_master) +
-                             " atoms, but the file has " + std::to_string(sieve.atoms_in_file) +
-                             ": it may be cut short or edited.");
+    sieve.warnings.push_back(
+        trf("The MASTER record counts {0} atoms, but the file has {1}: it may be cut short or edited.",
+            sieve.atoms_by_master, sieve.atoms_in_file));
 }
 
 /// Walks over the lines: keeps the atoms of the model asked for and the records that name, describe and copy
@@ -189,8 +189,8 @@ std::optional<Problem> sift(Sieve& sieve, AtomSieve& builder, TextSource& text, 
       in_model = false;
     } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350")) {
       if (sieve.kept.size() > kMostHead)
-        return Problem{text.file(), text.number(), 0, "more than 32 MiB of titles and descriptions of assemblies",
-                       "take the file again from its source"};
+        return Problem{text.file(), text.number(), 0, tr("more than 32 MiB of titles and descriptions of assemblies"),
+                       tr("take the file again from its source")};
       std::string kept(line.substr(0, kLineWidth));
       for (char& c : kept)
         if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = ' ';
@@ -230,8 +230,8 @@ Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
   AtomSieve builder(text, options);
   if (auto problem = sift(sieve, builder, text, options.model)) return *problem;
   if (sieve.models == 0)
-    return Problem{file, 0, 0, "there is no ATOM or HETATM line in it",
-                   "take a coordinate file from the PDB (www.rcsb.org)"};
+    return Problem{file, 0, 0, tr("there is no ATOM or HETATM line in it"),
+                   tr("take a coordinate file from the PDB (www.rcsb.org)")};
   if (options.model < 1 || options.model > sieve.models) return noSuchModel(file, options.model, sieve.models);
   warnOfCut(sieve);
   ParsedHead head;
@@ -245,8 +245,8 @@ Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
   } catch (const std::bad_alloc&) {
     throw;  // no fault of the file
   } catch (const std::exception& e) {
-    return Problem{file, 0, 0, std::string("it is not a sound PDB file: ") + e.what(),
-                   "take the file again from its source"};
+    return Problem{file, 0, 0, trf("it is not a sound PDB file: {0}", e.what()),
+                   tr("take the file again from its source")};
   }
   return builder.finish(std::move(head));
 }

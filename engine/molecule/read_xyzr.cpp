@@ -5,12 +5,13 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
 namespace {
 
-constexpr const char* kFormatRemedy = "write four numbers a line, x y z r in angstroms, with blanks between them";
+constexpr const char* kFormatRemedy = N_("write four numbers a line, x y z r in angstroms, with blanks between them");
 
 bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
 
@@ -31,8 +32,8 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
   constexpr const char* kColumn[4] = {"x", "y", "z", "r"};
   if (options.model != 1) return noSuchModel(file, options.model, 1);
   if (!options.assembly.empty())
-    return Problem{file, 0, 0, "an .xyzr file describes no biological assembly",
-                   "read it without one, or take the PDB or mmCIF file"};
+    return Problem{file, 0, 0, tr("an .xyzr file describes no biological assembly"),
+                   tr("read it without one, or take the PDB or mmCIF file")};
   Molecule out;
   out.atoms.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesABall));
   std::size_t first_extra = 0;
@@ -54,21 +55,19 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
       const std::string_view word(at, static_cast<std::size_t>(word_end - at));
       if (!takeNumber(at, stop, value[count]))
         return Problem{file, line_number, column,
-                       "expected the number " + std::string(kColumn[count]) + ", found " + inQuotes(word),
-                       kFormatRemedy};
+                       trf("expected the number {0}, found {1}", kColumn[count], inQuotes(word)), tr(kFormatRemedy)};
       if (!std::isfinite(value[count]) || std::abs(value[count]) > kMaxCoordinate_A)
-        return Problem{
-            file, line_number, column,
-            std::string(kColumn[count]) + " is " + inQuotes(word) + ", which is not a finite number up to 1e9 A",
-            "correct or remove the line"};
+        return Problem{file, line_number, column,
+                       trf("{0} is {1}, which is not a finite number up to 1e9 A", kColumn[count], inQuotes(word)),
+                       tr("correct or remove the line")};
       if (count == 3 && value[3] < 0)
-        return Problem{file, line_number, column, "the radius is negative: " + inQuotes(word),
-                       "give a radius of 0 A or more"};
+        return Problem{file, line_number, column, trf("the radius is negative: {0}", inQuotes(word)),
+                       tr("give a radius of 0 A or more")};
       ++count;
     }
     if (count > 0 && count < 4)
       return Problem{file, line_number, static_cast<std::size_t>(at - start) + 1,
-                     "expected 4 numbers, found " + std::to_string(count), kFormatRemedy};
+                     trf("expected 4 numbers, found {0}", count), tr(kFormatRemedy)};
     if (count == 4) {
       if (out.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line_number);
       Atom atom;
@@ -77,10 +76,10 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
       out.atoms.push_back(atom);
     }
   }
-  if (out.atoms.empty()) return Problem{file, 0, 0, "the file holds no atoms", kFormatRemedy};
+  if (out.atoms.empty()) return Problem{file, 0, 0, tr("the file holds no atoms"), tr(kFormatRemedy)};
   if (first_extra)
-    out.warnings.push_back("What follows the fourth number of a line was passed over (first on line " +
-                           std::to_string(first_extra) + ").");
+    out.warnings.push_back(
+        trf("What follows the fourth number of a line was passed over (first on line {0}).", first_extra));
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <new>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
 #include "engine/platform/read_file.h"
 
@@ -41,7 +42,7 @@ std::string endingsText() {
   return out;
 }
 
-constexpr const char* kTooLargeRemedy = "split it, or keep one model";
+constexpr const char* kTooLargeRemedy = N_("split it, or keep one model");
 
 /// The name without .gz.
 std::filesystem::path innerName(std::filesystem::path file) {
@@ -85,7 +86,7 @@ ReadText readerByContent(std::string_view text) {
 
 Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path, const ReadOptions& options) {
   const std::string& file = text.file();
-  const Problem empty{file, 0, 0, "the file is empty", "copy or download it again"};
+  const Problem empty{file, 0, 0, tr("the file is empty"), tr("copy or download it again")};
   if (text.ahead().empty()) return text.problem().value_or(empty);
   const std::filesystem::path inner = innerName(path);
   const std::string extension = lower(inner.extension().string());
@@ -96,8 +97,8 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
   if (!read && text.problem()) return *text.problem();
   if (!read && trimmed(text.ahead()).empty()) return empty;
   if (!read)
-    return Problem{file, 0, 0, "it is not a molecule in a format that is read here",
-                   "those are " + endingsText() + ", each also with .gz"};
+    return Problem{file, 0, 0, tr("it is not a molecule in a format that is read here"),
+                   trf("those are {0}, each also with .gz", endingsText())};
   Expected<Molecule> molecule = read(text, options);
   if (text.problem()) return *text.problem();
   if (!molecule && text.blank()) return empty;
@@ -125,14 +126,14 @@ Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::p
 
 Expected<Molecule> readMolecule(const std::filesystem::path& path, const ReadOptions& options) {
   try {
-    auto open = openFile(path, kMaxMoleculeBytes, kTooLargeRemedy);
+    auto open = openFile(path, kMaxMoleculeBytes, tr(kTooLargeRemedy));
     if (!open) return open.problem();
     TextSource text(fileSource(std::move(open->in), open->size, path.string()), open->size, kMaxMoleculeBytes,
                     path.string());
     return readText(text, path, options);
   } catch (const std::bad_alloc&) {
-    return Problem{path.string(), 0, 0, "there is not enough memory to read it",
-                   "close other programs, or take a smaller file"};
+    return Problem{path.string(), 0, 0, tr("there is not enough memory to read it"),
+                   tr("close other programs, or take a smaller file")};
   }
 }
 

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
@@ -23,9 +24,9 @@ std::string inQuotes(std::string_view text) {
 
 Problem noSuchModel(const std::string& file, int asked, int models) {
   return {file, 0, 0,
-          "there is no model " + std::to_string(asked) + "; the file has " + std::to_string(models) +
-              (models == 1 ? " model" : " models"),
-          models == 1 ? "ask for model 1" : "ask for a model from 1 to " + std::to_string(models)};
+          trnf("there is no model {0}; the file has {1} model", "there is no model {0}; the file has {1} models",
+               static_cast<unsigned long>(models), asked, models),
+          models == 1 ? tr("ask for model 1") : trf("ask for a model from 1 to {0}", models)};
 }
 
 }  // namespace moltact

@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "engine/core/text.h"
+#include "engine/language/catalogue.h"
 #include "engine/platform/read_file.h"
 
 namespace moltact {
@@ -73,9 +74,9 @@ class Gzip final : public ByteSource {
         else
           ended_ = true;
       } else if (status == Z_BUF_ERROR || (status == Z_OK && n == 0 && stream_.avail_in == 0)) {
-        if (packed_ended_) problem_ = broken("the gzip file is cut short");
+        if (packed_ended_) problem_ = broken(tr("the gzip file is cut short"));
       } else if (status != Z_OK) {
-        problem_ = broken("the gzip file is damaged");
+        problem_ = broken(tr("the gzip file is damaged"));
       }
       if (n > 0) return n;
     }
@@ -84,7 +85,7 @@ class Gzip final : public ByteSource {
   std::size_t unpacked() const override { return taken_ - std::min<std::size_t>(stream_.avail_in, taken_); }
 
  private:
-  Problem broken(const char* how) const { return {name_, 0, 0, how, "copy or download the file again"}; }
+  Problem broken(const char* how) const { return {name_, 0, 0, how, tr("copy or download the file again")}; }
 
   // Takes the next packed bytes; at most one is left over from those before.
   void refill() {
@@ -179,10 +180,10 @@ bool TextSource::fill() {
   end_ += n;
   taken_ += n;
   if (taken_ > most_)
-    problem_ =
-        Problem{file_, 0, 0,
-                (packed_ ? "it unpacks to more than " : "it is larger than ") + std::to_string(most_ >> 20) + " MiB",
-                "split it, or keep one model"};
+    problem_ = Problem{
+        file_, 0, 0,
+        packed_ ? trf("it unpacks to more than {0} MiB", most_ >> 20) : trf("it is larger than {0} MiB", most_ >> 20),
+        tr("split it, or keep one model")};
   return n > 0 && !problem_;
 }
 
@@ -198,7 +199,7 @@ bool TextSource::next(std::string_view& line) {
     }
     looked = there.size();
     if (looked > kLongestMoleculeLine) {
-      problem_ = Problem{file_, number_ + 1, 0, "the line is longer than 16 MiB", "is this a molecule's file?"};
+      problem_ = Problem{file_, number_ + 1, 0, tr("the line is longer than 16 MiB"), tr("is this a molecule's file?")};
       return false;
     }
     if (fill()) continue;

@@ -12,6 +12,7 @@
 #include <thread>
 #include <vector>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/audio_output.h"
 
 #define AL_NO_PROTOTYPES
@@ -102,14 +103,15 @@ struct AudioOutput::Impl {
 
   void run() {
     OpenAl al;
-    if (!al.load()) return fail("There is no sound: OpenAL is not installed on this computer (package libopenal1).");
+    if (!al.load())
+      return fail(tr("There is no sound: OpenAL is not installed on this computer (package libopenal1)."));
     ALCdevice* device = al.openDevice(nullptr);
-    if (!device) return fail("There is no sound: this computer has no sound card that can be opened now.");
+    if (!device) return fail(tr("There is no sound: this computer has no sound card that can be opened now."));
     ALCcontext* context = al.createContext(device, nullptr);
     if (context && al.makeContextCurrent(context))
       stream(al, device);
     else
-      fail("There is no sound: the sound card refuses to play.");
+      fail(tr("There is no sound: the sound card refuses to play."));
     al.makeContextCurrent(nullptr);
     if (context) al.destroyContext(context);
     al.closeDevice(device);
@@ -133,14 +135,14 @@ struct AudioOutput::Impl {
     for (const ALuint b : buffers) queue(b);
     al.play(source);
     if (al.error() != AL_NO_ERROR)
-      fail("There is no sound: the sound card refuses to play.");
+      fail(tr("There is no sound: the sound card refuses to play."));
     else
       state = State::Playing;
     const bool tells_loss = al.isExtensionPresent(device, "ALC_EXT_disconnect");
     while (state == State::Playing && !napOrEnd()) {
       ALCint connected = 1;
       if (tells_loss) al.getDeviceInteger(device, ALC_CONNECTED, 1, &connected);
-      if (!connected) fail("The sound has ended: the sound card is gone.");
+      if (!connected) fail(tr("The sound has ended: the sound card is gone."));
       ALint done = 0, playing = 0;
       al.getSource(source, AL_BUFFERS_PROCESSED, &done);
       for (; done > 0; --done) {

@@ -4,6 +4,8 @@
 
 #include <memory>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -48,7 +50,7 @@ DownloadResult download(const std::string& url, std::size_t most_bytes,
   static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
   const std::unique_ptr<CURL, void (*)(CURL*)> curl(started == CURLE_OK ? curl_easy_init() : nullptr,
                                                     curl_easy_cleanup);
-  if (!curl) return {DownloadFailure::Refused, "libcurl cannot be started"};
+  if (!curl) return {DownloadFailure::Refused, tr("libcurl cannot be started")};
   Sink sink{take, broken_off, most_bytes};
   char words[CURL_ERROR_SIZE] = "";
   curl_easy_setopt(curl.get(), CURLOPT_URL, url.c_str());

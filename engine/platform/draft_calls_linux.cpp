@@ -13,6 +13,8 @@
 #include <cstring>
 #include <string>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact::platform {
 namespace fs = std::filesystem;
 namespace {
@@ -63,42 +65,42 @@ Problem writingProblem(const fs::path& path, int error) {
   switch (error) {
     case ENOSPC:
     case EDQUOT:
-      p.message = "the disk is full";
-      p.remedy = "free some space on it";
+      p.message = tr("the disk is full");
+      p.remedy = tr("free some space on it");
       break;
     case EFBIG:
-      p.message = "it would grow larger than files may be here";
-      p.remedy = "raise that limit (ulimit -f), or write to another disk";
+      p.message = tr("it would grow larger than files may be here");
+      p.remedy = tr("raise that limit (ulimit -f), or write to another disk");
       break;
     case EROFS:
     case EACCES:
     case EPERM:
-      p.message = "it may not be written";
-      p.remedy = "allow writing to it and to its folder";
+      p.message = tr("it may not be written");
+      p.remedy = tr("allow writing to it and to its folder");
       break;
     case ENOENT:
     case ENOTDIR:
-      p.message = "its folder is not there";
-      p.remedy = "make the folder";
+      p.message = tr("its folder is not there");
+      p.remedy = tr("make the folder");
       break;
     case EEXIST:
-      p.message = "it is already there";
+      p.message = tr("it is already there");
       break;
     case EISDIR:
-      p.message = "it is a folder";
-      p.remedy = "name a file";
+      p.message = tr("it is a folder");
+      p.remedy = tr("name a file");
       break;
     case ENAMETOOLONG:
-      p.message = "its name is too long";
-      p.remedy = "choose a shorter one";
+      p.message = tr("its name is too long");
+      p.remedy = tr("choose a shorter one");
       break;
     case EWOULDBLOCK:
-      p.message = "another Moltact is writing it";
-      p.remedy = "close the other window";
+      p.message = tr("another Moltact is writing it");
+      p.remedy = tr("close the other window");
       break;
     default:
-      p.message = std::string("it cannot be written (") + std::strerror(error) + ")";
-      p.remedy = "check the disk";
+      p.message = trf("it cannot be written ({0})", std::strerror(error));
+      p.remedy = tr("check the disk");
   }
   return p;
 }

@@ -5,13 +5,15 @@
 
 #include <cstdio>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
 Problem noContext(const std::string& what) {
   return {.file = {},
-          .message = "no off-screen OpenGL: " + what,
-          .remedy = "install the packages libegl1 and libgl1-mesa-dri (software OpenGL 3.3)"};
+          .message = trf("no off-screen OpenGL: {0}", what),
+          .remedy = tr("install the packages libegl1 and libgl1-mesa-dri (software OpenGL 3.3)")};
 }
 
 std::string eglCode() {
@@ -35,11 +37,11 @@ EGLDisplay openDisplay() {
 
 Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
   // libepoxy ends the process when it cannot load EGL at all, so it is asked first.
-  if (!epoxy_has_egl()) return noContext("the library libEGL is not there");
+  if (!epoxy_has_egl()) return noContext(tr("the library libEGL is not there"));
   std::unique_ptr<OffscreenGl> gl(new OffscreenGl);
   gl->display_ = openDisplay();
-  if (gl->display_ == EGL_NO_DISPLAY) return noContext("EGL gives no display (" + eglCode() + ")");
-  if (!eglBindAPI(EGL_OPENGL_API)) return noContext("EGL here does not offer desktop OpenGL (" + eglCode() + ")");
+  if (gl->display_ == EGL_NO_DISPLAY) return noContext(trf("EGL gives no display ({0})", eglCode()));
+  if (!eglBindAPI(EGL_OPENGL_API)) return noContext(trf("EGL here does not offer desktop OpenGL ({0})", eglCode()));
 
   const EGLint want[] = {EGL_SURFACE_TYPE,
                          EGL_PBUFFER_BIT,
@@ -57,15 +59,15 @@ Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
   EGLConfig config = nullptr;
   EGLint count = 0;
   if (!eglChooseConfig(gl->display_, want, &config, 1, &count) || count == 0)
-    return noContext("EGL has no suitable configuration (" + eglCode() + ")");
+    return noContext(trf("EGL has no suitable configuration ({0})", eglCode()));
   const EGLint version[] = {
       EGL_CONTEXT_MAJOR_VERSION,           3,       EGL_CONTEXT_MINOR_VERSION, 3, EGL_CONTEXT_OPENGL_PROFILE_MASK,
       EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
   gl->context_ = eglCreateContext(gl->display_, config, EGL_NO_CONTEXT, version);
-  if (gl->context_ == EGL_NO_CONTEXT) return noContext("OpenGL 3.3 core is not offered (" + eglCode() + ")");
+  if (gl->context_ == EGL_NO_CONTEXT) return noContext(trf("OpenGL 3.3 core is not offered ({0})", eglCode()));
   const EGLint size[] = {EGL_WIDTH, 16, EGL_HEIGHT, 16, EGL_NONE};
   gl->surface_ = eglCreatePbufferSurface(gl->display_, config, size);
-  if (!gl->makeCurrent()) return noContext("the context cannot be made current (" + eglCode() + ")");
+  if (!gl->makeCurrent()) return noContext(trf("the context cannot be made current ({0})", eglCode()));
   return {std::move(gl)};
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 Expected<OpenFile> openFile(const std::filesystem::path& path, std::size_t most_bytes,
@@ -10,23 +12,23 @@ Expected<OpenFile> openFile(const std::filesystem::path& path, std::size_t most_
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status))
-    return Problem{file, 0, 0, "there is no such file", "check the name and the folder"};
-  if (std::filesystem::is_directory(status)) return Problem{file, 0, 0, "it is a folder", "name a file in it"};
+    return Problem{file, 0, 0, tr("there is no such file"), tr("check the name and the folder")};
+  if (std::filesystem::is_directory(status)) return Problem{file, 0, 0, tr("it is a folder"), tr("name a file in it")};
   if (!std::filesystem::is_regular_file(status))
-    return Problem{file, 0, 0, "it is not an ordinary file", "copy the data into one"};
+    return Problem{file, 0, 0, tr("it is not an ordinary file"), tr("copy the data into one")};
   const auto size = std::filesystem::file_size(path, error);
   if (error)
-    return Problem{file, 0, 0, "its size cannot be told: " + error.message(), "check the disk, then try again"};
+    return Problem{file, 0, 0, trf("its size cannot be told: {0}", error.message()),
+                   tr("check the disk, then try again")};
   if (size > most_bytes)
-    return Problem{file, 0, 0, "it is larger than " + std::to_string(most_bytes >> 20) + " MiB", too_large_remedy};
+    return Problem{file, 0, 0, trf("it is larger than {0} MiB", most_bytes >> 20), too_large_remedy};
   OpenFile out{std::ifstream(path, std::ios::binary), static_cast<std::size_t>(size)};
-  if (!out.in) return Problem{file, 0, 0, "it cannot be opened for reading", "check the file's permissions"};
+  if (!out.in) return Problem{file, 0, 0, tr("it cannot be opened for reading"), tr("check the file's permissions")};
   return out;
 }
 
 Problem brokenOff(const std::string& file, std::size_t bytes) {
-  return {file, 0, 0, "reading it broke off after " + std::to_string(bytes) + " bytes",
-          "check the disk, then try again"};
+  return {file, 0, 0, trf("reading it broke off after {0} bytes", bytes), tr("check the disk, then try again")};
 }
 
 Expected<std::string> readFile(const std::filesystem::path& path, std::size_t most_bytes,

@@ -1,5 +1,6 @@
 #include <dlfcn.h>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/shared_library.h"
 
 namespace moltact {
@@ -10,13 +11,13 @@ Expected<SharedLibrary> SharedLibrary::open(std::span<const std::string> names) 
     // Lazily: what the library lacks and nobody calls does not matter.
     if (void* handle = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL)) return SharedLibrary(handle);
     const char* reason = dlerror();
-    const std::string text = reason ? reason : name + " cannot be loaded";
+    const std::string text = reason ? reason : trf("{0} cannot be loaded", name);
     // A library that is there and cannot be loaded says more than those that are not: the first such one is told. That
     // no file is there may also be said of another one that it needs.
     if (text.starts_with(name + ": cannot open shared object file: No such file")) {
       if (missing.empty()) missing = text;
     } else if (why.empty()) {
-      why = text.starts_with(name) ? text : name + " cannot be loaded: " + text;
+      why = text.starts_with(name) ? text : trf("{0} cannot be loaded: {1}", name, text);
     }
   }
   return Problem{names.empty() ? "" : names.front(), 0, 0, why.empty() ? missing : why, ""};

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -20,8 +22,8 @@ std::string logOf(GLuint object, bool program) {
 
 Problem shaderProblem(const std::string& name, const std::string& log) {
   return {.file = {},
-          .message = "the graphics driver refuses the shader '" + name + "': " + log,
-          .remedy = "OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver"};
+          .message = trf("the graphics driver refuses the shader '{0}': {1}", name, log),
+          .remedy = tr("OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
 }
 
 GLuint compile(GLenum kind, const std::string& text) {
@@ -38,7 +40,7 @@ GLuint compile(GLenum kind, const std::string& text) {
 Expected<GlProgram> GlProgram::build(const std::string& name, const std::string& vertex, const std::string& fragment) {
   GlProgram program;
   program.id_ = glCreateProgram();
-  if (!program.id_) return shaderProblem(name, "no program object (has the context been lost?)");
+  if (!program.id_) return shaderProblem(name, tr("no program object (has the context been lost?)"));
   std::string failure;
   for (const auto& [kind, text] : {std::pair{GL_VERTEX_SHADER, &vertex}, std::pair{GL_FRAGMENT_SHADER, &fragment}}) {
     const GLuint shader = compile(GLenum(kind), *text);

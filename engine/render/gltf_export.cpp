@@ -7,6 +7,7 @@
 #include <map>
 
 #include "engine/gltf/closed_surface.h"
+#include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
 
 namespace moltact {
@@ -118,7 +119,7 @@ GltfMesh ballMesh() {
 
 Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions& options) {
   if (molecule.atoms.empty())
-    return Problem{.file = {}, .message = "there are no atoms to save", .remedy = "open a molecule first"};
+    return Problem{.file = {}, .message = tr("there are no atoms to save"), .remedy = tr("open a molecule first")};
   std::vector<Ball> balls = molecule.balls();
   for (Ball& b : balls) b.radius_A += options.probe_A;
   Vec3 low = balls[0].centre_A, high = low;
@@ -142,8 +143,8 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
   if (cellCount(balls, step_A) > kMostCells)
     return Problem{
         .file = {},
-        .message = "a surface with steps of " + number(step_A, "A") + " is too fine for a molecule of this size",
-        .remedy = "take coarser steps, " + number(usualStep_A(balls), "A") + " for example"};
+        .message = trf("a surface with steps of {0} is too fine for a molecule of this size", number(step_A, "A")),
+        .remedy = trf("take coarser steps, {0} for example", number(usualStep_A(balls), "A"))};
   scene.notes.push_back({"step", number(step_A, "angstrom")});
   addSurface(molecule, options, balls, step_A, scene);
   return scene;

@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/write_file.h"
 
 namespace moltact {
@@ -18,7 +19,7 @@ std::optional<Problem> writePng(const std::filesystem::path& file, const Picture
   std::vector<std::uint8_t> bytes;
   if (!stbi_write_png_to_func(append, &bytes, picture.width_px, picture.height_px, 3, picture.rgb.data(),
                               3 * picture.width_px))
-    return Problem{.file = file.string(), .message = "the picture cannot be made into a PNG", .remedy = {}};
+    return Problem{.file = file.string(), .message = tr("the picture cannot be made into a PNG"), .remedy = {}};
   return writeWhole(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
@@ -29,8 +30,8 @@ Expected<Picture> readPng(const std::filesystem::path& file) {
       stbi_load(file.c_str(), &picture.width_px, &picture.height_px, &channels, 3), stbi_image_free);
   if (!data)
     return Problem{.file = file.string(),
-                   .message = std::string("cannot be read as a picture: ") + stbi_failure_reason(),
-                   .remedy = "give a PNG file"};
+                   .message = trf("cannot be read as a picture: {0}", stbi_failure_reason()),
+                   .remedy = tr("give a PNG file")};
   picture.rgb.assign(data.get(), data.get() + std::size_t(3) * picture.width_px * picture.height_px);
   return picture;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/language/catalogue.h"
 #include "engine/render/glyphs.h"
 #include "engine/render/haptic_shapes.h"
 #include "engine/render/resolve.h"
@@ -121,10 +122,10 @@ Renderer::~Renderer() = default;
 
 Expected<std::unique_ptr<Renderer>> Renderer::create() {
   if (epoxy_gl_version() < 33)
-    return Problem{.file = {},
-                   .message = "the graphics driver offers OpenGL " + std::to_string(epoxy_gl_version() / 10) + "." +
-                              std::to_string(epoxy_gl_version() % 10),
-                   .remedy = "OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver"};
+    return Problem{
+        .file = {},
+        .message = trf("the graphics driver offers OpenGL {0}.{1}", epoxy_gl_version() / 10, epoxy_gl_version() % 10),
+        .remedy = tr("OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
   auto balls = SphereImpostors::build();
   if (!balls) return balls.problem();
   auto wires = Wireframe::build();
@@ -196,10 +197,10 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   Impl& p = *impl_;
   const auto tooLarge = [&] {
     p.have_layer = p.have_picture = false;
-    return Problem{.file = {},
-                   .message = "a picture of " + std::to_string(width_px) + " x " + std::to_string(height_px) +
-                              " pixels is refused by the graphics driver",
-                   .remedy = "ask for a smaller one"};
+    return Problem{
+        .file = {},
+        .message = trf("a picture of {0} x {1} pixels is refused by the graphics driver", width_px, height_px),
+        .remedy = tr("ask for a smaller one")};
   };
   if (width_px < 1 || height_px < 1 || width_px > 16384 || height_px > 16384) return tooLarge();
   if (p.have_picture && p.picture.width() == width_px && p.picture.height() == height_px && p.last_options == options &&
@@ -210,7 +211,8 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   // Errors that others left behind are not this picture's; a lost context would report for ever.
   for (int i = 0; i < 16 && glGetError() != GL_NO_ERROR; ++i)
     if (i == 15)
-      return Problem{.file = {}, .message = "the graphics context is lost", .remedy = "start the program again"};
+      return Problem{
+          .file = {}, .message = tr("the graphics context is lost"), .remedy = tr("start the program again")};
   const CallersState state;
   if (!p.model || p.model->molecule != scene.molecule)
     p.model =
@@ -267,8 +269,8 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
     p.have_layer = p.have_picture = false;
     return Problem{.file = {},
-                   .message = "the graphics driver reports error " + std::to_string(error) + " while drawing",
-                   .remedy = "LIBGL_ALWAYS_SOFTWARE=1 uses the software driver"};
+                   .message = trf("the graphics driver reports error {0} while drawing", error),
+                   .remedy = tr("LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
   }
   p.last = scene;
   p.last_options = options;

@@ -4,23 +4,25 @@
 #include <array>
 #include <string>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
 constexpr std::array kShapes{
-    ShapeName{Shape::Atoms, "atoms", "the atoms as balls of their van der Waals radii", false},
-    ShapeName{Shape::Spheres, "spheres", "the atoms' spheres inflated by the probe, which the hand feels", true},
-    ShapeName{Shape::Circles, "circles", "circles where two inflated spheres meet", true},
-    ShapeName{Shape::Points, "points", "points where three inflated spheres meet", true},
-    ShapeName{Shape::Cones, "cones", "the two cones that share the circle in use, with the atoms' centres as apexes",
-              true},
-    ShapeName{Shape::Facets, "facets", "the triangles round the contact, while a method that feels triangles is in use",
-              true},
-    ShapeName{Shape::Hip, "hip", "the haptic interface point: where the hand is", true},
-    ShapeName{Shape::Scp, "scp", "the surface contact point: the hand's proxy on the surface", true},
-    ShapeName{Shape::Force, "force", "an arrow for the force on the hand", false},
-    ShapeName{Shape::Probe, "probe", "the probe: a water molecule in its sphere", false},
-    ShapeName{Shape::Target, "target", "what a task asks for: places to reach and marked atoms", false},
+    ShapeName{Shape::Atoms, "atoms", N_("the atoms as balls of their van der Waals radii"), false},
+    ShapeName{Shape::Spheres, "spheres", N_("the atoms' spheres inflated by the probe, which the hand feels"), true},
+    ShapeName{Shape::Circles, "circles", N_("circles where two inflated spheres meet"), true},
+    ShapeName{Shape::Points, "points", N_("points where three inflated spheres meet"), true},
+    ShapeName{Shape::Cones, "cones",
+              N_("the two cones that share the circle in use, with the atoms' centres as apexes"), true},
+    ShapeName{Shape::Facets, "facets",
+              N_("the triangles round the contact, while a method that feels triangles is in use"), true},
+    ShapeName{Shape::Hip, "hip", N_("the haptic interface point: where the hand is"), true},
+    ShapeName{Shape::Scp, "scp", N_("the surface contact point: the hand's proxy on the surface"), true},
+    ShapeName{Shape::Force, "force", N_("an arrow for the force on the hand"), false},
+    ShapeName{Shape::Probe, "probe", N_("the probe: a water molecule in its sphere"), false},
+    ShapeName{Shape::Target, "target", N_("what a task asks for: places to reach and marked atoms"), false},
 };
 
 constexpr Colour hex(std::uint32_t rgb) {
@@ -47,10 +49,10 @@ Expected<ShapeSet> parseShapes(std::string_view names) {
       }
     if (known) continue;
     std::string list;
-    for (const ShapeName& s : kShapes) list += std::string(s.name) + ", ";
+    for (const ShapeName& s : kShapes) list += (list.empty() ? "" : ", ") + std::string(s.name);
     return Problem{.file = {},
-                   .message = "there is no shape named '" + std::string(name) + "'",
-                   .remedy = "the names are " + list + "and the groups haptic, all and none"};
+                   .message = trf("there is no shape named '{0}'", name),
+                   .remedy = trf("the names are {0}, and the groups haptic, all and none", list)};
   }
   return set;
 }

@@ -3,19 +3,23 @@
 #include <cstdio>
 #include <filesystem>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 std::string_view nameOf(InputWay way) {
   switch (way) {
     case InputWay::Device:
-      return "device";
+      return N_("device");
     case InputWay::Mouse:
-      return "mouse";
+      return N_("mouse");
     case InputWay::Keyboard:
-      return "keyboard";
+      return N_("keyboard");
   }
-  return "mouse";
+  return N_("mouse");
 }
+
+std::string shownName(InputWay way) { return std::string(tr(nameOf(way))); }
 
 std::size_t LessonOutline::parts() const {
   std::size_t n = 0;

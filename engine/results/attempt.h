@@ -23,6 +23,8 @@ namespace moltact {
 enum class InputWay : std::uint8_t { Device, Mouse, Keyboard };
 /// "device", "mouse" or "keyboard".
 std::string_view nameOf(InputWay way);
+/// The same in the language in use.
+std::string shownName(InputWay way);
 
 struct QuestionOutline {
   std::string id, text;              ///< plain text

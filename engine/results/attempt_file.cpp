@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/append_file.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/read_file.h"
@@ -15,7 +16,7 @@ namespace moltact {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kTooLarge = "attempts are far smaller: check what file it is";
+constexpr const char* kTooLarge = N_("attempts are far smaller: check what file it is");
 
 // The last line where no line end follows it: whole (it reads as an object), or cut off.
 bool reads(std::string_view line) { return bool(readEventLine(line)) || bool(readHeaderLine(line)); }
@@ -127,7 +128,7 @@ double Attempt::end_s() const {
 }
 
 Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
-  Expected<std::string> bytes = readFile(file, kLargestAttempt, kTooLarge);
+  Expected<std::string> bytes = readFile(file, kLargestAttempt, tr(kTooLarge));
   if (!bytes) return bytes.problem();
   const std::string_view all = *bytes;
   Attempt out;
@@ -167,7 +168,8 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
     within.mend(**event);
     out.events.push_back(**std::move(event));
   }
-  if (!begun) return Problem{file.string(), 0, 0, "it is empty", "attempts are the .jsonl files that Moltact writes"};
+  if (!begun)
+    return Problem{file.string(), 0, 0, tr("it is empty"), tr("attempts are the .jsonl files that Moltact writes")};
   return out;
 }
 
@@ -175,12 +177,12 @@ Expected<std::vector<fs::path>> attemptFiles(const fs::path& named) {
   std::error_code error;
   if (!fs::is_directory(named, error)) {
     if (!fs::exists(named, error))
-      return Problem{named.string(), 0, 0, "there is no such file or folder", "check the name"};
+      return Problem{named.string(), 0, 0, tr("there is no such file or folder"), tr("check the name")};
     return std::vector<fs::path>{named};
   }
   std::vector<fs::path> out;
   fs::directory_iterator it(named, error);
-  if (error) return Problem{named.string(), 0, 0, "the folder cannot be read", "check its permissions"};
+  if (error) return Problem{named.string(), 0, 0, tr("the folder cannot be read"), tr("check its permissions")};
   for (; it != fs::directory_iterator(); it.increment(error)) {
     if (error) break;
     std::error_code ignored;

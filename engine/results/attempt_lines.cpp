@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 
+#include "engine/language/catalogue.h"
 #include "engine/results/attempt_ranges.h"
 
 namespace moltact {
@@ -195,12 +196,12 @@ std::string_view kindOf(const AttemptFact& fact) {
 
 const Json& need(const Json& from, const char* key) {
   const auto it = from.find(key);
-  if (it == from.end()) throw Lacking{std::string("'") + key + "' is missing"};
+  if (it == from.end()) throw Lacking{trf("'{0}' is missing", key)};
   return *it;
 }
 
 std::string text(const Json& value, const char* key) {
-  if (!value.is_string()) throw Lacking{std::string("'") + key + "' is no text"};
+  if (!value.is_string()) throw Lacking{trf("'{0}' is no text", key)};
   return value.get<std::string>();
 }
 std::string text(const Json& from, const char* key, bool needed) {
@@ -211,13 +212,13 @@ std::string text(const Json& from, const char* key, bool needed) {
 
 // Every number of the format has a range (attempt_ranges.h).
 double number(const Json& value, const char* key) {
-  if (!value.is_number()) throw Lacking{std::string("'") + key + "' is no number"};
+  if (!value.is_number()) throw Lacking{trf("'{0}' is no number", key)};
   const double number = value.get<double>();
   const AttemptRange* range = attemptRange(key);
   if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number)))
     return number;
-  if (range && range->whole) throw Lacking{std::string("'") + key + "' is no whole number that fits"};
-  throw Lacking{std::string("'") + key + "' is a number that no Moltact writes"};
+  if (range && range->whole) throw Lacking{trf("'{0}' is no whole number that fits", key)};
+  throw Lacking{trf("'{0}' is a number that no Moltact writes", key)};
 }
 double numberAt(const Json& from, const char* key) { return number(need(from, key), key); }
 double numberOr(const Json& from, const char* key, double otherwise) {
@@ -231,8 +232,8 @@ std::size_t countAt(const Json& from, const char* key) { return count(need(from,
 
 const Json& list(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
   const Json& value = need(from, key);
-  if (!value.is_array()) throw Lacking{std::string("'") + key + "' is no list"};
-  if (value.size() > most) throw Lacking{std::string("'") + key + "' is longer than any that Moltact writes"};
+  if (!value.is_array()) throw Lacking{trf("'{0}' is no list", key)};
+  if (value.size() > most) throw Lacking{trf("'{0}' is longer than any that Moltact writes", key)};
   return value;
 }
 const Json& listOrNone(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
@@ -244,7 +245,7 @@ std::int32_t atom(const Json& value) { return static_cast<std::int32_t>(number(v
 
 bool flag(const Json& from, const char* key) {
   const Json& value = need(from, key);
-  if (!value.is_boolean()) throw Lacking{std::string("'") + key + "' is neither true nor false"};
+  if (!value.is_boolean()) throw Lacking{trf("'{0}' is neither true nor false", key)};
   return value.get<bool>();
 }
 
@@ -252,13 +253,12 @@ InputWay way(const Json& from) {
   const std::string name = text(from, "by", true);
   for (const InputWay w : {InputWay::Device, InputWay::Mouse, InputWay::Keyboard})
     if (name == nameOf(w)) return w;
-  throw Lacking{"'by' is none of device, mouse and keyboard"};
+  throw Lacking{tr("'by' is none of device, mouse and keyboard")};
 }
 
 std::vector<double> numbers(const Json& from, const char* key, std::size_t size) {
   const Json& values = list(from, key);
-  if (values.size() != size)
-    throw Lacking{std::string("'") + key + "' should hold " + std::to_string(size) + " numbers"};
+  if (values.size() != size) throw Lacking{trf("'{0}' should hold {1} numbers", key, size)};
   std::vector<double> out;
   for (const Json& v : values) out.push_back(number(v, key));
   return out;
@@ -270,7 +270,7 @@ Vec3 vector(const Json& from, const char* key) {
 }
 
 const Json& object(const Json& value, const char* what) {
-  if (!value.is_object()) throw Lacking{std::string("'") + what + "' is no object"};
+  if (!value.is_object()) throw Lacking{trf("'{0}' is no object", what)};
   return value;
 }
 
@@ -296,7 +296,7 @@ HipChunk trace(const Json& from) {
   const Json& ms = list(from, "ms");
   const std::string features = text(from, "feature", true);
   const std::size_t n = ms.size();
-  if (features.size() != n) throw Lacking{"'feature' and 'ms' differ in length"};
+  if (features.size() != n) throw Lacking{tr("'feature' and 'ms' differ in length")};
   const std::size_t touching = n - static_cast<std::size_t>(std::count(features.begin(), features.end(), '.'));
   const std::vector<double> hip = numbers(from, "hip", 3 * n);
   std::vector<double> scp, force, displacement;
@@ -315,7 +315,7 @@ HipChunk trace(const Json& from) {
     s.t_s = from_s + number(ms[i], "ms") / 1000.0;
     s.hip.A = s.scp.A = {hip[3 * i], hip[3 * i + 1], hip[3 * i + 2]};
     const std::size_t feature = kFeatureSigns.find(features[i]);
-    if (feature == std::string_view::npos) throw Lacking{"'feature' has a sign that is not known"};
+    if (feature == std::string_view::npos) throw Lacking{tr("'feature' has a sign that is not known")};
     s.feature = static_cast<Feature>(feature);
     if (s.feature != Feature::Free) {
       s.scp.A = {scp[k], scp[k + 1], scp[k + 2]};
@@ -402,13 +402,13 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     const glm::dmat3 product = glm::transpose(s.workspace.rotation) * s.workspace.rotation;
     for (int k = 0; k < 9; ++k)
       if (std::abs(product[k / 3][k % 3] - (k % 4 == 0)) > kOff || glm::determinant(s.workspace.rotation) < 0.0)
-        throw Lacking{"'turn' is no rotation"};
+        throw Lacking{tr("'turn' is no rotation")};
     return s;
   }
   if (kind == "view") {
     const std::vector<double> q = numbers(j, "orientation", 4);
     if (const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); std::abs(length - 1.0) > 1e-2)
-      throw Lacking{"'orientation' is no rotation"};
+      throw Lacking{tr("'orientation' is no rotation")};
     return ViewRotated{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
   }
   if (kind == "trace") return trace(j);
@@ -427,7 +427,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   return std::nullopt;
 }
 
-Problem noObject() { return {{}, 0, 0, "it is no JSON object", "it is passed over"}; }
+Problem noObject() { return {{}, 0, 0, tr("it is no JSON object"), tr("it is passed over")}; }
 
 Json parsed(std::string_view line) {
   if (line.size() > kLongestLine) return Json(Json::value_t::discarded);
@@ -476,7 +476,8 @@ bool mayBeginAttempt(std::string_view line) {
 
 Expected<AttemptHeader> readHeaderLine(std::string_view line) {
   const Json j = parsed(line);
-  const Problem none{{}, 0, 0, "it is no attempt at a lesson", "attempts are the .jsonl files that Moltact writes"};
+  const Problem none{
+      {}, 0, 0, tr("it is no attempt at a lesson"), tr("attempts are the .jsonl files that Moltact writes")};
   if (!j.is_object() || !j.contains("kind") || j["kind"] != "attempt") return none;
   try {
     AttemptHeader h;
@@ -489,7 +490,7 @@ Expected<AttemptHeader> readHeaderLine(std::string_view line) {
     h.lesson = outline(need(j, "lesson"));
     return h;
   } catch (const Lacking& lacking) {
-    return Problem{{}, 0, 0, "its first line is damaged: " + lacking.what, none.remedy};
+    return Problem{{}, 0, 0, trf("its first line is damaged: {0}", lacking.what), none.remedy};
   }
 }
 
@@ -502,7 +503,7 @@ Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line) {
     if (!fact) return std::optional<AttemptEvent>();
     return std::optional<AttemptEvent>(AttemptEvent{t_s, *std::move(fact)});
   } catch (const Lacking& lacking) {
-    return Problem{{}, 0, 0, lacking.what, "the line is passed over"};
+    return Problem{{}, 0, 0, lacking.what, tr("the line is passed over")};
   }
 }
 

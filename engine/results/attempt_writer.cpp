@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/append_file.h"
 #include "engine/results/attempt_file.h"
 
@@ -55,12 +56,12 @@ std::optional<Problem> AttemptWriter::Impl::open() {
       }
   } else {
     if (folder.empty())
-      return Problem{{}, 0, 0, "this computer tells no folder to keep results in", "set HOME or XDG_DATA_HOME"};
+      return Problem{{}, 0, 0, tr("this computer tells no folder to keep results in"), tr("set HOME or XDG_DATA_HOME")};
     std::error_code error;
     fs::create_directories(folder, error);
     if (error)
-      return Problem{folder.string(), 0, 0, "the folder cannot be made (" + error.message() + ")",
-                     "allow writing there, or free some space"};
+      return Problem{folder.string(), 0, 0, trf("the folder cannot be made ({0})", error.message()),
+                     tr("allow writing there, or free some space")};
     for (int number = 1; !file; ++number) {
       wanted = folder / (name + (number > 1 ? "-" + std::to_string(number) : "") + ".jsonl");
       if (fs::exists(wanted, error)) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/printable.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -95,47 +96,49 @@ std::string answerText(const QuestionOutline& question, const AnswerScore& answe
   return out;
 }
 
+const char* yesOrNo(bool yes) { return yes ? trc("cell", "yes") : trc("cell", "no"); }
+
 void head(std::string& out, const ClassSummary& summary) {
   Row row(out);
-  for (const char* name : {"student",
-                           "lesson",
-                           "lesson_file",
-                           "began_utc",
-                           "attempts",
-                           "done",
-                           "of",
-                           "done_percent",
-                           "finished",
-                           "last_step",
-                           "minutes",
-                           "questions",
-                           "answered",
-                           "right_at_first_try",
-                           "hints",
-                           "touches",
-                           "touch_s",
-                           "peak_force_N",
-                           "mean_force_N",
-                           "path_A",
-                           "crossings",
-                           "input",
-                           "device_percent",
-                           "mouse_percent",
-                           "keyboard_percent",
-                           "device",
-                           "force_feedback"})
-    row.text(name);
+  for (const char* name : {NC_("column", "student"),
+                           NC_("column", "lesson"),
+                           NC_("column", "lesson_file"),
+                           NC_("column", "began_utc"),
+                           NC_("column", "attempts"),
+                           NC_("column", "done"),
+                           NC_("column", "of"),
+                           NC_("column", "done_percent"),
+                           NC_("column", "finished"),
+                           NC_("column", "last_step"),
+                           NC_("column", "minutes"),
+                           NC_("column", "questions"),
+                           NC_("column", "answered"),
+                           NC_("column", "right_at_first_try"),
+                           NC_("column", "hints"),
+                           NC_("column", "touches"),
+                           NC_("column", "touch_s"),
+                           NC_("column", "peak_force_N"),
+                           NC_("column", "mean_force_N"),
+                           NC_("column", "path_A"),
+                           NC_("column", "crossings"),
+                           NC_("column", "input"),
+                           NC_("column", "device_percent"),
+                           NC_("column", "mouse_percent"),
+                           NC_("column", "keyboard_percent"),
+                           NC_("column", "device"),
+                           NC_("column", "force_feedback")})
+    row.text(trc("column", name));
   for (const LessonSummary& lesson : summary.lessons)
     for (const StepOutline& step : lesson.lesson.steps) {
       const std::string place = lesson.lesson.file + "#" + step.id;
-      row.text(place + " minutes");
+      row.text(trcf("column", "{0} minutes", place));
       for (const QuestionOutline& q : step.questions) {
-        row.text(place + "/" + q.id + " first answer");
-        row.text(place + "/" + q.id + " tries");
+        row.text(trcf("column", "{0} first answer", place + "/" + q.id));
+        row.text(trcf("column", "{0} tries", place + "/" + q.id));
       }
       for (std::size_t t = 0; t < step.tasks.size(); ++t) {
-        row.text(place + "/task " + std::to_string(t + 1) + " s");
-        row.text(place + "/task " + std::to_string(t + 1) + " input");
+        row.text(trcf("column", "{0}/task {1} s", place, t + 1));
+        row.text(trcf("column", "{0}/task {1} input", place, t + 1));
       }
     }
 }
@@ -152,7 +155,7 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
   row.whole(p.done);
   row.whole(p.of);
   row.value(100.0 * p.share(), 1);
-  row.text(p.finished() ? "yes" : "no");
+  row.text(yesOrNo(p.finished()));
   row.text(p.last_step);
   row.value(p.time_s / 60.0, 2);
   row.whole(questions);
@@ -166,7 +169,7 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
   row.value(p.path_A, 2);
   row.whole(p.crossings);
   const auto way = p.way();
-  row.text(way ? std::string(nameOf(*way)) : "");
+  row.text(way ? shownName(*way) : "");
   for (const double s : p.touch_ways_s) {
     if (p.touch_s > 0)
       row.value(100.0 * s / p.touch_s, 1);
@@ -174,7 +177,7 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
       row.empty();
   }
   row.text(p.device);
-  row.text(p.gives_force ? "yes" : "no");
+  row.text(yesOrNo(p.gives_force));
   for (const LessonSummary& lesson : summary.lessons)
     for (const StepOutline& step : lesson.lesson.steps) {
       const bool mine = &lesson == &of;
@@ -195,7 +198,7 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
         const auto task = p.tasks.find({step.id, t});
         const bool done = mine && task != p.tasks.end() && task->second.done;
         if (done)
-          row.value(task->second.took_s, 1), row.text(std::string(nameOf(task->second.by)));
+          row.value(task->second.took_s, 1), row.text(shownName(task->second.by));
         else
           row.empty(), row.empty();
       }

@@ -6,20 +6,25 @@
 #include <set>
 #include <utility>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
 // "(no name, 21 Nov 10:58)" of "2026-11-21T10:58:14Z".
 std::string nameless(const std::string& began) {
-  static constexpr std::array kMonths{"Jan", "Feb", "Mar", "Apr", "May", "Jun",
-                                      "Jul", "Aug", "Sep", "Oct", "Nov", "Dec"};
+  static constexpr std::array kMonths{NC_("month", "Jan"), NC_("month", "Feb"), NC_("month", "Mar"),
+                                      NC_("month", "Apr"), NC_("month", "May"), NC_("month", "Jun"),
+                                      NC_("month", "Jul"), NC_("month", "Aug"), NC_("month", "Sep"),
+                                      NC_("month", "Oct"), NC_("month", "Nov"), NC_("month", "Dec")};
   int year = 0, month = 0, day = 0, hour = 0, minute = 0, second = 0;
   if (std::sscanf(began.c_str(), "%4d-%2d-%2dT%2d:%2d:%2d", &year, &month, &day, &hour, &minute, &second) != 6 ||
       month < 1 || month > 12)
-    return "(no name)";
-  char text[48];
-  std::snprintf(text, sizeof text, "(no name, %d %s %02d:%02d)", day, kMonths[std::size_t(month - 1)], hour, minute);
-  return text;
+    return tr("(no name)");
+  char time[32];
+  std::snprintf(time, sizeof time, "%02d:%02d", hour, minute);
+  // Translators: a day, a month and a time of day.
+  return trf("(no name, {0} {1} {2})", day, trc("month", kMonths[std::size_t(month - 1)]), time);
 }
 
 // Adds one attempt's events to what its person has done.
@@ -194,7 +199,7 @@ ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
       if (anonymous)
         for (Predicted& prediction : score.predictions) {
           const auto code = codes.find("n" + prediction.student);
-          prediction.student = code == codes.end() ? "(another)" : code->second;
+          prediction.student = code == codes.end() ? tr("(another)") : code->second;
         }
       lesson.people.push_back(std::move(score));
     }
@@ -209,6 +214,13 @@ ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
   out.people = std::move(names);
   out.people.insert(out.people.end(), nobodies.begin(), nobodies.end());
   return out;
+}
+
+std::string summaryText(const ClassSummary& summary) {
+  const std::size_t people = summary.people.size(), lessons = summary.lessons.size();
+  return trf("{0}, {1}, {2}", trnf("{0} student", "{0} students", people, people),
+             trnf("{0} lesson", "{0} lessons", lessons, lessons),
+             trnf("{0} attempt", "{0} attempts", summary.attempts, summary.attempts));
 }
 
 }  // namespace moltact

@@ -77,4 +77,7 @@ struct ClassSummary {
 /// names.
 ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous = false);
 
+/// "24 students, 2 lessons, 51 attempts".
+std::string summaryText(const ClassSummary& summary);
+
 }  // namespace moltact

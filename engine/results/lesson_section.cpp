@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/language/catalogue.h"
 #include "engine/results/page_parts.h"
 
 namespace moltact {
@@ -25,6 +26,27 @@ void tile(std::string& out, const std::string& value, const std::string& what) {
   out += "<div class=\"tile\"><b>" + value + "</b><span>" + what + "</span></div>";
 }
 
+struct Column {
+  const char* title;  // may hold <br>
+  bool left = false;
+};
+
+std::string tableHead(std::initializer_list<Column> columns) {
+  std::string out = "<table><thead><tr>";
+  for (const Column& c : columns) out += std::string(c.left ? "<th class=\"left\">" : "<th>") + c.title + "</th>";
+  return out + "</tr></thead><tbody>";
+}
+
+// A heading and the start of a table below it.
+std::string section(const char* heading, std::initializer_list<Column> columns) {
+  return std::string("<h3>") + heading + "</h3><div class=\"card scroll\">" + tableHead(columns);
+}
+
+// "mean force, N". Attempts hold the names of figures in English.
+std::string figureTitle(const std::string& name, const std::string& unit) {
+  return tr(name.c_str()) + (unit.empty() ? std::string() : ", " + unit);
+}
+
 std::string legend(const std::vector<PersonScore>& people) {
   std::array<bool, kWays> used{};
   for (const PersonScore& p : people) {
@@ -35,14 +57,14 @@ std::string legend(const std::vector<PersonScore>& people) {
       "<circle cx=\"24\" cy=\"7\" r=\"3.2\" class=\"mark way-device\"/>",
       "<rect x=\"21.2\" y=\"4.2\" width=\"5.6\" height=\"5.6\" class=\"mark way-mouse\"/>",
       "<path d=\"M24 3.6l3.4 6h-6.8z\" class=\"mark way-keyboard\"/>"};
-  static constexpr std::array kNames{"haptic device", "mouse", "keyboard"};
-  std::string out = "<div class=\"legend\">Way of input:";
+  static constexpr std::array kNames{N_("haptic device"), N_("mouse"), N_("keyboard")};
+  std::string out = std::string("<div class=\"legend\">") + tr("Way of input:");
   for (std::size_t w = 0; w < kWays; ++w)
     if (used[w])
       out +=
           "<span><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\"><rect x=\"1\" y=\"1\" width=\"14\" height=\"12\" "
           "class=\"bar " +
-          wayClass(InputWay(w)) + "\"/>" + kMarks[w] + "</svg>" + kNames[w] + "</span>";
+          wayClass(InputWay(w)) + "\"/>" + kMarks[w] + "</svg>" + tr(kNames[w]) + "</span>";
   return out + "</div>";
 }
 
@@ -57,12 +79,12 @@ void tiles(std::string& out, const LessonSummary& lesson) {
   }
   const std::size_t n = lesson.people.size();
   out += "<div class=\"tiles\">";
-  tile(out, std::to_string(finished) + " of " + std::to_string(n), "finished");
-  tile(out, percent(quantile(sorted(all, [](const PersonScore& p) { return p.share(); }), 0.5)), "done (median)");
-  tile(out, duration(quantile(sorted(all, [](const PersonScore& p) { return p.time_s; }), 0.5)), "time (median)");
-  tile(out, answers ? percent(double(right) / double(answers)) : "–", "of answers right at the first try");
+  tile(out, trf("{0} of {1}", finished, n), tr("finished"));
+  tile(out, percent(quantile(sorted(all, [](const PersonScore& p) { return p.share(); }), 0.5)), tr("done (median)"));
+  tile(out, duration(quantile(sorted(all, [](const PersonScore& p) { return p.time_s; }), 0.5)), tr("time (median)"));
+  tile(out, answers ? percent(double(right) / double(answers)) : "–", tr("of answers right at the first try"));
   tile(out, duration(quantile(sorted(all, [](const PersonScore& p) { return p.touch_s; }), 0.5)),
-       "time in touch (median)");
+       tr("time in touch (median)"));
   out += "</div>";
 }
 
@@ -71,11 +93,15 @@ void byWay(std::string& out, const LessonSummary& lesson) {
   for (const PersonScore& p : lesson.people)
     if (p.way()) groups[std::size_t(*p.way())].push_back(&p);
   if (std::count_if(groups.begin(), groups.end(), [](const auto& g) { return !g.empty(); }) < 2) return;
-  out +=
-      "<h3>By way of input</h3><div class=\"card scroll\"><table><thead><tr><th>Most touching "
-      "with</th><th>Students</th><th>Finished</th><th>Done<br>(median)</th><th>Right at<br>first try</th>"
-      "<th>Time<br>(median)</th><th>Peak force<br>(median), N</th><th>Mean force<br>(median), "
-      "N</th><th>Path<br>(median), Å</th></tr></thead><tbody>";
+  out += section(tr("By way of input"), {{tr("Most touching with")},
+                                         {tr("Students")},
+                                         {tr("Finished")},
+                                         {tr("Done<br>(median)")},
+                                         {tr("Right at<br>first try")},
+                                         {tr("Time<br>(median)")},
+                                         {tr("Peak force<br>(median), N")},
+                                         {tr("Mean force<br>(median), N")},
+                                         {tr("Path<br>(median), Å")}});
   for (std::size_t w = 0; w < kWays; ++w) {
     const auto& group = groups[w];
     if (group.empty()) continue;
@@ -83,7 +109,7 @@ void byWay(std::string& out, const LessonSummary& lesson) {
     for (const PersonScore* p : group)
       finished += p->finished(), answers += p->answers.size(), right += p->firstRight();
     const auto median = [&](auto value) { return quantile(sorted(group, value), 0.5); };
-    out += "<tr><td class=\"name\">" + std::string(nameOf(InputWay(w))) + "</td><td>" + std::to_string(group.size()) +
+    out += "<tr><td class=\"name\">" + shownName(InputWay(w)) + "</td><td>" + std::to_string(group.size()) +
            "</td><td>" + std::to_string(finished) + "</td><td>" +
            percent(median([](const PersonScore& p) { return p.share(); })) + "</td><td>" +
            (answers ? percent(double(right) / double(answers)) : "–") + "</td><td>" +
@@ -96,24 +122,33 @@ void byWay(std::string& out, const LessonSummary& lesson) {
 }
 
 void peopleTable(std::string& out, const LessonSummary& lesson) {
-  out +=
-      "<h3>Students</h3><div class=\"card scroll\"><table><thead><tr><th>Student</th><th class=\"left\">Done</th><th "
-      "class=\"left\">Last step</th><th>Time</th><th>Right at<br>first try</th><th>Hints</th>"
-      "<th>Touch,<br>s</th><th>Peak,<br>N</th><th>Mean,<br>N</th><th>Path,<br>Å</th><th "
-      "class=\"left\">Input</th></tr></thead><tbody>";
+  out += section(tr("Students"), {{tr("Student")},
+                                  {tr("Done"), true},
+                                  {tr("Last step"), true},
+                                  {tr("Time")},
+                                  {tr("Right at<br>first try")},
+                                  {tr("Hints")},
+                                  {tr("Touch,<br>s")},
+                                  {tr("Peak,<br>N")},
+                                  {tr("Mean,<br>N")},
+                                  {tr("Path,<br>Å")},
+                                  {tr("Input"), true}});
   for (const PersonScore& p : lesson.people)
     out +=
         "<tr><td class=\"name\">" + escaped(p.person) +
-        (p.attempts > 1 ? "<br><span class=\"quiet small\">" + std::to_string(p.attempts) + " attempts</span>" : "") +
+        (p.attempts > 1 ? "<br><span class=\"quiet small\">" +
+                              trnf("{0} attempt", "{0} attempts", p.attempts, p.attempts) + "</span>"
+                        : "") +
         "</td><td class=\"left\"><div class=\"doneCell\">" + bar(p.share(), true) + "<span>" + percent(p.share()) +
         "</span></div></td><td class=\"left\">" +
-        (p.finished() ? "<span class=\"tick\">✓</span> finished" : escaped(p.last_step)) + "</td><td>" +
-        duration(p.time_s) + "</td><td>" +
+        (p.finished() ? std::string("<span class=\"tick\">✓</span> ") + tr("finished") : escaped(p.last_step)) +
+        "</td><td>" + duration(p.time_s) + "</td><td>" +
         (p.answers.empty() ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answers.size())) +
         "</td><td>" + std::to_string(p.hints) + "</td><td>" + number(p.touch_s, 0) + "</td><td>" + number(p.peak_N, 2) +
         "</td><td>" + number(p.mean_N, 2) + "</td><td>" + number(p.path_A, 0) + "</td><td class=\"left\">" +
         escaped(waysText(p)) +
-        (p.gives_force ? "<br><span class=\"quiet small nowrap\">" + escaped(p.device) + "</span>" : "") + "</td></tr>";
+        (p.gives_force ? "<br><span class=\"quiet small nowrap\">" + escaped(tr(p.device.c_str())) + "</span>" : "") +
+        "</td></tr>";
   out += "</tbody></table></div>";
 }
 
@@ -137,16 +172,16 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
     if (!a.written.empty()) ++written[a.written].first, written[a.written].second = a.first_right;
   }
   out += "<div class=\"card\"><div class=\"head\"><b>" + escaped(q.text) + "</b><span>" +
-         (answered ? percent(double(first_right) / double(answered)) + " right at first try" : "not answered yet") +
-         "</span></div><div class=\"quiet small\">" + escaped(step.title) + ". Answered by " +
-         std::to_string(answered) + " of " + std::to_string(lesson.people.size()) +
-         "; right in the end: " + std::to_string(right) + ".";
+         (answered ? trf("{0} right at first try", percent(double(first_right) / double(answered)))
+                   : tr("not answered yet")) +
+         "</span></div><div class=\"quiet small\">" +
+         trf("{0}. Answered by {1} of {2}; right in the end: {3}.", escaped(step.title), answered, lesson.people.size(),
+             right);
   std::string by;
   for (std::size_t w = 0; w < kWays; ++w)
     if (ways[w].second)
-      by += (by.empty() ? "" : ", ") + std::string(nameOf(InputWay(w))) + " " + std::to_string(ways[w].first) + " of " +
-            std::to_string(ways[w].second);
-  if (!by.empty()) out += " Right at first try by input: " + by + ".";
+      by += (by.empty() ? "" : ", ") + trf("{0} {1} of {2}", shownName(InputWay(w)), ways[w].first, ways[w].second);
+  if (!by.empty()) out += " " + trf("Right at first try by input: {0}.", by);
   out += "</div><div class=\"question\">";
   const auto row = [&](bool is_right, const std::string& text, std::size_t n) {
     const double share = answered ? double(n) / double(answered) : 0.0;
@@ -165,7 +200,7 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
     row(texts[k].second.second, texts[k].first, texts[k].second.first);
   out += "</div>";
   if (texts.size() > kMost)
-    out += "<p class=\"quiet small\">and " + std::to_string(texts.size() - kMost) + " more, in the CSV</p>";
+    out += "<p class=\"quiet small\">" + trf("and {0} more, in the CSV", texts.size() - kMost) + "</p>";
   out += "</div>";
 }
 
@@ -173,17 +208,16 @@ void questions(std::string& out, const LessonSummary& lesson) {
   bool any = false;
   for (const StepOutline& s : lesson.lesson.steps) any = any || !s.questions.empty();
   if (!any) return;
-  out +=
-      "<h3>Answers by question</h3><p class=\"quiet small\">The first answer of each student. A full bar with ✓ is "
-      "right, a hatched bar is not.</p>";
+  out += std::string("<h3>") + tr("Answers by question") + "</h3><p class=\"quiet small\">" +
+         tr("The first answer of each student. A full bar with ✓ is right, a hatched bar is not.") + "</p>";
   for (const StepOutline& s : lesson.lesson.steps)
     for (const QuestionOutline& q : s.questions) question(out, lesson, s, q);
 
-  out += "<div class=\"card scroll\"><table class=\"given\"><thead><tr><th>Student</th>";
+  out += std::string("<div class=\"card scroll\"><table class=\"given\"><thead><tr><th>") + tr("Student") + "</th>";
   std::size_t number = 0;
   for (const StepOutline& s : lesson.lesson.steps)
     for (const QuestionOutline& q : s.questions)
-      out += "<th title=\"" + escaped(q.text) + "\">Q" + std::to_string(++number) + "</th>";
+      out += "<th title=\"" + escaped(q.text) + "\">" + trf("Q{0}", ++number) + "</th>";
   out += "</tr></thead><tbody>";
   for (const PersonScore& p : lesson.people) {
     out += "<tr><td class=\"name\">" + escaped(p.person) + "</td>";
@@ -195,15 +229,17 @@ void questions(std::string& out, const LessonSummary& lesson) {
         else if (a->second.first_right)
           out += "<td class=\"ok\">✓</td>";
         else if (a->second.right)
-          out += "<td>" + std::to_string(a->second.tries) + " tries</td>";
+          out += "<td>" + trnf("{0} try", "{0} tries", static_cast<unsigned long>(a->second.tries), a->second.tries) +
+                 "</td>";
         else
           out += "<td class=\"no\">✗</td>";
       }
     out += "</tr>";
   }
-  out +=
-      "</tbody></table><p class=\"quiet small\">✓ right at the first try, “2 tries” right in the end, ✗ not right, · "
-      "not answered. Questions are in the order above.</p></div>";
+  out += std::string("</tbody></table><p class=\"quiet small\">") +
+         tr("✓ right at the first try, “2 tries” right in the end, ✗ not right, · not answered. Questions are in the "
+            "order above.") +
+         "</p></div>";
 }
 
 void steps(std::string& out, const LessonSummary& lesson) {
@@ -217,9 +253,7 @@ void steps(std::string& out, const LessonSummary& lesson) {
   }
   most = roundAbove(most);
   out +=
-      "<h3>Time for each step</h3><div class=\"card "
-      "scroll\"><table><thead><tr><th>Step</th><th>Students</th><th>Median</th><th class=\"left\">Each "
-      "student</th></tr></thead><tbody>";
+      section(tr("Time for each step"), {{tr("Step")}, {tr("Students")}, {tr("Median")}, {tr("Each student"), true}});
   for (const auto& [step, values] : rows) {
     std::vector<double> times;
     for (const Measured& m : values) times.push_back(m.value);
@@ -239,9 +273,8 @@ std::string taskCurves(const LessonSummary& lesson, const StepOutline& step, std
     if (const auto score = p.tasks.find({step.id, task}); score != p.tasks.end() && score->second.drawn)
       figures += curves(p.person, *score->second.drawn, score->second.felt);
   if (figures.empty()) return {};
-  return "<p class=\"quiet small\">Force as first drawn (dashed) and as felt in the end (line).</p><div "
-         "class=\"curves\">" +
-         figures + "</div>";
+  return std::string("<p class=\"quiet small\">") + tr("Force as first drawn (dashed) and as felt in the end (line).") +
+         "</p><div class=\"curves\">" + figures + "</div>";
 }
 
 void tasks(std::string& out, const LessonSummary& lesson) {
@@ -262,19 +295,19 @@ void tasks(std::string& out, const LessonSummary& lesson) {
         begun += score->second.begun || score->second.done;
         done += score->second.done;
         if (!score->second.done) continue;
-        if (score->second.figures.empty()) figure("time, s").push_back({score->second.took_s, score->second.by});
+        if (score->second.figures.empty())
+          figure(figureTitle("time", "s")).push_back({score->second.took_s, score->second.by});
         for (const LoggedFigure& f : score->second.figures)
-          if (std::isfinite(f.value))
-            figure(f.name + (f.unit.empty() ? "" : ", " + f.unit)).push_back({f.value, score->second.by});
+          if (std::isfinite(f.value)) figure(figureTitle(f.name, f.unit)).push_back({f.value, score->second.by});
       }
       rows += "<div class=\"card\"><div class=\"head\"><b>" +
-              escaped(s.tasks[t].say.empty() ? s.tasks[t].kind : s.tasks[t].say) + "</b><span>done by " +
-              std::to_string(done) + " of " + std::to_string(begun) + "</span></div><div class=\"quiet small\">" +
-              escaped(s.title) + ", " + escaped(s.tasks[t].kind) + "</div>";
+              escaped(s.tasks[t].say.empty() ? s.tasks[t].kind : s.tasks[t].say) + "</b><span>" +
+              trf("done by {0} of {1}", done, begun) + "</span></div><div class=\"quiet small\">" + escaped(s.title) +
+              ", " + escaped(s.tasks[t].kind) + "</div>";
       if (!figures.empty()) {
         rows +=
-            "<div class=\"scroll\"><table><thead><tr><th>Figure</th><th>Median</th><th>Middle "
-            "half</th><th>Range</th><th class=\"left\">Each student</th></tr></thead><tbody>";
+            "<div class=\"scroll\">" +
+            tableHead({{tr("Figure")}, {tr("Median")}, {tr("Middle half")}, {tr("Range")}, {tr("Each student"), true}});
         for (const auto& [name, values] : figures) {
           std::vector<double> v;
           for (const Measured& m : values) v.push_back(m.value);
@@ -290,7 +323,7 @@ void tasks(std::string& out, const LessonSummary& lesson) {
       }
       rows += taskCurves(lesson, s, t) + "</div>";
     }
-  if (!rows.empty()) out += "<h3>Touch tasks</h3>" + rows;
+  if (!rows.empty()) out += std::string("<h3>") + tr("Touch tasks") + "</h3>" + rows;
 }
 
 void forces(std::string& out, const LessonSummary& lesson) {
@@ -304,10 +337,11 @@ void forces(std::string& out, const LessonSummary& lesson) {
     path.push_back({p.path_A, wayOf(p)});
     touch.push_back({p.touch_s, wayOf(p)});
   }
-  out += "<h3>Time, force and path</h3><div class=\"histograms\">" + histogram("Time for the lesson", "min", minutes) +
-         histogram("Answers right at the first try", "", right) + histogram("Time in touch", "s", touch) +
-         histogram("Peak force", "N", peak) + histogram("Mean force while touching", "N", mean) +
-         histogram("Path over the surface", "Å", path) + "</div>";
+  out += std::string("<h3>") + tr("Time, force and path") + "</h3><div class=\"histograms\">" +
+         histogram(tr("Time for the lesson"), "min", minutes) +
+         histogram(tr("Answers right at the first try"), "", right) + histogram(tr("Time in touch"), "s", touch) +
+         histogram(tr("Peak force"), "N", peak) + histogram(tr("Mean force while touching"), "N", mean) +
+         histogram(tr("Path over the surface"), "Å", path) + "</div>";
 }
 
 void predictions(std::string& out, const LessonSummary& lesson) {
@@ -318,21 +352,20 @@ void predictions(std::string& out, const LessonSummary& lesson) {
               escaped(guess.question) + "</td><td class=\"left\">" + escaped(guess.text) + "</td><td class=\"left\">" +
               escaped(p.person) + "</td></tr>";
   if (!rows.empty())
-    out +=
-        "<h3>Predictions of those who waited</h3><div class=\"card scroll\"><table><thead><tr><th>Student</th><th "
-        "class=\"left\">Question</th><th class=\"left\">Prediction</th><th class=\"left\">While at the "
-        "device</th></tr></thead><tbody>" +
-        rows + "</tbody></table></div>";
+    out += section(
+               tr("Predictions of those who waited"),
+               {{tr("Student")}, {tr("Question"), true}, {tr("Prediction"), true}, {tr("While at the device"), true}}) +
+           rows + "</tbody></table></div>";
 }
 
 }  // namespace
 
 std::string lessonSection(const LessonSummary& lesson, bool first) {
   std::string out = "<h2" + std::string(first ? " class=\"first\"" : "") + ">" + escaped(lesson.lesson.title) +
-                    "</h2><p class=\"quiet small\">" + escaped(lesson.lesson.file) +
-                    (lesson.versions > 1 ? ", in " + std::to_string(lesson.versions) +
-                                               " versions: questions and tasks are those of the last"
-                                         : "") +
+                    "</h2><p class=\"quiet small\">" +
+                    (lesson.versions > 1 ? trf("{0}, in {1} versions: questions and tasks are those of the last",
+                                               escaped(lesson.lesson.file), lesson.versions)
+                                         : escaped(lesson.lesson.file)) +
                     "</p>";
   tiles(out, lesson);
   peopleTable(out, lesson);

@@ -5,6 +5,8 @@
 #include <cstdio>
 
 #include "engine/core/printable.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact::page {
 namespace {
@@ -51,13 +53,13 @@ std::string mark(InputWay way, double x, double y) {
 
 }  // namespace
 
-std::string number(double value, int digits) { return std::isfinite(value) ? format("%.*f", digits, value) : "–"; }
+std::string number(double value, int digits) { return numberText(value, decimals(digits)); }
 
-std::string percent(double share) { return format("%.0f %%", 100.0 * share); }
+std::string percent(double share) { return quantityText(share, Dimension::Share); }
 
 std::string duration(double time_s) {
-  if (time_s < 99.5) return format("%.0f s", time_s);
-  return format(time_s < 600 ? "%.1f min" : "%.0f min", time_s / 60.0);
+  if (time_s < 99.5) return quantityText(time_s, Dimension::Time, decimals(0));
+  return numberText(time_s / 60.0, decimals(time_s < 600 ? 1 : 0)) + "\u00a0min";
 }
 
 std::string wayClass(InputWay way) { return "way-" + std::string(nameOf(way)); }
@@ -68,13 +70,12 @@ std::string waysText(const PersonScore& person) {
     if (const double s = person.touch_ways_s[std::size_t(w)]; s > 0) shares.emplace_back(s, w);
   if (shares.empty()) {
     const auto way = person.way();
-    return way ? std::string(nameOf(*way)) : "–";
+    return way ? shownName(*way) : "–";
   }
   std::stable_sort(shares.begin(), shares.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
-  if (shares.size() == 1) return std::string(nameOf(shares[0].second));
+  if (shares.size() == 1) return shownName(shares[0].second);
   std::string out;
-  for (const auto& [s, w] : shares)
-    out += (out.empty() ? "" : ", ") + std::string(nameOf(w)) + " " + percent(s / person.touch_s);
+  for (const auto& [s, w] : shares) out += (out.empty() ? "" : ", ") + shownName(w) + " " + percent(s / person.touch_s);
   return out;
 }
 
@@ -127,16 +128,17 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
   const int digits = digitsFor(width);
   const std::size_t every = bins > 6 ? 2 : 1;
   for (std::size_t b = 0; b < bins + !counted; b += every)
-    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"%.0f\" text-anchor=\"middle\">%.*f</text>",
-                  kLeft + each * (double(b) + (counted ? 0.5 : 0.0)), kTop + kHigh + 14, digits,
-                  first + width * double(b));
+    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"%.0f\" text-anchor=\"middle\">%s</text>",
+                  kLeft + each * (double(b) + (counted ? 0.5 : 0.0)), kTop + kHigh + 14,
+                  number(first + width * double(b), digits).c_str());
   const double median = quantile(sorted, 0.5), x = kLeft + each * ((median - first) / width + (counted ? 0.5 : 0.0));
   svg += format("<path class=\"median\" d=\"M%.1f %.0fv%.0f\"/>", x, kTop - 4, kHigh + 4);
   svg += "</svg>";
+  std::string middle = number(median, std::min(3, digits + 1));
+  if (!unit.empty()) middle += "\u00a0" + escaped(unit);
   return "<figure class=\"histogram\"><figcaption><div><b>" + escaped(title) + "</b>" +
-         (unit.empty() ? "" : ", " + escaped(unit)) + "</div><span>median " + number(median, std::min(3, digits + 1)) +
-         (unit.empty() ? "" : " " + escaped(unit)) + ", n = " + std::to_string(values.size()) + "</span></figcaption>" +
-         svg + "</figure>";
+         (unit.empty() ? "" : ", " + escaped(unit)) + "</div><span>" +
+         trf("median {0}, n = {1}", middle, values.size()) + "</span></figcaption>" + svg + "</figure>";
 }
 
 namespace {
@@ -149,7 +151,8 @@ double stripX(double value, double most) {
 
 std::string strip(const std::vector<Measured>& values, double most) {
   std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 22\" role=\"img\" aria-label=\"" +
-                    std::to_string(values.size()) + " values\"><path class=\"grid\" d=\"M6 11h408\"/>";
+                    trnf("{0} value", "{0} values", values.size(), values.size()) +
+                    "\"><path class=\"grid\" d=\"M6 11h408\"/>";
   const std::vector<double> sorted = sortedValues(values);
   if (sorted.size() >= 4) {
     const double from = stripX(quantile(sorted, 0.25), most), to = stripX(quantile(sorted, 0.75), most);
@@ -181,11 +184,11 @@ std::string stripScale(double most, const std::string& unit) {
   for (int k = 0; k <= steps; ++k) {
     const double v = step * k;
     const bool last = k == steps;
-    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"12\" text-anchor=\"%s\">%.*f%s</text>", stripX(v, most),
+    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"12\" text-anchor=\"%s\">%s%s</text>", stripX(v, most),
                   v == 0             ? "start"
                   : v > most * 0.999 ? "end"
                                      : "middle",
-                  digitsFor(step), v, last ? (" " + escaped(unit)).c_str() : "");
+                  number(v, digitsFor(step)).c_str(), last ? (" " + escaped(unit)).c_str() : "");
   }
   return svg + "</svg>";
 }
@@ -217,17 +220,17 @@ std::string curves(const std::string& title, const CurveKept& drawn, const std::
   for (const double part : {0.0, 0.5, 1.0})
     svg += format("<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/>", kLeft, kTop + kHigh * part, kWide);
   svg += format(
-      "<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g</text><text class=\"axis\" x=\"%.0f\" "
+      "<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%s</text><text class=\"axis\" x=\"%.0f\" "
       "y=\"%.0f\" text-anchor=\"end\">0</text>",
-      kLeft - 4, kTop + 8, most, kLeft - 4, kTop + kHigh + 3);
-  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%.2g Å</text>", kLeft + kWide,
-                kTop + kHigh + 14, drawn.to_A);
-  svg += "<text class=\"axis\" x=\"" + format("%.0f", kLeft) + "\" y=\"" + format("%.0f", kTop + kHigh + 14) +
-         "\">N against " + escaped(drawn.axis.empty() ? "depth" : drawn.axis) + "</text>";
+      kLeft - 4, kTop + 8, numberText(most, significant(2)).c_str(), kLeft - 4, kTop + kHigh + 3);
+  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%s</text>", kLeft + kWide,
+                kTop + kHigh + 14, quantityText(drawn.to_A, Dimension::Length, significant(2)).c_str());
+  svg += "<text class=\"axis\" x=\"" + format("%.0f", kLeft) + "\" y=\"" + format("%.0f", kTop + kHigh + 14) + "\">" +
+         escaped(trf("N against {0}", tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str()))) + "</text>";
   if (felt) svg += "<path class=\"felt\" d=\"" + linePath(felt->force_N, most, kLeft, kTop, kWide, kHigh) + "\"/>";
   svg += "<path class=\"drawn\" d=\"" + linePath(drawn.force_N, most, kLeft, kTop, kWide, kHigh) + "\"/></svg>";
-  return "<figure class=\"curve\"><figcaption>" + escaped(title) + (felt ? "" : " <span>not felt</span>") +
-         "</figcaption>" + svg + "</figure>";
+  return "<figure class=\"curve\"><figcaption>" + escaped(title) +
+         (felt ? "" : std::string(" <span>") + tr("not felt") + "</span>") + "</figcaption>" + svg + "</figure>";
 }
 
 std::string bar(double share, bool right) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -56,13 +58,14 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
     if (auto* done = std::get_if<TaskDone>(&e.what)) {
       const StepOutline* known = stepOf(header_.lesson, done->step);
       mark(e.t_s, TimelineMark::Kind::Task,
-           "Done: " +
-               (known && done->task < known->tasks.size() ? known->tasks[done->task].say : std::string("a task")));
+           known && done->task < known->tasks.size() ? trf("Done: {0}", known->tasks[done->task].say)
+                                                     : tr("Done: a task"));
     }
     if (auto* answer = std::get_if<Answered>(&e.what))
       mark(e.t_s, answer->right ? TimelineMark::Kind::Right : TimelineMark::Kind::Wrong,
-           (answer->right ? "Answered rightly: " : "Answered: ") + answerText(header_.lesson, *answer));
-    if (std::holds_alternative<HintOpened>(e.what)) mark(e.t_s, TimelineMark::Kind::Hint, "Opened the hint");
+           answer->right ? trf("Answered rightly: {0}", answerText(header_.lesson, *answer))
+                         : trf("Answered: {0}", answerText(header_.lesson, *answer)));
+    if (std::holds_alternative<HintOpened>(e.what)) mark(e.t_s, TimelineMark::Kind::Hint, tr("Opened the hint"));
   }
   sortByTime(samples_);
   sortByTime(stages_);

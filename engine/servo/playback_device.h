@@ -3,6 +3,7 @@
 
 #include <atomic>
 
+#include "engine/language/catalogue.h"
 #include "engine/servo/servo_recording.h"
 
 namespace moltact {
@@ -13,7 +14,7 @@ class PlaybackDevice final : public Device {
   explicit PlaybackDevice(ServoRecording recording) : trace_(std::move(recording)) {
     if (!trace_.ticks.empty()) static_cast<DeviceSpecs&>(info_) = trace_.ticks.front().device;
     info_.gives_force = false;
-    info_.name = "Recorded hand";
+    info_.name = N_("Recorded hand");
   }
 
   const DeviceInfo& info() const noexcept override { return info_; }

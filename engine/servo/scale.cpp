@@ -2,25 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
 
-// Two digits that count, without the exponent that %g would show: 0.25, 4.2, 120.
-std::string twoDigits(double value) {
-  if (!(value > 0) || !std::isfinite(value)) return "0";
-  const int before = static_cast<int>(std::floor(std::log10(value) + 1e-9));
-  const double unit = std::pow(10.0, before - 1);
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", std::clamp(1 - before, 0, 12), std::round(value / unit) * unit);
-  std::string out = text;
-  if (out.find('.') != std::string::npos) {
-    while (out.back() == '0') out.pop_back();
-    if (out.back() == '.') out.pop_back();
+// Two digits that count, no zeros behind them and no exponent: 0.25, 4.2, 120.
+std::string twoDigits(double value, const char* unit) {
+  Digits digits = decimals(0);
+  if (value > 0 && std::isfinite(value)) {
+    const int before = static_cast<int>(std::floor(std::log10(value) + 1e-9));
+    const double step = std::pow(10.0, before - 1), rounded = std::round(value / step);
+    value = rounded * step;
+    digits = decimals(std::clamp(std::fmod(rounded, 10.0) == 0.0 ? -before : 1 - before, 0, 12));
+  } else {
+    value = 0.0;
   }
-  return out;
+  return numberText(value, digits) + "\u00a0" + unit;
 }
+
+std::string one(Dimension dimension) { return quantityText(1.0, dimension, plain()); }
 
 }  // namespace
 
@@ -45,7 +48,7 @@ Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA h
 }
 
 std::string lengthScale(const Workspace& workspace) {
-  return "1 mm here is " + twoDigits(workspace.A_per_mm) + " Å there";
+  return trf("{0} here is {1} there", one(Dimension::HandLength), twoDigits(workspace.A_per_mm, "Å"));
 }
 
 std::optional<double> carbonPush_pN(double overlap_A) {
@@ -56,22 +59,27 @@ std::optional<double> carbonPush_pN(double overlap_A) {
 }
 
 std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm) {
-  const std::string length = lengthScale(workspace);
-  if (!(stiffness_N_per_mm > 0.0)) return length + "; nothing pushes back.";
+  const std::string hand = one(Dimension::HandLength), there = twoDigits(workspace.A_per_mm, "Å");
+  if (!(stiffness_N_per_mm > 0.0)) return trf("{0} here is {1} there; nothing pushes back.", hand, there);
+  const std::string force = one(Dimension::Force);
   const std::optional<double> push = carbonPush_pN(workspace.A_per_mm / stiffness_N_per_mm);
-  return length + (push ? ", 1 N here would be " + twoDigits(*push) + " pN there."
-                        : "; 1 N here presses deeper than atoms can go there.");
+  return push ? trf("{0} here is {1} there, {2} here would be {3} there.", hand, there, force, twoDigits(*push, "pN"))
+              : trf("{0} here is {1} there; {2} here presses deeper than atoms can go there.", hand, there, force);
 }
 
 std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm) {
-  if (!(stiffness_N_per_mm > 0.0)) return "The surface has no spring now.";
+  if (!(stiffness_N_per_mm > 0.0)) return tr("The surface has no spring now.");
   const double depth_A = workspace.A_per_mm / stiffness_N_per_mm;
-  const std::string deep = "With 1 N the probe is " + twoDigits(depth_A) + " Å under the surface";
+  const std::string force = one(Dimension::Force), deep = twoDigits(depth_A, "Å");
   const std::optional<double> push = carbonPush_pN(depth_A);
-  if (!push) return deep + ": so far into each other no two atoms can be pressed.";
-  return deep + ". Two carbon atoms pressed that far into each other would push back with " + twoDigits(*push) +
-         " pN. The spring in your hand grows evenly with depth; between atoms the force grows ever faster, and a "
-         "little farther off they attract.";
+  if (!push)
+    return trf("With {0} the probe is {1} under the surface: so far into each other no two atoms can be pressed.",
+               force, deep);
+  return trf(
+      "With {0} the probe is {1} under the surface. Two carbon atoms pressed that far into each other would push back "
+      "with {2}. The spring in your hand grows evenly with depth; between atoms the force grows ever faster, and a "
+      "little farther off they attract.",
+      force, deep, twoDigits(*push, "pN"));
 }
 
 }  // namespace moltact

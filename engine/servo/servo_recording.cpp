@@ -8,6 +8,8 @@
 #include <type_traits>
 
 #include "engine/core/file_bytes.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/platform/read_file.h"
 #include "engine/servo/step_state.h"
 
@@ -168,9 +170,9 @@ std::optional<Problem> ServoRecordingWriter::begin(const std::map<std::string, s
 
 std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
   if (!broken_ && kept_ + ticks_in_block_ == kMostRecordedTicks)
-    return broken_ = Problem{"", 0, 0,
-                             "a recording is at most 66 minutes and 40 s long; what was recorded until then is kept",
-                             "begin another one"};
+    return broken_ = Problem{
+               "", 0, 0, tr("a recording is at most 66 minutes and 40 s long; what was recorded until then is kept"),
+               tr("begin another one")};
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
   const DevicePose& pose = tick.pose;
   const bool oriented = pose.orientation != kNoRotation;
@@ -211,15 +213,15 @@ std::optional<Problem> ServoRecordingWriter::finish() {
 }
 
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
-  const auto bytes = readFile(file, kMostBytes, "a recording is 81 bytes a tick: is this one?");
+  const auto bytes = readFile(file, kMostBytes, tr("a recording is 81 bytes a tick: is this one?"));
   if (!bytes) return bytes.problem();
   const char* data = bytes->data();
-  const Problem none{file.string(), 0, 0, "this is no recording of a device",
-                     "recordings are made by `moltact device record`"};
+  const Problem none{file.string(), 0, 0, tr("this is no recording of a device"),
+                     tr("recordings are made by `moltact device record`")};
   const std::size_t fixed = kMagic.size() + 12;
   if (std::string_view(*bytes).starts_with(kOldMagic))
-    return Problem{file.string(), 0, 0, "this recording is of an earlier version, whose ticks hold less",
-                   "record it anew"};
+    return Problem{file.string(), 0, 0, tr("this recording is of an earlier version, whose ticks hold less"),
+                   tr("record it anew")};
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
   const bool places_only = stateless || std::string_view(*bytes).starts_with(kPlacesMagic);
   if (bytes->size() < fixed || !(places_only || std::string_view(*bytes).starts_with(kMagic))) return none;
@@ -228,11 +230,11 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   get(text_size), get(build_size), get(state_size);
   const std::size_t head = fixed + std::size_t(text_size) + build_size + state_size;
   if (head + 4 > bytes->size())
-    return Problem{file.string(), 0, 0, "the recording breaks off in its first lines", "record it anew"};
+    return Problem{file.string(), 0, 0, tr("the recording breaks off in its first lines"), tr("record it anew")};
   get.at = data + head;
   get(crc);
   if (crc != crc32(0, reinterpret_cast<const Bytef*>(data), uInt(head)))
-    return Problem{file.string(), 0, 0, "the recording's first lines are damaged", "record it anew"};
+    return Problem{file.string(), 0, 0, tr("the recording's first lines are damaged"), tr("record it anew")};
 
   ServoRecording recording;
   const std::string_view text(data + fixed, text_size);
@@ -252,10 +254,9 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   recording.ticks.reserve(std::min(kMostRecordedTicks, static_cast<std::size_t>(get.end - get.at) / kLeastTickBytes));
   DeviceSpecs device;
   while (get.at < get.end) {
-    const auto torn = [&](const char* how) {
-      char when[64];
-      std::snprintf(when, sizeof when, " after %.3f s", double(recording.ticks.size()) * kTick_s);
-      recording.torn = std::string("the recording ") + how + when + "; what is before that is kept";
+    const auto torn = [&](const char* sentence) {
+      recording.torn =
+          trf(sentence, quantityText(double(recording.ticks.size()) * kTick_s, Dimension::Time, decimals(3)));
     };
     std::uint32_t count = 0, size = 0, block_crc = 0;
     const bool block = static_cast<std::size_t>(get.end - get.at) >= kBlockMagic.size() &&
@@ -263,7 +264,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     if (block) get.at += kBlockMagic.size();
     get(count), get(size), get(block_crc);
     if (!get.ok || static_cast<std::size_t>(get.end - get.at) < size) {
-      torn("breaks off");
+      torn(N_("the recording breaks off after {0}; what is before that is kept"));
       break;
     }
     Getter inside{get.at, get.at + size};
@@ -278,11 +279,11 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
       device = tick.device;
     }
     if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
-      torn("goes on for longer than is read");
+      torn(N_("the recording goes on for longer than is read after {0}; what is before that is kept"));
       break;
     }
     if (!good || inside.at != inside.end) {
-      torn("is damaged");
+      torn(N_("the recording is damaged after {0}; what is before that is kept"));
       break;
     }
     recording.ticks.insert(recording.ticks.end(), ticks.begin(), ticks.end());

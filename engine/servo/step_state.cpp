@@ -5,6 +5,8 @@
 #include <map>
 #include <type_traits>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
@@ -130,7 +132,7 @@ struct Reader {
     if (!wrong.empty()) return;
     const auto found = values.find(prefix + name);
     if (found == values.end()) {
-      wrong = "does not say " + prefix + name;
+      wrong = trf("the state that the recording begins from does not say {0}", prefix + name);
       return;
     }
     const std::string_view text = found->second;
@@ -142,7 +144,7 @@ struct Reader {
     else
       end = std::from_chars(text.data(), last, read);
     if (end.ec != std::errc{} || end.ptr != last || !(read >= least && read <= greatest)) {
-      wrong = "has a " + prefix + name + " that cannot be";
+      wrong = trf("the state that the recording begins from has a {0} that cannot be", prefix + name);
       return;
     }
     value = T(read);
@@ -160,21 +162,20 @@ std::string stateText(const ServoStep& step) {
 }
 
 Expected<ServoStep> stepFromText(std::string_view text) {
-  const auto problem = [](std::string what) {
-    return Problem{"", 0, 0, "the state that the recording begins from " + std::move(what), "record it anew"};
-  };
+  const auto problem = [](std::string what) { return Problem{"", 0, 0, std::move(what), tr("record it anew")}; };
   Reader reader;
   while (!text.empty()) {
     const std::size_t end = std::min(text.find('\n'), text.size()), equals = text.find('=');
-    if (equals >= end) return problem("holds a line without a value");
+    if (equals >= end) return problem(tr("the state that the recording begins from holds a line without a value"));
     if (!reader.values.emplace(text.substr(0, equals), text.substr(equals + 1, end - equals - 1)).second)
-      return problem("says a value twice");
+      return problem(tr("the state that the recording begins from says a value twice"));
     text.remove_prefix(std::min(end + 1, text.size()));
   }
   ServoStep step;
   StepState::of(reader, step);
   if (!reader.wrong.empty()) return problem(reader.wrong);
-  if (!reader.values.empty()) return problem("holds a value that is not known");
+  if (!reader.values.empty())
+    return problem(tr("the state that the recording begins from holds a value that is not known"));
   return step;
 }
 

@@ -55,7 +55,8 @@ TEST_CASE(
   CHECK(d->text("status/device") == "Simulated stylus");
   CHECK(d->text("device/name") == "Simulated stylus");
   CHECK(contains(d->text("device/live"), "\u00a0mm; force "));
-  CHECK(contains(d->text("device/scale"), "1 mm here is 0.25 Å there, 1 N here would be 130 pN there."));
+  CHECK(contains(d->text("device/scale"),
+                 "1\u00a0mm here is 0.25\u00a0Å there, 1\u00a0N here would be 130\u00a0pN there."));
   CHECK(contains(d->text("device/scale reason"),
                  "Two carbon atoms pressed that far into each other would push back with "));
   // A spring harder than the stylus can hold counts as hard as it is felt.

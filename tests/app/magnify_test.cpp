@@ -194,7 +194,7 @@ TEST_CASE("with a stylus the scale is always told, and a magnified part lies in 
   REQUIRE(d->click("device/simulated"));
   d->tap("Escape");
   d->frames(3);
-  CHECK(d->text("status/scale") == "1 mm here is 0.25 Å there, 1 N here would be 130 pN there");
+  CHECK(d->text("status/scale") == "1\u00a0mm here is 0.25\u00a0Å there, 1\u00a0N here would be 130\u00a0pN there");
   const double half_mm = 0.5 * d->app().scene.servo().device().workspace_mm.x;
   d->tap("Ctrl+G");
   d->frames(3);

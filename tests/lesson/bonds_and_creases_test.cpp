@@ -4,13 +4,18 @@
 using namespace moltact;
 using namespace moltact::test;
 
-TEST_CASE("bonds-and-creases.md has 6 steps in 4 molecules, with crossings, creases to trace and a pit to rest in") {
-  const Lesson lesson = shippedLesson("bonds-and-creases");
-  checkCare(lesson);
-  CHECK(lesson.steps.size() == 6);
-  CHECK(lesson.molecules.size() == 4);
-  CHECK(tasksOf(lesson, "cross") == 4);
-  CHECK(tasksOf(lesson, "trace") == 2);
+TEST_CASE(
+    "bonds-and-creases.md, and the same in German, has 6 steps in 4 molecules, with crossings, creases to trace and a "
+    "pit to rest in") {
+  for (const char* file : {"bonds-and-creases", "bonds-and-creases.de"}) {
+    CAPTURE(file);
+    const Lesson lesson = shippedLesson(file);
+    checkCare(lesson);
+    CHECK(lesson.steps.size() == 6);
+    CHECK(lesson.molecules.size() == 4);
+    CHECK(tasksOf(lesson, "cross") == 4);
+    CHECK(tasksOf(lesson, "trace") == 2);
+  }
 }
 
 TEST_CASE(

@@ -13,7 +13,11 @@ using namespace moltact;
 
 namespace {
 
-constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
+struct File {
+  const char *name, *title;
+};
+constexpr File kFiles[] = {{MOLTACT_SOURCE_DIR "/lessons/first-touch.md", "First touch"},
+                           {MOLTACT_SOURCE_DIR "/lessons/first-touch.de.md", "Erste Berührung"}};
 
 Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
   const std::string& name = named.name;
@@ -40,64 +44,75 @@ int openDirections(const BallScene& balls, std::uint32_t atom, double probe_A) {
 
 }  // namespace
 
-TEST_CASE("first-touch.md reads without errors or warnings into 5 steps, from argon to ubiquitin, each with a task") {
-  const LessonReading read = readLesson(kLesson);
-  for (const Problem& p : read.errors) MESSAGE(p.text());
-  for (const Problem& p : read.warnings) MESSAGE(p.text());
-  REQUIRE(read.lesson);
-  CHECK(read.warnings.empty());
-  const Lesson& lesson = *read.lesson;
-  CHECK(lesson.title == "First touch");
-  CHECK(lesson.minutes == 8);
-  CHECK(lesson.goals.size() == 3);
-  REQUIRE(lesson.steps.size() == 5);
-  const char* expected[] = {"argon", "argon-pair", "argon-triangle", "alpha-helix", "1ubq"};
-  std::set<std::string> used;
-  for (std::size_t i = 0; i < 5; ++i) {
-    CHECK(lesson.steps[i].scene.molecule == expected[i]);
-    CHECK(lesson.steps[i].tasks.size() >= 2);
-    used.insert(lesson.steps[i].scene.molecule.name);
-  }
-  CHECK(used.size() == lesson.molecules.size());
-  std::size_t questions = 0, notes = 0, tips = 0;
-  for (const Step& s : lesson.steps) {
-    questions += s.questions.size();
-    for (const Block& b : s.blocks) {
-      notes += std::holds_alternative<TeacherNote>(b);
-      tips += std::holds_alternative<Tip>(b);
+TEST_CASE(
+    "first-touch.md, as in German, reads without errors or warnings into 5 steps, from argon to ubiquitin, each with a "
+    "task") {
+  for (const File& file : kFiles) {
+    CAPTURE(file.name);
+    const LessonReading read = readLesson(file.name);
+    for (const Problem& p : read.errors) MESSAGE(p.text());
+    for (const Problem& p : read.warnings) MESSAGE(p.text());
+    REQUIRE(read.lesson);
+    CHECK(read.warnings.empty());
+    const Lesson& lesson = *read.lesson;
+    CHECK(lesson.title == file.title);
+    CHECK(lesson.minutes == 8);
+    CHECK(lesson.goals.size() == 3);
+    REQUIRE(lesson.steps.size() == 5);
+    const char* expected[] = {"argon", "argon-pair", "argon-triangle", "alpha-helix", "1ubq"};
+    std::set<std::string> used;
+    for (std::size_t i = 0; i < 5; ++i) {
+      CHECK(lesson.steps[i].scene.molecule == expected[i]);
+      CHECK(lesson.steps[i].tasks.size() >= 2);
+      used.insert(lesson.steps[i].scene.molecule.name);
     }
+    CHECK(used.size() == lesson.molecules.size());
+    std::size_t questions = 0, notes = 0, tips = 0;
+    for (const Step& s : lesson.steps) {
+      questions += s.questions.size();
+      for (const Block& b : s.blocks) {
+        notes += std::holds_alternative<TeacherNote>(b);
+        tips += std::holds_alternative<Tip>(b);
+      }
+    }
+    CHECK(questions == 3);
+    CHECK(notes == 1);
+    CHECK(tips >= 6);
   }
-  CHECK(questions == 3);
-  CHECK(notes == 1);
-  CHECK(tips >= 6);
 }
 
 TEST_CASE("every selection of first-touch.md selects atoms of the shipped molecules") {
-  const LessonReading read = readLesson(kLesson);
-  REQUIRE(read.lesson);
-  for (const Problem& p : checkAgainstMolecules(*read.lesson, shipped)) FAIL_CHECK(p.text());
+  for (const File& file : kFiles) {
+    CAPTURE(file.name);
+    const LessonReading read = readLesson(file.name);
+    REQUIRE(read.lesson);
+    for (const Problem& p : checkAgainstMolecules(*read.lesson, shipped)) FAIL_CHECK(p.text());
+  }
 }
 
 TEST_CASE("every target of first-touch.md has an atom that the probe can touch from at least 1 in 100 directions") {
-  const LessonReading read = readLesson(kLesson);
-  REQUIRE(read.lesson);
-  int targets = 0;
-  for (const Step& step : read.lesson->steps) {
-    const auto molecule = shipped(step.scene.molecule);
-    REQUIRE(molecule);
-    const BallScene balls((*molecule)->balls());
-    for (const TaskSpec& task : step.tasks)
-      for (const auto& [key, value] : task.values) {
-        if (!value.selection.given()) continue;
-        CAPTURE(value.selection.text());
-        int most = 0;
-        for (const std::uint32_t atom : value.selection.select(**molecule))
-          most = std::max(most, openDirections(balls, atom, step.scene.probe_A));
-        CHECK(most >= 20);
-        ++targets;
-      }
+  for (const File& file : kFiles) {
+    CAPTURE(file.name);
+    const LessonReading read = readLesson(file.name);
+    REQUIRE(read.lesson);
+    int targets = 0;
+    for (const Step& step : read.lesson->steps) {
+      const auto molecule = shipped(step.scene.molecule);
+      REQUIRE(molecule);
+      const BallScene balls((*molecule)->balls());
+      for (const TaskSpec& task : step.tasks)
+        for (const auto& [key, value] : task.values) {
+          if (!value.selection.given()) continue;
+          CAPTURE(value.selection.text());
+          int most = 0;
+          for (const std::uint32_t atom : value.selection.select(**molecule))
+            most = std::max(most, openDirections(balls, atom, step.scene.probe_A));
+          CHECK(most >= 20);
+          ++targets;
+        }
+    }
+    CHECK(targets == 6);
   }
-  CHECK(targets == 6);
 }
 
 TEST_CASE("the pit of the argon triangle is a place where a 1.4 Å probe touches three atoms: 2.46 Å above the middle") {

@@ -40,13 +40,13 @@ TEST_CASE("hold for 2 s forgives a slip of 0.25 s and starts again after one of 
   auto t = task("hold", {{"hold", "ligand"}, {"for", "2 s"}});
   Hand hand{*t};
   hand.touch({6}, 1.2);
-  CHECK(t->sentence() == "Hold it: 1.2 s of 2.0 s.");
+  CHECK(t->sentence() == "Hold it: 1.2\u00a0s of 2.0\u00a0s.");
   hand.away(0.25);
   hand.touch({7}, 0.4);
-  CHECK(t->sentence() == "Hold it: 1.6 s of 2.0 s.");
+  CHECK(t->sentence() == "Hold it: 1.6\u00a0s of 2.0\u00a0s.");
   hand.away(0.35);
   CHECK(t->progress() == 0.0);
-  CHECK(t->sentence() == "You slipped off. Touch the ligand again and hold for 2.0 s.");
+  CHECK(t->sentence() == "You slipped off. Touch the ligand again and hold for 2.0\u00a0s.");
   hand.touch({7}, 1.9);
   CHECK_FALSE(t->done());
   hand.touch({7}, 0.2);
@@ -57,9 +57,9 @@ TEST_CASE("hold between 0.2 N and 0.6 N asks for more at 0.1 N and for less at 0
   auto t = task("hold", {{"hold", "crease"}, {"for", "1 s"}, {"force", "0.2 N to 0.6 N"}});
   Hand hand{*t};
   hand.touch({0, 1}, 0.1, 0.1);
-  CHECK(t->sentence() == "Push a little further in: 0.20 N is enough.");
+  CHECK(t->sentence() == "Push a little further in: 0.20\u00a0N is enough.");
   hand.touch({0, 1}, 0.1, 0.8);
-  CHECK(t->sentence() == "Ease off a little: stay below 0.60 N.");
+  CHECK(t->sentence() == "Ease off a little: stay below 0.60\u00a0N.");
   hand.touch({0}, 2.0, 0.4);
   CHECK(t->sentence() == "You are on the surface. Slide on to find a crease between two atoms.");
   CHECK_FALSE(t->done());
@@ -72,7 +72,7 @@ TEST_CASE("one noisy sample of 5 N does not finish a press until 0.8 N, 0.1 s of
   Hand hand{*t};
   hand.touch({0}, 0.1, 0.4);
   CHECK(t->progress() == doctest::Approx(0.5));
-  CHECK(t->sentence() == "You push with 0.40 N of 0.80 N. Push further in.");
+  CHECK(t->sentence() == "You push with 0.40\u00a0N of 0.80\u00a0N. Push further in.");
   hand.touch({0}, 0.001, 5.0);
   CHECK_FALSE(t->done());
   hand.touch({0}, 1.0, 0.4);

@@ -35,20 +35,25 @@ TEST_CASE("carbon's push is the slope of the van der Waals energy, and nothing w
 TEST_CASE("the scale tells a way and a force with two digits that count: 0.2 A a mm under 0.5 N/mm is 71 pN a newton") {
   Workspace workspace;
   workspace.A_per_mm = 0.2;  // 1 N: 2 mm, 0.4 A
-  CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 0.2 Å there, 1 N here would be 71 pN there.");
+  CHECK(scaleSentence(workspace, 0.5) ==
+        "1\u00a0mm here is 0.2\u00a0Å there, 1\u00a0N here would be 71\u00a0pN there.");
   CHECK(scaleReason(workspace, 0.5)
-            .find("With 1 N the probe is 0.4 Å under the surface. Two carbon atoms pressed that far into each other "
-                  "would push back with 71 pN.") == 0);
+            .find("With 1\u00a0N the probe is 0.4\u00a0Å under the surface. Two carbon atoms pressed that far into "
+                  "each other "
+                  "would push back with 71\u00a0pN.") == 0);
   workspace.A_per_mm = 0.0362;  // 0.0724 A
-  CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 0.036 Å there, 1 N here would be 4.2 pN there.");
+  CHECK(scaleSentence(workspace, 0.5) ==
+        "1\u00a0mm here is 0.036\u00a0Å there, 1\u00a0N here would be 4.2\u00a0pN there.");
   workspace.A_per_mm = 1.0;  // 1.0 A under 1 N/mm
-  CHECK(scaleSentence(workspace, 1.0) == "1 mm here is 1 Å there, 1 N here would be 2100 pN there.");
+  CHECK(scaleSentence(workspace, 1.0) ==
+        "1\u00a0mm here is 1\u00a0Å there, 1\u00a0N here would be 2100\u00a0pN there.");
   workspace.A_per_mm = 4.0;
-  CHECK(scaleSentence(workspace, 0.5) == "1 mm here is 4 Å there; 1 N here presses deeper than atoms can go there.");
+  CHECK(scaleSentence(workspace, 0.5) ==
+        "1\u00a0mm here is 4\u00a0Å there; 1\u00a0N here presses deeper than atoms can go there.");
   CHECK(scaleReason(workspace, 0.5) ==
-        "With 1 N the probe is 8 Å under the surface: so far into each other no two atoms can be pressed.");
+        "With 1\u00a0N the probe is 8\u00a0Å under the surface: so far into each other no two atoms can be pressed.");
   for (const double none : {0.0, -1.0, std::nan("")})
-    CHECK(scaleSentence(workspace, none) == "1 mm here is 4 Å there; nothing pushes back.");
+    CHECK(scaleSentence(workspace, none) == "1\u00a0mm here is 4\u00a0Å there; nothing pushes back.");
 }
 
 TEST_CASE(

@@ -84,7 +84,7 @@ void DeviceLink::begin(Application& app) {
   // A name that no driver has any more is forgotten.
   if (!found && !findDevice(name.substr(0, name.find(':')))) return;
   awaited_ = name;
-  awaited_title_ = found ? found->title : name;
+  awaited_title_ = found ? tr(found->title.c_str()) : name;
   app.messages.notice(found && !found->why.empty()
                           ? trf("{0} is not there ({1}). Until it is, the mouse leads.", awaited_title_, found->why)
                           : trf("{0} is not there. Until it is, the mouse leads.", awaited_title_));
@@ -118,7 +118,7 @@ void DeviceLink::await(Application& app) {
   if (!device || awaited_.empty() || use(app, awaited_, std::move(*device))) return;
   awaited_.clear();
   awaited_title_.clear();
-  app.messages.notice(trf("{0} is there and leads.", app.scene.servo().chosen()->info().name));
+  app.messages.notice(trf("{0} is there and leads.", tr(app.scene.servo().chosen()->info().name.c_str())));
 }
 
 // At the start what is there is taken. Later nothing changes under the hand by itself.
@@ -190,7 +190,7 @@ void DeviceLink::ask(Application& app) {
   if (!device || (asked_s_ >= 0.0 && app.now_s() - asked_s_ < kAsk_s)) return;
   asked_s_ = app.now_s();
   const DeviceStatus was = std::exchange(status_, device->status());
-  const std::string& name = device->info().name;
+  const std::string name = tr(device->info().name.c_str());
   std::string now = status_.text;
   if (!status_.connected)
     now = trf("{0} Until then the mouse leads.", now);

@@ -18,7 +18,8 @@ std::vector<LibraryItem> readLibrary() {
   const fs::path folder = moleculesFolder();
   const Expected<std::vector<CatalogueEntry>> entries = readCatalogue(folder);
   if (!entries) return items;
-  for (const CatalogueEntry& e : *entries) items.push_back({e.id, e.title.empty() ? e.id : e.title, folder / e.file});
+  for (const CatalogueEntry& e : *entries)
+    items.push_back({e.id, e.title.empty() ? e.id : trc("molecule", e.title.c_str()), folder / e.file});
   return items;
 }
 
@@ -46,7 +47,12 @@ std::vector<LibraryItem> lessonItems(const fs::path& folder) {
 }
 
 const std::vector<LibraryItem>& library() {
-  static const std::vector<LibraryItem> items = readLibrary();
+  static std::vector<LibraryItem> items;
+  static std::optional<std::string> listed_in;
+  if (listed_in != language()) {
+    listed_in = language();
+    items = readLibrary();
+  }
   return items;
 }
 

@@ -1,4 +1,4 @@
-// What comes with the program: its molecules and lessons, as menus list them, read once; and lesson folders. Window's
+// What comes with the program: its molecules and lessons, as menus list them, read once in each language; and lesson folders. Window's
 // thread.
 #pragma once
 
@@ -18,7 +18,7 @@ struct LibraryItem {
 /// The lesson that a newcomer begins with.
 inline constexpr std::string_view kFirstLesson = "first-touch";
 
-/// The molecules of the catalogue; empty where the program's data are not found.
+/// The molecules of the catalogue, their titles in the language in use; empty where the program's data are not found.
 const std::vector<LibraryItem>& library();
 /// The lesson files in the program's lessons folder, by name; each lesson once, in the language in use.
 const std::vector<LibraryItem>& lessons();

@@ -42,11 +42,11 @@ void saveGltf(App& app, const std::filesystem::path& file) {
       exportMolecule(*app.scene.stage().molecule, {.colours = elementColoursOf(app.settings)});
   if (!scene) return app.messages.error(scene.problem().text());
   if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
-  app.messages.notice("Molecule saved as " + file.string() + "; 1 unit is 1 nm");
+  app.messages.notice(trf("Molecule saved as {0}; 1 unit is 1 nm", file.string()));
 }
 
 void askForGltf(App& app) {
-  app.file_dialog.ask({.title = "Save the molecule as a 3-D model",
+  app.file_dialog.ask({.title = tr("Save the molecule as a 3-D model"),
                        .name = app.scene.molecule().file.stem().string() + ".glb",
                        .ending = ".glb",
                        .chosen = [&app](const std::filesystem::path& file) { saveGltf(app, file); }},

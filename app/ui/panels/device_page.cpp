@@ -46,7 +46,7 @@ void drawUsable(Application& app, DeviceLink& link) {
   for (const FoundDevice& one : link.found()) {
     if (!one.usable) continue;
     const std::string name = "device/" + one.name;
-    if (button(name.c_str(), one.title.c_str(), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain,
+    if (button(name.c_str(), tr(one.title.c_str()), one.name == link.chosen() ? ButtonLook::Primary : ButtonLook::Plain,
                -1.0f))
       link.choose(app, one.name);
     if (one.place.empty()) continue;
@@ -62,7 +62,7 @@ void drawUnusable(const DeviceLink& link) {
   for (const FoundDevice& one : link.found()) {
     if (one.usable) continue;
     const std::string name = "device/" + one.name;
-    words(name.c_str(), one.title, look().palette.text);
+    words(name.c_str(), tr(one.title.c_str()), look().palette.text);
     WithFont small(Font::Small);
     words((name + "/why").c_str(), one.why, look().palette.quiet);
   }
@@ -118,7 +118,7 @@ void drawLive(Application& app, DeviceLink& link) {
   const DeviceInfo& info = servo.device();
   const ServoSample& now = servo.newest();
   sectionTitle(tr("In use"));
-  words("device/name", info.name, p.text);
+  words("device/name", tr(info.name.c_str()), p.text);
   if (!link.awaited().empty())
     words("device/awaited", trf("{0} leads as soon as it is plugged in.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);

@@ -95,7 +95,7 @@ void drawStatusBar(Application& app) {
                           ? std::string()
                           : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
                       0, app.scene.log().touching() ? l.palette.accent : l.palette.faint});
-  segments.push_back({"status/device", app.scene.servo().device().name,
+  segments.push_back({"status/device", tr(app.scene.servo().device().name.c_str()),
                       app.scene.servo().device().gives_force
                           ? ""
                           : tr("No force-feedback device is connected; the mouse or keyboard stands in for it."),

@@ -35,8 +35,15 @@ bool button(const char* name, const char* label, ButtonLook kind, float width, b
   ImGui::PushID(name);
   const float high = look().tx(34);
   if (kind == ButtonLook::Primary) ImGui::PushFont(look().font(Font::Strong));
+  // A label that fills its button stands in the middle and has less air on either side; ImGui would cut its end.
+  const ImVec2 air = ImGui::GetStyle().FramePadding;
+  const float text_w = ImGui::CalcTextSize(label, nullptr, true).x,
+              given = width < 0.0f ? ImGui::GetContentRegionAvail().x + width : width;
+  const bool tight = width != 0.0f && text_w + 2.0f * air.x > given;
+  if (tight) ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {std::max(0.0f, 0.5f * (given - text_w)), air.y});
   const bool clicked = ImGui::Button(label, {width, high});
-  if (ImGui::CalcTextSize(label, nullptr, true).x > ImGui::GetItemRectSize().x) widgets().noteCut(label);
+  if (tight) ImGui::PopStyleVar();
+  if (text_w > ImGui::GetItemRectSize().x) widgets().noteCut(label);
   if (kind == ButtonLook::Primary) ImGui::PopFont();
   ImGui::PopID();
   ImGui::EndDisabled();

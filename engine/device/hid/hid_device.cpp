@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/force_hold.h"
 
 namespace moltact {
@@ -181,10 +182,10 @@ DeviceStatus HidDevice::status() {
   status.connected = !gone_.load();
   if (!status.connected) {
     status.ready = false;
-    status.text = info().name + " is unplugged: plug it in again.";
+    status.text = trf("{0} is unplugged: plug it in again.", tr(info().name.c_str()));
   } else if (const HidGuidance guidance = guidance_.read(); guidance.text) {
     status.ready = false;
-    status.text = guidance.text;
+    status.text = tr(guidance.text);
     status.asks_calibrate = guidance.asks_calibrate;
   }
   return status;
@@ -215,7 +216,7 @@ std::vector<FoundDevice> findHid(const HidKind& kind) {
   out.insert(out.end(), closed.begin(), closed.end());
   if (out.empty()) {
     FoundDevice none{.title = std::string(kind.title), .gives_force = kind.known.gives_force};
-    none.why = "none is plugged in" + strangers;
+    none.why = tr("none is plugged in") + strangers;
     out.push_back(std::move(none));
   }
   return out;
@@ -230,7 +231,7 @@ Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice
     std::vector<HidEntry> all = listHid();
     std::erase_if(all, [&](const HidEntry& entry) { return !is(entry); });
     std::stable_partition(all.begin(), all.end(), [&](const HidEntry& entry) { return entry.path == path; });
-    Problem why{"", 0, 0, "the device is not plugged in", "plug it in"};
+    Problem why{"", 0, 0, tr("the device is not plugged in"), tr("plug it in")};
     for (const HidEntry& entry : all) {
       auto port = openHid(entry);
       if (!port) {

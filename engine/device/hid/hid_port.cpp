@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/force_hold.h"
 
 namespace moltact {
@@ -72,8 +73,8 @@ Expected<std::unique_ptr<HidPort>> openHid(const HidEntry& entry) {
   hid_device* const device = hid_open_path(entry.path.c_str());
   if (!device)
     return Problem{
-        "", 0, 0, entry.path + " cannot be opened (" + plain(hid_error(nullptr)) + ')',
-        "give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again"};
+        "", 0, 0, trf("{0} cannot be opened ({1})", entry.path, plain(hid_error(nullptr))),
+        tr("give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again")};
   return std::unique_ptr<HidPort>(std::make_unique<RealPort>(device, entry.path));
 }
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
+
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -19,44 +21,39 @@ constexpr double kCutTold_s = 0.020;
 constexpr double kMostPass_s = 0.002;  // a thread that stood lets no cut go by untold
 constexpr double kFarthest = 32767.0;  // of 16 bits with a sign
 
-std::string text(const char* format, auto... values) {
-  char out[200];
-  std::snprintf(out, sizeof out, format, values...);
-  return out;
-}
-
 Problem noneOfIt(const char* what) {
-  return Problem{"", 0, 0, std::string("the device is none of the open layout: ") + what,
-                 "see docs/device-protocol.md"};
+  return Problem{"", 0, 0, trf("the device is none of the open layout: {0}", what), tr("see docs/device-protocol.md")};
 }
 
 // What a description cannot be used with, in words that name the field.
 std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
   const auto refuse = [](const std::string& what, const std::string& remedy) {
-    return Problem{"", 0, 0, "the device's feature report 3 cannot be used: " + what, remedy};
+    return Problem{"", 0, 0, trf("the device's feature report 3 cannot be used: {0}", what), remedy};
   };
   const int unit_nm = uint16At(r, 6), peak_mN = uint16At(r, 8), lasting_mN = uint16At(r, 10);
-  if (unit_nm == 0) return refuse("its place's unit (byte 6) is 0", "tell the length of a place's step there, in nm");
+  if (unit_nm == 0)
+    return refuse(tr("its place's unit (byte 6) is 0"), tr("tell the length of a place's step there, in nm"));
   int longest_mm = 0;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const int room_mm = uint16At(r, 12 + 2 * axis);
     if (room_mm == 0)
-      return refuse(text("its room along %c (byte %d) is 0", int('x' + axis), int(12 + 2 * axis)),
-                    "tell it there, edge to edge, in mm");
+      return refuse(trf("its room along {0} (byte {1}) is 0", std::string(1, char('x' + axis)), 12 + 2 * axis),
+                    tr("tell it there, edge to edge, in mm"));
     longest_mm = std::max(longest_mm, room_mm);
   }
   if (const double reach_mm = 1e-6 * unit_nm * kFarthest; 0.5 * longest_mm > reach_mm)
     return refuse(
-        text("places in steps of %d nm (byte 6) reach %.1f mm from the middle, and its room of %d mm (bytes 12 to 17) "
-             "needs %.1f mm",
-             unit_nm, reach_mm, longest_mm, 0.5 * longest_mm),
-        text("make the unit at least %d nm, or the room smaller", int(std::ceil(0.5e6 * longest_mm / kFarthest))));
+        trf("places in steps of {0} nm (byte 6) reach {1} from the middle, and its room of {2} mm (bytes 12 to 17) "
+            "needs {3}",
+            unit_nm, quantityText(reach_mm, Dimension::HandLength, decimals(1)), longest_mm,
+            quantityText(0.5 * longest_mm, Dimension::HandLength, decimals(1))),
+        trf("make the unit at least {0} nm, or the room smaller", int(std::ceil(0.5e6 * longest_mm / kFarthest))));
   if (peak_mN > int(kFarthest))
-    return refuse(text("its greatest force (byte 8) is %d mN", peak_mN),
-                  "a force report can ask for no more than 32767 mN: tell that at most");
+    return refuse(trf("its greatest force (byte 8) is {0} mN", peak_mN),
+                  tr("a force report can ask for no more than 32767 mN: tell that at most"));
   if (peak_mN > 0 && lasting_mN == 0)
-    return refuse("its greatest force for good (byte 10) is 0, so that it could give none",
-                  "tell there what its motors bear for as long as you like, in mN");
+    return refuse(tr("its greatest force for good (byte 10) is 0, so that it could give none"),
+                  tr("tell there what its motors bear for as long as you like, in mN"));
   return std::nullopt;
 }
 
@@ -67,8 +64,8 @@ std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   const int size = port.feature(report);
   of_kind_ = size >= int(kDescriptionBytes) && report[0] == kDescription &&
              std::equal(kMagic.begin(), kMagic.end(), report.begin() + 1);
-  if (!of_kind_) return noneOfIt("its feature report 3 does not begin with 'MLTC'");
-  if (report[5] != kVersion) return noneOfIt("it speaks another version of the layout");
+  if (!of_kind_) return noneOfIt(tr("its feature report 3 does not begin with 'MLTC'"));
+  if (report[5] != kVersion) return noneOfIt(tr("it speaks another version of the layout"));
   const std::span<const std::uint8_t> bytes(report);
   if (auto problem = problemOf(bytes)) return problem;
   const auto known = [&](std::size_t at, double unit, double otherwise) {
@@ -115,8 +112,8 @@ bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) 
 }
 
 HidGuidance OpenProtocol::guidance() const noexcept {
-  if (status_ & kFault) return {"The device reports a fault: look at it and at its power, then plug it in again."};
-  if (status_ & kUncalibrated) return {"The device is not calibrated: do with it what its maker says for that."};
+  if (status_ & kFault) return {N_("The device reports a fault: look at it and at its power, then plug it in again.")};
+  if (status_ & kUncalibrated) return {N_("The device is not calibrated: do with it what its maker says for that.")};
   return {};
 }
 
@@ -149,7 +146,7 @@ namespace {
 const HidKind& openLayout() {
   DeviceInfo info;
   info.gives_force = true;  // most do; each tells it itself
-  static const HidKind kind{"Device of the open layout", isOpenDevice,
+  static const HidKind kind{N_("Device of the open layout"), isOpenDevice,
                             [] { return std::unique_ptr<HidProtocol>(new OpenProtocol); }, info};
   return kind;
 }
@@ -159,7 +156,7 @@ const HidKind& openLayout() {
 extern const DeviceDriver kOpenDriver;
 const DeviceDriver kOpenDriver{
     .name = "open",
-    .sentence = "A device that you build: any that speaks the reports of docs/device-protocol.md.",
+    .sentence = N_("A device that you build: any that speaks the reports of docs/device-protocol.md."),
     .find = [] { return findHid(openLayout()); },
     .open = [](const FoundDevice& found) { return openHid(openLayout(), found); },
 };

@@ -5,6 +5,7 @@
 #include <initializer_list>
 
 #include "engine/device/hid/rate_control.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -83,13 +84,13 @@ DeviceInfo padInfo() {
   return info;
 }
 const HidKind& dualShock() {
-  static const HidKind kind{"Game pad (DualShock 4)", isDualShock4,
+  static const HidKind kind{N_("Game pad (DualShock 4)"), isDualShock4,
                             [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualShock4)); },
                             padInfo()};
   return kind;
 }
 const HidKind& dualSense() {
-  static const HidKind kind{"Game pad (DualSense)", isDualSense,
+  static const HidKind kind{N_("Game pad (DualSense)"), isDualSense,
                             [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualSense)); },
                             padInfo()};
   return kind;
@@ -100,13 +101,13 @@ const HidKind& dualSense() {
 extern const DeviceDriver kDualShockDriver, kDualSenseDriver;
 const DeviceDriver kDualShockDriver{
     .name = "gamepad",
-    .sentence = "Sony DualShock 4: its sticks lead the hand and turn the view, its rumble stands for the force.",
+    .sentence = N_("Sony DualShock 4: its sticks lead the hand and turn the view, its rumble stands for the force."),
     .find = [] { return findHid(dualShock()); },
     .open = [](const FoundDevice& found) { return openHid(dualShock(), found); },
 };
 const DeviceDriver kDualSenseDriver{
     .name = "dualsense",
-    .sentence = "Sony DualSense: its sticks lead the hand and turn the view, its rumble stands for the force.",
+    .sentence = N_("Sony DualSense: its sticks lead the hand and turn the view, its rumble stands for the force."),
     .find = [] { return findHid(dualSense()); },
     .open = [](const FoundDevice& found) { return openHid(dualSense(), found); },
 };

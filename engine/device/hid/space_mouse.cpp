@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/device/hid/rate_control.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -87,7 +88,7 @@ const HidKind& spaceMouse() {
 extern const DeviceDriver kSpaceMouseDriver;
 const DeviceDriver kSpaceMouseDriver{
     .name = "spacemouse",
-    .sentence = "3Dconnexion SpaceMouse: leads the hand and turns the view, gives no force.",
+    .sentence = N_("3Dconnexion SpaceMouse: leads the hand and turns the view, gives no force."),
     .find = [] { return findHid(spaceMouse()); },
     .open = [](const FoundDevice& found) { return openHid(spaceMouse(), found); },
 };

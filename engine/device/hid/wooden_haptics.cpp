@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -38,7 +40,7 @@ std::optional<Problem> WoodenHapticsProtocol::begin(HidPort&, DeviceInfo&) {
 
 HidGuidance WoodenHapticsProtocol::guidance() const noexcept {
   if (calibrated_) return {};
-  return {"Hold both links of the device upright: its encoders count from there.", true};
+  return {N_("Hold both links of the device upright: its encoders count from there."), true};
 }
 
 bool WoodenHapticsProtocol::calibrate() noexcept {
@@ -108,7 +110,7 @@ const HidKind& woodenHaptics() {
 extern const DeviceDriver kWoodenHapticsDriver;
 const DeviceDriver kWoodenHapticsDriver{
     .name = "woodenhaptics",
-    .sentence = "WoodenHaptics, the open stylus of 2015; it is calibrated with both links held upright.",
+    .sentence = N_("WoodenHaptics, the open stylus of 2015; it is calibrated with both links held upright."),
     .find = [] { return findHid(woodenHaptics()); },
     .open = [](const FoundDevice& found) { return openHid(woodenHaptics(), found); },
 };

@@ -8,6 +8,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "engine/language/catalogue.h"
 #include "engine/platform/shared_library.h"
 
 namespace moltact::hd {
@@ -20,12 +21,12 @@ Expected<Library> load() {
   if (!named.empty()) names = {named};
   const auto library = SharedLibrary::open(names);
   if (!library)
-    return Problem{"", 0, 0, "OpenHaptics' libHD.so could not be loaded (" + library.problem().message + ')',
-                   named.empty() ? "install 3D Systems' \"OpenHaptics for Linux\" and the driver of the device, both "
-                                   "from their support pages, "
-                                   "or name the library with MOLTACT_LIBHD=/path/libHD.so"
-                                 : "correct or unset MOLTACT_LIBHD, which names it; the library comes with 3D Systems' "
-                                   "\"OpenHaptics for Linux\""};
+    return Problem{"", 0, 0, trf("OpenHaptics' libHD.so could not be loaded ({0})", library.problem().message),
+                   named.empty()
+                       ? tr("install 3D Systems' \"OpenHaptics for Linux\" and the driver of the device, both from "
+                            "their support pages, or name the library with MOLTACT_LIBHD=/path/libHD.so")
+                       : tr("correct or unset MOLTACT_LIBHD, which names it; the library comes with 3D Systems' "
+                            "\"OpenHaptics for Linux\"")};
   Library hd{};
   const char* missing = nullptr;
   const auto find = [&](auto& function, const char* name) {
@@ -54,18 +55,17 @@ Expected<Library> load() {
   find(hd.unschedule, "hdUnschedule");
   if (missing)
     return Problem{
-        "", 0, 0, (named.empty() ? "libHD.so" : named) + " has no function " + missing,
+        "", 0, 0, trf("{0} has no function {1}", (named.empty() ? "libHD.so" : named), missing),
         named.empty()
-            ? "install OpenHaptics 3.0 or later for Linux, or name its libHD.so with MOLTACT_LIBHD=/path/libHD.so"
-            : "MOLTACT_LIBHD is to name the libHD.so of OpenHaptics 3.0 or later; correct or unset it"};
+            ? tr("install OpenHaptics 3.0 or later for Linux, or name its libHD.so with MOLTACT_LIBHD=/path/libHD.so")
+            : tr("MOLTACT_LIBHD is to name the libHD.so of OpenHaptics 3.0 or later; correct or unset it")};
   return hd;
 }
 
-// A sentence as a part of another one; a name keeps its capital.
-std::string asPart(std::string sentence) {
+// A sentence as a part of another one.
+std::string asPart(std::string sentence, bool keeps_capital) {
   if (sentence.ends_with('.')) sentence.pop_back();
-  if (!sentence.starts_with("OpenHaptics") && !sentence.empty())
-    sentence.front() = static_cast<char>(std::tolower(sentence.front()));
+  if (!keeps_capital && !sentence.empty()) sentence.front() = static_cast<char>(std::tolower(sentence.front()));
   return sentence;
 }
 
@@ -84,48 +84,53 @@ Expected<const Library*> Library::get() {
   return &*found;
 }
 
+// Translators: these sentences also become parts of another one, then their first letter is made small: begin with an
+// article or a verb.
 ErrorWords errorWords(std::uint32_t code) {
   switch (code) {
     case kWarmMotors:
-      return {"The device's motors are warm.", "Let go for a minute; the force is smaller until they have cooled."};
+      return {tr("The device's motors are warm."),
+              tr("Let go for a minute; the force is smaller until they have cooled.")};
     case kExceededMaxForce:
-      return {"More force was asked than the device can give.", "Nothing is to be done: the device has cut it."};
+      return {tr("More force was asked than the device can give."),
+              tr("Nothing is to be done: the device has cut it.")};
     case kExceededImpulse:
-      return {"The device has cut a force that changed too fast.", "Touch on: the force comes back softly."};
+      return {tr("The device has cut a force that changed too fast."), tr("Touch on: the force comes back softly.")};
     case kExceededVelocity:
-      return {"The stylus moved faster than the device allows.", "Touch on: the force comes back softly."};
+      return {tr("The stylus moved faster than the device allows."), tr("Touch on: the force comes back softly.")};
     case kForceError:
-      return {"The device could not give the force.", "Let go of the stylus for a moment."};
+      return {tr("The device could not give the force."), tr("Let go of the stylus for a moment.")};
     case kDeviceFault:
-      return {"The device reports a fault.", "Look at its power supply and its cable, then plug it in again."};
+      return {tr("The device reports a fault."), tr("Look at its power supply and its cable, then plug it in again.")};
     case kAlreadyInitiated:
-      return {"Another program uses the device.", "End that program."};
+      return {tr("Another program uses the device."), tr("End that program.")};
     case kCommError:
-      return {"The connection to the device is lost.", "Plug its cable in again."};
+      return {tr("The connection to the device is lost."), tr("Plug its cable in again.")};
     case kCommConfig:
-      return {"The device's connection is not set up.",
-              "Run the maker's setup program, Touch_Setup or Geomagic_Touch_Setup."};
+      return {tr("The device's connection is not set up."),
+              tr("Run the maker's setup program, Touch_Setup or Geomagic_Touch_Setup.")};
     case kTimerError:
-      return {"The driver found no clock that is fast enough.", "Install the maker's driver anew."};
+      return {tr("The driver found no clock that is fast enough."), tr("Install the maker's driver anew.")};
     case kInvalidLicense:
-      return {"OpenHaptics has no valid licence.", "Install the licence that came with it."};
+      return {tr("OpenHaptics has no valid licence."), tr("Install the licence that came with it."), true};
     case kBadHandle:
-      return {"The driver does not know the device any more.", "Plug the device in again."};
+      return {tr("The driver does not know the device any more."), tr("Plug the device in again.")};
     case kSchedulerFull:
-      return {"The driver's clock has no place for this program.", "End other programs that use the device."};
+      return {tr("The driver's clock has no place for this program."), tr("End other programs that use the device.")};
     default: {
-      char text[64];
-      std::snprintf(text, sizeof text, "The driver reports error 0x%04X.", code);
+      char number[16];
+      std::snprintf(number, sizeof number, "0x%04X", code);
+      const std::string text = trf("The driver reports error {0}.", number);
       if (errorWeight(code) == 1)
         return {text,
-                "The program has asked it wrongly: nothing is to be done at the device; please report the number."};
-      return {text, "Plug the device in again; if that does not help, start the program anew."};
+                tr("The program has asked it wrongly: nothing is to be done at the device; please report the number.")};
+      return {text, tr("Plug the device in again; if that does not help, start the program anew.")};
     }
   }
 }
 
 Problem problemOf(const std::string& what, const ErrorWords& words) {
-  return Problem{"", 0, 0, what + ": " + asPart(words.message), asPart(words.remedy)};
+  return Problem{"", 0, 0, what + ": " + asPart(words.message, words.begins_with_name), asPart(words.remedy, false)};
 }
 
 int errorWeight(std::uint32_t code) noexcept {

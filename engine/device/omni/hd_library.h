@@ -90,6 +90,7 @@ enum Error : std::uint32_t {
 /// An error in words for the person who holds the device, and what would mend it.
 struct ErrorWords {
   std::string message, remedy;
+  bool begins_with_name = false;  ///< the message does, so that it keeps its capital within another sentence
 };
 ErrorWords errorWords(std::uint32_t code);
 /// The same where it stood in the way of `what`: one sentence.

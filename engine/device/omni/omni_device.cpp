@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/device/omni/omni_kept.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -338,7 +339,7 @@ DeviceStatus OmniDevice::status() {
     if (!why_not_.empty())
       status.text = why_not_;
     else if (!gone_.load())
-      status.text = "The driver of the device no longer answers. It is opened anew.";
+      status.text = tr("The driver of the device no longer answers. It is opened anew.");
     else
       status.text = words(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
     return status;
@@ -362,17 +363,17 @@ std::string OmniDevice::guidance(DeviceStatus& status) const {
   if (state == hd::kCalibrated) return "";
   const bool updating =
       style & (hd::kInkwell | hd::kAuto) ? state == hd::kNeedsUpdate : resetting_.load(std::memory_order_relaxed);
-  if (updating) return "The device is being calibrated: leave the stylus where it is.";
+  if (updating) return tr("The device is being calibrated: leave the stylus where it is.");
   if (style & hd::kInkwell)
-    return in_inkwell_.load()
-               ? "Calibrating: leave the stylus in the inkwell."
-               : "Put the stylus's tip into the inkwell, the dark hole in the device, and leave it there until this "
-                 "goes away.";
+    return in_inkwell_.load() ? tr("Calibrating: leave the stylus in the inkwell.")
+                              : tr("Put the stylus's tip into the inkwell, the dark hole in the device, and leave it "
+                                   "there until this goes away.");
   if (style & hd::kAuto)
-    return "Move the stylus slowly to and fro, as far as it goes on every side, until this goes away.";
+    return tr("Move the stylus slowly to and fro, as far as it goes on every side, until this goes away.");
   status.asks_calibrate = true;
-  return std::string(reset_failed_.load(std::memory_order_relaxed) ? "The device did not take that place. " : "") +
-         "Hold the arm in its resting place, all joints at right angles as in the maker's picture.";
+  std::string hold = tr("Hold the arm in its resting place, all joints at right angles as in the maker's picture.");
+  if (reset_failed_.load(std::memory_order_relaxed)) hold = tr("The device did not take that place.") + (" " + hold);
+  return hold;
 }
 
 }  // namespace moltact

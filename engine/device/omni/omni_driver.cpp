@@ -1,5 +1,6 @@
 #include "engine/device/driver.h"
 #include "engine/device/omni/omni_device.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -7,14 +8,14 @@ namespace {
 void describe(FoundDevice& one, const OmniDevice::Seen& seen) {
   one.usable = true;
   if (!seen.model.empty()) one.title = seen.model;
-  if (!seen.serial.empty()) one.place = "serial number " + seen.serial;
+  if (!seen.serial.empty()) one.place = trf("serial number {0}", seen.serial);
 }
 
 std::vector<FoundDevice> find() {
-  FoundDevice one{.title = "Phantom Omni or Touch", .gives_force = true, .by_itself = true};
+  FoundDevice one{.title = N_("Phantom Omni or Touch"), .gives_force = true, .by_itself = true};
   if (const auto taken = OmniDevice::taken()) {
     describe(one, *taken);
-    one.place += one.place.empty() ? "in use here" : ", in use here";
+    one.place = one.place.empty() ? tr("in use here") : trf("{0}, in use here", one.place);
   } else if (const auto seen = OmniDevice::look()) {
     describe(one, *seen);
   } else {
@@ -28,7 +29,7 @@ std::vector<FoundDevice> find() {
 extern const DeviceDriver kOmniDriver;
 const DeviceDriver kOmniDriver{
     .name = "omni",
-    .sentence = "Phantom Omni, Geomagic Touch and 3D Systems Touch, through OpenHaptics.",
+    .sentence = N_("Phantom Omni, Geomagic Touch and 3D Systems Touch, through OpenHaptics."),
     .find = find,
     .open = [](const FoundDevice&) -> Expected<std::unique_ptr<Device>> {
       auto device = OmniDevice::open();

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 KeptOmni& KeptOmni::get() {
@@ -21,7 +23,7 @@ KeptOmni::~KeptOmni() {
 
 Expected<OmniSession> KeptOmni::opened(const hd::Library& hd) {
   hd_ = &hd;
-  if (taken_) return Problem{"", 0, 0, "the device is open already", "close it first"};
+  if (taken_) return Problem{"", 0, 0, tr("the device is open already"), tr("close it first")};
   if (session_) return *session_;
   return openOmni(hd);
 }

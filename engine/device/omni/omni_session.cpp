@@ -3,6 +3,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -50,7 +52,7 @@ Expected<OmniSession> openOmni(const hd::Library& hd) {
   if (session.device == hd::kInvalidHandle || hd::endsConnection(error) || error == hd::kInvalidLicense) {
     closeOmni(hd, session);
     const hd::ErrorWords words = hd::errorWords(error == hd::kNoError ? std::uint32_t(hd::kCommError) : error);
-    return hd::problemOf("no Omni or Touch could be opened", words);
+    return hd::problemOf(tr("no Omni or Touch could be opened"), words);
   }
   hd.makeCurrentDevice(session.device);
   session.model = text(hd, hd::kModel);

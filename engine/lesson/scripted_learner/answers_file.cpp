@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/task.h"
@@ -52,7 +53,7 @@ class LineReader {
     if (known == kVerbs.end()) {
       std::vector<std::string_view> names;
       for (const Verb& v : kVerbs) names.push_back(v.name);
-      problems.push_back(at(verb, "there is no act '" + std::string(verb) + "'", suggest(verb, names, "known")));
+      problems.push_back(at(verb, trf("there is no act '{0}'", verb), suggest(verb, names, tr("known"))));
       return std::nullopt;
     }
     LearnerAct act;
@@ -97,25 +98,25 @@ class LineReader {
   std::optional<Problem> quantity(double& number, std::string_view text, Dimension dimension) const {
     const auto read = parseQuantity(text, dimension);
     if (!read) return within(text, read.problem());
-    if (*read < 0.0) return at(text, "'" + std::string(text) + "' is less than nothing", "write a positive number");
+    if (*read < 0.0) return at(text, trf("'{0}' is less than nothing", text), tr("write a positive number"));
     number = *read;
     return std::nullopt;
   }
 
   std::optional<Problem> fill(LearnerAct& act, std::string_view rest, std::string_view body) const {
     const auto missing = [&](const char* what) {
-      return at(body.substr(body.size()), std::string("this act needs ") + what, "write it at the end of the line");
+      return at(body.substr(body.size()), trf("this act needs {0}", what), tr("write it at the end of the line"));
     };
     switch (act.kind) {
       case Kind::Do:
       case Kind::Lift:
       case Kind::Next:
       case Kind::Back:
-        if (!rest.empty()) return at(rest, "nothing comes after this act", "take it out");
+        if (!rest.empty()) return at(rest, tr("nothing comes after this act"), tr("take it out"));
         return std::nullopt;
       case Kind::Touch:
       case Kind::Slide:
-        return rest.empty() ? missing("a place") : place(act, rest);
+        return rest.empty() ? missing(tr("a place")) : place(act, rest);
       case Kind::Press: {
         const std::size_t on = rest.find(" on ");
         if (const auto wrong = quantity(act.number, stripped(rest.substr(0, on)), Dimension::Force)) return wrong;
@@ -129,13 +130,13 @@ class LineReader {
         return quantity(act.number, rest, Dimension::Time);
       case Kind::Method:
         if (!findMethod(rest))
-          return at(rest.empty() ? body : rest, "there is no haptic method '" + std::string(rest) + "'",
-                    suggest(rest, methodNames(), "known"));
+          return at(rest.empty() ? body : rest, trf("there is no haptic method '{0}'", rest),
+                    suggest(rest, methodNames(), tr("known")));
         act.word = rest;
         return std::nullopt;
       case Kind::Say:
       case Kind::Go:
-        if (rest.empty()) return missing(act.kind == Kind::Say ? "a word" : "the step's id");
+        if (rest.empty()) return missing(act.kind == Kind::Say ? tr("a word") : tr("the step's id"));
         act.word = rest.starts_with('#') ? rest.substr(1) : rest;
         return std::nullopt;
       case Kind::Draw:
@@ -148,7 +149,7 @@ class LineReader {
       case Kind::Answer: {
         const std::size_t colon = rest.find(':');
         if (colon == std::string_view::npos || stripped(rest.substr(colon + 1)).empty())
-          return missing("a question, a colon and an answer");
+          return missing(tr("a question, a colon and an answer"));
         act.word = stripped(rest.substr(0, colon));
         act.text = stripped(rest.substr(colon + 1));
         return std::nullopt;
@@ -198,7 +199,7 @@ class Performer {
       return std::nullopt;
     }
     const auto place = placeFor(view, placesToTouch(view, atoms, act.word));
-    if (!place) tell(act, "no such place is open to the probe from outside", "name another place");
+    if (!place) tell(act, tr("no such place is open to the probe from outside"), tr("name another place"));
     return place;
   }
 
@@ -208,7 +209,7 @@ class Performer {
     switch (act.kind) {
       case Kind::Do:
         if (learner_.session().currentTask() >= learner_.session().step().tasks.size())
-          tell(act, "the step has no task left to do", "take the line out, or go on with 'next'");
+          tell(act, tr("the step has no task left to do"), tr("take the line out, or go on with 'next'"));
         else
           learner_.doTask();
         return;
@@ -216,7 +217,7 @@ class Performer {
       case Kind::Press: {
         const bool here = act.text == "here";
         if (here && !on_) {
-          tell(act, "the hand touches nothing", "touch a place first, or name one: 'press 0.8 N on element O'");
+          tell(act, tr("the hand touches nothing"), tr("touch a place first, or name one: 'press 0.8 N on element O'"));
           return;
         }
         const auto place = here ? on_ : find(act);
@@ -232,7 +233,7 @@ class Performer {
       }
       case Kind::Slide: {
         if (!on_) {
-          tell(act, "the hand touches nothing", "touch a place first");
+          tell(act, tr("the hand touches nothing"), tr("touch a place first"));
           return;
         }
         const auto place = find(act);
@@ -277,8 +278,8 @@ class Performer {
     if (std::none_of(offered.begin(), offered.end(), [&](const TaskButton& b) { return b.word == act.word; })) {
       std::string words;
       for (const TaskButton& b : offered) words += (words.empty() ? "" : ", ") + std::string(b.word);
-      tell(act, "the task does not offer '" + act.word + "' now",
-           words.empty() ? "it offers nothing; touch first" : "it offers: " + words);
+      tell(act, trf("the task does not offer '{0}' now", act.word),
+           words.empty() ? tr("it offers nothing; touch first") : trf("it offers: {0}", words));
       return;
     }
     on_.reset();
@@ -288,7 +289,7 @@ class Performer {
   void draw(const LearnerAct& act) {
     const TaskCurves* curves = current() ? current()->curves() : nullptr;
     if (!curves || !curves->drawing) {
-      tell(act, "no curve is asked for now", "take the line out");
+      tell(act, tr("no curve is asked for now"), tr("take the line out"));
       return;
     }
     TaskAnswer answer;
@@ -310,8 +311,8 @@ class Performer {
     if (!index) {
       std::string ids;
       for (const Question& q : questions) ids += (ids.empty() ? "" : ", ") + q.id;
-      tell(act, "the step '" + learner_.session().step().id + "' has no question '" + act.word + "'",
-           ids.empty() ? "it asks nothing" : "its questions: " + ids);
+      tell(act, trf("the step '{0}' has no question '{1}'", learner_.session().step().id, act.word),
+           ids.empty() ? tr("it asks nothing") : trf("its questions: {0}", ids));
       return;
     }
     const Question& asked = questions[*index];
@@ -325,8 +326,8 @@ class Performer {
       for (std::size_t k = 0; !choice && k < asked.choices.size(); ++k)
         if (plainText(asked.choices[k].text) == part) choice = k;
       if (!choice) {
-        tell(act, "'" + std::string(part) + "' is none of the " + std::to_string(asked.choices.size()) + " choices",
-             "write a choice's number or its whole text");
+        tell(act, trf("'{0}' is none of the {1} choices", part, asked.choices.size()),
+             tr("write a choice's number or its whole text"));
         return;
       }
       choices.push_back(*choice);
@@ -338,15 +339,15 @@ class Performer {
     on_.reset();
     const LessonSession& session = learner_.session();
     if (act.kind == Kind::Next && !session.hasNext())
-      tell(act, "this is the last step", "take the line out");
+      tell(act, tr("this is the last step"), tr("take the line out"));
     else if (act.kind == Kind::Back && !session.hasBack())
-      tell(act, "this is the first step", "take the line out");
+      tell(act, tr("this is the first step"), tr("take the line out"));
     else if (act.kind == Kind::Next)
       learner_.next();
     else if (act.kind == Kind::Back)
       learner_.back();
     else if (!learner_.goTo(act.word))
-      tell(act, "the lesson has no step '" + act.word + "'", "write the id of a step's heading");
+      tell(act, trf("the lesson has no step '{0}'", act.word), tr("write the id of a step's heading"));
     learner_.enterStep();
   }
 

@@ -5,6 +5,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+
 namespace moltact {
 
 ScriptedLearner::ScriptedLearner(std::shared_ptr<const Lesson> lesson, MoleculeByName molecules, Watch watch,
@@ -105,7 +108,7 @@ bool ScriptedLearner::doTask() {
        ++attempt, ++idle) {
     const HandPlan plan = session_.taskAt(task)->demonstrate(touch_.view(attempt));
     if (plan.empty()) {
-      why = "no place for it is open to the probe from outside";
+      why = tr("no place for it is open to the probe from outside");
       break;
     }
     follow(plan);
@@ -123,9 +126,10 @@ bool ScriptedLearner::doTask() {
   e.place = session_.step().tasks[task].place;
   const TaskStatus status = session_.task(task);
   e.text = status.say;
-  char seconds[48];
-  std::snprintf(seconds, sizeof seconds, "not done after %.0f s of trying", touch_.time_s() - task_begun_s_);
-  e.note = (why.empty() ? std::string(seconds) : why) + "; the task says: " + status.sentence;
+  if (why.empty())
+    why = trf("not done after {0} of trying",
+              quantityText(touch_.time_s() - task_begun_s_, Dimension::Time, decimals(0)));
+  e.note = trf("{0}; the task says: {1}", why, status.sentence);
   e.figures = session_.taskFigures(task);
   watch_(e);
   return false;

@@ -1,4 +1,5 @@
 // avoid: move over the surface for a time without touching a region.
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -9,7 +10,7 @@ class Avoid : public Task {
   Avoid(const TaskSpec& spec, const Molecule& molecule)
       : Task(spec),
         region_(spec.values["avoid"].selection, molecule),
-        name_(targetName(spec, "avoid")),
+        name_(spec, "avoid"),
         time_s_(spec.values["for"].number) {}
 
   void reset() override {
@@ -45,18 +46,19 @@ class Avoid : public Task {
   }
 
   std::string guidance() const override {
-    if (on_region_) return "That is " + name_ + ". Move away from it; the time starts again.";
-    const std::string time = timeText(touched_s_) + " of " + timeText(time_s_) + ".";
-    if (touched_s_ > 0.0 || erred_) return "Keep feeling the surface without touching " + name_ + ": " + time;
-    return "Touch the surface anywhere except " + name_ + ".";
+    if (on_region_) return trf("That is {0}. Move away from it; the time starts again.", name_.text());
+    if (touched_s_ > 0.0 || erred_)
+      return trf("Keep feeling the surface without touching {0}: {1} of {2}.", name_.text(), timeText(touched_s_),
+                 timeText(time_s_));
+    return trf("Touch the surface anywhere except {0}.", name_.text());
   }
 
   void measure(std::vector<TaskFigure>& out) const override {
-    out.push_back({"touches of the region", double(touches_), ""});
+    out.push_back({N_("touches of the region"), double(touches_), ""});
   }
 
   AtomSet region_;
-  std::string name_;
+  TargetName name_;
   double time_s_ = 1.0, touched_s_ = 0.0;
   bool on_region_ = false, erred_ = false;
   int touches_ = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -61,12 +62,11 @@ class CompareMethods : public Task {
   std::string guidance() const override {
     if (in_use_ && in_use_->felt_s < time_s_) {
       const std::string with = methodTitle(in_use_->method);
-      return touching_
-                 ? "Keep touching with " + with + ": " + timeText(in_use_->felt_s) + " of " + timeText(time_s_) + "."
-                 : "Touch the surface with " + with + ".";
+      return touching_ ? trf("Keep touching with {0}: {1} of {2}.", with, timeText(in_use_->felt_s), timeText(time_s_))
+                       : trf("Touch the surface with {0}.", with);
     }
     for (const Part& p : parts_)
-      if (p.felt_s < time_s_) return "Now choose " + methodTitle(p.method) + " in the panel Methods.";
+      if (p.felt_s < time_s_) return trf("Now choose {0} in the panel Methods.", methodTitle(p.method));
     return {};
   }
 
@@ -79,7 +79,7 @@ class CompareMethods : public Task {
 class ComparePlaces : public Task {
  public:
   ComparePlaces(const TaskSpec& spec, const Molecule& molecule) : Task(spec), time_s_(spec.values["for"].number) {
-    for (const Selection& part : spec.values["of"].path) places_.push_back({AtomSet(part, molecule), part.noun()});
+    for (const Selection& part : spec.values["of"].path) places_.push_back({AtomSet(part, molecule), TargetName(part)});
   }
 
   void reset() override {
@@ -92,7 +92,7 @@ class ComparePlaces : public Task {
  private:
   struct Place {
     AtomSet atoms;
-    std::string name;
+    TargetName name;
     double felt_s = 0.0, impulse_Ns = 0.0;
     double mean_N() const { return felt_s > 0.0 ? impulse_Ns / felt_s : 0.0; }
   };
@@ -126,17 +126,18 @@ class ComparePlaces : public Task {
 
   std::string guidance() const override {
     if (here_ && here_->felt_s < time_s_)
-      return "Keep touching " + here_->name + ": " + timeText(here_->felt_s) + " of " + timeText(time_s_) + ".";
+      return trf("Keep touching {0}: {1} of {2}.", here_->name.text(), timeText(here_->felt_s), timeText(time_s_));
     for (const Place& p : places_)
       if (p.felt_s < time_s_)
-        return (touching_ && !here_ ? "You are on the surface. Slide on to find " : "Now touch ") + p.name + ".";
+        return touching_ && !here_ ? trf("You are on the surface. Slide on to find {0}.", p.name.text())
+                                   : trf("Now touch {0}.", p.name.text());
     return {};
   }
 
   void measure(std::vector<TaskFigure>& out) const override {
     if (places_.size() != 2) return;
-    out.push_back({"mean force on the first place", places_[0].mean_N(), "N"});
-    out.push_back({"mean force on the second place", places_[1].mean_N(), "N"});
+    out.push_back({N_("mean force on the first place"), places_[0].mean_N(), "N"});
+    out.push_back({N_("mean force on the second place"), places_[1].mean_N(), "N"});
   }
 
   std::vector<Place> places_;
@@ -165,22 +166,22 @@ void checkCompare(const TaskSpec& spec, std::vector<Problem>& problems) {
       problems.push_back({{},
                           of.place.line,
                           of.place.column,
-                          "'of' belongs to 'compare: places'",
-                          "take it out or write 'compare: places'"});
+                          tr("'of' belongs to 'compare: places'"),
+                          tr("take it out or write 'compare: places'")});
     return;
   }
   if (compare.words.size() > 1)
     problems.push_back({{},
                         compare.place.line,
                         compare.place.column,
-                        "'places' stands alone",
-                        "write a touch block of its own for the methods"});
+                        tr("'places' stands alone"),
+                        tr("write a touch block of its own for the methods")});
   if (of.path.size() < 2)
     problems.push_back({{},
                         of.place.line ? of.place.line : compare.place.line,
                         of.place.line ? of.place.column : compare.place.column,
-                        "at least two places are needed to compare",
-                        "write them parted by 'then': 'of: residue 4 then residue 9'"});
+                        tr("at least two places are needed to compare"),
+                        tr("write them parted by 'then': 'of: residue 4 then residue 9'")});
 }
 
 }  // namespace

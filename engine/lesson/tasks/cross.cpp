@@ -1,6 +1,7 @@
 // cross: slide from one atom to another without leaving the surface, over the crease between them.
 #include <utility>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -12,8 +13,8 @@ class Cross : public Task {
       : Task(spec),
         from_(spec.values["cross"].selection, molecule),
         to_(spec.values["to"].selection, molecule),
-        from_name_(targetName(spec, "cross")),
-        to_name_(spec.values.has("arrival") ? spec.values["arrival"].text : spec.values["to"].selection.noun()),
+        from_name_(spec, "cross"),
+        to_name_(spec, "to", "arrival"),
         either_(spec.values["direction"].text == "either"),
         named_(spec.values.has("called") || spec.values.has("arrival")),
         times_(static_cast<int>(spec.values["times"].number)) {}
@@ -92,22 +93,35 @@ class Cross : public Task {
   }
 
   std::string guidance() const override {
-    const std::string count = times_ > 1 ? " (" + std::to_string(crossed_) + " of " + std::to_string(times_) + ")" : "";
     // Atoms that look the same to either side need no names.
     const bool alike = either_ && !named_;
-    if (on_from_) return "Now slide to " + (alike ? "the other atom" : to_name_) + " without letting go" + count + ".";
-    const std::string begin = alike ? "one atom" : either_ ? from_name_ + " or " + to_name_ : from_name_;
-    if (lost_) return "You left the surface. Start again on " + begin + count + ".";
-    return (touching_ ? "Slide to " : "Touch ") + begin + " to begin" + count + ".";
+    // Translators: "one atom" and "the other atom" are what is to be touched.
+    if (on_from_)
+      return counted(N_("Now slide to {0} without letting go."),
+                     N_("Now slide to {0} without letting go ({1} of {2})."),
+                     alike ? tr("the other atom") : to_name_.text());
+    const std::string begin = alike     ? tr("one atom")
+                              : either_ ? trf("{0} or {1}", from_name_.text(), to_name_.text())
+                                        : from_name_.text();
+    if (lost_)
+      return counted(N_("You left the surface. Start again on {0}."),
+                     N_("You left the surface. Start again on {0} ({1} of {2})."), begin);
+    if (touching_) return counted(N_("Slide to {0} to begin."), N_("Slide to {0} to begin ({1} of {2})."), begin);
+    return counted(N_("Touch {0} to begin."), N_("Touch {0} to begin ({1} of {2})."), begin);
+  }
+
+  // The sentence with how often it was done, where more than once is asked for.
+  std::string counted(const char* once, const char* several, const std::string& place) const {
+    return times_ > 1 ? trf(several, place, crossed_, times_) : trf(once, place);
   }
 
   void measure(std::vector<TaskFigure>& out) const override {
-    out.push_back({"crossings", double(crossed_), ""});
-    out.push_back({"lifts", double(lifts_), ""});
+    out.push_back({N_("crossings"), double(crossed_), ""});
+    out.push_back({N_("lifts"), double(lifts_), ""});
   }
 
   AtomSet from_, to_;
-  std::string from_name_, to_name_;
+  TargetName from_name_, to_name_;
   double away_s_ = 0.0;
   bool either_ = false, named_ = false;
   int times_ = 1, crossed_ = 0, lifts_ = 0;
@@ -122,8 +136,8 @@ void checkSides(const TaskSpec& task, const Molecule& molecule, std::vector<Prob
     const auto atom = static_cast<std::int32_t>(i);
     if (!from.has(atom) || !to.has(atom)) continue;
     problems.push_back({"", to_value.place.line, to_value.place.column,
-                        "the start and the end of the crossing have atoms in common",
-                        "choose atoms that are only in one"});
+                        tr("the start and the end of the crossing have atoms in common"),
+                        tr("choose atoms that are only in one")});
     return;
   }
 }

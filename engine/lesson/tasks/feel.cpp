@@ -1,15 +1,11 @@
 // feel: visit kinds of place (sphere, crease, pit), or a number of different atoms.
 #include <algorithm>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {
-
-std::string placeName(std::string_view word) {
-  if (word == "sphere") return "the round face of one atom";
-  return word == "crease" ? "a crease between two atoms" : "a pit between three atoms";
-}
 
 /// Each kind of place once, in any order.
 class FeelPlaces : public Task {
@@ -60,12 +56,12 @@ class FeelPlaces : public Task {
   }
 
   std::string guidance() const override {
-    if (on_wanted_) return "You have it. Stay there a moment.";
+    if (on_wanted_) return tr("You have it. Stay there a moment.");
     std::string missing;
     for (const Wanted& w : places_)
-      if (!w.felt()) missing += (missing.empty() ? "" : " and ") + placeName(w.word);
-    if (touching_) return "Slide over the surface until you feel " + missing + ".";
-    return "Touch the surface, then slide until you feel " + missing + ".";
+      if (!w.felt()) missing = missing.empty() ? placeName(w.word) : trf("{0} and {1}", missing, placeName(w.word));
+    if (touching_) return trf("Slide over the surface until you feel {0}.", missing);
+    return trf("Touch the surface, then slide until you feel {0}.", missing);
   }
 
   AtomSet where_;
@@ -126,11 +122,11 @@ class FeelAtoms : public Task {
   }
 
   std::string guidance() const override {
-    const std::string so_far = std::to_string(felt_) + " of " + std::to_string(wanted_) + " atoms felt.";
-    return so_far + (touching_ ? " Slide on to the next one." : " Touch the surface and slide from atom to atom.");
+    return touching_ ? trf("{0} of {1} atoms felt. Slide on to the next one.", felt_, wanted_)
+                     : trf("{0} of {1} atoms felt. Touch the surface and slide from atom to atom.", felt_, wanted_);
   }
 
-  void measure(std::vector<TaskFigure>& out) const override { out.push_back({"atoms felt", double(felt_), ""}); }
+  void measure(std::vector<TaskFigure>& out) const override { out.push_back({N_("atoms felt"), double(felt_), ""}); }
 
   AtomSet where_;
   std::vector<double> watches_;  // time on each atom, in seconds
@@ -145,15 +141,15 @@ void checkFeel(const TaskSpec& spec, std::vector<Problem>& problems) {
     problems.push_back({{},
                         places.place.line,
                         places.place.column,
-                        "'atoms' stands alone",
-                        "write a touch block of its own for sphere, crease and pit"});
+                        tr("'atoms' stands alone"),
+                        tr("write a touch block of its own for sphere, crease and pit")});
   const Value& count = spec.values["count"];
   if (!atoms && count.place.line)
     problems.push_back({{},
                         count.place.line,
                         count.place.column,
-                        "'count' belongs to 'feel: atoms'",
-                        "take it out or write 'feel: atoms'"});
+                        tr("'count' belongs to 'feel: atoms'"),
+                        tr("take it out or write 'feel: atoms'")});
 }
 
 }  // namespace

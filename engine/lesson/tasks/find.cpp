@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -17,7 +18,7 @@ class Find : public Task {
   Find(const TaskSpec& spec, const Molecule& molecule)
       : Task(spec),
         target_(spec.values["find"].selection, molecule),
-        name_(targetName(spec, "find")),
+        name_(spec, "find"),
         within_A_(spec.values["within"].number),
         by_holding_(spec.values["by"].text == "hold"),
         warmer_(spec.values["hints"].text == "warmer"),
@@ -32,12 +33,14 @@ class Find : public Task {
   }
 
  private:
+  enum class Heat { None, Warmer, Colder };
+
   struct Now {
     double off_A = 0.0, told_A = -1.0, first_off_A = -1.0, still_s = 0.0;
     Vec3 resting_A{0.0};
     int guesses = 0, looks = 0;
     bool touching = false, felt = false, right = false, wrong = false, lit = false, told_here = false;
-    std::string_view heat = {};
+    Heat heat = Heat::None;
   };
 
   void take(const TouchSample& s, double dt_s) override {
@@ -51,7 +54,7 @@ class Find : public Task {
     now_.right = target_.touchedBy(s.contact) || now_.off_A <= within_A_;
     if (now_.told_A < 0.0) now_.told_A = now_.off_A;
     if (std::abs(now_.off_A - now_.told_A) >= kWarmer_A) {
-      now_.heat = now_.off_A < now_.told_A ? "Warmer." : "Colder.";
+      now_.heat = now_.off_A < now_.told_A ? Heat::Warmer : Heat::Colder;
       now_.told_A = now_.off_A;
     }
     if (glm::distance(s.contact.scp.A, now_.resting_A) > kStill_A) {
@@ -103,36 +106,40 @@ class Find : public Task {
   }
 
   std::vector<TaskButton> offered() const override {
-    if (now_.lit) return {{"dark", "Make it dark again", 'L'}};
+    if (now_.lit) return {{"dark", N_("Make it dark again"), 'L'}};
     std::vector<TaskButton> out;
     // A mouse lets go before it clicks: the place that was touched last is meant.
-    if (!by_holding_ && now_.felt) out.push_back({"here", "Here it is"});
-    out.push_back({"light", "Look for a moment", 'L'});
+    if (!by_holding_ && now_.felt) out.push_back({"here", N_("Here it is")});
+    out.push_back({"light", N_("Look for a moment"), 'L'});
     return out;
   }
 
   TaskStage wanted() const override { return {.dark = !now_.lit, .force_meter = meter_}; }
 
   std::string guidance() const override {
-    if (now_.lit) return "Look where " + name_ + " is. The search goes on when it is dark again.";
+    const std::string name = name_.text();
+    if (now_.lit) return trf("Look where {0} is. The search goes on when it is dark again.", name);
     if (!now_.touching && now_.felt && !by_holding_ && !now_.wrong)
-      return "Say whether it was there, or feel on to find " + name_ + "." + heat();
-    if (!now_.touching) return "Push until you touch the surface, then feel your way to " + name_ + ".";
-    const std::string tell = by_holding_ ? "rest there for " + timeText(kStill_s) + "." : "say that it is here.";
-    if (now_.wrong) return "That is not " + name_ + ". Feel on." + heat();
-    return "Slide to " + name_ + ", then " + tell + heat();
+      return withHeat(trf("Say whether it was there, or feel on to find {0}.", name));
+    if (!now_.touching) return trf("Push until you touch the surface, then feel your way to {0}.", name);
+    if (now_.wrong) return withHeat(trf("That is not {0}. Feel on.", name));
+    return withHeat(by_holding_ ? trf("Slide to {0}, then rest there for {1}.", name, timeText(kStill_s))
+                                : trf("Slide to {0}, then say that it is here.", name));
   }
 
-  std::string heat() const { return warmer_ && !now_.heat.empty() ? " " + std::string(now_.heat) : std::string(); }
+  std::string withHeat(std::string sentence) const {
+    if (!warmer_ || now_.heat == Heat::None) return sentence;
+    return sentence + " " + (now_.heat == Heat::Warmer ? tr("Warmer.") : tr("Colder."));
+  }
 
   void measure(std::vector<TaskFigure>& out) const override {
-    out.push_back({"guesses", double(now_.guesses), ""});
-    if (now_.first_off_A >= 0.0) out.push_back({"error of the first guess", now_.first_off_A, "Å"});
-    out.push_back({"looks", double(now_.looks), ""});
+    out.push_back({N_("guesses"), double(now_.guesses), ""});
+    if (now_.first_off_A >= 0.0) out.push_back({N_("error of the first guess"), now_.first_off_A, "Å"});
+    out.push_back({N_("looks"), double(now_.looks), ""});
   }
 
   AtomSet target_;
-  std::string name_;
+  TargetName name_;
   std::vector<Ball> balls_;
   double within_A_ = 3.0;
   bool by_holding_ = false, warmer_ = false, meter_ = true;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -16,7 +17,7 @@ constexpr double kForceSlack = 0.05;
 class Hold : public Task {
  public:
   Hold(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), target_(spec.values["hold"].selection, molecule), name_(targetName(spec, "hold")) {
+      : Task(spec), target_(spec.values["hold"].selection, molecule), name_(spec, "hold") {
     const Value& place = spec.values["hold"];
     if (!place.words.empty()) feature_ = place.words[0];
     if (spec.values["of"].selection.given()) target_ = AtomSet(spec.values["of"].selection, molecule);
@@ -76,24 +77,25 @@ class Hold : public Task {
   std::string guidance() const override {
     switch (state_) {
       case State::Good:
-        return "Hold it: " + timeText(watch_.elapsed_s()) + " of " + timeText(time_s_) + ".";
+        return trf("Hold it: {0} of {1}.", timeText(watch_.elapsed_s()), timeText(time_s_));
       case State::TooLight:
-        return "Push a little further in: " + forceText(low_N_) + " is enough.";
+        return trf("Push a little further in: {0} is enough.", forceText(low_N_));
       case State::TooHard:
-        return "Ease off a little: stay below " + forceText(high_N_) + ".";
+        return trf("Ease off a little: stay below {0}.", forceText(high_N_));
       case State::Elsewhere:
-        return "You are on the surface. Slide on to find " + name_ + ".";
+        return trf("You are on the surface. Slide on to find {0}.", name_.text());
       case State::Away:
         break;
     }
-    if (slipped_) return "You slipped off. Touch " + name_ + " again and hold for " + timeText(time_s_) + ".";
-    return "Touch " + name_ + " and hold for " + timeText(time_s_) + ".";
+    if (slipped_) return trf("You slipped off. Touch {0} again and hold for {1}.", name_.text(), timeText(time_s_));
+    return trf("Touch {0} and hold for {1}.", name_.text(), timeText(time_s_));
   }
 
-  void measure(std::vector<TaskFigure>& out) const override { out.push_back({"slips", double(slips_), ""}); }
+  void measure(std::vector<TaskFigure>& out) const override { out.push_back({N_("slips"), double(slips_), ""}); }
 
   AtomSet target_;
-  std::string name_, feature_;
+  TargetName name_;
+  std::string feature_;
   double time_s_ = 1.0, low_N_ = 0.0, high_N_ = std::numeric_limits<double>::infinity();
   Stopwatch watch_;
   State state_ = State::Away;
@@ -104,8 +106,11 @@ class Hold : public Task {
 void checkHold(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value &hold = spec.values["hold"], &of = spec.values["of"];
   if (of.place.line && hold.selection.given())
-    problems.push_back(
-        {{}, of.place.line, of.place.column, "'of' belongs to a kind of place", "take it out, or write 'hold: pit'"});
+    problems.push_back({{},
+                        of.place.line,
+                        of.place.column,
+                        tr("'of' belongs to a kind of place"),
+                        tr("take it out, or write 'hold: pit'")});
 }
 
 }  // namespace

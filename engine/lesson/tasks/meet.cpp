@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -85,11 +86,11 @@ class Meet : public Task {
   }
 
   std::string guidance() const override {
-    if (!touching_) return "Touch the surface and push in.";
-    if (what_ == "jump") return "Slide slowly until the force turns with a jerk.";
-    if (what_ == "lost") return "Push further in until the method loses the surface.";
-    if (what_ == "wrong-side") return "Push further in until the force throws you out of the far side.";
-    return "Slide until the contact point lies off the true one, and rest there.";
+    if (!touching_) return tr("Touch the surface and push in.");
+    if (what_ == "jump") return tr("Slide slowly until the force turns with a jerk.");
+    if (what_ == "lost") return tr("Push further in until the method loses the surface.");
+    if (what_ == "wrong-side") return tr("Push further in until the force throws you out of the far side.");
+    return tr("Slide until the contact point lies off the true one, and rest there.");
   }
 
   std::string what_;

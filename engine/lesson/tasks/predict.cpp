@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -29,10 +30,11 @@ class Predict : public Task {
       : Task(spec),
         from_(spec.values["predict"].selection, molecule),
         goal_atoms_(spec.values["along"].selection, molecule),
-        name_(targetName(spec, "predict")),
+        name_(spec, "predict"),
+        goal_(spec.values["along"].selection),
         agree_(0.01 * spec.values["agree"].number),
         slides_(spec.values["along"].selection.given()) {
-    curves_.x_name = slides_ ? "way" : "depth";
+    curves_.x_name = slides_ ? N_("way") : N_("depth");
     curves_.x_most = spec.values["deep"].number;
     curves_.most_N = spec.values["most"].number;
     if (slides_) {
@@ -40,7 +42,6 @@ class Predict : public Task {
       const Vec3 way = middle(spec.values["along"].selection, molecule) - start_A_;
       curves_.x_most = std::max(1e-3, glm::length(way));
       along_ = way / curves_.x_most;
-      goal_ = spec.values["along"].selection.noun();
     }
     forget();
   }
@@ -138,34 +139,45 @@ class Predict : public Task {
     setProgress(0.0);
   }
 
-  std::string percent() const { return std::to_string(std::lround(100.0 * curves_.agreement.value_or(0.0))) + " %"; }
+  std::string agreement() const { return percentText(curves_.agreement.value_or(0.0)); }
 
   std::string guidance() const override {
-    const std::string over = slides_ ? "on the way from " + name_ + " to " + goal_ : "for pressing into " + name_;
-    if (missed_)
-      return "The two curves agree by " + percent() + "; " + std::to_string(std::lround(100.0 * agree_)) +
-             " % are asked for. Draw again what you expect " + over + ".";
-    if (curves_.drawing) return "First draw the force that you expect " + over + ".";
-    const std::string so_far =
-        " " + std::to_string(std::lround(100.0 * std::min(1.0, feltShare() / kFeltEnough))) + " % felt.";
+    const std::string name = name_.text(), goal = goal_.text();
+    if (missed_) {
+      const std::string wanted = percentText(agree_);
+      return slides_ ? trf("The two curves agree by {0}; {1} are asked for. Draw again what you expect on the way from "
+                           "{2} to {3}.",
+                           agreement(), wanted, name, goal)
+                     : trf("The two curves agree by {0}; {1} are asked for. Draw again what you expect for pressing "
+                           "into {2}.",
+                           agreement(), wanted, name);
+    }
+    if (curves_.drawing)
+      return slides_ ? trf("First draw the force that you expect on the way from {0} to {1}.", name, goal)
+                     : trf("First draw the force that you expect for pressing into {0}.", name);
+    const std::string felt = percentText(std::min(1.0, feltShare() / kFeltEnough));
     if (slides_)
-      return (touching_ ? "Slide from " + name_ + " to " + goal_ + " and press evenly." : "Now touch " + name_ + ".") +
-             so_far;
-    if (!on_place_) return (touching_ ? "Slide on to " : "Now touch ") + name_ + " and press in slowly." + so_far;
-    return "Press in slowly and ease off again." + so_far;
+      return touching_ ? trf("Slide from {0} to {1} and press evenly. {2} felt.", name, goal, felt)
+                       : trf("Now touch {0}. {1} felt.", name, felt);
+    if (!on_place_)
+      return touching_ ? trf("Slide on to {0} and press in slowly. {1} felt.", name, felt)
+                       : trf("Now touch {0} and press in slowly. {1} felt.", name, felt);
+    return trf("Press in slowly and ease off again. {0} felt.", felt);
   }
 
-  std::string afterwards() const override { return "Your curve and the one that you felt agree by " + percent() + "."; }
+  std::string afterwards() const override {
+    return trf("Your curve and the one that you felt agree by {0}.", agreement());
+  }
 
   void measure(std::vector<TaskFigure>& out) const override {
-    out.push_back({"predictions", double(predictions_), ""});
+    out.push_back({N_("predictions"), double(predictions_), ""});
     if (first_agreement_ >= 0.0 && predictions_ > 1)
-      out.push_back({"agreement of the first prediction", 100.0 * first_agreement_, "%"});
-    if (curves_.agreement) out.push_back({"agreement", 100.0 * *curves_.agreement, "%"});
+      out.push_back({N_("agreement of the first prediction"), 100.0 * first_agreement_, "%"});
+    if (curves_.agreement) out.push_back({N_("agreement"), 100.0 * *curves_.agreement, "%"});
   }
 
   AtomSet from_, goal_atoms_;
-  std::string name_, goal_;
+  TargetName name_, goal_;
   double agree_ = 0.0, first_agreement_ = -1.0;
   bool slides_ = false, touching_ = false, on_place_ = false, missed_ = false;
   Vec3 start_A_{0.0}, along_{1, 0, 0};
@@ -180,14 +192,14 @@ void checkPredict(const TaskSpec& spec, std::vector<Problem>& problems) {
     problems.push_back({{},
                         deep.place.line,
                         deep.place.column,
-                        "'deep' belongs to pressing in and 'along' to sliding",
-                        "take one of them out"});
+                        tr("'deep' belongs to pressing in and 'along' to sliding"),
+                        tr("take one of them out")});
   if (along.selection.given() && !predict.selection.given())
     problems.push_back({{},
                         predict.place.line,
                         predict.place.column,
-                        "the way has no start",
-                        "name the atoms where it begins in 'predict'"});
+                        tr("the way has no start"),
+                        tr("name the atoms where it begins in 'predict'")});
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // press: push against atoms or anywhere until the surface pushes back with a force.
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -7,7 +8,7 @@ namespace {
 class Press : public Task {
  public:
   Press(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), target_(spec.values["press"].selection, molecule), name_(targetName(spec, "press")) {
+      : Task(spec), target_(spec.values["press"].selection, molecule), name_(spec, "press") {
     const Value& place = spec.values["press"];
     if (!place.words.empty()) feature_ = place.words[0];
     until_N_ = spec.values["until"].number;
@@ -42,15 +43,16 @@ class Press : public Task {
 
   std::string guidance() const override {
     if (here_) {
-      if (force_N_ >= until_N_) return "That is " + forceText(force_N_) + ". Stay there a moment.";
-      return "You push with " + forceText(force_N_) + " of " + forceText(until_N_) + ". Push further in.";
+      if (force_N_ >= until_N_) return trf("That is {0}. Stay there a moment.", forceText(force_N_));
+      return trf("You push with {0} of {1}. Push further in.", forceText(force_N_), forceText(until_N_));
     }
-    if (touching_) return "You are on the surface. Slide on to find " + name_ + ".";
-    return "Touch " + name_ + ", then push in.";
+    if (touching_) return trf("You are on the surface. Slide on to find {0}.", name_.text());
+    return trf("Touch {0}, then push in.", name_.text());
   }
 
   AtomSet target_;
-  std::string name_, feature_;
+  TargetName name_;
+  std::string feature_;
   double until_N_ = 1.0, force_N_ = 0.0;
   Stopwatch watch_;
   bool touching_ = false, here_ = false;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -10,7 +11,7 @@ namespace {
 class Reach : public Task {
  public:
   Reach(const TaskSpec& spec, const Molecule& molecule)
-      : Task(spec), target_(spec.values["reach"].selection, molecule), name_(targetName(spec, "reach")) {
+      : Task(spec), target_(spec.values["reach"].selection, molecule), name_(spec, "reach") {
     if (!spec.values.has("near")) return;
     near_A_ = spec.values["near"].number;
     for (const std::uint32_t i : spec.values["reach"].selection.select(molecule))
@@ -52,13 +53,13 @@ class Reach : public Task {
   }
 
   std::string guidance() const override {
-    if (watch_.elapsed_s() > 0.0) return "Stay there a moment.";
-    if (touching_) return "You are on the surface. Slide on to find " + name_ + ".";
-    return "Move the probe to " + name_ + " until it stops you.";
+    if (watch_.elapsed_s() > 0.0) return tr("Stay there a moment.");
+    if (touching_) return trf("You are on the surface. Slide on to find {0}.", name_.text());
+    return trf("Move the probe to {0} until it stops you.", name_.text());
   }
 
   AtomSet target_;
-  std::string name_;
+  TargetName name_;
   std::vector<Vec3> centres_;
   double near_A_ = 0.0;
   Stopwatch watch_;

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/sensitivity.h"
 
@@ -94,8 +95,8 @@ class Same : public Task {
 
   std::vector<TaskButton> offered() const override {
     if (felt_s_ < time_s_) return {};
-    if (!second_) return {{"next", "Feel the second"}};
-    return {{"same", "The same", 'S'}, {"different", "Different", 'D'}};
+    if (!second_) return {{"next", N_("Feel the second")}};
+    return {{"same", N_("The same"), 'S'}, {"different", N_("Different"), 'D'}};
   }
 
   TaskStage wanted() const override {
@@ -137,38 +138,42 @@ class Same : public Task {
     setProgress(0.0);
   }
 
-  std::string counts(std::size_t right) const {
-    return std::to_string(right) + " of " + std::to_string(trials_) + " right";
-  }
-
   std::string guidance() const override {
-    std::string told;
+    if (felt_s_ >= time_s_)
+      return second_ ? tr("Were the two the same, or different?") : tr("Now go on to the second.");
+    if (beside_) return tr("You are beside the place. It lies in the middle of the view.");
+    const std::size_t pair = trial_ + 1;
+    if (touching_) {
+      const std::string felt = timeText(felt_s_), wanted = timeText(time_s_);
+      return second_ ? trf("Feel the second of pair {0} of {1}: {2} of {3}.", pair, trials_, felt, wanted)
+                     : trf("Feel the first of pair {0} of {1}: {2} of {3}.", pair, trials_, felt, wanted);
+    }
+    const std::string touch = second_ ? trf("Touch the second of pair {0} of {1}.", pair, trials_)
+                                      : trf("Touch the first of pair {0} of {1}.", pair, trials_);
     if (failed_)
-      told = counts(failed_right_) + "; " + std::to_string(needed_) + " are needed. Another round: ";
-    else if (tell_ && answered_ && !second_ && felt_s_ == 0.0)
-      told =
-          std::string(last_right_ ? "Right" : "No") + ", they were " + (last_differed_ ? "different. " : "the same. ");
-    const std::string which = std::string(second_ ? "second" : "first") + " of pair " + std::to_string(trial_ + 1) +
-                              " of " + std::to_string(trials_);
-    if (felt_s_ >= time_s_) return second_ ? "Were the two the same, or different?" : "Now go on to the second.";
-    if (beside_) return "You are beside the place. It lies in the middle of the view.";
-    if (touching_) return "Feel the " + which + ": " + timeText(felt_s_) + " of " + timeText(time_s_) + ".";
-    return told + "Touch the " + which + ".";
+      return trf("{0} of {1} right; {2} are needed. Another round: {3}", failed_right_, trials_, needed_, touch);
+    if (tell_ && answered_ && !second_ && felt_s_ == 0.0) return judgement() + std::string(" ") + touch;
+    return touch;
   }
 
-  std::string afterwards() const override { return counts(right_) + "."; }
+  const char* judgement() const {
+    if (last_right_) return last_differed_ ? tr("Right, they were different.") : tr("Right, they were the same.");
+    return last_differed_ ? tr("No, they were different.") : tr("No, they were the same.");
+  }
+
+  std::string afterwards() const override { return trf("{0} of {1} right.", right_, trials_); }
 
   void measure(std::vector<TaskFigure>& out) const override {
     const std::size_t answered = done() ? trials_ : trial_;
     int differed = 0;
     for (std::size_t k = 0; k < answered; ++k) differed += order_[k].differ;
     const int alike = static_cast<int>(answered) - differed;
-    out.push_back({"trials", double(answered), ""});
-    out.push_back({"right", double(right_), ""});
-    out.push_back({"hits", double(hits_), ""});
-    out.push_back({"false alarms", double(alarms_), ""});
+    out.push_back({N_("trials"), double(answered), ""});
+    out.push_back({N_("right"), double(right_), ""});
+    out.push_back({N_("hits"), double(hits_), ""});
+    out.push_back({N_("false alarms"), double(alarms_), ""});
     if (answered > 0) out.push_back({"d'", sensitivity(hits_, differed, alarms_, alike), ""});
-    out.push_back({"rounds", double(round_ + 1), ""});
+    out.push_back({N_("rounds"), double(round_ + 1), ""});
   }
 
   AtomSet here_, there_;
@@ -192,28 +197,28 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
       problems.push_back({{},
                           value.place.line,
                           value.place.column,
-                          "the two things differ in one respect only",
-                          "take this line out, or the other"});
+                          tr("the two things differ in one respect only"),
+                          tr("take this line out, or the other")});
   }
   const Value &same = spec.values["same"], &right = spec.values["right"], &place = spec.values["place"];
   if (given == 0)
     problems.push_back({{},
                         same.place.line,
                         same.place.column,
-                        "nothing says how the second thing differs from the scene",
-                        "add one of 'probe', 'stiffness', 'method' and 'place'"});
+                        tr("nothing says how the second thing differs from the scene"),
+                        tr("add one of 'probe', 'stiffness', 'method' and 'place'")});
   if (place.place.line && !same.selection.given())
     problems.push_back({{},
                         same.place.line,
                         same.place.column,
-                        "two places are to be felt, but only one is named",
-                        "name the atoms of the first in 'same'"});
+                        tr("two places are to be felt, but only one is named"),
+                        tr("name the atoms of the first in 'same'")});
   if (right.place.line && right.number > spec.values["trials"].number)
     problems.push_back({{},
                         right.place.line,
                         right.place.column,
-                        "more right answers than there are trials",
-                        "ask for no more than 'trials'"});
+                        tr("more right answers than there are trials"),
+                        tr("ask for no more than 'trials'")});
 }
 
 }  // namespace

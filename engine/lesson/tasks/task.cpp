@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
+
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 
@@ -51,20 +53,20 @@ void Task::answer(const TaskAnswer& given) {
 }
 
 std::vector<TaskFigure> Task::figures() const {
-  std::vector<TaskFigure> out{{"time", time_s_, "s"}, {"contact time", contact_s_, "s"}};
-  if (contact_s_ > 0.0) out.push_back({"mean force", impulse_Ns_ / contact_s_, "N"});
-  out.push_back({"greatest force", greatest_N_, "N"});
-  out.push_back({"way", way_A_, "Å"});
+  std::vector<TaskFigure> out{{N_("time"), time_s_, "s"}, {N_("contact time"), contact_s_, "s"}};
+  if (contact_s_ > 0.0) out.push_back({N_("mean force"), impulse_Ns_ / contact_s_, "N"});
+  out.push_back({N_("greatest force"), greatest_N_, "N"});
+  out.push_back({N_("way"), way_A_, "Å"});
   measure(out);
   return out;
 }
 
 std::string Task::sentence() const {
   if (done_) {
-    const std::string told = afterwards();
-    return told.empty() ? praise_ : told + " " + praise_;
+    const std::string told = afterwards(), praise = praise_.text();
+    return told.empty() ? praise : told + " " + praise;
   }
-  if (inside_) return "The probe began inside the molecule. Draw it back until it is outside, then touch again.";
+  if (inside_) return tr("The probe began inside the molecule. Draw it back until it is outside, then touch again.");
   return guidance();
 }
 
@@ -152,15 +154,22 @@ std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Mole
   return out;
 }
 
-std::string targetName(const TaskSpec& spec, std::string_view key) {
-  if (spec.values.has("called")) return spec.values["called"].text;
-  const Value& target = spec.values[key];
-  if (target.selection.given()) return target.selection.noun();
-  const std::string_view word = target.words.empty() ? std::string_view() : std::string_view(target.words[0]);
-  if (word == "sphere") return "the round face of one atom";
-  if (word == "crease") return "a crease between two atoms";
-  if (word == "pit") return "a pit between three atoms";
-  return "the surface";
+TargetName::TargetName(const TaskSpec& spec, std::string_view key, std::string_view called)
+    : called_(spec.values[called].text), selection_(spec.values[key].selection) {
+  if (const Value& target = spec.values[key]; !target.words.empty()) word_ = target.words[0];
+}
+
+std::string TargetName::text() const {
+  if (!called_.empty()) return called_;
+  return selection_.given() ? selection_.noun() : placeName(word_);
+}
+
+// Translators: these stand, as what is to be touched or found, in the accusative where the language has one.
+const char* placeName(std::string_view word) {
+  if (word == "sphere") return tr("the round face of one atom");
+  if (word == "crease") return tr("a crease between two atoms");
+  if (word == "pit") return tr("a pit between three atoms");
+  return tr("the surface");
 }
 
 bool isFeature(std::string_view word, Feature feature) {
@@ -177,16 +186,10 @@ bool isFeature(std::string_view word, Feature feature) {
   return false;
 }
 
-std::string forceText(double force_N) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f N", std::clamp(force_N, 0.0, 9999.0));
-  return text;
-}
+std::string forceText(double force_N) { return quantityText(std::clamp(force_N, 0.0, 9999.0), Dimension::Force); }
 
-std::string timeText(double time_s) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f s", std::clamp(time_s, 0.0, 9999.0));
-  return text;
-}
+std::string timeText(double time_s) { return quantityText(std::clamp(time_s, 0.0, 9999.0), Dimension::Time); }
+
+std::string percentText(double share) { return quantityText(share, Dimension::Share); }
 
 }  // namespace moltact

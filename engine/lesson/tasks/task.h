@@ -104,7 +104,7 @@ class Task {
   virtual void reset();
 
  protected:
-  explicit Task(const TaskSpec& spec) : praise_(spec.values["praise"].text) {}
+  explicit Task(const TaskSpec& spec) : praise_(spec.values["praise"]) {}
 
   /// One good tick; `dt_s` is the time since the last one, 0 for the first and after a gap.
   virtual void take(const TouchSample& sample, double dt_s) = 0;
@@ -125,7 +125,7 @@ class Task {
  private:
   void measureTouch(const TouchSample& sample, double dt_s);
 
-  std::string praise_;
+  AuthorsText praise_;
   double progress_ = 0.0, last_time_s_ = 0.0;
   double time_s_ = 0.0, contact_s_ = 0.0, impulse_Ns_ = 0.0, greatest_N_ = 0.0, way_A_ = 0.0;
   std::optional<Vec3> last_scp_A_;
@@ -177,9 +177,23 @@ struct PathPlace {
 /// The places of a path: one part stands for its atoms in the order of the file, each of several parts for one place.
 std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule);
 
-/// The name of a task's target in the middle of a sentence: `called`, or made from the selection or the feature in
-/// `key`.
-std::string targetName(const TaskSpec& spec, std::string_view key);
+/// What a task's target is called in the middle of a sentence: as the author called it, or made from the selection or
+/// the kind of place in a key, in the language in use when it is asked for.
+class TargetName {
+ public:
+  /// `called`: the key with which the author may name it.
+  TargetName(const TaskSpec& spec, std::string_view key, std::string_view called = "called");
+  explicit TargetName(Selection selection) : selection_(std::move(selection)) {}
+  std::string text() const;
+
+ private:
+  std::string called_, word_;
+  Selection selection_;
+};
+
+/// "the round face of one atom" of "sphere", "a crease between two atoms", "a pit between three atoms"; else "the
+/// surface".
+const char* placeName(std::string_view word);
 
 /// Places that a hand can take to touch these atoms, or a kind of place where `feature` names one ("sphere", "crease",
 /// "pit") that these atoms make.
@@ -188,8 +202,9 @@ std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& ato
 /// "sphere" -> a single atom's sphere, "crease" -> a circle, "pit" -> a point.
 bool isFeature(std::string_view word, Feature feature);
 
-/// "0.35 N" and "1.2 s": two digits and one after the point.
+/// "0.35 N", "1.2 s" and, of a share from 0 to 1, "83 %".
 std::string forceText(double force_N);
 std::string timeText(double time_s);
+std::string percentText(double share);
 
 }  // namespace moltact

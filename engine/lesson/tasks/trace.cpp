@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/language/catalogue.h"
 #include "engine/lesson/surface_places.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -21,7 +22,7 @@ class Trace : public Task {
  public:
   explicit Trace(const TaskSpec& spec)
       : Task(spec),
-        name_(spec.values.has("called") ? spec.values["called"].text : "the way"),
+        called_(spec.values["called"].text),
         within_A_(spec.values["within"].number),
         cover_(0.01 * spec.values["cover"].number),
         limited_(spec.values.has("lifts")),
@@ -37,6 +38,7 @@ class Trace : public Task {
 
  protected:
   enum class State { Away, Elsewhere, On, Off, Lifted, Again };
+  enum class Begin { Start, EitherEnd, Anywhere };
 
   struct Step {
     double off_A = 0.0;  // of the contact point from the way
@@ -48,9 +50,9 @@ class Trace : public Task {
   virtual bool begun() const = 0;
   virtual double covered() const = 0;  // 0 to 1
   virtual void forget() = 0;
-  virtual std::string whereToBegin() const = 0;
-
-  const std::string& name() const { return name_; }
+  virtual Begin begin() const = 0;
+  // What is to be touched first, where the author gave it no name.
+  virtual const char* unnamed() const { return tr("the way"); }
 
  private:
   void take(const TouchSample& s, double dt_s) override {
@@ -85,32 +87,60 @@ class Trace : public Task {
   }
 
   std::string guidance() const override {
-    const std::string so_far = std::to_string(static_cast<int>(100.0 * covered())) + " % of the way.";
+    const std::string so_far = percentText(std::floor(100.0 * covered()) / 100.0);
     switch (state_) {
       case State::Away:
-        return "Touch " + whereToBegin() + " to begin.";
+        switch (begin()) {
+          case Begin::Start:
+            return trf("Touch the start of {0} to begin.", name());
+          case Begin::EitherEnd:
+            return trf("Touch either end of {0} to begin.", name());
+          case Begin::Anywhere:
+            return trf("Touch {0} to begin.", name());
+        }
+        break;
       case State::Elsewhere:
-        return "You are on the surface. Slide to " + whereToBegin() + " to begin.";
+        switch (begin()) {
+          case Begin::Start:
+            return trf("You are on the surface. Slide to the start of {0} to begin.", name());
+          case Begin::EitherEnd:
+            return trf("You are on the surface. Slide to either end of {0} to begin.", name());
+          case Begin::Anywhere:
+            return trf("You are on the surface. Slide to {0} to begin.", name());
+        }
+        break;
       case State::On:
-        return "Follow " + name_ + ": " + so_far;
+        return trf("Follow {0}: {1} of the way.", way(), so_far);
       case State::Off:
-        return "You are off " + name_ + ". Go back to where you left it: " + so_far;
+        return trf("You are off {0}. Go back to where you left it: {1} of the way.", way(), so_far);
       case State::Lifted:
-        return "You let go. Touch " + name_ + " where you left it: " + so_far;
+        return trf("You let go. Touch {0} where you left it: {1} of the way.", way(), so_far);
       case State::Again:
         break;
     }
-    return "You let go too often. Begin again at " + whereToBegin() + ".";
+    switch (begin()) {
+      case Begin::Start:
+        return trf("You let go too often. Begin again at the start of {0}.", name());
+      case Begin::EitherEnd:
+        return trf("You let go too often. Begin again at either end of {0}.", name());
+      case Begin::Anywhere:
+        break;
+    }
+    return trf("You let go too often. Begin again at {0}.", name());
   }
+
+  // As the author called it.
+  std::string name() const { return called_.empty() ? std::string(unnamed()) : called_; }
+  std::string way() const { return called_.empty() ? tr("the way") : called_; }
 
   void measure(std::vector<TaskFigure>& out) const override {
-    out.push_back({"coverage", 100.0 * covered(), "%"});
-    if (on_s_ > 0.0) out.push_back({"mean deviation", over_A_s_ / on_s_, "Å"});
-    out.push_back({"greatest deviation", greatest_A_, "Å"});
-    out.push_back({"lifts", double(lifts_), ""});
+    out.push_back({N_("coverage"), 100.0 * covered(), "%"});
+    if (on_s_ > 0.0) out.push_back({N_("mean deviation"), over_A_s_ / on_s_, "Å"});
+    out.push_back({N_("greatest deviation"), greatest_A_, "Å"});
+    out.push_back({N_("lifts"), double(lifts_), ""});
   }
 
-  std::string name_;
+  std::string called_;
   double within_A_ = 1.0, cover_ = 0.9;
   bool limited_ = false;
   int lifts_allowed_ = 0, lifts_ = 0;
@@ -240,7 +270,7 @@ class TraceAtoms : public Trace {
     begun_ = backward_ = false;
     front_A_ = 0.0;
   }
-  std::string whereToBegin() const override { return (either_ ? "either end of " : "the start of ") + name(); }
+  Begin begin() const override { return either_ ? Begin::EitherEnd : Begin::Start; }
 
   std::vector<Stop> stops_;
   double length_A_ = 0.0, ahead_A_ = 0.0, front_A_ = 0.0;
@@ -320,7 +350,8 @@ class TraceCrease : public Trace {
     count_ = 0;
     begun_ = false;
   }
-  std::string whereToBegin() const override { return name() == "the way" ? "the crease" : name(); }
+  Begin begin() const override { return Begin::Anywhere; }
+  const char* unnamed() const override { return tr("the crease"); }
 
   std::shared_ptr<const BallScene> scene_;
   std::vector<std::uint32_t> atoms_;
@@ -338,18 +369,18 @@ void checkTrace(const TaskSpec& spec, std::vector<Problem>& problems) {
     problems.push_back({{},
                         trace.place.line,
                         trace.place.column,
-                        "nothing says between which atoms the creases lie",
-                        "add 'of'; for a small molecule 'of: all'"});
+                        tr("nothing says between which atoms the creases lie"),
+                        tr("add 'of'; for a small molecule 'of: all'")});
   if (!crease && of.place.line)
     problems.push_back({{},
                         of.place.line,
                         of.place.column,
-                        "'of' belongs to 'trace: crease'",
-                        "take it out or write 'trace: crease'"});
+                        tr("'of' belongs to 'trace: crease'"),
+                        tr("take it out or write 'trace: crease'")});
   const Value& direction = spec.values["direction"];
   if (crease && direction.place.line)
     problems.push_back(
-        {{}, direction.place.line, direction.place.column, "a crease has no direction", "take the line out"});
+        {{}, direction.place.line, direction.place.column, tr("a crease has no direction"), tr("take the line out")});
 }
 
 }  // namespace

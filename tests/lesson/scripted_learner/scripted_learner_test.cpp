@@ -143,7 +143,7 @@ TEST_CASE("a force of 15 N that no hand is given is given up after 20 s on the v
   CHECK_FALSE(p.finished);
   REQUIRE(p.find(Kind::GaveUp));
   CHECK(p.time_s == doctest::Approx(20.0).epsilon(0.01));
-  CHECK(p.find(Kind::GaveUp)->note.starts_with("not done after 20 s of trying"));
+  CHECK(p.find(Kind::GaveUp)->note.starts_with("not done after 20\u00a0s of trying"));
 }
 
 TEST_CASE("a molecule that is not there is fault at its place in the lesson, and nothing hangs") {

@@ -49,7 +49,7 @@ TEST_CASE("half of the depth is not yet felt; only contact with the named atom c
   CHECK_FALSE(t->done());
   press(hand, 2.0);
   CHECK(t->done());
-  CHECK(t->sentence() == "Your curve and the one that you felt agree by 100 %. Done.");
+  CHECK(t->sentence() == "Your curve and the one that you felt agree by 100\u00a0%. Done.");
 }
 
 TEST_CASE("with 80 % asked for, a prediction of 50 % is to be drawn again and the first agreement is kept") {
@@ -59,7 +59,7 @@ TEST_CASE("with 80 % asked for, a prediction of 50 % is to be drawn again and th
   press(hand, 1.0);
   CHECK_FALSE(t->done());
   CHECK(t->curves()->drawing);
-  CHECK(t->sentence().starts_with("The two curves agree by 50 %; 80 % are asked for."));
+  CHECK(t->sentence().starts_with("The two curves agree by 50\u00a0%; 80\u00a0% are asked for."));
   t->answer(line(*t, 2.0));
   press(hand, 1.0);
   CHECK(t->done());

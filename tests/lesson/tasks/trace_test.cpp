@@ -62,7 +62,7 @@ TEST_CASE(
   CHECK(figure(*t, "coverage") == doctest::Approx(200.0 / 3).epsilon(0.01));
   CHECK(figure(*t, "mean deviation") == doctest::Approx(0.5));
   CHECK(figure(*t, "greatest deviation") == doctest::Approx(0.5));
-  CHECK(t->sentence() == "Follow the backbone: 66 % of the way.");
+  CHECK(t->sentence() == "Follow the backbone: 66\u00a0% of the way.");
   hand.slide({0}, {2, 4.1, 0}, {3, 4.1, 0});
   CHECK(figure(*t, "greatest deviation") == doctest::Approx(1.0));
   CHECK_FALSE(t->done());
@@ -133,7 +133,7 @@ TEST_CASE(
   Hand hand{*t};
   // The near side of the last place is all that the hand comes to; the far side of the first is where it begins.
   hand.touch({2}, 0.05, 0.5, {2.0, 3.1, 0});
-  CHECK(t->sentence() == "Follow the way: 10 % of the way.");
+  CHECK(t->sentence() == "Follow the way: 10\u00a0% of the way.");
   hand.slide({4}, {2.0, 3.1, 0}, {17.0, 3.1, 0});
   CHECK_FALSE(t->done());
   hand.touch({6}, 0.05, 0.5, {18.0, 3.1, 0});

@@ -1,0 +1,24 @@
+// German for as long as it lives, from a catalogue in the build; English again afterwards.
+#pragma once
+
+#include <doctest/doctest.h>
+
+#include <filesystem>
+
+#include "engine/language/catalogue.h"
+
+namespace moltact {
+
+struct InGerman {
+  /// The few texts of tests/language/small_german.po.
+  InGerman() : InGerman(MOLTACT_SMALL_GERMAN) {}
+  explicit InGerman(const std::filesystem::path& folder) {
+    const auto problem = setLanguage("de", folder);
+    REQUIRE_MESSAGE(!problem, problem->text());
+  }
+  ~InGerman() { setLanguage("en", {}); }
+  InGerman(const InGerman&) = delete;
+  InGerman& operator=(const InGerman&) = delete;
+};
+
+}  // namespace moltact
