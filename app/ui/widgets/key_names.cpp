@@ -7,6 +7,7 @@
 #include <string>
 
 #include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
