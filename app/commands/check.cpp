@@ -39,7 +39,7 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
   }
   out.text = *bytes;
   LessonCheck check =
-      checkLesson(out.file, *std::move(bytes), [&](const std::string& name) { return molecules.find(file, name); });
+      checkLesson(out.file, *std::move(bytes), [&](const NamedMolecule& named) { return molecules.find(file, named); });
   out.errors = std::move(check.errors);
   out.warnings = std::move(check.warnings);
   return out;

@@ -2,36 +2,32 @@
 
 #include "app/commands/language_option.h"
 
+// One line a command, in the order of `moltact --help`: its function is add<Name>(CLI::App&), in its own file.
+#define MOLTACT_COMMANDS(X) \
+  X(Info)                   \
+  X(Replay)                 \
+  X(Play)                   \
+  X(Render)                 \
+  X(Export)                 \
+  X(Fetch)                  \
+  X(Report)                 \
+  X(Bench)                  \
+  X(Devices)                \
+  X(Device)                 \
+  X(Check)                  \
+  X(NewLesson)              \
+  X(LessonReference)
+
 namespace moltact {
 
-void addBench(CLI::App& app);
-void addCheck(CLI::App& app);
-void addDevice(CLI::App& app);
-void addDevices(CLI::App& app);
-void addExport(CLI::App& app);
-void addFetch(CLI::App& app);
-void addInfo(CLI::App& app);
-void addLessonReference(CLI::App& app);
-void addNewLesson(CLI::App& app);
-void addPlay(CLI::App& app);
-void addRender(CLI::App& app);
-void addReplay(CLI::App& app);
-void addReport(CLI::App& app);
+#define MOLTACT_DECLARE(Name) void add##Name(CLI::App& app);
+MOLTACT_COMMANDS(MOLTACT_DECLARE)
+#undef MOLTACT_DECLARE
 
 void addAllCommands(CLI::App& app) {
-  addInfo(app);
-  addReplay(app);
-  addPlay(app);
-  addRender(app);
-  addExport(app);
-  addFetch(app);
-  addReport(app);
-  addBench(app);
-  addDevices(app);
-  addDevice(app);
-  addCheck(app);
-  addNewLesson(app);
-  addLessonReference(app);
+#define MOLTACT_ADD(Name) add##Name(app);
+  MOLTACT_COMMANDS(MOLTACT_ADD)
+#undef MOLTACT_ADD
   for (CLI::App* command : app.get_subcommands({})) addLanguageOption(*command);
 }
 

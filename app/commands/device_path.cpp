@@ -27,13 +27,9 @@ std::unique_ptr<Tracker> trackerOf(const ServoRecording& recording) {
     return recording.labels.contains(key) ? recording.labels.at(key) : std::string();
   };
   const Method* method = findMethod(label("method"));
-  const auto file = findMolecule(label("molecule"), MoleculeFolders::ofThisComputer());
-  if (!method || !file || recording.ticks.empty()) return nullptr;
-  ReadOptions reading;
-  reading.model = std::max(1, std::atoi(label("model").c_str()));
-  reading.waters = label("waters") == "yes";
-  reading.assembly = label("assembly");
-  const auto molecule = readMolecule(*file, reading);
+  const auto key = findMolecule(labelledMolecule(recording.labels), MoleculeFolders::ofThisComputer());
+  if (!method || !key || recording.ticks.empty()) return nullptr;
+  const auto molecule = readMolecule(*key);
   if (!molecule) return nullptr;
   return method->make(std::make_shared<const BallScene>(molecule->balls()), recording.ticks.front().settings.probe_A);
 }

@@ -1,6 +1,5 @@
 #include "app/commands/device_recording.h"
 
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -52,25 +51,15 @@ ServoSettings settingsFor(const BallScene& scene, const DeviceSpecs& device) {
   return settings;
 }
 
-// By its name where it is the library's own, else by a path that holds in every folder.
-std::string lastingName(const MoleculeArgument& molecule) {
-  const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
-  const auto file = findMolecule(molecule.name, folders);
-  if (!file) throw CommandError{file.problem().text()};
-  std::error_code error;
-  const bool library = *file != molecule.name && fs::equivalent(file->parent_path(), folders.library, error);
-  return library ? molecule.name : fs::absolute(*file).lexically_normal().string();
-}
-
 Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std::string& device) {
-  const ReadOptions& reading = options.molecule.reading;
-  return {{"molecule", lastingName(options.molecule)},
-          {"model", std::to_string(reading.model)},
-          {"waters", reading.waters ? "yes" : "no"},
-          {"assembly", reading.assembly},
-          {"balls", fingerprint(scene)},
-          {"method", options.method},
-          {"device", device}};
+  const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
+  const Expected<MoleculeKey> key = findMolecule(options.molecule.named, folders);
+  if (!key) throw CommandError{key.problem().text()};
+  Labels labels = moleculeLabels(lastingName(*key, folders));
+  labels["balls"] = fingerprint(scene);
+  labels["method"] = options.method;
+  labels["device"] = device;
+  return labels;
 }
 
 // For how long the device did not lead as it should.
@@ -118,22 +107,22 @@ class Recorder {
     awaitReady(servo);
     out() << "Recording " << options_.seconds << " s.\n";
     out().flush();
-    servo.setTracker(std::move(tracker));
+    servo.loop().setInteraction(std::move(tracker));
     const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
-    for (int look = 0; ticks_ < wanted && !problem_ && !servo.lostOfRecording() && !interrupt_.seen(); ++look) {
+    for (int look = 0; ticks_ < wanted && !problem_ && !servo.loop().lostOfRecording() && !interrupt_.seen(); ++look) {
       if (look % (kAsk_ms / 10) == 0) ask(servo);
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      servo.drainRecording(start, [&](const RecordedTick& tick) {
+      servo.loop().drainRecording(start, [&](const RecordedTick& tick) {
         if (ticks_ == 0 && !problem_) problem_ = writer_.begin(labels_, start);
         if (problem_ || ticks_ == wanted) return;
         ++ticks_;
         watch_.add(tick);
         problem_ = writer_.add(tick);
       });
-      servo.drain([](const ServoSample&) {});
+      servo.loop().drain([](const ServoSample&) {});
     }
-    const std::size_t lost = servo.lostOfRecording();
+    const std::size_t lost = servo.loop().lostOfRecording();
     servo.setDevice(nullptr);  // no force from here on, whatever is told
     if (!problem_) problem_ = writer_.finish();
     tell(lost);
@@ -158,14 +147,14 @@ class Recorder {
 
   // What the device asks of the person, each time that it is another; true where it is ready.
   bool ask(ServoThread& servo) {
-    const DeviceStatus status = servo.device()->status();
+    const DeviceStatus status = servo.loop().device()->status();
     const std::string& text = status.text;
     if (text != said_ && !text.empty()) {
       out() << text << (status.asks_calibrate ? " Then press Enter." : "") << '\n';
       out().flush();
     }
     std::string line;
-    if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.device()->calibrate();
+    if (status.asks_calibrate && typedLine(line, 0) == Typed::Line) servo.loop().device()->calibrate();
     if (!text.empty()) last_said_ = text;
     said_ = text;
     return status.ready;
@@ -221,27 +210,12 @@ void recordHand(const RecordOptions& options) {
   auto tracker = findMethod(options.method)->make(scene, settings.probe_A);
   MouseDevice mouse;
   ServoThread servo(mouse);
-  servo.setSettings(settings);
+  servo.loop().setSettings(settings);
   servo.setDevice(std::move(*device));
   servo.record(true);
   out() << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n';
   out().flush();
   recorder.run(servo, std::move(tracker));
-}
-
-// The molecule as it was read for the recording.
-MoleculeArgument moleculeOf(const Labels& labels) {
-  const auto label = [&](const char* key) {
-    const auto found = labels.find(key);
-    return found == labels.end() ? std::string() : found->second;
-  };
-  MoleculeArgument out;
-  out.name = label("molecule");
-  const std::string model = label("model");
-  std::from_chars(model.data(), model.data() + model.size(), out.reading.model);
-  out.reading.waters = label("waters") == "yes";
-  out.reading.assembly = label("assembly");
-  return out;
 }
 
 void replayHand(const std::string& file) {
@@ -258,7 +232,7 @@ void replayHand(const std::string& file) {
   const Method* method = findMethod(label("method"));
   if (!method)
     fail("it was recorded with a method \"" + label("method") + "\" that is not known here", "record it anew");
-  const auto scene = sceneOf(moleculeOf(recording->labels));
+  const auto scene = sceneOf({labelledMolecule(recording->labels)});
   if (!label("balls").empty() && label("balls") != fingerprint(*scene))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it anew");

@@ -6,17 +6,19 @@
 namespace moltact {
 
 void MoleculeArgument::addTo(CLI::App& command) {
-  command.add_option("molecule", name, "A file (.pdb .cif .xyzr, also .gz), or a molecule of the library (1ubq)")
+  std::string endings;
+  for (const std::string_view e : moleculeEndings()) endings += (endings.empty() ? "" : " ") + std::string(e);
+  command.add_option("molecule", named.name, "A file (" + endings + ", also .gz), or a molecule of the library (1ubq)")
       ->required();
-  command.add_option("--model", reading.model, "Which model of the file, from 1")
+  command.add_option("--model", named.reading.model, "Which model of the file, from 1")
       ->capture_default_str()
       ->check(CLI::Range(1, 100000));
-  command.add_flag("--waters", reading.waters, "Keep the water molecules");
-  command.add_option("--assembly", reading.assembly, "Build this biological assembly (1)");
+  command.add_flag("--waters", named.reading.waters, "Keep the water molecules");
+  command.add_option("--assembly", named.reading.assembly, "Build this biological assembly (1)");
 }
 
 Molecule MoleculeArgument::load() const {
-  auto molecule = openMolecule(name, reading);
+  auto molecule = openMolecule(named.name, named.reading);
   if (!molecule) throw CommandError{molecule.problem().text()};
   return *std::move(molecule);
 }

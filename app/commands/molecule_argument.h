@@ -2,16 +2,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <string>
 
 #include "engine/molecule/molecule.h"
-#include "engine/molecule/reader.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
 struct MoleculeArgument {
-  std::string name;
-  ReadOptions reading;
+  NamedMolecule named;
 
   /// Adds MOLECULE, --model, --waters and --assembly. The argument must outlive the parsing.
   void addTo(CLI::App& command);

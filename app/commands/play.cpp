@@ -6,9 +6,10 @@
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/reader.h"
 #include "engine/lesson/scripted_learner/answers_file.h"
-#include "engine/molecule/catalogue.h"
+#include "engine/molecule/reader.h"
 #include "engine/platform/read_file.h"
 #include "engine/platform/terminal.h"
 
@@ -84,20 +85,19 @@ Expected<std::shared_ptr<const Molecule>> shared(Expected<Molecule> molecule) {
   return std::make_shared<const Molecule>(*std::move(molecule));
 }
 
-// As the window finds it: beside the lesson, else in the library. A step that shows the same molecule does not read it
-// again.
+// As the window finds it. A step that shows the same molecule does not read it again.
 MoleculeByName library(const std::filesystem::path& lesson) {
   struct Last {
-    std::string name;
+    MoleculeKey key;
     std::shared_ptr<const Molecule> molecule;
   };
-  return [folder = lesson.parent_path(),
-          last = std::make_shared<Last>()](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
-    if (last->molecule && last->name == name) return last->molecule;
-    std::error_code error;
-    const std::filesystem::path beside = folder / name;
-    auto molecule = shared(openMolecule(std::filesystem::is_regular_file(beside, error) ? beside.string() : name));
-    if (molecule) *last = {name, *molecule};
+  return [lesson,
+          last = std::make_shared<Last>()](const NamedMolecule& named) -> Expected<std::shared_ptr<const Molecule>> {
+    const Expected<MoleculeKey> key = lessonMolecule(lesson, named);
+    if (!key) return key.problem();
+    if (last->molecule && last->key == *key) return last->molecule;
+    auto molecule = shared(readMolecule(*key));
+    if (molecule) *last = {*key, *molecule};
     return molecule;
   };
 }

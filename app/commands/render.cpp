@@ -103,8 +103,7 @@ void render(const RenderArguments& arguments) {
   scene.camera.fit(*scene.molecule, double(width) / height);
   if (scene.hip) {
     scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
-    if (scene.contact.touching())
-      scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.scp.A - scene.hip->A);
+    scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.displacement_A);
     if (arguments.look_at_hip) scene.camera.target = scene.contact.scp;
   }
   scene.camera.zoom(arguments.zoom);

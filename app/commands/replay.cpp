@@ -9,6 +9,7 @@
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
+#include "engine/core/quantile.h"
 #include "engine/haptics/methods.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
@@ -56,7 +57,7 @@ void writeTrace(const ReplayOptions& options, const std::vector<PointA>& path, c
     append(row, path[k].A);
     row += c.touching() ? ",1" : ",0";
     append(row, c.scp.A);
-    append(row, c.touching() ? options.stiffness_N_per_A * (c.scp.A - path[k].A) : Vec3(0.0));
+    append(row, options.stiffness_N_per_A * c.displacement_A);
     row += ',';
     row += nameOf(c.feature);
     for (const std::int32_t atom : c.atoms) row += ',' + std::to_string(atom);
@@ -72,13 +73,10 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
   std::sort(ns.begin(), ns.end());
   double sum = 0;
   for (const double one : ns) sum += one;
-  const auto at = [&](double share) {
-    return ns[std::min(ns.size() - 1, static_cast<std::size_t>(share * double(ns.size())))];
-  };
   out["mean"] = sum / double(ns.size());
-  out["p50"] = at(0.5);
-  out["p99"] = at(0.99);
-  out["p99.99"] = at(0.9999);
+  out["p50"] = percentile(ns, 0.5);
+  out["p99"] = percentile(ns, 0.99);
+  out["p99.99"] = percentile(ns, 0.9999);
   out["max"] = ns.back();
   return out;
 }
@@ -160,7 +158,8 @@ void addReplay(CLI::App& app) {
   command->add_option("--probe", options->probe_A, "the probe's radius, added to every atom's (angstrom)")
       ->check(numberFrom(0.0, kLargestProbe_A))
       ->capture_default_str();
-  command->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom between HIP and SCP (N)")
+  command
+      ->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom of the spring that is felt (N)")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();
   command->add_flag("--time", options->time,

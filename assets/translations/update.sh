@@ -26,7 +26,11 @@ sed -e '1,4d; /^"POT-Creation-Date/d; s/charset=CHARSET/charset=UTF-8/' -e 's/^#
 
 pot=assets/translations/moltact.pot
 if [ "${1:-}" = --check ]; then
-  diff -u "$pot" "$into/moltact.pot" >"$into/diff" && exit 0
+  # Versions of gettext break lines at other places.
+  for each in "$pot" "$into/moltact.pot"; do
+    msgcat --no-wrap --sort-output "$each" | sed '1,/^$/d' >"$into/$(basename "$each").$([ "$each" = "$pot" ] && echo kept || echo new)"
+  done
+  diff -u "$into/moltact.pot.kept" "$into/moltact.pot.new" >"$into/diff" && exit 0
   echo "$pot is not what the sources say now; run assets/translations/update.sh. It differs so:"
   head -60 "$into/diff"
   exit 1

@@ -17,7 +17,7 @@ struct Errors {
   void add(const Vec3& hip, const Contact& c, const Vec3& right) {
     scp.push_back(glm::distance(c.scp.A, right));
     if (c.touching())
-      direction.push_back(angle_deg(springEnd(c, {hip}).A - hip, right - hip));
+      direction.push_back(angle_deg(c.displacement_A, right - hip));
     else
       ++lost;
   }

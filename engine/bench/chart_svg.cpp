@@ -2,8 +2,10 @@
 
 #include <array>
 #include <cstdio>
+#include <numbers>
 
 #include "engine/bench/log_axis.h"
+#include "engine/core/markup.h"
 
 namespace moltact::bench {
 namespace {
@@ -15,17 +17,6 @@ std::string num(double v) {
   char text[32];
   std::snprintf(text, sizeof text, "%.1f", v);
   return text;
-}
-
-std::string escaped(const std::string& text) {
-  std::string out;
-  for (const char c : text)
-    c == '&'   ? out += "&amp;"
-    : c == '<' ? out += "&lt;"
-    : c == '>' ? out += "&gt;"
-    : c == '"' ? out += "&quot;"
-               : out += c;
-  return out;
 }
 
 double textWidth(const std::string& text) {
@@ -186,7 +177,7 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
     double least = 1e300;
     for (double away = 10; away <= 74; away += 16)
       for (int side = 0; side < 12; ++side) {
-        const double turn = 2 * 3.141592653589793 * side / 12, cx = std::cos(turn), cy = -std::sin(turn);
+        const double turn = 2 * std::numbers::pi * side / 12, cx = std::cos(turn), cy = -std::sin(turn);
         const double mx = place.x + cx * (away + w / 2), my = place.y + cy * (away + h / 2);
         const Box b{mx - w / 2, my - h / 2, mx + w / 2, my + h / 2};
         double cost = 0.4 * (away - 10) + 0.02 * side;

@@ -1,26 +1,26 @@
 #include "engine/bench/charts.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "engine/bench/chart_svg.h"
+#include "engine/core/text.h"
+#include "engine/haptics/methods.h"
 
 namespace moltact::bench {
 namespace {
 
-struct Family {
-  std::string name;
-  Mark mark;
-};
-
-// "mesh960-smooth" is a mesh: the kind is what stands before the figures.
-Family familyOf(std::string_view method) {
-  if (method == "exact") return {"exact", Mark::Diamond};
-  if (method == "paper") return {"paper", Mark::Disc};
-  if (method.starts_with("mesh")) return {"mesh", Mark::Triangle};
-  if (method.starts_with("sasmesh")) return {"surface mesh", Mark::Circle};
-  if (method.starts_with("grid")) return {"grid", Mark::Square};
-  if (method == "penalty") return {"penalty", Mark::Cross};
-  return {std::string(method), Mark::Circle};
+// A family that is not told apart here has the circle.
+Mark markOf(const MethodFamily& family) {
+  constexpr std::pair<std::string_view, Mark> kMarks[] = {{"Exact", Mark::Diamond},
+                                                          {"Paper", Mark::Disc},
+                                                          {"Mesh", Mark::Triangle},
+                                                          {"Grid", Mark::Square},
+                                                          {"Penalty", Mark::Cross}};
+  for (const auto& [name, mark] : kMarks)
+    if (name == family.name) return mark;
+  return Mark::Circle;
 }
 
 template <class Error, class Best>
@@ -29,11 +29,12 @@ ChartPanel tradeOffPanel(const std::vector<TradeOff>& points, std::string title,
   ChartPanel panel{std::move(title), "mean time of one tick in contact (ns)", std::move(y_axis), {}};
   ChartSeries front{"best trade-offs", Mark::Disc, true, true, false, {}};
   for (const TradeOff& p : points) {
-    const Family family = familyOf(p.method->name);
-    auto series = std::find_if(panel.series.begin(), panel.series.end(),
-                               [&](const ChartSeries& s) { return s.name == family.name; });
+    const MethodFamily& family = p.method->family;
+    const std::string name = lower(std::string(family.name));
+    auto series =
+        std::find_if(panel.series.begin(), panel.series.end(), [&](const ChartSeries& s) { return s.name == name; });
     if (series == panel.series.end())
-      series = panel.series.insert(series, ChartSeries{family.name, family.mark, false, false, true, {}});
+      series = panel.series.insert(series, ChartSeries{name, markOf(family), false, false, true, {}});
     series->points.push_back({p.tick_ns, error(p), std::string(p.method->name)});
     if (best(p)) front.points.push_back({p.tick_ns, error(p), ""});
   }
@@ -65,8 +66,8 @@ std::string sizeChart(const std::vector<SceneTimes>& times) {
   ChartPanel memory{"Memory of the method after sliding", "atoms loaded", "bytes", {}},
       ready{"Until the scene can be touched", "atoms loaded", "milliseconds", {}};
   for (const std::string_view name : kShown) {
-    const Family family = familyOf(name);
-    ChartSeries bytes{std::string(name), family.mark, true, name != "exact", true, {}}, ms = bytes;
+    ChartSeries bytes{std::string(name), markOf(findBenchMethod(name)->family), true, name != "exact", true, {}},
+        ms = bytes;
     for (const SceneTimes& scene : times)
       for (const TickTimes& row : scene.contact) {
         if (row.method->name != name) continue;

@@ -3,11 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/device/simulated_device.h"
+
 namespace moltact::bench {
 
-ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& contact, double max_N) {
-  if (!contact.touching()) return {};
-  ForceN force = settings.workspace.spring(hip, springEnd(contact, hip), settings.stiffness_N_per_mm);
+ForceN springForce(const LoopSettings& settings, const Contact& contact, double max_N) {
+  ForceN force = settings.workspace.spring(contact.displacement_A, settings.stiffness_N_per_mm);
   const double size = glm::length(force.N);
   if (!std::isfinite(size)) return {};
   if (size > max_N) force.N *= max_N / size;
@@ -15,28 +16,35 @@ ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& cont
 }
 
 ClosedLoop::ClosedLoop(const LoopSettings& settings, PointA start)
-    : settings_(settings),
+    : figures_(settings.device),
       device_(settings.device, settings.hand, settings.workspace.toDevice(start)),
+      step_(describe(settings.device)),
       place_mm_(device_.position().mm) {
+  settings_.workspace = settings.workspace;
+  settings_.stiffness_N_per_mm = settings.stiffness_N_per_mm;
+  settings_.max_force_N = settings.device.max_force_N;
   observer_.release();
 }
 
-LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
+LoopTick ClosedLoop::tick(Interaction& felt, PointA target, LoopFault fault) {
   LoopTick out;
-  out.hip = settings_.workspace.toMolecule(device_.sensed());
+  const PointMm sensed = device_.sensed();
+  out.hip = settings_.workspace.toMolecule(sensed);
   const ForceN before = command_;
-  if (kind == TickKind::Lost) {
+  if (fault == LoopFault::Lost) {
     out.stepped = false;
   } else {
-    PointA given = out.hip;
-    if (kind == TickKind::NotANumber) given.A.x = std::numeric_limits<double>::quiet_NaN();
-    if (kind == TickKind::Doubled) tracker.step(given);
-    last_ = tracker.step(given);
-    command_ = springForce(settings_, out.hip, last_, settings_.device.max_force_N);
+    DevicePose given{.position = sensed};
+    if (fault == LoopFault::NotANumber) given.position.mm.x = std::numeric_limits<double>::quiet_NaN();
+    settings_.probe_A = felt.probe_A();  // a script changes it at once, and not as fast as a hand bears it
+    if (fault == LoopFault::Doubled) step_.tick(settings_, &felt, given);
+    const ServoSample sample = step_.tick(settings_, &felt, given);
+    last_ = sample.contact;
+    command_ = sample.force;
   }
   out.contact = last_;
   out.force = command_;
-  device_.tick(kind == TickKind::Late ? before : command_, settings_.workspace.toDevice(target));
+  device_.tick(fault == LoopFault::Late ? before : command_, settings_.workspace.toDevice(target));
 
   const double k = 1e3 * settings_.stiffness_N_per_mm;
   const Vec3 here = device_.position().mm;
@@ -46,8 +54,8 @@ LoopTick ClosedLoop::tick(Tracker& tracker, PointA target, TickKind kind) {
   // The held force is that of a place as far off as the device has moved since it was read, and of the
   // rounding.
   recent_m_.push_back(glm::length(moved_m));
-  if (recent_m_.size() > static_cast<std::size_t>(settings_.device.delay_ticks) + 1) recent_m_.erase(recent_m_.begin());
-  double off_m = 0.87e-3 * settings_.device.resolution_mm;
+  if (recent_m_.size() > static_cast<std::size_t>(figures_.delay_ticks) + 1) recent_m_.erase(recent_m_.begin());
+  double off_m = 0.87e-3 * figures_.resolution_mm;
   for (const double m : recent_m_) off_m += m;
   if (out.contact.touching() || glm::length(device_.held().N) > 0) sampling_ += k * off_m * glm::length(moved_m);
   place_mm_ = here;

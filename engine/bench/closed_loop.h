@@ -4,7 +4,8 @@
 
 #include "engine/bench/passivity_observer.h"
 #include "engine/device/device_model.h"
-#include "engine/haptics/tracker.h"
+#include "engine/servo/loop_fault.h"
+#include "engine/servo/servo_step.h"
 
 namespace moltact::bench {
 
@@ -15,15 +16,6 @@ struct LoopSettings {
   double stiffness_N_per_mm = 0.3;  ///< of the spring between HIP and SCP
 };
 
-/// What the servo loop does with a tick; all but Normal are faults that a real machine shows.
-enum class TickKind : std::uint8_t {
-  Normal,
-  Lost,        ///< the program misses the tick: the device holds the last command
-  Late,        ///< the program answers too late for this tick: the device holds the last command once more
-  Doubled,     ///< the program runs twice on one reading
-  NotANumber,  ///< the reading is NaN
-};
-
 struct LoopTick {
   PointA hip;           ///< as read, even where the program was given NaN
   Contact contact;      ///< the last answer
@@ -31,14 +23,21 @@ struct LoopTick {
   bool stepped = true;  ///< false on a lost tick
 };
 
+/// The servo loop's own step without the safety stage, so that a method alone is judged.
+class UnguardedStep final : public ServoStep {
+ public:
+  explicit UnguardedStep(const DeviceSpecs& device) : ServoStep(device, false) {}
+};
+
 class ClosedLoop {
  public:
   /// The device begins at rest at `start`.
   ClosedLoop(const LoopSettings& settings, PointA start);
 
-  /// One tick: reads the device, steps the tracker, commands the force, moves the device with the hand led to
+  /// One tick: reads the device, steps the servo loop, commands the force, moves the device with the hand led to
   /// `target`.
-  LoopTick tick(Tracker& tracker, PointA target, TickKind kind = TickKind::Normal);
+  /// Of the faults Late, Lost, Doubled and NotANumber.
+  LoopTick tick(Interaction& felt, PointA target, LoopFault fault = LoopFault::None);
 
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }
@@ -53,8 +52,10 @@ class ClosedLoop {
   double samplingBound_J() const { return sampling_; }
 
  private:
-  LoopSettings settings_;
+  ServoSettings settings_;
+  DeviceParameters figures_;
   DeviceModel device_;
+  UnguardedStep step_;
   PassivityObserver observer_;
   Contact last_;
   ForceN command_;
@@ -64,6 +65,6 @@ class ClosedLoop {
 };
 
 /// The spring's force cut to max_N; zero without contact.
-ForceN springForce(const LoopSettings& settings, PointA hip, const Contact& contact, double max_N);
+ForceN springForce(const LoopSettings& settings, const Contact& contact, double max_N);
 
 }  // namespace moltact::bench

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/bench/accuracy.h"
+#include "engine/core/sphere_intersections.h"
 #include "engine/haptics/ball_scene.h"
 
 namespace moltact::bench {
@@ -37,11 +38,9 @@ std::vector<FeelPath> feelPaths() {
   out.push_back(round("one sphere", one, Vec3(0), u, w, R - kDepth_A, u * (R + 0.5)));
 
   const scenes::Scene bond = scenes::bond();
-  const double a = bond.balls[0].radius_A + bond.probe_A, b = bond.balls[1].radius_A + bond.probe_A,
-               d = bond.balls[1].centre_A.x;
-  const double x = (d * d - b * b + a * a) / (2 * d), circle = std::sqrt(a * a - x * x);
-  out.push_back(
-      round("crease", bond, Vec3(x, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), circle - kDepth_A, Vec3(x, circle + 0.5, 0)));
+  const SphereCircle crease = *circleOf(inflated(bond.balls[0], bond.probe_A), inflated(bond.balls[1], bond.probe_A));
+  out.push_back(round("crease", bond, crease.centre_A, Vec3(0, 1, 0), Vec3(0, 0, 1), crease.radius_A - kDepth_A,
+                      crease.centre_A + Vec3(0, crease.radius_A + 0.5, 0)));
 
   const scenes::Scene pit = scenes::pit();
   const double p = pit.balls[0].radius_A + pit.probe_A, side = pit.balls[1].centre_A.x;
@@ -65,7 +64,7 @@ std::vector<Feel> measureFeel(const std::vector<const Method*>& methods) {
       std::size_t lost = 0;
       for (const Vec3& h : path.counted) {
         const Contact c = tracker->step({h});
-        const Vec3 pull = c.touching() ? springEnd(c, {h}).A - h : Vec3(0);
+        const Vec3& pull = c.displacement_A;
         if (last) {
           if (c.touching() && *last != Vec3(0)) turn.push_back(angle_deg(*last, pull));
           change.push_back(glm::distance(*last, pull));

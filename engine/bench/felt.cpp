@@ -26,9 +26,7 @@ Felt feltOn(const std::string& where, const Method& method, const std::shared_pt
   const auto tracker = method.make(scene, probe_A);
   std::vector<double> direction;
   std::size_t seen = 0, blind = 0, size = 0, size_wide = 0, steps = 0, steps_wide = 0, off = 0, lost = 0;
-  const auto force = [&](const Vec3& h, const Contact& c) {
-    return springForce(loop, {h}, c, loop.device.max_force_N).N;
-  };
+  const auto force = [&](const Contact& c) { return springForce(loop, c, loop.device.max_force_N).N; };
   for (const Stroke& stroke : strokes) {
     exact.reset();
     tracker->reset();
@@ -37,8 +35,8 @@ Felt feltOn(const std::string& where, const Method& method, const std::shared_pt
     std::vector<bool> touching;
     for (const Vec3& h : stroke.counted) {
       const Contact e = exact.step({h}), c = tracker->step({h});
-      right.push_back(force(h, e));
-      felt.push_back(force(h, c));
+      right.push_back(force(e));
+      felt.push_back(force(c));
       touching.push_back(e.touching());
       if (!e.touching()) continue;
       ++out.ticks;

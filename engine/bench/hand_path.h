@@ -19,6 +19,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/tracker.h"
 #include "engine/servo/servo_recording.h"
 
 namespace moltact::bench {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <random>
 
 #include "engine/haptics/exact/exact_tracker.h"
@@ -25,7 +26,7 @@ std::vector<Ball> proteinLike(std::size_t count, unsigned seed) {
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> shift(-0.9, 0.9), radius(1.5, 1.9);
   const double spacing = std::cbrt(1.0 / 0.06);
-  const double reach = std::cbrt(double(count) / 0.06 * 3.0 / (4.0 * 3.141592653589793));
+  const double reach = std::cbrt(double(count) / 0.06 * 3.0 / (4.0 * std::numbers::pi));
   const int n = static_cast<int>(std::ceil(reach / spacing)) + 1;
   std::vector<std::pair<double, Ball>> all;
   for (int x = -n; x <= n; ++x)

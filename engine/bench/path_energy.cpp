@@ -20,7 +20,7 @@ double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Pat
   const auto forceAt = [&](const Vec3& hip, bool& touching) {
     const Contact c = tracker.step({hip});
     touching = c.touching();
-    return springForce(loop, {hip}, c, std::numeric_limits<double>::infinity()).N;
+    return springForce(loop, c, std::numeric_limits<double>::infinity()).N;
   };
   const auto outside = [&](const Vec3& hip) { return oracle::deepest(scene.balls, scene.probe_A, hip) <= 0; };
   bool touching = false;

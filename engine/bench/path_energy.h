@@ -7,6 +7,7 @@
 
 #include "engine/bench/closed_loop.h"
 #include "engine/bench/scenes.h"
+#include "engine/haptics/tracker.h"
 
 namespace moltact::bench {
 

@@ -63,11 +63,11 @@ class Judge {
     } else {
       behind_ = false;
     }
-    force_.push_back(springForce(loop_, {hip}, c, loop_.device.max_force_N).N);
+    force_.push_back(springForce(loop_, c, loop_.device.max_force_N).N);
     Contact ideal;
     ideal.scp.A = right.scp_A;
-    ideal.feature = right.touching ? Feature::Sphere : Feature::Free;
-    right_force_.push_back(springForce(loop_, {hip}, ideal, loop_.device.max_force_N).N);
+    if (right.touching) stretchToScp(ideal, {hip});
+    right_force_.push_back(springForce(loop_, ideal, loop_.device.max_force_N).N);
     path_.push_back(hip);
   }
 
@@ -137,13 +137,13 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
     }
     LoopTick tick;
     if (scene.hand) {
-      tick = device.tick(*tracker, {t.place_A}, t.kind);
+      tick = device.tick(*tracker, {t.place_A}, t.fault);
     } else {
       tick.hip = {t.place_A};
       tick.contact = tracker->step(tick.hip);
     }
     // A tick without a reading has no right answer; the next has.
-    if (!tick.stepped || t.kind == TickKind::NotANumber) continue;
+    if (!tick.stepped || t.fault == LoopFault::NotANumber) continue;
     judge.tick(now, tick.hip.A, tick.contact, right.step(tick.hip.A, tick.contact));
     if (k + scene.held_ticks / 2 >= scene.script.size()) held_mm.push_back(device.device().position().mm);
   }

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "engine/bench/script.h"
+#include "engine/core/sphere_intersections.h"
 
 namespace moltact::bench {
 namespace {
@@ -11,16 +12,10 @@ namespace {
 constexpr std::size_t kHeld = 500;
 const Vec3 kX(1, 0, 0), kY(0, 1, 0), kZ(0, 0, 1);
 
-double inflated(const scenes::Scene& s, std::size_t k) { return s.balls[k].radius_A + s.probe_A; }
+double grownRadius(const scenes::Scene& s, std::size_t k) { return s.balls[k].radius_A + s.probe_A; }
 
-// The crease of a bond along x: its plane and the circle's radius.
-struct Crease {
-  double x, radius;
-};
-Crease creaseOf(const scenes::Scene& s) {
-  const double a = inflated(s, 0), b = inflated(s, 1), d = s.balls[1].centre_A.x;
-  const double x = (d * d - b * b + a * a) / (2 * d);
-  return {x, std::sqrt(a * a - x * x)};
+SphereCircle creaseOf(const scenes::Scene& bond) {
+  return *circleOf(inflated(bond.balls[0], bond.probe_A), inflated(bond.balls[1], bond.probe_A));
 }
 
 // A pressed walk over the surface, then held still.
@@ -35,7 +30,8 @@ StabilityScene walked(std::string name, std::string question, scenes::Scene scen
 
 std::vector<StabilityScene> creases() {
   const scenes::Scene bond = scenes::bond();
-  const auto [x, r] = creaseOf(bond);
+  const SphereCircle circle = creaseOf(bond);
+  const double x = circle.centre_A.x, r = circle.radius_A;
   const Vec3 middle(x, 0, 0);
 
   StabilityScene along{"crease, along", "Does the force stay even along the seam of two spheres?", bond};
@@ -53,7 +49,7 @@ std::vector<StabilityScene> creases() {
 
 StabilityScene pit() {
   const scenes::Scene scene = scenes::pit();
-  const double side = scene.balls[1].centre_A.x, R = inflated(scene, 0);
+  const double side = scene.balls[1].centre_A.x, R = grownRadius(scene, 0);
   const Vec3 bottom(side / 2, side * std::sqrt(3.0) / 6, std::sqrt(R * R - side * side / 3));
   StabilityScene out{"pit of three", "Does the SCP rest in the point and leave it over the right circle?", scene};
   out.script = Script(bottom + kZ * 1.2)
@@ -70,7 +66,7 @@ StabilityScene pit() {
 
 // Sliding over the seam where two spheres touch or nearly so.
 StabilityScene seam(std::string name, scenes::Scene scene) {
-  const double R = inflated(scene, 0);
+  const double R = grownRadius(scene, 0);
   StabilityScene out{std::move(name), "Does a seam without width hold or trip the HIP?", std::move(scene)};
   out.script = Script(Vec3(R - 1.6, R + 0.4, 0.1))
                    .to({R - 1.6, 1.9, 0.1})
@@ -120,7 +116,7 @@ StabilityScene tunnel() {
 
 StabilityScene graze() {
   const scenes::Scene scene = scenes::oneBall();
-  const double R = inflated(scene, 0);
+  const double R = grownRadius(scene, 0);
   StabilityScene out{"thin graze", "Is a touch of 0.02 A felt, and let go of cleanly?", scene};
   Script script(Vec3(-2.0, R - 0.02, 0.01));
   out.script = script.to({2.0, R - 0.02, 0.01}, 0.01).to({-2.0, R - 0.02, 0.02}, 0.03).ticks;
@@ -159,7 +155,7 @@ StabilityScene startInside() {
 
 StabilityScene onCentre() {
   const scenes::Scene scene = scenes::bond();
-  const auto [x, r] = creaseOf(scene);
+  const double x = creaseOf(scene).centre_A.x;
   StabilityScene out{"HIP on a centre and on an axis", "Is the force finite and steady where all directions are alike?",
                      scene};
   // Exactly onto the first centre, along the axis through both, and back the way it came.
@@ -201,11 +197,11 @@ StabilityScene disturbed(std::uint64_t seed) {
   scenes::Random random(seed);
   for (StabilityTick& t : script.ticks) {
     const double dice = random.uniform(0, 1);
-    t.kind = dice < 0.01   ? TickKind::NotANumber
-             : dice < 0.03 ? TickKind::Lost
-             : dice < 0.05 ? TickKind::Doubled
-             : dice < 0.07 ? TickKind::Late
-                           : TickKind::Normal;
+    t.fault = dice < 0.01   ? LoopFault::NotANumber
+              : dice < 0.03 ? LoopFault::Lost
+              : dice < 0.05 ? LoopFault::Doubled
+              : dice < 0.07 ? LoopFault::Late
+                            : LoopFault::None;
   }
   out.script = std::move(script.ticks);
   out.energy = false;

@@ -14,7 +14,7 @@ namespace moltact::bench {
 /// What one tick asks for.
 struct StabilityTick {
   Vec3 place_A{0.0};  ///< where the hand is led, or the HIP itself where the scene is led directly
-  TickKind kind = TickKind::Normal;
+  LoopFault fault = LoopFault::None;
   double probe_A = -1;  ///< set this probe before the tick; negative: leave it
   bool swap = false;    ///< go on with the second molecule from here
   bool reset = false;   ///< begin anew from here

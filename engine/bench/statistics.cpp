@@ -5,13 +5,9 @@
 #include <limits>
 #include <numeric>
 
-namespace moltact::bench {
+#include "engine/core/quantile.h"
 
-double percentile(const std::vector<double>& ascending, double share) {
-  if (ascending.empty()) return 0;
-  const auto rank = static_cast<std::size_t>(std::ceil(share * double(ascending.size()) - 1e-9));
-  return ascending[std::clamp<std::size_t>(rank, 1, ascending.size()) - 1];
-}
+namespace moltact::bench {
 
 Spread spreadOf(std::vector<double> values) {
   Spread s;

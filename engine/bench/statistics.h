@@ -16,9 +16,6 @@ struct Spread {
 /// Of no values, all zeros. The values must not be NaN.
 Spread spreadOf(std::vector<double> values);
 
-/// The nearest-rank percentile of ascending values, `share` from 0 to 1; 0 of none.
-double percentile(const std::vector<double>& ascending, double share);
-
 /// A mean and how far the true one may lie from it: half the width of the 95 % interval by Student's t; 0 of fewer
 /// than two values.
 struct MeanOf {

@@ -5,8 +5,9 @@
 #include <cstdio>
 
 #include "engine/bench/many_threads.h"
-#include "engine/bench/plain_wall.h"
 #include "engine/bench/statistics.h"
+#include "engine/core/quantile.h"
+#include "engine/servo/plain_trackers.h"
 
 namespace moltact::bench {
 namespace {
@@ -100,8 +101,7 @@ double stiffestStable(const std::function<std::unique_ptr<Tracker>()>& make, con
     if (pushed)
       for (double at = kOut_A; at > -kIn_A; at -= kCreep_A) {
         start = surface + out * at;
-        if (glm::length(springForce(loop, {start}, tracker->step({start}), setup.device.max_force_N).N) >= setup.push_N)
-          break;
+        if (glm::length(springForce(loop, tracker->step({start}), setup.device.max_force_N).N) >= setup.push_N) break;
       }
     ClosedLoop device(loop, {start});
     double fastest_m_per_s = 0;
@@ -148,7 +148,7 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
   std::vector<std::vector<double>> wall(setups.size(), std::vector<double>(directions.size()));
   inManyThreads(wall.size() * directions.size(), [&](std::size_t k) {
     const std::size_t s = k / directions.size(), d = k % directions.size();
-    wall[s][d] = stiffestStable([] { return std::make_unique<PlainWall>(); }, Vec3(0), Vec3(0, 0, 1),
+    wall[s][d] = stiffestStable([] { return std::make_unique<WallTracker>(0.0); }, Vec3(0), Vec3(0, 0, 1),
                                 turnTo(directions[d], Vec3(0, 0, 1)), setups[s]);
   });
 

@@ -5,17 +5,41 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/quaternion.hpp>
 
 namespace moltact {
 
 using Vec3 = glm::dvec3;
+using Quat = glm::dquat;
+
+/// Turns nothing.
+inline constexpr Quat kNoRotation{1.0, 0.0, 0.0, 0.0};
 
 /// True where none of the three numbers is infinite or NaN.
 inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+/// True for a quaternion that rotates: of length 1 but for rounding. False for NaN.
+inline bool rotates(const Quat& q) { return std::abs(glm::dot(q, q) - 1.0) < 1e-3; }
+
+/// The way from one orientation to the other as an axis times its angle, the short way round (unit: radian).
+inline Vec3 rotationBetween(const Quat& from, const Quat& to) {
+  Quat q = to * glm::conjugate(from);
+  if (q.w < 0.0) q = -q;
+  const Vec3 v(q.x, q.y, q.z);
+  const double sine = glm::length(v);
+  return sine > 0.0 ? v * (2.0 * std::atan2(sine, q.w) / sine) : Vec3(0.0);
+}
+
 /// A place in the molecule's space (unit: angstrom).
 struct PointA {
   Vec3 A{0.0};
+  friend bool operator==(const PointA&, const PointA&) = default;
+};
+
+/// A place and an orientation in the molecule's space: the hand's axes lie along the molecule's rotated by it.
+struct PoseA {
+  PointA place;
+  Quat orientation = kNoRotation;
 };
 
 /// A place in the device's space (unit: millimetre; +x right, +y up, +z toward the person).
@@ -28,19 +52,33 @@ struct ForceN {
   Vec3 N{0.0};
 };
 
+/// A force and a torque round the hand's place, in the device's space (unit: newton, newton millimetre).
+struct Wrench {
+  ForceN force;
+  Vec3 torque_N_mm{0.0};
+};
+
 /// How the device's space lies in the molecule's: a scale, a rotation and a centre.
 /// Valid range: A_per_mm > 0; `rotation` a rotation matrix (orthonormal, determinant 1).
 struct Workspace {
   double A_per_mm = 0.25;    ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
   Vec3 centre_A{0.0};        ///< the place in the molecule where the device's origin lies (unit: angstrom)
   glm::dmat3 rotation{1.0};  ///< the device's axes in the molecule's space, as columns (default: the same axes)
+  friend bool operator==(const Workspace&, const Workspace&) = default;
 
   PointA toMolecule(PointMm place) const { return {centre_A + rotation * (place.mm * A_per_mm)}; }
+  PoseA toMolecule(PointMm place, const Quat& orientation) const {
+    return {toMolecule(place), glm::quat_cast(rotation) * orientation};
+  }
   PointMm toDevice(PointA place) const { return {glm::transpose(rotation) * (place.A - centre_A) / A_per_mm}; }
 
-  /// The spring's force (paper, section 3.3): stiffness (N/mm, in the device's space) times the way from HIP to SCP.
-  ForceN spring(PointA hip, PointA scp, double stiffness_N_per_mm) const {
-    return {glm::transpose(rotation) * (scp.A - hip.A) * (stiffness_N_per_mm / A_per_mm)};
+  /// The spring's force (paper, section 3.3): stiffness (N/mm, in the device's space) times its displacement.
+  ForceN spring(const Vec3& displacement_A, double stiffness_N_per_mm) const {
+    return {glm::transpose(rotation) * displacement_A * (stiffness_N_per_mm / A_per_mm)};
+  }
+  /// The torque of such springs, in N mm; `torque_A2` is the sum of lever times displacement.
+  Vec3 torque_N_mm(const Vec3& torque_A2, double stiffness_N_per_mm) const {
+    return glm::transpose(rotation) * torque_A2 * (stiffness_N_per_mm / (A_per_mm * A_per_mm));
   }
 };
 

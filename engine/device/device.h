@@ -1,4 +1,4 @@
-// The one interface of every haptic device: a pose comes in, a force goes out.
+// The one interface of every haptic device: a pose comes in, a force or a wrench goes out.
 // `read` and `write` run on the haptic thread: no lock, allocation, exception, log or waiting.
 // Units: millimetre and newton, in the device's space (+x right, +y up, +z toward the person).
 #pragma once
@@ -16,7 +16,7 @@ namespace moltact {
 struct DeviceSpecs {
   Vec3 workspace_mm{160.0, 120.0, 70.0};  ///< the reach of the hand, edge to edge
   int dof_in = 3;                         ///< degrees of freedom that are read and used: 3 place, 6 place and turn
-  int dof_out = 0;                        ///< degrees of freedom that are driven: 0 none, 3 force
+  int dof_out = 0;                        ///< degrees of freedom that are driven: 0 none, 3 force, 6 force and torque
   double max_force_N = 3.3;               ///< the greatest force for a moment
   double continuous_force_N = 3.3;        ///< the greatest force for good, by the motors' heat
   double max_stiffness_N_per_mm = 1.0;    ///< the stiffest wall it can show
@@ -27,6 +27,7 @@ struct DeviceSpecs {
   double delay_s = 0.001;                 ///< from the encoders to the driver and from there to the motors, together
   double speed_limit_m_per_s = kNoLimit;  ///< faster than this it gives no force
   double slew_limit_N_per_s = kNoLimit;   ///< and a force that changes faster it cuts
+  double max_torque_N_mm = 0.0;           ///< the greatest torque; 0 where it drives none
   bool gives_force = false;               ///< false: the force is only shown on the screen, and moves no hand
 
   static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
@@ -50,6 +51,7 @@ struct DevicePose {
   float motor_heat = 0;   ///< 0 cold to 1 as warm as its motors may be, where it tells
   float age_s = 0;        ///< how old the place is when it is read, with the wait of the force that answers it, as the
                           ///< driver measures them of its own thread: on top of DeviceSpecs::delay_s
+  Quat orientation = kNoRotation;  ///< of what is in the hand, from the device's axes; none where it measures none
 };
 
 /// How fast a person wants the view to move and to turn, each -1 to 1 along and round the screen's axes (+x right, +y
@@ -85,6 +87,8 @@ class Device {
   virtual DevicePose read(double dt_s) noexcept = 0;
   /// The force to give until the next tick: always finite and within max_force_N.
   virtual void write(ForceN force) noexcept = 0;
+  /// The same with a torque, for a device of dof_out 6; others are given the force alone.
+  virtual void writeWrench(const Wrench& wrench) noexcept { write(wrench.force); }
   /// In place of write(): no force, and the motors off where the device can, until the next write.
   virtual void stop() noexcept { write(ForceN{}); }
 

@@ -3,14 +3,27 @@
 #include "engine/device/driver.h"
 #include "engine/language/catalogue.h"
 
+// One line a driver, the default first and the mouse last: it is k<Name>Driver, in its own file.
+#define MOLTACT_DRIVERS(X) \
+  X(Omni)                  \
+  X(WoodenHaptics)         \
+  X(Open)                  \
+  X(SpaceMouse)            \
+  X(DualShock)             \
+  X(DualSense)             \
+  X(Simulated)             \
+  X(Mouse)
+
 namespace moltact {
 
-extern const DeviceDriver kOmniDriver, kWoodenHapticsDriver, kOpenDriver, kSpaceMouseDriver, kDualShockDriver,
-    kDualSenseDriver, kSimulatedDriver, kMouseDriver;
+#define MOLTACT_DECLARE(Name) extern const DeviceDriver k##Name##Driver;
+MOLTACT_DRIVERS(MOLTACT_DECLARE)
+#undef MOLTACT_DECLARE
 
 std::span<const DeviceDriver> deviceDrivers() {
-  static const DeviceDriver kAll[] = {kOmniDriver,      kWoodenHapticsDriver, kOpenDriver,      kSpaceMouseDriver,
-                                      kDualShockDriver, kDualSenseDriver,     kSimulatedDriver, kMouseDriver};
+#define MOLTACT_ROW(Name) k##Name##Driver,
+  static const DeviceDriver kAll[] = {MOLTACT_DRIVERS(MOLTACT_ROW)};
+#undef MOLTACT_ROW
   return kAll;
 }
 

@@ -63,4 +63,10 @@ PointMm ScriptedHand::lead(double dt_s, ForceN felt) noexcept {
   return place();
 }
 
+Quat ScriptedHand::orientation() const noexcept {
+  // The sides look to the person, never straight away from it.
+  const Quat q(1.0 + side_.z, -side_.y, side_.x, 0.0);
+  return glm::normalize(q);
+}
+
 }  // namespace moltact

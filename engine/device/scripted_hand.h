@@ -18,6 +18,8 @@ class ScriptedHand {
 
   /// Where the hand wants to be `dt_s` later, having felt that force.
   PointMm lead(double dt_s, ForceN felt) noexcept;
+  /// As one holds a pen: its axis, z at rest, lies along the side from which the hand comes.
+  Quat orientation() const noexcept;
   PointMm place() const noexcept { return {side_ * distance_mm_}; }
 
  private:

@@ -8,7 +8,8 @@ namespace moltact {
 DeviceInfo describe(const DeviceParameters& device) {
   DeviceInfo info;
   info.name = N_("Simulated stylus");
-  info.dof_in = info.dof_out = 3;
+  info.dof_in = 6;
+  info.dof_out = 3;
   info.workspace_mm = Vec3(2 * ScriptedHand::kAway_mm + 40.0);  // its hand comes from farther off than an Omni reaches
   info.max_force_N = device.max_force_N;
   info.continuous_force_N = 0.88;
@@ -25,7 +26,8 @@ SimulatedDevice::SimulatedDevice(const DeviceParameters& device, const HandParam
 
 DevicePose SimulatedDevice::read(double) noexcept {
   return {.position = {model_->sensed().mm - Vec3(0, 0, kBehind_mm)},
-          .connected = plugged_.load(std::memory_order_acquire)};
+          .connected = plugged_.load(std::memory_order_acquire),
+          .orientation = hand_.orientation()};
 }
 
 void SimulatedDevice::write(ForceN force) noexcept {

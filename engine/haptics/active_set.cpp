@@ -6,15 +6,27 @@
 namespace moltact {
 namespace {
 
-constexpr int kMostTried = 6;        // touches among which every set of up to three is tried
-constexpr double kSteep = 1e-3;      // of the displacement: what leads in by more does not graze
+constexpr int kMostTried = 6;            // touches among which every set of up to three is tried
+constexpr double kSteep = 1e-3;          // of the displacement: what leads in by more does not graze
+constexpr double kArithmetic = 0x1p-50;  // of a sum of a few products
 constexpr double kParallel = 1e-26;  // squared sine, or squared volume, under which normals hold in fewer dimensions
 
 // What a set leaves of the displacement, and how the way turns that it leads along: the acceleration at unit speed,
 // toward the holding sphere's or circle's centre.
 struct Motion {
   Vec3 left{0.0}, turns{0.0};
+  double far = INFINITY, bend = 0.0,
+         loose = 0.0;  // as nearCentre_A has them; far is infinite where the motion is not reckoned so
 };
+
+// Whether nothing but rounding is left of the displacement.
+bool isStill(const Vec3& left, double pull_A, std::span<const Touch> touches, double contact_A,
+             const std::array<int, 3>& by) {
+  double still_A = 0.0;
+  for (const int k : by)
+    if (k >= 0) still_A = std::max(still_A, stillUnder_A(touches[std::size_t(k)], contact_A, pull_A));
+  return glm::dot(left, left) <= still_A * still_A;
+}
 
 // Every set of up to three among a few touches, fewest first, until one is admitted.
 class Trial {
@@ -47,10 +59,7 @@ class Trial {
     const int n = tried_count_;
     if (offer({-1, -1, -1}, 0, {pull_})) return best_;
     for (int a = 0; a < n; ++a) {
-      const Vec3& na = normal(a);
-      const double push = glm::dot(pull_, na);
-      if (push < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, {pull_ - push * na, na * (-1.0 / touch(a).radius)}))
-        return best_;
+      if (glm::dot(pull_, normal(a)) < 0.0 && offer({tried_[std::size_t(a)], -1, -1}, 1, alone(a))) return best_;
     }
     for (int a = 0; a < n; ++a)
       for (int b = a + 1; b < n; ++b)
@@ -82,13 +91,26 @@ class Trial {
  private:
   const Vec3& normal(int a) const { return touch(a).normal; }
   const Touch& touch(int a) const { return touches_[std::size_t(tried_[std::size_t(a)])]; }
-  double bound(int a) const { return rounding_A(touch(a), contact_, length_); }
+  double bound(const Motion& m, const Touch& t) const {
+    return std::isfinite(m.far) ? nearCentre_A(t, contact_, m.far, m.bend, m.loose) : rounding_A(t, contact_, length_);
+  }
+
+  // What one touch leaves of the displacement. On a sphere that is what it leaves of the displacement from its centre:
+  // of two spheres that nearly are one, with the HIP near both centres, only that tells which way the one leads into
+  // the other.
+  Motion alone(int a) const {
+    const Touch& t = touch(a);
+    const Vec3 turns = t.normal * (-1.0 / t.radius);
+    if (admitted_.grazes || !std::isfinite(t.radius)) return {pull_ - glm::dot(pull_, t.normal) * t.normal, turns};
+    const Vec3 from_centre = pull_ + (t.radius + t.gap) * t.normal;
+    return {from_centre - glm::dot(from_centre, t.normal) * t.normal, turns, glm::length(from_centre), 1.0 / t.radius};
+  }
 
   // The part of a motion that leads into a touch, over what is allowed: blocked from 1 on.
   double violation(const Motion& m, const Touch& t) const {
     const double into = -glm::dot(m.left, t.normal);
     if (into <= 0.0) return 0.0;
-    double allowed = rounding_A(t, contact_, length_);
+    double allowed = bound(m, t);
     if (into > kSteep * length_ || !admitted_.grazes || into <= allowed) return into / allowed;
     allowed += glm::length(m.left) * grazing(t, contact_, 1.0 / t.radius + glm::dot(m.turns, t.normal));
     return into / allowed;
@@ -102,8 +124,7 @@ class Trial {
     if (most > 1.0 && most >= least_) return false;
     if (most <= 1.0 && passed_++ < admitted_.skip) return false;
     least_ = most;
-    const double still_A = stillUnder_A(contact_, length_);
-    best_ = {count, by, glm::dot(motion.left, motion.left) <= still_A * still_A, true};
+    best_ = {count, by, isStill(motion.left, length_, touches_, contact_, by), true};
     motion_ = motion;
     return most <= 1.0;
   }
@@ -113,15 +134,20 @@ class Trial {
     const Vec3 &na = normal(a), &nb = normal(b), line = glm::cross(na, nb);
     const double sine2 = glm::dot(line, line);
     if (sine2 < kParallel) return false;
-    const double cosine = glm::dot(na, nb), push_a = -glm::dot(pull_, na), push_b = -glm::dot(pull_, nb);
+    const double cosine = glm::dot(na, nb);
     // Two that touch from outside have no circle that rounding could tell from a point; either holds as both do.
     if (cosine < 0.0 && sine2 < 16.0 * contact_ * (1.0 / touch(a).radius + 1.0 / touch(b).radius)) return false;
-    if (push_a - push_b * cosine < -bound(a) || push_b - push_a * cosine < -bound(b)) return false;
+    // Either must lead into the other, or lead out but for rounding.
+    const Motion by_a = alone(a), by_b = alone(b);
+    if (-glm::dot(by_b.left, na) < -bound(by_b, touch(a)) || -glm::dot(by_a.left, nb) < -bound(by_a, touch(b)))
+      return false;
     // On both spheres: turns . n_a = -1 / R_a and turns . n_b = -1 / R_b.
     const double bend_a = 1.0 / touch(a).radius, bend_b = 1.0 / touch(b).radius;
     const Vec3 turns = (na * (bend_b * cosine - bend_a) + nb * (bend_a * cosine - bend_b)) / sine2;
+    const Motion& near = by_a.far <= by_b.far ? by_a : by_b;  // along the line both sums are the same
     return offer({tried_[std::size_t(a)], tried_[std::size_t(b)], -1}, 2,
-                 {line * (glm::dot(pull_, line) / sine2), turns});
+                 {line * (glm::dot(near.left, line) / sine2), turns, near.far, std::max(bend_a, bend_b),
+                  kArithmetic / std::sqrt(sine2)});
   }
 
   bool triple(int a, int b, int c) {
@@ -130,6 +156,9 @@ class Trial {
     const double volume = glm::dot(ab, nc);
     if (volume * volume < kParallel) return false;
     const double side = volume < 0.0 ? 1.0 : -1.0;
+    const auto bound = [&](int k) {
+      return rounding_A(touch(k), contact_, length_, admitted_.grazes || !std::isfinite(touch(k).radius));
+    };
     if (side * glm::dot(pull_, bc) < -bound(a) || side * glm::dot(pull_, ca) < -bound(b) ||
         side * glm::dot(pull_, ab) < -bound(c))
       return false;
@@ -157,16 +186,17 @@ bool plainly(const Vec3& displacement, std::span<const Touch> touches, double co
   }
   const double into_1 = -glm::dot(displacement, touches[1].normal),
                cosine = glm::dot(touches[0].normal, touches[1].normal);
-  const double still_A = stillUnder_A(contact_A, length);
   const auto one = [&](int by, double into) {
     const Vec3 left = displacement + into * touches[std::size_t(by)].normal;
-    set = {.count = 1, .by = {by, -1, -1}, .still = glm::dot(left, left) <= still_A * still_A};
+    set = {.count = 1, .by = {by, -1, -1}};
+    set.still = isStill(left, length, touches, contact_A, set.by);
     return true;
   };
   // What is left of the displacement on the one sphere leads into the other by so much.
   const double then_1 = into_1 - into_0 * cosine, then_0 = into_0 - into_1 * cosine;
-  if (into_0 > steep && then_1 <= 0.0) return one(0, into_0);
-  if (into_1 > steep && then_0 <= 0.0) return one(1, into_1);
+  const double doubt = kArithmetic * length;
+  if (into_0 > steep && then_1 <= -doubt) return one(0, into_0);
+  if (into_1 > steep && then_0 <= -doubt) return one(1, into_1);
   if (into_0 <= steep || into_1 <= steep || then_0 <= steep || then_1 <= steep) return false;
   set = {.count = 2, .by = {0, 1, -1}};
   return true;

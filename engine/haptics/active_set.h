@@ -24,13 +24,26 @@ struct Touch {
   std::int32_t ball;  ///< or whatever else the surface belongs to
 };
 
+/// What is left of rounding's share for a place that has sunk: all of it to contact_A, nothing from three times that.
+inline double leeway(const Touch& touch, double contact_A) {
+  return std::clamp(0.5 * (3.0 + touch.gap / contact_A), 1e-6, 1.0);
+}
+
 /// How much of a motion may lead into a touching surface by rounding of the displacement and of the normal (unit:
-/// angstrom): 1/128 of what counts as touching, 16 times that for a place that has not yet sunk, and nothing for one
-/// that has sunk by three times it.
-inline double rounding_A(const Touch& touch, double contact_A, double pull_A) {
-  const double gap = touch.gap / contact_A;
-  const double share = 0.125 * std::clamp(1.0 + gap, 0.0, 1.0) + 0x1p-7 * std::clamp(0.5 * (3.0 + gap), 1e-6, 1.0);
+/// angstrom): 1/128 of what counts as touching, and where the place has `room` to sink in, 16 times that as long as it
+/// has not.
+inline double rounding_A(const Touch& touch, double contact_A, double pull_A, bool room = true) {
+  const double share =
+      (room ? 0.125 * std::clamp(1.0 + touch.gap / contact_A, 0.0, 1.0) : 0.0) + 0x1p-7 * leeway(touch, contact_A);
   return contact_A * share * (1.0 + pull_A / touch.radius);
+}
+
+/// The same where no way may graze, for a motion along spheres that is reckoned from the centre of one, `far_A` from
+/// the HIP: a place that is off by 1/128 of what counts as touching turns it by as much times far_A * bend, bend being
+/// the larger curvature of its holders, and the normal that it is compared with by as much over its radius. `loose`:
+/// what the motion's own direction is off by.
+inline double nearCentre_A(const Touch& touch, double contact_A, double far_A, double bend, double loose) {
+  return far_A * leeway(touch, contact_A) * (0x1p-7 * contact_A * (bend + 1.0 / touch.radius) + loose);
 }
 
 /// The sine under which a way may meet a touching sphere and not be blocked, for it sinks by no more than the place has
@@ -44,8 +57,12 @@ inline double grazing(const Touch& touch, double contact_A, double bend) {
   return std::max(0.0, room / way + 0.5 * bend * way);
 }
 
-/// What is left of the displacement moves nothing where it is no longer than this (unit: angstrom).
-inline double stillUnder_A(double contact_A, double pull_A) { return 4.0 * contact_A * (1.0 + pull_A); }
+/// What is left of the displacement moves nothing where it is no longer than this (unit: angstrom): a place that
+/// touches is known to within 4 contact_A, from 3 sunk to 1 above, which shifts the displacement by as much and turns
+/// the normal by as much over the radius.
+inline double stillUnder_A(const Touch& touch, double contact_A, double pull_A) {
+  return 4.0 * contact_A * (1.0 + pull_A / touch.radius);
+}
 
 struct ActiveSet {
   int count = 0;                      ///< 0 to 3; with three, nothing is left of the displacement and the place holds
@@ -57,7 +74,8 @@ struct ActiveSet {
 struct Admitted {
   int skip = 0;  ///< where rounding admits several sets (a holder about to let go, two spheres with one tangent plane),
                  ///< so many are passed over
-  bool grazes = true;  ///< whether a way may graze a touching sphere; never so with planes
+  bool grazes =
+      true;  ///< whether a way may graze a touching sphere, and sink into it by rounding; never so with planes
 };
 
 /// The set with the fewest holders that blocks all that must be blocked.

@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
+BallScene::BallScene(std::vector<Ball> balls, Equal equal) : balls_(std::move(balls)) {
   if (balls_.empty()) {
     cells_.resize(16);
     mask_ = 15;
@@ -104,6 +104,7 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
   };
   auto kept = sorted_.begin();  // the cells move together over the gaps
   for (Cell* cell : in_order) {
+    if (equal == Equal::EachVisited) break;
     Cell& c = *cell;
     const auto begin = sorted_.begin() + c.begin;
     auto end = sorted_.begin() + c.end;
@@ -123,7 +124,7 @@ BallScene::BallScene(std::vector<Ball> balls) : balls_(std::move(balls)) {
     c.begin = static_cast<std::uint32_t>(first_kept - sorted_.begin());
     c.end = static_cast<std::uint32_t>(kept - sorted_.begin());
   }
-  sorted_.erase(kept, sorted_.end());
+  if (equal == Equal::FirstStandsForAll) sorted_.erase(kept, sorted_.end());
   large_from_ = static_cast<std::uint32_t>(sorted_.size());
   sorted_.insert(sorted_.end(), large.begin(), large.end());
 

@@ -19,9 +19,12 @@ namespace moltact {
 
 class BallScene {
  public:
+  /// What becomes of balls with the same centre and radius: the first in the file stands for all, or each is visited.
+  enum class Equal : std::uint8_t { FirstStandsForAll, EachVisited };
+
   /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
   /// files).
-  explicit BallScene(std::vector<Ball> balls);
+  explicit BallScene(std::vector<Ball> balls, Equal equal = Equal::FirstStandsForAll);
 
   std::span<const Ball> balls() const { return balls_; }
   const Ball& operator[](std::size_t i) const { return balls_[i]; }
@@ -37,8 +40,8 @@ class BallScene {
 
   /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
   /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of balls with the same
-  /// centre and radius only the first in the file is visited. No allocation; the order is fixed for a scene. `cost`
-  /// counts what is looked at beside balls: cells, and groups of balls in crowded cells.
+  /// centre and radius only the first in the file is visited, unless made otherwise. No allocation; the order is fixed
+  /// for a scene. `cost` counts what is looked at beside balls: cells, and groups of balls in crowded cells.
   template <class Visit>
   void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
     const double reach = margin_A + cell_radius_;

@@ -12,16 +12,25 @@
 
 namespace moltact {
 
+class SphereMesh;
+
+/// Methods that differ only in how finely they work share one.
+struct MethodFamily {
+  std::string_view name;   ///< "Mesh"
+  std::string_view plain;  ///< what it does, in a student's words
+};
+
 struct Method {
   std::string_view name;      ///< as in `--method exact`
   std::string_view sentence;  ///< what it is, for the screen and `--help`
   std::unique_ptr<Tracker> (*make)(std::shared_ptr<const BallScene> scene, double probe_A);
-  std::string_view family = {};   ///< methods that differ only in how finely they work share it: "Mesh"
+  MethodFamily family;
   std::string_view grade = {};    ///< how finely: "960", "0.4 Å"; empty where a family is one method
   std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
   int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
   std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
   bool one_probe = false;         ///< it feels only the probe that it was made for
+  bool follows_motion = true;     ///< it goes with spheres that move (Tracker::setFrame)
 };
 
 /// The methods that the window, the lessons and every command offer, the default first. Each bears any scene and probe.
@@ -38,6 +47,9 @@ const Method* findBenchMethod(std::string_view name);
 
 /// The names of methods(), in the same order.
 std::vector<std::string_view> methodNames();
+
+/// The triangles that a method of methods() feels for a ball of radius 1; null for a method without.
+std::shared_ptr<const SphereMesh> feltFacets(std::string_view method);
 
 /// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
 std::string methodTitle(std::string_view name);

@@ -7,9 +7,12 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/sweep.h"
 
 namespace moltact {
 
@@ -35,7 +38,8 @@ class NearbyBalls {
         crowded_(crowded),
         origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)) {}
 
-  const BallScene& scene() const noexcept { return *scene_; }
+  /// What is visited: the scene, or the bounds of a frame's spheres, whose radii and places are ball()'s.
+  const BallScene& scene() const noexcept { return frame_ ? frame_->bounds() : *scene_; }
   /// The scene's middle in whole steps of 1024 A, so that differences to it are exact; zero for a scene near
   /// the origin.
   const Vec3& origin() const noexcept { return origin_; }
@@ -44,13 +48,53 @@ class NearbyBalls {
   /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
   std::uint64_t looked() const noexcept { return looked_; }
   void countFromZero() noexcept { looked_ = 0; }
+  /// A list goes on to serve: it reaches as much less far as the balls have grown.
   void setProbe(double probe_A) noexcept {
+    const double grown = probe_A - probe_;
     probe_ = probe_A;
-    reach_ = -1.0;
-    count_ = 0;
+    reach_ -= grown + kSpare_A;
+    if (!fits_ || !(reach_ > 0.0)) {
+      reach_ = -1.0;
+      count_ = 0;
+      return;
+    }
+    looked_ += count_;
+    for (std::size_t k = 0; k < count_; ++k) list_[k].radius = ball(list_[k].index).radius;
   }
 
-  NearBall ball(std::int32_t i) const noexcept { return inflated(i, (*scene_)[std::size_t(i)]); }
+  /// From now on the spheres are those of the frame, at its beginning; null: the scene's own. The frame has as many as
+  /// the scene, and stays until another is set.
+  void setFrame(const SphereFrame* frame) noexcept {
+    // Where it goes on from the last one's end, what was far off has come nearer by no more than it moves.
+    const bool goes_on = frame && frame_ && share_ == 1.0 && frame->follows(*frame_) && fits_ && !shrunk_;
+    frame_ = frame;
+    share_ = 0.0;
+    reach_ = goes_on ? reach_ - frame->mostMoved_A() : -1.0;
+    if (reach_ < 0.0) count_ = 0;
+    stale_ = count_ > 0;
+    most_moved_ = mostMovedOfList_A();
+  }
+  bool hasFrame() const noexcept { return frame_ != nullptr; }
+  double share() const noexcept { return share_; }
+  /// The spheres as they are at this share of the frame (0 to 1). The list stays: it holds all that come near during
+  /// the frame.
+  void moveTo(double share) noexcept {
+    share_ = share;
+    stale_ = frame_ != nullptr;
+  }
+  /// No listed sphere's surface moves farther than this in the whole frame; infinite where there is no list.
+  double mostMoved_A() const noexcept {
+    if (!frame_) return 0.0;
+    return reach_ < 0.0 || !fits_ ? std::numeric_limits<double>::infinity() : most_moved_;
+  }
+  /// The list holds all that come within `within_A` of the place.
+  bool covers(const Vec3& place, double within_A) const noexcept {
+    return fits_ && glm::distance(place, around_) + within_A <= reach_;
+  }
+
+  NearBall ball(std::int32_t i) const noexcept {
+    return inflated(i, frame_ ? (*frame_)[std::size_t(i)].at(share_) : (*scene_)[std::size_t(i)]);
+  }
 
   /// Calls visit(NearBall) once for each ball that comes within `within_A` of the place, and for some farther
   /// ones; returns how near to the place all balls have been visited: at least within_A, but for Crowded::ReachLess.
@@ -59,20 +103,24 @@ class NearbyBalls {
   double each(const Vec3& place, double within_A, Visit&& visit) noexcept {
     if (!(glm::distance(place, around_) + within_A <= reach_)) [[unlikely]]
       look(place, within_A);
+    if (stale_) [[unlikely]]
+      refresh();
     if (fits_) {
       looked_ += count_;
       for (std::size_t k = 0; k < count_; ++k) visit(list_[k]);
       return reach_ - glm::distance(place, around_);
     }
-    scene_->visitNear(origin_ + place, probe_ + within_A, [&](std::uint32_t i, const Ball& b) {
+    scene().visitNear(origin_ + place, probe_ + within_A, [&](std::uint32_t i, const Ball& b) {
       ++looked_;
-      visit(inflated(std::int32_t(i), b));
+      visit(now(i, b));
     });
     return within_A;
   }
 
   /// True where a ball of the list holds the place: without looking round. False tells nothing.
-  bool knownInside(const Vec3& place) const noexcept {
+  bool knownInside(const Vec3& place) noexcept {
+    if (stale_) [[unlikely]]
+      refresh();
     for (std::size_t k = 0; k < count_; ++k) {
       const Vec3 m = place - list_[k].centre;
       if (glm::dot(m, m) < list_[k].radius * list_[k].radius) return true;
@@ -83,8 +131,8 @@ class NearbyBalls {
   /// True where a ball of the scene holds the place.
   bool inside(const Vec3& place) const noexcept {
     bool found = false;
-    scene_->visitNear(origin_ + place, probe_, [&](std::uint32_t i, const Ball& b) {
-      const NearBall ball = inflated(std::int32_t(i), b);
+    scene().visitNear(origin_ + place, probe_, [&](std::uint32_t i, const Ball& b) {
+      const NearBall ball = now(i, b);
       const Vec3 m = place - ball.centre;
       found = glm::dot(m, m) < ball.radius * ball.radius;
       return !found;
@@ -92,8 +140,37 @@ class NearbyBalls {
     return found;
   }
 
+  /// A lower bound of the distance from the place to the nearest sphere; negative or zero inside or on one.
+  double clearanceAt(const Vec3& place) const noexcept {
+    return clearance(scene(), probe_, origin_ + place, frame_, share_);
+  }
+  /// The first sphere on the straight way from one place to another; `contact_A` as FirstMet has it.
+  Hit firstMet(const Vec3& from, const Vec3& to, double contact_A) const noexcept {
+    return sweepFrom(scene(), probe_, origin_, from, to, contact_A, frame_, share_);
+  }
+
  private:
   static constexpr double kLeastReach_A = 1e-7;
+  static constexpr double kSpare_A =
+      1e-12;  // a reach that has been reckoned on by a change of the probe is off by less
+
+  // The list's spheres as they are at this share.
+  void refresh() noexcept {
+    for (std::size_t k = 0; k < count_; ++k) list_[k] = ball(list_[k].index);
+    stale_ = false;
+  }
+
+  double mostMovedOfList_A() const noexcept {
+    double most = 0.0;
+    for (std::size_t k = 0; frame_ && k < count_; ++k)
+      most = std::max(most, (*frame_)[std::size_t(list_[k].index)].moved_A());
+    return most;
+  }
+
+  // A sphere as it is now, of which the scene or the frame's bounds hold `b`.
+  NearBall now(std::uint32_t i, const Ball& b) const noexcept {
+    return inflated(std::int32_t(i), frame_ ? (*frame_)[i].at(share_) : b);
+  }
 
   NearBall inflated(std::int32_t i, const Ball& b) const noexcept {
     return {b.centre_A - origin_, b.radius_A + probe_, i};
@@ -125,8 +202,9 @@ class NearbyBalls {
     around_ = place;
     reach_ = reach;
     count_ = 0;
+    stale_ = false;
     bool fits = true;
-    scene_->visitNear(
+    scene().visitNear(
         origin_ + place, probe_ + reach_,
         [&](std::uint32_t i, const Ball& b) {
           ++looked_;
@@ -134,14 +212,18 @@ class NearbyBalls {
           const double far = b.radius_A + probe_ + reach_;
           if (glm::dot(m, m) > far * far) return true;
           fits = count_ < kMost;
-          if (fits) list_[count_++] = inflated(std::int32_t(i), b);
+          if (fits) list_[count_++] = now(i, b);
           return fits;
         },
         &looked_);
+    most_moved_ = mostMovedOfList_A();
     return fits;
   }
 
   std::shared_ptr<const BallScene> scene_;
+  const SphereFrame* frame_ = nullptr;
+  double share_ = 0.0, most_moved_ = 0.0;
+  bool stale_ = false;  // the list's spheres have moved on
   double margin_;
   Crowded crowded_;
   Vec3 origin_;

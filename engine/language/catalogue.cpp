@@ -13,7 +13,6 @@
 #include <mutex>
 #include <utility>
 
-#include "engine/language/language_in_use.h"
 #include "engine/language/mo_file.h"
 
 namespace moltact {
@@ -40,7 +39,6 @@ Store& store() {
 }
 
 std::atomic<const Catalogue*> g_in_use{nullptr};  // null: English
-std::atomic<unsigned> g_version{0};
 
 // A code becomes part of a file's name.
 bool soundCode(std::string_view code) {
@@ -146,7 +144,7 @@ std::optional<Problem> setLanguage(std::string_view code, const fs::path& folder
     }
     next = *catalogue;
   }
-  if (g_in_use.exchange(next, std::memory_order_acq_rel) != next) languageChanged();
+  g_in_use.store(next, std::memory_order_release);
   return std::nullopt;
 }
 
@@ -180,8 +178,5 @@ std::string systemLanguage(const fs::path& folder) {
     if (code == "en" || (soundCode(code) && fs::exists(folder / (code + ".mo"), error))) return code;
   return "en";
 }
-
-unsigned languageVersion() noexcept { return g_version.load(std::memory_order_relaxed); }
-void languageChanged() noexcept { g_version.fetch_add(1, std::memory_order_relaxed); }
 
 }  // namespace moltact

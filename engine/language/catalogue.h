@@ -95,7 +95,4 @@ std::vector<std::string> systemLanguages();
 /// The first of the system's languages that the folder has; "en" where it has none of them.
 std::string systemLanguage(const std::filesystem::path& folder);
 
-/// Raised by one each time that the language or the decimal sign changes, for what keeps texts that it has made.
-unsigned languageVersion() noexcept;
-
 }  // namespace moltact

@@ -8,7 +8,6 @@
 #include <cstdlib>
 
 #include "engine/language/catalogue.h"
-#include "engine/language/language_in_use.h"
 
 namespace moltact {
 namespace {
@@ -97,9 +96,7 @@ std::string_view unitText(Dimension dimension) {
   return unit ? unit->symbol : std::string_view{};
 }
 
-void setDecimalSign(DecimalSign sign) noexcept {
-  if (g_sign.exchange(sign, std::memory_order_relaxed) != sign) languageChanged();
-}
+void setDecimalSign(DecimalSign sign) noexcept { g_sign.store(sign, std::memory_order_relaxed); }
 
 char decimalSign() noexcept {
   switch (g_sign.load(std::memory_order_relaxed)) {

@@ -91,19 +91,28 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   const auto takes = [&](std::string_view key) { return values.has(key) && (anew || values[key].place.line); };
 
   SceneSpec scene = anew ? SceneSpec{} : *before;
-  scene.place = block.place;
+  scene.places.scene = block.place;
   if (anew) scene.locked = lesson.locked;
   if (values.has("molecule")) {
-    scene.molecule = values["molecule"].text;
-    scene.molecule_place = values["molecule"].place;
+    scene.molecule.name = values["molecule"].text;
+    scene.places.molecule = values["molecule"].place;
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
-    if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule) == known.end() && !reading.enough())
-      reading.error(scene.molecule_place, trf("'{0}' is not among the lesson's molecules", scene.molecule),
-                    suggest(scene.molecule, known, tr("add it to the front matter or take one of")));
+    if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule.name) == known.end() &&
+        !reading.enough())
+      reading.error(scene.places.molecule, trf("'{0}' is not among the lesson's molecules", scene.molecule.name),
+                    suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
   } else if (!before &&
              std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
     reading.error(block.place, tr("the lesson's first scene needs the key 'molecule'"), tr("add a line 'molecule: …'"));
   }
+  if (takes("model")) scene.molecule.reading.model = static_cast<int>(values["model"].number);
+  if (takes("assembly")) {
+    const std::string& name = values["assembly"].text;
+    scene.molecule.reading.assembly = name == "none" ? std::string() : name;
+  }
+  if (takes("waters")) scene.molecule.reading.waters = values["waters"].words[0] == "yes";
+  for (const std::string_view key : {"model", "assembly", "waters"})
+    if (const Place place = values[key].place; place.line > scene.places.reading.line) scene.places.reading = place;
   if (takes("probe")) scene.probe_A = values["probe"].number;
   if (takes("stiffness")) scene.stiffness_N_per_mm = values["stiffness"].number;
   if (takes("method")) scene.method = values["method"].words[0];
@@ -121,17 +130,17 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   }
   if (takes("highlight")) {
     scene.highlight = values["highlight"].selection;
-    scene.highlight_place = values["highlight"].place;
+    scene.places.highlight = values["highlight"].place;
   }
   if (takes("magnify")) {
     scene.magnify = values["magnify"].selection;
-    scene.magnify_place = values["magnify"].place;
+    scene.places.magnify = values["magnify"].place;
   }
   if (takes("view")) {
     const Value& view = values["view"];
     scene.view = view.words.empty() ? std::string() : view.words[0];
     scene.facing = view.selection;
-    scene.view_place = view.selection.given() ? selectionPlace(view) : view.place;
+    scene.places.view = view.selection.given() ? selectionPlace(view) : view.place;
   }
   return scene;
 }

@@ -15,8 +15,8 @@
 
 namespace moltact {
 
-/// The molecule of that name in the library, or why it cannot be had.
-using MoleculeByName = std::function<Expected<std::shared_ptr<const Molecule>>(const std::string& name)>;
+/// The molecule of that name in the library, read as it says, or why it cannot be had.
+using MoleculeByName = std::function<Expected<std::shared_ptr<const Molecule>>(const NamedMolecule& named)>;
 
 struct LessonCheck {
   std::optional<Lesson> lesson;   ///< present where it could be read: a student could begin it, whatever `errors` says

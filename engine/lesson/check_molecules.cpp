@@ -18,36 +18,58 @@ class Check {
       : lesson_(lesson), by_name_(by_name), findings_(findings) {}
 
   void run() {
-    for (std::size_t i = 0; i < lesson_.molecules.size(); ++i) find(lesson_.molecules[i], lesson_.molecule_places[i]);
+    for (std::size_t i = 0; i < lesson_.molecules.size(); ++i)
+      find(asFirstScene(lesson_.molecules[i]), lesson_.molecule_places[i], {});
     for (const Step& step : lesson_.steps) {
-      if (step.scene.molecule.empty()) continue;
-      const Molecule* molecule = find(step.scene.molecule, step.scene.molecule_place);
+      if (step.scene.molecule.name.empty()) continue;
+      const ScenePlaces& places = step.scene.places;
+      const Molecule* molecule = find(step.scene.molecule, places.molecule, places.reading);
       if (!molecule) continue;
       if (step.states_scene) {
-        selects(step.scene.highlight, step.scene.highlight_place, *molecule);
-        selects(step.scene.facing, step.scene.view_place, *molecule);
-        selects(step.scene.magnify, step.scene.magnify_place, *molecule);
+        selects(step.scene.highlight, places.highlight, *molecule);
+        selects(step.scene.facing, places.view, *molecule);
+        selects(step.scene.magnify, places.magnify, *molecule);
       }
       for (const TaskSpec& task : step.tasks) {
         for (const auto& [key, value] : task.values) {
           if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i) selects(value.path[i], value.places[i], *molecule);
         }
-        if (task.kind == "cross") crosses(task, *molecule);
+        const TaskKind* kind = findTaskKind(task.kind);
+        std::vector<Problem> problems;
+        if (kind && kind->check_molecule) kind->check_molecule(task, *molecule, problems);
+        for (Problem& p : problems) findings_.error({p.line, p.column}, std::move(p.message), std::move(p.remedy));
       }
     }
   }
 
  private:
-  /// The molecule, or nullptr and an error at each place where it is named.
-  const Molecule* find(const std::string& name, Place place) {
+  /// A molecule of the front matter's list, read as the first scene with it does: no reading is made for the list
+  /// alone.
+  NamedMolecule asFirstScene(const std::string& name) const {
+    for (const Step& step : lesson_.steps)
+      if (step.scene.molecule.name == name) return step.scene.molecule;
+    return name;
+  }
+
+  const Expected<std::shared_ptr<const Molecule>>& lookUp(const NamedMolecule& named) {
+    const auto known = found_.find(named);
+    return known != found_.end() ? known->second : found_.emplace(named, by_name_(named)).first->second;
+  }
+
+  /// The molecule, or nullptr and an error at each place where it is named; where only the way of reading is at fault,
+  /// at the place where that is said, if there is one.
+  const Molecule* find(const NamedMolecule& named, Place place, Place reading_place) {
     if (findings_.enough()) return nullptr;
-    auto known = found_.find(name);
-    if (known == found_.end()) known = found_.emplace(name, by_name_(name)).first;
-    if (known->second) return known->second->get();
-    const Problem& why = known->second.problem();
+    const auto& found = lookUp(named);
+    if (found) return found->get();
+    const Problem& why = found.problem();
+    if (named.reading != ReadOptions() && lookUp(named.name)) {
+      if (!reading_place.line) return nullptr;
+      place = reading_place;
+    }
     // A scene that goes on from the one before names nothing anew.
-    if (told_.insert({name, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
+    if (told_.insert({named, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
     return nullptr;
   }
 
@@ -63,24 +85,11 @@ class Check {
       findings_.warning(at(idle), std::move(idle.message), std::move(idle.remedy));
   }
 
-  void crosses(const TaskSpec& task, const Molecule& molecule) {
-    const Value &from_value = task.values["cross"], &to_value = task.values["to"];
-    if (!from_value.selection.given() || !to_value.selection.given()) return;
-    const AtomSet from(from_value.selection, molecule), to(to_value.selection, molecule);
-    for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
-      const auto atom = static_cast<std::int32_t>(i);
-      if (!from.has(atom) || !to.has(atom)) continue;
-      findings_.error(to_value.place, tr("the start and the end of the crossing have atoms in common"),
-                      tr("choose atoms that are only in one"));
-      return;
-    }
-  }
-
   const Lesson& lesson_;
   const MoleculeByName& by_name_;
   Findings& findings_;
-  std::map<std::string, Expected<std::shared_ptr<const Molecule>>> found_;
-  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
+  std::map<NamedMolecule, Expected<std::shared_ptr<const Molecule>>> found_;
+  std::set<std::tuple<NamedMolecule, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
 };
 
 }  // namespace
@@ -91,7 +100,7 @@ void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& f
 
 void moleculeList(const Lesson& lesson, Findings& findings) {
   std::unordered_set<std::string_view> used, listed;
-  for (const Step& s : lesson.steps) used.insert(s.scene.molecule);
+  for (const Step& s : lesson.steps) used.insert(s.scene.molecule.name);
   for (std::size_t i = 0; i < lesson.molecules.size(); ++i) {
     const std::string& name = lesson.molecules[i];
     if (!listed.insert(name).second)

@@ -59,6 +59,23 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Text,
        .meaning = "The molecule on the stage. A scene that names one starts anew; a scene that does not changes only "
                   "what it says."},
+      {.name = "model",
+       .type = ValueType::Count,
+       .meaning = "Which model of the molecule's file is shown, counted from 1.",
+       .fallback = "1",
+       .least = 1,
+       .most = 100000},
+      {.name = "assembly",
+       .type = ValueType::Text,
+       .meaning =
+           "The name of a biological assembly that is built from the molecule's file, for example '1'; 'none' takes "
+           "the coordinates as they stand in the file.",
+       .fallback = "none"},
+      {.name = "waters",
+       .type = ValueType::Word,
+       .meaning = "Whether the water molecules of the file are there too.",
+       .fallback = "no",
+       .words = {"yes", "no"}},
       {.name = "probe",
        .type = ValueType::Quantity,
        .meaning = "The probe's radius, by which every atom grows.",

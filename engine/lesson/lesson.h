@@ -13,6 +13,7 @@
 #include "engine/lesson/keys.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
@@ -71,9 +72,17 @@ struct QuestionHere {
 using Block =
     std::variant<Paragraph, Subheading, ListBlock, Tip, TeacherNote, Quote, Image, CodeText, TaskHere, QuestionHere>;
 
+/// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
+struct ScenePlaces {
+  Place scene, molecule, highlight, view, magnify;
+  Place reading;  ///< of what was said last about how the molecule is read; line 0 where nothing was
+
+  friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
+};
+
 /// What is on the stage. Complete: what a scene block left out has been filled in.
 struct SceneSpec {
-  std::string molecule;             ///< name in the library
+  NamedMolecule molecule;           ///< its name in the library or beside the lesson, and how its file is read
   double probe_A = 1.4;             ///< unit: angstrom
   double stiffness_N_per_mm = 0.5;  ///< unit: newton per millimetre, in the device's space
   std::string method = "exact";     ///< as in findMethod
@@ -86,12 +95,13 @@ struct SceneSpec {
   std::string view = "side";        ///< side, front, back, left, right, top or bottom; empty where `facing` is given
   Selection facing;                 ///< atoms to be turned to the front
   Selection magnify;  ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
-  Place place, molecule_place, highlight_place, view_place, magnify_place;
+  ScenePlaces places;
 
   /// Whether the student is kept from changing what a key says ("force").
   bool locks(std::string_view key) const {
     return std::any_of(locked.begin(), locked.end(), [&](const std::string& l) { return l == key || l == "all"; });
   }
+  friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
 
 /// Something to do by touch. What its values mean is known to its kind (tasks/registry.h).

@@ -11,8 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Expected<std::shared_ptr<const Molecule>> read(const fs::path& file) {
-  auto molecule = readMolecule(file);
+Expected<std::shared_ptr<const Molecule>> read(const MoleculeKey& key) {
+  auto molecule = readMolecule(key);
   if (molecule) return std::make_shared<const Molecule>(*std::move(molecule));
   const Problem& why = molecule.problem();
   const std::string file_name = fs::path(why.file).filename().string();
@@ -23,9 +23,7 @@ Expected<std::shared_ptr<const Molecule>> read(const fs::path& file) {
   return Problem{{}, 0, 0, std::move(message), why.remedy};
 }
 
-}  // namespace
-
-Expected<fs::path> lessonMoleculeFile(const fs::path& lesson_file, const std::string& name) {
+Expected<fs::path> fileOf(const fs::path& lesson_file, const std::string& name) {
   std::error_code error;
   if (const fs::path beside = lesson_file.parent_path() / name; fs::is_regular_file(beside, error)) return beside;
   if (name.find('/') != std::string::npos)
@@ -47,14 +45,23 @@ Expected<fs::path> lessonMoleculeFile(const fs::path& lesson_file, const std::st
   return known;
 }
 
-Expected<std::shared_ptr<const Molecule>> LessonMolecules::find(const fs::path& lesson_file, const std::string& name) {
-  const auto file = lessonMoleculeFile(lesson_file, name);
+}  // namespace
+
+Expected<MoleculeKey> lessonMolecule(const fs::path& lesson_file, const NamedMolecule& named) {
+  Expected<fs::path> file = fileOf(lesson_file, named.name);
   if (!file) return file.problem();
+  return MoleculeKey{*std::move(file), named.reading};
+}
+
+Expected<std::shared_ptr<const Molecule>> LessonMolecules::find(const fs::path& lesson_file,
+                                                                const NamedMolecule& named) {
+  const Expected<MoleculeKey> key = lessonMolecule(lesson_file, named);
+  if (!key) return key.problem();
   std::error_code error;
-  const fs::file_time_type written = fs::last_write_time(*file, error);
-  if (const auto kept = kept_.find(*file); kept != kept_.end() && kept->second.written == written)
+  const fs::file_time_type written = fs::last_write_time(key->file, error);
+  if (const auto kept = kept_.find(*key); kept != kept_.end() && kept->second.written == written)
     return kept->second.molecule;
-  return kept_.insert_or_assign(*file, Kept{written, read(*file)}).first->second.molecule;
+  return kept_.insert_or_assign(*key, Kept{written, read(*key)}).first->second.molecule;
 }
 
 }  // namespace moltact

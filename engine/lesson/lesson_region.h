@@ -3,9 +3,9 @@
 
 #include <optional>
 
+#include "engine/core/region.h"
 #include "engine/lesson/lesson.h"
 #include "engine/molecule/molecule.h"
-#include "engine/servo/scale.h"
 
 namespace moltact {
 

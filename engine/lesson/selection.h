@@ -55,6 +55,9 @@ class Selection {
   /// molecule without HEX. As above; most are slips of the author.
   std::vector<Problem> idleNames(const Molecule& molecule) const;
 
+  /// The same as the author wrote it.
+  friend bool operator==(const Selection& a, const Selection& b) { return a.text_ == b.text_; }
+
  private:
   std::string text_;
   std::shared_ptr<const SelectionNode> root_;

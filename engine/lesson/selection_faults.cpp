@@ -86,15 +86,15 @@ Problem faultOf(const Node& leaf, const Molecule& molecule) {
   const auto plain = [&](std::string message) { return at(std::move(message), nameOther()); };
   switch (leaf.kind) {
     case SelectionKind::Chain:
-      for (const Chain& c : molecule.chains) there.insert(c.name);
+      for (const Chain& c : molecule.chains) there.insert(c.name.string());
       return named(N_("chain '{0}' is not in {1} (chains: {2})"));
     case SelectionKind::Ligand:
       for (const Residue& r : molecule.residues)
-        if (r.kind == ResidueKind::Ligand) there.insert(r.name);
+        if (r.kind == ResidueKind::Ligand) there.insert(r.name.string());
       return name.empty() ? plain(trf("a ligand is not in {0}", place))
                           : named(N_("ligand '{0}' is not in {1} (ligands: {2})"));
     case SelectionKind::Resname:
-      for (const Residue& r : molecule.residues) there.insert(r.name);
+      for (const Residue& r : molecule.residues) there.insert(r.name.string());
       return named(N_("residue name '{0}' is not in {1} (names: {2})"));
     case SelectionKind::Name:
       for (const Atom& a : molecule.atoms) there.emplace(a.name.data(), std::find(a.name.begin(), a.name.end(), '\0'));

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/haptics/paper/intersection_circle.h"
+#include "engine/core/sphere_intersections.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
@@ -29,10 +29,6 @@ Vec3 across(const Vec3& u) {
   return glm::normalize(glm::cross(u, other));
 }
 
-std::optional<paper::IntersectionCircle> creaseOf(const Ball& a, const Ball& b, double probe_A) {
-  return paper::intersectionCircle(a.centre_A, a.radius_A + probe_A, b.centre_A, b.radius_A + probe_A);
-}
-
 // Calls visit(a, b, crease) for each pair of these atoms whose grown spheres meet, a < b.
 template <class Visit>
 void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, Visit&& visit) {
@@ -41,7 +37,7 @@ void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, do
   for (const std::uint32_t a : atoms)
     scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A, [&](std::uint32_t b, const Ball&) {
       if (b <= a || !in[b]) return;
-      if (const auto crease = creaseOf(scene[a], scene[b], probe_A)) visit(a, b, *crease);
+      if (const auto crease = circleOf(inflated(scene[a], probe_A), inflated(scene[b], probe_A))) visit(a, b, *crease);
     });
 }
 
@@ -67,13 +63,13 @@ std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std
 std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                        double spacing_A) {
   std::vector<SurfacePlace> out;
-  visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const paper::IntersectionCircle& crease) {
+  visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
     const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x);
-    const int count = std::max(12, int(std::ceil(2.0 * std::numbers::pi * crease.radius / spacing_A)));
+    const int count = std::max(12, int(std::ceil(2.0 * std::numbers::pi * crease.radius_A / spacing_A)));
     for (int k = 0; k < count; ++k) {
       const double turn = 2.0 * std::numbers::pi * k / count;
       const Vec3 u = x * std::cos(turn) + y * std::sin(turn);
-      SurfacePlace place{crease.centre + u * crease.radius,
+      SurfacePlace place{crease.centre_A + u * crease.radius_A,
                          u,
                          {static_cast<std::int32_t>(a), static_cast<std::int32_t>(b), -1},
                          Feature::Circle};
@@ -87,17 +83,12 @@ std::vector<SurfacePlace> pitPlaces(const BallScene& scene, std::span<const std:
   std::vector<SurfacePlace> out;
   std::vector<char> in(scene.size(), 0);
   for (const std::uint32_t a : atoms) in[a] = 1;
-  visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const paper::IntersectionCircle& crease) {
-    scene.visitNear(crease.centre, crease.radius + probe_A, [&](std::uint32_t c, const Ball& third) {
+  visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
+    scene.visitNear(crease.centre_A, crease.radius_A + probe_A, [&](std::uint32_t c, const Ball& third) {
       if (c <= b || !in[c]) return;
-      // The circle meets the third grown sphere where a cos + b sin = k.
-      const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x), to = third.centre_A - crease.centre;
-      const double r = third.radius_A + probe_A, cx = glm::dot(to, x), cy = glm::dot(to, y), size = std::hypot(cx, cy);
-      const double k = (crease.radius * crease.radius + glm::dot(to, to) - r * r) / (2.0 * crease.radius);
-      if (!(size > 1e-9) || std::abs(k) >= size) return;
-      const double middle = std::atan2(cy, cx), half = std::acos(k / size);
-      for (const double turn : {middle - half, middle + half}) {
-        const Vec3 place = crease.centre + (x * std::cos(turn) + y * std::sin(turn)) * crease.radius;
+      const auto points = pointsOf(inflated(scene[a], probe_A), inflated(scene[b], probe_A), inflated(third, probe_A));
+      if (!points) return;
+      for (const Vec3& place : {(*points)[1], (*points)[0]}) {
         const std::array<std::int32_t, 3> by{static_cast<std::int32_t>(a), static_cast<std::int32_t>(b),
                                              static_cast<std::int32_t>(c)};
         Vec3 outward(0.0);

@@ -19,4 +19,16 @@ struct TouchSample {
   Contact exact;  ///< what the exact tracker gives for the same hand, where the method in use is compared with it
 };
 
+/// The same from a tick of the servo loop (ServoSample of engine/servo, which stands above this room).
+template <class ServoTick>
+TouchSample touchSampleOf(const ServoTick& tick, std::string_view method = {}, const Contact& exact = {}) {
+  return {.time_s = tick.time_s,
+          .hip = tick.hip,
+          .contact = tick.contact,
+          .force = tick.force,
+          .probe_A = tick.probe_A,
+          .method = method,
+          .exact = exact};
+}
+
 }  // namespace moltact

@@ -12,6 +12,7 @@
 namespace moltact {
 namespace {
 
+constexpr std::size_t kMostBytes = kMaxMoleculeAtoms * kMoleculeBytesAnAtom;
 constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is carried onto itself
 
 Vec3 carried(const ParsedOperator& op, const Vec3& place_A) { return op.rotation * place_A + op.shift_A; }
@@ -85,26 +86,36 @@ class Assembler {
       : grown_(grown), m_(grown.molecule), assembly_(assembly), file_(file) {}
 
   std::optional<Problem> run() {
-    gather();
+    if (auto problem = gather()) return problem;
     if (auto problem = assign()) return problem;
     if (auto problem = look()) return problem;
     return write();
   }
 
  private:
-  void gather() {
+  // Another molecule is made beside the one that is there.
+  Problem tooMuchMemory() const {
+    return {file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " takes more than 3 GB of memory",
+            "read it without one"};
+  }
+
+  std::optional<Problem> gather() {
+    constexpr std::size_t kChainBytes = sizeof(ChainParts) + 300;  // with its place in every table below
     std::unordered_map<std::string, std::uint32_t> known;
     atom_in_chain_.resize(m_.residues.size());
     chain_of_.resize(m_.residues.size());
     for (std::uint32_t i = 0; i < m_.residues.size(); ++i) {
-      const std::string &chain = m_.chains[m_.residues[i].chain].name, &label = grown_.labels[grown_.label_of[i]];
+      const std::string_view chain = m_.chains[m_.residues[i].chain].name, label = grown_.labelChain(i);
       const bool as_before =
           i > 0 && chains_[chain_of_[i - 1]].chain == chain && chains_[chain_of_[i - 1]].label == label;
       if (as_before) {
         chain_of_[i] = chain_of_[i - 1];
       } else {
-        const auto [at, is_new] = known.emplace(label + '\n' + chain, static_cast<std::uint32_t>(chains_.size()));
-        if (is_new) chains_.push_back({chain, label, {}, 0, {}, 0});
+        std::string both(label);
+        both.append("\n").append(chain);
+        const auto [at, is_new] = known.emplace(std::move(both), static_cast<std::uint32_t>(chains_.size()));
+        if (is_new) chains_.push_back({std::string(chain), std::string(label), {}, 0, {}, 0});
+        if (grown_.bytes() + chains_.size() * kChainBytes > kMostBytes) return tooMuchMemory();
         chain_of_[i] = at->second;
       }
       ChainParts& parts = chains_[chain_of_[i]];
@@ -112,6 +123,8 @@ class Assembler {
       parts.residues.push_back(i);
       parts.atoms += m_.residues[i].atom_count;
     }
+    own_bytes_ = grown_.bytes() + chains_.size() * kChainBytes;
+    return std::nullopt;
   }
 
   // Which parts copy which chains, and how many atoms that makes.
@@ -182,6 +195,8 @@ class Assembler {
     if (kept_ == 0)
       return Problem{file_, 0, 0, trf("the assembly {0} names no chain of the file", inQuotes(assembly_.name)),
                      tr("read it without one")};
+    // The copies are like what they are copied from.
+    if (own_bytes_ + grown_.bytes() / m_.atoms.size() * kept_ > kMostBytes) return tooMuchMemory();
     GrowingMolecule out;
     out.expect(kept_);
     std::vector<std::uint32_t> residues;
@@ -241,6 +256,7 @@ class Assembler {
   std::vector<std::vector<std::pair<std::uint32_t, std::size_t>>> chains_in_;  // of each part, with their first bit
   std::vector<bool> keep_;
   std::size_t kept_ = 0;
+  std::size_t own_bytes_ = 0;  // of what is there besides the molecule that is made
 };
 
 }  // namespace

@@ -26,17 +26,17 @@ std::size_t dropWaters(GrowingMolecule& grown) {
   if (waters == 0 || waters == m.residues.size()) return 0;
   // Residues that water parted may now be one, so all are put together anew; but in their own room.
   Molecule old = std::move(grown.molecule);
-  GrowingMolecule out;
+  GrowingMolecule out(grown.namesLabelChains());
   out.molecule.atoms = std::move(old.atoms);
   std::vector<Atom>& atoms = out.molecule.atoms;
   std::size_t kept = 0;
   for (std::size_t i = 0; i < old.residues.size(); ++i) {
     const Residue& r = old.residues[i];
     if (water(r)) continue;
-    const std::string& label = grown.labels[grown.label_of[i]];
     for (std::uint32_t k = 0; k < r.atom_count; ++k) {
       const Atom atom = atoms[r.first_atom + k];
-      out.put(kept++, atom, {r.name, old.chains[r.chain].name, label, r.number, r.insertion}, grown.hetero_of[i]);
+      out.put(kept++, atom, {r.name, old.chains[r.chain].name, grown.labelChain(i), r.number, r.insertion},
+              grown.hetero_of[i]);
     }
   }
   atoms.resize(kept);
@@ -47,9 +47,21 @@ std::size_t dropWaters(GrowingMolecule& grown) {
 
 }  // namespace
 
-AtomSieve::AtomSieve(const TextSource& text, std::size_t bytes_an_atom, const ReadOptions& options)
-    : options_(options), file_(text.file()) {
-  out_.expect(text.expectedBytes() / bytes_an_atom);
+AtomSieve::AtomSieve(const TextSource& text, const ReadOptions& options)
+    : options_(options), text_(text), file_(text.file()), out_(!options.assembly.empty()) {}
+
+// How long the lines are is known after some of them. What is kept of the atoms grows into one room that is large
+// enough for all, for while a list moves to a larger room both are held.
+void AtomSieve::expectMore() {
+  constexpr std::size_t kTelling = 10'000;
+  if (atoms_++ == 0) before_ = text_.givenBytes();
+  const std::vector<Atom>& kept = out_.molecule.atoms;
+  if (atoms_ != kTelling && (atoms_ < kTelling || kept.size() + waiting_.size() < kept.capacity())) return;
+  const double share = double(text_.expectedBytes() - std::min(before_, text_.expectedBytes())) /
+                       double(text_.givenBytes() - before_ + 1);
+  const double likely = double(kept.size() + waiting_.size()) * std::max(1.01 * share, 1.1);
+  if (likely > double(kept.capacity()))
+    out_.expect(static_cast<std::size_t>(std::min(likely, double(kMaxMoleculeAtoms))));
 }
 
 std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
@@ -76,6 +88,7 @@ std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
       return Problem{file_, from.line, 0, trf("the atom {0} lies farther out than 1e9 A", inQuotes(from.name)),
                      tr("correct its coordinates")};
   if (auto problem = out_.full(file_, from.line)) return problem;
+  expectMore();
   const bool same_place = !waiting_.empty() && from.number == number_ && from.insertion == insertion_ &&
                           from.chain == chain_ && from.label_chain == label_chain_;
   if (!same_place || waiting_.size() == kMostAtPlace) {

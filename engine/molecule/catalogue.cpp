@@ -55,9 +55,6 @@ Expected<std::vector<CatalogueEntry>> entriesFrom(const nlohmann::json& json, co
   return out;
 }
 
-constexpr const char* kSuffixes[] = {".cif.gz", ".cif",   ".pdb",  ".pdb.gz", ".ent",
-                                     ".ent.gz", ".mmcif", ".xyzr", ".xyzr.gz"};
-
 /// A file of `folder` with this name and one of the endings that are read; empty where there is none.
 fs::path fetchedFile(const fs::path& folder, const std::string& name) {
   if (folder.empty() || name.find('/') != std::string::npos) return {};
@@ -65,8 +62,10 @@ fs::path fetchedFile(const fs::path& folder, const std::string& name) {
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
   std::error_code error;
   for (const std::string& stem : {name, upper, lower(name)})
-    for (const char* suffix : kSuffixes)
-      if (fs::path file = folder / (stem + suffix); fs::is_regular_file(file, error)) return file;
+    for (const std::string_view ending : moleculeEndings())
+      for (const char* packed : {".gz", ""})
+        if (fs::path file = folder / (stem + std::string(ending) + packed); fs::is_regular_file(file, error))
+          return file;
   return {};
 }
 
@@ -124,11 +123,23 @@ Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& 
   if (fs::exists(name, error)) return fs::path(name);
   // A name with an ending was meant as a file: the reader says that it is missing.
   const std::string ending = lower(fs::path(name).extension().string());
-  if (ending == ".gz" ||
-      std::any_of(std::begin(kSuffixes), std::end(kSuffixes), [&](const char* s) { return ending == s; }))
-    return fs::path(name);
+  if (ending == ".gz" || hasMoleculeName(name)) return fs::path(name);
   if (!entries) return entries.problem();
   return unknown(name, *entries);
+}
+
+Expected<MoleculeKey> findMolecule(const NamedMolecule& named, const MoleculeFolders& folders) {
+  Expected<fs::path> file = findMolecule(named.name, folders);
+  if (!file) return file.problem();
+  return MoleculeKey{*std::move(file), named.reading};
+}
+
+NamedMolecule lastingName(const MoleculeKey& key, const MoleculeFolders& folders) {
+  std::error_code error;
+  const std::string name = key.file.filename().string(), id = name.substr(0, name.find('.'));
+  if (const Expected<fs::path> found = findMolecule(id, folders); found && *found != id)
+    if (fs::equivalent(*found, key.file, error)) return {id, key.reading};
+  return {fs::absolute(key.file, error).lexically_normal().string(), key.reading};
 }
 
 Expected<Molecule> openMolecule(const std::string& name, const ReadOptions& options) {

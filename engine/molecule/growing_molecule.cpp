@@ -1,5 +1,6 @@
 // Residues and chains as atoms come, and the limits of a molecule.
 #include <algorithm>
+#include <functional>
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
@@ -14,12 +15,12 @@ template <class T>
 void makeRoom(std::vector<T>& list, std::size_t atoms, std::size_t atoms_expected) {
   if (list.size() < list.capacity()) return;
   const double share = atoms ? double(list.size()) / double(atoms) : 0.0;
-  const auto likely = static_cast<std::size_t>(1.05 * share * double(atoms_expected));
+  const auto likely = static_cast<std::size_t>(1.02 * share * double(atoms_expected));
   list.reserve(std::max(list.size() + list.size() / 2 + 16, std::min(likely, kMaxMoleculeAtoms)));
 }
 
-// What a text takes besides its own object.
-std::size_t heapBytes(std::string_view text) { return text.size() > std::string().capacity() ? text.size() + 1 : 0; }
+// What a text takes besides its own object, with what an allocation needs for itself.
+std::size_t heapBytes(std::string_view text) { return text.size() > ShortText::kInside ? text.size() + 16 : 0; }
 
 }  // namespace
 
@@ -31,35 +32,55 @@ Problem tooManyAtoms(const std::string& file, std::size_t line) {
 void GrowingMolecule::expect(std::size_t atoms) { molecule.atoms.reserve(std::min(atoms, kMaxMoleculeAtoms)); }
 
 std::optional<Problem> GrowingMolecule::full(const std::string& file, std::size_t line) const {
-  const Molecule& m = molecule;
-  if (m.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
-  const std::size_t bytes = m.atoms.size() * sizeof(Atom) +
-                            m.residues.size() * (sizeof(Residue) + sizeof(std::uint32_t)) +
-                            m.chains.size() * sizeof(Chain) + labels.size() * sizeof(std::string) + text_bytes_;
-  if (bytes > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
+  if (molecule.atoms.size() >= kMaxMoleculeAtoms) return tooManyAtoms(file, line);
+  if (bytes() > kMaxMoleculeAtoms * kMoleculeBytesAnAtom)
     return Problem{file, line, 0, tr("its residues and chains take more than 3 GB of memory"),
                    tr("split the file, or keep one model")};
   return std::nullopt;
+}
+
+std::size_t GrowingMolecule::bytes() const {
+  const Molecule& m = molecule;
+  return m.atoms.size() * sizeof(Atom) + m.residues.size() * sizeof(Residue) + m.chains.size() * sizeof(Chain) +
+         label_of_.size() * sizeof(std::uint32_t) + labels_.size() * sizeof(ShortText) + hetero_of.size() / 8 +
+         text_bytes_;
+}
+
+std::string_view GrowingMolecule::labelChain(std::size_t residue) const {
+  if (label_of_.empty() || label_of_[residue] == 0) return {};
+  if (names_label_chains_) return labels_[label_of_[residue] - 1];
+  return {reinterpret_cast<const char*>(&label_of_[residue]), sizeof(std::uint32_t)};
 }
 
 void GrowingMolecule::put(std::size_t at, const Atom& atom, const Place& place, bool hetero) {
   Molecule& m = molecule;
   const std::size_t expected = m.atoms.capacity();
   const bool same_chain = !m.chains.empty() && m.chains.back().name == place.chain;
-  const bool same_label = !labels.empty() && labels.back() == place.label_chain;
+  const bool same_label = label_chain_ == place.label_chain;
   const bool same = same_chain && same_label && !m.residues.empty() && m.residues.back().number == place.number &&
                     m.residues.back().insertion == place.insertion && m.residues.back().name == place.residue;
   if (!same) {
     close();
     if (!same_chain) {
       makeRoom(m.chains, m.atoms.size(), expected);
-      m.chains.push_back({std::string(place.chain), static_cast<std::uint32_t>(m.residues.size()), 0});
+      m.chains.push_back({place.chain, static_cast<std::uint32_t>(m.residues.size()), 0});
       text_bytes_ += heapBytes(place.chain);
     }
     if (!same_label) {
-      makeRoom(labels, m.atoms.size(), expected);
-      labels.emplace_back(place.label_chain);
-      text_bytes_ += heapBytes(place.label_chain);
+      label_chain_ = place.label_chain;
+      if (names_label_chains_ && !label_chain_.empty()) {
+        makeRoom(labels_, m.atoms.size(), expected);
+        labels_.emplace_back(label_chain_);
+        text_bytes_ += heapBytes(label_chain_);
+      }
+      if (label_of_.empty()) label_of_.resize(m.residues.size());
+    }
+    if (!label_of_.empty() || !label_chain_.empty()) {
+      makeRoom(label_of_, m.atoms.size(), expected);
+      const std::uint32_t number = names_label_chains_
+                                       ? static_cast<std::uint32_t>(labels_.size())
+                                       : static_cast<std::uint32_t>(std::hash<std::string_view>()(label_chain_)) | 1u;
+      label_of_.push_back(label_chain_.empty() ? 0 : number);
     }
     makeRoom(m.residues, m.atoms.size(), expected);
     Residue& residue = m.residues.emplace_back();
@@ -70,8 +91,6 @@ void GrowingMolecule::put(std::size_t at, const Atom& atom, const Place& place, 
     residue.chain = static_cast<std::uint32_t>(m.chains.size() - 1);
     residue.first_atom = static_cast<std::uint32_t>(at);
     ++m.chains.back().residue_count;
-    makeRoom(label_of, m.atoms.size(), expected);
-    label_of.push_back(static_cast<std::uint32_t>(labels.size() - 1));
     hetero_of.push_back(hetero);
   }
   if (at == m.atoms.size()) {

@@ -28,18 +28,18 @@ AtomWords Molecule::words(std::size_t index) const {
   const bool polymer = residue.kind == ResidueKind::AminoAcid || residue.kind == ResidueKind::Nucleotide;
   if (residue.atom_count == 1 && !polymer) {  // an ion or a noble gas: its element says more than two codes
     const std::string name(tr(element(atom.atomic_number).name));
-    return {(name.empty() ? residue.name : name) + ' ' + std::to_string(residue.number), {}, {}};
+    return {(name.empty() ? residue.name.string() : name) + ' ' + std::to_string(residue.number), {}, {}};
   }
   AtomWords out;
   out.atom = atom.name[0] ? std::string(atom.name.data()) : std::string(element(atom.atomic_number).symbol);
-  std::string name = residue.name;
+  std::string name = residue.name.string();
   // Amino acids are spoken of as Asp and Lys; other names are codes and keep their capitals.
   if (residue.kind == ResidueKind::AminoAcid)
     for (std::size_t i = 1; i < name.size(); ++i)
       name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
   out.residue = (name.empty() ? std::string(trc("of an atom", "residue")) : name) + ' ' + std::to_string(residue.number);
   if (residue.insertion != ' ') out.residue += residue.insertion;
-  out.chain = chains[residue.chain].name;
+  out.chain = chains[residue.chain].name.string();
   return out;
 }
 

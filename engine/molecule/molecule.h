@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/core/ball.h"
+#include "engine/core/short_text.h"
 #include "engine/core/units.h"
 
 namespace moltact {
@@ -28,7 +29,7 @@ enum class ResidueKind : std::uint8_t { AminoAcid, Nucleotide, Water, Ligand, Io
 
 /// One residue: a run of atoms that belong together.
 struct Residue {
-  std::string name;         ///< "ASP", "HEM", "DA"
+  ShortText name;           ///< "ASP", "HEM", "DA"
   int number = 0;           ///< as in the file
   char insertion = ' ';     ///< insertion code, a space where there is none
   std::uint32_t chain = 0;  ///< index into Molecule::chains
@@ -37,7 +38,7 @@ struct Residue {
 };
 
 struct Chain {
-  std::string name;  ///< "A"
+  ShortText name;  ///< "A"
   std::uint32_t first_residue = 0, residue_count = 0;
 };
 

@@ -67,6 +67,9 @@ class GrowingMolecule {
     int number = 0;
     char insertion = ' ';
   };
+  /// `names_label_chains`: their names are needed later, for an assembly; otherwise it is only kept which residues have
+  /// the same.
+  explicit GrowingMolecule(bool names_label_chains = false) : names_label_chains_(names_label_chains) {}
   /// Makes room for about so many atoms.
   void expect(std::size_t atoms);
   /// The next atom; what follows in the same residue and chain belongs to one.
@@ -75,23 +78,31 @@ class GrowingMolecule {
   void put(std::size_t at, const Atom& atom, const Place& place, bool hetero);
   /// A Problem where the next atom would be one too many, or too much for the memory that a molecule may take.
   std::optional<Problem> full(const std::string& file, std::size_t line) const;
+  /// What it takes of memory.
+  std::size_t bytes() const;
   /// The last residue is whole.
   void close();
+  /// The label_chain of a residue; without names a text that is the same for the same one.
+  std::string_view labelChain(std::size_t residue) const;
+  bool namesLabelChains() const { return names_label_chains_; }
 
   Molecule molecule;
-  std::vector<std::uint32_t> label_of;  ///< of each residue: index into `labels`
-  std::vector<std::string> labels;      ///< a label_chain for each run of it
-  std::vector<bool> hetero_of;          ///< of each residue
+  std::vector<bool> hetero_of;  ///< of each residue
 
  private:
-  std::size_t text_bytes_ = 0;  // of names that are too long to stand in their own objects
+  bool names_label_chains_;
+  std::string label_chain_;  // of the last residue
+  std::vector<std::uint32_t>
+      label_of_;  // of each residue: index into labels_ from 1, or without names a hash; 0: none. Empty: all have none
+  std::vector<ShortText> labels_;  // one for each run of it
+  std::size_t text_bytes_ = 0;     // of names that are too long to stand in their own objects
 };
 
 /// Takes the atoms of one model and keeps what the rules of reader.h keep.
 class AtomSieve {
  public:
-  /// `text` gives the file's name, and how many atoms to expect at `bytes_an_atom`.
-  AtomSieve(const TextSource& text, std::size_t bytes_an_atom, const ReadOptions& options);
+  /// `text`, which must outlive it, gives the file's name, and by its length how many atoms to expect.
+  AtomSieve(const TextSource& text, const ReadOptions& options);
   std::optional<Problem> add(const ParsedAtom& atom);
   Expected<Molecule> finish(ParsedHead head);
 
@@ -106,6 +117,7 @@ class AtomSieve {
     char alternate = ' ';
     bool hetero = false;
   };
+  void expectMore();
   void endPlace();
   void dropAlternates();
   void keepLikeliest();
@@ -113,8 +125,10 @@ class AtomSieve {
   void warnOfElements(std::vector<std::string>& warnings) const;
 
   const ReadOptions& options_;
+  const TextSource& text_;
   std::string file_;
   GrowingMolecule out_;
+  std::size_t atoms_ = 0, before_ = 0;  // atoms so far, and bytes of text before the first
   // The place in a chain that the last atoms belong to: one residue, or some that are alternatives.
   std::string chain_, label_chain_;
   int number_ = 0;
@@ -133,11 +147,6 @@ class AtomSieve {
 /// Puts the assembly `name` in the place of the molecule. Copies of a chain are named, …
 std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
                                      const std::string& name, const std::string& file);
-
-/// The readers behind the table of formats.
-Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options);
-Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options);
-Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options);
 
 /// "more than 25 million atoms".
 Problem tooManyAtoms(const std::string& file, std::size_t line);

@@ -67,7 +67,6 @@ constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags},
                                  {"_struct.", kTitleTags}};
 
 constexpr const char* kRemedy = N_("correct the file, or take it again from its source");
-constexpr std::size_t kBytesAnAtom = 80;
 constexpr std::size_t kMostModels = 100'000, kMostOperators = 100'000, kMostCopies = 1'000'000;
 constexpr std::size_t kMostKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
 
@@ -164,7 +163,7 @@ std::string oneLine(std::string_view given) {
 class Reader {
  public:
   Reader(TextSource& text, const ReadOptions& options)
-      : text_(text), file_(text.file()), options_(options), words_(text), builder_(text, kBytesAnAtom, options) {}
+      : text_(text), file_(text.file()), options_(options), words_(text), builder_(text, options) {}
 
   Expected<Molecule> run() {
     if (auto problem = readAll()) return *problem;

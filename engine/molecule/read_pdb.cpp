@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t kLineWidth = 80;
 constexpr std::size_t kMostLineWarnings = 20;
 constexpr std::size_t kMostHead = std::size_t{32} << 20;  // bytes of titles and descriptions of assemblies
-constexpr std::size_t kBytesAnAtom = 81;
 
 bool startsWith(std::string_view line, std::string_view record) {
   if (line.size() < record.size()) return false;
@@ -228,7 +227,7 @@ std::string information(const gemmi::Structure& st, const char* key) {
 Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
   const std::string& file = text.file();
   Sieve sieve;
-  AtomSieve builder(text, kBytesAnAtom, options);
+  AtomSieve builder(text, options);
   if (auto problem = sift(sieve, builder, text, options.model)) return *problem;
   if (sieve.models == 0)
     return Problem{file, 0, 0, tr("there is no ATOM or HETATM line in it"),

@@ -1,5 +1,6 @@
 #include "engine/molecule/reader.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <new>
 
@@ -7,7 +8,21 @@
 #include "engine/molecule/parsed_structure.h"
 #include "engine/platform/read_file.h"
 
+// One line an ending of names: its reader is a function of this name in its own file. The catalogue, the window's file
+// browser and the messages are made from this table. Of two files of the same name the earlier ending is taken.
+#define MOLTACT_FORMATS(X) \
+  X(".cif", readMmcif)     \
+  X(".pdb", readPdb)       \
+  X(".ent", readPdb)       \
+  X(".mmcif", readMmcif)   \
+  X(".xyzr", readXyzr)
+
 namespace moltact {
+
+#define MOLTACT_DECLARE(ending, reader) Expected<Molecule> reader(TextSource& text, const ReadOptions& options);
+MOLTACT_FORMATS(MOLTACT_DECLARE)
+#undef MOLTACT_DECLARE
+
 namespace {
 
 using ReadText = Expected<Molecule> (*)(TextSource& text, const ReadOptions& options);
@@ -17,10 +32,15 @@ struct Format {
   ReadText read;
 };
 
-// A format is added with one line here.
-constexpr Format kFormats[] = {
-    {".pdb", readPdb}, {".ent", readPdb}, {".cif", readMmcif}, {".mmcif", readMmcif}, {".xyzr", readXyzr},
-};
+#define MOLTACT_ROW(ending, reader) Format{ending, reader},
+constexpr Format kFormats[] = {MOLTACT_FORMATS(MOLTACT_ROW)};
+#undef MOLTACT_ROW
+
+std::string endingsText() {
+  std::string out;
+  for (const Format& format : kFormats) out += (out.empty() ? "" : " ") + std::string(format.extension);
+  return out;
+}
 
 constexpr const char* kTooLargeRemedy = N_("split it, or keep one model");
 
@@ -78,7 +98,7 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
   if (!read && trimmed(text.ahead()).empty()) return empty;
   if (!read)
     return Problem{file, 0, 0, tr("it is not a molecule in a format that is read here"),
-                   tr("PDB (.pdb, .ent), mmCIF (.cif, .mmcif) and .xyzr are, each also with .gz")};
+                   trf("those are {0}, each also with .gz", endingsText())};
   Expected<Molecule> molecule = read(text, options);
   if (text.problem()) return *text.problem();
   if (!molecule && text.blank()) return empty;
@@ -87,6 +107,17 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
 }
 
 }  // namespace
+
+std::vector<std::string_view> moleculeEndings() {
+  std::vector<std::string_view> out;
+  for (const Format& format : kFormats) out.emplace_back(format.extension);
+  return out;
+}
+
+bool hasMoleculeName(const std::filesystem::path& file) {
+  const std::string ending = lower(innerName(file).extension().string());
+  return std::ranges::any_of(kFormats, [&](const Format& format) { return ending == format.extension; });
+}
 
 Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path, const ReadOptions& options) {
   TextSource text(memorySource(bytes), bytes.size(), kMaxMoleculeBytes, path.string());

@@ -14,18 +14,14 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "engine/core/problem.h"
 #include "engine/molecule/molecule.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
-
-struct ReadOptions {
-  int model = 1;           ///< which model, counted from 1 in the order of the file (default: the first)
-  bool waters = false;     ///< keep the water molecules (default: leave them out)
-  std::string assembly{};  ///< name of a biological assembly to build ("1"); empty: the coordinates as they
-                           ///< stand (default)
-};
 
 /// A file larger than this, or one that unpacks to more, is refused (unit: byte).
 inline constexpr std::size_t kMaxMoleculeBytes = std::size_t{1} << 30;
@@ -40,9 +36,16 @@ inline constexpr std::size_t kMoleculeBytesAnAtom = 120;
 /// A coordinate or radius farther out than this is refused (unit: angstrom).
 inline constexpr double kMaxCoordinate_A = 1e9;
 
+/// The endings of the names that are read, in lower case and without .gz: ".pdb", ".cif" and so on.
+std::vector<std::string_view> moleculeEndings();
+
+/// Whether a reader may know the file, by its name: one of these endings, with or without .gz, in whatever case.
+bool hasMoleculeName(const std::filesystem::path& file);
+
 /// The molecule in the file. The format follows from the name (.pdb .ent .cif .mmcif .xyzr, each also with
 /// .gz) and, where the name does not tell, from the content.
 Expected<Molecule> readMolecule(const std::filesystem::path& file, const ReadOptions& options = {});
+inline Expected<Molecule> readMolecule(const MoleculeKey& key) { return readMolecule(key.file, key.reading); }
 
 /// The same from bytes in memory, gzipped or not; `file` gives the name for the format and for problems.
 Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& file,

@@ -15,13 +15,13 @@ bool isNobleGas(int z) { return z == 2 || z == 10 || z == 18 || z == 36 || z == 
 
 }  // namespace
 
-bool isWaterName(const std::string& residue) {
-  return gemmi::find_tabulated_residue(residue).is_water() || residue == "TIP3" || residue == "SOL";
+bool isWaterName(std::string_view residue) {
+  return gemmi::find_tabulated_residue(std::string(residue)).is_water() || residue == "TIP3" || residue == "SOL";
 }
 
 ResidueKind residueKind(const Residue& residue, const std::vector<Atom>& atoms, bool hetero) {
   if (isWaterName(residue.name)) return ResidueKind::Water;
-  const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(residue.name);
+  const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(residue.name.string());
   if (info.is_amino_acid()) return ResidueKind::AminoAcid;
   if (info.is_nucleic_acid()) return ResidueKind::Nucleotide;
   if (residue.atom_count == 1 && atoms[residue.first_atom].atomic_number > 1 &&

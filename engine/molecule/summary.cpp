@@ -16,11 +16,11 @@ MoleculeSummary summarise(const Molecule& molecule) {
   out.alternates_left_out = molecule.alternates_left_out;
   std::set<std::string> seen;
   for (const Chain& chain : molecule.chains)
-    if (seen.insert(chain.name).second) out.chain_names.push_back(chain.name);
+    if (seen.insert(chain.name.string()).second) out.chain_names.push_back(chain.name.string());
   out.chains = out.chain_names.size();
   for (const Residue& residue : molecule.residues) {
     if (residue.kind == ResidueKind::Water) ++out.waters;
-    if (residue.kind == ResidueKind::Ligand || residue.kind == ResidueKind::Ion) ++out.ligands[residue.name];
+    if (residue.kind == ResidueKind::Ligand || residue.kind == ResidueKind::Ion) ++out.ligands[residue.name.string()];
   }
   std::array<std::size_t, kElementCount + 1> count{};
   for (const Atom& atom : molecule.atoms) ++count[std::min<std::size_t>(atom.atomic_number, kElementCount)];

@@ -82,6 +82,7 @@ class Gzip final : public ByteSource {
     }
     return 0;
   }
+  std::size_t unpacked() const override { return taken_ - std::min<std::size_t>(stream_.avail_in, taken_); }
 
  private:
   Problem broken(const char* how) const { return {name_, 0, 0, how, tr("copy or download the file again")}; }
@@ -96,12 +97,14 @@ class Gzip final : public ByteSource {
     if (packed_->problem()) problem_ = packed_->problem();
     stream_.next_in = reinterpret_cast<Bytef*>(in_);
     stream_.avail_in = left + static_cast<uInt>(n);
+    taken_ += n;
   }
 
   std::unique_ptr<ByteSource> packed_;
   std::string name_;
   z_stream stream_{};
   char in_[1 << 16] = {};
+  std::size_t taken_ = 0;
   bool packed_ended_ = false, ended_ = false;
 };
 
@@ -148,9 +151,17 @@ TextSource::TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, 
   packed_ = isGzip(first);
   bytes_ = std::make_unique<Seen>(std::move(first), std::move(bytes));
   if (!packed_) return;
+  packed_bytes_ = expected_;
   constexpr std::size_t kUsual = 4;  // text of atoms packs to a fourth
   expected_ = expected_ < most_ / kUsual ? expected_ * kUsual : most_;
   bytes_ = gzipSource(std::move(bytes_), file_);
+}
+
+std::size_t TextSource::expectedBytes() const {
+  const std::size_t unpacked = bytes_->unpacked();
+  if (unpacked == 0) return expected_;
+  const double likely = double(packed_bytes_) * (double(taken_) / double(unpacked));
+  return static_cast<std::size_t>(std::clamp(likely, double(std::min(taken_, most_)), double(most_)));
 }
 
 bool TextSource::fill() {
@@ -198,6 +209,7 @@ bool TextSource::next(std::string_view& line) {
     break;
   }
   ++number_;
+  given_ += line.size() + 1;
   blank_ = blank_ && trimmed(line).empty();
   return true;
 }

@@ -18,6 +18,8 @@ class ByteSource {
   virtual ~ByteSource() = default;
   /// Up to `most` bytes, at least one; 0 at the end, or where problem() says what is wrong.
   virtual std::size_t read(char* to, std::size_t most) = 0;
+  /// How many packed bytes what was read so far came from; 0 where nothing is packed.
+  virtual std::size_t unpacked() const { return 0; }
   const std::optional<Problem>& problem() const { return problem_; }
 
  protected:
@@ -48,15 +50,18 @@ class TextSource {
   /// What follows, up to 64 KiB of it, without taking it.
   std::string_view ahead();
   const std::optional<Problem>& problem() const { return problem_; }
-  bool blank() const { return blank_; }                    ///< no line so far held anything
-  std::size_t expectedBytes() const { return expected_; }  ///< of text, as a guess; at most `most`
+  bool blank() const { return blank_; }  ///< no line so far held anything
+  /// How many bytes of text the whole is, as a guess that gets better the more of it was read; at most `most`.
+  std::size_t expectedBytes() const;
+  std::size_t givenBytes() const { return given_; }  ///< of the lines so far
   const std::string& file() const { return file_; }
 
  private:
   bool fill();
 
   std::unique_ptr<ByteSource> bytes_;
-  std::size_t expected_, most_, taken_ = 0;
+  std::size_t expected_, most_, taken_ = 0, given_ = 0;
+  std::size_t packed_bytes_ = 0;  // of a packed source
   std::string file_;
   std::string buffer_;
   std::size_t at_ = 0, end_ = 0;  // what is in the buffer and not given yet

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "engine/molecule/molecule.h"
 
@@ -106,10 +107,11 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin, double 
     const double radius = a.radius_A + grown_A;
     low = std::min(low, p.z - radius);
     high = std::max(high, p.z + radius);
-    for (const int k : {0, 1}) {
+    const double across[2] = {p.x, p.y};
+    for (std::size_t k = 0; k < 2; ++k) {
       const double widened = radius * std::sqrt(1 + slope[k] * slope[k]);
-      ahead[k] = std::max(ahead[k], p.z + (p[k] + widened) / slope[k]);
-      behind[k] = std::max(behind[k], p.z + (widened - p[k]) / slope[k]);
+      ahead[k] = std::max(ahead[k], p.z + (across[k] + widened) / slope[k]);
+      behind[k] = std::max(behind[k], p.z + (widened - across[k]) / slope[k]);
     }
   }
   const Vec3 middle(0.5 * slope[0] * (ahead[0] - behind[0]), 0.5 * slope[1] * (ahead[1] - behind[1]),
@@ -123,11 +125,6 @@ void Camera::fit(PointA centre, double radius_A, double aspect, double margin) {
   const double t = tanHalfY() * std::min(1.0, aspect) * (1 - margin);
   target = centre;
   distance_A = std::clamp(radius_A * std::sqrt(1 + t * t) / t, kNearest_A, kFarthestBack_A);
-}
-
-bool operator==(const Camera& a, const Camera& b) {
-  return a.target.A == b.target.A && a.orientation == b.orientation && a.distance_A == b.distance_A &&
-         a.fov_y_rad == b.fov_y_rad;
 }
 
 }  // namespace moltact

@@ -77,8 +77,8 @@ struct Camera {
   void fit(const Molecule& molecule, double aspect, double margin = 0.08, double grown_A = 0.0);
   /// The same for one ball.
   void fit(PointA centre, double radius_A, double aspect, double margin = 0.08);
-};
 
-bool operator==(const Camera& a, const Camera& b);
+  friend bool operator==(const Camera&, const Camera&) = default;
+};
 
 }  // namespace moltact

@@ -59,7 +59,7 @@ void addBalls(const Molecule& molecule, const ExportOptions& options, const Vec3
     if (atom.residue != kNoResidue) {
       const std::uint32_t chain = molecule.residues[atom.residue].chain;
       const auto [group, new_group] = group_of.try_emplace(chain, scene.nodes.size());
-      if (new_group) scene.nodes.push_back({.name = "chain " + molecule.chains[chain].name, .parent = 0});
+      if (new_group) scene.nodes.push_back({.name = "chain " + molecule.chains[chain].name.string(), .parent = 0});
       parent = group->second;
     }
     scene.nodes.push_back({.name = molecule.describe(i),

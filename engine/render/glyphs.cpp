@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/sphere_intersections.h"
 #include "engine/gltf/gltf_file.h"
-#include "engine/render/ball_intersections.h"
 #include "engine/render/haptic_shapes.h"
 
 namespace moltact {
@@ -21,7 +21,7 @@ class Maker {
     touching_ = scene.hip && scene.contact.touching();
     if (!scene.hip) return;
     scp_ = touching_ ? scene.contact.scp.A : scene.hip->A;
-    const Vec3 way = scp_ - scene.hip->A;
+    const Vec3& way = scene.contact.displacement_A;
     const double length = glm::length(way);
     outward_ = touching_ && length > 1e-9 ? way / length : scene.camera.up();
   }

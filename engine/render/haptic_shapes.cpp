@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "engine/core/saturated.h"
+#include "engine/core/sphere_intersections.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
-#include "engine/render/ball_intersections.h"
 
 namespace moltact {
 namespace {
@@ -229,7 +230,8 @@ class Drawer {
   // The parts of a straight line outside the gathered spheres.
   void freeLine(const Vec3& p, const Vec3& q, const Stroke& stroke) {
     constexpr double kPiece_A = 0.15;
-    const int pieces = neighbours_.empty() ? 1 : std::clamp(int(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
+    const int pieces =
+        neighbours_.empty() ? 1 : std::clamp(wholeOf<int>(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
     bool open = false;
     const auto emit = [&](double t) { strokes_.point(glm::vec3(scene_.camera.toView({p + (q - p) * t}))); };
     for (int i = 0; i < pieces; ++i) {

@@ -1,5 +1,4 @@
-// The one lighting of balls and solid glyphs.
-#include "engine/render/sphere_impostors.h"
+#include "engine/render/lighting.h"
 
 namespace moltact {
 

@@ -8,13 +8,6 @@
 namespace moltact {
 namespace {
 
-std::vector<Ball> ballsOf(const Molecule& molecule) {
-  std::vector<Ball> balls;
-  balls.reserve(molecule.atoms.size());
-  for (const Atom& a : molecule.atoms) balls.push_back({a.position.A, a.radius_A});
-  return balls;
-}
-
 std::uint32_t packSigned(float v) { return std::uint8_t(std::int8_t(std::lround(std::clamp(v, -1.0f, 1.0f) * 127))); }
 
 }  // namespace
@@ -26,7 +19,7 @@ std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom&
   return r.chain;
 }
 
-MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(ballsOf(*molecule)) {
+MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(molecule->balls()) {
   paint(elements, colour_by);
   for (const AmbientOcclusion& e : ambientOcclusion(scene.balls()))
     ambient_occlusion.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |

@@ -91,11 +91,6 @@ struct LayerKey {
   bool operator==(const LayerKey&) const = default;
 };
 
-bool sameOptions(const RenderOptions& a, const RenderOptions& b) {
-  return a.samples == b.samples && a.outlines == b.outlines && a.line_scale == b.line_scale &&
-         a.smooth_glyphs == b.smooth_glyphs && a.occlusion_cull == b.occlusion_cull;
-}
-
 }  // namespace
 
 struct Renderer::Impl {
@@ -208,8 +203,8 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
         .remedy = tr("ask for a smaller one")};
   };
   if (width_px < 1 || height_px < 1 || width_px > 16384 || height_px > 16384) return tooLarge();
-  if (p.have_picture && p.picture.width() == width_px && p.picture.height() == height_px &&
-      sameOptions(p.last_options, options) && sameView(p.last, scene)) {
+  if (p.have_picture && p.picture.width() == width_px && p.picture.height() == height_px && p.last_options == options &&
+      sameView(p.last, scene)) {
     p.count.atoms_redrawn = false;
     return std::nullopt;
   }

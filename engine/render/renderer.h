@@ -19,6 +19,8 @@ struct RenderOptions {
   bool outlines = true;        ///< dark rims round atoms that stand in front of others (default on)
   float line_scale = 1.0f;     ///< multiplies line widths, for displays with small pixels (default 1)
   bool occlusion_cull = true;  ///< leave out atoms that are hidden by others; the picture is the same (default on)
+
+  friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
 /// What the last picture cost and held.

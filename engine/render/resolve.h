@@ -2,8 +2,10 @@
 // Needs a current context.
 #pragma once
 
+#include <memory>
+
 #include "engine/render/gl_objects.h"
-#include "engine/render/sphere_impostors.h"
+#include "engine/render/lighting.h"
 
 namespace moltact {
 

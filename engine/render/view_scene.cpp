@@ -85,24 +85,4 @@ Theme lightTheme() {
           .fade = 0.42f};
 }
 
-bool sameView(const ViewScene& a, const ViewScene& b) {
-  if (a.blank && b.blank) return true;
-  const auto samePlace = [](const std::optional<PointA>& p, const std::optional<PointA>& q) {
-    return p.has_value() == q.has_value() && (!p || p->A == q->A);
-  };
-  const auto sameContact = [](const Contact& p, const Contact& q) {
-    return p.touching() == q.touching() && p.scp.A == q.scp.A && p.atoms == q.atoms;
-  };
-  const auto sameTarget = [](const TargetMarker& p, const TargetMarker& q) {
-    return p.centre.A == q.centre.A && p.radius_A == q.radius_A && p.reached == q.reached;
-  };
-  return a.blank == b.blank && a.molecule == b.molecule && a.camera == b.camera && a.shown == b.shown &&
-         a.theme == b.theme && a.elements == b.elements && a.colour_by == b.colour_by && samePlace(a.hip, b.hip) &&
-         sameContact(a.contact, b.contact) && a.force_N == b.force_N && a.probe_A == b.probe_A &&
-         a.arrow_A_per_N == b.arrow_A_per_N && a.haptic_atoms == b.haptic_atoms &&
-         a.haptic_atoms_at_most == b.haptic_atoms_at_most && a.facets == b.facets && a.water == b.water &&
-         a.hand == b.hand && a.left_hand == b.left_hand && a.highlighted == b.highlighted &&
-         std::equal(a.targets.begin(), a.targets.end(), b.targets.begin(), b.targets.end(), sameTarget);
-}
-
 }  // namespace moltact

@@ -75,6 +75,7 @@ struct TargetMarker {
   PointA centre;
   double radius_A = 1.0;
   bool reached = false;  ///< drawn in the colour of success
+  friend bool operator==(const TargetMarker&, const TargetMarker&) = default;
 };
 
 struct ViewScene {
@@ -87,8 +88,8 @@ struct ViewScene {
   bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
 
   std::optional<PointA> hip;  ///< no probe is drawn without it
-  Contact contact;            ///< its SCP and atoms are used while touching
-  double force_N = 0.0;       ///< length of the force, along SCP - HIP
+  Contact contact;            ///< its SCP, displacement and atoms are used while touching
+  double force_N = 0.0;       ///< length of the force, along the contact's displacement
   double probe_A = kWaterProbe_A;
   bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
   std::shared_ptr<const SolidModel>
@@ -104,9 +105,12 @@ struct ViewScene {
 
   std::vector<std::uint32_t> highlighted;  ///< atoms marked in the target's colour; out-of-range ones are ignored
   std::vector<TargetMarker> targets;
+
+  /// Molecules, models and meshes are compared by address.
+  friend bool operator==(const ViewScene&, const ViewScene&) = default;
 };
 
-/// Whether two scenes give the same picture. Molecules are compared by address.
-bool sameView(const ViewScene& a, const ViewScene& b);
+/// Whether two scenes give the same picture.
+inline bool sameView(const ViewScene& a, const ViewScene& b) { return (a.blank && b.blank) || a == b; }
 
 }  // namespace moltact

@@ -15,6 +15,7 @@
 #include "engine/core/units.h"
 #include "engine/haptics/tracker.h"
 #include "engine/lesson/lesson.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
@@ -143,6 +144,7 @@ struct InputChanged {
   InputWay by = InputWay::Mouse;
   std::string device;
   bool gives_force = false;
+  friend bool operator==(const InputChanged&, const InputChanged&) = default;
 };
 /// What is on the stage, as far as playing the trace back needs it.
 struct StageSet {
@@ -154,6 +156,8 @@ struct StageSet {
   double stiffness_N_per_mm = 0.5;
   std::string method;
   bool force_on = true;
+  ReadOptions reading{};  ///< how the file was read
+  friend bool operator==(const StageSet&, const StageSet&) = default;
 };
 /// How the person looked at it (engine/render/camera.h).
 struct ViewRotated {
@@ -164,7 +168,8 @@ struct ViewRotated {
 struct HipSample {
   double t_s = 0.0;
   PointA hip, scp;
-  ForceN force;  ///< in the device's space
+  ForceN force;              ///< in the device's space
+  Vec3 displacement_A{0.0};  ///< of the spring that was felt; zero without contact
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
 };

@@ -44,6 +44,7 @@ Json written(const LessonOutline& lesson) {
   return {{"file", lesson.file}, {"title", lesson.title}, {"hash", lesson.hash}, {"steps", std::move(steps)}};
 }
 
+constexpr double kStraight_A = 0.002;               // a spring within rounding of SCP - HIP is not written down
 constexpr std::string_view kFeatureSigns = ".SCP";  // free, sphere, circle, point
 
 // Each kind of fact writes its keys after "kind" and "t".
@@ -111,6 +112,9 @@ struct FactWriter {
     out["stiffness_N_per_mm"] = rounded(e.stiffness_N_per_mm);
     out["method"] = e.method;
     out["force_on"] = e.force_on;
+    if (e.reading.model != 1) out["model"] = e.reading.model;
+    if (e.reading.waters) out["waters"] = true;
+    if (!e.reading.assembly.empty()) out["assembly"] = e.reading.assembly;
   }
   void operator()(const ViewRotated& e) {
     for (const double q : e.orientation) out["orientation"].push_back(std::round(q * 1e5) / 1e5);
@@ -120,6 +124,8 @@ struct FactWriter {
   void operator()(const HipChunk& e) {
     Json ms = Json::array(), hip = Json::array(), scp = Json::array(), force = Json::array(), atoms = Json::array();
     std::string features;
+    Json displacement = Json::array();
+    bool shaded = false;
     std::array<std::int32_t, 3> held{-1, -1, -1};
     const double from_s = e.samples.empty() ? 0.0 : e.samples.front().t_s;
     for (std::size_t i = 0; i < e.samples.size(); ++i) {
@@ -130,6 +136,8 @@ struct FactWriter {
       if (s.feature == Feature::Free) continue;
       append(scp, s.scp.A);
       append(force, s.force.N);
+      append(displacement, s.displacement_A);
+      shaded = shaded || glm::distance(s.displacement_A, s.scp.A - s.hip.A) > kStraight_A;
       if (s.atoms == held) continue;
       held = s.atoms;
       Json change = Json::array({i});
@@ -144,6 +152,7 @@ struct FactWriter {
     if (scp.empty()) return;
     out["scp"] = std::move(scp);
     out["force"] = std::move(force);
+    if (shaded) out["displacement"] = std::move(displacement);
     out["atoms"] = std::move(atoms);
   }
   void operator()(const LessonReread& e) { out["lesson"] = written(e.lesson); }
@@ -290,10 +299,11 @@ HipChunk trace(const Json& from) {
   if (features.size() != n) throw Lacking{tr("'feature' and 'ms' differ in length")};
   const std::size_t touching = n - static_cast<std::size_t>(std::count(features.begin(), features.end(), '.'));
   const std::vector<double> hip = numbers(from, "hip", 3 * n);
-  std::vector<double> scp, force;
+  std::vector<double> scp, force, displacement;
   if (touching) {
     scp = numbers(from, "scp", 3 * touching);
     force = numbers(from, "force", 3 * touching);
+    if (from.contains("displacement")) displacement = numbers(from, "displacement", 3 * touching);
   }
   const double from_s = numberAt(from, "from");
   const Json& changes = listOrNone(from, "atoms");
@@ -310,6 +320,8 @@ HipChunk trace(const Json& from) {
     if (s.feature != Feature::Free) {
       s.scp.A = {scp[k], scp[k + 1], scp[k + 2]};
       s.force.N = {force[k], force[k + 1], force[k + 2]};
+      s.displacement_A =
+          displacement.empty() ? s.scp.A - s.hip.A : Vec3(displacement[k], displacement[k + 1], displacement[k + 2]);
       k += 3;
       if (change < changes.size() && changes[change].is_array() && !changes[change].empty() &&
           count(changes[change][0], "atoms") == i) {
@@ -379,6 +391,9 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     StageSet s{
         text(j, "molecule", true),         text(j, "file", true),   countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
         numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
+    if (j.contains("model")) s.reading.model = static_cast<int>(countAt(j, "model"));
+    s.reading.waters = j.contains("waters") && flag(j, "waters");
+    s.reading.assembly = text(j, "assembly", false);
     s.workspace.A_per_mm = numberAt(j, "A_per_mm");
     s.workspace.centre_A = vector(j, "centre_A");
     const std::vector<double> turn = numbers(j, "turn", 9);

@@ -28,6 +28,7 @@ constexpr std::array kRanges{
     // place
     AttemptRange{"hip", -kBeyond_A, kBeyond_A},
     AttemptRange{"scp", -kBeyond_A, kBeyond_A},
+    AttemptRange{"displacement", -2.0 * kBeyond_A, 2.0 * kBeyond_A},
     AttemptRange{"centre_A", -kBeyond_A, kBeyond_A},
     AttemptRange{"target_A", -kBeyond_A, kBeyond_A},
     AttemptRange{"distance_A", 0.1, 1e8},
@@ -39,6 +40,7 @@ constexpr std::array kRanges{
     AttemptRange{"orientation", -1.001, 1.001},
     // counts and indices
     AttemptRange{"format", 1.0, kMostAtoms, true},
+    AttemptRange{"model", 1.0, 1e6, true},
     AttemptRange{"attempt", 1.0, 1e6, true},
     AttemptRange{"task", 0.0, 1e6, true},
     AttemptRange{"chosen", 0.0, 1e6, true},

@@ -223,12 +223,4 @@ std::string summaryText(const ClassSummary& summary) {
              trnf("{0} attempt", "{0} attempts", summary.attempts, summary.attempts));
 }
 
-double quantile(const std::vector<double>& sorted, double share) {
-  if (sorted.empty()) return 0.0;
-  const double at = std::clamp(share, 0.0, 1.0) * double(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - double(below)) * (sorted[above] - sorted[below]);
-}
-
 }  // namespace moltact

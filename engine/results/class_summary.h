@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/problem.h"
+#include "engine/core/quantile.h"
 #include "engine/results/attempt_file.h"
 
 namespace moltact {
@@ -78,8 +79,5 @@ ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous = false);
 
 /// "24 students, 2 lessons, 51 attempts".
 std::string summaryText(const ClassSummary& summary);
-
-/// The value below which a share of sorted values lies, with linear interpolation; 0 of none.
-double quantile(const std::vector<double>& sorted, double share);
 
 }  // namespace moltact

@@ -53,30 +53,6 @@ std::string mark(InputWay way, double x, double y) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : printable(text)) switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += c;
-    }
-  return out;
-}
-
 std::string number(double value, int digits) { return numberText(value, decimals(digits)); }
 
 std::string percent(double share) { return quantityText(share, Dimension::Share); }

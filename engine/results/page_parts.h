@@ -6,12 +6,11 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/markup.h"
+#include "engine/core/quantile.h"
 #include "engine/results/class_summary.h"
 
 namespace moltact::page {
-
-/// Text that means itself in HTML, in attributes too.
-std::string escaped(std::string_view text);
 
 /// "1.25", with so many digits after the point; "–" where it is not finite.
 std::string number(double value, int digits);

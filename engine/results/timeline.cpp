@@ -93,6 +93,7 @@ std::optional<HipSample> Timeline::hand(double t_s) const {
   } else if (after.feature != Feature::Free) {
     out.scp.A = glm::mix(before->scp.A, after.scp.A, part);
     out.force.N = glm::mix(before->force.N, after.force.N, part);
+    out.displacement_A = glm::mix(before->displacement_A, after.displacement_A, part);
   }
   return out;
 }

@@ -6,7 +6,9 @@
 namespace moltact {
 
 void TouchWatch::add(const TouchSample& sample, double t_s, InputWay by) {
-  if (!finite(sample.hip.A) || !finite(sample.contact.scp.A) || !finite(sample.force.N)) return;
+  if (!finite(sample.hip.A) || !finite(sample.contact.scp.A) || !finite(sample.contact.displacement_A) ||
+      !finite(sample.force.N))
+    return;
   follow(sample, t_s, by);
   trace(sample, t_s);
 }
@@ -58,7 +60,8 @@ void TouchWatch::end() {
 }
 
 void TouchWatch::trace(const TouchSample& s, double t_s) {
-  const HipSample now{t_s, s.hip, s.contact.scp, s.force, s.contact.feature, s.contact.atoms};
+  const Contact& c = s.contact;
+  const HipSample now{t_s, s.hip, c.scp, s.force, c.displacement_A, c.feature, c.atoms};
   if (has_before_) {
     const bool changed = now.feature != before_.feature || now.atoms != before_.atoms;
     if (t_s - before_.t_s < (changed ? kChange_s : kSample_s)) return;

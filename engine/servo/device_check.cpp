@@ -15,8 +15,6 @@ namespace moltact {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-using Fault = FaultyDevice::Fault;
-
 constexpr double kPull_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
 constexpr double kStill_mm = 0.5;     // a place at rest wanders by no more
 constexpr double kStaleShare = 0.05;  // of the ticks: a computer that is busy with other things has some
@@ -38,7 +36,7 @@ class Check {
     settings_.workspace.A_per_mm = 1.0;
     settings_.stiffness_N_per_mm = kWall_N_per_mm;
     settings_.max_force_N = std::min(kMost_N, device->info().max_force_N);
-    servo_.setSettings(settings_);
+    servo_.loop().setSettings(settings_);
     auto faulty = std::make_unique<FaultyDevice>(std::move(device));
     device_ = faulty.get();
     servo_.setDevice(std::move(faulty));
@@ -79,7 +77,7 @@ class Check {
   bool stopped() {
     if (!stop_.empty() || !options_.interrupted || !options_.interrupted()) return !stop_.empty();
     settings_.panic = true;
-    servo_.setSettings(settings_);
+    servo_.loop().setSettings(settings_);
     stop_ = "broken off";
     return true;
   }
@@ -90,7 +88,7 @@ class Check {
     device_->given();
     for (std::uint64_t fresh = 0; Clock::now() < end && !stopped();) {
       std::this_thread::sleep_for(kStep);
-      servo_.drain([](const ServoSample&) {});
+      servo_.loop().drain([](const ServoSample&) {});
       fresh += device_->given().fresh;
       status_ = device_->status();
       if (status_.ready && status_.connected && fresh > 0) return true;
@@ -110,7 +108,7 @@ class Check {
       std::this_thread::sleep_for(kStep);
       status_ = device_->status();
       seen.connected = seen.connected && status_.connected;
-      servo_.drain([&](const ServoSample& s) {
+      servo_.loop().drain([&](const ServoSample& s) {
         seen.ticks.push_back(s);
         seen.latest_ms = std::max(seen.latest_ms, double(s.late_us) * 1e-3);
       });
@@ -135,8 +133,8 @@ class Check {
 
   void feel(std::unique_ptr<Tracker> tracker) {
     ++settings_.discontinuities;
-    servo_.setSettings(settings_);
-    servo_.setTracker(std::move(tracker));
+    servo_.loop().setSettings(settings_);
+    servo_.loop().setInteraction(std::move(tracker));
   }
   void feelPull(double sign = 1.0) { feel(std::make_unique<PullTracker>(sign * kPull_N / kWall_N_per_mm)); }
 
@@ -163,7 +161,7 @@ class Check {
     out_.back().done = true;
     all_ = {};
     device_->given();
-    servo_.drain([](const ServoSample&) {});
+    servo_.loop().drain([](const ServoSample&) {});
     body();
     feel(nullptr);
     if (stopped())
@@ -215,10 +213,10 @@ class Check {
     feelPull();
     watch(0.5 * options_.part_s);
     settings_.panic = true;
-    servo_.setSettings(settings_);
+    servo_.loop().setSettings(settings_);
     const Seen seen = watch(0.5 * options_.part_s);
     settings_.panic = false;
-    servo_.setSettings(settings_);
+    servo_.loop().setSettings(settings_);
     // The ticks before the key was seen may still have force; from the first stopped one on there is none.
     std::size_t forced = 0, stopped_ticks = 0;
     for (const ServoSample& s : seen.ticks) {
@@ -231,7 +229,7 @@ class Check {
 
   // One after the other, each from full force.
   struct Injected {
-    Fault fault;
+    LoopFault fault;
     int ticks;
   };
   void suffer(std::initializer_list<Injected> faults) {
@@ -247,10 +245,15 @@ class Check {
                text("%zu of %zu faults met its force, which %s after the last", felt, faults.size(),
                     back ? "came back" : "did not come back"));
   }
-  void badTicks() { suffer({{Fault::Late, 15}, {Fault::Doubled, 50}, {Fault::Lost, 60}, {Fault::Stands, 60}}); }
+  void badTicks() {
+    suffer({{LoopFault::Late, 15}, {LoopFault::Doubled, 50}, {LoopFault::Lost, 60}, {LoopFault::Stands, 60}});
+  }
   void badPlaces() {
-    suffer(
-        {{Fault::Leaps, 1}, {Fault::NotANumber, 50}, {Fault::Leaps, 5}, {Fault::Frozen, 100}, {Fault::NotANumber, 1}});
+    suffer({{LoopFault::Leaps, 1},
+            {LoopFault::NotANumber, 50},
+            {LoopFault::Leaps, 5},
+            {LoopFault::Frozen, 100},
+            {LoopFault::NotANumber, 1}});
   }
 
   void standingWindow() {
@@ -284,7 +287,7 @@ class Check {
   }
 
   void wall() {
-    feel(std::make_unique<WallTracker>(servo_.latest().hand.mm.z - 5.0));
+    feel(std::make_unique<WallTracker>(servo_.loop().latest().hand.mm.z - 5.0));
     const Seen seen = watch(2.0 * options_.part_s);
     std::size_t touching = 0, damped = 0;
     for (const ServoSample& s : seen.ticks) {

@@ -30,9 +30,9 @@ class DeviceSwitch {
   }
 
   /// `stopped`: all force is stopped, and motors that can go off.
-  void write(ForceN force, bool stopped = false) noexcept {
-    if (chosen_) stopped ? chosen_->stop() : chosen_->write(used_ == chosen_ ? force : ForceN{});
-    if (used_ != chosen_ || !chosen_) fallback_.write(force);
+  void write(const Wrench& wrench, bool stopped = false) noexcept {
+    if (chosen_) stopped ? chosen_->stop() : chosen_->writeWrench(used_ == chosen_ ? wrench : Wrench{});
+    if (used_ != chosen_ || !chosen_) fallback_.writeWrench(wrench);
   }
 
   /// True where another device leads in this tick than in the last.

@@ -17,7 +17,7 @@ constexpr int kLatest_ms = 15;
 FaultyDevice::FaultyDevice(std::unique_ptr<Device> device)
     : device_(std::move(device)), judge_(device_->info().max_force_N) {}
 
-void FaultyDevice::inject(Fault fault, int ticks) {
+void FaultyDevice::inject(LoopFault fault, int ticks) {
   left_.store(ticks);
   fault_.store(fault, std::memory_order_release);
 }
@@ -52,14 +52,14 @@ void FaultyDevice::run() noexcept {
 
 // A tick of the device's clock, or of the one in its place.
 void FaultyDevice::tickOfDevice() noexcept {
-  const Fault fault = fault_.load(std::memory_order_acquire);
-  if (fault == Fault::Late) {
+  const LoopFault fault = fault_.load(std::memory_order_acquire);
+  if (fault == LoopFault::Late) {
     late_ = (late_ + 7) % kLatest_ms;
     sleepUntil(monotonic_ns() + late_ * kPeriod_ns);
   }
-  if (fault != Fault::Lost) tick();
-  if (fault == Fault::Doubled) tick();
-  if (fault == Fault::Late || fault == Fault::Lost || fault == Fault::Doubled) passed();
+  if (fault != LoopFault::Lost) tick();
+  if (fault == LoopFault::Doubled) tick();
+  if (fault == LoopFault::Late || fault == LoopFault::Lost || fault == LoopFault::Doubled) passed();
 }
 
 void FaultyDevice::tick() noexcept {
@@ -67,7 +67,7 @@ void FaultyDevice::tick() noexcept {
 }
 
 void FaultyDevice::passed() noexcept {
-  if (left_.fetch_sub(1) <= 1) fault_.store(Fault::None);
+  if (left_.fetch_sub(1) <= 1) fault_.store(LoopFault::None);
 }
 
 DevicePose FaultyDevice::read(double dt_s) noexcept {
@@ -88,32 +88,37 @@ DevicePose FaultyDevice::read(double dt_s) noexcept {
 
 // True where the place is wrong.
 bool FaultyDevice::misread(DevicePose& pose) noexcept {
-  const Fault fault = fault_.load(std::memory_order_acquire);
+  const LoopFault fault = fault_.load(std::memory_order_acquire);
   const bool odd = left_.load() % 2;
   switch (fault) {
-    case Fault::Stands:  // the next tick finds that it is late
+    case LoopFault::Stands:  // the next tick finds that it is late
       sleepUntil(monotonic_ns() + left_.exchange(0) * kPeriod_ns);
       stood_ = true;
       break;
-    case Fault::Leaps:
+    case LoopFault::Leaps:
       pose.position.mm.x += odd ? kLeap_mm : -kLeap_mm;
       break;
-    case Fault::NotANumber:
+    case LoopFault::NotANumber:
       pose.position.mm.y = odd ? std::nan("") : HUGE_VAL;
       break;
-    case Fault::Frozen:
+    case LoopFault::Frozen:
       pose.fresh = false;
       break;
     default:
       return false;
   }
   passed();
-  return fault == Fault::Leaps || fault == Fault::NotANumber;
+  return fault == LoopFault::Leaps || fault == LoopFault::NotANumber;
 }
 
 void FaultyDevice::write(ForceN force) noexcept {
   note(force.N, false);
   device_->write(force);
+}
+
+void FaultyDevice::writeWrench(const Wrench& wrench) noexcept {
+  note(wrench.force.N, false);
+  device_->writeWrench(wrench);
 }
 
 void FaultyDevice::stop() noexcept {

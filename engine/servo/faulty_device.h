@@ -11,28 +11,18 @@
 
 #include "engine/device/device.h"
 #include "engine/servo/force_monitor.h"
+#include "engine/servo/loop_fault.h"
 
 namespace moltact {
 
 class FaultyDevice final : public Device, private TickTarget {
  public:
-  enum class Fault : int {
-    None,
-    Late,        ///< each tick comes 0 to 14 ms late
-    Lost,        ///< no ticks come
-    Doubled,     ///< each tick comes twice
-    Stands,      ///< the loop stands so long, in its tick
-    Leaps,       ///< places 20 mm off
-    NotANumber,  ///< places that are none
-    Frozen,      ///< nothing new comes from the device
-  };
-
   explicit FaultyDevice(std::unique_ptr<Device> device);
   ~FaultyDevice() override { stopClock(); }
 
-  /// For so many ticks; of Stands milliseconds. One at a time.
-  void inject(Fault fault, int ticks);
-  bool faultIsOver() const { return fault_.load() == Fault::None; }
+  /// For so many ticks; of Stands milliseconds. One at a time. Late: each tick by 0 to 14 ms; Leaps: by 20 mm.
+  void inject(LoopFault fault, int ticks);
+  bool faultIsOver() const { return fault_.load() == LoopFault::None; }
 
   /// What was given to the device since the last call.
   struct Given {
@@ -47,6 +37,7 @@ class FaultyDevice final : public Device, private TickTarget {
   const DeviceInfo& info() const noexcept override { return device_->info(); }
   DevicePose read(double dt_s) noexcept override;
   void write(ForceN force) noexcept override;
+  void writeWrench(const Wrench& wrench) noexcept override;
   void stop() noexcept override;
   DeviceStatus status() override { return device_->status(); }
   ViewWish viewWish() noexcept override { return device_->viewWish(); }
@@ -63,7 +54,7 @@ class FaultyDevice final : public Device, private TickTarget {
   void passed() noexcept;
 
   std::unique_ptr<Device> device_;
-  std::atomic<Fault> fault_{Fault::None};
+  std::atomic<LoopFault> fault_{LoopFault::None};
   std::atomic<int> left_{0};
 
   // The clock's.

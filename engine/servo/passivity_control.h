@@ -1,7 +1,7 @@
 // Observer and controller of passivity (Hannaford & Ryu 2002), with the spring's store as the reference: a passive
 // surface gives back no more than it was given. What sampling, delay or a method's leaps make beyond that is a debt;
 // what the device's own damping and friction take pays it, and what is left is taken back by braking. Haptic thread.
-// Units: joule, metre, newton, second.
+// Units: joule, metre, newton, radian, second; torques in newton millimetre.
 #pragma once
 
 #include <algorithm>
@@ -18,14 +18,17 @@ class PassivityControl {
   void restart() noexcept {
     debt_J_ = 0;
     given_.fill(Vec3(0.0));
+    torques_.fill(Vec3(0.0));
   }
 
-  /// The last interval: the way moved, what the spring's store rose by along it, and what the device itself took.
-  /// `delay_ticks`: how much later than it was written a force is felt.
-  void observe(const Vec3& moved_m, double stored_J, double taken_J, std::size_t delay_ticks) noexcept {
+  /// The last interval: the way moved and the angle turned, what the springs' store rose by meanwhile, and what the
+  /// device itself took. `delay_ticks`: how much later than it was written a force is felt.
+  void observe(const Vec3& moved_m, const Vec3& turned_rad, double stored_J, double taken_J,
+               std::size_t delay_ticks) noexcept {
     const std::size_t back = std::min(delay_ticks, given_.size() - 1);
-    const Vec3& held = given_[(next_ + given_.size() - 1 - back) % given_.size()];
-    debt_J_ = std::max(0.0, debt_J_ + stored_J + glm::dot(held, moved_m) - taken_J);
+    const std::size_t held = (next_ + given_.size() - 1 - back) % given_.size();
+    const double worked_J = glm::dot(given_[held], moved_m) + 1e-3 * glm::dot(torques_[held], turned_rad);
+    debt_J_ = std::max(0.0, debt_J_ + stored_J + worked_J - taken_J);
   }
 
   /// The force that pays the debt within a tick, as far as `most_N_s_per_m` allows.
@@ -35,17 +38,25 @@ class PassivityControl {
     return -speed_m_per_s * std::min(debt_J_ / (v2 * dt_s), most_N_s_per_m);
   }
 
-  /// The force as given at the end of the tick.
-  void give(const Vec3& force_N) noexcept {
+  /// The same of the turning: a torque (unit: N mm, with the damping in N mm s).
+  Vec3 braking_N_mm(const Vec3& speed_rad_per_s, double dt_s, double most_N_mm_s) const noexcept {
+    const double w2 = glm::dot(speed_rad_per_s, speed_rad_per_s);
+    if (debt_J_ <= 0 || dt_s <= 0 || w2 < safety::kStillHand_rad_per_s * safety::kStillHand_rad_per_s) return Vec3(0.0);
+    return -speed_rad_per_s * std::min(1e3 * debt_J_ / (w2 * dt_s), most_N_mm_s);
+  }
+
+  /// The force and the torque as given at the end of the tick.
+  void give(const Vec3& force_N, const Vec3& torque_N_mm) noexcept {
     given_[next_] = force_N;
+    torques_[next_] = torque_N_mm;
     next_ = (next_ + 1) % given_.size();
   }
 
   double debt_J() const noexcept { return debt_J_; }
 
  private:
-  friend struct StepState;  // step_state.cpp, which keeps it
-  std::array<Vec3, 8> given_{};
+  friend struct StepState;                   // step_state.cpp, which keeps it
+  std::array<Vec3, 8> given_{}, torques_{};  // N; N mm
   std::size_t next_ = 0;
   double debt_J_ = 0;
 };

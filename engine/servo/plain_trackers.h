@@ -20,20 +20,29 @@ class PullTracker final : public PlainTracker {
  public:
   explicit PullTracker(double stretch_A) : stretch_A_(stretch_A) {}
   Contact step(PointA hip) noexcept override {
-    return {.scp = {hip.A + Vec3(stretch_A_, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    Contact out{.scp = {hip.A + Vec3(stretch_A_, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    // The store never changes: what the pull gives on a way comes out of nothing, and the safety stage says how much.
+    stretchToScp(out, hip);
+    out.normals[0] = Vec3(1, 0, 0);
+    return out;
   }
 
  private:
   double stretch_A_;
 };
 
-/// A wall at that z that faces +z.
+/// A wall at that z that faces +z: the half-space below it, all of it matter. What a sampled device makes of energy and
+/// shaking on this wall no method can be blamed for.
 class WallTracker final : public PlainTracker {
  public:
   explicit WallTracker(double z_A) : z_A_(z_A) {}
   Contact step(PointA hip) noexcept override {
+    if (!finite(hip.A)) return {.scp = hip, .fault = Fault::NotFinite};
     if (hip.A.z >= z_A_) return {.scp = hip};
-    return {.scp = {{hip.A.x, hip.A.y, z_A_}}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    Contact out{.scp = {{hip.A.x, hip.A.y, z_A_}}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    out.normals[0] = Vec3(0, 0, 1);
+    return out;
   }
 
  private:

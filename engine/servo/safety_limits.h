@@ -18,6 +18,8 @@ inline constexpr double kStale_s = 0.020;              ///< without a fresh plac
 inline constexpr double kFaded_s = 0.040;              ///< and is nothing here
 inline constexpr double kOff_s = 0.100;                ///< and here the contact is forgotten
 inline constexpr double kJump_m_per_s = 5.0;           ///< faster than any hand: the place was misread
+inline constexpr double kJump_rad_per_s = 60.0;        ///< the same of its turning
+inline constexpr double kFastest_rad_per_s = 15.0;     ///< from here on no torque drives the hand's turning
 inline constexpr double kFastest_m_per_s = 1.0;        ///< from here on the force no longer drives the hand at all
 inline constexpr double kSlowing = 0.75;               ///< of that speed: from here on no longer fully
 inline constexpr double kOfOwnLimit = 0.9;             ///< so near to a limit of the device's own driver
@@ -28,8 +30,9 @@ inline constexpr double kUnknownFriction_N = 0.01;     ///< of a device that tel
 inline constexpr double kStiffnessMargin = 0.5;        ///< of the stiffness at which the loop would become unstable
 inline constexpr double kStiffening_N_per_mm_s = 1.0;  ///< how fast the stiffness may change under a finger
 inline constexpr double kStillHand_m_per_s =
-    0.005;                                     ///< slower than this no damping is given: the speed is mostly rounding
-inline constexpr double kEnergyCut_J = 0.005;  ///< made and not absorbed again: half of what 3.3 N store at 0.5 N/mm
+    0.005;  ///< slower than this no damping is given: the speed is mostly rounding
+inline constexpr double kStillHand_rad_per_s = 0.1;  ///< the same of its turning
+inline constexpr double kEnergyCut_J = 0.005;     ///< made and not absorbed again: half of what 3.3 N store at 0.5 N/mm
 inline constexpr double kHardest_N_per_mm = 5.0;  ///< no spring is stiffer, whatever is asked
 
 }  // namespace safety

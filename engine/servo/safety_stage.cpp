@@ -25,12 +25,14 @@ void SafetyStage::setDevice(const DeviceSpecs& device) noexcept {
   friction_N_ = device.friction_N > 0.0 ? usable(device.friction_N) : safety::kUnknownFriction_N;
   resolution_m_ = 1e-3 * usable(device.resolution_mm);
   device_delay_s_ = usable(device.delay_s);
+  peak_torque_N_mm_ = device.dof_out >= 6 ? usable(device.max_torque_N_mm) : 0.0;
   closes_loop_ = device.gives_force;
   fastest_m_per_s_ = within(safety::kFastest_m_per_s, device.speed_limit_m_per_s);
   rise_N_per_s_ = within(safety::kSlew_N_per_s, device.slew_limit_N_per_s);
   // Its motors give nothing yet. The heat stays: the device may be the one that was just gone, and its motors warm.
-  force_N_ = Vec3(0.0);
-  stretch_mm_ = stiffness_ = 0.0;
+  force_N_ = torque_N_mm_ = Vec3(0.0);
+  springs_ = {};
+  stiffness_ = 0.0;
   passivity_.restart();
   placed_ = false;
   restart();
@@ -56,7 +58,7 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
 
   const double elapsed_s = sane ? time.dt_s : safety::kStale_s;
   elapsed_s_ = elapsed_s;
-  const bool known = finite(pose.position.mm);
+  const bool known = finite(pose.position.mm) && rotates(pose.orientation);
   if (!known) acted_.add(Limit::NotFinite);
   if (!pose.connected) acted_.add(Limit::Unplugged);
   if (pose.fault) acted_.add(Limit::DeviceFault);
@@ -70,23 +72,32 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
   fault_ = fault_ || off;
   off_ = off;
 
-  moved_m_ = Vec3(0.0);
+  moved_m_ = turned_rad_ = Vec3(0.0);
   if (known) {
-    if (!placed_ || back || pose.discontinuities != discontinuities_) {
+    const auto beginAnew = [this] {
+      moved_m_ = turned_rad_ = Vec3(0.0);
       speed_.restart();
+      turning_.restart();
+    };
+    if (!placed_ || back || pose.discontinuities != discontinuities_) {
+      beginAnew();
     } else {
       moved_m_ = 1e-3 * (pose.position.mm - place_mm_);
-      if (glm::length(moved_m_) > safety::kJump_m_per_s * std::max(kTick_s, unseen_s)) {
+      turned_rad_ = rotationBetween(orientation_, pose.orientation);
+      const double in_s = std::max(kTick_s, unseen_s);
+      if (glm::length(moved_m_) > safety::kJump_m_per_s * in_s ||
+          glm::length(turned_rad_) > safety::kJump_rad_per_s * in_s) {
         acted_.add(Limit::Jump);
         fault_ = forget = true;
-        moved_m_ = Vec3(0.0);
-        speed_.restart();
+        beginAnew();
       }
     }
     place_mm_ = pose.position.mm;
+    orientation_ = pose.orientation;
     discontinuities_ = pose.discontinuities;
     placed_ = true;
     speed_.add(1e-3 * place_mm_, elapsed_s);
+    turning_.add(angle_rad_ += turned_rad_, elapsed_s);
   }
   if (fault_) restart();
   return forget;
@@ -107,7 +118,7 @@ double SafetyStage::stiffness(double asked_N_per_mm) noexcept {
   if (asked > bound) acted_.add(Limit::Stiffness);
   const double goal = std::min(asked, bound), most = safety::kStiffening_N_per_mm_s * dt_s_;
   // Without contact, and while no force is given, nobody feels it change.
-  stiffness_ = stretch_mm_ == 0.0 || gain_ == 0.0 ? goal : stiffness_ + std::clamp(goal - stiffness_, -most, most);
+  stiffness_ = springs_.none() || gain_ == 0.0 ? goal : stiffness_ + std::clamp(goal - stiffness_, -most, most);
   return stiffness_;
 }
 
@@ -115,11 +126,19 @@ double SafetyStage::allowed_N(double most_N) const noexcept {
   return std::min(heat_.allowed_N(peak_N_, continuous_N_), usable(most_N));
 }
 
-// What a spring holds whose force is cut at `most_N`.
-double SafetyStage::stored_J(double stretch_mm, double stiffness_N_per_mm, double most_N) const noexcept {
-  const double k = 1e3 * stiffness_N_per_mm, s = 1e-3 * stretch_mm;
-  if (!(k > 0.0)) return 0.0;
-  return k * s <= most_N ? 0.5 * k * s * s : most_N * s - 0.5 * most_N * most_N / k;
+// To what part of itself a wrench is cut: force and torque together, so that it leads the same way.
+double SafetyStage::share(double force_N, double torque_N_mm, double most_N) const noexcept {
+  double out = 1.0;
+  if (force_N > most_N) out = most_N / force_N;
+  if (drivesTorque() && torque_N_mm > peak_torque_N_mm_) out = std::min(out, peak_torque_N_mm_ / torque_N_mm);
+  return out;
+}
+
+// What springs hold whose pull is cut: cut to a share of itself, what grows with the stretch gives back that share of
+// the energy twice, but for the square of it.
+double SafetyStage::stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept {
+  const double part = share(stiffness_N_per_mm * springs.stretch_mm, stiffness_N_per_mm * springs.torque_mm2, most_N);
+  return 1e-3 * stiffness_N_per_mm * springs.energy_mm2 * part * (2.0 - part);
 }
 
 // Above kSlowing of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing.
@@ -136,17 +155,41 @@ Vec3 SafetyStage::slowed(Vec3 force) noexcept {
   return force - speed * (part * driving / fast);
 }
 
-Vec3 SafetyStage::braked(Vec3 force, const WantedForce& wanted) noexcept {
+// The same of the torque and the turning.
+Vec3 SafetyStage::slowedTurning(Vec3 torque) noexcept {
+  const Vec3 speed = turning_.m_per_s();
+  const double fast = glm::length(speed), slowing = safety::kSlowing * safety::kFastest_rad_per_s;
+  const double driving = fast > slowing ? glm::dot(torque, speed) / fast : 0.0;
+  if (driving <= 0.0) return torque;
+  acted_.add(Limit::Speed);
+  const double part = std::min(1.0, (fast - slowing) / (safety::kFastest_rad_per_s - slowing));
+  return torque - speed * (part * driving / fast);
+}
+
+Vec3 SafetyStage::brakedTurning(Vec3 torque) noexcept {
+  if (!closes_loop_ || torque == Vec3(0.0)) return torque;
+  // As much damping as at the end of a lever on which the greatest force is the greatest torque.
+  const double lever_mm = peak_N_ > 0.0 ? peak_torque_N_mm_ / peak_N_ : 0.0;
+  const Vec3 braking = passivity_.braking_N_mm(turning_.m_per_s(), kTick_s, 1e-3 * max_damping_ * lever_mm * lever_mm);
+  if (braking != Vec3(0.0)) acted_.add(Limit::Damping);
+  torque += braking;
+  const double size = glm::length(torque);
+  return size > peak_torque_N_mm_ ? torque * (peak_torque_N_mm_ / size) : torque;
+}
+
+Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const Springs& springs, const WantedWrench& wanted) noexcept {
   if (!closes_loop_) return force;
   // Both stores with what holds now: a gain or a clamp that changes is no motion of the hand.
   const double most_N = allowed_N(wanted.most_N);
-  const double stored = gain_ * (stored_J(wanted.stretch_mm, wanted.stiffness_N_per_mm, most_N) -
-                                 stored_J(stretch_mm_, wanted.stiffness_N_per_mm, most_N));
+  double stored = gain_ * (stored_J(springs, wanted.stiffness_N_per_mm, most_N) -
+                           stored_J(springs_, wanted.stiffness_N_per_mm, most_N));
+  // A torque that the device does not give is paid by the wrist all the same, which turns as it likes.
+  if (!drivesTorque()) stored += gain_ * 0.5e-3 * glm::dot(torque_N_mm_ + torque, turned_rad_);
   const double way = glm::length(moved_m_);
   // Half of the published friction, for it is not the same everywhere.
   const double taken = dt_s_ > 0 ? way * (0.5 * friction_N_ + damping_ * way / dt_s_) : 0.0;
   const auto delay = static_cast<std::size_t>(std::lround((device_delay_s_ + delay_s_) / kTick_s));
-  passivity_.observe(moved_m_, stored, taken, delay);
+  passivity_.observe(moved_m_, turned_rad_, stored, taken, delay);
   if (passivity_.debt_J() > safety::kEnergyCut_J) {
     acted_.add(Limit::EnergyCut);
     passivity_.restart();
@@ -159,63 +202,78 @@ Vec3 SafetyStage::braked(Vec3 force, const WantedForce& wanted) noexcept {
   return force + braking;
 }
 
-Vec3 SafetyStage::slewed(const Vec3& force) noexcept {
-  const Vec3 change = force - force_N_;
+// From what was given last to what is to be given, by no more than the rates allow (a second).
+Vec3 SafetyStage::slewed(const Vec3& from, const Vec3& to, double rise, double fall) noexcept {
+  const Vec3 change = to - from;
   // A device that bears no quick rise may still be let go of at once.
-  const bool rises = glm::length(force) > glm::length(force_N_);
-  const double size = glm::length(change), most = (rises ? rise_N_per_s_ : safety::kSlew_N_per_s) * dt_s_;
-  if (size <= most) return force;
+  const bool rises = glm::length(to) > glm::length(from);
+  const double size = glm::length(change), most = (rises ? rise : fall) * dt_s_;
+  if (size <= most) return to;
   acted_.add(Limit::Slew);
-  return force_N_ + change * (most / size);
+  return from + change * (most / size);
 }
 
-ForceN SafetyStage::output(const WantedForce& wanted) noexcept {
+Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
   heat_.add(closes_loop_ ? glm::length(force_N_) : 0.0, elapsed_s_);
 
-  Vec3 force = wanted.force_N;
-  double size = glm::length(force), stretch_mm = wanted.stretch_mm;
-  if (!finite(force) || !std::isfinite(size) || !std::isfinite(stretch_mm)) {
+  Vec3 force = wanted.force_N, torque = wanted.torque_N_mm;
+  double size = glm::length(force), turns = glm::length(torque);
+  Springs springs{wanted.stretch_mm, wanted.torque_mm2, wanted.energy_mm2};
+  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(turns) ||
+      !std::isfinite(springs.stretch_mm) || !std::isfinite(springs.torque_mm2) || !std::isfinite(springs.energy_mm2)) {
     acted_.add(Limit::NotFinite);
     fault_ = true;
-    force = Vec3(0.0);
-    size = stretch_mm = 0.0;
+    force = torque = Vec3(0.0);
+    size = turns = 0.0;
+    springs = {};
   }
 
-  if (const double most = allowed_N(wanted.most_N); size > most) {
-    acted_.add(most < std::min(peak_N_, usable(wanted.most_N)) ? Limit::Heat : Limit::Clamp);
-    force *= most / size;
+  const double most_N = allowed_N(wanted.most_N);
+  if (const double part = share(size, turns, most_N); part < 1.0) {
+    const bool warm = size > most_N && most_N < std::min(peak_N_, usable(wanted.most_N));
+    acted_.add(warm ? Limit::Heat : Limit::Clamp);
+    force *= part;
+    torque *= part;
   }
 
   if (!wanted.on || fault_)
     restart();
   else
     gain_ = std::min(1.0, gain_ + dt_s_ / safety::kSoftStart_s);
-  WantedForce known = wanted;
-  known.stretch_mm = stretch_mm;
-  force = braked(slowed(force), known);
+  force = braked(slowed(force), torque, springs, wanted);
+  const Vec3 wrist_N_mm = torque;  // what it is to give where the device does not
+  torque = drivesTorque() && !fault_ ? brakedTurning(slowedTurning(torque)) : Vec3(0.0);
   // Braking is a force like any other.
   if (const double most = allowed_N(wanted.most_N), braked_size = glm::length(force); braked_size > most)
     force *= most / braked_size;
 
   // What follows only takes away: braking too ends where no force is to be.
-  if (gain_ < 1.0 && size > 0.0) acted_.add(Limit::SoftStart);
+  if (gain_ < 1.0 && (size > 0.0 || turns > 0.0)) acted_.add(Limit::SoftStart);
   force *= gain_;
+  torque *= gain_;
   if (stale_s_ > safety::kStale_s) {
     acted_.add(Limit::StalePlace);
-    force *= std::max(0.0, (safety::kFaded_s - stale_s_) / (safety::kFaded_s - safety::kStale_s));
+    const double part = std::max(0.0, (safety::kFaded_s - stale_s_) / (safety::kFaded_s - safety::kStale_s));
+    force *= part;
+    torque *= part;
   }
   // What is not right ends at once; all other changes go along the slew.
   if (stopped_) acted_.add(Limit::Panic);
   if (stopped_ || fault_) {
     restart();
-    force = Vec3(0.0);
+    force = torque = Vec3(0.0);
   } else {
-    force = slewed(force);
+    force = slewed(force_N_, force, rise_N_per_s_, safety::kSlew_N_per_s);
+    // As quickly as the force, each as a part of its greatest.
+    const double N_mm_per_N = peak_N_ > 0.0 ? peak_torque_N_mm_ / peak_N_ : 0.0;
+    if (drivesTorque())
+      torque = slewed(torque_N_mm_, torque, N_mm_per_N * rise_N_per_s_, N_mm_per_N * safety::kSlew_N_per_s);
   }
-  stretch_mm_ = stretch_mm;
+  springs_ = springs;
   force_N_ = force;
-  passivity_.give(force);
-  return {force};
+  torque_N_mm_ = drivesTorque() ? torque : wrist_N_mm;
+  passivity_.give(force, torque);
+  return {{force}, torque};
 }
 
 double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept {

@@ -17,11 +17,14 @@ struct TickTime {
   double delay_s = 0.0;   ///< from reading the place to writing the force, as last measured
 };
 
-/// What a method wants the hand to feel.
-struct WantedForce {
+/// What an interaction wants the hand to feel.
+struct WantedWrench {
   Vec3 force_N{0.0};
-  double stretch_mm = 0.0;          ///< of the spring that gives it; 0 without contact
-  double stiffness_N_per_mm = 0.0;  ///< of that spring
+  Vec3 torque_N_mm{0.0};            ///< round the hand's place
+  double stretch_mm = 0.0;          ///< the force over the stiffness; 0 without contact
+  double torque_mm2 = 0.0;          ///< the torque over the stiffness
+  double energy_mm2 = 0.0;          ///< what is stored, over the stiffness; stretch^2 / 2 of a single spring
+  double stiffness_N_per_mm = 0.0;  ///< of the springs that give it
   double most_N = 3.3;              ///< the greatest force that the program allows
   bool on = true;                   ///< false: no force is wanted, and the next begins softly
 };
@@ -40,9 +43,10 @@ class SafetyStage {
   /// slowly. Non-finite: none.
   double stiffness(double asked_N_per_mm) noexcept;
 
-  /// Last: the force to give in this tick. Always finite and within the device's greatest; none at all in a tick with a
-  /// fault.
-  ForceN output(const WantedForce& wanted) noexcept;
+  /// Last: the force and the torque to give in this tick, the latter none for a device that drives none. Always finite
+  /// and within the device's greatest; none at all in a tick with a fault. It is not known here what is felt: the power
+  /// is force times speed and torque times angular speed.
+  Wrench output(const WantedWrench& wanted) noexcept;
 
   /// A new tracker, a hand that was placed anew, a tracker's fault: full force is to be reached softly from nothing.
   void restart() noexcept { gain_ = 0.0; }
@@ -55,21 +59,33 @@ class SafetyStage {
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
+  // What springs of one stiffness pull with and hold, over that stiffness.
+  struct Springs {
+    double stretch_mm = 0, torque_mm2 = 0, energy_mm2 = 0;
+    bool none() const { return stretch_mm == 0.0 && torque_mm2 == 0.0 && energy_mm2 == 0.0; }
+  };
   double allowed_N(double most_N) const noexcept;
-  double stored_J(double stretch_mm, double stiffness_N_per_mm, double most_N) const noexcept;
+  double share(double force_N, double torque_N_mm, double most_N) const noexcept;
+  double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
-  Vec3 braked(Vec3 force, const WantedForce& wanted) noexcept;
-  Vec3 slewed(const Vec3& force) noexcept;
+  Vec3 slowedTurning(Vec3 torque) noexcept;
+  Vec3 braked(Vec3 force, const Vec3& torque, const Springs& springs, const WantedWrench& wanted) noexcept;
+  Vec3 brakedTurning(Vec3 torque) noexcept;
+  bool drivesTorque() const noexcept { return peak_torque_N_mm_ > 0.0; }
+  Vec3 slewed(const Vec3& from, const Vec3& to, double rise, double fall) noexcept;
 
   // The device's figures.
   double peak_N_ = 0, continuous_N_ = 0, max_stiffness_ = 0, max_damping_ = 0, damping_ = 0, friction_N_ = 0;
   double resolution_m_ = 0, device_delay_s_ = 0, fastest_m_per_s_ = 0, rise_N_per_s_ = 0;
+  double peak_torque_N_mm_ = 0;  // 0: it drives none
   bool closes_loop_ = false;
 
   // What is known of the hand.
-  HandSpeed speed_;
+  HandSpeed speed_, turning_;  // of the place; of the angle, in rad/s
   Vec3 place_mm_{0.0}, moved_m_{0.0};
-  bool placed_ = false;  // place_mm_ holds a place
+  Quat orientation_ = kNoRotation;
+  Vec3 angle_rad_{0.0}, turned_rad_{0.0};  // all the turning so far, and that of the last tick
+  bool placed_ = false;                    // place_mm_ holds a place
   std::uint32_t discontinuities_ = 0;
   double stale_s_ = 0, delay_s_ = 0;
   double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // since the last tick; the same, but never more than a tick
@@ -78,9 +94,10 @@ class SafetyStage {
   // What is given.
   ThermalModel heat_;
   PassivityControl passivity_;
-  double gain_ = 0, stiffness_ = 0, stretch_mm_ = 0;
+  double gain_ = 0, stiffness_ = 0;
+  Springs springs_;
   bool fault_ = false, stopped_ = false;
-  Vec3 force_N_{0.0};
+  Vec3 force_N_{0.0}, torque_N_mm_{0.0};  // the latter as wanted where the device gives none
   LimitFlags acted_;
 };
 

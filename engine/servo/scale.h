@@ -5,18 +5,13 @@
 #include <optional>
 #include <string>
 
+#include "engine/core/region.h"
 #include "engine/core/units.h"
 #include "engine/device/device.h"
 
 namespace moltact {
 
 inline constexpr double kFinest_A_per_mm = 0.01, kCoarsest_A_per_mm = 4.0;
-
-/// A ball of the molecule that is felt larger than the rest (unit: angstrom).
-struct Region {
-  PointA centre;
-  double radius_A = 0.0;
-};
 
 /// The workspace in which a ball round `centre` fills the device's room as far as its narrowest side allows: the
 /// paper's active haptic workspace, set round a selection. `radius_A` is clamped so that the scale stays within the

@@ -16,16 +16,19 @@
 namespace moltact {
 namespace {
 
-static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 48 && sizeof(DeviceSpecs) == 120 &&
+static_assert(sizeof(ServoSettings) == 152 && sizeof(DevicePose) == 80 && sizeof(DeviceSpecs) == 128 &&
                   sizeof(TickTime) == 16,
               "a field more is to be recorded below, or a replay is not the same");
 
-constexpr std::string_view kMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2", kOldMagic = "MOLTRAC1";
+// The third version's ticks have no orientation and its devices no torque; the second's begin from no state either.
+constexpr std::string_view kMagic = "MOLTRAC4", kPlacesMagic = "MOLTRAC3", kStatelessMagic = "MOLTRAC2",
+                           kOldMagic = "MOLTRAC1";
 constexpr std::string_view kBlockMagic = "BLK1";
 constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kLeastTickBytes = 81;  // a tick without settings and device
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
-constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32;
+constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
+                       kOriented = 64;
 
 // What must be the same for the bits to be the same: the state's members and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
@@ -107,7 +110,13 @@ std::string bytesOf(const ServoSettings& settings) {
   return out;
 }
 
-bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick) {
+template <class Each, class Q>
+void orientationFields(Each& each, Q& q) {
+  each(q.w), each(q.x), each(q.y), each(q.z);
+}
+
+// `places_only`: as the third version wrote it.
+bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, bool places_only) {
   std::uint8_t flags = 0, on = 0, panic = 0, gives = 0, at_edge = 0;
   get(flags);
   if (flags & kSettings) {
@@ -121,11 +130,13 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick) {
   tick.other_device = flags & kOtherDevice;
   if (tick.other_device) {
     figuresFields(get, tick.device);
+    if (!places_only) get(tick.device.max_torque_N_mm);
     get(gives);
     tick.device.gives_force = gives;
     get.ok = get.ok && gives <= 1;
   }
   tickFields(get, tick);
+  if (!places_only && flags & kOriented) orientationFields(get, tick.pose.orientation);
   tick.pose.fresh = flags & kFresh;
   tick.pose.connected = flags & kConnected;
   tick.pose.fault = flags & kFaultFlag;
@@ -164,16 +175,19 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
                tr("begin another one")};
   const bool other_settings = ticks_in_block_ == 0 || bytesOf(*last_) != bytesOf(tick.settings);
   const DevicePose& pose = tick.pose;
+  const bool oriented = pose.orientation != kNoRotation;
   Putter put{block_};
   put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
                    (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |
-                   (tick.fallen_back ? kFallenBack : 0)));
+                   (tick.fallen_back ? kFallenBack : 0) | (oriented ? kOriented : 0)));
   if (other_settings) block_ += bytesOf(tick.settings);
   if (tick.other_device) {
     figuresFields(put, tick.device);
+    put(tick.device.max_torque_N_mm);
     put(std::uint8_t(tick.device.gives_force));
   }
   tickFields(put, tick);
+  if (oriented) orientationFields(put, pose.orientation);
   last_ = tick.settings;
   return ++ticks_in_block_ == kTicksInBlock ? writeBlock() : std::nullopt;
 }
@@ -209,7 +223,8 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     return Problem{file.string(), 0, 0, tr("this recording is of an earlier version, whose ticks hold less"),
                    tr("record it anew")};
   const bool stateless = std::string_view(*bytes).starts_with(kStatelessMagic);
-  if (bytes->size() < fixed || !(stateless || std::string_view(*bytes).starts_with(kMagic))) return none;
+  const bool places_only = stateless || std::string_view(*bytes).starts_with(kPlacesMagic);
+  if (bytes->size() < fixed || !(places_only || std::string_view(*bytes).starts_with(kMagic))) return none;
   Getter get{data + kMagic.size(), data + bytes->size()};
   std::uint32_t text_size = 0, build_size = 0, state_size = 0, crc = 0;
   get(text_size), get(build_size), get(state_size);
@@ -230,7 +245,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
           std::string(text.substr(equals + 1, end - equals - 1));
     at = end + 1;
   }
-  if (!stateless && std::string_view(data + fixed + text_size, build_size) == buildName()) {
+  if (!places_only && std::string_view(data + fixed + text_size, build_size) == buildName()) {
     auto state = stepFromText({data + fixed + text_size + build_size, state_size});
     if (!state) return Problem{file.string(), 0, 0, state.problem().message, state.problem().remedy};
     recording.start = *std::move(state);
@@ -260,7 +275,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
     std::vector<RecordedTick> ticks(good ? count : 0);
     for (RecordedTick& tick : ticks) {
       tick.device = device;
-      good = good && readTick(inside, settings, tick);
+      good = good && readTick(inside, settings, tick, places_only);
       device = tick.device;
     }
     if (good && ticks.size() > kMostRecordedTicks - recording.ticks.size()) {
@@ -276,12 +291,12 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   return recording;
 }
 
-ReplayResult replay(const ServoRecording& recording, Tracker* tracker) {
+ReplayResult replay(const ServoRecording& recording, Interaction* felt) {
   ServoStep step = recording.start.value_or(ServoStep());
   ReplayResult out;
   for (const RecordedTick& tick : recording.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ForceN force = step.tick(tick.settings, tracker, tick.pose, tick.time).force;
+    const ForceN force = step.tick(tick.settings, felt, tick.pose, tick.time).force;
     if (!sameBits(force.N, tick.force.N)) {
       if (!out.first_difference) out.first_difference = out.ticks;
       out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(force.N, tick.force.N));

@@ -18,7 +18,7 @@
 
 namespace moltact {
 
-/// One tick with all that its force depended on but the tracker.
+/// One tick with all that its force depended on but the interaction.
 struct RecordedTick {
   ServoSettings settings;
   DevicePose pose;
@@ -39,7 +39,7 @@ struct ServoRecording {
   std::string torn;  ///< why the rest could not be read; empty: it is whole
 };
 
-/// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 376 bytes of memory).
+/// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 416 bytes of memory).
 inline constexpr std::size_t kMostRecordedTicks = 4'000'000;
 
 /// Writes a recording as it comes. Each block of 256 ticks is handed to the system whole before the next is begun, so
@@ -80,9 +80,9 @@ struct ReplayResult {
   double greatest_difference_N = 0;
 };
 
-/// Steps the recorded ticks with a tracker as it was newly made for the recording (null: none), and compares the
+/// Steps the recorded ticks with an interaction as it was newly made for the recording (null: none), and compares the
 /// forces.
-ReplayResult replay(const ServoRecording& recording, Tracker* tracker);
+ReplayResult replay(const ServoRecording& recording, Interaction* felt);
 
 /// How many balls and all of them in one number (FNV-1a): a recording's label "balls", by which it is told that its
 /// molecule has changed meanwhile.

@@ -5,28 +5,41 @@
 #include <utility>
 
 namespace moltact {
+namespace {
 
-ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose,
+// The springs' own, cut to the greatest force.
+Wrench unguarded(const WantedWrench& wanted) {
+  const double size = glm::length(wanted.force_N);
+  if (!wanted.on || !std::isfinite(size)) return {};
+  return {{size > wanted.most_N ? wanted.force_N * (wanted.most_N / size) : wanted.force_N}, wanted.torque_N_mm};
+}
+
+}  // namespace
+
+ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* felt, const DevicePose& pose,
                             const TickTime& time) noexcept {
   ServoSample out;
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
-  const bool lost = safety_.beginTick(pose, time);
+  const bool lost = guarded_ && safety_.beginTick(pose, time);
   // A hand that is placed anew, or leapt, is where it is.
   if (lost || settings.discontinuities != discontinuities_ || pose.discontinuities != hand_discontinuities_)
     clutch_.restart();
   out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, push_, kTick_s);
   out.buttons = pose.buttons;
-  out.hip = settings.workspace.toMolecule(out.hand);
-  out.has_tracker = tracker != nullptr;
+  const PoseA at = settings.workspace.toMolecule(out.hand, pose.orientation);
+  out.hip = at.place;
+  out.orientation = at.orientation;
+  out.has_tracker = felt != nullptr;
   out.discontinuities = settings.discontinuities;
 
-  // A new tracker comes as its maker left it: one that was led to the hand keeps the contact over a change of method.
+  // A new interaction comes as its maker left it: one that was led to the hand keeps the contact over a change of
+  // method.
   out.placed = std::exchange(other_device_, false) || lost || settings.discontinuities != discontinuities_ ||
                pose.discontinuities != hand_discontinuities_;
-  const bool changed = tracker != last_tracker_ || out.placed;
-  if (tracker && out.placed) tracker->reset();
-  last_tracker_ = tracker;
+  const bool changed = felt != last_felt_ || out.placed;
+  if (felt && out.placed) felt->reset();
+  last_felt_ = felt;
   discontinuities_ = settings.discontinuities;
   hand_discontinuities_ = pose.discontinuities;
   // At another scale the same way in gives another force.
@@ -34,35 +47,42 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Tracker* tracker, con
   if (changed || rescaled) safety_.restart();
   safety_.stop(settings.panic);
 
-  WantedForce wanted{.on = false};
+  WantedWrench wanted{.on = false};
   push_ = Vec3(0.0);
-  if (tracker) {
+  if (felt) {
     // The surface swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
     if (std::isfinite(settings.probe_A)) {
       const double goal = std::clamp(settings.probe_A, 0.0, kLargestProbe_A);
-      const double now = tracker->probe_A(), most = kProbeSlew_A_per_s * kTick_s;
-      if (goal != now) tracker->setProbe(changed ? goal : now + std::clamp(goal - now, -most, most));
+      const double now = felt->probe_A(), most = kProbeSlew_A_per_s * kTick_s;
+      if (goal != now) felt->setProbe(changed ? goal : now + std::clamp(goal - now, -most, most));
     }
-    out.probe_A = tracker->probe_A();
-    out.contact = tracker->step(out.hip);
-    out.memory_usage = tracker->memoryUsage();
-    wanted = feel(settings, out);
+    out.probe_A = felt->probe_A();
+    const Response response = felt->respond(at);
+    out.contact = response.contact;
+    out.memory_usage = felt->memoryUsage();
+    wanted = feel(settings, response);
   }
-  out.force = safety_.output(wanted);
+  const Wrench given = guarded_ ? safety_.output(wanted) : unguarded(wanted);
+  out.force = given.force;
+  out.torque_N_mm = given.torque_N_mm;
   out.limits = safety_.acted();
   out.stiffness_bound_N_per_mm = safety_.stiffnessBound_N_per_mm();
   return out;
 }
 
-WantedForce ServoStep::feel(const ServoSettings& settings, const ServoSample& sample) noexcept {
-  const Contact& contact = sample.contact;
-  WantedForce wanted{.most_N = settings.max_force_N,
-                     .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
-  if (!contact.touching()) return wanted;
-  wanted.stiffness_N_per_mm = safety_.stiffness(settings.stiffness_N_per_mm);
-  wanted.force_N = settings.workspace.spring(sample.hip, springEnd(contact, sample.hip), wanted.stiffness_N_per_mm).N;
+WantedWrench ServoStep::feel(const ServoSettings& settings, const Response& response) noexcept {
+  const Contact& contact = response.contact;
+  WantedWrench wanted{.most_N = settings.max_force_N,
+                      .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
+  if (!response.felt()) return wanted;
+  wanted.stiffness_N_per_mm = guarded_ ? safety_.stiffness(settings.stiffness_N_per_mm) : settings.stiffness_N_per_mm;
+  wanted.force_N = settings.workspace.spring(contact.displacement_A, wanted.stiffness_N_per_mm).N;
+  wanted.torque_N_mm = settings.workspace.torque_N_mm(response.torque_A2, wanted.stiffness_N_per_mm);
   if (const double size = glm::length(wanted.force_N); size > 0.0 && std::isfinite(size)) push_ = wanted.force_N / size;
-  wanted.stretch_mm = glm::distance(contact.scp.A, sample.hip.A) / settings.workspace.A_per_mm;
+  const double A_per_mm = settings.workspace.A_per_mm;
+  wanted.stretch_mm = glm::length(contact.displacement_A) / A_per_mm;
+  wanted.torque_mm2 = glm::length(response.torque_A2) / (A_per_mm * A_per_mm);
+  wanted.energy_mm2 = contact.energy_A2 / (A_per_mm * A_per_mm);
   return wanted;
 }
 

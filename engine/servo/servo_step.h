@@ -6,7 +6,7 @@
 
 #include "engine/core/units.h"
 #include "engine/device/device.h"
-#include "engine/haptics/tracker.h"
+#include "engine/haptics/interaction.h"
 #include "engine/servo/clutch.h"
 #include "engine/servo/safety_stage.h"
 
@@ -31,14 +31,16 @@ inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may
 /// What one tick found: whole, for the screen, the lesson and the log.
 struct ServoSample {
   std::uint64_t tick = 0;
-  double time_s = 0;  ///< since the loop began
-  PointMm hand;       ///< the device's place, moved on by the clutch
-  PointA hip;         ///< the same in the molecule's space
+  double time_s = 0;               ///< since the loop began
+  PointMm hand;                    ///< the device's place, moved on by the clutch
+  PointA hip;                      ///< the same in the molecule's space
+  Quat orientation = kNoRotation;  ///< of what is in the hand, in the molecule's space
   Contact contact;
   ForceN force;              ///< as given to the device, after every limit
+  Vec3 torque_N_mm{0.0};     ///< the same; none for a device that drives none
   LimitFlags limits;         ///< those that changed the force of this tick
   double probe_A = 0;        ///< in force at this tick
-  MemoryUsage memory_usage;  ///< of the tracker
+  MemoryUsage memory_usage;  ///< of the interaction
   std::uint32_t buttons = 0;
   float work_us = 0;  ///< how long the tick took (0 on a virtual clock)
   float late_us = 0;  ///< how long after its due time it began (0 on a virtual clock)
@@ -53,7 +55,7 @@ struct ServoSample {
 
 class ServoStep {
  public:
-  explicit ServoStep(const DeviceSpecs& device = {}) : workspace_mm_(device.workspace_mm), safety_(device) {}
+  explicit ServoStep(const DeviceSpecs& device = {}) : ServoStep(device, true) {}
 
   /// Another device is read from now on: its figures hold, the contact is forgotten, and the force starts softly.
   void setDevice(const DeviceSpecs& device) noexcept {
@@ -63,24 +65,30 @@ class ServoStep {
     other_device_ = true;
   }
 
-  /// One tick. `tracker` may be null: no molecule, no force. Pass a changed tracker freely: it is not reset, and the
-  /// force starts softly.
-  ServoSample tick(const ServoSettings& settings, Tracker* tracker, const DevicePose& pose,
+  /// One tick. `felt` may be null: no molecule, no force. Pass a changed one freely: it is not reset, and the force
+  /// starts softly.
+  ServoSample tick(const ServoSettings& settings, Interaction* felt, const DevicePose& pose,
                    const TickTime& time = {}) noexcept;
 
-  /// As if it had met no tracker yet: the next one counts as new.
-  void forgetTracker() noexcept { last_tracker_ = nullptr; }
+  /// As if it had met no interaction yet: the next one counts as new.
+  void forgetInteraction() noexcept { last_felt_ = nullptr; }
 
   const SafetyStage& safety() const { return safety_; }
 
+ protected:
+  /// Without the guard the safety stage is left out, but for the greatest force: for who judges a method alone, by a
+  /// class of its own. No program with a hand has one.
+  ServoStep(const DeviceSpecs& device, bool guarded) noexcept
+      : guarded_(guarded), workspace_mm_(device.workspace_mm), safety_(device) {}
+
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  WantedForce feel(const ServoSettings& settings, const ServoSample& sample) noexcept;
+  WantedWrench feel(const ServoSettings& settings, const Response& response) noexcept;
 
   std::uint64_t tick_ = 0;
-  const Tracker* last_tracker_ = nullptr;
+  const Interaction* last_felt_ = nullptr;
   std::uint32_t discontinuities_ = 0, hand_discontinuities_ = 0;
-  bool other_device_ = false;
+  bool other_device_ = false, guarded_ = true;
   double A_per_mm_ = 0;
   Vec3 workspace_mm_;
   Vec3 push_{0.0};  // the way of the surface's push in the last tick

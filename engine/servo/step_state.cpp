@@ -9,8 +9,8 @@
 
 namespace moltact {
 
-static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 208 && sizeof(ThermalModel) == 16 &&
-                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 784 && sizeof(ServoStep) == 960,
+static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
+                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1592,
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is
@@ -26,6 +26,12 @@ struct StepState {
   }
 
   template <class Each>
+  static void quaternion(Each& each, const std::string& prefix, const std::string& name, Quat& q) {
+    each(prefix, name + ".w", q.w, -1.01, 1.01), each(prefix, name + ".x", q.x, -1.01, 1.01),
+        each(prefix, name + ".y", q.y, -1.01, 1.01), each(prefix, name + ".z", q.z, -1.01, 1.01);
+  }
+
+  template <class Each>
   static void of(Each& each, const std::string& p, HandSpeed& s) {
     for (std::size_t k = 0; k < s.ring_.size(); ++k) {
       vector(each, p, "place_m." + std::to_string(k), s.ring_[k].place_m);
@@ -38,7 +44,10 @@ struct StepState {
 
   template <class Each>
   static void of(Each& each, const std::string& p, PassivityControl& s) {
-    for (std::size_t k = 0; k < s.given_.size(); ++k) vector(each, p, "given_N." + std::to_string(k), s.given_[k]);
+    for (std::size_t k = 0; k < s.given_.size(); ++k) {
+      vector(each, p, "given_N." + std::to_string(k), s.given_[k]);
+      vector(each, p, "given_N_mm." + std::to_string(k), s.torques_[k]);
+    }
     each(p, "next", s.next_, std::size_t{0}, s.given_.size() - 1), each(p, "debt_J", s.debt_J_, 0.0, kAny);
   }
 
@@ -63,8 +72,11 @@ struct StepState {
     each(p, "fastest_m_per_s", s.fastest_m_per_s_, 0.0, safety::kFastest_m_per_s);
     each(p, "rise_N_per_s", s.rise_N_per_s_, 0.0, safety::kSlew_N_per_s),
         each(p, "closes_loop", s.closes_loop_, false, true);
-    of(each, p + "speed.", s.speed_);
+    each(p, "peak_torque_N_mm", s.peak_torque_N_mm_, 0.0, kAny);
+    of(each, p + "speed.", s.speed_), of(each, p + "turning.", s.turning_);
     vector(each, p, "place_mm", s.place_mm_), vector(each, p, "moved_m", s.moved_m_);
+    quaternion(each, p, "orientation", s.orientation_);
+    vector(each, p, "angle_rad", s.angle_rad_), vector(each, p, "turned_rad", s.turned_rad_, 4.0);
     each(p, "placed", s.placed_, false, true),
         each(p, "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
     each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kOff_s);
@@ -72,9 +84,10 @@ struct StepState {
     each(p, "off", s.off_, false, true);
     of(each, p + "heat.", s.heat_), of(each, p + "passivity.", s.passivity_);
     each(p, "gain", s.gain_, 0.0, 1.0), each(p, "stiffness", s.stiffness_, 0.0, safety::kHardest_N_per_mm);
-    each(p, "stretch_mm", s.stretch_mm_, -kAny, kAny);
+    each(p, "stretch_mm", s.springs_.stretch_mm, 0.0, kAny), each(p, "torque_mm2", s.springs_.torque_mm2, 0.0, kAny);
+    each(p, "energy_mm2", s.springs_.energy_mm2, -kAny, kAny);
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
-    vector(each, p, "force_N", s.force_N_);
+    vector(each, p, "force_N", s.force_N_), vector(each, p, "torque_N_mm", s.torque_N_mm_);
     // What acted in the last tick is written anew in the next.
   }
 

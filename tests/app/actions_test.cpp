@@ -1,5 +1,5 @@
 // The table of actions and what hangs on it: menus, tool bar, shortcuts and their sheet; undo; preferences.
-#include "app/ui/actions.h"
+#include "app/ui/panels/actions.h"
 
 #include <cmath>
 #include <set>

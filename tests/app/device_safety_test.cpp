@@ -66,7 +66,9 @@ class Told final : public PlainTracker {
  public:
   explicit Told(std::function<Vec3(Vec3)> scp) : scp_(std::move(scp)) {}
   Contact step(PointA hip) noexcept override {
-    return {.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    Contact out{.scp = {scp_(hip.A)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
   }
 
  private:
@@ -167,7 +169,7 @@ TEST_CASE(
     c.begin(*d);
     d->frames(3);
     // A method that pulls hard, so that nothing but the key holds it back.
-    if (!d->app().scene.trying()) d->app().scene.servo().setTracker(pull(*d, 1.0));
+    if (!d->app().scene.trying()) d->app().scene.servo().setInteraction(pull(*d, 1.0));
     d->frames(20);
     d->tap("F9");
     d->frames(2);
@@ -212,9 +214,9 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
     double for_s = 1.0;
   };
   const double turn = 2 * 3.14159265358979;
-  const auto strong = [](double N) { return [N](Driver& d) { d.app().scene.servo().setTracker(pull(d, N)); }; };
+  const auto strong = [](double N) { return [N](Driver& d) { d.app().scene.servo().setInteraction(pull(d, N)); }; };
   const auto method = [](std::function<Vec3(Vec3)> scp) {
-    return [scp](Driver& d) { d.app().scene.servo().setTracker(std::make_unique<Told>(scp)); };
+    return [scp](Driver& d) { d.app().scene.servo().setInteraction(std::make_unique<Told>(scp)); };
   };
   const Led::Path still = [](double) { return DevicePose{}; };
   // To and fro along x, up to `fast_mm_per_s`.
@@ -232,7 +234,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
       {Limit::Stiffness,
        [](Driver& d) {
          d.app().scene.servo_settings.stiffness_N_per_mm = 2.0;
-         d.app().scene.servo().setTracker(pull(d, 1.0));
+         d.app().scene.servo().setInteraction(pull(d, 1.0));
        },
        still},
       // A force along the hand's way, wherever it goes, makes energy without end.
@@ -278,7 +280,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
 TEST_CASE("a soft start that begins again and again for 1.5 s is told over the view") {
   auto d = startWith();
   lead(*d, {}, kDeep_mm);
-  d->app().scene.servo().setTracker(pull(*d, 1.0));
+  d->app().scene.servo().setInteraction(pull(*d, 1.0));
   for (int k = 0; k < 30; ++k) {
     ++d->app().scene.servo_settings.discontinuities;
     d->frames(6);
@@ -316,7 +318,7 @@ TEST_CASE(
   auto d = startWith();
   Led& stylus = lead(
       *d, [](double t) { return DevicePose{.position = {}, .fault = t < 2.0}; }, kDeep_mm);
-  d->app().scene.servo().setTracker(pull(*d, 1.0));
+  d->app().scene.servo().setInteraction(pull(*d, 1.0));
   stylus.said = {.ready = false, .text = "Put the stylus into the inkwell.", .asks_calibrate = true};
   d->frames(20);
   CHECK(told(*d, "Led stylus gives no force yet. Put the stylus into the inkwell."));

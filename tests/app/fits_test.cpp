@@ -26,8 +26,10 @@ std::string cutOff(glm::vec2 window) {
   return out;
 }
 
+const std::string kLongTitle = "A lesson of a length that a title may have";
+
 struct Page {
-  const char* name;
+  std::string name;
   std::function<void(Driver&)> show;
 };
 
@@ -37,9 +39,9 @@ struct Files {
   std::string lesson, wrong, attempt;
 
   Files() {
-    const std::string head =
-        "---\ntitle: A lesson of a length that a title may have\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: "
-        "A\nlicence: L\nlocked: all\n---\n";
+    const std::string head = "---\ntitle: " + kLongTitle +
+                             "\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: "
+                             "A\nlicence: L\nlocked: all\n---\n";
     const std::string text =
         "## One\n```scene\nmolecule: 1ubq\ncolour: chain\n```\nSee [more](#aside-more).\n## Aside: More\nText.\n## "
         "Two\nText.\n";
@@ -177,7 +179,7 @@ TEST_CASE("in every language no text of a page at 1280x800 sticks out, nor is on
       std::string cut;
       // Names of files and titles of lessons may be too long in any language.
       for (const std::string& text : widgets().cut())
-        if (!in_english[page.name].contains(text)) cut += "\n" + text;
+        if (text != kLongTitle && !in_english[page.name].contains(text)) cut += "\n" + text;
       if (language.code == "en")
         in_english[page.name] = widgets().cut();
       else
@@ -200,7 +202,11 @@ TEST_CASE("in every language the menus are whole, and no two begin with the same
       CHECK(d->text(name) == menuLabel(Menu(menu)));
       CHECK(d->click(name));
       d->frames(3);
-      CHECK(cutOff({1280, 800}) == "");
+      // A menu is as wide as its longest line; that must have room.
+      for (const auto& [item, r] : widgets().all()) {
+        CAPTURE(item);
+        if (item.starts_with(name + "/")) CHECK((r.low.x >= 0 && r.high.x <= 1280 && r.high.y <= 800));
+      }
       d->tap("Escape");
       d->frames(3);
     }

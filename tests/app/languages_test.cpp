@@ -58,7 +58,7 @@ TEST_CASE("a touch is told in German as in English, atom for atom") {
   d->press();
   d->frames(120);
   REQUIRE(d->app().scene.log().touching());
-  CHECK(d->text("view/state").starts_with("berührt: Argon"));
+  CHECK(d->text("view/state").starts_with("berührt: "));
   CHECK(contains(d->text("view/state"), "\u00a0N"));
   CHECK(contains(d->text("view/state"), ","));
   d->release();
@@ -79,6 +79,27 @@ TEST_CASE("what is asked for at the start stands before the settings until anoth
   d->app().settings.language = "en";
   d->frames(2);
   CHECK(d->text("menu/file") == "File");
+}
+
+TEST_CASE("the shelf has one card for a lesson in two languages, in the language in use, also when that changes") {
+  const EnglishAgain at_end;
+  Scratch scratch;
+  const auto text = [](const char* title) {
+    return std::string("---\ntitle: ") + title +
+           "\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n## One\n```scene\nmolecule: "
+           "argon\n```\nText.\n";
+  };
+  scratch.file("mine.md", text("Mine"));
+  scratch.file("mine.de.md", text("Meine"));
+  auto d = startWith("argon");
+  d->app().settings.lesson_folder = scratch.folder.string();
+  d->app().panels.welcome = true;
+  d->frames(60);
+  CHECK(d->text("welcome/own/mine").starts_with("Mine\n"));
+  CHECK(d->text("welcome/own/mine.de").empty());
+  d->app().settings.language = "de";
+  d->frames(60);
+  CHECK(d->text("welcome/own/mine").starts_with("Meine\n5\u00a0min"));
 }
 
 TEST_CASE("signs of another script are loaded when they are first to be shown, and no others") {

@@ -222,7 +222,7 @@ TEST_CASE("files dropped on the window are opened, molecules too") {
   d->app().drop({MOLTACT_SOURCE_DIR "/molecules/benzene.pdb", "other.pdb"});
   d->app().finishLoading();
   d->frames(3);
-  CHECK(d->app().scene.file().filename() == "benzene.pdb");
+  CHECK(d->app().scene.molecule().file.filename() == "benzene.pdb");
   CHECK(contains(d->text("message/0"), "Of 2 files the first was opened"));
 }
 
@@ -283,4 +283,27 @@ TEST_CASE("an aside has no place in the row of steps, and its only button leads 
   d->click("lesson/next");
   d->frames(2);
   CHECK(d->text("lesson/place") == "Step 2 of 2");
+}
+
+TEST_CASE("two steps with the same molecule, one with its waters, are two scenes: 602 atoms, then 660, then 602") {
+  AuthorFolder scratch;
+  const fs::path file = scratch / "wet.md";
+  save(file,
+       "---\ntitle: Wet\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n"
+       "## Dry\n```scene\nmolecule: 1ubq\n```\nText.\n## Wet\n```scene\nwaters: yes\n```\n"
+       "```touch\nreach: water\nsay: S\n```\n");
+  auto d = startWith(file.string());
+  const auto atoms = [&] {
+    d->app().finishLoading();
+    d->frames(3);
+    return d->app().scene.stage().molecule->atoms.size();
+  };
+  CHECK(atoms() == 602);
+  d->click("lesson/next");
+  CHECK(atoms() == 660);
+  CHECK(d->app().lesson.onStage());
+  CHECK(d->app().scene.molecule().reading.waters);
+  d->click("lesson/back");
+  CHECK(atoms() == 602);
+  CHECK(d->app().lesson.onStage());
 }

@@ -209,7 +209,7 @@ void LessonHand::useMethod(const std::string& name) {
   }
   const Method& m = *findMethod(name);
   d_.click("tab/Methods");
-  d_.click("method/" + std::string(m.family));
+  d_.click("method/" + std::string(m.family.name));
   d_.frames(2);
   if (!m.grade.empty() && d_.app().scene.method() != name) d_.click("grade/" + std::string(m.grade));
   d_.frames(2);

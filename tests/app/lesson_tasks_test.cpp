@@ -177,7 +177,7 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   }
   d->letGo("Space");
   CHECK(session(*d).task(0).done);
-  CHECK(contains(d->text("task/0/curve"), " %"));
+  CHECK(contains(d->text("task/0/curve"), "\u00a0%"));
 
   // Same or different: told by the meter, 0.1 N/mm against 0.5 N/mm.
   goOn(*d, "same-or-different");

@@ -51,6 +51,7 @@ TEST_CASE("the error against the exact SCP is the distance of the two, and 0 whe
     s.contact.scp = {scp};
     s.contact.atoms[0] = 0;
     s.contact.feature = Feature::Sphere;
+    stretchToScp(s.contact, s.hip);
     s.work_us = 0.5f;
     return watch.add(s, *findMethod(method));
   };

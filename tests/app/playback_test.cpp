@@ -44,7 +44,7 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
   Playback& playback = app.extensions().playback;
   REQUIRE(playback.on());
   CHECK(app.scene.playing());
-  CHECK(app.scene.file().filename().string() == line.stage(0.1)->file);
+  CHECK(app.scene.molecule().file.filename().string() == line.stage(0.1)->file);
   playback.setRunning(false);
   std::size_t touched = 0;
   for (int k = 1; k < 40; ++k) {
@@ -52,7 +52,7 @@ TEST_CASE("an attempt opened as a file moves the probe as the hand did, says wha
     driver->frames(2);
     const auto hand = line.hand(playback.at_s());
     REQUIRE(hand.has_value());
-    if (app.scene.file().filename() != line.stage(playback.at_s())->file) continue;
+    if (app.scene.molecule().file.filename() != line.stage(playback.at_s())->file) continue;
     CHECK(glm::distance(app.scene.log().latest().hip.A, hand->hip.A) < 1e-9);
     CHECK(app.scene.log().touching() == (hand->feature != Feature::Free));
     if (hand->feature == Feature::Free) continue;

@@ -97,7 +97,7 @@ TEST_CASE(
   d->frames(3);
   HandRecorder& player = d->app().extensions().hand_recorder;
   REQUIRE(player.playing());
-  CHECK(d->app().scene.file().stem() == "1ubq");
+  CHECK(d->app().scene.molecule().file.stem() == "1ubq");
   CHECK_FALSE(told(*d, "is not what the hand was recorded on"));
   CHECK(d->text("status/device") == "Recorded hand");
   CHECK_FALSE(d->app().scene.servo().device().gives_force);

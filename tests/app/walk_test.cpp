@@ -131,7 +131,7 @@ click preferences/numbers/1,4
 wait 3
 key Escape
 wait 3
-expect probe 1,4 Å
+expect probe 1,4 Å
 key Alt+Right
 wait 3
 point question/0/feedback

@@ -55,7 +55,7 @@ TEST_CASE("arrow keys and Enter alone open the first lesson, and a molecule far 
   d->tap("Enter");
   d->frames(5);
   CHECK_FALSE(d->shows("welcome/title"));
-  CHECK(d->app().scene.file() == library().back().file);
+  CHECK(d->app().scene.molecule().file == library().back().file);
 }
 
 TEST_CASE("while the welcome page is open the hand feels nothing") {

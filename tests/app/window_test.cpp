@@ -56,15 +56,15 @@ TEST_CASE("what is left out of a file is told for 6 s when it is opened by hand,
 }
 
 TEST_CASE("an exception while a file is read becomes a problem that names the file") {
-  Loader starved([](const fs::path&) -> Loaded { throw std::bad_alloc(); });
-  starved.begin("huge.pdb");
+  Loader starved([](const MoleculeKey&) -> Loaded { throw std::bad_alloc(); });
+  starved.begin({"huge.pdb"});
   const std::optional<Loaded> none = starved.wait();
   REQUIRE(none);
   REQUIRE_FALSE(none->stage);
   CHECK(contains(none->stage.problem().text(), "huge.pdb"));
   CHECK(contains(none->stage.problem().text(), "memory"));
-  Loader failing([](const fs::path&) -> Loaded { throw std::runtime_error("disk on fire"); });
-  failing.begin("a.pdb");
+  Loader failing([](const MoleculeKey&) -> Loaded { throw std::runtime_error("disk on fire"); });
+  failing.begin({"a.pdb"});
   const std::optional<Loaded> told = failing.wait();
   REQUIRE(told);
   CHECK(contains(told->stage.problem().text(), "disk on fire"));

@@ -52,7 +52,8 @@ struct Wrong {
       const Vec3 pull = c.scp.A - hip.A, across = glm::cross(pull, Vec3(0.3, 0.5, 0.8));
       if (!c.touching() || glm::length(across) == 0) return c;
       const double a = turn_deg * 3.141592653589793 / 180;
-      c.normal = glm::normalize(glm::normalize(pull) * std::cos(a) + glm::normalize(across) * std::sin(a));
+      c.displacement_A = glm::length(pull) * scale *
+                         glm::normalize(glm::normalize(pull) * std::cos(a) + glm::normalize(across) * std::sin(a));
       c.scp.A = hip.A + pull * scale;
       return c;
     }

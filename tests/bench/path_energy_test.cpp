@@ -27,11 +27,9 @@ class TurnedForce final : public Tracker {
       : exact_(std::move(scene), probe_A), angle_(angle) {}
   Contact step(PointA hip) noexcept override {
     Contact c = exact_.step(hip);
-    const Vec3 pull = c.scp.A - hip.A;
-    const double size = glm::length(pull);
-    if (!c.touching() || size == 0) return c;
+    const Vec3 pull = c.displacement_A;
     const double s = std::sin(angle_), k = std::cos(angle_);
-    c.normal = Vec3(k * pull.x - s * pull.y, s * pull.x + k * pull.y, pull.z) / size;
+    c.displacement_A = Vec3(k * pull.x - s * pull.y, s * pull.x + k * pull.y, pull.z);
     return c;
   }
   void reset() noexcept override { exact_.reset(); }
@@ -103,7 +101,7 @@ TEST_CASE(
   Vec3 last = path.front(), force(0);
   for (const Vec3& h : path) {
     const Vec3 before = force;
-    force = (tracker->step({h}).scp.A - h) * kN_per_A;
+    force = tracker->step({h}).displacement_A * kN_per_A;
     absorbed -= glm::dot(0.5 * (force + before), h - last) * kJ_per_N_A;
     last = h;
     const double balance = glm::dot(force, force) / (2 * kN_per_A) * kJ_per_N_A - absorbed;

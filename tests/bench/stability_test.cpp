@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "engine/bench/path_energy.h"
-#include "engine/bench/plain_wall.h"
 #include "engine/bench/smaller_probe.h"
 #include "engine/bench/strokes.h"
+#include "engine/servo/plain_trackers.h"
 
 using namespace moltact;
 using namespace moltact::bench;
@@ -66,7 +66,7 @@ TEST_CASE("pressed straight onto one sphere, exact makes the energy of a plain w
       device.tick(tracker, {{0, 0, surface_z + 0.3 - 1.3 * std::abs(std::sin(0.002 * k))}});
     return device.made_J();
   };
-  PlainWall wall;
+  WallTracker wall(0.0);
   const auto scene = std::make_shared<const BallScene>(std::vector<Ball>{{{0, 0, -3.1}, 1.7}});
   const auto exact = findMethod("exact")->make(scene, 1.4);
   const double on_wall = pressed(wall, 0);

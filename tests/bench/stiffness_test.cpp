@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/bench/plain_wall.h"
+#include "engine/servo/plain_trackers.h"
 
 using namespace moltact;
 using namespace moltact::bench;
@@ -16,7 +16,7 @@ namespace {
 const glm::dmat3 kStraight(1.0);
 
 double onWall(const StiffnessSetup& setup) {
-  return stiffestStable([] { return std::make_unique<PlainWall>(); }, Vec3(0), Vec3(0, 0, 1), kStraight, setup);
+  return stiffestStable([] { return std::make_unique<WallTracker>(0.0); }, Vec3(0), Vec3(0, 0, 1), kStraight, setup);
 }
 
 double at(const std::string& place, const char* method, const StiffnessSetup& setup) {
@@ -78,7 +78,7 @@ TEST_CASE(
   const auto slanted = [&](double angle) {
     const double c = std::cos(angle), s = std::sin(angle);
     const glm::dmat3 turn = glm::dmat3(1, 0, 0, 0, c, s, 0, -s, c) * glm::dmat3(c, s, 0, -s, c, 0, 0, 0, 1);
-    return stiffestStable([] { return std::make_unique<PlainWall>(); }, Vec3(0), Vec3(0, 0, 1), turn, setup);
+    return stiffestStable([] { return std::make_unique<WallTracker>(0.0); }, Vec3(0), Vec3(0, 0, 1), turn, setup);
   };
   double low = 100, high = 0;
   for (const double angle : {0.0, 0.4, 0.8, 1.1})

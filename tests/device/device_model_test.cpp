@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "engine/bench/closed_loop.h"
-#include "engine/bench/plain_wall.h"
+#include "engine/servo/plain_trackers.h"
 
 using namespace moltact;
 using namespace moltact::bench;

@@ -92,17 +92,17 @@ int run(const std::string& name, const std::string& way) {
   ServoThread servo(mouse);
   ServoSettings settings;
   settings.workspace.A_per_mm = 1.0;
-  servo.setSettings(settings);
+  servo.loop().setSettings(settings);
   servo.setDevice(std::move(*device));
-  servo.setTracker(std::make_unique<CrashingTracker>());
+  servo.loop().setInteraction(std::make_unique<CrashingTracker>());
   for (int k = 0; k < 20'000; ++k) {
-    if (servo.device()->status().asks_calibrate) servo.device()->calibrate();
-    servo.drain([](const ServoSample&) {});
-    if (!servo.fallenBack() && glm::length(servo.latest().force.N) > 0.3) {
+    if (servo.loop().device()->status().asks_calibrate) servo.loop().device()->calibrate();
+    servo.loop().drain([](const ServoSample&) {});
+    if (!servo.loop().fallenBack() && glm::length(servo.loop().latest().force.N) > 0.3) {
       std::this_thread::sleep_for(std::chrono::milliseconds(20));
       tell("pressing");
       if (way == "close" || way == "leave") {  // from full force
-        for (int tries = 0; tries < 10'000 && glm::length(servo.latest().force.N) < 2.2; ++tries)
+        for (int tries = 0; tries < 10'000 && glm::length(servo.loop().latest().force.N) < 2.2; ++tries)
           std::this_thread::sleep_for(std::chrono::milliseconds(1));
         tell(std::to_string(monotonic_ns()));
         way == "close" ? servo.setDevice(nullptr) : servo.endForce();

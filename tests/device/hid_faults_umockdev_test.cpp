@@ -25,7 +25,7 @@ class Loop {
 
   ServoSample tick() {
     const ServoSample sample = step_.tick(settings_, &pull_, switch_.read(kTick_s, step_));
-    switch_.write(sample.force);
+    switch_.write({sample.force});
     if (std::exchange(was_back_, switch_.fallenBack()) != switch_.fallenBack())
       last_ = Vec3(0.0);  // another one is given force
     const double most = switch_.fallenBack() ? 0.0 : device_.info().max_force_N, size = glm::length(sample.force.N);

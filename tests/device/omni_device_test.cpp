@@ -21,7 +21,7 @@ TEST_CASE("without libHD.so the list says in one line how to get it, and opening
 
 TEST_CASE(
     "the device's figures are read from the driver: 3.3 N, 0.88 N, 0.5 N/mm, 3 N s/m, 160 x 120 x 70 mm, "
-    "1.2 m/s, 4 N a tick; three degrees of freedom are used either way") {
+    "1.2 m/s, 4 N a tick; six degrees of freedom are read and three driven") {
   const StandIn omni;
   const auto device = opened();
   const DeviceInfo& info = device->info();
@@ -35,9 +35,27 @@ TEST_CASE(
   CHECK(info.workspace_mm == Vec3(160, 120, 70));
   CHECK(info.speed_limit_m_per_s == doctest::Approx(1.2));
   CHECK(info.slew_limit_N_per_s == doctest::Approx(4000));
-  CHECK(info.dof_in == 3);
+  CHECK(info.dof_in == 6);
   CHECK(info.dof_out == 3);
   CHECK_FALSE(OmniDevice::open());  // there is one default device
+}
+
+TEST_CASE("the stylus's turn is told: a quarter round y, and the one of before where the driver tells none") {
+  const StandIn omni;
+  const auto device = opened();
+  Loop loop(*device);
+  omni.step(10);
+  CHECK(glm::distance(loop.last.orientation * Vec3(1, 0, 0), Vec3(0, 0, -1)) < 1e-12);
+  CHECK(loop.last.torque_N_mm == Vec3(0));
+  double columns[16] = {};
+  const Quat before = glm::angleAxis(0.3, Vec3(1, 0, 0));
+  CHECK(hd::orientationOf(columns, before) == before);
+  columns[0] = columns[5] = columns[10] = 2.0;
+  CHECK(hd::orientationOf(columns, before) == before);
+  columns[0] = columns[5] = columns[10] = 1.0;
+  CHECK(hd::orientationOf(columns, before) == kNoRotation);
+  columns[0] = std::nan("");
+  CHECK(hd::orientationOf(columns, before) == before);
 }
 
 TEST_CASE("a place is told from the middle of the usable room, wherever the driver has its origin") {

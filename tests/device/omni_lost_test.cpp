@@ -208,7 +208,7 @@ TEST_CASE(
       lost += !stylus->status().connected;
       stylus->calibrate();
       CHECK(stylus->info().max_force_N == 3.3);
-      servo.drain([](const ServoSample& sample) { CHECK(finite(sample.force.N)); });
+      servo.loop().drain([](const ServoSample& sample) { CHECK(finite(sample.force.N)); });
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   };
@@ -228,9 +228,9 @@ TEST_CASE(
   ask(1500);
   CHECK(lost > 0);
   untilThere(*stylus);
-  const auto until = servo.latest().tick + 50;
-  while (servo.latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  CHECK_FALSE(servo.fallenBack());
+  const auto until = servo.loop().latest().tick + 50;
+  while (servo.loop().latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  CHECK_FALSE(servo.loop().fallenBack());
   servo.setDevice(nullptr);
   CHECK_FALSE(omni.initialised());
 }
@@ -242,10 +242,10 @@ TEST_CASE("in the haptic thread, by the stand-in's own clock of 1 kHz, it leads 
   auto device = openDevice("omni");
   REQUIRE(device);
   servo.setDevice(std::move(*device));
-  const auto until = servo.latest().tick + 200;
-  while (servo.latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  CHECK_FALSE(servo.fallenBack());
-  CHECK(servo.latest().hand.mm != Vec3(0));
+  const auto until = servo.loop().latest().tick + 200;
+  while (servo.loop().latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  CHECK_FALSE(servo.loop().fallenBack());
+  CHECK(servo.loop().latest().hand.mm != Vec3(0));
   servo.setDevice(nullptr);
   CHECK_FALSE(OmniDevice::taken());
   CHECK(omni.call<double()>("standInForceAtStop")() == 0.0);

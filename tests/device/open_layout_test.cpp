@@ -213,6 +213,38 @@ TEST_CASE(
   CHECK(off());
 }
 
+TEST_CASE("the quaternion turns the hand where the description says that it is measured, and only as a rotation") {
+  FarEnd end;
+  putInt16(end.feature, 28, kMeasuresOrientation);
+  FarEndPort port(end);
+  OpenProtocol open;
+  DeviceInfo info;
+  REQUIRE_FALSE(open.begin(port, info));
+  CHECK(info.dof_in == 6);
+  DevicePose pose;
+  Report place(kPlaceBytes);
+  place[0] = kPlaceReport;
+  const auto turned = [&](std::uint8_t number, double x, double y, double z, double w) {
+    place[1] = number;
+    const double parts[] = {x, y, z, w};
+    for (std::size_t k = 0; k < 4; ++k) putInt16(place, 13 + 2 * k, int(std::lround(32767 * parts[k])));
+    CHECK(open.take(place, pose));
+  };
+  const double half = std::sqrt(0.5);
+  turned(1, 0, half, 0, half);  // a quarter round y: x goes to -z
+  CHECK(glm::distance(pose.orientation * Vec3(1, 0, 0), Vec3(0, 0, -1)) < 1e-4);
+  CHECK(rotates(pose.orientation));
+  turned(2, 0, 0, 0, 0);
+  turned(3, 0, 0.5, 0, 0.5);
+  CHECK(glm::distance(pose.orientation * Vec3(1, 0, 0), Vec3(0, 0, -1)) < 1e-4);
+
+  OpenProtocol silent = opened();
+  DevicePose upright;
+  turned(4, 0, half, 0, half);
+  CHECK(silent.take(place, upright));
+  CHECK(upright.orientation == kNoRotation);
+}
+
 TEST_CASE("a cut by the device's watchdog is told for 20 ms even when the next places come at once, and then no more") {
   OpenProtocol open = opened();
   DevicePose pose;
@@ -286,11 +318,11 @@ TEST_CASE(
   CHECK(motors() == 1);
   ServoSettings settings;
   settings.panic = true;
-  servo.setSettings(settings);
+  servo.loop().setSettings(settings);
   waitFor([&] { return motors() == 0; });
   CHECK(motors() == 0);
   settings.panic = false;
-  servo.setSettings(settings);
+  servo.loop().setSettings(settings);
   waitFor([&] { return motors() == 1; });
   CHECK(motors() == 1);
   servo.setDevice(nullptr);

@@ -30,7 +30,7 @@ struct Rig {
   ServoSample tick() {
     const DevicePose pose = devices.read(kTick_s, step);
     const ServoSample sample = step.tick(settings, tracker.get(), pose);
-    devices.write(sample.force);
+    devices.write({sample.force});
     return sample;
   }
 };

@@ -7,8 +7,8 @@
 #include "engine/results/class_page.h"
 #include "engine/results/class_summary.h"
 #include "engine/results/timeline.h"
+#include "tests/fuzz/attempt_maker.h"
 #include "tests/fuzz/target.h"
-#include "tests/results/sample_attempt.h"
 
 namespace moltact::fuzz {
 namespace {
@@ -31,24 +31,8 @@ void readAndTell(const std::string& file) {
 void attempt(std::string_view bytes) { readAndTell(fileOf(bytes, "a.jsonl")); }
 
 void attemptLines(std::string_view bytes) {
-  static const std::vector<AttemptEvent> events = sampleEvents();
   Choices choices(bytes);
-  std::string text = lineOf(sampleHeader());
-  for (std::size_t n = 1 + choices.pick(24); n > 0; --n) {
-    std::string line = lineOf(events[choices.pick(events.size())]);
-    for (std::size_t changes = choices.pick(4); changes > 0; --changes) {
-      // A number, or what stands between two quotes, becomes another.
-      const std::size_t from = choices.pick(line.size()), at = line.find_first_of(":[,", from);
-      if (at == std::string::npos || at + 1 >= line.size()) continue;
-      const std::size_t end = line.find_first_of(",]}\n", at + 1);
-      if (line[at + 1] == '{' || line[at + 1] == '[')
-        line.insert(at + 1, line[at + 1] == '[' && choices.pick(2) ? "[" : "");
-      else
-        line.replace(at + 1, end - at - 1, oddNumber(choices));
-    }
-    text += line;
-  }
-  readAndTell(fileOf(text, "a.jsonl"));
+  readAndTell(fileOf(madeAttempt(choices), "a.jsonl"));
 }
 
 }  // namespace moltact::fuzz

@@ -11,12 +11,13 @@ namespace moltact::fuzz {
 
 void lesson(std::string_view bytes) {
   static const auto molecule = std::make_shared<const Molecule>(mixedMolecule());
-  const LessonCheck check = checkLesson("/nowhere/x.md", std::string(bytes),
-                                        [](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
-                                          if (name.size() > 6)
-                                            return Problem{{}, 0, 0, "there is no such molecule", "take another"};
-                                          return molecule;
-                                        });
+  const LessonCheck check =
+      checkLesson("/nowhere/x.md", std::string(bytes),
+                  [](const NamedMolecule& molecule_named) -> Expected<std::shared_ptr<const Molecule>> {
+                    if (molecule_named.name.size() > 6)
+                      return Problem{{}, 0, 0, "there is no such molecule", "take another"};
+                    return molecule;
+                  });
   mustBe(check.lesson || !check.errors.empty(), "a lesson or an error");
   mustBe(check.errors.size() <= kMostLessonProblems + 1 && check.warnings.size() <= kMostLessonProblems + 1,
          "no more problems than are told");

@@ -1,15 +1,13 @@
 // Recordings of a hand: as bytes; as blocks of ticks with any numbers and a right checksum; and with the state that the
 // first tick begins from. What can be read is replayed: every force is finite and no greater than the device gives.
-#include <zlib.h>
-
 #include <cmath>
-#include <fstream>
+#include <limits>
 
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/playback_device.h"
 #include "engine/servo/servo_recording.h"
-#include "engine/servo/step_state.h"
+#include "tests/fuzz/recording_maker.h"
 #include "tests/fuzz/target.h"
 
 namespace moltact::fuzz {
@@ -31,55 +29,16 @@ void replayed(const std::string& file) {
   for (int k = 0; k < 10; ++k) device.read(0.001);
 }
 
-void number(std::string& to, std::uint32_t value) {
-  for (int k = 0; k < 4; ++k) to += char(value >> (8 * k) & 0xff);
-}
-std::uint32_t checksum(std::string_view bytes) {
-  return static_cast<std::uint32_t>(crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), uInt(bytes.size())));
-}
-
-// What a program of ours writes of a few ticks; its state's text apart.
-struct Sample {
-  std::string labels = "molecule=1ubq\nmethod=exact\n", build, state, ticks;
-  std::uint32_t count = 8;
-  Sample() {
-    const std::string file = fileOf("", "sample.recording");
-    auto writer = ServoRecordingWriter::create(file, true);
-    ServoStep step;
-    mustBe(writer && !writer->begin({{"molecule", "1ubq"}, {"method", "exact"}}, step), "a recording");
-    for (std::uint32_t k = 0; k < count; ++k) {
-      RecordedTick tick;
-      tick.pose.position.mm.x = 30.0 - 4.0 * k;
-      if (k == 1) tick.other_device = true, tick.device.gives_force = true;
-      if (k == 4) tick.settings.stiffness_N_per_mm = 0.3;
-      mustBe(!writer->add(tick), "a tick");
-    }
-    mustBe(!writer->finish(), "an end");
-    std::ifstream in(file, std::ios::binary);
-    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
-    const auto at = [&](std::size_t place) {
-      std::uint32_t out = 0;
-      for (int k = 3; k >= 0; --k) out = out << 8 | static_cast<unsigned char>(bytes[place + std::size_t(k)]);
-      return out;
-    };
-    build = bytes.substr(20 + at(8), at(12));
-    state = bytes.substr(20 + at(8) + at(12), at(16));
-    ticks = bytes.substr(20 + at(8) + at(12) + at(16) + 4 + 16);
-  }
-  std::string file(const std::string& with_state, const std::string& with_ticks, std::uint32_t with_count) const {
-    std::string out = "MOLTRAC3";
-    number(out, std::uint32_t(labels.size())), number(out, std::uint32_t(build.size())),
-        number(out, std::uint32_t(with_state.size()));
-    out += labels + build + with_state;
-    number(out, checksum(out));
-    out += "BLK1";
-    number(out, with_count), number(out, std::uint32_t(with_ticks.size())), number(out, checksum(with_ticks));
-    return out + with_ticks;
-  }
-};
-
-const Sample& sample() {
-  static const Sample out;
+// Eight ticks that come from outside into the cluster.
+const RecordingParts& sample() {
+  static const RecordingParts out = [] {
+    std::vector<RecordedTick> ticks(8);
+    for (std::size_t k = 0; k < ticks.size(); ++k) ticks[k].pose.position.mm.x = 30.0 - 4.0 * double(k);
+    ticks[1].other_device = ticks[1].device.gives_force = true;
+    for (std::size_t k = 2; k < ticks.size(); ++k) ticks[k].device = ticks[1].device;
+    ticks[4].settings.stiffness_N_per_mm = 0.3;
+    return partsOf(recordingOf({{"molecule", "1ubq"}, {"method", "exact"}}, ticks));
+  }();
   return out;
 }
 
@@ -89,7 +48,8 @@ void recording(std::string_view bytes) {
   replayed(fileOf(bytes, "a.recording"));
   // The same changes to the ticks, under a checksum that is right.
   Choices choices(bytes);
-  std::string ticks = sample().ticks;
+  RecordingParts changed = sample();
+  std::string& ticks = changed.ticks;
   for (std::size_t n = choices.pick(12); n > 0; --n) {
     const std::size_t at = choices.pick(ticks.size()), how = choices.pick(4);
     constexpr double kOdd[] = {0.0,
@@ -105,27 +65,15 @@ void recording(std::string_view bytes) {
     else if (at + 8 <= ticks.size())
       ticks.replace(at, 8, reinterpret_cast<const char*>(&kOdd[choices.pick(std::size(kOdd))]), 8);
   }
-  replayed(fileOf(sample().file(sample().state, ticks, sample().count), "a.recording"));
+  replayed(fileOf(changed.file(), "a.recording"));
+  replayed(fileOf(madeRecording(choices, 16, {}), "a.recording"));
 }
 
 void recordingState(std::string_view bytes) {
   Choices choices(bytes);
-  std::string state = sample().state;
-  for (std::size_t n = choices.pick(8); n > 0; --n) {
-    const std::size_t from = choices.pick(state.size()), at = state.find('=', from), how = choices.pick(8);
-    if (at == std::string::npos) continue;
-    const std::size_t end = state.find('\n', at);
-    constexpr const char* kOdd[] = {
-        "0",       "1",       "8",   "9",   "7", "-1", "18446744073709551615", "4294967295", "1p+0", "1p+39", "-1p+39",
-        "1p+1000", "1p-1000", "nan", "inf", "",  "x"};
-    if (how == 0)
-      state.erase(at, choices.pick(30));
-    else if (how == 1)
-      state.insert(end, state.substr(choices.pick(state.size()), choices.pick(60)));
-    else
-      state.replace(at + 1, end - at - 1, kOdd[choices.pick(std::size(kOdd))]);
-  }
-  replayed(fileOf(sample().file(state, sample().ticks, sample().count), "a.recording"));
+  RecordingParts changed = sample();
+  changeState(changed.state, choices);
+  replayed(fileOf(changed.file(), "a.recording"));
 }
 
 }  // namespace moltact::fuzz

@@ -97,9 +97,60 @@ TEST_CASE("every method repeats a path of 1000 ticks to the last bit") {
     for (const Vec3& hip : path) {
       const Contact one = a->step({hip}), two = b->step({hip});
       same = same && one.scp.A == two.scp.A && one.atoms == two.atoms && one.feature == two.feature &&
-             one.normal == two.normal;
+             one.displacement_A == two.displacement_A && one.energy_A2 == two.energy_A2 && one.normals == two.normals;
     }
     CHECK(same);
+  }
+}
+
+TEST_CASE(
+    "every method's contact is whole: a unit normal outward for each atom, a displacement as long as SCP - HIP and "
+    "along "
+    "it unless it is shaded, the energy of its springs; and nothing of it without contact") {
+  const scenes::Scene scene = scenes::cluster(20, 5);
+  const scenes::Path path = scenes::walk(scene, 2000, 5);
+  for (const Method& method : benchMethods()) {
+    CAPTURE(std::string(method.name));
+    const auto tracker = method.make(makeScene(scene.balls), scene.probe_A);
+    const bool penalty = method.name == "penalty", shaded = method.name == "mesh960-smooth";
+    int touching = 0, left_over = 0, crooked = 0, inward = 0, wrong_length = 0, turned = 0, wrong_energy = 0;
+    for (const Vec3& hip : path) {
+      const Contact c = tracker->step({hip});
+      const Vec3 straight = c.scp.A - hip;
+      const double length = glm::length(straight);
+      touching += c.touching();
+      if (!c.touching()) left_over += c.displacement_A != Vec3(0.0) || c.energy_A2 != 0.0 || c.normals[0] != Vec3(0.0);
+      double energy = c.touching() ? 0.5 * length * length : 0.0;
+      if (penalty) {
+        energy = 0;
+        for (const Ball& b : scene.balls)
+          if (const double deep = b.radius_A + scene.probe_A - glm::distance(hip, b.centre_A);
+              c.touching() && deep > 0.0)
+            energy += 0.5 * deep * deep;
+      }
+      wrong_energy += std::abs(c.energy_A2 - energy) > 1e-9 * (1.0 + energy);
+      for (std::size_t k = 0; k < 3; ++k) {
+        if (c.atoms[k] < 0) {
+          left_over += c.normals[k] != Vec3(0.0);
+          continue;
+        }
+        crooked += std::abs(glm::length(c.normals[k]) - 1.0) > 1e-9;
+        inward +=
+            glm::dot(c.normals[k], (penalty ? hip : c.scp.A) - scene.balls[std::size_t(c.atoms[k])].centre_A) <= 0.0;
+      }
+      if (!c.touching()) continue;
+      wrong_length += std::abs(glm::length(c.displacement_A) - length) > 1e-9;
+      turned += glm::distance(c.displacement_A, straight) > 1e-9;
+      if (method.name != "exact" || length < 1e-3) continue;
+      // What is felt leads along what holds: over one sphere along its normal, in a crease in the plane of both.
+      const Vec3 way = c.displacement_A / length;
+      if (c.feature == Feature::Sphere) crooked += glm::distance(way, c.normals[0]) > 1e-6;
+      if (c.feature == Feature::Circle)
+        crooked += std::abs(glm::dot(way, glm::normalize(glm::cross(c.normals[0], c.normals[1])))) > 1e-6;
+    }
+    CHECK(touching > 500);
+    CHECK(left_over + crooked + inward + wrong_length + wrong_energy == 0);
+    CHECK((shaded ? turned > 500 : turned == 0));
   }
 }
 

@@ -42,7 +42,7 @@ inline Judged judge(Tracker& tracker, const scenes::Scene& scene, const scenes::
     if (c.touching()) out.deepest_A = std::max(out.deepest_A, oracle::deepest(scene.balls, scene.probe_A, c.scp.A));
     if (!right.decided) continue;
     ++out.ticks;
-    const Vec3 force = springEnd(c, {hip}).A - hip, true_force = right.scp_A - hip;
+    const Vec3 force = c.displacement_A, true_force = right.scp_A - hip;
     const double pull = glm::length(force), true_pull = glm::length(true_force);
     out.lost += right.contact && !c.touching() && true_pull > lost_from_A;
     out.false_contact += !right.contact && c.touching() && pull > lost_from_A;

@@ -12,6 +12,22 @@ using namespace moltact;
 using test::makeScene;
 using test::walkTo;
 
+TEST_CASE("the force is the slope of the energy that is stored, also where three balls push") {
+  PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}, {{2, 0, 0}, 1.7}, {{1, 1.8, 0}, 1.5}}), 1.4);
+  tracker.step({{0, 0, 9}});
+  for (const Vec3& hip : {Vec3(0.9, 0.6, 1.9), Vec3(-1, 0.2, 2.1), Vec3(1.1, 2.4, -1.2)}) {
+    const Contact c = tracker.step({hip});
+    REQUIRE(c.touching());
+    constexpr double kStep_A = 1e-5;
+    for (int k = 0; k < 3; ++k) {
+      Vec3 off(0.0);
+      off[k] = kStep_A;
+      const double up = tracker.step({hip + off}).energy_A2, down = tracker.step({hip - off}).energy_A2;
+      CHECK(c.displacement_A[k] == doctest::Approx((down - up) / (2 * kStep_A)).epsilon(1e-6));
+    }
+  }
+}
+
 TEST_CASE("in one ball of 3 A the push is the depth along the radius, so that the SCP is exact to 1e-14 A") {
   PenaltyTracker tracker(makeScene({{{0, 0, 0}, 1.6}}), 1.4);
   CHECK_FALSE(tracker.step({{0, 0, 5}}).touching());

@@ -21,7 +21,8 @@ namespace fs = std::filesystem;
 const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
 const std::string kStep = "## One step\n```scene\nmolecule: mix\n```\nText.\n";  // lines 9 to 13
 
-Expected<std::shared_ptr<const Molecule>> onlyMix(const std::string& name) {
+Expected<std::shared_ptr<const Molecule>> onlyMix(const NamedMolecule& named) {
+  const std::string& name = named.name;
   if (name == "mix") return std::make_shared<const Molecule>(mixedMolecule());
   return Problem{{}, 0, 0, "there is no molecule '" + name + "'", "choose another"};
 }
@@ -239,4 +240,12 @@ TEST_CASE(
         std::vector<fs::path>{folder.path / "a.md", folder.path / "b.md", folder.path / "deep/er/c.MD"});
   CHECK(found.others == std::vector<fs::path>{folder.path / "README.md"});
   CHECK(lessonsIn(folder.path / ".git" / "none").fault->message.starts_with("the folder cannot be read"));
+}
+
+TEST_CASE("each way of reading a molecule's file is kept by itself") {
+  LessonMolecules molecules;
+  const NamedMolecule wet("1ubq", {.waters = true});
+  CHECK((*molecules.find("l.md", "1ubq"))->atoms.size() == 602);
+  CHECK((*molecules.find("l.md", wet))->atoms.size() == 660);
+  CHECK(*molecules.find("l.md", wet) == *molecules.find("l.md", wet));
 }

@@ -19,8 +19,9 @@ struct File {
 constexpr File kFiles[] = {{MOLTACT_SOURCE_DIR "/lessons/first-touch.md", "First touch"},
                            {MOLTACT_SOURCE_DIR "/lessons/first-touch.de.md", "Erste Berührung"}};
 
-Expected<std::shared_ptr<const Molecule>> shipped(const std::string& name) {
-  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb");
+Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
+  const std::string& name = named.name;
+  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb", named.reading);
   if (!molecule) return molecule.problem();
   return std::make_shared<const Molecule>(*std::move(molecule));
 }
@@ -63,7 +64,7 @@ TEST_CASE(
     for (std::size_t i = 0; i < 5; ++i) {
       CHECK(lesson.steps[i].scene.molecule == expected[i]);
       CHECK(lesson.steps[i].tasks.size() >= 2);
-      used.insert(lesson.steps[i].scene.molecule);
+      used.insert(lesson.steps[i].scene.molecule.name);
     }
     CHECK(used.size() == lesson.molecules.size());
     std::size_t questions = 0, notes = 0, tips = 0;

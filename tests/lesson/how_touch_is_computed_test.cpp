@@ -16,8 +16,9 @@ namespace {
 
 constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/lessons/how-touch-is-computed.md";
 
-Expected<std::shared_ptr<const Molecule>> shipped(const std::string& name) {
-  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb");
+Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
+  const std::string& name = named.name;
+  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb", named.reading);
   if (!molecule) return molecule.problem();
   return std::make_shared<const Molecule>(*std::move(molecule));
 }
@@ -65,7 +66,7 @@ TEST_CASE(
   for (const Step& s : read.lesson->steps) {
     CHECK_FALSE(s.tasks.empty());
     CHECK(s.scene.panels == std::vector<std::string>{"methods"});
-    used.insert(s.scene.molecule);
+    used.insert(s.scene.molecule.name);
     for (const TaskSpec& t : s.tasks)
       if (t.kind == "meet") failures.insert(t.values["meet"].words.at(0));
   }

@@ -44,7 +44,7 @@ struct Result {
 
 Result checked(const std::string& text, const std::string& file = "/nowhere/large.md") {
   Result out;
-  out.check = checkLesson(file, text, [&](const std::string&) -> Expected<std::shared_ptr<const Molecule>> {
+  out.check = checkLesson(file, text, [&](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
     ++out.asked;
     return Problem{{}, 0, 0, "there is no such molecule", "take another"};
   });

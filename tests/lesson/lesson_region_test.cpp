@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/lesson/check.h"
+#include "engine/servo/scale.h"
 #include "tests/lesson/small_molecules.h"
 
 using namespace moltact;
@@ -28,7 +29,7 @@ TEST_CASE(
 
 TEST_CASE("a scene that magnifies what the molecule does not have is told by the check") {
   const std::string head = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
-  const auto mix = [](const std::string&) -> Expected<std::shared_ptr<const Molecule>> {
+  const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
     return std::make_shared<const Molecule>(mixedMolecule());
   };
   const LessonCheck check =

@@ -12,6 +12,7 @@ Contact at(Vec3 scp_A) {
   c.scp.A = scp_A;
   c.atoms[0] = 0;
   c.feature = Feature::Sphere;
+  stretchToScp(c, {});  // from the hand at the origin
   return c;
 }
 Contact nowhere() { return {}; }

@@ -82,8 +82,8 @@ TEST_CASE(
     "every single line deleted, doubled, misspelt or swapped with its neighbour leaves no crash and no place outside "
     "the file") {
   LessonMolecules library;
-  std::map<std::string, Expected<std::shared_ptr<const Molecule>>> known;
-  const MoleculeByName molecules = [&](const std::string& name) {
+  std::map<NamedMolecule, Expected<std::shared_ptr<const Molecule>>> known;
+  const MoleculeByName molecules = [&](const NamedMolecule& name) {
     const auto found = known.find(name);
     return found != known.end() ? found->second : known.emplace(name, library.find("lesson.md", name)).first->second;
   };

@@ -241,7 +241,8 @@ TEST_CASE("empty selections and molecules that are not there are told at their p
       "```touch\ncross: all\nto: ligand\nsay: S\n```\n## B\n```scene\nmolecule: water\n```\n");
   int asked = 0;
   const auto found =
-      checkAgainstMolecules(l, [&](const std::string& name) -> Expected<std::shared_ptr<const Molecule>> {
+      checkAgainstMolecules(l, [&](const NamedMolecule& named) -> Expected<std::shared_ptr<const Molecule>> {
+        const std::string& name = named.name;
         ++asked;
         if (name != "mix") return Problem{{}, 0, 0, "there is no molecule '" + name + "'", "choose another"};
         return std::make_shared<const Molecule>(mixedMolecule());
@@ -274,4 +275,29 @@ TEST_CASE("every key has a meaning that ends in a full stop, and every fallback 
 TEST_CASE("a slug is what Git hosts make of a heading") {
   CHECK(slug("Two atoms and a crease") == "two-atoms-and-a-crease");
   CHECK(slug(" What's 4 Å? ") == "whats-4-Å");
+}
+
+TEST_CASE("model, assembly and waters go on from scene to scene; a scene that names its molecule starts them anew") {
+  const Lesson l = lesson(
+      "## A\n```scene\nmolecule: mix\nmodel: 2\nassembly: 1\n```\nText.\n## B\n```scene\nwaters: yes\n```\nText.\n"
+      "## C\n```scene\nassembly: none\n```\nText.\n## D\n```scene\nmolecule: mix\n```\nText.\n");
+  REQUIRE(l.steps.size() == 4);
+  CHECK(l.steps[0].scene.molecule == NamedMolecule("mix", {.model = 2, .assembly = "1"}));
+  CHECK(l.steps[1].scene.molecule == NamedMolecule("mix", {.model = 2, .waters = true, .assembly = "1"}));
+  CHECK(l.steps[2].scene.molecule == NamedMolecule("mix", {.model = 2, .waters = true}));
+  CHECK(l.steps[3].scene.molecule == NamedMolecule("mix"));
+  CHECK(l.steps[0].scene != l.steps[3].scene);
+}
+
+TEST_CASE("a way of reading that the molecule's file does not have is told where it is written, once") {
+  const Lesson l =
+      lesson("## A\n```scene\nmolecule: mix\n```\nText.\n## B\n```scene\nassembly: 9\n```\nText.\n## C\nText.\n");
+  const auto found =
+      checkAgainstMolecules(l, [&](const NamedMolecule& named) -> Expected<std::shared_ptr<const Molecule>> {
+        if (!named.reading.assembly.empty()) return Problem{{}, 0, 0, "there is no assembly 9", "take another"};
+        return std::make_shared<const Molecule>(mixedMolecule());
+      });
+  REQUIRE(found.size() == 1);
+  CHECK(l.steps[1].scene.places.reading.line == found[0].line);
+  CHECK(found[0].text().ends_with("there is no assembly 9; take another"));
 }

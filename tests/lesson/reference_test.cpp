@@ -25,7 +25,7 @@ std::string contents(const std::string& file) {
 
 LessonCheck checked(const std::string& text) {
   LessonMolecules molecules;
-  return checkLesson("lesson.md", text, [&](const std::string& name) { return molecules.find("lesson.md", name); });
+  return checkLesson("lesson.md", text, [&](const NamedMolecule& name) { return molecules.find("lesson.md", name); });
 }
 
 /// What stands in the fences of a page: its blocks of the given kinds, one after another.

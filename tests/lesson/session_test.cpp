@@ -183,3 +183,18 @@ TEST_CASE("a lesson read again keeps the step by its id and what was done in ste
   CHECK(session.stepIndex() == 0);
   CHECK(session.progress() == 1.0);
 }
+
+TEST_CASE("a step that has the same molecule with its waters is another scene: its tasks wait for that molecule") {
+  LessonSession session(
+      lesson("## A\n```scene\nmolecule: mix\n```\nText.\n## B\n```scene\nwaters: yes\n```\n"
+             "```touch\nreach: atom 0\nsay: S\n```\n## C\n```scene\nprobe: 2 Å\n```\nText.\n"));
+  session.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+  session.next();
+  CHECK(session.scene().molecule == NamedMolecule("mix", {.waters = true}));
+  CHECK(session.molecule() == nullptr);
+  CHECK(session.taskAt(0) == nullptr);
+  const auto with_waters = std::make_shared<const Molecule>(mixedMolecule());
+  session.setMolecule(with_waters);
+  session.next();
+  CHECK(session.molecule() == with_waters.get());
+}

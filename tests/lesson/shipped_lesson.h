@@ -17,8 +17,9 @@
 
 namespace moltact::test {
 
-inline Expected<std::shared_ptr<const Molecule>> shippedMolecule(const std::string& name) {
-  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb");
+inline Expected<std::shared_ptr<const Molecule>> shippedMolecule(const NamedMolecule& named) {
+  const std::string& name = named.name;
+  auto molecule = readMolecule(std::string(MOLTACT_SOURCE_DIR "/molecules/") + name + ".pdb", named.reading);
   if (!molecule) return molecule.problem();
   return std::make_shared<const Molecule>(*std::move(molecule));
 }

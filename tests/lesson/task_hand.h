@@ -64,6 +64,7 @@ struct Hand {
     s.force.N = {0, 0, force_N};
     for (std::size_t i = 0; i < atoms.size(); ++i) s.contact.atoms[i] = atoms[i];
     s.contact.feature = static_cast<Feature>(atoms.size());
+    if (s.contact.touching()) stretchToScp(s.contact, s.hip);
     for (int i = 0, n = static_cast<int>(seconds / dt_s + 0.5); i < n; ++i) {
       s.time_s = time_s += dt_s;
       task.feed(s);

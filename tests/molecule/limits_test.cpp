@@ -95,8 +95,8 @@ std::string capsid(int residues, int first_bracket, int second_bracket) {
 }  // namespace
 
 TEST_CASE(
-    "reading 300 000 atoms takes at most 120 bytes an atom in every format, packed or not, and where all are one "
-    "residue") {
+    "reading 300 000 atoms takes at most 120 bytes an atom in every format, packed or not, where all are one residue "
+    "and where each is a residue and a chain of its own") {
   constexpr std::size_t kAtoms = 300'000, kBuffers = std::size_t{2} << 20;
   std::string pdb, cif = kCifHead;
   for (std::size_t k = 0; k < kAtoms; ++k) {
@@ -106,15 +106,22 @@ TEST_CASE(
     cif += "ATOM C C" + std::to_string(k % 8) + " LEU " + char('A' + k / 80'000) + ' ' + std::to_string(residue) +
            " 1.234 5.678 9.012 1.0\n";
   }
+  // Each atom a residue and a chain of its own, and one of mmCIF's label chains too.
+  std::string own_pdb, own_cif = kCifHead;
+  for (std::size_t k = 0; k < kAtoms; ++k) {
+    own_pdb += atomLine(" CA", ' ', "LEU", char('A' + k % 26), int(k % 9999) + 1, ' ', 0.001 * double(k), 1, 2, 1, "C");
+    own_cif += "ATOM C CA LEU " + std::to_string(100'000 + k) + ' ' + std::to_string(k % 9999 + 1) +
+               " 1.234 5.678 9.012 1.0\n";
+  }
   const std::string xyzr = repeated("12.345 -6.789 0.123 1.70\n", kAtoms),
                     one = repeated(atomLine(" CA", 'A', "LEU", 'A', 1, ' ', 0, 1, 2, 1, "C"), kAtoms);
-  const std::pair<const char*, const std::string*> files[] = {
-      {"x.pdb", &pdb}, {"x.cif", &cif}, {"x.xyzr", &xyzr}, {"one.pdb", &one}};
+  const std::pair<std::string, const std::string*> files[] = {{"x.pdb", &pdb},       {"x.cif", &cif},
+                                                              {"x.xyzr", &xyzr},     {"one.pdb", &one},
+                                                              {"own.pdb", &own_pdb}, {"own.cif", &own_cif}};
   for (const auto& [name, text] : files) {
     CAPTURE(name);
     CHECK(tookToRead(*text, name, kAtoms) < 120 * kAtoms + kBuffers);
-    CHECK(tookToRead(gzipped(*text), name + std::string(".gz"), kAtoms) <
-          120 * kAtoms + kBuffers + (std::size_t{10} << 20));
+    CHECK(tookToRead(gzipped(*text), name + ".gz", kAtoms) < 120 * kAtoms + kBuffers + (std::size_t{10} << 20));
   }
 }
 
@@ -149,6 +156,22 @@ TEST_CASE("an assembly that carries its atoms onto themselves a thousand times h
   REQUIRE(molecule);
   CHECK(molecule->atoms.size() == 2);
   CHECK(molecule->chains.size() == 1);
+}
+
+TEST_CASE("an assembly of 1.8 million chains whose names take 7 GB is refused before it is made") {
+  std::string text = kCifHead, chains;
+  for (int k = 0; k < 300; ++k) {
+    const std::string chain = std::string(2000, 'x') + std::to_string(k);
+    text += "ATOM C CA LEU " + chain + " 1 800 " + std::to_string(k) + " 5 1.0\n";
+    chains += (k ? "," : "") + chain;
+  }
+  std::string generator = capsid(0, 1000, 6).substr(kCifHead.size());
+  const std::string all = " A,B,C\n";
+  generator.replace(generator.find(all), all.size(), "\n;" + chains + "\n;\n");
+  const std::size_t before = most_held = held.load();
+  CHECK(problemOf(text + generator, "x.cif", {.assembly = "1"}) ==
+        "x.cif: the assembly '1' takes more than 3 GB of memory; read it without one");
+  CHECK(most_held - before < 200'000'000);
 }
 
 TEST_CASE(

@@ -5,7 +5,6 @@
 #include <fstream>
 
 #include "engine/render/ambient_occlusion.h"
-#include "engine/render/ball_intersections.h"
 #include "engine/render/picture.h"
 #include "engine/render/view_scene.h"
 
@@ -31,28 +30,6 @@ TEST_CASE("an unknown shape names the known ones") {
   REQUIRE_FALSE(bool(set));
   CHECK(set.problem().text().find("conez") != std::string::npos);
   CHECK(set.problem().text().find("circles, points, cones") != std::string::npos);
-}
-
-TEST_CASE("balls of radii 5 and sqrt 13 that are 6 A apart meet 4 A along in a circle of radius 3 A") {
-  const auto circle = circleOf({Vec3(1, 1, 1), 5}, {Vec3(7, 1, 1), std::sqrt(13.0)});
-  REQUIRE(circle);
-  CHECK(circle->centre_A.x == doctest::Approx(5));
-  CHECK(circle->radius_A == doctest::Approx(3));
-  CHECK_FALSE(circleOf({Vec3(0), 1}, {Vec3(3, 0, 0), 1}));
-  CHECK_FALSE(circleOf({Vec3(0), 3}, {Vec3(1, 0, 0), 1}));
-  CHECK_FALSE(circleOf({Vec3(0), 1}, {Vec3(0), 1}));
-}
-
-TEST_CASE("three balls of radius 2 A at the corners of a 2 A triangle meet sqrt(8/3) A above and below its middle") {
-  const Ball a{Vec3(0, 0, 0), 2}, b{Vec3(2, 0, 0), 2}, c{Vec3(1, std::sqrt(3.0), 0), 2};
-  const auto points = pointsOf(a, b, c);
-  REQUIRE(points);
-  for (const Vec3& p : *points) {
-    CHECK(p.x == doctest::Approx(1));
-    CHECK(p.y == doctest::Approx(1 / std::sqrt(3.0)));
-    CHECK(std::abs(p.z) == doctest::Approx(std::sqrt(8.0 / 3.0)));
-  }
-  CHECK((*points)[0].z * (*points)[1].z < 0);
 }
 
 TEST_CASE(

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <random>
 
-#include "engine/render/ball_intersections.h"
+#include "engine/core/sphere_intersections.h"
 #include "engine/render/gl_objects.h"
 #include "tests/render/stage.h"
 

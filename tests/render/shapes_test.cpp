@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "engine/core/sphere_intersections.h"
 #include "engine/gltf/gltf_file.h"
 #include "engine/haptics/mesh/sphere_mesh.h"
 #include "engine/molecule/reader.h"
-#include "engine/render/ball_intersections.h"
 #include "engine/render/glyphs.h"
 #include "engine/render/haptic_shapes.h"
 #include "tests/render/stage.h"
@@ -25,6 +25,7 @@ ViewScene crease() {
   scene.contact.feature = Feature::Circle;
   scene.contact.atoms = {0, 1, -1};
   scene.hip = PointA{Vec3(0, a - 0.5, 0)};
+  stretchToScp(scene.contact, *scene.hip);
   scene.force_N = 0.5;
   scene.camera = frontCamera(24);
   scene.camera.lookFrom(0.6, 0.35);

@@ -38,6 +38,7 @@ TEST_CASE("the trace keeps places to 0.001 A, forces, features and the atoms tha
     CHECK(got[k].t_s == doctest::Approx(wanted[k].t_s));
     CHECK(glm::distance(got[k].hip.A, wanted[k].hip.A) < 1e-3);
     CHECK(glm::distance(got[k].scp.A, wanted[k].scp.A) < 1e-3);
+    CHECK(glm::distance(got[k].displacement_A, wanted[k].displacement_A) < 1e-3);
     CHECK(glm::distance(got[k].force.N, wanted[k].force.N) < 1e-3);
     CHECK(got[k].feature == wanted[k].feature);
     CHECK(got[k].atoms == wanted[k].atoms);
@@ -57,6 +58,21 @@ TEST_CASE("a felt curve keeps its forces to 0.001 N and the places where nothing
   REQUIRE(got.force_N.size() == 3);
   CHECK(std::isnan(got.force_N[1]));
   CHECK(got.force_N[2] == 1.235);
+}
+
+TEST_CASE("a stage says how its file was read where that is not the default, and no more than that") {
+  auto stage = std::get<StageSet>(sampleEvents()[1].what);
+  CHECK(lineOf({0.0, stage}).find("waters") == std::string::npos);
+  for (const ReadOptions& reading :
+       {ReadOptions{}, ReadOptions{.waters = true}, ReadOptions{.model = 3, .assembly = "1"}}) {
+    stage.reading = reading;
+    const auto back = readEventLine(lineOf({0.0, stage}));
+    REQUIRE(bool(back));
+    CHECK(std::get<StageSet>((**back).what) == stage);
+  }
+  std::string line = lineOf({0.0, stage});
+  line.replace(line.find("\"model\":3"), 9, "\"model\":0");
+  CHECK_FALSE(readEventLine(line));
 }
 
 TEST_CASE("the header comes back with its outline of 2 steps, and any name of a student") {

@@ -256,13 +256,5 @@ TEST_CASE("no attempts, and an attempt without any event, give a whole table and
   CHECK(classPage(summary, {}, "now").find("nan") == std::string::npos);
 }
 
-TEST_CASE("quantiles of 1, 2, 3, 4 by linear interpolation") {
-  CHECK(quantile({1, 2, 3, 4}, 0.5) == 2.5);
-  CHECK(quantile({1, 2, 3, 4}, 0.25) == 1.75);
-  CHECK(quantile({1, 2, 3, 4}, 1.0) == 4.0);
-  CHECK(quantile({7}, 0.3) == 7.0);
-  CHECK(quantile({}, 0.5) == 0.0);
-}
-
 }  // namespace
 }  // namespace moltact

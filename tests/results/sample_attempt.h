@@ -64,6 +64,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
     if (k >= 2) {
       s.feature = k < 4 ? Feature::Sphere : k == 4 ? Feature::Circle : Feature::Point;
       s.scp.A.z += 0.5;
+      s.displacement_A = {0.0, 0.3, 0.4};
       s.force.N = {0.1, 0.0, 0.25 * k};
       s.atoms = {7, k >= 4 ? 9 : -1, k == 5 ? 12 : -1};
     }

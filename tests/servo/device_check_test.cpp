@@ -202,7 +202,7 @@ class PutDevice final : public Device {
 TEST_CASE(
     "the judge of the check finds what a loop without safety does: a leap, no number, an old place, a gone device and "
     "what follows a stand") {
-  using Fault = FaultyDevice::Fault;
+  using Fault = LoopFault;
   struct Case {
     Fault fault;
     int ticks;

@@ -22,9 +22,8 @@ namespace {
 constexpr double kPeak_N = 3.3;
 constexpr double kRest_m_per_s = 0.03;  // half a step of the sensor a tick is what its rounding makes
 constexpr double kRounding_J = 1e-5;    // a step of the sensor at 0.5 N
-// What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm. The penalty
-// method's force is the slope of no energy where balls meet: there three hundredths.
-constexpr double kMade_J = 1e-4, kMadeByPenalty_J = 3e-4;
+// What a tick may show above the least of the ticks before it: a hundredth of what 3.3 N store at 0.5 N/mm.
+constexpr double kMade_J = 1e-4;
 
 enum class Fault : int {
   Late,
@@ -51,19 +50,27 @@ enum class Fault : int {
   WeakDevice,
   PanicUnplugged,
   LessonSwap,
+  OrientationLeap,
+  OrientationNaN,
   Count,
 };
 constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{
-    "late",        "stall",       "long stall",   "doubled",     "clock back",      "clock ahead",
-    "clock NaN",   "teleport",    "place NaN",    "stale",       "unplug",          "renderer stalls",
-    "scene swap",  "method swap", "bad settings", "probe jump",  "panic",           "force off",
-    "bad tracker", "rescaled",    "fall back",    "weak device", "panic unplugged", "lesson swap"};
+    "late",           "stall",           "long stall",      "doubled",     "clock back",
+    "clock ahead",    "clock NaN",       "teleport",        "place NaN",   "stale",
+    "unplug",         "renderer stalls", "scene swap",      "method swap", "bad settings",
+    "probe jump",     "panic",           "force off",       "bad tracker", "rescaled",
+    "fall back",      "weak device",     "panic unplugged", "lesson swap", "orientation leap",
+    "orientation NaN"};
 
 // A method that answers with what no place is.
 class BadTracker final : public Tracker {
  public:
   explicit BadTracker(Vec3 scp) : scp_(scp) {}
-  Contact step(PointA) noexcept override { return {.scp = {scp_}, .atoms = {0, -1, -1}, .feature = Feature::Sphere}; }
+  Contact step(PointA hip) noexcept override {
+    Contact out{.scp = {scp_}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
+  }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
   double probe_A() const noexcept override { return kWaterProbe_A; }
@@ -71,6 +78,53 @@ class BadTracker final : public Tracker {
 
  private:
   Vec3 scp_;
+};
+
+// Two spheres at the ends of a bar, a rigid body in the hand: each kept out by a tracker of its own, each with its
+// spring.
+class RigidPair final : public Interaction {
+ public:
+  static constexpr double kArm_A = 1.5;
+
+  RigidPair(std::shared_ptr<const BallScene> scene, double probe_A)
+      : ends_{methods().front().make(scene, probe_A), methods().front().make(scene, probe_A)} {}
+  Response respond(const PoseA& pose) noexcept override {
+    Response out;
+    out.contact.scp = pose.place;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec3 arm = armOf(k, pose.orientation);
+      const Contact c = ends_[k]->step({pose.place.A + arm});
+      scps_[k] = c.scp.A;
+      touching_[k] = c.touching();
+      if (c.fault != moltact::Fault::None) out.contact.fault = c.fault;
+      out.contact.feature = std::max(out.contact.feature, c.feature);
+      out.contact.displacement_A += c.displacement_A;
+      out.contact.energy_A2 += c.energy_A2;
+      out.torque_A2 += glm::cross(arm, c.displacement_A);
+    }
+    if (out.contact.fault != moltact::Fault::None) return {.contact = {.scp = pose.place, .fault = out.contact.fault}};
+    out.contact.scp.A += out.contact.displacement_A;
+    return out;
+  }
+  /// What the springs hold with the SCPs where they are, over the stiffness.
+  double potential_A2(PointA place, const Quat& orientation) const {
+    double sum = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Vec3 d = scps_[k] - place.A - armOf(k, orientation);
+      if (touching_[k]) sum += 0.5 * glm::dot(d, d);
+    }
+    return sum;
+  }
+  void reset() noexcept override { ends_[0]->reset(), ends_[1]->reset(); }
+  void setProbe(double probe_A) noexcept override { ends_[0]->setProbe(probe_A), ends_[1]->setProbe(probe_A); }
+  double probe_A() const noexcept override { return ends_[0]->probe_A(); }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
+
+ private:
+  static Vec3 armOf(std::size_t k, const Quat& orientation) { return orientation * Vec3(k ? -kArm_A : kArm_A, 0, 0); }
+  std::array<std::unique_ptr<Tracker>, 2> ends_;
+  std::array<Vec3, 2> scps_{};
+  std::array<bool, 2> touching_{};
 };
 
 class Run {
@@ -136,6 +190,14 @@ class Run {
     const auto all = methods();
     const Method& method =
         random_.uniform(0, 1) < 0.6 ? all.front() : all[std::size_t(random_.uniform(0, double(all.size())) * 0.999)];
+    pair_ = nullptr;
+    if (seed_ % 5 == 4) {  // a rigid body, not a point
+      auto pair = std::make_unique<RigidPair>(makeScene(scene_.balls), settings_.probe_A);
+      pair_ = pair.get();
+      tracker_ = std::move(pair);
+      method_ = "rigid pair";
+      return;
+    }
     tracker_ = method.make(makeScene(scene_.balls), settings_.probe_A);
     method_ = method.name;
   }
@@ -151,6 +213,7 @@ class Run {
       const double radius = ball.radius_A + settings_.probe_A;
       if (aside2 < radius * radius) far_A = std::max(far_A, along + std::sqrt(radius * radius - aside2));
     }
+    if (pair_) far_A += RigidPair::kArm_A;
     const Vec3 away = settings_.workspace.toDevice({out * (far_A + 1.0)}).mm;
     lead(away, 150);
     lead(settings_.workspace.toDevice({out * (far_A - depth_A)}).mm, 250);
@@ -161,13 +224,15 @@ class Run {
     const Vec3 from = target_mm_;
     for (int k = 1; k <= ticks; ++k) {
       target_mm_ = from + (to_mm - from) * (double(k) / ticks);
+      orientation_ = glm::normalize(glm::angleAxis(0.002, axis_) * orientation_);
       tick({});
     }
   }
 
   struct How {
     TickTime time = {};
-    std::optional<Vec3> place_mm = {};  // instead of the device's
+    std::optional<Vec3> place_mm = {};     // instead of the device's
+    std::optional<Quat> orientation = {};  // likewise
     bool fresh = true, connected = true;
     bool moves = true;     // false: no time passes for the device
     bool to_model = true;  // false: the force is for another device
@@ -176,7 +241,8 @@ class Run {
     // Something is wrong that no force may outlast, not even for a tick.
     bool wrong() const {
       const bool on_time = time.dt_s >= 0.0 && time.dt_s <= 0.020;
-      return !on_time || !connected || leaps || (place_mm && !finite(*place_mm));
+      return !on_time || !connected || leaps || (place_mm && !finite(*place_mm)) ||
+             (orientation && !rotates(*orientation));
     }
   };
 
@@ -184,24 +250,38 @@ class Run {
   void tick(const How& how) {
     const DevicePose pose{.position = how.place_mm ? PointMm{*how.place_mm} : model_.sensed(),
                           .fresh = how.fresh,
-                          .connected = how.connected};
+                          .connected = how.connected,
+                          .orientation = how.orientation.value_or(orientation_)};
     sensed_ = pose.position;
     const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time);
     ++out_.ticks;
     out_.contact += sample.contact.touching();
+    out_.turned += !bad_ && pair_ && sample.contact.touching();
     cuts_ += sample.limits.has(Limit::EnergyCut);
     judge(sample, how);
     command_ = sample.force;
-    const auto stretch = [&](PointA hip) {
-      return sample.contact.touching() ? glm::distance(sample.contact.scp.A, hip.A) / settings_.workspace.A_per_mm
-                                       : 0.0;
-    };
-    const double told_mm = stretch(sample.hip);
-    stretch_mm_ = stretch(settings_.workspace.toMolecule(model_.position()));  // without the sensor's steps
+    const double A_per_mm = settings_.workspace.A_per_mm;
+    const double told_mm = glm::length(sample.contact.displacement_A) / A_per_mm;
+    // Without the sensor's steps.
+    const PointA place = settings_.workspace.toMolecule(model_.position());
+    stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, place.A) / A_per_mm : 0.0;
+    potential_mm2_ = pair_ && sample.contact.touching()
+                         ? pair_->potential_A2(place, pose.orientation) / (A_per_mm * A_per_mm)
+                     : method_ == "penalty" && sample.contact.touching() ? pushes_A2(place) / (A_per_mm * A_per_mm)
+                                                                         : 0.5 * stretch_mm_ * stretch_mm_;
     const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
     felt_N_per_mm_ = told_mm > 0.0 && !cut ? glm::length(command_.N) / told_mm : -1.0;
     if (!cut) bent_mm_ = stretch_mm_;
     if (how.moves) model_.tick(how.connected && how.to_model ? command_ : ForceN{}, {target_mm_});
+  }
+  // Of the penalty method's springs, one a ball that the place is in.
+  double pushes_A2(PointA place) const {
+    double sum = 0;
+    for (const Ball& ball : scene_.balls) {
+      const double deep = ball.radius_A + tracker_->probe_A() - glm::distance(place.A, ball.centre_A);
+      if (deep > 0.0) sum += 0.5 * deep * deep;
+    }
+    return sum;
   }
   void idle(int ms) {
     for (int k = 0; k < ms; ++k) model_.tick(command_, {target_mm_});
@@ -389,6 +469,16 @@ class Run {
         ++settings_.discontinuities;
         for (int k = 0; k < some * 3; ++k) tick({});
         break;
+      case Fault::OrientationLeap:
+        expectSoft();
+        tick({.orientation = glm::angleAxis(1.5, random_.direction()) * orientation_, .leaps = true});
+        expectSoft();
+        tick({.leaps = true});
+        expectSoft();
+        break;
+      case Fault::OrientationNaN:
+        lasting(some * 4, {.orientation = some % 2 ? Quat(nan, 0, 0, 0) : Quat(3, 0, 0, 0)});
+        break;
       case Fault::Count:
         break;
     }
@@ -405,7 +495,7 @@ class Run {
     for (int k = 0; k < 600; ++k) tick({});
     cuts_ = 0;
     std::array<double, 2> fastest{}, energy{};
-    double softest = 1e9, stiffest = 0, stretched_mm = 0, least_J = 1e9, risen_J = 0;
+    double softest = 1e9, stiffest = 0, potential_mm2 = 0, least_J = 1e9, risen_J = 0;
     bool known = true;
     for (std::size_t w = 0; w < 2; ++w)
       for (int k = 0; k < 200; ++k) {
@@ -413,14 +503,14 @@ class Run {
         known = known && felt_N_per_mm_ >= 0.0;
         softest = std::min(softest, felt_N_per_mm_);
         stiffest = std::max(stiffest, felt_N_per_mm_);
-        stretched_mm = std::max(stretched_mm, stretch_mm_);
+        potential_mm2 = std::max(potential_mm2, potential_mm2_);
         fastest[w] = std::max(fastest[w], glm::length(model_.velocity_m_per_s()));
         const double now_J = energy_J();
         energy[w] = std::max(energy[w], now_J);
         least_J = std::min(least_J, now_J);
         risen_J = std::max(risen_J, now_J - least_J);
       }
-    const double stiffened_J = known ? 0.5e-3 * stretched_mm * stretched_mm * std::max(0.0, stiffest - softest) : 0.0;
+    const double stiffened_J = known ? 1e-3 * potential_mm2 * std::max(0.0, stiffest - softest) : 0.0;
     const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s),
                grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
     out_.cuts += cuts_;
@@ -430,8 +520,7 @@ class Run {
     if (!slides) out_.restless_m_per_s = std::max(out_.restless_m_per_s, fastest[1]);
     if (faster && grown) broken("energy grows while the hand is still", fastest[1]);
     // Tick by tick, where the spring's force is not cut and what it stores so is known.
-    if (known && risen_J > stiffened_J + (method_ == "penalty" ? kMadeByPenalty_J : kMade_J))
-      broken("energy is made while the hand is still", 1e3 * risen_J);
+    if (known && risen_J > stiffened_J + kMade_J) broken("energy is made while the hand is still", 1e3 * risen_J);
     judge_.expectAny();
   }
 
@@ -444,7 +533,7 @@ class Run {
   // What a spring holds; one whose force is cut gives it back all the way.
   double stored_J() const {
     const double force_N = glm::length(command_.N);
-    if (felt_N_per_mm_ >= 0.0) return 0.5e-3 * felt_N_per_mm_ * stretch_mm_ * stretch_mm_;
+    if (felt_N_per_mm_ >= 0.0) return 1e-3 * felt_N_per_mm_ * potential_mm2_;
     return 1e-3 * force_N * (stretch_mm_ - 0.5 * bent_mm_);
   }
 
@@ -456,7 +545,10 @@ class Run {
   ServoStep step_;
   ServoSettings settings_;
   scenes::Scene scene_;
-  std::unique_ptr<Tracker> tracker_, bad_;
+  std::unique_ptr<Interaction> tracker_, bad_;
+  RigidPair* pair_ = nullptr;  // of tracker_, where it is one
+  Quat orientation_ = kNoRotation;
+  Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));
   std::string_view method_;
   const char* doing_ = "none";
   bool unsound_settings_ = false;
@@ -464,6 +556,7 @@ class Run {
   ForceN command_;
   PointMm sensed_;
   double stretch_mm_ = 0, bent_mm_ = 0;  // the latter where the force began to be cut
+  double potential_mm2_ = 0;             // what is stored, over the stiffness
   double felt_N_per_mm_ = -1;            // negative: none, or the force is cut
   ForceMonitor judge_{kPeak_N};
   std::uint64_t cuts_ = 0;

@@ -12,6 +12,7 @@ struct FaultRunResult {
   std::string broken;         ///< the first promise that was broken, with tick and fault; empty: none
   std::uint64_t ticks = 0;    ///< of the servo loop
   std::uint64_t contact = 0;  ///< in which it touched
+  std::uint64_t turned = 0;   ///< in which what touched was a rigid body
   std::uint64_t faults = 0;   ///< that were done to it
   std::uint64_t cuts = 0;     ///< of the force, for energy that was made, while the hand was still
   double greatest_N = 0;

@@ -30,6 +30,7 @@ TEST_CASE(
     CHECK_MESSAGE(one.broken.empty(), one.broken);
     all.ticks += one.ticks;
     all.contact += one.contact;
+    all.turned += one.turned;
     all.faults += one.faults;
     all.cuts += one.cuts;
     all.greatest_N = std::max(all.greatest_N, one.greatest_N);
@@ -40,6 +41,7 @@ TEST_CASE(
                 << all.restless_m_per_s << " m/s, " << all.cuts << " cuts");
   // The runs must press, or they prove nothing.
   CHECK(all.contact > all.ticks / 4);
+  CHECK(all.turned > all.ticks / 40);
   CHECK(all.greatest_N > 1.5);
   CHECK(all.restless_m_per_s < 0.03);
   CHECK(all.cuts == 0);

@@ -18,7 +18,7 @@ DeviceInfo omni() {
   return info;
 }
 
-WantedForce push(double z_N) { return {.force_N = {0, 0, z_N}}; }
+WantedWrench push(double z_N) { return {.force_N = {0, 0, z_N}}; }
 
 // A stage past its soft start, the hand at the origin.
 SafetyStage ready(const DeviceInfo& info = omni()) {
@@ -30,13 +30,13 @@ SafetyStage ready(const DeviceInfo& info = omni()) {
   return stage;
 }
 
-ForceN tick(SafetyStage& stage, const WantedForce& wanted, const DevicePose& pose = {}, const TickTime& time = {}) {
+ForceN tick(SafetyStage& stage, const WantedWrench& wanted, const DevicePose& pose = {}, const TickTime& time = {}) {
   stage.beginTick(pose, time);
-  return stage.output(wanted);
+  return stage.output(wanted).force;
 }
 
 // The force after `ticks` ticks of the same.
-double after(SafetyStage& stage, int ticks, const WantedForce& wanted, const DevicePose& pose = {},
+double after(SafetyStage& stage, int ticks, const WantedWrench& wanted, const DevicePose& pose = {},
              const TickTime& time = {}) {
   ForceN last;
   for (int k = 0; k < ticks; ++k) last = tick(stage, wanted, pose, time);
@@ -76,7 +76,7 @@ TEST_CASE("not a number: NaN and infinite forces give none in the very tick, and
     CAPTURE(bad);
     SafetyStage stage = ready();
     REQUIRE(after(stage, 10, push(3)) == doctest::Approx(3.0));
-    const ForceN force = tick(stage, {.force_N = {bad, 0, 0}, .stretch_mm = bad});
+    const ForceN force = tick(stage, {.force_N = {bad, 0, 0}, .stretch_mm = bad, .energy_mm2 = bad});
     if (bad == 1e200) continue;  // a number, though its square is none: what comes is bounded all the same
     CHECK(stage.acted().has(Limit::NotFinite));
     CHECK(glm::length(force.N) == 0.0);
@@ -120,14 +120,14 @@ TEST_CASE("watchdog: a stale place leaves the force for 20 ms, ends it by 44 ms,
   for (int ms = 1; ms <= 150; ++ms) {
     CAPTURE(ms);
     const bool forget = stage.beginTick(stale, {});
-    const double force = stage.output(push(3)).N.z;
+    const double force = stage.output(push(3)).force.N.z;
     CHECK(forget == (ms == 100));
     if (ms <= 20) CHECK(force == doctest::Approx(3.0));
     if (ms >= 44) CHECK(force == 0.0);
     if (ms > 20 && ms < 100) CHECK(stage.acted().has(Limit::StalePlace));
   }
   CHECK(stage.beginTick({}, {}));  // it is back, and may be anywhere
-  CHECK(stage.output(push(3)).N.z <= 3.0 / 500 + 1e-12);
+  CHECK(stage.output(push(3)).force.N.z <= 3.0 / 500 + 1e-12);
 }
 
 TEST_CASE(
@@ -140,7 +140,7 @@ TEST_CASE(
     const bool forget = stage.beginTick({}, {.dt_s = dt_s});
     CHECK(forget == (dt_s > 0.1));
     CHECK(stage.acted().has(Limit::LateLoop));
-    CHECK(stage.output(push(3)).N.z == 0.0);
+    CHECK(stage.output(push(3)).force.N.z == 0.0);
     CHECK(after(stage, 3, push(3)) <= 3 * 3.0 / 500 + 1e-12);
     CHECK(after(stage, 500, push(3)) == doctest::Approx(3.0));
   }
@@ -153,7 +153,7 @@ TEST_CASE("jump: 6 mm in a tick forget the contact, 4 mm do not; nor do 60 mm af
   stage.output(push(1));
   CHECK(stage.beginTick({.position = {{10, 0, 0}}}, {}));
   CHECK(stage.acted().has(Limit::Jump));
-  CHECK(stage.output(push(1)).N.z == 0.0);
+  CHECK(stage.output(push(1)).force.N.z == 0.0);
   for (int k = 0; k < 14; ++k) tick(stage, push(1), {.position = {{10, 0, 0}}, .fresh = false});
   CHECK_FALSE(stage.beginTick({.position = {{70, 0, 0}}}, {}));
   CHECK(stage.beginTick({.position = {{170, 0, 0}}}, {}));
@@ -166,11 +166,11 @@ TEST_CASE("unplugged: no force in the very tick, the contact forgotten when it g
   DevicePose gone;
   gone.connected = false;
   CHECK(stage.beginTick(gone, {}));
-  CHECK(stage.output(push(3)).N.z == 0.0);
+  CHECK(stage.output(push(3)).force.N.z == 0.0);
   CHECK(after(stage, 3, push(3), gone) == 0.0);
   CHECK(stage.acted().has(Limit::Unplugged));
   CHECK(stage.beginTick({}, {}));
-  CHECK(stage.output(push(3)).N.z <= 3.0 / 500 + 1e-12);
+  CHECK(stage.output(push(3)).force.N.z <= 3.0 / 500 + 1e-12);
 }
 
 TEST_CASE(
@@ -197,7 +197,7 @@ TEST_CASE(
     stage.setDevice(omni());
     stage.beginTick({}, {});
     if (next == &mouse) CHECK(stage.heat() == doctest::Approx(warm * std::exp(-0.5 / 30)).epsilon(0.01));
-    CHECK(glm::length(stage.output(push(3.3)).N) <= 3.3 / 500 + 1e-9);
+    CHECK(glm::length(stage.output(push(3.3)).force.N) <= 3.3 / 500 + 1e-9);
   }
 }
 
@@ -264,7 +264,8 @@ TEST_CASE(
   CHECK_FALSE(stage.acted().has(Limit::Stiffness));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5));
   CHECK(stage.acted().has(Limit::Stiffness));
-  stage.output({.force_N = {0, 0, 1}, .stretch_mm = 1.4, .stiffness_N_per_mm = 0.733});  // now it is felt
+  stage.output(
+      {.force_N = {0, 0, 1}, .stretch_mm = 1.4, .energy_mm2 = 0.98, .stiffness_N_per_mm = 0.733});  // now it is felt
   stage.beginTick({}, {.delay_s = 0.002});
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5 - 0.001));
@@ -304,7 +305,7 @@ TEST_CASE(
   SafetyStage off = ready(), other = ready();
   after(off, 10, push(3));
   after(other, 10, push(3));
-  WantedForce none = push(3);
+  WantedWrench none = push(3);
   none.on = false;
   other.restart();
   for (int k = 1; k <= 3; ++k) {
@@ -341,7 +342,11 @@ TEST_CASE(
       last_mm = z_mm;
       const double stretch_mm = -z_mm * (dishonest && std::sin(phase) < 0 ? 2 : 1);
       asked = {0, 0, 0.5 * stretch_mm};
-      last = tick(stage, {.force_N = asked, .stretch_mm = stretch_mm, .stiffness_N_per_mm = 0.5},
+      last = tick(stage,
+                  {.force_N = asked,
+                   .stretch_mm = stretch_mm,
+                   .energy_mm2 = 0.5 * stretch_mm * stretch_mm,
+                   .stiffness_N_per_mm = 0.5},
                   {.position = {{0, 0, z_mm}}})
                  .N;
       acted.add(stage.acted());
@@ -363,8 +368,13 @@ TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more
     const double phase = k * 0.01, z_mm = 50 * std::sin(phase), out = std::cos(phase) > 0 ? 0.3 : 0.1;
     stage.beginTick({.position = {{0, 0, z_mm}}}, {});
     const double stretch_mm = std::max(0.0, -z_mm);
-    const ForceN force = stage.output(
-        {.force_N = {0, 0, out * stretch_mm}, .stretch_mm = stretch_mm, .stiffness_N_per_mm = 0.2, .most_N = 0.5});
+    const ForceN force = stage
+                             .output({.force_N = {0, 0, out * stretch_mm},
+                                      .stretch_mm = stretch_mm,
+                                      .energy_mm2 = 0.5 * stretch_mm * stretch_mm,
+                                      .stiffness_N_per_mm = 0.2,
+                                      .most_N = 0.5})
+                             .force;
     braked = braked || stage.acted().has(Limit::Damping);
     greatest_N = std::max(greatest_N, glm::length(force.N));
   }

@@ -4,6 +4,7 @@
 
 #include <doctest/doctest.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <chrono>
 #include <cmath>
@@ -54,7 +55,7 @@ std::vector<RecordedTick> record(const std::filesystem::path& file) {
     DevicePose pose = devices.read(kTick_s, step);
     pose.age_s = 1e-6f * float(k % 1000);
     const ServoSample s = step.tick(settings, tracker.get(), pose, time);
-    devices.write(s.force);
+    devices.write({s.force});
     ticks.push_back({settings, pose, time, devices.info(), devices.other(), s.force});
     ticks.back().fallen_back = devices.fallenBack();
     CHECK_FALSE(writer->add(ticks.back()));
@@ -89,6 +90,7 @@ TEST_CASE(
   for (std::size_t k = 0; k < ticks.size(); ++k) {
     REQUIRE(std::memcmp(&recording->ticks[k].force, &ticks[k].force, sizeof(ForceN)) == 0);
     REQUIRE(recording->ticks[k].pose.age_s == ticks[k].pose.age_s);
+    REQUIRE(recording->ticks[k].pose.orientation == ticks[k].pose.orientation);
     REQUIRE(recording->ticks[k].fallen_back == ticks[k].fallen_back);
     greatest = std::max(greatest, glm::length(ticks[k].force.N));
   }
@@ -100,7 +102,7 @@ TEST_CASE(
   // With another scene it says where the forces part.
   const auto other = methods().front().make(test::makeScene(scenes::oneBall().balls), kWaterProbe_A);
   CHECK(replay(*recording, other.get()).first_difference);
-  CHECK(std::filesystem::file_size(file) < 20'000 * 84);
+  CHECK(std::filesystem::file_size(file) < 20'000 * 116);
   std::filesystem::remove(file);
 }
 
@@ -176,14 +178,14 @@ TEST_CASE("what the haptic thread itself records in 1500 ticks of its own clock 
   ServoThread servo(mouse);
   servo.setDevice(std::make_unique<SimulatedDevice>());
   servo.record(true);
-  servo.setTracker(newTracker());
+  servo.loop().setInteraction(newTracker());
   ServoRecording recording;
   recording.start.emplace();
   while (recording.ticks.size() < 1500) {
-    servo.drainRecording(*recording.start, [&](const RecordedTick& tick) { recording.ticks.push_back(tick); });
+    servo.loop().drainRecording(*recording.start, [&](const RecordedTick& tick) { recording.ticks.push_back(tick); });
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }
-  CHECK(servo.lostOfRecording() == 0);
+  CHECK(servo.loop().lostOfRecording() == 0);
   const auto tracker = newTracker();
   CHECK_FALSE(replay(recording, tracker.get()).first_difference);
 }
@@ -235,6 +237,41 @@ TEST_CASE("every figure of a device that comes in the middle is in the recording
   REQUIRE(recording);
   REQUIRE(recording->ticks.size() == 2);
   CHECK(recording->ticks[1].device == figures);
+  std::filesystem::remove(file);
+}
+
+TEST_CASE("a recording of the version before, which knew places alone, is read as it was, but for the state") {
+  const auto file = scratch("before");
+  auto writer = ServoRecordingWriter::create(file, true);
+  REQUIRE(writer);
+  CHECK_FALSE(writer->begin({{"method", "exact"}}, ServoStep()));
+  RecordedTick tick;
+  for (int k = 0; k < 300; ++k) {
+    tick.pose.position.mm.x = 0.1 * k;
+    CHECK_FALSE(writer->add(tick));
+  }
+  CHECK_FALSE(writer->finish());
+  // Ticks without an orientation and another device are the same in both.
+  std::string bytes = bytesOf(file);
+  REQUIRE(bytes.starts_with("MOLTRAC4"));
+  bytes[7] = '3';
+  std::uint32_t head = 20;
+  for (std::size_t at = 8; at < 20; at += 4) {
+    std::uint32_t size = 0;
+    std::memcpy(&size, bytes.data() + at, 4);
+    head += size;
+  }
+  const auto crc = std::uint32_t(crc32(0, reinterpret_cast<const Bytef*>(bytes.data()), head));
+  std::memcpy(bytes.data() + head, &crc, 4);
+  write(file, bytes);
+  const auto recording = readServoRecording(file);
+  REQUIRE_MESSAGE(recording, (recording ? "" : recording.problem().text()));
+  CHECK(recording->torn.empty());
+  CHECK_FALSE(recording->start);
+  CHECK(recording->labels.at("method") == "exact");
+  REQUIRE(recording->ticks.size() == 300);
+  CHECK(recording->ticks[299].pose.position.mm.x == 0.1 * 299);
+  CHECK(recording->ticks[299].pose.orientation == kNoRotation);
   std::filesystem::remove(file);
 }
 

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/device/simulated_device.h"
+#include "engine/haptics/tracker.h"
 
 using namespace moltact;
 
@@ -77,7 +78,9 @@ class PushingTracker final : public Tracker {
     destroyed_on_ = std::this_thread::get_id();
   }
   Contact step(PointA hip) noexcept override {
-    return {.scp = {hip.A + Vec3(0.1, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    Contact out{.scp = {hip.A + Vec3(0.1, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
   }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
@@ -93,8 +96,10 @@ class PushingTracker final : public Tracker {
 class MarkedTracker final : public Tracker {
  public:
   explicit MarkedTracker(std::uint32_t mark) : mark_(mark) {}
-  Contact step(PointA) noexcept override {
-    return {.scp = {Vec3(double(mark_), 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+  Contact step(PointA hip) noexcept override {
+    Contact out{.scp = {Vec3(double(mark_), 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
+    stretchToScp(out, hip);
+    return out;
   }
   void reset() noexcept override {}
   void setProbe(double) noexcept override {}
@@ -106,8 +111,8 @@ class MarkedTracker final : public Tracker {
 };
 
 void waitForTicks(ServoThread& servo, std::uint64_t ticks) {
-  const std::uint64_t until = servo.latest().tick + ticks;
-  while (servo.latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const std::uint64_t until = servo.loop().latest().tick + ticks;
+  while (servo.loop().latest().tick < until) std::this_thread::sleep_for(std::chrono::milliseconds(1));
 }
 
 }  // namespace
@@ -118,11 +123,11 @@ TEST_CASE("the loop runs, numbers its ticks without a gap and leaves the device 
   std::thread::id destroyed_on;
   {
     ServoThread servo(device);
-    servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+    servo.loop().setInteraction(std::make_unique<PushingTracker>(alive, destroyed_on));
     std::uint64_t next = 0;
     long seen = 0;
     while (seen < 300) {
-      servo.drain([&](const ServoSample& s) {
+      servo.loop().drain([&](const ServoSample& s) {
         CHECK(s.tick == next);
         next = s.tick + 1;
         ++seen;
@@ -141,17 +146,17 @@ TEST_CASE("50 trackers handed over one after the other are all destroyed, and by
   std::thread::id destroyed_on;
   ServoThread servo(device);
   for (int k = 0; k < 50; ++k) {
-    servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+    servo.loop().setInteraction(std::make_unique<PushingTracker>(alive, destroyed_on));
     if (k % 3 == 0) waitForTicks(servo, 2);
   }
-  servo.setTracker(nullptr);
+  servo.loop().setInteraction(nullptr);
   for (int k = 0; k < 1000 && alive > 0; ++k) {
     waitForTicks(servo, 2);
-    servo.drain([](const ServoSample&) {});
+    servo.loop().drain([](const ServoSample&) {});
   }
   CHECK(alive == 0);
   CHECK(destroyed_on == std::this_thread::get_id());
-  CHECK_FALSE(servo.latest().has_tracker);
+  CHECK_FALSE(servo.loop().latest().has_tracker);
 }
 
 TEST_CASE("each of 40 trackers makes the samples that bear its number, and none under settings older than its own") {
@@ -168,38 +173,38 @@ TEST_CASE("each of 40 trackers makes the samples that bear its number, and none 
   for (int k = 0; k < 40; ++k) {
     ServoSettings settings;
     settings.discontinuities = ++scene;
-    servo.setSettings(settings);
-    servo.setTracker(std::make_unique<MarkedTracker>(scene), scene);
-    while (servo.latest().scene != scene) {
-      servo.drain(judge);
+    servo.loop().setSettings(settings);
+    servo.loop().setInteraction(std::make_unique<MarkedTracker>(scene), scene);
+    while (servo.loop().latest().scene != scene) {
+      servo.loop().drain(judge);
       std::this_thread::sleep_for(std::chrono::microseconds(300));
     }
   }
-  servo.drain(judge);
+  servo.loop().drain(judge);
   CHECK(judged >= 40);
 }
 
 TEST_CASE("a device that is chosen leads, one whose plug is pulled gives way to the fallback, and comes back") {
   StillDevice fallback;
   ServoThread servo(fallback);
-  servo.setTracker(std::make_unique<MarkedTracker>(1));
+  servo.loop().setInteraction(std::make_unique<MarkedTracker>(1));
   auto made = std::make_unique<SimulatedDevice>();
   SimulatedDevice* stylus = made.get();
   servo.setDevice(std::move(made));
-  CHECK(servo.device() == stylus);
+  CHECK(servo.loop().device() == stylus);
   waitForTicks(servo, 20);
-  CHECK(servo.latest().hand.mm != Vec3(1, 2, 3));
-  CHECK_FALSE(servo.fallenBack());
+  CHECK(servo.loop().latest().hand.mm != Vec3(1, 2, 3));
+  CHECK_FALSE(servo.loop().fallenBack());
   stylus->plug(false);
   waitForTicks(servo, 20);
-  CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
-  CHECK(servo.fallenBack());
+  CHECK(servo.loop().latest().hand.mm == Vec3(1, 2, 3));
+  CHECK(servo.loop().fallenBack());
   stylus->plug(true);
   waitForTicks(servo, 20);
-  CHECK_FALSE(servo.fallenBack());
+  CHECK_FALSE(servo.loop().fallenBack());
   servo.setDevice(nullptr);
   waitForTicks(servo, 20);
-  CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
+  CHECK(servo.loop().latest().hand.mm == Vec3(1, 2, 3));
   CHECK(fallback.last_x_N.load() != 0.0);
 }
 
@@ -210,10 +215,10 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   ClockedDevice* clocked = made.get();
   servo.setDevice(std::move(made));
   while (clocked->own_ticks.load() < 50) std::this_thread::sleep_for(std::chrono::milliseconds(1));
-  CHECK(servo.latest().hand.mm == Vec3(4, 5, 6));
+  CHECK(servo.loop().latest().hand.mm == Vec3(4, 5, 6));
   // It ticks every 2 ms: a millisecond late, at the least, but where the loop's own clock stood in.
   std::size_t told = 0, late = 0;
-  servo.drain([&](const ServoSample& s) {
+  servo.loop().drain([&](const ServoSample& s) {
     if (s.hand.mm != Vec3(4, 5, 6)) return;
     ++told;
     late += s.late_us >= 900.0f;
@@ -226,7 +231,7 @@ TEST_CASE("a device with its own clock ticks the loop by it; when that clock sto
   CHECK(clocked->own_ticks.load() <= then + 1);
   servo.setDevice(nullptr);
   waitForTicks(servo, 5);
-  CHECK(servo.latest().hand.mm == Vec3(1, 2, 3));
+  CHECK(servo.loop().latest().hand.mm == Vec3(1, 2, 3));
 }
 
 TEST_CASE(
@@ -236,18 +241,18 @@ TEST_CASE(
   std::atomic<int> alive{0};
   std::thread::id destroyed_on;
   ServoThread servo(fallback);
-  servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+  servo.loop().setInteraction(std::make_unique<PushingTracker>(alive, destroyed_on));
   auto made = std::make_unique<ClockedDevice>(std::chrono::milliseconds(0));
   ClockedDevice* clocked = made.get();
   servo.setDevice(std::move(made));
   while (clocked->own_ticks.load() < 6000) std::this_thread::yield();
-  CHECK(servo.latest().tick >= 5900);
-  CHECK(servo.latest().contact.touching());
+  CHECK(servo.loop().latest().tick >= 5900);
+  CHECK(servo.loop().latest().contact.touching());
   CHECK(clocked->last_x_N.load() >= 0.0);
   std::uint64_t first = 0, last = 0;
   std::size_t waiting = 0;
   bool whole = true;
-  servo.drain([&](const ServoSample& s) {
+  servo.loop().drain([&](const ServoSample& s) {
     if (waiting++ == 0)
       first = s.tick;
     else
@@ -302,16 +307,16 @@ TEST_CASE(
   std::thread::id destroyed_on;
   StillDevice device;
   ServoThread servo(device);
-  servo.expectSettings();
-  servo.setTracker(std::make_unique<PushingTracker>(alive, destroyed_on));
+  servo.loop().expectSettings();
+  servo.loop().setInteraction(std::make_unique<PushingTracker>(alive, destroyed_on));
   const auto until = [&](auto&& holds) {
     for (int k = 0; k < 3000 && !holds(); ++k) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     return holds();
   };
-  CHECK(until([&] { return servo.setSettings({}), device.last_x_N.load() > 0.1; }));
+  CHECK(until([&] { return servo.loop().setSettings({}), device.last_x_N.load() > 0.1; }));
   CHECK(until([&] { return device.last_x_N.load() == 0.0; }));
   const long ticks = device.writes.load();
   CHECK(until([&] { return device.writes.load() > ticks + 200; }));
   CHECK(device.last_x_N.load() == 0.0);
-  CHECK(until([&] { return servo.setSettings({}), device.last_x_N.load() > 0.1; }));
+  CHECK(until([&] { return servo.loop().setSettings({}), device.last_x_N.load() > 0.1; }));
 }

@@ -98,7 +98,7 @@ TEST_CASE(
   for (int k = 0; k < 40; ++k) {
     CAPTURE(k);
     for (int i = 0; i < 231; ++i) hand.tick(step, tracker.get());
-    step.forgetTracker();
+    step.forgetInteraction();
     const std::string text = stateText(step);
     Expected<ServoStep> read = stepFromText(text);
     REQUIRE(read);

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <utility>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/read_file.h"
 #include "engine/results/progress.h"
@@ -31,20 +31,14 @@ StageSet stageOf(const Application& app) {
   const Molecule& molecule = *scene.stage().molecule;
   const ServoSettings& s = scene.servo_settings;
   return {molecule.id,
-          scene.file().filename().string(),
+          scene.molecule().file.filename().string(),
           molecule.atoms.size(),
           s.workspace,
           s.probe_A,
           s.stiffness_N_per_mm,
           scene.method(),
-          s.force_on};
-}
-
-bool same(const StageSet& a, const StageSet& b) {
-  return a.file == b.file && a.atoms == b.atoms && a.probe_A == b.probe_A &&
-         a.stiffness_N_per_mm == b.stiffness_N_per_mm && a.method == b.method && a.force_on == b.force_on &&
-         a.workspace.A_per_mm == b.workspace.A_per_mm && a.workspace.centre_A == b.workspace.centre_A &&
-         a.workspace.rotation == b.workspace.rotation;
+          s.force_on,
+          scene.molecule().reading};
 }
 
 }  // namespace
@@ -182,13 +176,7 @@ void AttemptRecorder::ticks(Application& app, const FeltTicks& felt) {
     const ServoSample& s = tick.sample;
     if (!s.has_tracker) continue;
     const double t_s = std::max({0.0, now_s_ - app.dt_s(), now_s_ - (last_s - s.time_s)});
-    TouchSample sample;
-    sample.time_s = s.time_s;
-    sample.hip = s.hip;
-    sample.contact = s.contact;
-    sample.force = s.force;
-    sample.probe_A = s.probe_A;
-    touch_watch_.add(sample, t_s, way);
+    touch_watch_.add(touchSampleOf(s), t_s, way);
   }
 }
 
@@ -196,7 +184,7 @@ void AttemptRecorder::sceneChanged(Application&) { touch_watch_.breakOff(); }
 
 void AttemptRecorder::lookAtWay(Application& app) {
   InputChanged is{realDevice(app) ? InputWay::Device : input_.way(), deviceName(app), gaveForce(app)};
-  if (way_ && way_->by == is.by && way_->device == is.device && way_->gives_force == is.gives_force) return;
+  if (way_ == is) return;
   add(is);
   way_ = std::move(is);
 }
@@ -204,7 +192,7 @@ void AttemptRecorder::lookAtWay(Application& app) {
 void AttemptRecorder::lookAtStage(Application& app) {
   if (!app.scene.stage()) return;
   StageSet is = stageOf(app);
-  if (stage_ && same(*stage_, is)) return;
+  if (stage_ == is) return;
   add(is);
   stage_ = std::move(is);
 }

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "app/ui/lesson/input_way_watch.h"
 #include "engine/render/camera.h"
 #include "engine/results/attempt_log.h"

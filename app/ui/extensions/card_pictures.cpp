@@ -9,10 +9,11 @@
 #include <string_view>
 #include <system_error>
 
-#include "app/ui/application.h"
-#include "app/ui/panels/method_chooser.h"
+#include "app/ui/application/application.h"
+#include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/haptics/ball_scene.h"
+#include "engine/haptics/methods.h"
 #include "engine/haptics/sweep.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/read_file.h"
@@ -33,9 +34,10 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 146959810393466
   return hash;
 }
 
-std::string sceneKey(const SceneSpec& s) {
-  return s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' + s.method + '|' + std::to_string(s.probe_A) +
-         '|' + s.colour;
+std::string sceneKey(const CardSubject& subject) {
+  const SceneSpec& s = subject.scene;
+  return readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' +
+         s.method + '|' + std::to_string(s.probe_A) + '|' + s.colour;
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -109,14 +111,14 @@ CardPictures::CardPictures() = default;
 CardPictures::~CardPictures() = default;
 
 ImTextureID CardPictures::find(const CardSubject& subject) {
-  if (subject.molecule.empty()) return nullptr;
-  const std::string key = look_ + subject.molecule.string() + '|' + sceneKey(subject.scene);
+  if (subject.molecule.empty()) return {};
+  const std::string key = look_ + subject.molecule.file.string() + '|' + sceneKey(subject);
   auto [at, is_new] = cards_.try_emplace(key);
   if (is_new) {
     at->second = std::make_unique<Card>();
     queue_.emplace_back(key, subject);
   }
-  return reinterpret_cast<ImTextureID>(std::intptr_t(at->second->texture));
+  return textureOf(at->second->texture);
 }
 
 void CardPictures::afterPanels(Application& app) {
@@ -140,11 +142,11 @@ void CardPictures::afterPanels(Application& app) {
   job_ = std::async(std::launch::async, [key = std::move(key), subject = std::move(subject), look = look_,
                                          folder = app.options().cache_folder]() mutable {
     Job job{std::move(key), std::move(subject), {}, {}, {}};
-    const Expected<std::string> bytes = readFile(job.subject.molecule, kLargestFile, "");
+    const Expected<std::string> bytes = readFile(job.subject.molecule.file, kLargestFile, "");
     if (!bytes) return job;
     if (!folder.empty()) {
       char name[40];
-      const std::uint64_t hash = fnv1a(*bytes, fnv1a(look + sceneKey(job.subject.scene) + std::string(kDrawnAs)));
+      const std::uint64_t hash = fnv1a(*bytes, fnv1a(look + sceneKey(job.subject) + std::string(kDrawnAs)));
       std::snprintf(name, sizeof name, "card-%016llx.png", static_cast<unsigned long long>(hash));
       job.kept = folder / name;
       std::error_code ignored;

@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/lesson/lesson.h"
 #include "engine/render/picture.h"
 #include "engine/render/view_scene.h"
@@ -24,7 +24,7 @@ class Renderer;
 
 /// What a picture shows: a molecule as a lesson's scene turns and marks it.
 struct CardSubject {
-  std::filesystem::path molecule;
+  MoleculeKey molecule;
   SceneSpec scene;
 };
 

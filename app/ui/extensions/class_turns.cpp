@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "app/ui/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/attempt_recorder.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 
@@ -14,32 +14,32 @@ void ClassTurns::begin(Application& app, std::vector<std::string> names, double 
   predictions_ = 0;
   if (!on()) return;
   app.panels.welcome = false;
-  call(app);
+  call();
 }
 
-void ClassTurns::call(Application& app) {
+void ClassTurns::call() {
   draft.who = 0;
   draft.prediction.clear();
-  app.extensions().recorder.pause(true);
+  recorder_.pause(true);
 }
 
 void ClassTurns::start(Application& app) {
   if (turns_.state() != Turns::State::HandOver) return;
   turns_.start();
   app.scene.play(std::nullopt);
-  app.extensions().recorder.pause(false);
-  app.extensions().recorder.passTo(app, turns_.current());
+  recorder_.pause(false);
+  recorder_.passTo(app, turns_.current());
 }
 
-void ClassTurns::passOn(Application& app) {
+void ClassTurns::passOn() {
   turns_.passOn();
-  if (on()) call(app);
+  if (on()) call();
 }
 
 void ClassTurns::skip(Application& app) {
   turns_.leave(turns_.current());
   if (on())
-    call(app);
+    call();
   else
     end(app);
 }
@@ -47,12 +47,12 @@ void ClassTurns::skip(Application& app) {
 void ClassTurns::end(Application& app) {
   turns_.end();
   app.scene.play(std::nullopt);
-  app.extensions().recorder.pause(false);
-  app.extensions().recorder.passTo(app, {});
+  recorder_.pause(false);
+  recorder_.passTo(app, {});
 }
 
-std::string ClassTurns::prompt(const Application& app) const {
-  const LessonSession* session = app.lesson.session();
+std::string ClassTurns::prompt(const LessonGuide& lesson) const {
+  const LessonSession* session = lesson.session();
   if (!session) return tr("What will be felt next?");
   for (std::size_t k = 0; k < session->step().tasks.size(); ++k) {
     const TaskStatus task = session->task(k);
@@ -68,14 +68,14 @@ bool ClassTurns::predict(Application& app, const std::string& name, const std::s
   const std::string said(trimmed(text));
   if (said.empty() || std::find(waiting.begin(), waiting.end(), name) == waiting.end()) return false;
   const LessonSession* session = app.lesson.session();
-  app.extensions().recorder.keepPrediction({name, session ? session->step().id : std::string(), prompt(app), said});
+  recorder_.keepPrediction({name, session ? session->step().id : std::string(), prompt(app.lesson), said});
   ++predictions_;
   return true;
 }
 
 void ClassTurns::beforeTicks(Application& app) {
   if (!on()) return;
-  if (turns_.tick(app.dt_s())) call(app);
+  if (turns_.tick(app.dt_s())) call();
   // Nothing in anyone's hand: no force, no touch.
   if (turns_.state() == Turns::State::HandOver) app.scene.play(ServoSample());
 }

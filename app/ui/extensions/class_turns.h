@@ -5,13 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "engine/results/turns.h"
 
 namespace moltact {
 
+class AttemptRecorder;
+
 class ClassTurns : public Extension {
  public:
+  explicit ClassTurns(AttemptRecorder& recorder) : recorder_(recorder) {}
+
   const Turns& turns() const { return turns_; }
   bool on() const { return turns_.on(); }
 
@@ -19,7 +24,7 @@ class ClassTurns : public Extension {
   void begin(Application& app, std::vector<std::string> names, double turn_s);
   /// The student who was called has the device: his attempt goes on, or begins.
   void start(Application& app);
-  void passOn(Application& app);
+  void passOn();
   /// The one who was called is not here.
   void skip(Application& app);
   void pause() { turns_.pause(); }
@@ -28,7 +33,7 @@ class ClassTurns : public Extension {
   void end(Application& app);
 
   /// What those who wait are asked: about the task or the question that the class is at.
-  std::string prompt(const Application& app) const;
+  std::string prompt(const LessonGuide& lesson) const;
   /// Keeps what one of them predicts. False, keeping nothing, for an empty text or a name that does not wait.
   bool predict(Application& app, const std::string& name, const std::string& text);
   std::size_t predictionsKept() const { return predictions_; }
@@ -44,7 +49,8 @@ class ClassTurns : public Extension {
   bool live() const override { return turns_.state() == Turns::State::Running; }
 
  private:
-  void call(Application& app);
+  AttemptRecorder& recorder_;
+  void call();
 
   Turns turns_;
   std::size_t predictions_ = 0;

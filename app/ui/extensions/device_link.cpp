@@ -4,8 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "app/ui/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/task_stager.h"
 #include "engine/language/catalogue.h"
 #include "engine/servo/safety_stage.h"
 #include "engine/servo/scale.h"
@@ -154,7 +154,7 @@ void DeviceLink::stopTrying(Application& app) {
 // A cap or a stick that leads the view; not while a task keeps the screen dark.
 void DeviceLink::leadView(Application& app) {
   Device* device = app.scene.servo().chosen();
-  if (!device || !app.scene.stage() || app.scene.servo().fallenBack() || app.extensions().task_stager.dark()) return;
+  if (!device || !app.scene.stage() || app.scene.servo().fallenBack() || stager_.dark()) return;
   const ViewWish wish = device->viewWish();
   const double dt = app.dt_s();
   Camera& camera = app.scene.camera;
@@ -176,8 +176,7 @@ void DeviceLink::beforeTicks(Application& app) {
   await(app);
   leadView(app);
   app.scene.followView();
-  if (chosen_ != "mouse")
-    app.scene.servo_settings.clutch.buttons = app.extensions().task_stager.takesSecondButton() ? 0 : kClutchButton;
+  if (chosen_ != "mouse") app.scene.servo_settings.clutch.buttons = stager_.takesSecondButton() ? 0 : kClutchButton;
   for (double& left : limit_left_s_) left = std::max(0.0, left - app.dt_s());
   // The panic key, another scene and a hand that is played end a try by themselves.
   trying_s_ = app.scene.trying() ? trying_s_ - app.dt_s() : 0.0;
@@ -200,7 +199,7 @@ void DeviceLink::ask(Application& app) {
   if (now == told_) return;
   app.messages.takeBack(told_id_);
   told_ = now;
-  if (wantsCalibration(app))
+  if (wantsCalibration(app.scene.servo()))
     told_id_ = app.messages.ask(MessageKind::Warning, now, {"calibrate", "device"});
   else if (!now.empty())
     told_id_ = app.messages.ask(MessageKind::Warning, now, {"device"});
@@ -210,8 +209,8 @@ void DeviceLink::ask(Application& app) {
     app.messages.notice(trf("{0} is ready.", name));
 }
 
-bool DeviceLink::wantsCalibration(const Application& app) const {
-  return app.scene.servo().chosen() && status_.connected && status_.asks_calibrate;
+bool DeviceLink::wantsCalibration(const ServoLink& servo) const {
+  return servo.chosen() && status_.connected && status_.asks_calibrate;
 }
 
 void DeviceLink::watchTicks(const std::vector<ServoSample>& ticks) {
@@ -231,10 +230,10 @@ void DeviceLink::afterPanels(Application& app) {
   watchTicks(app.scene.servo().everyTick());
 }
 
-DeviceLink::ScaleWords DeviceLink::scaleWords(const Application& app) const {
-  const ServoSettings& s = app.scene.servo_settings;
-  if (app.extensions().task_stager.dark()) return {lengthScale(s.workspace) + ".", ""};
-  const double felt = steadyStiffness_N_per_mm(s.stiffness_N_per_mm, app.scene.servo().device());
+DeviceLink::ScaleWords DeviceLink::scaleWords(const TouchScene& scene) const {
+  const ServoSettings& s = scene.servo_settings;
+  if (stager_.dark()) return {lengthScale(s.workspace) + ".", ""};
+  const double felt = steadyStiffness_N_per_mm(s.stiffness_N_per_mm, scene.servo().device());
   return {scaleSentence(s.workspace, felt), scaleReason(s.workspace, felt)};
 }
 
@@ -245,7 +244,7 @@ std::vector<const LimitWords*> DeviceLink::actingLimits() const {
   return out;
 }
 
-std::vector<std::string> DeviceLink::limitNotices(const Application& app) const {
+std::vector<std::string> DeviceLink::limitNotices(const Messages& messages) const {
   std::vector<std::string> out;
   for (const LimitWords* one : actingLimits()) {
     if (one->limit == Limit::Panic || (one->limit == Limit::SoftStart && soft_start_s_ < kLongStart_s)) continue;
@@ -253,7 +252,7 @@ std::vector<std::string> DeviceLink::limitNotices(const Application& app) const 
     const bool own_words = one->limit == Limit::DeviceFault && !told_.empty();
     if (!own_words)
       out.emplace_back(tr(one->sentence));
-    else if (!app.messages.tells(told_id_))
+    else if (!messages.tells(told_id_))
       out.push_back(told_);
   }
   return out;

@@ -9,16 +9,20 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/application/extension.h"
 #include "app/ui/extensions/device_looker.h"
-#include "app/ui/extensions/extension.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/device/device_search.h"
 #include "engine/servo/safety_limits.h"
 
 namespace moltact {
 
+class TaskStager;
+
 class DeviceLink : public Extension {
  public:
+  explicit DeviceLink(const TaskStager& stager) : stager_(stager) {}
+
   static constexpr double kShowLimit_s = 1.0;  ///< a limit that acted is shown for so long
   static constexpr double kLongStart_s = 1.5;  ///< a soft start that lasts longer is told over the view
   static constexpr double kTry_s = 4.0;        ///< the gentle force is tried for so long
@@ -53,16 +57,16 @@ class DeviceLink : public Extension {
   struct ScaleWords {
     std::string sentence, reason;
   };
-  ScaleWords scaleWords(const Application& app) const;
+  ScaleWords scaleWords(const TouchScene& scene) const;
 
   /// Whether it waits for its calibrate(), when the person has done what status() says.
-  bool wantsCalibration(const Application& app) const;
+  bool wantsCalibration(const ServoLink& servo) const;
 
   /// The limits that acted within the last kShowLimit_s, in whatever scene.
   std::vector<const LimitWords*> actingLimits() const;
   /// What of that is worth words over the view: a soft start, which every touch begins with, only where it does not
   /// end; the panic key has words of its own.
-  std::vector<std::string> limitNotices(const Application& app) const;
+  std::vector<std::string> limitNotices(const Messages& messages) const;
   /// Of the last some thousand ticks, the share in each class of kLate_us and beyond.
   const std::array<float, kLate_us.size() + 1>& lateness() const { return lateness_; }
 
@@ -71,6 +75,7 @@ class DeviceLink : public Extension {
   bool live() const override { return chosen_ != "mouse" || trying_s_ > 0.0 || !awaited_.empty(); }
 
  private:
+  const TaskStager& stager_;  // in the dark nothing may tell what is touched
   std::optional<Problem> use(Application& app, const std::string& name, std::unique_ptr<Device> opened = nullptr);
   void taken(Application& app, const std::string& name);
   void begin(Application& app);

@@ -1,7 +1,7 @@
 // The extensions of the window: one member each. Window's thread.
 #pragma once
 
-#include <vector>
+#include <array>
 
 #include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/extensions/card_pictures.h"
@@ -22,33 +22,40 @@
 
 namespace moltact {
 
-struct Extensions {
+struct Extensions final : ExtensionSet {
+  Extensions() = default;
+  Extensions(const Extensions&) = delete;  // all_ holds the places of the members
+  Extensions& operator=(const Extensions&) = delete;
+
+  // Each is given the others that it uses, which stand above it.
   SettingsKeeper settings_keeper;
   LessonWatch lesson_watch;
-  LessonLocks lesson_locks;  // before the history, which then never sees what is locked change
+  LessonLocks lesson_locks;
   AttemptRecorder recorder;
-  ClassTurns turns;
-  Playback playback;
-  SceneHistory history;
+  ClassTurns turns{recorder};
+  Playback playback{recorder};
+  SceneChange scene_change;
+  SceneHistory history{scene_change};
   LessonShelf shelf;
   CardPictures card_pictures;
   TaskStager task_stager;
-  SceneChange scene_change;
   HandModel hand_model;
-  StateText state_text;
+  StateText state_text{task_stager};
   TouchSound touch_sound;
-  DeviceLink device;
-  HandRecorder hand_recorder;  // after the device, whose clutch and scale a recording replaces by its own
+  DeviceLink device{task_stager};
+  HandRecorder hand_recorder{recorder, device};
 
-  /// What stands under the view (unit: pixel at 96 dpi); 0 where nothing does.
-  float stripHeight() const;
+  float stripHeight() const override;
+  std::span<Extension* const> all() const override { return all_; }
 
-  /// Every one of them, in the order in which they are called.
-  std::vector<Extension*> all() {
-    return {&settings_keeper, &lesson_watch, &lesson_locks, &recorder,     &turns,         &playback,
-            &history,         &scene_change, &hand_model,   &shelf,        &card_pictures, &task_stager,
-            &state_text,      &touch_sound,  &device,       &hand_recorder};
-  }
+ private:
+  // The order of the calls. Locks come before the history, which then never sees what is locked change, and the history
+  // before the scene change, whose glide it asks about; the device comes before the hand recorder, which replaces the
+  // clutch and scale of the device by those of the recording.
+  std::array<Extension*, 16> all_{&settings_keeper, &lesson_watch, &lesson_locks,  &recorder,
+                                  &turns,           &playback,     &history,       &scene_change,
+                                  &hand_model,      &shelf,        &card_pictures, &task_stager,
+                                  &state_text,      &touch_sound,  &device,        &hand_recorder};
 };
 
 }  // namespace moltact

@@ -1,6 +1,6 @@
 #include "app/ui/extensions/hand_model.h"
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "engine/platform/folders.h"
 
 namespace moltact {

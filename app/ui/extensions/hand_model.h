@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "app/ui/files/settings.h"
 #include "engine/gltf/gltf_file.h"
 

@@ -4,36 +4,20 @@
 #include <memory>
 #include <utility>
 
-#include "app/ui/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/attempt_recorder.h"
+#include "app/ui/extensions/device_link.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/molecule/catalogue.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
-namespace {
-
-constexpr const char* kEnding = ".recording";
-
-// By its name where it is the library's own, else by its path.
-std::string moleculeName(const fs::path& file) {
-  const std::string name = file.stem().string();
-  const Expected<fs::path> found = findMolecule(name, MoleculeFolders::ofThisComputer());
-  std::error_code error;
-  return found && fs::equivalent(*found, file, error) ? name : fs::absolute(file, error).lexically_normal().string();
-}
-
-}  // namespace
-
-bool looksLikeRecording(const fs::path& file) { return file.extension() == kEnding; }
-
 void HandRecorder::askToRecord(Application& app) {
   app.file_dialog.ask({.title = tr("Record the hand in a file"),
-                       .name = app.scene.file().stem().string() + kEnding,
-                       .ending = kEnding,
-                       .chosen = [](Application& asked,
-                                    const fs::path& file) { asked.extensions().hand_recorder.record(asked, file); }},
+                       .name = app.scene.molecule().file.stem().string() + kRecordingEnding,
+                       .ending = kRecordingEnding,
+                       .chosen = [this, &app](const fs::path& file) { record(app, file); }},
                       app.options().picture_folder);
 }
 
@@ -46,7 +30,7 @@ void HandRecorder::record(Application& app, const fs::path& file) {
   writer_.emplace(*std::move(made));
   file_ = file;
   ticks_ = 0;
-  tracker_ = app.scene.servo().trackers();
+  tracker_ = app.scene.servo().handedOver();
   told_ =
       app.messages.ask(MessageKind::Notice, trf("The hand is recorded in {0}.", file.filename().string()), {"device"});
 }
@@ -57,12 +41,13 @@ void HandRecorder::drain(Application& app) {
   std::optional<Problem> problem;
   servo.drainRecording(start, [&](const RecordedTick& tick) {
     if (problem) return;
-    if (ticks_ == 0)
-      problem = writer_->begin({{"molecule", moleculeName(app.scene.file())},
-                                {"balls", fingerprint(*app.scene.stage().balls)},
-                                {"method", app.scene.method()},
-                                {"device", servo.device().name}},
-                               start);
+    if (ticks_ == 0) {
+      auto labels = moleculeLabels(lastingName(app.scene.molecule(), MoleculeFolders::ofThisComputer()));
+      labels["balls"] = fingerprint(*app.scene.stage().balls);
+      labels["method"] = app.scene.method();
+      labels["device"] = servo.device().name;
+      problem = writer_->begin(labels, start);
+    }
     if (!problem) problem = writer_->add(tick);
     ++ticks_;
   });
@@ -91,6 +76,16 @@ void HandRecorder::stop(Application& app) {
                             quantityText(recorded_s(), Dimension::Time, decimals(1)), file_.string()));
 }
 
+void HandRecorder::beforeOpening(Application& app, FileKind kind) {
+  if (kind != FileKind::Attempt) endPlay(app);
+}
+
+bool HandRecorder::open(Application& app, FileKind kind, const fs::path& file) {
+  if (kind != FileKind::Recording) return false;
+  play(app, file);
+  return true;
+}
+
 void HandRecorder::play(Application& app, const fs::path& file) {
   Expected<ServoRecording> recording = readServoRecording(file);
   if (!recording) return app.messages.error(recording.problem().text());
@@ -101,9 +96,10 @@ void HandRecorder::play(Application& app, const fs::path& file) {
   endPlay(app);
   file_ = file;
   waiting_ = *std::move(recording);
-  const std::string molecule = label("molecule");
-  const Expected<fs::path> found = findMolecule(molecule, MoleculeFolders::ofThisComputer());
-  if (found && *found != app.scene.file()) {
+  const NamedMolecule recorded = labelledMolecule(waiting_->labels);
+  const std::string& molecule = recorded.name;
+  const Expected<MoleculeKey> found = findMolecule(recorded, MoleculeFolders::ofThisComputer());
+  if (found && *found != app.scene.molecule()) {
     app.showMolecule(*found);
   } else if (!found && !app.scene.stage()) {
     waiting_.reset();
@@ -127,12 +123,12 @@ void HandRecorder::begin(Application& app) {
     app.messages.warning(tr(
         "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else."));
   app.scene.useMethod(label("method"));
-  before_ = app.extensions().device.chosen();
+  before_ = link_.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));
   device_ = device.get();
   playing_ = true;
-  app.extensions().recorder.pause(true);
-  app.extensions().device.lend(app, std::move(device));
+  attempts_.pause(true);
+  link_.lend(app, std::move(device));
   lead(app);
 }
 
@@ -150,8 +146,8 @@ void HandRecorder::endPlay(Application& app) {
   const bool leads = app.scene.servo().chosen() == device_;
   device_ = nullptr;
   app.scene.leadBy(nullptr);
-  if (!app.scene.playing()) app.extensions().recorder.pause(false);
-  if (leads) app.extensions().device.giveBack(app, before_);
+  if (!app.scene.playing()) attempts_.pause(false);
+  if (leads) link_.giveBack(app, before_);
 }
 
 double HandRecorder::at_s() const { return playing_ ? double(device_->at()) * kTick_s : 0.0; }
@@ -170,7 +166,7 @@ void HandRecorder::beforeTicks(Application& app) {
 void HandRecorder::afterPanels(Application& app) {
   if (!recording()) return;
   drain(app);
-  if (recording() && app.scene.servo().trackers() != tracker_) stop(app);
+  if (recording() && app.scene.servo().handedOver() != tracker_) stop(app);
 }
 
 void HandRecorder::atEnd(Application& app) { stop(app); }

@@ -7,17 +7,19 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/servo/playback_device.h"
 
 namespace moltact {
 
-/// Whether a file is a recording of a hand, by its name.
-bool looksLikeRecording(const std::filesystem::path& file);
+class AttemptRecorder;
+class DeviceLink;
 
 class HandRecorder : public Extension {
  public:
+  HandRecorder(AttemptRecorder& recorder, DeviceLink& device) : attempts_(recorder), link_(device) {}
+
   /// Asks for a file, then records until stop(), or until another molecule or method is on the stage.
   void askToRecord(Application& app);
   void record(Application& app, const std::filesystem::path& file);
@@ -34,12 +36,17 @@ class HandRecorder : public Extension {
   double length_s() const;
   std::string name() const { return file_.filename().string(); }
 
+  void beforeOpening(Application& app, FileKind kind) override;
+  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
   void beforeTicks(Application& app) override;
   void afterPanels(Application& app) override;
   void atEnd(Application& app) override;
   bool live() const override { return recording() || playing_ || waiting_; }
+  bool leadsHand() const override { return playing_; }
 
  private:
+  AttemptRecorder& attempts_;  // rests while a recording plays
+  DeviceLink& link_;           // gets the playing hand as a device
   void drain(Application& app);
   void begin(Application& app);
   void lead(Application& app);

@@ -1,6 +1,6 @@
 #include "app/ui/extensions/lesson_locks.h"
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 
 namespace moltact {
 

@@ -2,7 +2,7 @@
 // once a frame, when all of them have done their work. Window's thread.
 #pragma once
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 
 namespace moltact {
 

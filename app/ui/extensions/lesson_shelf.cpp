@@ -5,7 +5,7 @@
 #include <system_error>
 #include <tuple>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/files/library.h"
 #include "app/ui/files/user_folders.h"
 #include "engine/language/catalogue.h"
@@ -34,13 +34,13 @@ void read(LessonCard& card) {
   card.level = lesson.level;
   card.minutes = lesson.minutes;
   card.scene = lesson.steps.front().scene;
-  if (Expected<fs::path> file = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(file);
+  if (Expected<MoleculeKey> key = moleculeOf(*card.scene, card.file)) card.molecule = *std::move(key);
 }
 
 }  // namespace
 
-fs::path lessonFolderOf(const Application& app) {
-  return app.settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(app.settings.lesson_folder);
+fs::path lessonFolderOf(const Settings& settings) {
+  return settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(settings.lesson_folder);
 }
 
 void LessonShelf::list(const Application& app) {
@@ -57,7 +57,7 @@ void LessonShelf::list(const Application& app) {
     }
   };
   add(lessons(), false);
-  if (const fs::path own = lessonFolderOf(app); !own.empty()) add(lessonItems(own), true);
+  if (const fs::path own = lessonFolderOf(app.settings); !own.empty()) add(lessonItems(own), true);
   if (app.options().attempts_folder.empty()) return;
   for (LessonProgress& p : readProgress(app.options().attempts_folder))
     for (LessonCard& card : cards_)

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
+#include "app/ui/files/settings.h"
 #include "engine/lesson/lesson.h"
 #include "engine/results/progress.h"
 
@@ -23,7 +24,7 @@ struct LessonCard {
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can
   std::optional<SceneSpec> scene;          ///< of its first step
-  std::filesystem::path molecule;          ///< the scene's file; empty where it is not found
+  MoleculeKey molecule;                    ///< the scene's; empty where its file is not found
   std::optional<LessonProgress> progress;  ///< none: never begun
 };
 
@@ -48,6 +49,6 @@ class LessonShelf : public Extension {
 };
 
 /// Where the person's own lessons are looked for: the folder of the settings, else ownLessonsFolder().
-std::filesystem::path lessonFolderOf(const Application& app);
+std::filesystem::path lessonFolderOf(const Settings& settings);
 
 }  // namespace moltact

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <system_error>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 
@@ -19,7 +19,7 @@ constexpr double kLookAgain_s = 2.0;  // a picture or molecule that was missing 
 constexpr const char* kSaveAgain = N_("save it again, or open another lesson");
 
 LessonCheck checkNow(const std::string& name, const std::string& bytes, LessonMolecules& molecules) {
-  return checkLesson(name, bytes, [&](const std::string& molecule) { return molecules.find(name, molecule); });
+  return checkLesson(name, bytes, [&](const NamedMolecule& molecule) { return molecules.find(name, molecule); });
 }
 
 }  // namespace
@@ -35,7 +35,7 @@ LessonWatch::Look LessonWatch::lookAt(const fs::path& file) {
   return look;
 }
 
-bool LessonWatch::shown(const Application& app) const { return app.lesson.session() && app.lesson.file() == file_; }
+bool LessonWatch::shown(const LessonGuide& lesson) const { return lesson.session() && lesson.file() == file_; }
 
 void LessonWatch::watch(const fs::path& file) {
   file_ = file;
@@ -54,7 +54,7 @@ void LessonWatch::lessonChanged(Application& app) {
   begin(app);
 }
 
-void LessonWatch::refused(Application& app, const fs::path& file) {
+void LessonWatch::lessonRefused(Application& app, const fs::path& file) {
   watch(file);
   // What is wrong with a file that a person has just chosen is told at once.
   const Expected<std::string> bytes = readLessonFile(file);
@@ -117,7 +117,7 @@ void LessonWatch::begin(Application& app) {
 }
 
 void LessonWatch::takeUp(Application& app, LessonCheck check) {
-  const bool is_shown = shown(app), first = is_shown && bytes_.empty() && !changed_;
+  const bool is_shown = shown(app.lesson), first = is_shown && bytes_.empty() && !changed_;
   if (first) {
     // The lesson that has just been opened: it is the text on the screen, whatever is wrong with it.
     bytes_ = pending_bytes_;

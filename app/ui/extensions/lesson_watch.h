@@ -10,7 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
+#include "app/ui/lesson/lesson_guide.h"
 #include "engine/lesson/check.h"
 #include "engine/lesson/lesson_molecules.h"
 
@@ -32,11 +33,10 @@ class LessonWatch : public Extension {
   /// What is shown is not the file as it is now, but as it was before the errors came.
   bool stale() const { return errors_ > 0 && stale_; }
   /// The file is the one of the lesson that is shown.
-  bool shown(const Application& app) const;
+  bool shown(const LessonGuide& lesson) const;
 
-  /// A file was to be opened and could not be read as a lesson: it is watched, and opened once it can be.
-  void refused(Application& app, const std::filesystem::path& file);
-
+  /// It is watched, and opened once it can be.
+  void lessonRefused(Application& app, const std::filesystem::path& file) override;
   void beforeTicks(Application& app) override;
   void lessonChanged(Application& app) override;
   bool live() const override { return running_.valid(); }

@@ -2,16 +2,31 @@
 
 #include <algorithm>
 
-#include "app/ui/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/attempt_recorder.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
 
 namespace moltact {
 namespace fs = std::filesystem;
+namespace {
 
-bool looksLikeAttempt(const fs::path& file) { return file.extension() == ".jsonl"; }
+// An attempt names a molecule by its file without folders.
+NamedMolecule namedOf(const StageSet& stage) { return {stage.file, stage.reading}; }
+NamedMolecule namedOf(const MoleculeKey& key) { return {key.file.filename().string(), key.reading}; }
+
+}  // namespace
+
+void Playback::beforeOpening(Application& app, FileKind kind) {
+  if (kind != FileKind::Attempt) close(app, false);
+}
+
+bool Playback::open(Application& app, FileKind kind, const fs::path& file) {
+  if (kind != FileKind::Attempt) return false;
+  open(app, file);
+  return true;
+}
 
 void Playback::open(Application& app, const fs::path& file) {
   Expected<Attempt> attempt = readAttempt(file);
@@ -23,18 +38,18 @@ void Playback::open(Application& app, const fs::path& file) {
   const std::string first_problem =
       passed_over ? trf("line {0}, {1}", attempt->problems.front().line, attempt->problems.front().message) : "";
   if (!on()) {
-    before_ = app.scene.file();
+    before_ = app.scene.molecule();
     seen_before_ = app.scene.camera;
   }
   timeline_.emplace(*std::move(attempt));
   file_ = file;
-  shown_stage_.clear();
+  shown_stage_ = {};
   missing_.clear();
   shown_view_ = nullptr;
   follows_view = true;
   at_s_ = 0.0;
   running_ = true;
-  app.extensions().recorder.pause(true);
+  recorder_.pause(true);
   app.messages.clearErrors();
   app.panels.welcome = false;
   if (passed_over)
@@ -50,12 +65,12 @@ void Playback::close(Application& app, bool back) {
   timeline_.reset();
   running_ = false;
   app.scene.play(std::nullopt);
-  app.extensions().recorder.pause(false);
+  recorder_.pause(false);
   if (!back) return;
   // The view is where the attempt's last moment had it, which may be anywhere.
   if (app.lesson.session())
     app.lesson.askForScene();
-  else if (!before_.empty() && before_ != app.scene.file())
+  else if (!before_.empty() && before_ != app.scene.molecule())
     app.showMolecule(before_);
   else if (!before_.empty())
     app.scene.camera = seen_before_;
@@ -97,15 +112,17 @@ std::string Playback::lastMark() const {
 
 void Playback::stageFor(Application& app) {
   const StageSet* stage = timeline_->stage(at_s_);
-  if (!stage || stage->file == shown_stage_) return;
-  shown_stage_ = stage->file;
-  if (app.scene.file().filename() == stage->file && app.scene.stage()) return;
+  if (!stage || namedOf(*stage) == shown_stage_) return;
+  shown_stage_ = namedOf(*stage);
+  if (app.scene.stage() && namedOf(app.scene.molecule()) == shown_stage_) return;
   std::error_code error;
   for (const fs::path& folder : {file_.parent_path(), lessonsFolder()})
-    if (fs::is_regular_file(folder / stage->file, error)) return app.showMolecule(folder / stage->file);
+    if (fs::is_regular_file(folder / stage->file, error))
+      return app.showMolecule({folder / stage->file, stage->reading});
   // The library and what has been fetched are asked by the molecule's name: its file without its endings.
   const std::string& name = stage->file;
-  const Expected<fs::path> found = findMolecule(name.substr(0, name.find('.')), MoleculeFolders::ofThisComputer());
+  const NamedMolecule id(name.substr(0, name.find('.')), stage->reading);
+  const Expected<MoleculeKey> found = findMolecule(id, MoleculeFolders::ofThisComputer());
   if (found) return app.showMolecule(*found);
   if (missing_ == name) return;
   missing_ = name;
@@ -116,7 +133,7 @@ void Playback::stageFor(Application& app) {
 void Playback::showHand(Application& app) {
   ServoSample sample;
   const StageSet* stage = timeline_->stage(at_s_);
-  const bool here = stage && app.scene.stage() && app.scene.file().filename() == stage->file &&
+  const bool here = stage && app.scene.stage() && namedOf(app.scene.molecule()) == namedOf(*stage) &&
                     app.scene.stage().molecule->atoms.size() == stage->atoms;
   if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
     sample.has_tracker = true;
@@ -124,6 +141,7 @@ void Playback::showHand(Application& app) {
     sample.contact.scp = hand->scp;
     sample.contact.feature = hand->feature;
     sample.contact.atoms = hand->atoms;
+    sample.contact.displacement_A = hand->displacement_A;
     sample.force = hand->force;
     sample.probe_A = stage->probe_A;
     sample.time_s = at_s_;

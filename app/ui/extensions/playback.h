@@ -6,17 +6,18 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/render/camera.h"
 #include "engine/results/timeline.h"
 
 namespace moltact {
 
-/// Whether a file is an attempt, by its name.
-bool looksLikeAttempt(const std::filesystem::path& file);
+class AttemptRecorder;
 
 class Playback : public Extension {
  public:
+  explicit Playback(AttemptRecorder& recorder) : recorder_(recorder) {}
+
   /// Begins to play a file; one that cannot be read is told and changes nothing.
   void open(Application& app, const std::filesystem::path& file);
   /// Back to the lesson or molecule that was there before; with `back` false, something else is about to be opened.
@@ -40,21 +41,27 @@ class Playback : public Extension {
   bool follows_view = true;  ///< the view turns as it did; off once the person turns it
   bool skips_rests = true;   ///< passes over times when the hand lay still
 
+  void beforeOpening(Application& app, FileKind kind) override;
+  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
   void beforeTicks(Application& app) override;
   void afterPanels(Application& app) override;
   bool live() const override { return running(); }
+  bool hidesLesson() const override { return on(); }
 
   static constexpr double kRest_s = 3.0;  ///< a longer rest is passed over
 
  private:
+  AttemptRecorder& recorder_;  // rests meanwhile
   void stageFor(Application& app);
   void showHand(Application& app);
   void showView(Application& app);
 
   std::optional<Timeline> timeline_;
-  std::filesystem::path file_, before_;  // the attempt; the molecule that was on the stage
-  Camera seen_before_;                   // how that was looked at
-  std::string shown_stage_, missing_;    // names of molecule files: asked for, and told as missing
+  std::filesystem::path file_;  // the attempt
+  MoleculeKey before_;          // on the stage before
+  Camera seen_before_;          // how that was looked at
+  NamedMolecule shown_stage_;   // asked for, by its file's name without folders
+  std::string missing_;         // the name of a molecule's file that was told as missing
   const ViewRotated* shown_view_ = nullptr;
   double at_s_ = 0.0;
   bool running_ = false;

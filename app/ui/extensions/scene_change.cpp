@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/scene/view_picture.h"
 
 namespace moltact {

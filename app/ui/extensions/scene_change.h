@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/render/camera.h"
 
 namespace moltact {
@@ -20,6 +20,7 @@ class SceneChange : public Extension {
   static constexpr double kGlide_s = 0.6, kFade_s = 0.35;
 
   void sceneChanged(Application& app) override;
+  void viewReset(Application& app, const Camera& seen) override { glide(app, seen); }
   void beforeTicks(Application& app) override;
   void afterPanels(Application& app) override;
   bool live() const override { return glide_s_ < kGlide_s || fade_s_ < kFade_s; }

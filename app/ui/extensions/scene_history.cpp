@@ -2,8 +2,8 @@
 
 #include <imgui.h>
 
-#include "app/ui/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/scene_change.h"
 
 namespace moltact {
 
@@ -25,7 +25,7 @@ void SceneHistory::apply(Application& app, const Choices& c, const std::optional
   app.scene.magnify(c.magnified);
   if (camera) {
     app.scene.camera = *camera;
-    app.extensions().scene_change.glide(app, seen);
+    change_.glide(app, seen);
   }
   current_ = c;
 }
@@ -44,8 +44,10 @@ void SceneHistory::redo(Application& app) {
   apply(app, done_.back().after, done_.back().camera_after);
 }
 
-void SceneHistory::noteView(const Camera& before, const Camera& after) {
-  if (!(before == after)) view_ = {before, after};
+// Undo brings back the camera as it was, or where it was on its way to.
+void SceneHistory::viewReset(Application& app, const Camera& seen) {
+  const Camera before = change_.bound(seen);
+  if (!(before == app.scene.camera)) view_ = {before, app.scene.camera};
 }
 
 void SceneHistory::afterPanels(Application& app) {

@@ -7,27 +7,30 @@
 #include <utility>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 
 namespace moltact {
 
+class SceneChange;
+
 class SceneHistory : public Extension {
  public:
+  explicit SceneHistory(SceneChange& change) : change_(change) {}
+
   static constexpr std::size_t kMost = 100;  ///< the oldest changes are forgotten beyond this
 
   bool canUndo() const { return !done_.empty(); }
   bool canRedo() const { return !undone_.empty(); }
   void undo(Application& app);
   void redo(Application& app);
-  /// The view was set anew by hand, or is on its way: undo brings back the camera as it was before.
-  void noteView(const Camera& before, const Camera& after);
-
   /// Takes up a change once the mouse rests, so that a slider's whole drag is one.
   void afterPanels(Application& app) override;
   void sceneChanged(Application&) override { begin(); }
   void stepChanged(Application&) override { begin(); }
+  void viewReset(Application& app, const Camera& seen) override;
 
  private:
+  SceneChange& change_;  // leads the camera to what is brought back
   struct Choices {
     std::string method;
     double probe_A = 0.0, stiffness_N_per_mm = 0.0;

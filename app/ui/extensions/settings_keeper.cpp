@@ -1,11 +1,13 @@
 #include "app/ui/extensions/settings_keeper.h"
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 
 namespace moltact {
 namespace {
 constexpr double kSaveAfter_s = 1.0;
 }
+
+void SettingsKeeper::atStart(Application& app) { kept_ = changing_ = app.settings; }
 
 void SettingsKeeper::afterPanels(Application& app) {
   const std::filesystem::path& file = app.options().settings_file;

@@ -1,16 +1,15 @@
 // Writes the settings to their file once they have rested for a second, and at the end. Window's thread.
 #pragma once
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "app/ui/files/settings.h"
 
 namespace moltact {
 
 class SettingsKeeper : public Extension {
  public:
-  /// The settings as they are in the file: from here on changes are kept.
-  void begin(const Settings& kept) { kept_ = changing_ = kept; }
-
+  /// The settings are as they are in the file: from here on changes are kept.
+  void atStart(Application& app) override;
   void afterPanels(Application& app) override;
   void atEnd(Application& app) override;
 

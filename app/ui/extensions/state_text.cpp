@@ -1,7 +1,7 @@
 #include "app/ui/extensions/state_text.h"
 
-#include "app/ui/application.h"
-#include "app/ui/extensions/extensions.h"
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/task_stager.h"
 #include "app/ui/scene/contact_text.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/terminal.h"
@@ -54,7 +54,7 @@ void StateText::afterPanels(Application& app) {
   const Contact& contact = app.scene.log().latest().contact;
   const bool force_on = app.scene.servo_settings.force_on;
   const double force_N = force_on ? app.scene.log().force_N() : 0.0;
-  const bool dark = app.extensions().task_stager.dark();
+  const bool dark = stager_.dark();
   const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
   const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
   if (reading_.update(what, whole, force_N, app.now_s())) tells_contact_ = molecule && contact.touching();

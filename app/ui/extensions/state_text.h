@@ -7,15 +7,19 @@
 #include <optional>
 #include <string>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "app/ui/scene/state_line.h"
 #include "engine/core/problem.h"
 #include "engine/platform/append_file.h"
 
 namespace moltact {
 
+class TaskStager;
+
 class StateText : public Extension {
  public:
+  explicit StateText(const TaskStager& stager) : stager_(stager) {}
+
   /// From now on lines go to this file, which is begun anew, or to standard output for "-": the step, what its task
   /// asks for, what is touched. Returns what went wrong, or nothing.
   std::optional<Problem> writeTo(const std::filesystem::path& file);
@@ -30,6 +34,7 @@ class StateText : public Extension {
   bool tellsContact() const { return tells_contact_; }
 
  private:
+  const TaskStager& stager_;  // in the dark no atom is named
   void write(const std::string& line);
 
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 
 namespace moltact {
 

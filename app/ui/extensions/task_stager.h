@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/lesson/tasks/task.h"
 
 namespace moltact {

@@ -1,6 +1,6 @@
 #include "app/ui/extensions/touch_sound.h"
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "engine/core/sample_ring.h"
 #include "engine/platform/audio_output.h"
 

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "app/ui/extensions/extension.h"
+#include "app/ui/application/extension.h"
 #include "engine/sound/touch_synth.h"
 
 namespace moltact {

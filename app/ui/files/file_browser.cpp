@@ -3,10 +3,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "app/ui/extensions/hand_recorder.h"
-#include "app/ui/extensions/playback.h"
-#include "app/ui/lesson/lesson_guide.h"
-#include "app/ui/scene/loader.h"
+#include "app/ui/files/file_kinds.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -30,9 +27,7 @@ void FileBrowser::look(const fs::path& where) {
     const std::string name = it->path().filename().string();
     if (name.starts_with('.')) continue;
     const bool is_folder = it->is_directory(ignored);
-    const bool wanted = accept_ ? accept_(it->path())
-                                : looksLikeMolecule(it->path()) || looksLikeLesson(it->path()) ||
-                                      looksLikeAttempt(it->path()) || looksLikeRecording(it->path());
+    const bool wanted = accept_ ? accept_(it->path()) : fileKind(it->path()).has_value();
     if (is_folder || wanted) entries_.push_back({name, is_folder});
   }
   std::sort(entries_.begin(), entries_.end(),

@@ -17,7 +17,7 @@ struct FileEntry {
 class FileBrowser {
  public:
   using Accept = std::function<bool(const std::filesystem::path&)>;
-  /// Which files are listed beside the folders (default: molecules and lessons).
+  /// Which files are listed beside the folders (default: every kind of file_kinds.h).
   void accept(Accept files) { accept_ = std::move(files); }
 
   /// Looks into a folder; one that cannot be read leaves the last, and fault() says why.

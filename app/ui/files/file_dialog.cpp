@@ -26,11 +26,11 @@ fs::path FileDialog::answer() const {
   return name.is_relative() ? browser.folder() / name : name;
 }
 
-void FileDialog::choose(Application& app) {
+void FileDialog::choose() {
   const fs::path file = answer();
   const FileQuestion asked = std::move(*question_);
   close();
-  asked.chosen(app, file);
+  asked.chosen(file);
 }
 
 }  // namespace moltact

@@ -11,13 +11,11 @@
 
 namespace moltact {
 
-class Application;
-
 struct FileQuestion {
   std::string title;        ///< "Save the view as a picture"
   std::string name = {};    ///< what is offered; empty: a folder is asked for
   std::string ending = {};  ///< ".png": put behind a name that has none
-  std::function<void(Application&, const std::filesystem::path&)> chosen;
+  std::function<void(const std::filesystem::path&)> chosen;
 };
 
 class FileDialog {
@@ -32,7 +30,7 @@ class FileDialog {
   /// What would be chosen now: the name, with its ending, in the folder; empty where no name is written.
   std::filesystem::path answer() const;
   /// Hands the answer over and closes.
-  void choose(Application& app);
+  void choose();
 
   FileBrowser browser;
   std::string written;  ///< the name in the dialog's field

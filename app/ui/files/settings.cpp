@@ -16,13 +16,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct ThemeWord {
-  ThemeChoice theme;
-  const char* word;
-};
-constexpr std::array kThemes{ThemeWord{ThemeChoice::Light, "light"}, ThemeWord{ThemeChoice::Dark, "dark"},
-                             ThemeWord{ThemeChoice::HighContrast, "high-contrast"}};
-
 void readNumber(const nlohmann::json& from, const char* key, double& to, double least, double most) {
   if (const auto it = from.find(key); it != from.end() && it->is_number()) {
     const double value = it->get<double>();
@@ -45,18 +38,6 @@ void readSwitch(const nlohmann::json& from, const char* key, bool& to) {
 }
 
 }  // namespace
-
-std::string_view themeName(ThemeChoice theme) {
-  for (const ThemeWord& t : kThemes)
-    if (t.theme == theme) return t.word;
-  return kThemes.front().word;
-}
-
-std::optional<ThemeChoice> themeNamed(std::string_view name) {
-  for (const ThemeWord& t : kThemes)
-    if (t.word == name) return t.theme;
-  return std::nullopt;
-}
 
 std::string_view probeLookName(ProbeLook look) { return kProbeLooks[std::size_t(look)]; }
 

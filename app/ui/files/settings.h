@@ -8,15 +8,11 @@
 #include <string_view>
 #include <vector>
 
+#include "app/ui/widgets/theme_choice.h"
 #include "engine/language/quantity_text.h"
+#include "engine/render/atom_style.h"
 
 namespace moltact {
-
-enum class ThemeChoice { Light, Dark, HighContrast };
-
-/// "light", "dark", "high-contrast".
-std::string_view themeName(ThemeChoice theme);
-std::optional<ThemeChoice> themeNamed(std::string_view name);
 
 /// What stands where the probe and the hand are: the probe as a water molecule or as a plain ball, or a model at the
 /// HIP too.
@@ -50,6 +46,11 @@ struct Settings {
   void remember(const std::filesystem::path& file);
   friend bool operator==(const Settings&, const Settings&) = default;
 };
+
+/// The colours of the atoms that a person prefers.
+inline ElementColours elementColoursOf(const Settings& s) {
+  return s.colour_blind_safe ? ElementColours::ColourBlindSafe : ElementColours::Customary;
+}
 
 /// Settings and, where the file could not be used, why (one sentence; the defaults stand in for what is not sound).
 struct LoadedSettings {

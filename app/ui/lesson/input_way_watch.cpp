@@ -3,16 +3,14 @@
 #include <algorithm>
 #include <iterator>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <imgui.h>
+#include "app/ui/widgets/imgui_versions.h"
 
 namespace moltact {
 
 void InputWayWatch::look(const ImGuiIO& io) {
   // Shift and Ctrl belong to drags of the mouse as well.
-  const bool* const keys = io.KeysDown;
-  const bool key = std::any_of(keys, keys + GLFW_KEY_LEFT_SHIFT, [](bool down) { return down; });
+  bool key = false;
+  for (std::size_t k = 0; k < kKeyCount; ++k) key = key || (!isModifier(keyAt(k)) && ImGui::IsKeyDown(keyAt(k)));
   const bool button = std::any_of(std::begin(io.MouseDown), std::end(io.MouseDown), [](bool down) { return down; });
   // A hand that leans on the mouse while it types stays at the keyboard.
   if (button || io.MouseWheel != 0.0f)

@@ -11,17 +11,6 @@
 
 namespace moltact {
 
-namespace {
-
-bool sameScene(const SceneSpec& a, const SceneSpec& b) {
-  return a.molecule == b.molecule && a.probe_A == b.probe_A && a.stiffness_N_per_mm == b.stiffness_N_per_mm &&
-         a.method == b.method && a.force == b.force && a.show == b.show && a.colour == b.colour &&
-         a.panels == b.panels && a.locked == b.locked && a.view == b.view && a.highlight.text() == b.highlight.text() &&
-         a.facing.text() == b.facing.text() && a.magnify.text() == b.magnify.text();
-}
-
-}  // namespace
-
 ColourBy colourBy(const SceneSpec& scene) { return scene.colour == "chain" ? ColourBy::Chain : ColourBy::Element; }
 
 bool LessonGuide::open(const std::filesystem::path& file) {
@@ -43,7 +32,7 @@ void LessonGuide::replace(Lesson lesson) {
   session_->replaceLesson(std::make_shared<const Lesson>(std::move(lesson)));
   ++openings_;
   if (kept_drafts && session_->step().id == step) drafts_opening_ = openings_;
-  if (seen && sameScene(scene, session_->scene())) scene_seen_ = session_->sceneNumber();
+  if (seen && scene == session_->scene()) scene_seen_ = session_->sceneNumber();
 }
 
 void LessonGuide::next() {
@@ -71,26 +60,26 @@ const SceneSpec* LessonGuide::takeNewScene() {
   return &session_->scene();
 }
 
-Expected<std::filesystem::path> LessonGuide::moleculeFile() const {
+Expected<MoleculeKey> LessonGuide::molecule() const {
   if (!session_) return Problem{{}, 0, 0, tr("no lesson is open"), {}};
   return moleculeOf(session_->scene(), file_);
 }
 
-Expected<std::filesystem::path> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson) {
-  Expected<std::filesystem::path> known = lessonMoleculeFile(lesson, scene.molecule);
+Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson) {
+  Expected<MoleculeKey> known = lessonMolecule(lesson, scene.molecule);
   if (known) return known;
   Problem problem = known.problem();
-  return Problem{lesson.string(), scene.molecule_place.line, scene.molecule_place.column, problem.message,
-                 problem.remedy};
+  const Place place = scene.places.molecule;
+  return Problem{lesson.string(), place.line, place.column, problem.message, problem.remedy};
 }
 
-void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file) {
+void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
   region_.reset();
   on_stage_ = false;
   if (!session_) return;
-  const Expected<std::filesystem::path> wanted = moleculeFile();
-  on_stage_ = wanted && *wanted == file;
+  const Expected<MoleculeKey> wanted = this->molecule();
+  on_stage_ = wanted && *wanted == key;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
@@ -98,13 +87,7 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const std::file
 
 void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
   if (!on_stage_ || !s.has_tracker) return;
-  session_->feed(TouchSample{.time_s = s.time_s,
-                             .hip = s.hip,
-                             .contact = s.contact,
-                             .force = s.force,
-                             .probe_A = s.probe_A,
-                             .method = method,
-                             .exact = exact});
+  session_->feed(touchSampleOf(s, method, exact));
 }
 
 ShapeSet LessonGuide::shapes() const {
@@ -147,10 +130,6 @@ void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene)
 
 void LessonGuide::decorate(ViewScene& scene) const {
   if (on_stage_) scene.highlighted = highlighted_;
-}
-
-bool looksLikeLesson(const std::filesystem::path& file) {
-  return file.extension() == ".md" || file.extension() == ".MD";
 }
 
 }  // namespace moltact

@@ -68,11 +68,11 @@ class LessonGuide {
   void askForScene() { scene_changed_ = true; }
   /// Whether the step's molecule is the one that was met last.
   bool onStage() const { return on_stage_; }
-  /// The file of the step's molecule: in the library, or beside the lesson. A problem where it is in neither.
-  Expected<std::filesystem::path> moleculeFile() const;
+  /// The step's molecule, its file in the library or beside the lesson. A problem where it is in neither.
+  Expected<MoleculeKey> molecule() const;
 
   /// A molecule has come on the stage. The tasks wait for the one that the step asks for.
-  void meet(std::shared_ptr<const Molecule> molecule, const std::filesystem::path& file);
+  void meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key);
   /// A tick; `method` made its contact, `exact` is the exact tracker's for the same hand.
   void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
 
@@ -100,10 +100,7 @@ class LessonGuide {
 
 /// Turns a camera that has been fitted to the molecule the way a scene asks for.
 void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene);
-/// The file of a scene's molecule: beside the lesson, or in the library. A problem where it is in neither.
-Expected<std::filesystem::path> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson);
-
-/// Whether a file is a lesson, by its name.
-bool looksLikeLesson(const std::filesystem::path& file);
+/// A scene's molecule, its file beside the lesson or in the library. A problem where it is in neither.
+Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson);
 
 }  // namespace moltact

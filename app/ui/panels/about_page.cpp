@@ -1,5 +1,5 @@
 // Help: what the program is and on whose work it stands.
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"

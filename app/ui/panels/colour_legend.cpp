@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -37,7 +37,7 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   }
   for (std::size_t k = 0; k < of_chain.size(); ++k)
     if (of_chain[k])
-      chains.push_back({chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name), of_chain[k]});
+      chains.push_back({chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string()), of_chain[k]});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k])
       others.push_back(

@@ -2,8 +2,8 @@
 #include <array>
 #include <string>
 
-#include "app/ui/actions.h"
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
+#include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
@@ -51,7 +51,7 @@ void head(const char* text) {
 // "F, E, V, L, H"
 std::string menuLetters() {
   std::string out;
-  for (int menu = 0; menu < kMenus; ++menu) out += (menu ? ", " : "") + std::string(1, char(menuLetter(Menu(menu))));
+  for (int menu = 0; menu < kMenus; ++menu) out += (menu ? ", " : "") + std::string(1, menuLetter(Menu(menu)));
   return out;
 }
 

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/theme.h"
@@ -73,10 +73,10 @@ void drawDirection(const Vec3& direction, ImVec2 middle, float radius) {
   }
 }
 
-// From the hand to the contact point, in the camera's axes; nothing where no force is given.
+// Whereto the force that is felt leads, in the camera's axes; nothing where no force is given.
 Vec3 pushOf(const Application& app) {
   const ServoSample& now = app.scene.log().latest();
-  const Vec3 way = now.contact.scp.A - now.hip.A;
+  const Vec3& way = now.contact.displacement_A;
   if (!app.scene.log().touching() || app.scene.log().force_N() <= 0.0 || !(glm::length(way) > 1e-6)) return Vec3(0.0);
   return glm::conjugate(app.scene.camera.orientation) * glm::normalize(way);
 }

@@ -3,12 +3,13 @@
 #include <algorithm>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/core/saturated.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
@@ -81,8 +82,8 @@ void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, floa
   draw->AddRect(a, b, p.line, l.px(6));
   draw->AddLine({middle.x, a.y}, {middle.x, b.y}, p.line);
   draw->AddLine({a.x, middle.y}, {b.x, middle.y}, p.line);
-  const ImVec2 at{std::clamp(middle.x + scale * float(hand_mm.x), a.x, b.x),
-                  std::clamp(middle.y - scale * float(hand_mm.y), a.y, b.y)};
+  const ImVec2 at{std::clamp(middle.x + scale * floatOf(hand_mm.x), a.x, b.x),
+                  std::clamp(middle.y - scale * floatOf(hand_mm.y), a.y, b.y)};
   const ImVec2 tip{at.x + l.px(kForce_px_per_N) * float(force_N.x), at.y - l.px(kForce_px_per_N) * float(force_N.y)};
   draw->AddLine(at, tip, p.warn, l.px(3));
   draw->AddCircleFilled(at, l.px(5), p.accent, 24);
@@ -95,7 +96,9 @@ void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, floa
 void drawRooms(const ServoSample& now, const DeviceInfo& info) {
   const Look& l = look();
   const Vec3& room = info.workspace_mm;
-  if (!finite(room) || !(room.x > 0 && room.y > 0 && room.z > 0)) return;
+  // A recording may tell of any room, and of a hand anywhere.
+  const auto drawn = [](double side_mm) { return side_mm >= 1.0 && side_mm <= 1e5; };
+  if (!drawn(room.x) || !drawn(room.y) || !drawn(room.z)) return;
   const float gap = l.px(16), width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
   const float height = std::min(l.px(88), width * float(std::max(room.y, room.z) / room.x));
   const float scale = std::min(width / float(room.x), height / float(std::max(room.y, room.z)));
@@ -119,7 +122,7 @@ void drawLive(Application& app, DeviceLink& link) {
   if (!link.awaited().empty())
     words("device/awaited", trf("{0} leads as soon as it is plugged in.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
-  if (link.wantsCalibration(app) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
+  if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
   const auto place = [](double mm) { return quantityNumber(mm, Dimension::HandLength); };
   std::string line =
       trf("Hand at {0}, {1}, {2}; force {3}", place(now.hand.mm.x), place(now.hand.mm.y),
@@ -128,7 +131,7 @@ void drawLive(Application& app, DeviceLink& link) {
     if (now.buttons >> k & 1u) line = trf("{0}; button {1}", line, k + 1);
   words("device/live", line, p.quiet);
   drawRooms(now, info);
-  const DeviceLink::ScaleWords scale = link.scaleWords(app);
+  const DeviceLink::ScaleWords scale = link.scaleWords(app.scene);
   words("device/scale", scale.sentence, p.text);
   if (!scale.reason.empty()) words("device/scale reason", scale.reason, p.quiet);
   if (!info.gives_force) return;

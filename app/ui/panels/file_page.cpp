@@ -6,9 +6,9 @@
 #include <string>
 #include <system_error>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
+#include "app/ui/files/file_list.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/file_list.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -55,7 +55,7 @@ void drawFilePage(Application& app) {
   }
   if (chosen) {
     ImGui::CloseCurrentPopup();
-    d.choose(app);
+    d.choose();
   } else if (!open) {
     d.close();
   }

@@ -1,6 +1,6 @@
 #include "app/ui/panels/lesson_blocks.h"
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/rich_text.h"

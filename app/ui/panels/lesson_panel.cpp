@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
@@ -32,7 +32,7 @@ void drawHead(Application& app, const LessonSession& session) {
     const float place_w = ImGui::CalcTextSize(place.c_str()).x, width = ImGui::GetContentRegionAvail().x;
     ImGui::TextUnformatted(elided(session.lesson().title, width - place_w - l.px(12)).c_str());
     recordItem("lesson/title", session.lesson().title);
-    ImGui::SameLine(ImGui::GetWindowContentRegionMin().x + width - place_w);
+    ImGui::SameLine(ImGui::GetCursorStartPos().x + width - place_w);
     ImGui::TextUnformatted(place.c_str());
     recordItem("lesson/place", place);
   }

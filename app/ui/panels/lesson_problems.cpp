@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -18,7 +18,7 @@ std::string headline(const Application& app, const LessonWatch& watch) {
   const std::string file = watch.file().filename().string();
   const std::size_t errors = watch.errors(), warnings = watch.faults().size() - errors;
   const std::string problems = trnf("{0} problem", "{0} problems", errors, errors);
-  if (!watch.shown(app)) return trf("{0} cannot be opened: {1}", file, problems);
+  if (!watch.shown(app.lesson)) return trf("{0} cannot be opened: {1}", file, problems);
   if (errors == 0) return trf("{0}: {1}", file, trnf("{0} warning", "{0} warnings", warnings, warnings));
   return watch.stale() ? trf("{0}: {1}. You see the last good version", file, problems)
                        : trf("{0}: {1}", file, problems);

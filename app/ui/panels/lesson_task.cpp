@@ -3,7 +3,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
@@ -46,7 +46,7 @@ void drawLessonTask(Application& app, std::size_t index) {
   const TaskStatus status = session.task(index);
   const std::string name = "task/" + std::to_string(index);
   const bool away = status.current && !app.lesson.onStage();
-  const std::string& molecule = session.scene().molecule;
+  const std::string& molecule = session.scene().molecule.name;
   const std::string next = !away           ? status.sentence
                            : app.loading() ? trf("Opening {0} …", molecule)
                                            : trf("This step uses {0}.", molecule);

@@ -1,13 +1,11 @@
+#include <imgui.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <imgui.h>
-
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/panels/lesson_task_parts.h"
 #include "app/ui/widgets/controls.h"
@@ -108,10 +106,11 @@ void drawWithMouse(const Area& area, CurveDraft& draft) {
 // Left and right lead the pen, up and down raise and lower it; it leaves its height behind wherever nothing was drawn
 // yet.
 void drawWithArrows(const Area& area, CurveDraft& draft) {
-  const auto times = [](int key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
+  const auto times = [](ImGuiKey key) { return ImGui::IsKeyPressed(key, true) ? 1 : 0; };
   if (ImGui::GetIO().KeyShift) return;
   double& here = draft.values[draft.pen];
-  const int up = times(GLFW_KEY_UP) - times(GLFW_KEY_DOWN), right = times(GLFW_KEY_RIGHT) - times(GLFW_KEY_LEFT);
+  const int up = times(ImGuiKey_UpArrow) - times(ImGuiKey_DownArrow),
+            right = times(ImGuiKey_RightArrow) - times(ImGuiKey_LeftArrow);
   if (up != 0) here = std::clamp((std::isfinite(here) ? here : 0.0) + up * kStep * area.most_N, 0.0, area.most_N);
   if (right == 0 || (right < 0 && draft.pen == 0) || (right > 0 && draft.pen + 1 >= draft.values.size())) return;
   const double left_behind = std::isfinite(here) ? here : 0.0;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
@@ -21,7 +21,7 @@ void drawLimitNotice(Application& app) {
   if (stopped) {
     text = tr("All force is stopped. F9 allows it again.");
   } else if (app.scene.servo().device().gives_force) {
-    for (const std::string& words : app.extensions().device.limitNotices(app))
+    for (const std::string& words : app.extensions().device.limitNotices(app.messages))
       text += (text.empty() ? "" : "\n") + words;
   }
   if (text.empty() || view.empty() || app.panels.welcome) return;

@@ -1,16 +1,15 @@
 // Top: the menus, made from the table of actions; lists of files and parts have menus of their own within them.
-#include <imgui_internal.h>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "app/ui/actions.h"
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
+#include "app/ui/panels/actions.h"
 #include "app/ui/scene/shape_label.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
@@ -31,8 +30,8 @@ bool item(const std::string& name, const char* label, const char* shortcut = nul
 // As if it had been clicked; its first line is where the keys are.
 void openByKeys(const char* label) {
   ImGui::OpenPopup(label);
-  GImGui->NavDisableHighlight = false;
-  GImGui->NavDisableMouseHover = true;
+  showKeysPlace(true);
+  ignoreRestingMouse();
 }
 
 bool beginMenu(const std::string& name, const char* label, bool enabled = true) {

@@ -1,8 +1,8 @@
 // Messages over the view's upper edge, each with a cross to dismiss it.
 #include <optional>
 
-#include "app/ui/actions.h"
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
+#include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"

@@ -1,6 +1,6 @@
 // Right, in the touch panel's place when it is asked for: the haptic method under the hand is switched while touching,
 // and what it costs and how true it is are seen at once.
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_charts.h"
 #include "app/ui/panels/method_chooser.h"

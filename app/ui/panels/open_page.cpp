@@ -8,10 +8,10 @@
 #include <system_error>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
+#include "app/ui/files/file_list.h"
 #include "app/ui/files/library.h"
 #include "app/ui/widgets/controls.h"
-#include "app/ui/widgets/file_list.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"

@@ -5,13 +5,12 @@
 #include <cstdlib>
 #include <string>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
+#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
@@ -20,13 +19,6 @@
 
 namespace moltact {
 namespace {
-
-std::string clockText(double t_s) {
-  char text[24];
-  const int whole = wholeOf<int>(t_s);
-  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, std::abs(whole % 60));
-  return text;
-}
 
 ImU32 colourOf(TimelineMark::Kind kind) {
   const Palette& p = look().palette;
@@ -88,7 +80,8 @@ void drawScrubber(Playback& playback, float width) {
       }
     const double t_s = length_s * double(std::clamp((pointer - from) / (to - from), 0.0f, 1.0f));
     if (ImGui::IsItemActive()) playback.seek(near && ImGui::IsMouseClicked(0) ? near->t_s : t_s);
-    ImGui::SetTooltip("%s", ((near ? near->text + "  " : "") + clockText(near ? near->t_s : t_s)).c_str());
+    ImGui::SetTooltip("%s",
+                      ((near ? near->text + "  " : "") + clockText(wholeOf<int>(near ? near->t_s : t_s))).c_str());
   }
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float bar = l.px(3);
@@ -99,7 +92,7 @@ void drawScrubber(Playback& playback, float width) {
   const float x = place(playback.at_s());
   draw->AddCircleFilled({x, middle}, l.px(8), l.palette.accent, 28);
   draw->AddCircleFilled({x, middle}, l.px(3.5f), l.palette.panel, 20);
-  recordRectangle("playback/bar", {low.x, low.y}, {end.x, end.y}, clockText(playback.at_s()));
+  recordRectangle("playback/bar", {low.x, low.y}, {end.x, end.y}, clockText(wholeOf<int>(playback.at_s())));
 }
 
 void drawSpeed(Playback& playback) {
@@ -115,10 +108,10 @@ void keys(Playback& playback) {
   const ImGuiIO& io = ImGui::GetIO();
   if (!keysFree() || io.KeyCtrl || io.KeyAlt) return;
   constexpr double kStep_s = 5.0;
-  if (ImGui::IsKeyPressed(GLFW_KEY_SPACE, false)) playback.setRunning(!playback.running());
-  if (ImGui::IsKeyPressed(GLFW_KEY_LEFT, true))
+  if (ImGui::IsKeyPressed(ImGuiKey_Space, false)) playback.setRunning(!playback.running());
+  if (ImGui::IsKeyPressed(ImGuiKey_LeftArrow, true))
     io.KeyShift ? playback.seekMark(-1) : playback.seek(playback.at_s() - kStep_s);
-  if (ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true))
+  if (ImGui::IsKeyPressed(ImGuiKey_RightArrow, true))
     io.KeyShift ? playback.seekMark(1) : playback.seek(playback.at_s() + kStep_s);
 }
 
@@ -154,8 +147,8 @@ void drawPlaybackBar(Application& app) {
           quantityText(5, Dimension::Time, decimals(0)))
           .c_str());
   ImGui::SameLine();
-  const std::string length = clockText(playback.timeline().length_s()),
-                    time = clockText(playback.at_s()) + " / " + length;
+  const std::string length = clockText(wholeOf<int>(playback.timeline().length_s())),
+                    time = clockText(wholeOf<int>(playback.at_s())) + " / " + length;
   // Where there is little room the time stands before the words.
   const bool wide = whole > l.tx(430);
   const float time_w = wide ? ImGui::CalcTextSize((length + " / " + length).c_str()).x + l.px(6) + gap : 0.0f;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/lesson_shelf.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -78,16 +78,16 @@ void drawLanguage(Settings& s) {
 
 void drawOwnLessons(Application& app) {
   sectionTitle(tr("Your own lessons"));
-  const std::filesystem::path folder = lessonFolderOf(app);
+  const std::filesystem::path folder = lessonFolderOf(app.settings);
   quietText(folder.empty() ? tr("No folder is set.") : folder.string());
   recordItem("preferences/lesson-folder", folder.string());
   if (!button("preferences/choose-folder", tr("Choose another folder …"))) return;
   app.panels.preferences_page = false;
   app.file_dialog.ask({.title = tr("The folder with your lessons"),
                        .chosen =
-                           [](Application& a, const std::filesystem::path& chosen) {
-                             a.settings.lesson_folder = chosen.string();
-                             a.panels.preferences_page = true;
+                           [&app](const std::filesystem::path& chosen) {
+                             app.settings.lesson_folder = chosen.string();
+                             app.panels.preferences_page = true;
                            }},
                       folder);
 }

@@ -1,7 +1,7 @@
 // The edges between the side panels and the view, which can be dragged.
 #include <algorithm>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"

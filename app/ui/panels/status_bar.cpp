@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/controls.h"
@@ -62,7 +62,7 @@ std::optional<Segment> scaleSegment(const Application& app) {
   const TouchScene& scene = app.scene;
   const bool magnified = scene.magnification() > 1.005;
   if (!scene.stage() || !(scene.servo().chosen() || magnified)) return {};
-  const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app);
+  const DeviceLink::ScaleWords scale = app.extensions().device.scaleWords(app.scene);
   std::string text = scale.sentence;
   if (text.ends_with('.')) text.pop_back();
   if (magnified) text = trf("{0}, magnified {1} times", text, numberText(scene.magnification(), decimals(1)));
@@ -104,7 +104,8 @@ void drawStatusBar(Application& app) {
   segments.push_back(loopSegment(app));
   if (app.scene.stage()) {
     const Molecule& m = *app.scene.stage().molecule;
-    segments.push_back({"status/molecule", m.id.empty() ? app.scene.file().filename().string() : m.id, m.title, 1});
+    segments.push_back(
+        {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});
     if (!app.scene.playing())
       segments.push_back(
           {"status/modelled",

@@ -1,7 +1,7 @@
 // Right: what is felt and how: force over time, the probe, what is shown; the method and the loop behind "More".
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"

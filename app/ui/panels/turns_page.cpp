@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -18,13 +18,6 @@
 
 namespace moltact {
 namespace {
-
-std::string clockText(double t_s) {
-  char text[24];
-  const int whole = int(std::ceil(t_s));
-  std::snprintf(text, sizeof text, "%d:%02d", whole / 60, whole % 60);
-  return text;
-}
 
 // Text in the middle of a row of buttons.
 void rowText(const char* name, const std::string& text, ImU32 colour) {
@@ -44,7 +37,7 @@ void drawTurn(Application& app, ClassTurns& turns, float whole) {
   const bool roomy = whole > buttons + l.tx(230);
   const float row = ImGui::GetCursorPosY();
   const bool short_time = t.left_s() < 15.0 && t.state() == Turns::State::Running;
-  rowText("turns/left", clockText(t.left_s()), short_time ? l.palette.bad : l.palette.accent);
+  rowText("turns/left", clockText(int(std::ceil(t.left_s()))), short_time ? l.palette.bad : l.palette.accent);
   {
     WithFont strong(Font::Strong);
     const float room = whole - l.tx(60) - (roomy ? buttons : l.tx(96) + gap);
@@ -55,7 +48,7 @@ void drawTurn(Application& app, ClassTurns& turns, float whole) {
     rowText("turns/next", trf("then {0}", elided(t.next(), l.tx(110))), l.palette.quiet);
   ImGui::SameLine(l.px(14) + whole - (roomy ? buttons : l.tx(96)));
   ImGui::SetCursorPosY(row);
-  if (button("turns/pass", tr("Pass on"), ButtonLook::Primary, l.tx(96))) return turns.passOn(app);
+  if (button("turns/pass", tr("Pass on"), ButtonLook::Primary, l.tx(96))) return turns.passOn();
   if (!roomy) return;
   ImGui::SameLine();
   const bool paused = t.state() == Turns::State::Paused;
@@ -90,7 +83,7 @@ void drawPrediction(Application& app, ClassTurns& turns, float whole) {
   const float gap = ImGui::GetStyle().ItemSpacing.x;
   {
     WithText quiet(l.palette.quiet);
-    const std::string asked = trf("Who waits, predicts: {0}", turns.prompt(app));
+    const std::string asked = trf("Who waits, predicts: {0}", turns.prompt(app.lesson));
     ImGui::TextUnformatted(elided(asked, whole).c_str());
     recordItem("turns/prompt", asked);
     tip(asked.c_str());

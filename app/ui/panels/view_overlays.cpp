@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/widgets/controls.h"
@@ -70,7 +70,7 @@ void scaleBar(const Application& app, const Rectangle& view) {
 // The force in newtons, a little beyond the arrow's head; beside the contact where the arrow points at the viewer.
 void forceLabel(const Application& app, const ServoSample& now, const Rectangle& view) {
   const double force_N = app.scene.log().force_N();
-  const Vec3 lift = now.contact.scp.A - now.hip.A;
+  const Vec3& lift = now.contact.displacement_A;
   const double depth_A = glm::length(lift);
   if (!(force_N >= 0.05) || !(depth_A > 0.0)) return;
   const Look& l = look();

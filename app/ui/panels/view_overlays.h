@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/ui/widgets/layout.h"
+#include "engine/render/view_scene.h"
 
 namespace moltact {
 
@@ -10,6 +11,9 @@ class Application;
 /// How long the force arrow is on the screen (unit: pixel at 96 dpi for 1 N): as long for a protein as for one atom,
 /// because what the hand gives does not depend on the zoom.
 inline constexpr float kArrow_px_per_N = 70.0f;
+
+/// What the 3-D view shows now.
+ViewScene seenScene(const Application& app);
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 

@@ -4,10 +4,7 @@
 #include <cstdio>
 #include <string>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/lesson_keys.h"
@@ -16,6 +13,7 @@
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
@@ -25,11 +23,11 @@ namespace moltact {
 namespace {
 
 glm::dvec2 arrows() {
-  const auto down = [](int key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
-  return {down(GLFW_KEY_RIGHT) - down(GLFW_KEY_LEFT), down(GLFW_KEY_UP) - down(GLFW_KEY_DOWN)};
+  const auto down = [](ImGuiKey key) { return ImGui::IsKeyDown(key) ? 1.0 : 0.0; };
+  return {down(ImGuiKey_RightArrow) - down(ImGuiKey_LeftArrow), down(ImGuiKey_UpArrow) - down(ImGuiKey_DownArrow)};
 }
 
-bool pressed(int key, bool repeat = false) { return ImGui::IsKeyPressed(key, repeat); }
+bool pressed(ImGuiKey key, bool repeat = false) { return ImGui::IsKeyPressed(key, repeat); }
 
 // The method so many places on in the list, round and round. The key works where the panel has no room, too.
 void switchMethod(Application& app, int by) {
@@ -53,18 +51,17 @@ void readKeys(Application& app, ViewInput& in) {
     in.probe_keys = arrows();
   // A press that has begun goes on while Ctrl and the arrows turn the molecule.
   in.press =
-      in.press || (ImGui::IsKeyDown(GLFW_KEY_SPACE) && !io.KeyAlt && (!io.KeyCtrl || app.scene.controls.pressing()));
+      in.press || (ImGui::IsKeyDown(ImGuiKey_Space) && !io.KeyAlt && (!io.KeyCtrl || app.scene.controls.pressing()));
   if (!io.KeyCtrl) {
-    if (pressed(GLFW_KEY_EQUAL, true) || pressed(GLFW_KEY_KP_ADD, true)) in.push_notches += 1.0;
-    if (pressed(GLFW_KEY_MINUS, true) || pressed(GLFW_KEY_KP_SUBTRACT, true)) in.push_notches -= 1.0;
+    if (pressed(ImGuiKey_Equal, true) || pressed(ImGuiKey_KeypadAdd, true)) in.push_notches += 1.0;
+    if (pressed(ImGuiKey_Minus, true) || pressed(ImGuiKey_KeypadSubtract, true)) in.push_notches -= 1.0;
     // Layouts without a plus beside the backspace key write it as a character.
     for (const ImWchar c : io.InputQueueCharacters)
-      if (c == '+' && !pressed(GLFW_KEY_EQUAL, true) && !pressed(GLFW_KEY_KP_ADD, true)) in.push_notches += 1.0;
+      if (c == '+' && !pressed(ImGuiKey_Equal, true) && !pressed(ImGuiKey_KeypadAdd, true)) in.push_notches += 1.0;
   }
   if (!io.KeyCtrl)
-    in.zoom_keys =
-        (ImGui::IsKeyDown(GLFW_KEY_PAGE_UP) ? 1.0 : 0.0) - (ImGui::IsKeyDown(GLFW_KEY_PAGE_DOWN) ? 1.0 : 0.0);
-  in.release = ImGui::IsKeyDown(GLFW_KEY_ESCAPE);
+    in.zoom_keys = (ImGui::IsKeyDown(ImGuiKey_PageUp) ? 1.0 : 0.0) - (ImGui::IsKeyDown(ImGuiKey_PageDown) ? 1.0 : 0.0);
+  in.release = ImGui::IsKeyDown(ImGuiKey_Escape);
   if (app.panels.methods && !app.lesson.locks("method") && !app.extensions().task_stager.dark() &&
       lessonKeyPressed('M'))
     switchMethod(app, io.KeyShift ? -1 : 1);
@@ -93,7 +90,9 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   return in;
 }
 
-ViewScene sceneOf(const Application& app) {
+}  // namespace
+
+ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
   scene.molecule = app.scene.stage().molecule;
@@ -119,6 +118,8 @@ ViewScene sceneOf(const Application& app) {
   return scene;
 }
 
+namespace {
+
 void savePicture(Application& app, std::filesystem::path file) {
   if (file.empty()) file = freePictureName(app.options().picture_folder);
   const std::optional<Problem> problem = writePng(file, app.picture().read());
@@ -139,11 +140,10 @@ void drawViewPanel(Application& app) {
   const Rectangle& r = app.layout().view;
   const glm::dvec2 size = r.size();
   const ImVec2 low{r.low.x, r.low.y}, high{r.high.x, r.high.y};
-  ImGui::SetItemAllowOverlap();
   ImGui::InvisibleButton(
       "view", {r.size().x, r.size().y},
       ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
-  ImGui::SetItemAllowOverlap();
+  mayLieUnderOthers();
   recordRectangle("view", r.low, r.high);
   const ViewInput in = readInput(app, low, size);
   app.scene.controls.update(in, app.scene.camera, app.scene.stage().balls.get(), app.scene.servo_settings,
@@ -159,7 +159,7 @@ void drawViewPanel(Application& app) {
   }
   ViewPicture& picture = app.picture();
   const SceneChange& change = app.extensions().scene_change;
-  picture.draw(sceneOf(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
+  picture.draw(seenScene(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
                look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});

@@ -5,13 +5,11 @@
 #include <string>
 #include <vector>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
@@ -156,7 +154,7 @@ CardText textOf(const LessonCard& card) {
 
 void openLesson(Application& app, const LessonCard& card) {
   if (card.progress && card.progress->canResume())
-    app.resume(card.file, card.progress->file);
+    app.extensions().recorder.resume(app, card.file, card.progress->file);
   else
     app.open(card.file);
 }
@@ -171,7 +169,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
   const LessonCard* chosen = nullptr;
   rows(grid, cards.size(), kLessonWidth, [&](std::size_t k, float width) {
     const LessonCard& c = *cards[k];
-    const ImTextureID picture = c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : nullptr;
+    const ImTextureID picture = c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : ImTextureID{};
     if (drawCard(grid, textOf(c), picture, width)) chosen = &c;
   });
   if (chosen) openLesson(app, *chosen);
@@ -183,7 +181,7 @@ void drawMolecules(Application& app, Grid& grid) {
   heading(tr("Explore freely"));
   rows(grid, items.size(), kMoleculeWidth, [&](std::size_t k, float width) {
     const LibraryItem& m = items[k];
-    const ImTextureID picture = app.extensions().card_pictures.find({m.file, SceneSpec{}});
+    const ImTextureID picture = app.extensions().card_pictures.find({{m.file}, SceneSpec{}});
     if (drawCard(grid, {.name = "welcome/molecule/" + m.id, .title = m.label, .line = m.id, .tip = m.label}, picture,
                  width))
       app.open(m.file);
@@ -218,14 +216,14 @@ void readKeys(Grid& grid, PanelState& panels) {
   if (!keysFree()) return;
   const ImGuiIO& io = ImGui::GetIO();
   if (io.KeyCtrl || io.KeyAlt) return;
-  const auto pressed = [](int key) { return ImGui::IsKeyPressed(key, true); };
-  grid.enter = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
+  const auto pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(key, true); };
+  grid.enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
   const int count = int(panels.card.cards);
   int at = int(panels.card.card);
   const bool none = at >= count;
   const int row = none ? 1 : std::max(1, int(panels.card.columns));
-  const int step =
-      (pressed(GLFW_KEY_RIGHT)) - (pressed(GLFW_KEY_LEFT)) + row * (pressed(GLFW_KEY_DOWN) - pressed(GLFW_KEY_UP));
+  const int step = (pressed(ImGuiKey_RightArrow)) - (pressed(ImGuiKey_LeftArrow)) +
+                   row * (pressed(ImGuiKey_DownArrow) - pressed(ImGuiKey_UpArrow));
   if (!step || !count) return;
   at = none ? 0 : std::clamp(at + step, 0, count - 1);
   panels.card.card = std::size_t(at);

@@ -1,6 +1,6 @@
 #include "app/ui/panels/while_locked.h"
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"
 

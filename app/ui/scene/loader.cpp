@@ -1,7 +1,5 @@
 #include "app/ui/scene/loader.h"
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <exception>
 #include <new>
@@ -16,15 +14,16 @@ namespace moltact {
 namespace {
 
 // What the thread runs: nothing that goes wrong in it ends the program.
-Loaded guarded(const Loader::Read& read, const std::filesystem::path& file) {
+Loaded guarded(const Loader::Read& read, const MoleculeKey& key) {
+  const std::string file = key.file.string();
   const CrashStack crash_stack;  // a force ends even then
   try {
-    return read(file);
+    return read(key);
   } catch (const std::bad_alloc&) {
-    return {file, Problem{file.string(), 0, 0, tr("there is not enough memory to open it"),
+    return {key, Problem{file, 0, 0, tr("there is not enough memory to open it"),
                           tr("close other programs, or open a smaller structure")}};
   } catch (const std::exception& e) {
-    return {file, Problem{file.string(), 0, 0, trf("it cannot be opened: {0}", e.what()), tr("check the file")}};
+    return {key, Problem{file, 0, 0, trf("it cannot be opened: {0}", e.what()), tr("check the file")}};
   }
 }
 
@@ -32,21 +31,21 @@ bool ready(const std::future<Loaded>& f) { return f.wait_for(std::chrono::second
 
 }  // namespace
 
-Loaded readStage(const std::filesystem::path& file) {
-  Expected<Molecule> molecule = readMolecule(file);
-  if (!molecule) return {file, molecule.problem()};
-  return {file, makeStage(*std::move(molecule), file)};
+Loaded readStage(const MoleculeKey& key) {
+  Expected<Molecule> molecule = readMolecule(key);
+  if (!molecule) return {key, molecule.problem()};
+  return {key, makeStage(*std::move(molecule), key.file)};
 }
 
 Loader::Loader(Read read) : read_(read ? std::move(read) : Read(readStage)) {}
 
-void Loader::begin(std::filesystem::path file) {
+void Loader::begin(const MoleculeKey& key) {
   if (wanted_.valid()) unwanted_.push_back(std::move(wanted_));
   std::erase_if(unwanted_, [](const std::future<Loaded>& f) { return ready(f); });
   try {
-    wanted_ = std::async(std::launch::async, guarded, read_, file);
+    wanted_ = std::async(std::launch::async, guarded, read_, key);
   } catch (const std::system_error&) {  // no further thread can be had
-    wanted_ = std::async(std::launch::deferred, guarded, read_, file);
+    wanted_ = std::async(std::launch::deferred, guarded, read_, key);
     wanted_.wait();
   }
 }
@@ -59,14 +58,6 @@ std::optional<Loaded> Loader::take() {
 std::optional<Loaded> Loader::wait() {
   if (!wanted_.valid()) return std::nullopt;
   return wanted_.get();
-}
-
-bool looksLikeMolecule(const std::filesystem::path& file) {
-  static constexpr std::array kEndings{".pdb", ".ent", ".cif", ".mmcif", ".xyzr"};
-  std::string name = file.filename().string();
-  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  if (name.ends_with(".gz")) name.resize(name.size() - 3);
-  return std::any_of(kEndings.begin(), kEndings.end(), [&](const char* e) { return name.ends_with(e); });
 }
 
 }  // namespace moltact

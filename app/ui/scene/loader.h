@@ -8,22 +8,23 @@
 #include <optional>
 
 #include "app/ui/scene/stage.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
 struct Loaded {
-  std::filesystem::path file;
+  MoleculeKey key;
   Expected<Stage> stage;
 };
 
 class Loader {
  public:
-  using Read = std::function<Loaded(const std::filesystem::path&)>;
+  using Read = std::function<Loaded(const MoleculeKey&)>;
   /// Reads by readStage unless told otherwise. An exception that `read` throws becomes a problem.
   explicit Loader(Read read = {});
 
   /// Begins to read; what was being read before is no longer wanted.
-  void begin(std::filesystem::path file);
+  void begin(const MoleculeKey& key);
   bool busy() const { return wanted_.valid(); }
 
   /// What has been read, once; nothing while it is being read.
@@ -37,10 +38,7 @@ class Loader {
   std::vector<std::future<Loaded>> unwanted_;  // a future waits in its destructor, so they end on their own first
 };
 
-/// Reads a molecule file and puts it on a stage. Any thread.
-Loaded readStage(const std::filesystem::path& file);
-
-/// Whether a molecule reader may know the file, by its name.
-bool looksLikeMolecule(const std::filesystem::path& file);
+/// Reads a molecule and puts it on a stage. Any thread.
+Loaded readStage(const MoleculeKey& key);
 
 }  // namespace moltact

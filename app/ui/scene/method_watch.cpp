@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
@@ -18,7 +19,7 @@ constexpr double kPull_A = 0.02;  // a shorter spring has no direction to speak 
 
 void TickHistogram::add(double time_us) {
   if (!(time_us > 0.0)) return;
-  const int bin = std::clamp(int(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
+  const int bin = std::clamp(wholeOf<int>(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
   counts_[std::size_t(bin)] += 1.0;
   total_ += 1.0;
   if (total_ < 2.0 * kFading) return;
@@ -41,7 +42,7 @@ MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / T
 
 void MethodWatch::begin(const Stage& stage, double probe_A) {
   balls_ = stage.balls;
-  exact_ = makeTracker(stage, methods().front(), probe_A, Contact{}, PointA{});
+  exact_ = stage ? methods().front().make(stage.balls, probe_A) : nullptr;
   latest_exact_ = {};
   left_behind_ticks_ = 0;
   tried_.clear();
@@ -62,7 +63,7 @@ MethodRecord& MethodWatch::record(std::string_view method) {
 }
 
 void MethodWatch::noteTurn(const ServoSample& s) {
-  const Vec3 pull = s.contact.touching() ? springEnd(s.contact, s.hip).A - s.hip.A : Vec3(0.0);
+  const Vec3& pull = s.contact.displacement_A;
   const double length = glm::length(pull), before = glm::length(pull_before_);
   if (length > kPull_A && before > kPull_A) {
     const double turn = std::atan2(glm::length(glm::cross(pull, pull_before_)), glm::dot(pull, pull_before_));

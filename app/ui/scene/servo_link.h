@@ -1,5 +1,5 @@
-// The window's end of the servo loop: settings and trackers go out, samples come back. Either the real thread at 1 kHz
-// or the same tick stepped on the frames' clock, so that a script repeats exactly. Window's thread.
+// The window's end of the servo loop: settings and what is felt go out, samples come back. Either the real thread at
+// 1 kHz or the same ticks on the frames' clock, so that a script repeats exactly. Window's thread.
 #pragma once
 
 #include <memory>
@@ -7,8 +7,6 @@
 #include <vector>
 
 #include "engine/device/mouse_device.h"
-#include "engine/servo/device_switch.h"
-#include "engine/servo/servo_step.h"
 #include "engine/servo/servo_thread.h"
 
 namespace moltact {
@@ -29,45 +27,42 @@ class ServoLink {
   /// closed.
   void setDevice(std::unique_ptr<Device> device);
   /// The chosen device, for its status; null where the mouse leads alone.
-  Device* chosen() const { return thread_ ? thread_->device() : chosen_.get(); }
+  Device* chosen() const { return loop().device(); }
   /// Whether the mouse stands in for a chosen device that is gone.
-  bool fallenBack() const { return thread_ ? thread_->fallenBack() : switch_->fallenBack(); }
+  bool fallenBack() const { return loop().fallenBack(); }
   /// A chosen device leads.
   bool held() const { return chosen() && !fallenBack(); }
   /// The one that leads.
   const DeviceInfo& device() const { return held() ? chosen()->info() : mouse_.info(); }
   /// Lets the force go along the slew, for good; there is none when it returns.
   void endForce();
-  /// A tracker that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is
-  /// taken up again by setTracker().
-  void tryTracker(std::unique_ptr<Tracker> tracker);
+  /// What is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is taken up
+  /// again by setInteraction().
+  void tryInteraction(std::unique_ptr<Interaction> felt);
   bool trying() const { return trying_; }
   /// The newest tick of all, of whatever scene.
   const ServoSample& newest() const { return newest_; }
 
-  void setSettings(const ServoSettings& settings);
-  /// Another tracker in the same scene.
-  void setTracker(std::unique_ptr<Tracker> tracker);
+  void setSettings(const ServoSettings& settings) { loop().setSettings(settings); }
+  /// Another interaction, or another method of it, in the same scene.
+  void setInteraction(std::unique_ptr<Interaction> felt);
   /// A new scene: what was felt of the one before no longer comes out of advance().
-  void begin(const ServoSettings& settings, std::unique_ptr<Tracker> tracker);
+  void begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt);
   /// The same molecule, placed anew by `settings`: what was felt under earlier discontinuities no longer comes out.
   void beginAgain(const ServoSettings& settings);
   std::uint32_t scene() const { return scene_; }
 
-  /// Records every tick from the next tracker on, until false.
+  /// Records every tick from the next interaction on, until false.
   void record(bool on);
   /// Calls take(tick) for each recorded tick since the last call, and tells the state that the first began from.
   template <class Take>
   void drainRecording(ServoStep& start, Take&& take) {
-    if (thread_) return thread_->drainRecording(start, take);
-    start = record_start_;
-    for (const RecordedTick& tick : recorded_) take(tick);
-    recorded_.clear();
+    loop().drainRecording(start, take);
   }
   /// Ticks that were not recorded because nobody drained them in time.
-  std::size_t lostOfRecording() const { return thread_ ? thread_->lostOfRecording() : 0; }
-  /// How many trackers were handed over so far.
-  std::uint32_t trackers() const { return trackers_; }
+  std::size_t lostOfRecording() const { return loop().lostOfRecording(); }
+  /// How many interactions were handed over so far.
+  std::uint32_t handedOver() const { return handed_over_; }
 
   /// On the frames' clock ticks take no time, unless they are timed for someone who looks at it.
   void timeTicks(bool on) { timed_ = on; }
@@ -79,31 +74,29 @@ class ServoLink {
   /// On the frames' clock: the loop stands for so long before its next tick, as a busy computer lets it.
   void standStill(double s) { stands_s_ = s; }
 
-  RealtimeStatus realtime() const;
+  RealtimeStatus realtime() const { return thread_ ? thread_->realtime() : RealtimeStatus::Ordinary; }
   std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
   ServoClock clock() const { return thread_ ? ServoClock::RealThread : ServoClock::Frames; }
 
  private:
+  ServoLoop& loop() { return thread_ ? thread_->loop() : *frames_; }
+  const ServoLoop& loop() const { return thread_ ? thread_->loop() : *frames_; }
   bool ofThisScene(const ServoSample& sample) const;
-  void handOver(std::unique_ptr<Tracker> tracker, std::uint32_t scene);
+  void handOver(std::unique_ptr<Interaction> felt, std::uint32_t scene);
+  void take(const ServoSample& sample);
+  void tickOfFrame();
   void release();
 
-  MouseDevice mouse_;  // outlives the thread, which reads it
+  MouseDevice mouse_;  // outlives the loop, which reads it
   std::vector<ServoSample> ticks_, every_;
   ServoSample newest_;
   bool trying_ = false;
-  std::uint32_t scene_ = 0, first_placement_ = 0, trackers_ = 0;
-  // Of the frames' clock:
-  std::unique_ptr<Device> chosen_;
-  std::optional<DeviceSwitch> switch_;
-  ServoStep step_;
-  ServoSettings settings_;
-  std::unique_ptr<Tracker> tracker_;
-  bool records_ = false;
-  ServoStep record_start_;
-  std::vector<RecordedTick> recorded_;
+  std::uint32_t scene_ = 0, first_placement_ = 0, handed_over_ = 0;
+  // On the frames' clock:
+  std::optional<ServoLoop> frames_;
+  std::int64_t now_ns_ = 0;
   double owed_s_ = 0.0, stands_s_ = 0.0;
-  bool timed_ = false, ended_ = false;
+  bool timed_ = false;
   std::unique_ptr<ServoThread> thread_;  // last, so that it ends first
 };
 

@@ -25,18 +25,19 @@ Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) 
   return stage;
 }
 
-std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, double probe_A, const Contact& contact,
-                                     PointA hip) {
+std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const Method& method, double probe_A,
+                                             const Contact& contact, const PoseA& hand) {
   if (!stage) return nullptr;
-  std::unique_ptr<Tracker> tracker = method.make(stage.balls, probe_A);
-  const Vec3 outward = contact.scp.A - hip.A;
+  std::unique_ptr<Interaction> felt = stage.interaction->make({stage.balls, &method, probe_A});
+  const Vec3 outward = contact.scp.A - hand.place.A;
   const double depth = glm::length(outward);
-  if (!contact.touching() || !(depth > 0.0)) return tracker;
+  if (!contact.touching() || !(depth > 0.0)) return felt;
   // Another method's surface may lie a little higher: the hand comes in from as far out as it needs.
   for (double out_A = kOutside_A; out_A < kFarthestOutside_A; out_A *= 1.5)
-    if (tracker->step({contact.scp.A + outward * (out_A / depth)}).fault == Fault::None) break;
-  tracker->step(hip);
-  return tracker;
+    if (felt->respond({{contact.scp.A + outward * (out_A / depth)}, hand.orientation}).contact.fault == Fault::None)
+      break;
+  felt->respond(hand);
+  return felt;
 }
 
 }  // namespace moltact

@@ -8,7 +8,7 @@
 #include "engine/core/problem.h"
 #include "engine/core/units.h"
 #include "engine/haptics/ball_scene.h"
-#include "engine/haptics/methods.h"
+#include "engine/haptics/interactions.h"
 #include "engine/molecule/molecule.h"
 
 namespace moltact {
@@ -16,6 +16,7 @@ namespace moltact {
 struct Stage {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const BallScene> balls;
+  const InteractionKind* interaction = &interactionKinds().front();  ///< what it is felt with
   Workspace workspace;
   PointA middle;         ///< of the atoms' centres, before which the probe waits
   double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
@@ -26,9 +27,9 @@ struct Stage {
 /// Puts a molecule on the stage. One without atoms gives a problem that names `file`.
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
 
-/// A tracker for the stage that goes on with `contact` at `hip` where there is one, so that a change of method is not
-/// felt as letting go. Null without a stage.
-std::unique_ptr<Tracker> makeTracker(const Stage& stage, const Method& method, double probe_A, const Contact& contact,
-                                     PointA hip);
+/// What the stage is felt with, going on with `contact` where the hand is if there is one, so that a change of method
+/// is not felt as letting go. Null without a stage.
+std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const Method& method, double probe_A,
+                                             const Contact& contact, const PoseA& hand);
 
 }  // namespace moltact

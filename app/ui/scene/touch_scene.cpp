@@ -31,18 +31,18 @@ bool sameView(const Camera& a, const Camera& b) {
 
 TouchScene::TouchScene(ServoClock clock) : servo_(clock), method_(methods().front().name) {}
 
-void TouchScene::show(Stage next, const std::filesystem::path& file, const Facing& facing) {
+void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& facing) {
   stage_ = std::move(next);
-  file_ = file;
+  molecule_ = molecule;
   servo_settings.workspace = stage_.workspace;
   log_.clear();
   watch_.begin(stage_, servo_settings.probe_A);
   resetView(facing);
-  servo_.begin(handed(false), freshTracker());
+  servo_.begin(handed(false), freshInteraction());
 }
 
-std::unique_ptr<Tracker> TouchScene::freshTracker() const {
-  return played_ ? nullptr : makeTracker(stage_, *findMethod(method_), servo_settings.probe_A, Contact{}, PointA{});
+std::unique_ptr<Interaction> TouchScene::freshInteraction() const {
+  return played_ ? nullptr : makeInteraction(stage_, *findMethod(method_), servo_settings.probe_A, Contact{}, PoseA{});
 }
 
 void TouchScene::play(const std::optional<ServoSample>& sample) {
@@ -51,7 +51,7 @@ void TouchScene::play(const std::optional<ServoSample>& sample) {
   if (was == playing()) return;
   log_.clear();
   ++servo_settings.discontinuities;
-  servo_.begin(handed(false), freshTracker());
+  servo_.begin(handed(false), freshInteraction());
 }
 
 // What the servo loop is to do now: as the panels set it, but without force where nobody looks or a hand is played. A
@@ -76,7 +76,7 @@ void TouchScene::stopForce(bool stopped) {
 bool TouchScene::tryForce(double force_N) {
   if (played_ || servo_settings.panic) return false;
   servo_.setSettings(handed(true));
-  servo_.tryTracker(std::make_unique<PullTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
+  servo_.tryInteraction(std::make_unique<PullTracker>(force_N / kTry_N_per_mm * Workspace().A_per_mm));
   return true;
 }
 
@@ -84,7 +84,7 @@ void TouchScene::endTry() {
   if (!trying()) return;
   ++servo_settings.discontinuities;
   servo_.setSettings(handed(false));
-  servo_.setTracker(freshTracker());
+  servo_.setInteraction(freshInteraction());
 }
 
 void TouchScene::beginAgain(const Facing& facing) {
@@ -200,7 +200,9 @@ void TouchScene::useMethod(std::string_view name) {
   if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
-  if (!played_) servo_.setTracker(makeTracker(stage_, *m, servo_settings.probe_A, contact, log_.latest().hip));
+  if (!played_)
+    servo_.setInteraction(
+        makeInteraction(stage_, *m, servo_settings.probe_A, contact, {log_.latest().hip, log_.latest().orientation}));
 }
 
 void TouchScene::leadBy(const ServoSettings* recorded) {
@@ -231,7 +233,7 @@ bool TouchScene::beginRecording() {
   ++servo_settings.discontinuities;
   servo_.setSettings(handed(false));
   servo_.record(true);
-  servo_.setTracker(freshTracker());
+  servo_.setInteraction(freshInteraction());
   return true;
 }
 

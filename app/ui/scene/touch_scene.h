@@ -3,7 +3,6 @@
 // thread.
 #pragma once
 
-#include <filesystem>
 #include <functional>
 #include <optional>
 #include <span>
@@ -17,6 +16,7 @@
 #include "app/ui/scene/touch_log.h"
 #include "app/ui/scene/view_controls.h"
 #include "engine/haptics/methods.h"
+#include "engine/molecule/molecule_key.h"
 #include "engine/render/view_scene.h"
 #include "engine/servo/scale.h"
 
@@ -48,7 +48,7 @@ class TouchScene {
   ViewControls controls;
 
   const Stage& stage() const { return stage_; }
-  const std::filesystem::path& file() const { return file_; }  ///< of the molecule on the stage
+  const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
   ServoLink& servo() { return servo_; }
   const ServoLink& servo() const { return servo_; }
   const std::string& method() const { return method_; }
@@ -56,7 +56,7 @@ class TouchScene {
   const MethodWatch& watch() const { return watch_; }
 
   /// Another molecule; the view is set anew.
-  void show(Stage stage, const std::filesystem::path& file, const Facing& facing);
+  void show(Stage stage, const MoleculeKey& molecule, const Facing& facing);
   /// The same molecule as if it had just been opened, keeping what was found out about the methods.
   void beginAgain(const Facing& facing);
   /// Forgets the contact where the hand is: the force goes to zero and grows from nothing. The view stays.
@@ -121,11 +121,11 @@ class TouchScene {
   Workspace sceneWorkspace() const;
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
-  std::unique_ptr<Tracker> freshTracker() const;
+  std::unique_ptr<Interaction> freshInteraction() const;
   ServoSettings handed(bool trying) const;
 
   Stage stage_;
-  std::filesystem::path file_;
+  MoleculeKey molecule_;
   ServoLink servo_;
   std::string method_;
   TouchLog log_;

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "app/ui/widgets/imgui_versions.h"
 #include "engine/language/catalogue.h"
 #include "engine/render/gl_objects.h"
 
@@ -81,13 +82,9 @@ void ViewPicture::keepForFade() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(before));
 }
 
-ImTextureID ViewPicture::kept() const {
-  return kept_ ? reinterpret_cast<ImTextureID>(std::intptr_t(kept_->colour())) : nullptr;
-}
+ImTextureID ViewPicture::kept() const { return textureOf(kept_ ? kept_->colour() : 0); }
 
-ImTextureID ViewPicture::texture() const {
-  return renderer_ ? reinterpret_cast<ImTextureID>(std::intptr_t(renderer_->textureId())) : nullptr;
-}
+ImTextureID ViewPicture::texture() const { return textureOf(renderer_ ? renderer_->textureId() : 0); }
 
 Picture ViewPicture::read() const { return renderer_ ? renderer_->readPixels() : Picture(); }
 

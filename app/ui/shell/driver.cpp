@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/ui/scene/view_picture.h"
+#include "app/ui/shell/application_parts.h"
 #include "app/ui/widgets/key_names.h"
 #include "engine/render/gl_objects.h"
 
@@ -30,7 +31,7 @@ Expected<std::unique_ptr<Driver>> Driver::create(Options options) {
   d->gl_ = std::move(*gl);
   d->target_ = std::make_unique<Target>();
   d->shell_ = std::make_unique<Shell>();
-  d->app_ = std::make_unique<Application>(d->options_.application);
+  d->app_ = std::make_unique<Application>(d->options_.application, applicationParts());
   return {std::move(d)};
 }
 
@@ -149,25 +150,25 @@ void Driver::type(std::string_view utf8) {
 }
 
 bool Driver::hold(std::string_view names) {
-  const std::vector<int> keys = keysNamed(names);
-  for (const int key : keys) shell_->input().key(key, true);
+  const std::vector<ImGuiKey> keys = keysNamed(names);
+  for (const ImGuiKey key : keys) shell_->input().key(key, true);
   frames(1);
   return !keys.empty();
 }
 
 bool Driver::letGo(std::string_view names) {
-  std::vector<int> keys = keysNamed(names);
+  std::vector<ImGuiKey> keys = keysNamed(names);
   std::reverse(keys.begin(), keys.end());
-  for (const int key : keys) shell_->input().key(key, false);
+  for (const ImGuiKey key : keys) shell_->input().key(key, false);
   frames(2);
   return !keys.empty();
 }
 
 bool Driver::tap(std::string_view names) {
-  std::vector<int> keys = keysNamed(names);
-  for (const int key : keys) shell_->input().key(key, true);
+  std::vector<ImGuiKey> keys = keysNamed(names);
+  for (const ImGuiKey key : keys) shell_->input().key(key, true);
   std::reverse(keys.begin(), keys.end());
-  for (const int key : keys) shell_->input().key(key, false);
+  for (const ImGuiKey key : keys) shell_->input().key(key, false);
   frames(2);
   return !keys.empty();
 }

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/shell/frame_stats.h"
 #include "app/ui/shell/shell.h"
 #include "app/ui/widgets/widget_map.h"

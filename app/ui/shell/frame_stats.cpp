@@ -4,6 +4,8 @@
 #include <cstdio>
 #include <numeric>
 
+#include "engine/core/quantile.h"
+
 namespace moltact {
 
 std::string FrameStats::json() const {
@@ -11,14 +13,11 @@ std::string FrameStats::json() const {
   std::vector<double> sorted = frames_ms_;
   std::sort(sorted.begin(), sorted.end());
   const double mean = std::accumulate(sorted.begin(), sorted.end(), 0.0) / double(sorted.size());
-  const auto part = [&](double p) {
-    return sorted[std::min(sorted.size() - 1, std::size_t(p * double(sorted.size())))];
-  };
   char text[240];
   std::snprintf(text, sizeof text,
                 "{\"frames\": %zu, \"mean_ms\": %.2f, \"p50_ms\": %.2f, \"p95_ms\": %.2f, \"max_ms\": %.2f, "
                 "\"frames_per_s\": %.1f}",
-                sorted.size(), mean, part(0.5), part(0.95), sorted.back(), 1000.0 / mean);
+                sorted.size(), mean, percentile(sorted, 0.5), percentile(sorted, 0.95), sorted.back(), 1000.0 / mean);
   return text;
 }
 

@@ -14,10 +14,12 @@
 #include <GLFW/glfw3.h>
 #include <imgui.h>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/user_folders.h"
+#include "app/ui/shell/application_parts.h"
 #include "app/ui/shell/frame_stats.h"
+#include "app/ui/shell/glfw_keys.h"
 #include "app/ui/shell/shell.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/folders.h"
@@ -66,7 +68,8 @@ void connect(GLFWwindow* window) {
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { linkOf(w).shell.input().wheel(x, y); });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-    if (key >= 0 && action != GLFW_REPEAT) linkOf(w).shell.input().key(key, action == GLFW_PRESS);
+    const ImGuiKey named = keyOfGlfw(key);
+    if (isKey(named) && action != GLFW_REPEAT) linkOf(w).shell.input().key(named, action == GLFW_PRESS);
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) { linkOf(w).shell.input().character(c); });
   glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
@@ -214,7 +217,8 @@ int runWindow(const WindowOptions& options) {
                      .settings_file = settingsFile(),
                      .attempts_folder = attemptsFolder(),
                      .cache_folder = cacheFolder(),
-                     .picture_folder = pictureFolder()});
+                     .picture_folder = pictureFolder()},
+                    applicationParts());
     const AtExit at_exit(app);
     Link link{shell, app};
     Cursors cursors;

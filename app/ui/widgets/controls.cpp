@@ -1,6 +1,6 @@
 #include "app/ui/widgets/controls.h"
 
-#include <imgui_internal.h>
+#include <imgui.h>
 
 #include <algorithm>
 #include <cmath>
@@ -112,7 +112,7 @@ bool slider(const char* name, const char* label, double& value, double least, do
   const float x0 = low.x + knob, x1 = std::max(x0 + 1.0f, end.x - knob), y = end.y - knob;
   const double before = value;
   const auto snapped = [&](double v) { return std::clamp(least + std::round((v - least) / step) * step, least, most); };
-  if (held && GImGui->ActiveIdSource == ImGuiInputSource_Mouse)
+  if (held && ImGui::IsMouseDown(0))
     value =
         snapped(least + (most - least) * double(std::clamp((ImGui::GetIO().MousePos.x - x0) / (x1 - x0), 0.0f, 1.0f)));
   if (const int notches = arrowsAtItem()) value = snapped(value + step * notches);
@@ -306,7 +306,7 @@ bool beginPage(const char* name, const char* title, bool& open, float width, flo
   ImGui::PushID(name);
   if (iconButton((std::string(name) + "/close").c_str(), Icon::Close, "Close (Esc)")) open = false;
   ImGui::PopID();
-  if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open = false;
+  if (ImGui::IsKeyPressed(ImGuiKey_Escape, false)) open = false;
   ImGui::Spacing();
   if (!open) ImGui::CloseCurrentPopup();
   return true;

@@ -3,20 +3,22 @@
 // Window's thread. Units: pixel of the framebuffer, wheel notch (positive: away from the person).
 #pragma once
 
+#include <bitset>
 #include <deque>
 #include <glm/glm.hpp>
 
-struct ImGuiIO;
+#include "app/ui/widgets/imgui_versions.h"
 
 namespace moltact {
 
-/// Keys are GLFW's key codes (GLFW_KEY_…), buttons GLFW's and ImGui's common order: 0 left, 1 right, 2 middle.
+/// Buttons are in GLFW's and ImGui's common order: 0 left, 1 right, 2 middle.
 struct InputEvent {
   enum class Kind { Pointer, Button, Wheel, Key, Character, FocusLost, PointerLeft };
   Kind kind = Kind::Pointer;
   glm::dvec2 place{0.0};  ///< Pointer: where; Wheel: notches
-  int code = 0;           ///< Button, Key: which; Character: the code point
+  int code = 0;           ///< Button: which; Character: the code point
   bool down = false;      ///< Button, Key
+  ImGuiKey key = ImGuiKey_None;
 };
 
 class InputQueue {
@@ -27,7 +29,7 @@ class InputQueue {
   void pointerLeft() { events_.push_back({InputEvent::Kind::PointerLeft}); }
   void button(int button, bool down) { events_.push_back({InputEvent::Kind::Button, {}, button, down}); }
   void wheel(double x, double y) { events_.push_back({InputEvent::Kind::Wheel, {x, y}}); }
-  void key(int key, bool down) { events_.push_back({InputEvent::Kind::Key, {}, key, down}); }
+  void key(ImGuiKey key, bool down) { events_.push_back({InputEvent::Kind::Key, {}, 0, down, key}); }
   void character(unsigned code_point) { events_.push_back({InputEvent::Kind::Character, {}, int(code_point)}); }
   /// The window has lost the keyboard: every key and button is let go.
   void focusLost() { events_.push_back({InputEvent::Kind::FocusLost}); }
@@ -38,7 +40,10 @@ class InputQueue {
   void feed(ImGuiIO& io);
 
  private:
+  void tell(ImGuiIO& io, ImGuiKey key, bool down);
+
   std::deque<InputEvent> events_;
+  std::bitset<kKeyCount> held_;  // keys, as ImGui was told
 };
 
 }  // namespace moltact

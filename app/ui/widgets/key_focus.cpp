@@ -1,15 +1,13 @@
 #include "app/ui/widgets/key_focus.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <utility>
 #include <vector>
 
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <imgui_internal.h>
-
-#include "app/ui/actions.h"
-#include "app/ui/application.h"
+#include "app/ui/widgets/imgui_versions.h"
+#include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 
@@ -34,12 +32,6 @@ KeyStops& stops() {
 
 bool popupOpen() { return ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel); }
 
-bool takenKey(int key) {
-  if (!ImGui::IsKeyPressed(key, false)) return false;
-  ImGui::GetIO().KeysDownDuration[key] = 1e-6f;  // no longer newly pressed in this frame
-  return true;
-}
-
 // The controls that Tab goes round: those of the page that is open, else those of the panels.
 std::vector<KeyStop> ring() {
   const ImGuiWindow* page = ImGui::GetTopMostPopupModal();
@@ -55,10 +47,10 @@ void leadTo(const KeyStop& s) {
   ImGui::FocusWindow(s.window);
   ImGui::SetNavID(s.id, ImGuiNavLayer_Main, 0, ImGui::WindowRectAbsToRel(s.window, s.place));
   ImGui::ScrollToBringRectIntoView(s.window, s.place);
-  g.NavDisableHighlight = false;
+  showKeysPlace(true);
   if (!s.field) return;
   g.NavInputSource = ImGuiInputSource_Keyboard;
-  ImGui::ActivateItem(s.id);
+  activateItem(s.id);
 }
 
 // From the control that the keys are at to the next, or with `panel` to the first of another panel. False past the
@@ -84,16 +76,17 @@ bool move(int by, bool panel, bool round) {
 }
 
 // Alt pressed and let go with nothing in between.
-bool altTapped(PanelState& panels) {
+bool altTapped(KeyFocus& panels) {
   const ImGuiIO& io = ImGui::GetIO();
-  const auto isAlt = [](int key) { return key == GLFW_KEY_LEFT_ALT || key == GLFW_KEY_RIGHT_ALT; };
+  const auto isAlt = [](ImGuiKey key) { return key == ImGuiKey_LeftAlt || key == ImGuiKey_RightAlt; };
   bool other = ImGui::IsAnyMouseDown() || io.InputQueueCharacters.Size > 0, newly = false, let_go = false;
-  for (int key = 0; key < IM_ARRAYSIZE(io.KeysDown); ++key) {
+  for (std::size_t k = 0; k < kKeyCount; ++k) {
+    const ImGuiKey key = keyAt(k);
     if (isAlt(key)) {
       newly = newly || ImGui::IsKeyPressed(key, false);
       let_go = let_go || ImGui::IsKeyReleased(key);
     } else {
-      other = other || io.KeysDown[key];
+      other = other || ImGui::IsKeyDown(key);
     }
   }
   if (newly) panels.alt_alone = true;
@@ -101,11 +94,12 @@ bool altTapped(PanelState& panels) {
   return let_go && std::exchange(panels.alt_alone, false);
 }
 
-void openMenus(PanelState& panels) {
+void openMenus(KeyFocus& panels, std::string_view menu_letters) {
+  const int menus = int(menu_letters.size());
   const ImGuiIO& io = ImGui::GetIO();
   const bool tapped = altTapped(panels);
   if (ImGui::GetTopMostPopupModal()) return;
-  if (tapped || (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift && takenKey(GLFW_KEY_F10))) {
+  if (tapped || (!io.KeyCtrl && !io.KeyAlt && !io.KeyShift && takeKey(ImGuiKey_F10))) {
     // The second time they close.
     if (popupOpen())
       ImGui::ClosePopupToLevel(0, true);
@@ -114,16 +108,16 @@ void openMenus(PanelState& panels) {
   }
   // From menu to menu, unless the arrow opens or closes one within.
   if (panels.menu_open >= 0 && GImGui->OpenPopupStack.Size == 1) {
-    const int by = int(ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true) && !panels.at_submenu) -
-                   int(ImGui::IsKeyPressed(GLFW_KEY_LEFT, true));
+    const int by = int(ImGui::IsKeyPressed(ImGuiKey_RightArrow, true) && !panels.at_submenu) -
+                   int(ImGui::IsKeyPressed(ImGuiKey_LeftArrow, true));
     if (by) {
       ImGui::NavMoveRequestCancel();
-      panels.menu_wanted = (panels.menu_open + by + kMenus) % kMenus;
+      panels.menu_wanted = (panels.menu_open + by + menus) % menus;
     }
   }
   if (!io.KeyAlt || io.KeyCtrl || io.WantTextInput) return;
-  for (int menu = 0; menu < kMenus; ++menu)
-    if (ImGui::IsKeyPressed(menuLetter(Menu(menu)), false)) panels.menu_wanted = menu;
+  for (int menu = 0; menu < menus; ++menu)
+    if (ImGui::IsKeyPressed(keyOf(menu_letters[std::size_t(menu)]), false)) panels.menu_wanted = menu;
 }
 
 }  // namespace
@@ -132,45 +126,44 @@ bool keysLeadControls() { return ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_N
 
 bool keysFree() { return !ImGui::GetIO().WantTextInput && !keysLeadControls() && !popupOpen(); }
 
-void leadByKeys(Application& app) {
+void leadByKeys(KeyFocus& panels, std::string_view menu_letters) {
   ImGuiContext& g = *GImGui;
   ImGuiIO& io = g.IO;
-  bool& in_panels = app.panels.keys_in_panels;
+  bool& in_panels = panels.keys_in_panels;
   if (ImGui::GetFrameCount() <= 1) stops() = {};  // of another context
   stops().before = std::exchange(stops().now, {});
   // Escape has closed a menu or list before this frame's first line.
-  if (app.panels.popup_open && !popupOpen()) takenKey(GLFW_KEY_ESCAPE);
-  openMenus(app.panels);
+  if (panels.popup_open && !popupOpen()) takeKey(ImGuiKey_Escape);
+  openMenus(panels, menu_letters);
   const bool page = ImGui::GetTopMostPopupModal() != nullptr, menu = popupOpen() && !page;
   for (int button = 0; button < IM_ARRAYSIZE(io.MouseDown); ++button)
     in_panels = in_panels && !ImGui::IsMouseClicked(button);
-  if (!page && !menu && in_panels && !io.WantTextInput && takenKey(GLFW_KEY_ESCAPE)) in_panels = false;
-  const bool tab = ImGui::IsKeyPressed(GLFW_KEY_TAB, true), panel = !page && takenKey(GLFW_KEY_F6);
+  if (!page && !menu && in_panels && !io.WantTextInput && takeKey(ImGuiKey_Escape)) in_panels = false;
+  const bool tab = ImGui::IsKeyPressed(ImGuiKey_Tab, true), panel = !page && takeKey(ImGuiKey_F6);
   if (!menu && !io.KeyCtrl && !io.KeyAlt && (tab || panel)) {
     const bool moved = move(io.KeyShift ? -1 : 1, panel, page);
     if (!page) in_panels = moved;
     if (!moved) ImGui::ClearActiveID();
   }
-  app.panels.popup_open = page || menu;
-  const bool on = page || menu || in_panels || app.panels.menu_wanted >= 0;
+  panels.popup_open = page || menu;
+  const bool on = page || menu || in_panels || panels.menu_wanted >= 0;
   io.ConfigFlags =
       on ? io.ConfigFlags | ImGuiConfigFlags_NavEnableKeyboard : io.ConfigFlags & ~ImGuiConfigFlags_NavEnableKeyboard;
-  if (!on) g.NavDisableHighlight = true;
-  // ImGui presses with Space alone.
-  const bool enter = ImGui::IsKeyPressed(GLFW_KEY_ENTER, false) || ImGui::IsKeyPressed(GLFW_KEY_KP_ENTER, false);
-  if (on && enter && !io.WantTextInput && g.NavId && !g.NavDisableHighlight) ImGui::ActivateItem(g.NavId);
+  if (!on) showKeysPlace(false);
+  const bool enter = ImGui::IsKeyPressed(ImGuiKey_Enter, false) || ImGui::IsKeyPressed(ImGuiKey_KeypadEnter, false);
+  if (on && enter && !io.WantTextInput && g.NavId && keysPlaceShown()) pressByEnter(g.NavId);
 }
 
 unsigned keyStop() {
   const ImGuiContext& g = *GImGui;
   const ImGuiLastItemData& item = g.LastItemData;
+  const ItemForKeys for_keys = lastItemForKeys();
   ImGuiWindow* window = g.CurrentWindow;
-  if (!item.ID || window->DC.NavLayerCurrent != ImGuiNavLayer_Main ||
-      item.InFlags & (ImGuiItemFlags_Disabled | ImGuiItemFlags_NoNav) || window->Flags & ImGuiWindowFlags_NoNavInputs)
+  if (!item.ID || window->DC.NavLayerCurrent != ImGuiNavLayer_Main || !for_keys.usable ||
+      window->Flags & ImGuiWindowFlags_NoNavInputs)
     return 0;
   std::vector<KeyStop>& all = stops().now;
-  if (all.empty() || all.back().id != item.ID)
-    all.push_back({item.ID, window, item.Rect, bool(item.InFlags & ImGuiItemFlags_Inputable)});
+  if (all.empty() || all.back().id != item.ID) all.push_back({item.ID, window, item.Rect, for_keys.field});
   // What is chosen in a menu or a list is seen by its ground.
   const bool menu = window->Flags & ImGuiWindowFlags_Popup && !(window->Flags & ImGuiWindowFlags_Modal);
   if (keysAtItem() && !menu) {
@@ -182,17 +175,18 @@ unsigned keyStop() {
   return item.ID;
 }
 
-bool keysAtItem() { return keysLeadControls() && !GImGui->NavDisableHighlight && ImGui::IsItemFocused(); }
+bool keysAtItem() { return keysLeadControls() && keysPlaceShown() && ImGui::IsItemFocused(); }
 
 int arrowsAtItem() {
   if (!keysAtItem()) return 0;
-  const bool right = ImGui::IsKeyPressed(GLFW_KEY_RIGHT, true), left = ImGui::IsKeyPressed(GLFW_KEY_LEFT, true);
+  const bool right = ImGui::IsKeyPressed(ImGuiKey_RightArrow, true),
+             left = ImGui::IsKeyPressed(ImGuiKey_LeftArrow, true);
   if (right || left) ImGui::NavMoveRequestCancel();
   return int(right) - int(left);
 }
 
 std::string controlOfKeys() {
-  if (!keysLeadControls() || GImGui->NavDisableHighlight || !GImGui->NavId) return {};
+  if (!keysLeadControls() || !keysPlaceShown() || !GImGui->NavId) return {};
   for (const auto& [name, record] : widgets().all())
     if (record.key_stop == GImGui->NavId) return name;
   return {};

@@ -4,13 +4,23 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace moltact {
 
-class Application;
+/// Where the keys are, from frame to frame.
+struct KeyFocus {
+  bool keys_in_panels = false;  ///< Tab has led the keys from the molecule to the panels
+  bool popup_open = false;      ///< in the last frame a page, menu or list was
+  bool alt_alone = false;       ///< Alt is down and nothing else has been pressed since
+  int menu_wanted = -1;         ///< the menu that the keys open in this frame; negative: none
+  int menu_open = -1;           ///< the menu of the bar that is open; negative: none
+  bool at_submenu = false;      ///< in it the keys are at a line that opens another menu
+};
 
-/// Once a frame, before the panels: follows Tab, F6, F10, Alt and Enter.
-void leadByKeys(Application& app);
+/// Once a frame, before the panels: follows Tab, F6, F10, Alt and Enter. `menu_letters`: which with Alt opens each menu
+/// of the bar, in capitals.
+void leadByKeys(KeyFocus& panels, std::string_view menu_letters);
 
 /// The keys belong to the molecule and the lesson: no text is being written, no page or menu is open, no panel has
 /// them.

@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <iterator>
 #include <string>
-
-#define GLFW_INCLUDE_NONE
-#include <GLFW/glfw3.h>
-#include <imgui.h>
 
 #include "engine/language/catalogue.h"
 
@@ -16,50 +13,53 @@ namespace {
 
 struct KeyName {
   std::string_view name;
-  int key;
+  ImGuiKey key;
 };
-constexpr std::array kKeys{KeyName{"ctrl", GLFW_KEY_LEFT_CONTROL},
-                           KeyName{"shift", GLFW_KEY_LEFT_SHIFT},
-                           KeyName{"alt", GLFW_KEY_LEFT_ALT},
-                           KeyName{"space", GLFW_KEY_SPACE},
-                           KeyName{"escape", GLFW_KEY_ESCAPE},
-                           KeyName{"esc", GLFW_KEY_ESCAPE},
-                           KeyName{"enter", GLFW_KEY_ENTER},
-                           KeyName{"tab", GLFW_KEY_TAB},
-                           KeyName{"backspace", GLFW_KEY_BACKSPACE},
-                           KeyName{"left", GLFW_KEY_LEFT},
-                           KeyName{"right", GLFW_KEY_RIGHT},
-                           KeyName{"up", GLFW_KEY_UP},
-                           KeyName{"down", GLFW_KEY_DOWN},
-                           KeyName{"pageup", GLFW_KEY_PAGE_UP},
-                           KeyName{"pagedown", GLFW_KEY_PAGE_DOWN},
-                           KeyName{"home", GLFW_KEY_HOME},
-                           KeyName{"plus", GLFW_KEY_KP_ADD},
-                           KeyName{"minus", GLFW_KEY_MINUS},
-                           KeyName{",", GLFW_KEY_COMMA}};
+constexpr KeyName kKeys[] = {{"ctrl", ImGuiKey_LeftCtrl},  {"shift", ImGuiKey_LeftShift},
+                             {"alt", ImGuiKey_LeftAlt},    {"space", ImGuiKey_Space},
+                             {"escape", ImGuiKey_Escape},  {"esc", ImGuiKey_Escape},
+                             {"enter", ImGuiKey_Enter},    {"tab", ImGuiKey_Tab},
+                             {"left", ImGuiKey_LeftArrow}, {"right", ImGuiKey_RightArrow},
+                             {"up", ImGuiKey_UpArrow},     {"down", ImGuiKey_DownArrow},
+                             {"pageup", ImGuiKey_PageUp},  {"pagedown", ImGuiKey_PageDown},
+                             {"home", ImGuiKey_Home},      {"backspace", ImGuiKey_Backspace},
+                             {"plus", ImGuiKey_KeypadAdd}, {"minus", ImGuiKey_Minus},
+                             {",", ImGuiKey_Comma}};
 
-int keyNamed(std::string_view written) {
+constexpr ImGuiKey kLetters[] = {ImGuiKey_A, ImGuiKey_B, ImGuiKey_C, ImGuiKey_D, ImGuiKey_E, ImGuiKey_F, ImGuiKey_G,
+                                 ImGuiKey_H, ImGuiKey_I, ImGuiKey_J, ImGuiKey_K, ImGuiKey_L, ImGuiKey_M, ImGuiKey_N,
+                                 ImGuiKey_O, ImGuiKey_P, ImGuiKey_Q, ImGuiKey_R, ImGuiKey_S, ImGuiKey_T, ImGuiKey_U,
+                                 ImGuiKey_V, ImGuiKey_W, ImGuiKey_X, ImGuiKey_Y, ImGuiKey_Z};
+
+ImGuiKey keyNamed(std::string_view written) {
   std::string name;
   for (const char c : written)
     if (c != ' ') name += char(std::tolower(static_cast<unsigned char>(c)));
-  if (name.size() == 1 && std::isalnum(static_cast<unsigned char>(name[0])))
-    return std::toupper(static_cast<unsigned char>(name[0]));
+  if (name.size() == 1 && isKey(keyOf(name[0]))) return keyOf(name[0]);
   // F1 to F12
   if (name.size() > 1 && name.size() < 4 && name[0] == 'f' &&
       std::all_of(name.begin() + 1, name.end(), [](unsigned char c) { return std::isdigit(c); }))
-    if (const int number = std::stoi(name.substr(1)); number >= 1 && number <= 12) return GLFW_KEY_F1 + number - 1;
-  const auto known = std::find_if(kKeys.begin(), kKeys.end(), [&](const KeyName& k) { return k.name == name; });
-  return known == kKeys.end() ? -1 : known->key;
+    if (const int number = std::stoi(name.substr(1)); number >= 1 && number <= 12)
+      return ImGuiKey(int(ImGuiKey_F1) + number - 1);
+  const auto known = std::find_if(std::begin(kKeys), std::end(kKeys), [&](const KeyName& k) { return k.name == name; });
+  return known == std::end(kKeys) ? ImGuiKey(ImGuiKey_None) : known->key;
 }
 
 }  // namespace
 
-std::vector<int> keysNamed(std::string_view names) {
-  std::vector<int> out;
+ImGuiKey keyOf(char character) {
+  if (character >= '0' && character <= '9') return ImGuiKey(int(ImGuiKey_0) + (character - '0'));
+  if (character >= 'A' && character <= 'Z') return kLetters[character - 'A'];
+  if (character >= 'a' && character <= 'z') return kLetters[character - 'a'];
+  return ImGuiKey_None;
+}
+
+std::vector<ImGuiKey> keysNamed(std::string_view names) {
+  std::vector<ImGuiKey> out;
   while (!names.empty()) {
     const std::size_t end = std::min(names.find('+'), names.size());
-    const int key = keyNamed(names.substr(0, end));
-    if (key < 0) return {};
+    const ImGuiKey key = keyNamed(names.substr(0, end));
+    if (!isKey(key)) return {};
     out.push_back(key);
     names.remove_prefix(std::min(end + 1, names.size()));
   }
@@ -90,11 +90,13 @@ std::string withKey(std::string_view label, std::string_view names) {
 bool keysPressed(std::string_view names) {
   const ImGuiIO& io = ImGui::GetIO();
   if (names == "?") return io.InputQueueCharacters.contains(ImWchar('?'));
-  const std::vector<int> keys = keysNamed(names);
+  const std::vector<ImGuiKey> keys = keysNamed(names);
   if (keys.empty()) return false;
-  const auto holds = [&](int modifier) { return std::find(keys.begin(), keys.end() - 1, modifier) != keys.end() - 1; };
-  return io.KeyCtrl == holds(GLFW_KEY_LEFT_CONTROL) && io.KeyShift == holds(GLFW_KEY_LEFT_SHIFT) &&
-         io.KeyAlt == holds(GLFW_KEY_LEFT_ALT) && ImGui::IsKeyPressed(keys.back(), false);
+  const auto holds = [&](ImGuiKey modifier) {
+    return std::find(keys.begin(), keys.end() - 1, modifier) != keys.end() - 1;
+  };
+  return io.KeyCtrl == holds(ImGuiKey_LeftCtrl) && io.KeyShift == holds(ImGuiKey_LeftShift) &&
+         io.KeyAlt == holds(ImGuiKey_LeftAlt) && ImGui::IsKeyPressed(keys.back(), false);
 }
 
 }  // namespace moltact

@@ -5,11 +5,16 @@
 #include <string_view>
 #include <vector>
 
+#include "app/ui/widgets/imgui_versions.h"
+
 namespace moltact {
 
-/// GLFW's codes of keys joined by "+", in capitals or not, with or without spaces ("pageup"); empty where one is not
-/// known. A modifier gives its left key.
-std::vector<int> keysNamed(std::string_view names);
+/// The key of a letter, in either case, or of a digit; ImGuiKey_None for another character.
+ImGuiKey keyOf(char character);
+
+/// Keys joined by "+", in capitals or not, with or without spaces ("pageup"); empty where one is not known.
+/// A modifier gives its left key.
+std::vector<ImGuiKey> keysNamed(std::string_view names);
 
 /// The names as a person reads them on the keys: "Ctrl+Home" is "Strg+Pos1" in German.
 std::string keysText(std::string_view names);

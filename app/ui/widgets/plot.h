@@ -1,7 +1,7 @@
 // A live plot of the last values of a buffer, on ImGui's draw list. Window's thread.
 #pragma once
 
-#include "app/ui/scene/touch_log.h"
+#include "app/ui/widgets/plot_buffer.h"
 #include "app/ui/widgets/controls.h"
 
 namespace moltact {
@@ -10,8 +10,8 @@ struct PlotLook {
   const char* title = "";
   float least_top = 1.0f;  ///< the scale's upper end is at least this
   float height = 86.0f;    ///< unit: pixel at 96 dpi
-  double span_s = TouchLog::kPlot_s;
-  ShownAs shown_as{};  ///< the newest value
+  double span_s = 5.0;     ///< from the oldest value to the newest
+  ShownAs shown_as{};      ///< the newest value
 };
 
 /// As wide as there is room, recorded as `name` with the newest value as its text.

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/ui/files/settings.h"
+#include "app/ui/widgets/theme_choice.h"
 #include "engine/render/view_scene.h"
 
 namespace moltact {
@@ -40,11 +40,6 @@ struct Look {
   /// The colours of the 3-D view.
   Theme viewTheme() const;
 };
-
-/// The colours of the atoms that a person prefers.
-inline ElementColours elementColoursOf(const Settings& s) {
-  return s.colour_blind_safe ? ElementColours::ColourBlindSafe : ElementColours::Customary;
-}
 
 /// The look of the current frame.
 const Look& look();

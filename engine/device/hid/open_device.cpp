@@ -81,7 +81,8 @@ std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   info.max_damping_N_s_per_m = 1e-3 * uint16At(bytes, 22);
   info.friction_N = 1e-3 * uint16At(bytes, 24);
   info.delay_s = known(26, 1e-6, kUnknownDelay_s);
-  info.dof_in = 3;  // the turn, where it is measured, is not used
+  measures_orientation_ = bytes[28] & kMeasuresOrientation;
+  info.dof_in = measures_orientation_ ? 6 : 3;
   info.gives_force = gives_ = info.max_force_N > 0;
   info.dof_out = gives_ ? 3 : 0;
   any_seen_ = false;
@@ -97,6 +98,11 @@ bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) 
   seen_ = number;
   any_seen_ = true;
   pose.position.mm = step_mm_ * Vec3(int16At(report, 7), int16At(report, 9), int16At(report, 11));
+  if (measures_orientation_) {
+    const Quat told(int16At(report, 19) / kFarthest, int16At(report, 13) / kFarthest, int16At(report, 15) / kFarthest,
+                    int16At(report, 17) / kFarthest);
+    if (const double size = glm::length(told); size > 0.9 && size < 1.1) pose.orientation = told / size;
+  }
   pose.buttons = report[21];
   status_ = report[22];
   if (status_ & kWatchdogTripped) cut_s_ = kCutTold_s;

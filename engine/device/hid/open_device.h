@@ -15,6 +15,7 @@ inline constexpr std::size_t kPlaceBytes = 25, kForceBytes = 11, kDescriptionByt
 inline constexpr std::uint8_t kWatchdog_ms = 50;  ///< what the host asks for
 /// Bits of a place report's status.
 inline constexpr std::uint8_t kFault = 1, kHot = 2, kUncalibrated = 4, kWatchdogTripped = 8;
+inline constexpr std::uint8_t kMeasuresOrientation = 1;  ///< of byte 28 of the description
 /// What counts where a device does not know its own figures and tells 0: on the careful side.
 inline constexpr double kUnknownStiffness_N_per_mm = 0.3, kUnknownDelay_s = 0.002;
 
@@ -35,6 +36,7 @@ class OpenProtocol final : public HidProtocol {
   bool faulty() const { return (status_ & (open_layout::kFault | open_layout::kUncalibrated)) || cut_s_ > 0; }
 
   double step_mm_ = 0.005;
+  bool measures_orientation_ = false;
   std::uint16_t seen_ = 0, sent_ = 0;
   std::uint8_t status_ = 0;  // of the newest place
   bool any_seen_ = false, gives_ = false, of_kind_ = true;

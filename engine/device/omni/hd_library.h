@@ -3,10 +3,12 @@
 // program runs. Which function may be called from which thread: omni_device.h.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 
 #include "engine/core/problem.h"
+#include "engine/core/units.h"
 
 namespace moltact::hd {
 
@@ -128,6 +130,15 @@ struct Library {
   /// to get it, or what is missing in it.
   static Expected<const Library*> get();
 };
+
+/// How the stylus is turned, of kTransform's 16 numbers (by columns, its gimbal included); `otherwise` where they are
+/// no rotation. Haptic thread.
+inline Quat orientationOf(const double (&t)[16], const Quat& otherwise) noexcept {
+  const glm::dmat3 axes(Vec3(t[0], t[1], t[2]), Vec3(t[4], t[5], t[6]), Vec3(t[8], t[9], t[10]));
+  if (!(std::abs(glm::determinant(axes) - 1.0) < 1e-2)) return otherwise;
+  const Quat q = glm::normalize(glm::quat_cast(axes));
+  return rotates(q) ? q : otherwise;
+}
 
 /// The motors on or off, whatever force was written last. Any thread, in a frame or outside.
 inline void switchForce(const Library& hd, bool on) noexcept {

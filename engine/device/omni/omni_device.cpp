@@ -198,9 +198,10 @@ void OmniDevice::tickFrame(bool ends) noexcept {
 
   const hd::Handle device = handle_.load(std::memory_order_relaxed);
   hd_.beginFrame(device);
-  double position[3] = {};
+  double position[3] = {}, transform[16] = {};
   int buttons = 0;
   hd_.getDoublev(hd::kPosition, position);
+  hd_.getDoublev(hd::kTransform, transform);
   hd_.getIntegerv(hd::kButtons, &buttons);
   if (calibration_style_.load(std::memory_order_relaxed) & hd::kInkwell) {
     hd::Boolean out_of_inkwell = 1;  // the switch is on while nothing presses it
@@ -211,6 +212,7 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   bool broken = drain();
   DevicePose& pose = own_.pose;
   pose.position.mm = Vec3(position[0], position[1], position[2]) - room_middle_mm_;
+  pose.orientation = hd::orientationOf(transform, pose.orientation);
   pose.buttons = std::uint32_t(buttons);
   pose.connected = !gone_.load(std::memory_order_relaxed);
   const double heat = motor_heat_.load(std::memory_order_relaxed);

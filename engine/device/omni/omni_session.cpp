@@ -18,7 +18,8 @@ void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale 
 void readFigures(const hd::Library& hd, OmniSession& session) {
   DeviceInfo& info = session.info;  // as made: the Omni's published figures
   info.gives_force = true;
-  info.dof_in = info.dof_out = 3;  // the turn of the stylus is not used
+  info.dof_in = 6;
+  info.dof_out = 3;
   info.continuous_force_N = 0.88;
   figure(hd, hd::kMaxForce, info.max_force_N);
   figure(hd, hd::kMaxContinuousForce, info.continuous_force_N);

@@ -4,11 +4,12 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 namespace moltact {
 
 inline constexpr double kNever = 1e300;
-inline constexpr double kTwoPi = 6.283185307179586476925;
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The first t >= 0 at which f rises above q, or kNever.
 inline double entryAngle(double a, double b, double q) {

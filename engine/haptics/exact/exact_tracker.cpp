@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/haptics/exact/cap.h"
 #include "engine/haptics/exact/entry_angle.h"
@@ -19,10 +20,10 @@ constexpr double kContact = 0x1p-43;
 // SCP has gone kMargin_A farther. Longer lists are dearer to gather, shorter ones are gathered more often.
 constexpr double kLook_A = 0.5, kMargin_A = 1.0;
 
-// Pieces, one after the other, that bring the SCP no nearer to the HIP, before it stays where it is.
+// Pieces, one after the other, that together bring the SCP no nearer to the HIP, before it stays where it is.
 constexpr int kMostIdle = 12;
 // Small pieces of a flow after which ways no longer graze: one that takes more goes to and fro over a crease too flat
-// to be seen at once.
+// to be seen at once. So does one that comes no nearer to the HIP.
 constexpr int kMostGrazing = 24;
 
 }  // namespace
@@ -40,7 +41,8 @@ void ExactTracker::forgetSurroundings() noexcept {
 }
 
 void ExactTracker::reset() noexcept {
-  armed_ = behind_ = false;
+  if (swells_) near_.setProbe(goal_A_);
+  armed_ = behind_ = swells_ = false;
   feature_ = Feature::Free;
   holders_ = {-1, -1, -1};
   forgetSurroundings();
@@ -49,9 +51,16 @@ void ExactTracker::reset() noexcept {
 MemoryUsage ExactTracker::memoryUsage() const noexcept { return {near_.held(), sizeof(*this) + near_.scene().bytes()}; }
 
 Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  return {.scp = {feature_ == Feature::Free && !behind_ ? hip : near_.origin() + scp_},
+  if (feature_ == Feature::Free) return {.scp = {behind_ ? near_.origin() + scp_ : hip}, .atoms = holders_};
+  // Put together at once, without a branch on how many hold: this is most of what a tick in contact adds to its way.
+  const Vec3 scp = near_.origin() + scp_, displacement = scp - hip;
+  const auto normal = [&](std::size_t k) { return (scp_ - held_[k].centre) * held_[k].inverse_radius; };
+  return {.scp = {scp},
           .atoms = holders_,
-          .feature = feature_};
+          .feature = feature_,
+          .displacement_A = displacement,
+          .energy_A2 = 0.5 * glm::dot(displacement, displacement),
+          .normals = {normal(0), normal(1), normal(2)}};
 }
 
 // The balls that hold the SCP, in ascending order.
@@ -60,6 +69,17 @@ void ExactTracker::holdBy(std::int32_t a, std::int32_t b, std::int32_t c) noexce
   if (c >= 0 && c < b) std::swap(b, c);
   if (b >= 0 && b < a) std::swap(a, b);
   holders_ = {a, b, c};
+  lookAtHolders();
+}
+
+// What the normals are made from; of none there is a normal of nothing.
+void ExactTracker::lookAtHolders() noexcept {
+  for (std::size_t k = 0; k < 3; ++k) {
+    held_[k] = {};
+    if (holders_[k] < 0) continue;
+    const NearBall on = near_.ball(holders_[k]);
+    held_[k] = {on.centre, on.radius > 0.0 ? 1.0 / on.radius : 0.0};
+  }
 }
 
 Contact ExactTracker::step(PointA hip) noexcept {
@@ -82,7 +102,14 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   const PointA hip{h};
   if (!usableHip(h)) return refusedHip(hip, near_.origin() + scp_);
+  if (swells_) [[unlikely]]
+    return whileItSwells(h);
   const Vec3 local = h - near_.origin();
+  if (moved_) [[unlikely]] {
+    trackSurface(local);
+    if (!moved_) return contact(h);
+    moved_ = false;
+  }
   if (!armed_) {
     if (near_.inside(local)) return {.scp = hip, .fault = Fault::StartedInside};
     const double gap = std::max(0.0, gapRound(local));
@@ -91,33 +118,55 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
     scp_ = free_from_ = local;
     return contact(h);
   }
-  if (!holdsQuickly(local)) flow(local);
+  if (!holdsQuickly(local)) {
+    near_.countFromZero();
+    flow(local);
+  }
   return contact(h);
+}
+
+// A tick in which the surface is on its way to another probe.
+Contact ExactTracker::whileItSwells(const Vec3& hip) noexcept {
+  near_.countFromZero();
+  if (!std::exchange(swelled_, false)) swell();
+  if (!armed_) return lookRound(hip.x, hip.y, hip.z);  // the place has closed
+  flow(hip - near_.origin());
+  if (swells_) {
+    forgetSurroundings();  // the next tick must come here
+    cut_short_ += !behind_;
+  }
+  return contact(hip);
 }
 
 void ExactTracker::flow(const Vec3& hip) noexcept {
   const Vec3 was = scp_;
-  near_.countFromZero();
+  const std::uint64_t most = near_.looked() + kMostLooked;
   behind_ = true;
   may_sink_ = false;
   int stuck = 0, idle = 0, small = 0;
+  bool grazes = true;
   double left_A = glm::distance(hip, scp_);
-  for (int count = 0; count < kMostPieces && near_.looked() < kMostLooked; ++count) {
+  for (int count = 0; count < kMostPieces && near_.looked() < most; ++count) {
     contact_A_ = contactAt(scp_);
     // The first piece that leads nowhere may have moved the SCP within rounding: the same sets are tried from there
     // once more.
     const Vec3 from = scp_;
-    const SlideResult result = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = small < kMostGrazing});
+    const SlideResult result = piece(hip, {.skip = std::max(0, stuck - 1), .grazes = grazes});
     if (result == SlideResult::Rests) {
       behind_ = false;
       break;
     }
     stuck = result == SlideResult::Stuck ? stuck + 1 : 0;
     small += glm::distance(from, scp_) < 0.25 * kLook_A;
-    // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
     const double now_A = glm::distance(hip, scp_);
-    idle = left_A - now_A > contact_A_ ? 0 : idle + 1;
-    left_A = std::min(left_A, now_A);
+    ++idle;
+    if (left_A - now_A > contact_A_) idle = 0, left_A = now_A;
+    // To and fro over a flat crease a way sinks into its two sides by turns: from now on both block it.
+    if (grazes && (small >= kMostGrazing || idle > kMostIdle)) {
+      grazes = false;
+      idle = 0;
+    }
+    // Where the SCP comes no nearer to the HIP but for rounding, it is as good a place as any.
     if (idle > kMostIdle) {
       holdHere();
       behind_ = false;
@@ -129,7 +178,7 @@ void ExactTracker::flow(const Vec3& hip) noexcept {
     forgetSurroundings();
   }
   // No SCP is handed out inside a ball: where rounding has let it sink, it goes to the nearest free place, or back.
-  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && !toFreePlace()) {
+  if (may_sink_ && feature_ != Feature::Free && !outsideAll() && toFreePlace() != Freed::Yes) {
     scp_ = was;
     holdHere();
     behind_ = true;
@@ -224,7 +273,7 @@ Hit ExactTracker::firstMet(const Vec3& to) noexcept {
     if (first.ball() >= 0 && first.at() <= known) return {first.ball(), std::min(1.0, first.at() / length)};
     if (known >= length) return {};
   }
-  return sweepFrom(near_.scene(), near_.probe_A(), near_.origin(), scp_, to, contact_A_);
+  return near_.firstMet(scp_, to, contact_A_);
 }
 
 ExactTracker::SlideResult ExactTracker::fly(const Vec3& hip) noexcept {
@@ -288,7 +337,8 @@ ExactTracker::SlideResult ExactTracker::restOnSphere(std::int32_t ball, const Ve
 }
 
 // Case 1: the way on a sphere toward the place nearest to the HIP is a great circle.
-ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept {
+ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int32_t ball,
+                                                      std::int32_t toward) noexcept {
   const NearBall on = near_.ball(ball);
   const Vec3 c = on.centre, m = hip - c;
   const double r = on.radius, d = glm::length(m);
@@ -315,7 +365,8 @@ ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int3
     const Cap cap(on, other);
     const double a = glm::dot(cap.way, x), b = glm::dot(cap.way, sideways);
     // What is touched and does not hold is met where the way has sunk by contact_A_ into it.
-    const double sinks = power <= 2.0 * other.radius * contact_A_ ? contact_A_ * other.radius / r : 0.0;
+    const double sinks =
+        power <= 2.0 * other.radius * contact_A_ && other.index != toward ? contact_A_ * other.radius / r : 0.0;
     const double t = entryAngle(a, b, std::max(cap.level, a) + sinks);
     if (t < end) end = t, meets = true;
   });
@@ -332,14 +383,14 @@ ExactTracker::SlideResult ExactTracker::slideOnSphere(const Vec3& hip, std::int3
 }
 
 // The circle of balls i and j (paper, equations 2 to 4) and the arc of it, round the SCP, that no third ball covers.
-bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
+ExactTracker::Made ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   Circle& c = circle_;
   const NearBall ball_i = near_.ball(i), ball_j = near_.ball(j);
   const Vec3 ci = ball_i.centre, between = ball_j.centre - ci;
   const double ri = ball_i.radius, rj = ball_j.radius;
   c.i = -1;
   c.between = glm::length(between);
-  if (!(c.between > 0.0)) return false;
+  if (!(c.between > 0.0)) return Made::No;
   c.axis = between / c.between;
   c.to_i = (c.between * c.between + (ri - rj) * (ri + rj)) / (2.0 * c.between);
   c.to_j = c.between - c.to_i;
@@ -348,11 +399,11 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   Vec3 out = scp_ - c.centre;
   out -= c.axis * glm::dot(out, c.axis);
   const double far = glm::length(out);
-  if (!(radius2 > 0.0) || !(far > 0.0)) return false;
+  if (!(radius2 > 0.0) || !(far > 0.0)) return Made::No;
   c.radius = std::sqrt(radius2);
   // Of two spheres that nearly are one, all of a zone is touched by both: the circle itself may be far off.
   const double off2 = glm::dot(scp_ - c.centre - out * (c.radius / far), scp_ - c.centre - out * (c.radius / far));
-  if (off2 > 16.0 * contact_A_ * std::min(ri, rj)) return false;
+  if (off2 > 16.0 * contact_A_ * std::min(ri, rj)) return Made::FarOff;
   c.axis_1 = out / far;
   c.axis_2 = glm::cross(c.axis, c.axis_1);
   c.angle = 0.0;
@@ -388,15 +439,22 @@ bool ExactTracker::makeCircle(std::int32_t i, std::int32_t j) noexcept {
   }
   c.i = i;
   c.j = j;
-  return true;
+  return Made::Yes;
 }
 
 // Case 2: the way along the circle of two spheres, the short way round to the place nearest to the HIP.
 ExactTracker::SlideResult ExactTracker::slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept {
   Circle& c = circle_;
   const bool same = feature_ == Feature::Circle && ((c.i == i && c.j == j) || (c.i == j && c.j == i));
-  if (!same && !makeCircle(i, j))
-    return SlideResult::Stuck;  // the balls touch in a point only: there is no circle to follow
+  if (!same) {
+    const Made made = makeCircle(i, j);
+    if (made == Made::No) return SlideResult::Stuck;
+    if (made == Made::FarOff) {  // on the outer one as far as their circle
+      const double gap_i = powerOf(scp_, near_.ball(i)) / near_.ball(i).radius,
+                   gap_j = powerOf(scp_, near_.ball(j)) / near_.ball(j).radius;
+      return gap_i <= gap_j ? slideOnSphere(hip, i, j) : slideOnSphere(hip, j, i);
+    }
+  }
   if (same && c.narrow) c.angle = std::atan2(c.along_2, c.along_1);
   const Vec3 m = hip - c.centre;
   const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);

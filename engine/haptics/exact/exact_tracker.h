@@ -26,16 +26,22 @@ class ExactTracker final : public Tracker {
 
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
+  /// A growing surface carries the SCP in steps, as many as kMostLooked allows; the rest follows in the next ticks.
   void setProbe(double probe_A) noexcept override;
+  bool setFrame(const SphereFrame* frame) noexcept override;  // moving_spheres.cpp
+  void moveTo(double share) noexcept override;
+  /// What the balls are inflated by now: where a large change is carried on over several ticks it lags behind
+  /// setProbe().
   double probe_A() const noexcept override { return near_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 
-  /// Ticks whose flow was cut short because it had taken kMostPieces pieces or looked at kMostLooked balls. The SCP
-  /// then lags, outside all balls, and goes on in the next tick.
+  /// Ticks that were cut short because a flow had taken kMostPieces pieces or looked at kMostLooked balls, or a surface
+  /// that swells had. The SCP then lags, outside all balls (inflated by probe_A()), and goes on in the next tick.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
-  /// Balls, cells and groups of balls that the last flow looked at: what its tick cost. At most kMostLooked and what
-  /// one piece adds.
+  /// Balls, cells and groups of balls that the last step() or setProbe() that had to look round looked at: what it
+  /// cost. At most kMostLooked for a flow, as many for a surface that swells, and what one piece or step of either
+  /// adds.
   std::uint64_t looked() const noexcept { return near_.looked(); }
 
   static constexpr int kMostPieces = 256;
@@ -67,28 +73,35 @@ class ExactTracker final : public Tracker {
   };
 
   enum class SlideResult : std::uint8_t { Rests, GoesOn, Stuck };
+  enum class Made : std::uint8_t { Yes, No, FarOff };
+  enum class Freed : std::uint8_t { Yes, No, TooMany };
 
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
+  [[gnu::noinline]] Contact whileItSwells(const Vec3& hip) noexcept;
   bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
   void flow(const Vec3& hip) noexcept;
   SlideResult piece(const Vec3& hip, Admitted admitted) noexcept;
   SlideResult fly(const Vec3& hip) noexcept;
-  SlideResult slideOnSphere(const Vec3& hip, std::int32_t ball) noexcept;
+  SlideResult slideOnSphere(const Vec3& hip, std::int32_t ball, std::int32_t toward = -1) noexcept;
   SlideResult restOnSphere(std::int32_t ball, const Vec3& direction) noexcept;
   SlideResult slideOnCircle(const Vec3& hip, std::int32_t i, std::int32_t j) noexcept;
-  bool makeCircle(std::int32_t i, std::int32_t j) noexcept;
+  Made makeCircle(std::int32_t i, std::int32_t j) noexcept;
   void holdAtPoint(const std::array<std::int32_t, 3>& balls) noexcept;
   void findTouching() noexcept;
   int thirdOf(const ActiveSet& set) const noexcept;
   void holdHere() noexcept;
   bool outsideAll() noexcept;
-  bool toFreePlace() noexcept;  // carry_surface.cpp
+  void swell() noexcept;                                          // moving_surface.cpp
+  Freed toFreePlace() noexcept;                                   // moving_surface.cpp
+  bool followsQuickly(const Vec3& hip, double moved_A) noexcept;  // moving_spheres.cpp
+  void trackSurface(const Vec3& hip) noexcept;
   void forgetSurroundings() noexcept;
   double gapRound(const Vec3& place) noexcept;
   Hit firstMet(const Vec3& to) noexcept;
   SlideResult slideResult(double way_A) const noexcept;
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
+  void lookAtHolders() noexcept;
   Contact contact(const Vec3& hip) const noexcept;
 
   NearbyBalls near_;
@@ -96,10 +109,24 @@ class ExactTracker final : public Tracker {
   double contact_A_ = 0.0;  // a ball whose surface is no farther than this from the SCP is touched
   bool armed_ = false;      // has the HIP been outside since the start?
   bool behind_ = false;     // the last flow was cut short
-  bool may_sink_ = false;   // it has passed balls that are touched and do not hold
+  bool moved_ = false;  // the spheres have moved on from `seen_share_` of the frame, where the SCP was last brought out
+  double seen_share_ = 0.0;
+  // While spheres move: when the share was clear_share_, no ball but the holders was nearer to this place than
+  // clear_gap_.
+  Vec3 clear_from_{0.0};
+  double clear_gap_ = 0.0, clear_share_ = 0.0;
+  bool swells_ = false;   // the surface is on its way to probe goal_A_
+  bool swelled_ = false;  // and has gone on since the last tick
+  double goal_A_ = 0.0, step_A_ = 0.0;
+  bool may_sink_ = false;  // it has passed balls that are touched and do not hold
   Feature feature_ = Feature::Free;
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
-  std::array<Touch, kMostTouching> touching_;        // what the SCP touches, while it flows
+  struct Held {
+    Vec3 centre{0.0};
+    double inverse_radius = 0.0;
+  };
+  std::array<Held, 3> held_{};                 // the same balls
+  std::array<Touch, kMostTouching> touching_;  // what the SCP touches, while it flows
   std::size_t touching_count_ = 0;
 
   // What lets an ordinary tick end at once, for the feature the SCP is on.

@@ -6,11 +6,13 @@
 #include <cmath>
 
 #include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/exact/nearest_places.h"
 
 namespace moltact {
 namespace {
 
 constexpr double kPiece_A = 0.05;  // the radius changes by no more at once, so that the SCP stays on its side of a wall
+constexpr double kLeastPiece_A = 1e-5;  // where not even so small a change leaves a free place, there is none
 constexpr double kSqueezed_A =
     0.5;  // out of a closing crease the SCP moves faster than the surface, but never through a wall
 constexpr std::size_t kMostHolding = 8;
@@ -19,68 +21,62 @@ constexpr std::size_t kMostHolding = 8;
 struct Balls {
   std::array<std::int32_t, kMostHolding> ball{};
   std::size_t count = 0;
+  bool more = false;  // there were more than fit
   void add(std::int32_t index) {
     const auto end = ball.begin() + std::ptrdiff_t(count);
-    if (count < kMostHolding && std::find(ball.begin(), end, index) == end) ball[count++] = index;
+    if (std::find(ball.begin(), end, index) != end) return;
+    if (count < kMostHolding)
+      ball[count++] = index;
+    else
+      more = true;
   }
 };
-
-// The place of the two spheres' circle nearest to p; false when they do not meet.
-bool nearestOnCircle(const NearBall& i, const NearBall& j, const Vec3& p, Vec3& out) {
-  const Vec3 between = j.centre - i.centre;
-  const double d = glm::length(between);
-  if (!(d > 0.0)) return false;
-  const double x = (d * d + (i.radius - j.radius) * (i.radius + j.radius)) / (2.0 * d);
-  const double r2 = (i.radius - x) * (i.radius + x);
-  if (!(r2 > 0.0)) return false;
-  const Vec3 axis = between / d, centre = i.centre + axis * x;
-  Vec3 way = p - centre;
-  way -= axis * glm::dot(way, axis);
-  const double far = glm::length(way);
-  if (!(far > 0.0)) return false;
-  out = centre + way * (std::sqrt(r2) / far);
-  return true;
-}
-
-// The two points common to three spheres; false when there are none.
-bool commonPoints(const NearBall& i, const NearBall& j, const NearBall& k, Vec3 out[2]) {
-  const Vec3 u = j.centre - i.centre, v = k.centre - i.centre, w = glm::cross(u, v);
-  const double w2 = glm::dot(w, w);
-  if (!(w2 > 1e-20)) return false;
-  const double a = 0.5 * (glm::dot(u, u) + (i.radius - j.radius) * (i.radius + j.radius));
-  const double b = 0.5 * (glm::dot(v, v) + (i.radius - k.radius) * (i.radius + k.radius));
-  const Vec3 foot = glm::cross(a * v - b * u, w) / w2;  // in the centres' plane: foot.u = a, foot.v = b
-  const double h2 = i.radius * i.radius - glm::dot(foot, foot);
-  if (h2 < 0.0) return false;
-  const Vec3 off = w * std::sqrt(h2 / w2);
-  out[0] = i.centre + foot + off;
-  out[1] = i.centre + foot - off;
-  return true;
-}
 
 }  // namespace
 
 void ExactTracker::setProbe(double probe_A) noexcept {
   if (!std::isfinite(probe_A)) return;
-  const double wanted = std::clamp(probe_A, 0.0, kLargestProbe_A), had = near_.probe_A();
-  if (wanted == had) return;
-  const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kPiece_A));
-  for (int k = 1; k <= pieces; ++k) {
-    near_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
-    if (!armed_) continue;
-    if (!toFreePlace()) {  // the place closed over the SCP: there is no surface left to be held by
-      near_.setProbe(wanted);
-      reset();
-      return;
-    }
-  }
+  goal_A_ = std::clamp(probe_A, 0.0, kLargestProbe_A);
+  if (!swells_) step_A_ = kPiece_A;
+  swells_ = goal_A_ != near_.probe_A();
+  if (!swells_) return;
+  near_.countFromZero();
+  swell();
+  swelled_ = true;
 }
 
-// Brings the SCP to the nearest free place; false, with nothing changed, when there is none among the balls that close
-// in on it.
-bool ExactTracker::toFreePlace() noexcept {
-  const double probe = near_.probe_A();
-  const BallScene& scene = near_.scene();
+// Carries the SCP on toward the goal, step by step, until it is there or as much has been looked at as a tick may cost.
+void ExactTracker::swell() noexcept {
+  const std::uint64_t most = near_.looked() + kMostLooked;
+  do {
+    const double now = near_.probe_A();
+    if (!armed_ || goal_A_ < now) {
+      near_.setProbe(goal_A_);
+      if (armed_) toFreePlace();
+    } else {
+      // Among crowds a step is no longer than what is known round the SCP, so that the places it may go to are known
+      // too.
+      const double known = near_.each(scp_, kSqueezed_A, [](const NearBall&) {}),
+                   step = std::min(step_A_, std::max(0.25 * known, kLeastPiece_A));
+      near_.setProbe(std::min(goal_A_, now + step));
+      const Freed freed = toFreePlace();
+      if (freed == Freed::Yes) {
+        step_A_ = std::min(kPiece_A, 2.0 * step_A_);
+      } else if (freed == Freed::TooMany && step > kLeastPiece_A) {  // in a smaller step fewer close in on it
+        near_.setProbe(now);
+        step_A_ = std::max(kLeastPiece_A, 0.25 * step);
+      } else {  // the place closed over the SCP: there is no surface left to be held by
+        reset();
+      }
+    }
+    swells_ = near_.probe_A() != goal_A_;
+  } while (swells_ && near_.looked() < most);
+  lookAtHolders();
+}
+
+// Brings the SCP to the nearest free place; with nothing changed when there is none among the balls that close in on
+// it.
+ExactTracker::Freed ExactTracker::toFreePlace() noexcept {
   const Vec3 was = scp_;
   const double sunk_A = 4.0 * contactAt(was);
   forgetSurroundings();
@@ -89,25 +85,24 @@ bool ExactTracker::toFreePlace() noexcept {
   // Adds the balls that p is inside of; tells whether there are any.
   const auto inside = [&](const Vec3& p) {
     bool any = false;
-    scene.visitNear(near_.origin() + p, probe, [&](std::uint32_t index, const Ball&) {
-      const NearBall b = near_.ball(std::int32_t(index));
+    near_.each(p, 0.0, [&](const NearBall& b) {
       const Vec3 m = p - b.centre;
       const double r = b.radius - sunk_A;
-      if (r <= 0.0 || glm::dot(m, m) >= r * r) return true;
+      if (r <= 0.0 || glm::dot(m, m) >= r * r) return;
       any = true;
       closing_in.add(b.index);
-      return closing_in.count < kMostHolding;
     });
     return any;
   };
+  const double known = near_.each(was, kSqueezed_A, [](const NearBall&) {});
   if (!inside(was)) {
     if (feature_ != Feature::Free) feature_ = Feature::Point;  // the next flow finds what it rests on
-    return true;
+    return Freed::Yes;
   }
 
   for (int round = 0; round < 4; ++round) {
     const Balls among = closing_in;
-    double best2 = kSqueezed_A * kSqueezed_A;
+    double best2 = std::pow(std::min(kSqueezed_A, known), 2);
     bool found = false;
     const auto offer = [&](const Vec3& p, std::int32_t a, std::int32_t b, std::int32_t c) {
       const Vec3 way = p - was;
@@ -139,11 +134,11 @@ bool ExactTracker::toFreePlace() noexcept {
     }
     if (found) {
       feature_ = Feature::Point;  // the next flow finds which of them hold it
-      return true;
+      return Freed::Yes;
     }
     if (closing_in.count == among.count) break;
   }
-  return false;
+  return closing_in.more ? Freed::TooMany : Freed::No;
 }
 
 }  // namespace moltact

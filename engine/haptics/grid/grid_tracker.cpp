@@ -89,6 +89,12 @@ Contact GridTracker::step(PointA hip) noexcept {
     bricks_.sample(scp_, next, fills_left_);
     out.atoms[0] = bricks_.nearestBall(scp_);
   }
+  stretchToScp(out, hip);
+  if (out.atoms[0] < 0) return out;
+  // On the way to the surface nothing is known of its slope.
+  const Vec3 outward =
+      touching_ && outward_ != Vec3(0.0) ? outward_ : origin_ + scp_ - (*scene_)[std::size_t(out.atoms[0])].centre_A;
+  if (const double steep = glm::length(outward); steep > 0.0) out.normals[0] = outward / steep;
   return out;
 }
 
@@ -155,6 +161,7 @@ GridTracker::SlideResult GridTracker::slide(const Vec3& h, bool pressed) noexcep
     const Vec3 n = s.gradient / steep, displacement = h - scp_;
     const double in = glm::dot(displacement, n);
     if (in >= 0.0 && off > -kSurface_A && !pressed) return SlideResult::Leaves;
+    outward_ = s.gradient;
     const Vec3 along = displacement - n * in;
     const double length = glm::length(along);
 
@@ -181,7 +188,9 @@ GridTracker::SlideResult GridTracker::slide(const Vec3& h, bool pressed) noexcep
     if (far > longest) p *= longest / far, far = longest;
     const double bends = 0.5 * glm::dot(p, s.hessian * p);
     const double back = std::clamp((off + bends) / steep, -0.5 * spacing, 0.5 * spacing);
-    scp_ += p - n * back;
+    const Vec3 step = p - n * back;
+    scp_ += step;
+    outward_ = s.gradient + s.hessian * step;
     if (far < kSettled_A && std::abs(off) < kSettled_A) return SlideResult::Rests;
   }
   return SlideResult::Short;

@@ -59,6 +59,7 @@ class GridTracker final : public Tracker {
   bool touching_ = false;
   Vec3 free_from_{0.0};  // free: the field's surface is not within free_gap_ of this place
   double free_gap_ = 0.0;
+  Vec3 outward_{0.0};  // touching: the field's slope at the SCP
   int fills_left_ = 0;
   int steps_left_ = 0;
   std::uint64_t cut_short_ = 0;

@@ -18,6 +18,7 @@ constexpr double kNearWay_A = 1.0;  // a longer piece looks the balls up along i
 constexpr int kMostStuck = 32;      // round a corner of a mesh a way of no length passes its faces, eight at most
 constexpr double kSwelling_A =
     0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
+constexpr double kMostSwellings = 64.0;  // what moves farther than that in a tick moves in larger pieces
 constexpr int kMostPushes = 256;
 constexpr double kSure = 1e-9;  // of a length: so far from a decision rounding has no say in it
 constexpr double kNearly = 1.0 - 1e-9;
@@ -51,16 +52,23 @@ Contact MeshTracker::contact(const Vec3& hip) const noexcept {
   if (hold_count_ == 0 && scp_ == hip - nearby_.origin()) return {.scp = {hip}};
   // The answer is put together at once: piece by piece it would be read back before its pieces are stored, which
   // stalls.
-  const auto ball = [&](int k) { return touching_[std::size_t(holding_[std::size_t(k)])].ball; };
-  std::int32_t a = hold_count_ > 0 ? ball(0) : -1, b = hold_count_ > 1 ? ball(1) : -1,
-               c = hold_count_ > 2 ? ball(2) : -1;
-  if (hold_count_ > 1 && a > b) std::swap(a, b);
-  if (hold_count_ > 2 && b > c) std::swap(b, c);
-  if (hold_count_ > 2 && a > b) std::swap(a, b);
-  return {.scp = {nearby_.origin() + scp_},
-          .atoms = {a, b, c},
+  const auto held = [&](int k) -> const Touch& { return touching_[std::size_t(holding_[std::size_t(k)])]; };
+  std::array<int, 3> by{0, 1, 2};  // the holders, their balls ascending
+  const auto order = [&](std::size_t j, std::size_t k) {
+    if (held(by[j]).ball > held(by[k]).ball) std::swap(by[j], by[k]);
+  };
+  if (hold_count_ > 1) order(0, 1);
+  if (hold_count_ > 2) order(1, 2), order(0, 1);
+  const auto ball = [&](int k) { return hold_count_ > k ? held(by[std::size_t(k)]).ball : -1; };
+  const auto normal = [&](int k) { return hold_count_ > k ? face(held(by[std::size_t(k)])).normal : Vec3(0.0); };
+  const Vec3 scp = nearby_.origin() + scp_, straight = scp - hip;
+  const Vec3 shaded = options_.smooth ? shadedNormal(hip - nearby_.origin()) : Vec3(0.0);
+  return {.scp = {scp},
+          .atoms = {ball(0), ball(1), ball(2)},
           .feature = Feature(std::max(hold_count_, 1)),
-          .normal = options_.smooth ? shadedNormal(hip - nearby_.origin()) : Vec3(0.0)};
+          .displacement_A = shaded == Vec3(0.0) ? straight : shaded * glm::length(straight),
+          .energy_A2 = 0.5 * glm::dot(straight, straight),
+          .normals = {normal(0), normal(1), normal(2)}};
 }
 
 Contact MeshTracker::step(PointA hip) noexcept {
@@ -68,7 +76,7 @@ Contact MeshTracker::step(PointA hip) noexcept {
   const Vec3 h = hip.A - nearby_.origin();
   if (touch_count_ == 0 && armed_ && options_.coherent && holdsQuickly(h)) return {.scp = hip};
   if (!armed_) {
-    free_gap_ = clearance(nearby_.scene(), nearby_.probe_A(), hip.A);
+    free_gap_ = nearby_.clearanceAt(h);
     scp_ = h;
     if (free_gap_ < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
     armed_ = true;
@@ -372,9 +380,7 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         touch_count_ = 0;
         clear_gap_ = rival_gap_ = 0.0;
         // Between a ball and its mesh the clearance is negative: nothing is known then.
-        free_gap_ = options_.coherent
-                        ? std::max(0.0, clearance(nearby_.scene(), nearby_.probe_A(), nearby_.origin() + h))
-                        : 0.0;
+        free_gap_ = options_.coherent ? std::max(0.0, nearby_.clearanceAt(h)) : 0.0;
       } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
         std::array<Touch, 3> kept;
         for (int k = 0; k < blocked.count; ++k)
@@ -425,14 +431,41 @@ void MeshTracker::setProbe(double probe_A) noexcept {
   const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kSwelling_A));
   for (int k = 1; k <= pieces; ++k) {
     nearby_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
-    forgetSurroundings();
-    touch_count_ = hold_count_ = 0;
-    settled_ = false;
-    if (!armed_ || pushOut()) continue;
+    if (carry()) continue;
     nearby_.setProbe(wanted);  // the place closed over the SCP: there is no surface left to be held by
     reset();
     return;
   }
+}
+
+bool MeshTracker::setFrame(const SphereFrame* frame) noexcept {
+  nearby_.setFrame(frame);
+  if (!carry()) reset();
+  return true;
+}
+
+void MeshTracker::moveTo(double share) noexcept {
+  const double had = nearby_.share();
+  if (armed_) nearby_.each(scp_, 0.0, [](const NearBall&) {});  // so that there is a list
+  const double most_A = std::abs(share - had) * nearby_.mostMoved_A();
+  const int pieces =
+      armed_ && most_A > kSwelling_A ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMostSwellings))) : 1;
+  for (int k = 1; k <= pieces; ++k) {
+    nearby_.moveTo(k == pieces ? share : had + (share - had) * k / pieces);
+    if (carry()) continue;
+    nearby_.moveTo(share);
+    reset();
+    return;
+  }
+}
+
+// The surface is another: what was known of it is forgotten, and the SCP comes out where it has grown over it. False
+// where it cannot.
+bool MeshTracker::carry() noexcept {
+  forgetSurroundings();
+  touch_count_ = hold_count_ = 0;
+  settled_ = false;
+  return !armed_ || pushOut();
 }
 
 // Brings the SCP out of the meshes that have grown over it: out of each through the face it is under, in

@@ -54,6 +54,8 @@ class MeshTracker final : public Tracker {
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
+  bool setFrame(const SphereFrame* frame) noexcept override;
+  void moveTo(double share) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
   /// The shared mesh is counted in full for each tracker. Atoms modelled: those whose meshes the SCP is on.
   MemoryUsage memoryUsage() const noexcept override;
@@ -103,6 +105,7 @@ class MeshTracker final : public Tracker {
   void meet(const Vec3& way, Meeting& first) noexcept;
   void dropLeft() noexcept;
   bool pushOut() noexcept;
+  bool carry() noexcept;
   void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = rival_gap_ = 0.0; }
   Vec3 shadedNormal(const Vec3& hip) const noexcept;
   Contact contact(const Vec3& hip) const noexcept;

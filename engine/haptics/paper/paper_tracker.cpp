@@ -4,6 +4,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "engine/haptics/hip_input.h"
+
 namespace moltact {
 
 PaperTracker::PaperTracker(std::shared_ptr<const BallScene> scene, double probe_A)
@@ -25,8 +27,7 @@ MemoryUsage PaperTracker::memoryUsage() const noexcept {
 // Algorithm 1. A state found in a tick constrains the SCP in that same tick.
 Contact PaperTracker::step(PointA hip) noexcept {
   const Vec3& h = hip.A;
-  const auto valid = [](double x) { return std::abs(x) <= kFarthest_A; };  // false for NaN
-  if (!valid(h.x) || !valid(h.y) || !valid(h.z)) return {.scp = {scp_}, .fault = Fault::NotFinite};
+  if (!usableHip(h)) return {.scp = {scp_}, .fault = Fault::NotFinite};
 
   // "if Not in collision with an atom": the test of all atoms, behind the spatial partition.
   if (state_ == Feature::Free) {
@@ -57,7 +58,7 @@ Contact PaperTracker::step(PointA hip) noexcept {
   }
   if (state_ == Feature::Circle) scp_ = paper::closestOnCircle(cone_.circle, h, scp_);
   if (state_ != Feature::Point) findPoint(h);
-  return contact();
+  return contact(hip);
 }
 
 // Of several atoms that hold the HIP, the one it is deepest in: the one that a moving HIP entered first.
@@ -193,7 +194,7 @@ void PaperTracker::setProbe(double probe_A) noexcept {
   }
 }
 
-Contact PaperTracker::contact() const {
+Contact PaperTracker::contact(PointA hip) const {
   Contact out;
   out.scp = {scp_};
   out.feature = state_;
@@ -204,6 +205,11 @@ Contact PaperTracker::contact() const {
     for (std::size_t k = 0; k < 3; ++k) out.atoms[k] = volume_.planes[k].circle[0];
     std::sort(out.atoms.begin(), out.atoms.end());
   }
+  if (!out.touching()) return out;
+  stretchToScp(out, hip);
+  // The SCP may lie off a sphere that the algorithm takes it to be on.
+  for (std::size_t k = 0; k < 3 && out.atoms[k] >= 0; ++k)
+    if (const Vec3 away = scp_ - centre(out.atoms[k]); away != Vec3(0.0)) out.normals[k] = glm::normalize(away);
   return out;
 }
 

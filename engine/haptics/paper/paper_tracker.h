@@ -43,7 +43,7 @@ class PaperTracker final : public Tracker {
   void findPoint(const Vec3& hip);
   void leavePoint(const Vec3& hip);
   void followCone(const Vec3& hip);
-  Contact contact() const;
+  Contact contact(PointA hip) const;
 
   std::shared_ptr<const BallScene> scene_;
   double probe_ = kWaterProbe_A;

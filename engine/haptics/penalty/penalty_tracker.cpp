@@ -19,6 +19,17 @@ void PenaltyTracker::setProbe(double probe_A) noexcept {
   free_gap_ = 0.0;
 }
 
+bool PenaltyTracker::setFrame(const SphereFrame* frame) noexcept {
+  nearby_.setFrame(frame);
+  free_gap_ = 0.0;
+  return true;
+}
+
+void PenaltyTracker::moveTo(double share) noexcept {
+  nearby_.moveTo(share);
+  free_gap_ = 0.0;
+}
+
 MemoryUsage PenaltyTracker::memoryUsage() const noexcept { return {0, sizeof(*this) + nearby_.scene().bytes()}; }
 
 Contact PenaltyTracker::step(PointA hip) noexcept {
@@ -30,9 +41,11 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
   struct Push {
     double depth = 0.0;
     std::int32_t ball = -1;
+    Vec3 outward{0.0};
   };
   std::array<Push, 3> most;
   Vec3 sum(0.0);
+  double energy_A2 = 0.0;
   int count = 0;
   nearby_.each(h, 0.0, [&](const NearBall& b) {
     const Vec3 m = h - b.centre;
@@ -41,23 +54,29 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
     const double d = std::sqrt(d2);
     ++count;
     if (d > 0.0) sum += m * ((b.radius - d) / d);
-    Push push{b.radius - d, b.index};
+    energy_A2 += 0.5 * (b.radius - d) * (b.radius - d);
+    Push push{b.radius - d, b.index, d > 0.0 ? m / d : Vec3(0.0)};
     for (Push& p : most)
       if (push.depth > p.depth) std::swap(push, p);
   });
   if (count == 0) {
     armed_ = true;
     free_from_ = h;
-    free_gap_ = clearance(nearby_.scene(), nearby_.probe_A(), hip.A);
+    free_gap_ = nearby_.clearanceAt(h);
     return {.scp = hip};
   }
   if (!armed_) return {.scp = hip, .fault = Fault::StartedInside};
   last_ = hip.A + sum;
-  Contact out{.scp = {last_}, .feature = Feature(std::min(count, 3))};
+  Contact out{
+      .scp = {last_}, .feature = Feature(std::min(count, 3)), .displacement_A = last_ - hip.A, .energy_A2 = energy_A2};
   for (std::size_t k = 0; k < 3 && most[k].ball >= 0; ++k) {
     std::size_t at = k;
-    for (; at > 0 && out.atoms[at - 1] > most[k].ball; --at) out.atoms[at] = out.atoms[at - 1];
+    for (; at > 0 && out.atoms[at - 1] > most[k].ball; --at) {
+      out.atoms[at] = out.atoms[at - 1];
+      out.normals[at] = out.normals[at - 1];
+    }
     out.atoms[at] = most[k].ball;
+    out.normals[at] = most[k].outward;
   }
   return out;
 }

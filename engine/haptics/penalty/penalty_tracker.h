@@ -1,7 +1,8 @@
 // The penalty method: the sum of each ball's push, what a beginner writes first. A ball that the HIP is in
 // pushes it out along its radius by the depth; the pushes of all balls are added. There is no proxy and no
 // memory: the reported SCP is the HIP plus the sum, so that k (SCP - HIP) is the force, and it lies on the
-// surface only where a single ball pushes.
+// surface only where a single ball pushes. What is stored is the sum over the balls, k depth^2 / 2 each, whose slope
+// the force is.
 //
 // Known failures, pinned by tests: where balls overlap the pushes add up (a crease feels too stiff, and the
 // SCP jumps by nothing but its slope does); past a centre the push leads out on the far side, so that a HIP
@@ -23,6 +24,8 @@ class PenaltyTracker final : public Tracker {
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
+  bool setFrame(const SphereFrame* frame) noexcept override;
+  void moveTo(double share) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 

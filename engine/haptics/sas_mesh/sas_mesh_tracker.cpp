@@ -65,10 +65,21 @@ Contact SasMeshTracker::step(PointA hip) noexcept {
   }
   if (result == SlideResult::Arrived) return {.scp = hip};
   if (result != SlideResult::Rests) ++cut_short_;
-  if (on_ == On::Nothing) return {.scp = {origin_ + scp_}, .feature = Feature::Sphere};
-  return {.scp = {origin_ + scp_},
-          .atoms = {mesh_->triangles()[std::size_t(triangle_)].ball, -1, -1},
-          .feature = Feature::Sphere};
+  Contact out{.scp = {origin_ + scp_}, .feature = Feature::Sphere};
+  stretchToScp(out, hip);
+  if (on_ == On::Nothing) return out;
+  out.atoms[0] = mesh_->triangles()[std::size_t(triangle_)].ball;
+  out.normals[0] = outward();
+  return out;
+}
+
+// The triangle's normal; on an edge or a corner the mean of those that meet there.
+Vec3 SasMeshTracker::outward() const noexcept {
+  const Vec3 sum = on_ == On::Edge     ? plane_.normal + beyond_.normal
+                   : on_ == On::Corner ? corner_normal_
+                                       : plane_.normal;
+  const double far = glm::length(sum);
+  return far > 0.0 ? sum / far : plane_.normal;
 }
 
 SasMeshTracker::SlideResult SasMeshTracker::fly(const Vec3& h) noexcept {

@@ -7,8 +7,9 @@
 //
 // Only for the probe that it was made for: the whole mesh would have to be made anew for another, so setProbe() changes
 // nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then leaps, and the
-// force turns by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, or a thin wall
-// open. Feature: Sphere with the triangle's ball. Haptic thread; no allocation after construction. Units: angstrom.
+// force turns by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, and a ball
+// smaller than one missed. Feature: Sphere with the triangle's ball. Haptic thread; no allocation after construction.
+// Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -50,6 +51,7 @@ class SasMeshTracker final : public Tracker {
   SlideResult overTriangle(const Vec3& hip, int& stuck) noexcept;
   SlideResult alongEdge(const Vec3& hip, int& stuck) noexcept;
   SlideResult fromCorner(const Vec3& hip, int& stuck) noexcept;
+  Vec3 outward() const noexcept;
   void goToTriangle(std::int32_t triangle) noexcept;
   void goToEdge(std::int32_t triangle, std::int32_t edge) noexcept;
   void goToCorner(std::int32_t triangle, std::int32_t corner) noexcept;

@@ -30,14 +30,14 @@ bool ScriptedLearner::enterStep() {
   const SceneSpec& scene = session_.scene();
   LearnerEvent e = event(LearnerEvent::Kind::Step);
   e.text = session_.step().title;
-  e.note = scene.molecule;
+  e.note = scene.molecule.name;
   watch_(e);
   const auto molecule = by_name_(scene.molecule);
   on_stage_ = bool(molecule);
   if (!on_stage_) {
     LearnerEvent fault = event(LearnerEvent::Kind::Fault);
     fault.note = molecule.problem().message;
-    fault.place = scene.molecule_place;
+    fault.place = scene.places.molecule;
     watch_(fault);
     return false;
   }

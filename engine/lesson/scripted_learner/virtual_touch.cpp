@@ -1,8 +1,8 @@
 #include "engine/lesson/scripted_learner/virtual_touch.h"
 
-#include "engine/haptics/methods.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/servo/fit_workspace.h"
+#include "engine/servo/scale.h"
 
 namespace moltact {
 
@@ -37,7 +37,7 @@ void VirtualTouch::useMethod(std::string_view name) {
   const Method* method = findMethod(name);
   if (!method || method->name == method_) return;
   method_ = method->name;
-  tracker_ = method->make(balls_, settings_.probe_A);
+  felt_ = interactionKinds().front().make({balls_, method, settings_.probe_A});
   ++settings_.discontinuities;
 }
 
@@ -50,17 +50,14 @@ void VirtualTouch::place(PointA hip) {
 TouchSample VirtualTouch::tick(PointA hip) {
   hip_ = hip;
   pose_.position = settings_.workspace.toDevice(hip);
-  const ServoSample s = step_.tick(settings_, tracker_.get(), pose_);
+  const ServoSample s = step_.tick(settings_, felt_.get(), pose_);
   ++ticks_;
   if (s.placed) exact_->reset();
   exact_->setProbe(s.probe_A);
-  return {.time_s = time_s(),
-          .hip = s.hip,
-          .contact = s.contact,
-          .force = s.force,
-          .probe_A = s.probe_A,
-          .method = method_,
-          .exact = method_ == methods().front().name ? s.contact : exact_->step(s.hip)};
+  const bool is_exact = method_ == methods().front().name;
+  TouchSample sample = touchSampleOf(s, method_, is_exact ? s.contact : exact_->step(s.hip));
+  sample.time_s = time_s();  // of this clock, which goes on from scene to scene
+  return sample;
 }
 
 HandView VirtualTouch::view(int attempt) const {

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/haptics/interactions.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
 #include "engine/lesson/tasks/task.h"
@@ -37,7 +38,8 @@ class VirtualTouch {
  private:
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const BallScene> balls_;
-  std::unique_ptr<Tracker> tracker_, exact_;
+  std::unique_ptr<Interaction> felt_;
+  std::unique_ptr<Tracker> exact_;
   std::string_view method_;
   SceneSpec scene_;
   TaskStage stage_;

@@ -1,6 +1,6 @@
 // avoid: move over the surface for a time without touching a region.
 #include "engine/language/catalogue.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

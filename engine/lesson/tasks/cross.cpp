@@ -2,7 +2,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {
@@ -128,6 +128,20 @@ class Cross : public Task {
   bool on_from_ = false, lost_ = false, touching_ = false;
 };
 
+void checkSides(const TaskSpec& task, const Molecule& molecule, std::vector<Problem>& problems) {
+  const Value &from_value = task.values["cross"], &to_value = task.values["to"];
+  if (!from_value.selection.given() || !to_value.selection.given()) return;
+  const AtomSet from(from_value.selection, molecule), to(to_value.selection, molecule);
+  for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
+    const auto atom = static_cast<std::int32_t>(i);
+    if (!from.has(atom) || !to.has(atom)) continue;
+    problems.push_back({"", to_value.place.line, to_value.place.column,
+                        tr("the start and the end of the crossing have atoms in common"),
+                        tr("choose atoms that are only in one")});
+    return;
+  }
+}
+
 }  // namespace
 
 TaskKind crossKind() {
@@ -148,7 +162,9 @@ TaskKind crossKind() {
         .fallback = "forward",
         .words = {"forward", "either"}},
        {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .least = 1, .most = 100}},
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); }};
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); },
+      nullptr,
+      checkSides};
 }
 
 }  // namespace moltact

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "engine/language/catalogue.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

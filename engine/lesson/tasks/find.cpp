@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "engine/language/catalogue.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

@@ -3,7 +3,7 @@
 #include <numbers>
 
 #include "engine/language/catalogue.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {
@@ -14,8 +14,6 @@ constexpr double kHeld_A = 0.1;    // the exact spring is at least so long where
 constexpr double kJump_deg = 5.0;  // a fingertip notices the force turn by this at once
 constexpr double kSteady_deg = 1.0;  // while the true force turns by no more
 constexpr double kPull_A = 0.02;     // a shorter spring has no direction to speak of
-
-Vec3 pull(const Contact& c, PointA hip) { return springEnd(c, hip).A - hip.A; }
 
 double angle_deg(const Vec3& a, const Vec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * 180.0 / std::numbers::pi;
@@ -37,7 +35,8 @@ class Meet : public Task {
   void take(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     const bool judged = s.exact.touching() && s.contact.fault == Fault::None;
-    const Vec3 now = touching_ ? pull(s.contact, s.hip) : Vec3(0.0), exact = judged ? pull(s.exact, s.hip) : Vec3(0.0);
+    const Vec3& now = s.contact.displacement_A;
+    const Vec3 exact = judged ? s.exact.displacement_A : Vec3(0.0);
     if (what_ == "jump") {
       const auto felt = [](const Vec3& v) { return glm::length(v) > kPull_A; };
       const bool all = dt_s > 0.0 && felt(now) && felt(before_) && felt(exact) && felt(exact_before_);

@@ -1,6 +1,6 @@
 // press: push against atoms or anywhere until the surface pushes back with a force.
 #include "engine/language/catalogue.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/sensitivity.h"
 
 namespace moltact {

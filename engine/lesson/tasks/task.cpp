@@ -10,7 +10,9 @@ namespace moltact {
 
 void Task::feed(const TouchSample& sample) {
   const double force_squared = glm::dot(sample.force.N, sample.force.N);
-  if (done_ || !std::isfinite(sample.time_s) || !std::isfinite(force_squared) || !finite(sample.contact.scp.A)) return;
+  if (done_ || !std::isfinite(sample.time_s) || !std::isfinite(force_squared) || !finite(sample.contact.scp.A) ||
+      !finite(sample.contact.displacement_A))
+    return;
   double dt = 0.0;
   if (started_) {
     dt = sample.time_s - last_time_s_;

@@ -49,11 +49,7 @@ struct TaskStage {
   std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
   int showing = 0;  ///< another number: the hand lets go and begins anew outside, so that nothing else tells a change
 
-  friend bool operator==(const TaskStage& a, const TaskStage& b) {
-    return a.dark == b.dark && a.force_meter == b.force_meter && a.probe_A == b.probe_A && a.method == b.method &&
-           a.stiffness_N_per_mm == b.stiffness_N_per_mm && a.facing.has_value() == b.facing.has_value() &&
-           (!a.facing || a.facing->A == b.facing->A) && a.showing == b.showing;
-  }
+  friend bool operator==(const TaskStage&, const TaskStage&) = default;
 };
 
 /// A force curve that the student draws first and feels then. Both are values at even distances from 0 to `x_most`,
@@ -71,8 +67,8 @@ class Task {
  public:
   virtual ~Task() = default;
 
-  /// One tick. Samples whose time does not advance, or with a time, force or contact point that is not finite, are
-  /// passed over, as is everything after the task is done.
+  /// One tick. Samples whose time does not advance, or with a time, force, displacement or contact point that is not
+  /// finite, are passed over, as is everything after the task is done.
   void feed(const TouchSample& sample);
 
   bool done() const { return done_; }

@@ -5,7 +5,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/surface_places.h"
-#include "engine/lesson/tasks/kinds.h"
+#include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
 namespace {

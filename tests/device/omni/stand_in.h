@@ -72,7 +72,7 @@ struct Loop final : TickTarget {
   void tickOfDevice() noexcept override {
     const DevicePose pose = devices.read(kTick_s, step);
     last = step.tick(settings, tracker.get(), pose);
-    devices.write(last.force);
+    devices.write({last.force});
     ++ticks;
     greatest_N = std::max(greatest_N, glm::length(last.force.N));
   }

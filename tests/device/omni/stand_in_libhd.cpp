@@ -252,6 +252,14 @@ void hdGetDoublev(std::uint32_t what, double* out) {
       out[0] = mm.x, out[1] = mm.y, out[2] = mm.z;
       break;
     }
+    case hd::kTransform: {
+      if (!inFrame()) break;
+      // Turned by a quarter round its y-axis.
+      const Vec3 mm = state().model.sensed().mm;
+      const double columns[16] = {0, 0, -1, 0, 0, 1, 0, 0, 1, 0, 0, 0, mm.x, mm.y, mm.z, 1};
+      std::copy(columns, columns + 16, out);
+      break;
+    }
     case hd::kMotorTemperature:
       std::fill(out, out + 6, 0.0), out[1] = state().heat;
       break;

@@ -23,7 +23,8 @@ std::shared_ptr<const Lesson> lesson(const std::string& body) {
 }
 
 /// "pair": two balls of 1.88 A side by side; "cage": a small atom wholly inside a large one.
-Expected<std::shared_ptr<const Molecule>> molecules(const std::string& name) {
+Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
+  const std::string& name = named.name;
   MoleculeBuilder b;
   if (name == "pair")
     b.atom("AR", 18, {-1.88, 0, 0}, 1.88).atom("AR", 18, {1.88, 0, 0}, 1.88);
@@ -152,7 +153,7 @@ TEST_CASE("a molecule that is not there is fault at its place in the lesson, and
   Played out;
   ScriptedLearner learner(
       lesson(step(touch("reach: all"))),
-      [](const std::string&) -> Expected<std::shared_ptr<const Molecule>> {
+      [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
         return Problem{{}, 0, 0, "gone", {}};
       },
       [&](const LearnerEvent& e) { out.events.push_back(e); });

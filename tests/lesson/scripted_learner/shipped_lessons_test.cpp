@@ -13,15 +13,16 @@ using namespace moltact;
 
 namespace {
 
-Expected<std::shared_ptr<const Molecule>> shipped(const std::string& name) {
-  static std::map<std::string, std::shared_ptr<const Molecule>> read;
-  if (const auto known = read.find(name); known != read.end()) return known->second;
+Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
+  const std::string& name = named.name;
+  static std::map<NamedMolecule, std::shared_ptr<const Molecule>> read;
+  if (const auto known = read.find(named); known != read.end()) return known->second;
   const std::filesystem::path molecules = MOLTACT_SOURCE_DIR "/molecules";
   const auto file = findMolecule(name, {molecules, {}});
   if (!file) return file.problem();
-  auto molecule = readMolecule(*file);
+  auto molecule = readMolecule(*file, named.reading);
   if (!molecule) return molecule.problem();
-  return read[name] = std::make_shared<const Molecule>(*std::move(molecule));
+  return read[named] = std::make_shared<const Molecule>(*std::move(molecule));
 }
 
 std::vector<std::filesystem::path> lessons() {

@@ -1,5 +1,6 @@
-// Where spheres meet, for drawing (paper, section 4.3, equations 3 and 4; section 4.4). Pure functions. Units:
-// angstrom.
+// Where spheres meet: the circle of two and the points of three. Pure functions; any thread; they neither allocate nor
+// throw. Units: angstrom. The trackers that are felt have their own, written for what they keep from tick to tick: the
+// paper's as it was published (haptics/paper), the exact one's for places that move (haptics/exact).
 #pragma once
 
 #include <array>
@@ -15,15 +16,19 @@ struct SphereCircle {
   double radius_A = 0.0;
 };
 
+/// A ball inflated by a probe.
+inline Ball inflated(const Ball& ball, double probe_A) { return {ball.centre_A, ball.radius_A + probe_A}; }
+
 /// The circle in which the surfaces of two balls meet; nothing when they are apart, nested or concentric.
 inline std::optional<SphereCircle> circleOf(const Ball& a, const Ball& b) {
-  const Vec3 way = b.centre_A - a.centre_A;
-  const double d = glm::length(way);
-  if (!(d > 0)) return std::nullopt;
-  const double x = (d * d - b.radius_A * b.radius_A + a.radius_A * a.radius_A) / (2 * d);
-  const double square = a.radius_A * a.radius_A - x * x;
-  if (!(square > 0)) return std::nullopt;
-  return SphereCircle{a.centre_A + way * (x / d), way / d, std::sqrt(square)};
+  const Vec3 between = b.centre_A - a.centre_A;
+  const double d = glm::length(between), R = a.radius_A, r = b.radius_A;
+  if (!(d > 0.0) || !(d < R + r) || !(d > std::abs(R - r))) return std::nullopt;
+  // Heron's formula: a difference of squares would lose half the digits of a small circle.
+  const double factors = (R + r - d) * (R + r + d) * (d - R + r) * (d + R - r);
+  if (!(factors > 0.0)) return std::nullopt;
+  const Vec3 axis = between / d;
+  return SphereCircle{a.centre_A + axis * ((d * d - r * r + R * R) / (2.0 * d)), axis, std::sqrt(factors) / (2.0 * d)};
 }
 
 /// The two places where the surfaces of three balls meet; nothing where there are none.

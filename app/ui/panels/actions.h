@@ -17,7 +17,7 @@ inline constexpr int kMenus = 5;
 /// "File", the English name of a menu; as it is shown; and the capital letter that opens it with Alt.
 const char* menuName(Menu menu);
 const char* menuLabel(Menu menu);
-int menuLetter(Menu menu);
+char menuLetter(Menu menu);
 
 struct Action {
   std::string_view name;  ///< "open": in the widget map menu/file/open and tool/open
@@ -43,7 +43,8 @@ bool enabled(const Action& action, const Application& app);
 /// "Open … (Ctrl+O)", or the sentence with the shortcut.
 std::string toolTip(const Action& action);
 
-/// Runs the actions whose shortcuts were pressed in this frame. Not while a page is open over the panels.
-void runShortcuts(Application& app);
+/// Once a frame, before the layout: leads the keys from control to control (widgets/key_focus.h), then runs the actions
+/// whose shortcuts were pressed. Shortcuts rest while a page is open over the panels.
+void runKeys(Application& app);
 
 }  // namespace moltact

@@ -1,4 +1,4 @@
-#include "app/ui/widgets/file_list.h"
+#include "app/ui/files/file_list.h"
 
 #include <imgui.h>
 

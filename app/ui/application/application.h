@@ -1,6 +1,7 @@
 // The program behind the window: what is touched, the lesson that is open, what the person prefers, and the order of a
 // frame. It draws nothing itself: the panels do (app/ui/panels). What is more than that is an extension
-// (app/ui/extensions/extension.h). Window's thread.
+// (extension.h).
+// It knows neither: both are given to it as its parts (app/ui/shell/application_parts.h). Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -9,11 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "app/ui/application/extension.h"
+#include "app/ui/application/panel_state.h"
 #include "app/ui/files/file_browser.h"
 #include "app/ui/files/file_dialog.h"
 #include "app/ui/files/settings.h"
 #include "app/ui/lesson/lesson_guide.h"
-#include "app/ui/panel_state.h"
 #include "app/ui/scene/loader.h"
 #include "app/ui/scene/touch_scene.h"
 #include "app/ui/widgets/layout.h"
@@ -21,6 +23,7 @@
 
 namespace moltact {
 
+class Application;
 struct Extensions;
 class ViewPicture;
 
@@ -35,24 +38,29 @@ struct ApplicationOptions {
   std::filesystem::path picture_folder;   ///< where "Save picture" puts pictures (default: the current folder)
 };
 
+/// What is drawn and extended above the application.
+struct ApplicationParts {
+  std::unique_ptr<ExtensionSet> extensions;
+  void (*keys)(Application&);    ///< once a frame, before the layout: what the keys of the frame do
+  void (*panels)(Application&);  ///< once a frame: draws all panels
+};
+
 class Application {
  public:
-  explicit Application(ApplicationOptions options = {});
+  Application(ApplicationOptions options, ApplicationParts parts);
   ~Application();
 
   /// The program's end, whatever it comes by: lets the force go, then has everything saved that is to be. Once; the
   /// destructor does it too.
   void end();
 
-  /// Opens a molecule (a file, or a name of the library), a lesson or an attempt to be played back, by its name's
-  /// ending. What cannot be opened is told in a message and changes nothing.
+  /// Opens a file by its kind (files/file_kinds.h), or a molecule by its name in the library. What cannot be opened is
+  /// told in a message and changes nothing.
   void open(const std::filesystem::path& file);
   /// Files were dropped on the window: the first is opened.
   void drop(const std::vector<std::filesystem::path>& dropped);
   /// Puts a molecule on the stage as a lesson's step does: it is not among the files opened last.
-  void showMolecule(const std::filesystem::path& file);
-  /// Opens a lesson where its last attempt ended; without a sound attempt at its first step.
-  void resume(const std::filesystem::path& lesson, const std::filesystem::path& attempt);
+  void showMolecule(const MoleculeKey& key);
   /// Something has been opened that the welcome page can be left for.
   bool hasWork() const { return scene.stage() || lesson.session(); }
 
@@ -75,8 +83,9 @@ class Application {
   FileBrowser files;       ///< of the page that opens files
   FileDialog file_dialog;  ///< asks for a file to be written, or for a folder
 
-  Extensions& extensions() { return *extensions_; }
-  const Extensions& extensions() const { return *extensions_; }
+  /// Each by its name, for who includes app/ui/extensions/extensions.h.
+  Extensions& extensions();
+  const Extensions& extensions() const;
   ViewPicture& picture() { return *picture_; }
   const Layout& layout() const { return layout_; }
   const ApplicationOptions& options() const { return options_; }
@@ -103,6 +112,7 @@ class Application {
  private:
   TouchScene::Facing facing() const;
   void takeUp(Loaded loaded);
+  void openLesson(const std::filesystem::path& file);
   void enterScene();  // of the lesson's step, where that has changed
   void tellSteps();
   void speak();  // the language and the decimal sign of the settings
@@ -110,7 +120,9 @@ class Application {
 
   const ApplicationOptions options_;
   std::unique_ptr<ViewPicture> picture_;
-  std::unique_ptr<Extensions> extensions_;
+  std::unique_ptr<ExtensionSet> extensions_;
+  void (*keys_)(Application&);
+  void (*panels_)(Application&);
   Loader loader_;
   Layout layout_;
   double dt_s_ = 0, now_s_ = 0, loading_s_ = 0;

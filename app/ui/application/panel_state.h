@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/ui/widgets/key_focus.h"
+
 namespace moltact {
 
 /// The card of the welcome page that the keys are at.
@@ -17,7 +19,7 @@ struct CardFocus {
   bool scroll = false;                 ///< the card is to be scrolled into sight
 };
 
-struct PanelState {
+struct PanelState : KeyFocus {
   bool lesson = true, touch = true;
   bool lesson_first = true;             ///< where only one side panel has room
   bool touch_details = false;           ///< the touch panel's second half
@@ -31,13 +33,7 @@ struct PanelState {
   std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
        turns_page = false;
-  bool keys_in_panels = false;  ///< Tab has led the keys from the molecule to the panels (key_focus.h)
-  bool popup_open = false;      ///< in the last frame a page, menu or list was
-  bool alt_alone = false;       ///< Alt is down and nothing else has been pressed since
-  int menu_wanted = -1;         ///< the menu that the keys open in this frame; negative: none
-  int menu_open = -1;           ///< the menu of the bar that is open; negative: none
-  bool at_submenu = false;      ///< in it the keys are at a line that opens another menu
-  bool welcome = false;         ///< the welcome page stands in the place of view and panels
+  bool welcome = false;  ///< the welcome page stands in the place of view and panels
   CardFocus card;
   float menus_end = 0.0f;    ///< where the menus end (unit: pixel): the tool bar has room from there on
   bool full_screen = false;  ///< as the window is to be

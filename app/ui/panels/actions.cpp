@@ -1,4 +1,4 @@
-#include "app/ui/actions.h"
+#include "app/ui/panels/actions.h"
 
 #include <imgui.h>
 
@@ -6,11 +6,12 @@
 #include <array>
 #include <cctype>
 
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/files/gltf_saver.h"
+#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
 #include "engine/language/catalogue.h"
+#include "engine/render/gltf_export.h"
 
 namespace moltact {
 namespace {
@@ -33,6 +34,23 @@ void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
   const bool seen = !place.empty();
   wanted = !seen;
   if (!seen) a.panels.lesson_first = lesson;
+}
+
+void saveGltf(App& app, const std::filesystem::path& file) {
+  if (!app.scene.stage()) return;
+  const Expected<GltfScene> scene =
+      exportMolecule(*app.scene.stage().molecule, {.colours = elementColoursOf(app.settings)});
+  if (!scene) return app.messages.error(scene.problem().text());
+  if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
+  app.messages.notice(trf("Molecule saved as {0}; 1 unit is 1 nm", file.string()));
+}
+
+void askForGltf(App& app) {
+  app.file_dialog.ask({.title = tr("Save the molecule as a 3-D model"),
+                       .name = app.scene.molecule().file.stem().string() + ".glb",
+                       .ending = ".glb",
+                       .chosen = [&app](const std::filesystem::path& file) { saveGltf(app, file); }},
+                      app.options().picture_folder);
 }
 
 constexpr std::array kActions{
@@ -195,7 +213,7 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("Calibrate the device"),
            .run = [](App& a) { a.scene.servo().chosen()->calibrate(); },
-           .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a); }},
+           .enabled = [](const App& a) { return a.extensions().device.wantsCalibration(a.scene.servo()); }},
     Action{.name = "stop-force",
            .menu = Menu::View,
            .label = N_("Stop all force"),
@@ -274,9 +292,9 @@ const char* menuName(Menu menu) {
 
 const char* menuLabel(Menu menu) { return trc("menu", menuName(menu)); }
 
-int menuLetter(Menu menu) {
+char menuLetter(Menu menu) {
   const auto letter = static_cast<unsigned char>(*menuLabel(menu));
-  return letter < 128 && std::isalpha(letter) ? std::toupper(letter) : *menuName(menu);
+  return letter < 128 && std::isalpha(letter) ? char(std::toupper(letter)) : *menuName(menu);
 }
 
 std::span<const Action> allActions() { return kActions; }
@@ -294,6 +312,8 @@ std::string toolTip(const Action& action) {
   return text;
 }
 
+namespace {
+
 void runShortcuts(Application& app) {
   const ImGuiIO& io = ImGui::GetIO();
   const bool page = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -302,9 +322,17 @@ void runShortcuts(Application& app) {
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
   // Escape first lets go of the molecule; only with a free hand does it lead away from it.
-  const bool hand_busy =
-      app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGui::GetKeyIndex(ImGuiKey_Space));
+  const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
   if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
+}
+
+}  // namespace
+
+void runKeys(Application& app) {
+  std::string letters;
+  for (int menu = 0; menu < kMenus; ++menu) letters += menuLetter(Menu(menu));
+  leadByKeys(app.panels, letters);
+  runShortcuts(app);
 }
 
 }  // namespace moltact

@@ -1,37 +1,34 @@
-#include "app/ui/application.h"
+#include "app/ui/application/application.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "app/ui/actions.h"
-#include "app/ui/extensions/extensions.h"
-#include "app/ui/panels/panels.h"
 #include "app/ui/scene/view_picture.h"
-#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/use_language.h"
-#include "engine/results/progress.h"
 
 namespace moltact {
 
-Application::Application(ApplicationOptions given)
+Application::Application(ApplicationOptions given, ApplicationParts parts)
     : scene(given.clock),
       options_(std::move(given)),
       picture_(std::make_unique<ViewPicture>()),
-      extensions_(std::make_unique<Extensions>()) {
+      extensions_(std::move(parts.extensions)),
+      keys_(parts.keys),
+      panels_(parts.panels) {
   scene.shown = lesson.shapes();
-  if (options_.settings_file.empty()) {
-    speak();
-    return;
+  std::string fault;
+  if (!options_.settings_file.empty()) {
+    LoadedSettings loaded = loadSettings(options_.settings_file);
+    settings = std::move(loaded.settings);
+    fault = std::move(loaded.fault);
   }
-  LoadedSettings loaded = loadSettings(options_.settings_file);
-  settings = std::move(loaded.settings);
-  extensions_->settings_keeper.begin(settings);
   speak();
-  if (!loaded.fault.empty()) messages.warning(loaded.fault);
+  if (!fault.empty()) messages.warning(fault);
+  for (Extension* e : extensions_->all()) e->atStart(*this);
 }
 
 Application::~Application() { end(); }
@@ -54,23 +51,12 @@ void Application::end() {
 }
 
 void Application::open(const std::filesystem::path& file) {
-  if (looksLikeAttempt(file)) return extensions_->playback.open(*this, file);
-  extensions_->playback.close(*this, false);
-  extensions_->hand_recorder.endPlay(*this);
-  if (looksLikeRecording(file)) return extensions_->hand_recorder.play(*this, file);
-  if (looksLikeLesson(file)) {
-    if (!lesson.open(file)) {
-      extensions_->lesson_watch.refused(*this, file);
-      panels.welcome = panels.welcome || !hasWork();
-      return;
-    }
-    messages.clearErrors();
-    settings.remember(file);
-    panels.lesson = panels.lesson_first = true;
-    panels.welcome = false;
-    enterScene();
-    return;
-  }
+  // A name without an ending may be one of the library.
+  const FileKind kind = fileKind(file).value_or(FileKind::Molecule);
+  for (Extension* e : extensions_->all()) e->beforeOpening(*this, kind);
+  for (Extension* e : extensions_->all())
+    if (e->open(*this, kind, file)) return;
+  if (kind == FileKind::Lesson) return openLesson(file);
   const Expected<std::filesystem::path> found = findMolecule(file.string(), MoleculeFolders::ofThisComputer());
   if (!found) {
     messages.error(found.problem().text());
@@ -78,8 +64,21 @@ void Application::open(const std::filesystem::path& file) {
     return;
   }
   step_scene_ = false;
-  loader_.begin(*found);
+  loader_.begin({*found});
   if (options_.clock == ServoClock::Frames) finishLoading();
+}
+
+void Application::openLesson(const std::filesystem::path& file) {
+  if (!lesson.open(file)) {
+    for (Extension* e : extensions_->all()) e->lessonRefused(*this, file);
+    panels.welcome = panels.welcome || !hasWork();
+    return;
+  }
+  messages.clearErrors();
+  settings.remember(file);
+  panels.lesson = panels.lesson_first = true;
+  panels.welcome = false;
+  enterScene();
 }
 
 void Application::drop(const std::vector<std::filesystem::path>& dropped) {
@@ -88,15 +87,10 @@ void Application::drop(const std::vector<std::filesystem::path>& dropped) {
   if (dropped.size() > 1) messages.notice(trf("Of {0} files the first was opened.", dropped.size()));
 }
 
-void Application::showMolecule(const std::filesystem::path& file) {
+void Application::showMolecule(const MoleculeKey& key) {
   step_scene_ = true;
-  loader_.begin(file);
+  loader_.begin(key);
   if (options_.clock == ServoClock::Frames) finishLoading();
-}
-
-void Application::resume(const std::filesystem::path& file, const std::filesystem::path& attempt_file) {
-  extensions_->recorder.resume(*this, file, attempt_file);
-  enterScene();
 }
 
 void Application::enterScene() {
@@ -111,18 +105,18 @@ void Application::enterScene() {
   scene.shown = lesson.shapes();
   scene.colour_by = colourBy(*spec);
   panels.follow(spec->panels);
-  if (scene.stage()) lesson.meet(scene.stage().molecule, scene.file());
-  const Expected<std::filesystem::path> file = lesson.moleculeFile();
-  if (!file) {
-    messages.error(file.problem().text());
+  if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
+  const Expected<MoleculeKey> molecule = lesson.molecule();
+  if (!molecule) {
+    messages.error(molecule.problem().text());
     return;
   }
-  if (*file == scene.file() && scene.stage() && !loader_.busy()) {
+  if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
     scene.setRegion(lesson.region());
     beginSceneAgain();
     return;
   }
-  showMolecule(*file);
+  showMolecule(*molecule);
 }
 
 void Application::beginSceneAgain(std::optional<PointA> before) {
@@ -159,12 +153,12 @@ void Application::takeUp(Loaded loaded) {
   // A lesson's author knows what the file leaves out.
   if (!from_step) {
     for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
-    settings.remember(loaded.file);
+    settings.remember(loaded.key.file);
   }
   panels.welcome = false;
-  lesson.meet(loaded.stage->molecule, loaded.file);
+  lesson.meet(loaded.stage->molecule, loaded.key);
   scene.setRegion(lesson.region());
-  scene.show(*std::move(loaded.stage), loaded.file, facing());
+  scene.show(*std::move(loaded.stage), loaded.key, facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 
@@ -175,30 +169,30 @@ TouchScene::Facing Application::facing() const {
 void Application::resetView() { scene.resetView(facing()); }
 
 void Application::resetViewByHand() {
-  const Camera seen = scene.camera, before = extensions_->scene_change.bound(seen);
+  const Camera seen = scene.camera;
   resetView();
-  extensions_->history.noteView(before, scene.camera);
-  extensions_->scene_change.glide(*this, seen);
+  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
 }
 
 void Application::askForPictureAs() {
   file_dialog.ask({.title = tr("Save the view as a picture"),
                    .name = freePictureName(options_.picture_folder).filename().string(),
                    .ending = ".png",
-                   .chosen = [](Application& app, const std::filesystem::path& file) { app.askForPicture(file); }},
+                   .chosen = [this](const std::filesystem::path& file) { askForPicture(file); }},
                   options_.picture_folder);
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {
-  layout_ = layOut({.window = window_px,
-                    .scale = look().scale * look().text,
-                    .lesson = panels.lesson && lesson.session() && !extensions_->playback.on(),
-                    .touch = panels.touch,
-                    .page = panels.welcome,
-                    .lesson_width = float(settings.lesson_width),
-                    .touch_width = float(settings.touch_width),
-                    .strip_height = extensions_->stripHeight()},
-                   panels.lesson_first);
+  layout_ = layOut(
+      {.window = window_px,
+       .scale = look().scale * look().text,
+       .lesson = panels.lesson && lesson.session() && std::ranges::none_of(extensions_->all(), &Extension::hidesLesson),
+       .touch = panels.touch,
+       .page = panels.welcome,
+       .lesson_width = float(settings.lesson_width),
+       .touch_width = float(settings.touch_width),
+       .strip_height = extensions_->stripHeight()},
+      panels.lesson_first);
   if (panels.welcome) return;
   const glm::vec2 view = layout_.view.size();
   scene.setViewAspect(view.y > 0 ? double(view.x) / double(view.y) : 1.0);
@@ -214,30 +208,28 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   now_s_ += dt_s;
   if (std::optional<Loaded> loaded = loader_.take()) takeUp(std::move(*loaded));
   loading_s_ = loader_.busy() ? loading_s_ + dt_s : 0.0;
-  const std::vector<Extension*> extensions = extensions_->all();
+  const std::span<Extension* const> extensions = extensions_->all();
   for (Extension* e : extensions) e->beforeTicks(*this);
   scene.rest(panels.welcome);
   const FeltTicks felt = scene.advance(dt_s, now_s_, panels.methodsInFront());
   // A recorded hand does nobody's task.
-  if (!extensions_->hand_recorder.playing())
+  if (std::ranges::none_of(extensions, &Extension::leadsHand))
     for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
   if (!felt.ticks.empty())
     for (Extension* e : extensions) e->ticks(*this, felt);
   messages.age(dt_s);
 
   speak();
-  leadByKeys(*this);
-  runShortcuts(*this);
+  keys_(*this);
   layPanelsOut(window_px);
-  for (const Panel& panel : allPanels()) panel.draw(*this);
+  panels_(*this);
   enterScene();
   for (Extension* e : extensions) e->afterPanels(*this);
 }
 
 bool Application::live() const {
-  const std::vector<Extension*> extensions = extensions_->all();
   return scene.live() || loader_.busy() || messages.fading() || picture_->unfinished() ||
-         std::any_of(extensions.begin(), extensions.end(), [](const Extension* e) { return e->live(); });
+         std::ranges::any_of(extensions_->all(), &Extension::live);
 }
 
 }  // namespace moltact

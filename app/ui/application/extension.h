@@ -1,0 +1,72 @@
+// What is told to an extension of the window (a recorder, sound, a watcher of files) while the program runs. Each is
+// one class in its own file and one member of Extensions (app/ui/extensions/extensions.h), is given the other
+// extensions that it uses, and overrides the points that it needs. Panels reach it through app.extensions(). Window's
+// thread.
+//
+// A frame calls, in this order: beforeTicks, ticks, the panels, afterPanels. lessonChanged, stepChanged and
+// sceneChanged come in between, in this order, as soon as the thing has happened.
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "app/ui/files/file_kinds.h"
+#include "app/ui/scene/touch_scene.h"
+
+namespace moltact {
+
+class Application;
+
+class Extension {
+ public:
+  virtual ~Extension() = default;
+
+  /// The program begins: the settings have been read, nothing has been opened.
+  virtual void atStart(Application&) {}
+
+  /// A frame begins; what the hand felt since the last one has not been taken up.
+  virtual void beforeTicks(Application&) {}
+  /// Every tick since the last frame, oldest first; not called where there is none.
+  virtual void ticks(Application&, const FeltTicks&) {}
+  /// Every panel has been drawn, so every click and key of the frame has done its work. The GL context is current.
+  virtual void afterPanels(Application&) {}
+
+  /// A file of this kind is about to be opened; all extensions are told before one of them opens it.
+  virtual void beforeOpening(Application&, FileKind) {}
+  /// Opens it where files of this kind are this extension's own: true, whatever comes of it.
+  virtual bool open(Application&, FileKind, const std::filesystem::path&) { return false; }
+  /// A lesson was to be opened and could not be read.
+  virtual void lessonRefused(Application&, const std::filesystem::path&) {}
+
+  /// Another molecule is on the stage, or the same one was placed anew: what was felt before no longer counts.
+  virtual void sceneChanged(Application&) {}
+  /// Another lesson is open, or the same one was opened or read again.
+  virtual void lessonChanged(Application&) {}
+  /// The lesson is at another step, or another lesson is at its first.
+  virtual void stepChanged(Application&) {}
+  /// A person asked for the camera as it was when the scene was opened; `seen` is how it was until now.
+  virtual void viewReset(Application&, const Camera& /*seen*/) {}
+
+  /// The program ends; everything else still stands.
+  virtual void atEnd(Application&) {}
+
+  /// Whether the next frame would look or sound different because of it: the window then does not sleep.
+  virtual bool live() const { return false; }
+  /// Whether it leads the hand: what is felt then is nobody's task.
+  virtual bool leadsHand() const { return false; }
+  /// Whether it shows something in the lesson's place: the lesson's panel then is closed.
+  virtual bool hidesLesson() const { return false; }
+};
+
+/// All extensions of a program, as the application knows them.
+class ExtensionSet {
+ public:
+  virtual ~ExtensionSet() = default;
+
+  /// In the order in which they are called; the same in every frame.
+  virtual std::span<Extension* const> all() const = 0;
+  /// What stands under the view (unit: pixel at 96 dpi); 0 where nothing does.
+  virtual float stripHeight() const = 0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,30 @@
+#include "app/ui/files/file_kinds.h"
+
+#include <string>
+
+#include "engine/core/text.h"
+#include "engine/molecule/reader.h"
+
+namespace moltact {
+namespace {
+
+struct EndingOfKind {
+  const char* ending;
+  FileKind kind;
+};
+
+// A kind of file is added with one line here, and with the one that opens it (Extension::open).
+constexpr EndingOfKind kEndings[] = {
+    {".md", FileKind::Lesson}, {".jsonl", FileKind::Attempt}, {kRecordingEnding, FileKind::Recording}};
+
+}  // namespace
+
+std::optional<FileKind> fileKind(const std::filesystem::path& file) {
+  const std::string ending = lower(file.extension().string());
+  for (const EndingOfKind& e : kEndings)
+    if (ending == e.ending) return e.kind;
+  if (hasMoleculeName(file)) return FileKind::Molecule;
+  return std::nullopt;
+}
+
+}  // namespace moltact

@@ -1,0 +1,161 @@
+// What differs between the versions of Dear ImGui that Debian 12 (1.86) and Debian 13 (1.90.1) have stands here and
+// nowhere else; everything else uses what they share. Keys are ImGuiKey everywhere. Window's thread. Units: pixel,
+// wheel notch.
+#pragma once
+
+#include <imgui.h>
+
+#include <cstddef>
+#include <cstdint>
+
+#if IMGUI_VERSION_NUM < 18700
+// Keys were numbers of the program's own choice, and ImGuiKey the few that ImGui itself asked for. Our numbers are
+// ImGuiKey's values, which go on here where that list ends, so that IsKeyDown and IsKeyPressed take them as later
+// versions do.
+enum MoltactImGuiKey : int {
+  ImGuiKey_None = -1,
+  ImGuiKey_NamedKey_BEGIN = ImGuiKey_Tab,
+  ImGuiKey_KeypadEnter = ImGuiKey_KeyPadEnter,
+  ImGuiKey_LeftCtrl = ImGuiKey_COUNT,
+  ImGuiKey_LeftShift,
+  ImGuiKey_LeftAlt,
+  ImGuiKey_LeftSuper,
+  ImGuiKey_RightCtrl,
+  ImGuiKey_RightShift,
+  ImGuiKey_RightAlt,
+  ImGuiKey_RightSuper,
+  ImGuiKey_Menu,
+  ImGuiKey_0,
+  ImGuiKey_1,
+  ImGuiKey_2,
+  ImGuiKey_3,
+  ImGuiKey_4,
+  ImGuiKey_5,
+  ImGuiKey_6,
+  ImGuiKey_7,
+  ImGuiKey_8,
+  ImGuiKey_9,
+  ImGuiKey_B,
+  ImGuiKey_D,
+  ImGuiKey_E,
+  ImGuiKey_F,
+  ImGuiKey_G,
+  ImGuiKey_H,
+  ImGuiKey_I,
+  ImGuiKey_J,
+  ImGuiKey_K,
+  ImGuiKey_L,
+  ImGuiKey_M,
+  ImGuiKey_N,
+  ImGuiKey_O,
+  ImGuiKey_P,
+  ImGuiKey_Q,
+  ImGuiKey_R,
+  ImGuiKey_S,
+  ImGuiKey_T,
+  ImGuiKey_U,
+  ImGuiKey_W,
+  ImGuiKey_F1,
+  ImGuiKey_F2,
+  ImGuiKey_F3,
+  ImGuiKey_F4,
+  ImGuiKey_F5,
+  ImGuiKey_F6,
+  ImGuiKey_F7,
+  ImGuiKey_F8,
+  ImGuiKey_F9,
+  ImGuiKey_F10,
+  ImGuiKey_F11,
+  ImGuiKey_F12,
+  ImGuiKey_Apostrophe,
+  ImGuiKey_Comma,
+  ImGuiKey_Minus,
+  ImGuiKey_Period,
+  ImGuiKey_Slash,
+  ImGuiKey_Semicolon,
+  ImGuiKey_Equal,
+  ImGuiKey_LeftBracket,
+  ImGuiKey_Backslash,
+  ImGuiKey_RightBracket,
+  ImGuiKey_GraveAccent,
+  ImGuiKey_CapsLock,
+  ImGuiKey_ScrollLock,
+  ImGuiKey_NumLock,
+  ImGuiKey_PrintScreen,
+  ImGuiKey_Pause,
+  ImGuiKey_Keypad0,
+  ImGuiKey_Keypad1,
+  ImGuiKey_Keypad2,
+  ImGuiKey_Keypad3,
+  ImGuiKey_Keypad4,
+  ImGuiKey_Keypad5,
+  ImGuiKey_Keypad6,
+  ImGuiKey_Keypad7,
+  ImGuiKey_Keypad8,
+  ImGuiKey_Keypad9,
+  ImGuiKey_KeypadDecimal,
+  ImGuiKey_KeypadDivide,
+  ImGuiKey_KeypadMultiply,
+  ImGuiKey_KeypadSubtract,
+  ImGuiKey_KeypadAdd,
+  ImGuiKey_KeypadEqual,
+  ImGuiKey_GamepadStart  // what follows the keyboard's keys
+};
+#endif
+
+namespace moltact {
+
+/// The keyboard's keys, counted from 0.
+constexpr std::size_t kKeyCount = std::size_t(int(ImGuiKey_GamepadStart) - int(ImGuiKey_NamedKey_BEGIN));
+constexpr ImGuiKey keyAt(std::size_t index) { return ImGuiKey(int(ImGuiKey_NamedKey_BEGIN) + int(index)); }
+constexpr std::size_t indexOf(ImGuiKey key) { return std::size_t(int(key) - int(ImGuiKey_NamedKey_BEGIN)); }
+constexpr bool isKey(ImGuiKey key) {
+  return int(key) >= int(ImGuiKey_NamedKey_BEGIN) && int(key) < int(ImGuiKey_GamepadStart);
+}
+constexpr bool isModifier(ImGuiKey key) {
+  return int(key) >= int(ImGuiKey_LeftCtrl) && int(key) <= int(ImGuiKey_RightSuper);
+}
+
+// What the person does, for the next frame; InputQueue alone calls these.
+/// Once a context: what is fed takes effect in the very next frame, all of it. Tab leads where key_focus.h says, not
+/// where ImGui would.
+void prepareInput(ImGuiIO& io);
+/// Before every frame.
+void keepTab();
+void feedPointer(ImGuiIO& io, float x, float y);
+/// No place on the screen.
+void feedPointerLeft(ImGuiIO& io);
+void feedButton(ImGuiIO& io, int button, bool down);
+void feedWheel(ImGuiIO& io, float x, float y);
+void feedKey(ImGuiIO& io, ImGuiKey key, bool down);
+struct Modifiers {
+  bool ctrl = false, shift = false, alt = false, super = false;
+};
+void feedModifiers(ImGuiIO& io, const Modifiers& held);
+
+/// The key was pressed in this frame; whoever asks later in the frame is told that it was not.
+bool takeKey(ImGuiKey key);
+
+/// As if it had been pressed, in the next frame.
+void activateItem(ImGuiID id);
+/// Enter presses the item that the keys are at. Later versions do that by themselves.
+void pressByEnter(ImGuiID id);
+/// Whether the item that the keys are at is marked; a mouse that moves ends it.
+bool keysPlaceShown();
+void showKeysPlace(bool on);
+/// Until the mouse moves it points at nothing.
+void ignoreRestingMouse();
+/// ImGui's last item as the keys see it: `usable` unless it is greyed out or left out of their way.
+struct ItemForKeys {
+  bool usable = false;
+  bool field = false;  ///< text is written there
+};
+ItemForKeys lastItemForKeys();
+
+/// After an item that others, drawn later, may lie on, which then have the mouse.
+void mayLieUnderOthers();
+
+/// An OpenGL texture; 0: none.
+inline ImTextureID textureOf(unsigned gl_name) { return ImTextureID(std::intptr_t(gl_name)); }
+
+}  // namespace moltact

@@ -1,0 +1,14 @@
+// A part of a molecule that is felt larger than the rest. Plain data; any thread. Units: angstrom.
+#pragma once
+
+#include "engine/core/units.h"
+
+namespace moltact {
+
+/// A ball in the molecule's space.
+struct Region {
+  PointA centre;
+  double radius_A = 0.0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,121 @@
+// The SCP among spheres that move (sphere_frame.h). Each tick the listed spheres go to their new places; then the SCP
+// is on its feature where that is now, if nothing else can have come in the way; otherwise it is brought out of what
+// has closed in on it, piece by piece, and flows as always. Part of ExactTracker; haptic thread.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/exact/nearest_places.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kPiece_A = 0.05;  // the surface moves by no more at once, so that the SCP stays on its side of a wall
+constexpr double kMostMoves = 64.0;     // what moves farther than that in a tick moves in larger pieces
+constexpr double kArcOfChord = 1.5708;  // an arc of up to half a turn is at most pi / 2 times as long as its chord
+
+}  // namespace
+
+bool ExactTracker::setFrame(const SphereFrame* frame) noexcept {
+  // The SCP stays where it is; the next tick finds what it touches there.
+  near_.setFrame(frame);
+  forgetSurroundings();
+  seen_share_ = clear_gap_ = 0.0;
+  moved_ = true;
+  return true;
+}
+
+void ExactTracker::moveTo(double share) noexcept {
+  if (share == near_.share() || !std::isfinite(share)) return;
+  near_.moveTo(std::clamp(share, 0.0, 1.0));
+  forgetSurroundings();
+  moved_ = true;
+}
+
+// Brings the SCP with the surface, and to its place for this HIP where that is plain: then moved_ is false. Otherwise
+// the tick goes on as always.
+void ExactTracker::trackSurface(const Vec3& hip) noexcept {
+  const double share = near_.share(), from = std::exchange(seen_share_, share);
+  if (!armed_) return;
+  if (!near_.covers(scp_, 0.0)) near_.each(scp_, 0.0, [](const NearBall&) {});
+  const double moved_A = std::abs(share - from) * near_.mostMoved_A();
+  if (moved_A <= kPiece_A && followsQuickly(hip, moved_A)) {
+    moved_ = false;
+    return;
+  }
+  clear_gap_ = 0.0;
+  const int pieces = moved_A > kPiece_A ? int(std::ceil(std::min(moved_A / kPiece_A, kMostMoves))) : 1;
+  for (int k = 1; k <= pieces; ++k) {
+    if (pieces > 1) near_.moveTo(k == pieces ? share : from + (share - from) * k / pieces);
+    if (toFreePlace() == Freed::Yes) continue;
+    near_.moveTo(share);  // the place closed over the SCP: there is no surface left to be held by
+    reset();
+    return;
+  }
+}
+
+// True where the SCP stays on its feature and nothing else comes near: then it is at the place there that is nearest to
+// the HIP. `moved_A`: no surface has moved farther.
+bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
+  Vec3 place;
+  switch (feature_) {
+    case Feature::Free:
+      return false;
+    case Feature::Sphere: {
+      const NearBall on = near_.ball(holders_[0]);
+      const Vec3 m = hip - on.centre;
+      const double d2 = glm::dot(m, m);
+      if (d2 >= on.radius * on.radius || d2 < on.radius * on.radius * 1e-6) return false;
+      place = on.centre + m * (on.radius / std::sqrt(d2));
+      break;
+    }
+    case Feature::Circle: {
+      const NearBall i = near_.ball(holders_[0]), j = near_.ball(holders_[1]);
+      if (!nearestOnCircle(i, j, hip, place)) return false;
+      // Both hold: the displacement is a sum of their inward normals with shares above nothing.
+      const Vec3 n = (place - i.centre) / i.radius, m = (place - j.centre) / j.radius, d = place - hip;
+      const double c = glm::dot(n, m), a = glm::dot(d, n), b = glm::dot(d, m);
+      if (!(1.0 - c * c > 1e-6) || !(a > c * b) || !(b > c * a)) return false;
+      break;
+    }
+    case Feature::Point: {
+      if (holders_[2] < 0) return false;
+      const std::array<NearBall, 3> b{near_.ball(holders_[0]), near_.ball(holders_[1]), near_.ball(holders_[2])};
+      Vec3 two[2];
+      if (!commonPoints(b[0], b[1], b[2], two)) return false;
+      place = glm::distance(scp_, two[0]) < glm::distance(scp_, two[1]) ? two[0] : two[1];
+      const Vec3 d = place - hip, n0 = (place - b[0].centre) / b[0].radius, n1 = (place - b[1].centre) / b[1].radius,
+                 n2 = (place - b[2].centre) / b[2].radius;
+      const Vec3 n12 = glm::cross(n1, n2);
+      const double volume = glm::dot(n0, n12);
+      if (!(std::abs(volume) > 1e-6)) return false;
+      if (glm::dot(d, n12) * volume < 0.0 || glm::dot(d, glm::cross(n2, n0)) * volume < 0.0 ||
+          glm::dot(d, glm::cross(n0, n1)) * volume < 0.0)
+        return false;
+      break;
+    }
+  }
+  // Every other sphere is farther off than the way there, and than it has come itself.
+  const double way = kArcOfChord * (glm::distance(scp_, place) + moved_A) + moved_A;
+  const auto clear = [&] {
+    const double come_A = std::abs(near_.share() - clear_share_) * near_.mostMoved_A();
+    return near_.covers(scp_, way) && clear_gap_ > way + come_A + glm::distance(scp_, clear_from_);
+  };
+  if (!clear()) {
+    clear_from_ = scp_;
+    clear_share_ = near_.share();
+    clear_gap_ = kFarthest_A;
+    const double known = near_.each(scp_, way, [&](const NearBall& b) {
+      if (b.index != holders_[0] && b.index != holders_[1] && b.index != holders_[2])
+        lessenGap(clear_gap_, scp_ - b.centre, b.radius);
+    });
+    clear_gap_ = std::min(clear_gap_, known);
+    if (!clear()) return false;
+  }
+  scp_ = place;
+  return true;
+}
+
+}  // namespace moltact

@@ -1,0 +1,45 @@
+// What is felt: where the hand is and how it is turned goes in, a force and a torque come out, with what is stored. A
+// scene chooses one (interactions.h); the servo step and the safety stage do not know which. `respond` runs on the
+// haptic thread: no lock, allocation, exception, log or call of the system. Units: angstrom, in the molecule's space.
+#pragma once
+
+#include "engine/core/units.h"
+#include "engine/haptics/contact.h"
+
+namespace moltact {
+
+/// What a method keeps for the places it has been: "model no more than a scene needs", in numbers.
+struct MemoryUsage {
+  std::size_t atoms_modelled = 0;  ///< atoms for which anything beyond centre and radius is held now
+  std::size_t bytes = 0;           ///< all memory of the method beyond the list of balls itself (unit: byte)
+};
+
+/// The answer to a pose, over the stiffness of the springs that give it.
+struct Response {
+  Contact contact;  ///< its `displacement_A` is the force, its `energy_A2` all that is stored; the rest is what there
+                    ///< is to show of a contact, and may be empty
+  Vec3 torque_A2{0.0};  ///< round the pose's place, in the molecule's axes; zero for what is felt as a point
+
+  /// Something is felt, so that springs pull.
+  bool felt() const { return contact.touching() || contact.displacement_A != Vec3(0.0) || torque_A2 != Vec3(0.0); }
+};
+
+class Interaction {
+ public:
+  virtual ~Interaction() = default;
+
+  /// One tick. A pose that is no number gives Fault::NotFinite.
+  virtual Response respond(const PoseA& pose) noexcept = 0;
+
+  /// Forgets the contact, as at the start: what begins inside gives no force until it has been outside once.
+  virtual void reset() noexcept = 0;
+
+  /// Inflates every ball by `probe_A` (0 to kLargestProbe_A, clamped; non-finite is ignored), also while touching. What
+  /// has no probe passes it over.
+  virtual void setProbe(double probe_A) noexcept = 0;
+
+  virtual double probe_A() const noexcept = 0;
+  virtual MemoryUsage memoryUsage() const noexcept = 0;
+};
+
+}  // namespace moltact

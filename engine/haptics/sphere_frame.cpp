@@ -1,0 +1,78 @@
+#include "engine/haptics/sphere_frame.h"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+#include "engine/haptics/tracker.h"
+
+namespace moltact {
+namespace {
+
+bool usable(const Ball& b) {
+  return finite(b.centre_A) && glm::length(b.centre_A) <= kFarthest_A && std::isfinite(b.radius_A) &&
+         b.radius_A >= 0.0 && b.radius_A <= kFarthest_A;
+}
+
+// Tells frames apart also where one lies where another was.
+std::uint64_t nextSerial() {
+  static std::atomic<std::uint64_t> serial{0};
+  return ++serial;
+}
+
+}  // namespace
+
+SphereFrame::SphereFrame(std::vector<Moving> spheres, std::vector<Ball> bounds, int ticks, double most_moved_A)
+    : spheres_(std::move(spheres)),
+      bounds_(std::move(bounds), BallScene::Equal::EachVisited),
+      ticks_(ticks),
+      most_moved_(most_moved_A),
+      serial_(nextSerial()) {}
+
+Expected<std::unique_ptr<const SphereFrame>> SphereFrame::after(const SphereFrame& before, std::span<const Ball> to,
+                                                                int ticks) {
+  auto made = make(before.at(1.0), to, ticks);
+  // Not yet shared with anybody, so it may still be changed.
+  if (made) const_cast<SphereFrame&>(**made).follows_ = before.serial_;
+  return made;
+}
+
+Expected<std::unique_ptr<const SphereFrame>> SphereFrame::make(std::span<const Ball> from, std::span<const Ball> to,
+                                                               int ticks) {
+  const auto problem = [](std::string what, std::string remedy) {
+    return Problem{"", 0, 0, std::move(what), std::move(remedy)};
+  };
+  if (ticks < 1 || ticks > kMostTicks)
+    return problem("a frame of moving spheres cannot take " + std::to_string(ticks) + " ticks",
+                   "give it 1 to " + std::to_string(kMostTicks));
+  if (from.size() != to.size())
+    return problem(
+        "a frame begins with " + std::to_string(from.size()) + " spheres and ends with " + std::to_string(to.size()),
+        "give as many places as there are spheres");
+  std::vector<Moving> spheres(from.size());
+  std::vector<Ball> bounds(from.size());
+  double most_A = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (!usable(from[i]) || !usable(to[i]))
+      return problem("sphere " + std::to_string(i + 1) + " of a frame is at no place, or has no radius",
+                     "give finite coordinates within 1e9 A and radii that are not negative");
+    const Vec3 way = to[i].centre_A - from[i].centre_A;
+    const double growth = to[i].radius_A - from[i].radius_A;
+    spheres[i] = {from[i], way, growth};
+    most_A = std::max(most_A, spheres[i].moved_A());
+    // Rounding of a place on the way is far below the spare part.
+    const double spare = 1e-12 * (glm::length(from[i].centre_A) + glm::length(to[i].centre_A));
+    bounds[i] = {from[i].centre_A + 0.5 * way,
+                 std::max(from[i].radius_A, to[i].radius_A) + 0.5 * glm::length(way) + spare};
+    if (way == Vec3(0.0) && growth == 0.0) bounds[i] = from[i];
+  }
+  return std::unique_ptr<const SphereFrame>(new SphereFrame(std::move(spheres), std::move(bounds), ticks, most_A));
+}
+
+std::vector<Ball> SphereFrame::at(double share) const {
+  std::vector<Ball> out(spheres_.size());
+  std::transform(spheres_.begin(), spheres_.end(), out.begin(), [&](const Moving& s) { return s.at(share); });
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,61 @@
+// What tells one molecule from another: a file and how it is read. Two readings of a file, say with and without its
+// waters, are two molecules. Plain data; any thread.
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace moltact {
+
+/// How a molecule's file is read. A choice that is added here (a table of radii, say) tells molecules apart
+/// everywhere, and is written into labels and attempts by molecule_key.cpp.
+struct ReadOptions {
+  int model = 1;           ///< which model, counted from 1 in the order of the file (default: the first)
+  bool waters = false;     ///< keep the water molecules (default: leave them out)
+  std::string assembly{};  ///< name of a biological assembly to build ("1"); empty: the coordinates as they
+                           ///< stand (default)
+
+  friend auto operator<=>(const ReadOptions&, const ReadOptions&) = default;
+};
+
+/// A molecule whose file has been found.
+struct MoleculeKey {
+  std::filesystem::path file;
+  ReadOptions reading{};
+
+  bool empty() const { return file.empty(); }
+  friend auto operator<=>(const MoleculeKey&, const MoleculeKey&) = default;
+};
+
+/// A molecule as a person names it: a file, an id of the library or of a fetched entry (findMolecule in catalogue.h
+/// finds its file). A name alone means: as it is read by default.
+struct NamedMolecule {
+  std::string name;
+  ReadOptions reading{};
+
+  NamedMolecule() = default;
+  NamedMolecule(const char* plain_name) : name(plain_name) {}
+  NamedMolecule(std::string its_name, ReadOptions how = {}) : name(std::move(its_name)), reading(std::move(how)) {}
+
+  friend auto operator<=>(const NamedMolecule&, const NamedMolecule&) = default;
+};
+
+/// What is read otherwise than by default, as "model 2, with waters, assembly 1"; empty where nothing is.
+std::string readingText(const ReadOptions& reading);
+
+/// The labels "molecule", "model", "waters" and "assembly" that a recording carries, and back. A label that is missing
+/// or not sound gives the default.
+std::map<std::string, std::string> moleculeLabels(const NamedMolecule& molecule);
+NamedMolecule labelledMolecule(const std::map<std::string, std::string>& labels);
+
+}  // namespace moltact
+
+template <>
+struct std::hash<moltact::MoleculeKey> {
+  std::size_t operator()(const moltact::MoleculeKey& key) const noexcept;
+};

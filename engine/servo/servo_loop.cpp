@@ -1,0 +1,104 @@
+#include "engine/servo/servo_loop.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "engine/platform/force_hold.h"
+
+namespace moltact {
+
+ServoLoop::ServoLoop(Device& fallback) : fallback_(fallback), step_(fallback.info()) {}
+
+ServoLoop::~ServoLoop() {
+  collect();
+  delete arriving_.exchange(nullptr);
+  delete current_;
+}
+
+// The step's count goes on, so that samples are numbered without a gap.
+void ServoLoop::begin(std::int64_t now_ns) noexcept {
+  switch_.emplace(fallback_, chosen_.get());
+  time_ = {};
+  last_ns_ = now_ns;
+}
+
+void ServoLoop::end() noexcept {
+  if (chosen_) chosen_->stop();
+  fallback_.write(ForceN{});
+  letGo(false);
+}
+
+void ServoLoop::setDevice(std::unique_ptr<Device> device) {
+  switch_.reset();
+  chosen_ = std::move(device);
+}
+
+void ServoLoop::record(bool on) {
+  if (on) recording_ = std::make_unique<Recording>();
+  records_ = on;
+}
+
+void ServoLoop::setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene) {
+  collect();
+  auto next = std::unique_ptr<Handed>(new Handed{
+      std::move(felt), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
+  delete arriving_.exchange(next.release(), std::memory_order_acq_rel);
+}
+
+void ServoLoop::collect() { delete leaving_.exchange(nullptr, std::memory_order_acq_rel); }
+
+// The newest settings; without force where their owner stands still or lets it go, or the process ends.
+ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
+  ServoSettings settings = settings_.read();
+  const std::uint32_t heartbeat = heartbeat_.load(std::memory_order_relaxed);
+  silent_s_ = heartbeat != last_heartbeat_ ? 0.0 : silent_s_ + std::max(0.0, dt_s);
+  last_heartbeat_ = heartbeat;
+  if (expects_.load(std::memory_order_relaxed) && silent_s_ > kWatchdog_s) settings.force_on = false;
+  if (let_go_.load(std::memory_order_acquire)) settings.force_on = false;
+  if (forceHeld()) settings.panic = true;
+  return settings;
+}
+
+void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, std::int64_t (*now)()) noexcept {
+  if (ticking_.test_and_set(std::memory_order_acquire)) return;
+
+  // What is to be felt next is taken only when the place for the old one is free, so that nothing is ever destroyed
+  // here.
+  if (arriving_.load(std::memory_order_acquire) && !leaving_.load(std::memory_order_acquire)) {
+    Handed* next = arriving_.exchange(nullptr, std::memory_order_acq_rel);
+    if (current_) leaving_.store(current_, std::memory_order_release);
+    current_ = next;
+    if (recording_) recording_->begun = true;
+  }
+
+  const std::int64_t late_ns = began_ns - due_ns.value_or(std::min(began_ns, last_ns_ + kPeriod_ns));
+  time_.dt_s = double(began_ns - last_ns_) * 1e-9;
+  last_ns_ = began_ns;
+  const bool records = records_ && recording_->begun;
+  if (records && !recording_->started) {
+    step_.forgetInteraction();
+    recording_->start = step_;
+    recording_->started = true;
+  }
+  const ServoSettings settings = watchedSettings(time_.dt_s);
+  const DevicePose pose = switch_->read(kTick_s, step_);
+  ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_);
+  const TickTime time_was = time_;
+  sample.scene = current_ ? current_->scene : 0;
+  switch_->write({sample.force, sample.torque_N_mm}, sample.limits.has(Limit::Panic));
+  fallen_back_.store(switch_->fallenBack(), std::memory_order_relaxed);
+  gives_.store(!switch_->fallenBack() && (sample.force.N != Vec3(0.0) || sample.torque_N_mm != Vec3(0.0)),
+               std::memory_order_release);
+  const std::int64_t work_ns = now ? now() - began_ns : 0;
+  time_.delay_s = double(work_ns) * 1e-9;
+  sample.work_us = float(work_ns) * 1e-3f;
+  sample.late_us = float(late_ns) * 1e-3f;
+  latest_.write(sample);
+  samples_.push(sample);
+  if (records)
+    recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,
+                           switch_->fallenBack(), sample.contact.touching(), sample.limits});
+  ticking_.clear(std::memory_order_release);
+}
+
+}  // namespace moltact

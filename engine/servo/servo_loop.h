@@ -1,0 +1,157 @@
+// The servo loop but its clock: everything that a tick does, and everything that crosses to and from it. Who ticks it
+// tells it the time: the haptic thread the wall's (servo_thread.h), the window's frames, and tests, a virtual one. What
+// crosses does so whole and without locks. Units: nanosecond, second.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <optional>
+
+#include "engine/core/sample_ring.h"
+#include "engine/core/triple_buffer.h"
+#include "engine/device/device.h"
+#include "engine/haptics/interaction.h"
+#include "engine/servo/device_switch.h"
+#include "engine/servo/servo_recording.h"
+#include "engine/servo/servo_step.h"
+
+namespace moltact {
+
+class ServoLoop {
+ public:
+  static constexpr std::int64_t kPeriod_ns = 1'000'000;
+
+  /// `fallback` is read while no other device is chosen or the chosen one is gone; it must outlive the loop.
+  explicit ServoLoop(Device& fallback);
+  ~ServoLoop();
+  ServoLoop(const ServoLoop&) = delete;
+  ServoLoop& operator=(const ServoLoop&) = delete;
+
+  // For the owner, at any time; none blocks.
+
+  void setSettings(const ServoSettings& settings) noexcept {
+    settings_.write(settings);
+    heartbeat_.fetch_add(1, std::memory_order_relaxed);
+  }
+  /// From now on the owner hands settings over at least every kWatchdog_s. While it does not, its panic key is not
+  /// heard either, and no force is given.
+  void expectSettings() noexcept { expects_.store(true, std::memory_order_relaxed); }
+  static constexpr double kWatchdog_s = 1.0;
+
+  /// Hands over what is felt of a scene (null: nothing), whose number comes back in every sample that it makes.
+  /// Settings set before are in force when it is first asked. The old one comes back and is destroyed here, never in a
+  /// tick.
+  void setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene = 0);
+
+  /// The chosen device, for its info() and status(); null where none is.
+  Device* device() const noexcept { return chosen_.get(); }
+  /// Whether the fallback stands in, at the newest tick, for a chosen device that is gone.
+  bool fallenBack() const noexcept { return fallen_back_.load(std::memory_order_relaxed); }
+
+  /// Lets the force go, along the slew, while true: a device is put away, or the program ends.
+  void letGo(bool on) noexcept { let_go_.store(on || for_good_, std::memory_order_release); }
+  /// The same for good.
+  void endForce() noexcept {
+    for_good_ = true;
+    letGo(true);
+  }
+  /// Lets the force go and calls pass(), which lets a period's tick go by, until none was given in two ticks, of which
+  /// the first may have begun before; kRelease_ms times at the most.
+  template <class Pass>
+  void release(Pass&& pass) {
+    letGo(true);
+    for (int k = 0, none = 0; chosen_ && none < 2 && k < kRelease_ms; ++k) {
+      pass();
+      none = gives() ? 0 : none + 1;
+    }
+  }
+  static constexpr int kRelease_ms = 50;
+  /// The newest tick gave the chosen device some force.
+  bool gives() const noexcept { return gives_.load(std::memory_order_acquire); }
+
+  /// The newest tick.
+  const ServoSample& latest() noexcept { return latest_.read(); }
+  /// Calls take(sample) for every tick since the last call, oldest first (the last 4 s at most). Call it each frame: it
+  /// also destroys what the ticks have given back.
+  template <class Take>
+  void drain(Take&& take) {
+    collect();
+    ServoSample sample;
+    while (samples_.pop(sample)) take(sample);
+  }
+
+  /// Calls take(tick) for each recorded tick since the last call (the last 4 s at most), and tells in `start` the state
+  /// that the first began from.
+  template <class Take>
+  void drainRecording(ServoStep& start, Take&& take) {
+    RecordedTick tick;
+    while (recording_ && recording_->ring.pop(tick)) {
+      start = recording_->start;
+      take(tick);
+    }
+  }
+  /// Ticks that were not recorded because nobody drained them in time.
+  std::size_t lostOfRecording() const { return recording_ ? recording_->ring.dropped() : 0; }
+
+  // For the owner while nobody ticks.
+
+  /// The first tick from now on is due a period after `now_ns`; it tells of its device as of another one.
+  void begin(std::int64_t now_ns) noexcept;
+  /// The chosen device's last act, and the fallback's: no force.
+  void end() noexcept;
+  /// Between end() and begin(): the device to be felt with from then on, null for the fallback. Closes the old one.
+  void setDevice(std::unique_ptr<Device> device);
+  /// Between end() and begin(): records every tick with all that it depends on, from the tick in which the next
+  /// interaction is handed over, until false.
+  void record(bool on);
+
+  // For who ticks, one at a time.
+
+  /// One tick that began at `began_ns` and was due at `due_ns`; without it a period after the last, as a device's own
+  /// clock counts. `now` is the clock that it began by: how long the tick takes is told to the next one; null where
+  /// ticks take no time. A second tick at once, from two clocks of which one takes over from the other, is passed over.
+  void tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, std::int64_t (*now)()) noexcept;
+
+ private:
+  ServoSettings watchedSettings(double dt_s) noexcept;
+  void collect();
+
+  Device& fallback_;
+  std::unique_ptr<Device> chosen_;
+  TripleBuffer<ServoSettings> settings_;
+  std::atomic<std::uint32_t> heartbeat_{0};  // how often settings were handed over
+  std::atomic<bool> expects_{false};
+  TripleBuffer<ServoSample> latest_;
+  SampleRing<ServoSample, 4096> samples_;
+  // What is felt on its way, with its scene's number; nothing in it: nothing is to be felt.
+  struct Handed {
+    std::unique_ptr<Interaction> felt;
+    std::uint32_t scene = 0;
+  };
+  std::atomic<Handed*> arriving_{nullptr};  // the next
+  std::atomic<Handed*> leaving_{nullptr};   // one that a tick has put down
+  Handed* current_ = nullptr;               // the ticks'
+  struct Recording {
+    SampleRing<RecordedTick, 4096> ring;
+    ServoStep start;       // written before the first tick is pushed
+    bool begun = false;    // the ticks': what it is to begin with is there
+    bool started = false;  // the ticks': the state at the first one is kept
+  };
+  std::unique_ptr<Recording> recording_;
+  bool records_ = false;  // changed only while nobody ticks
+  std::atomic<bool> fallen_back_{false};
+  std::atomic<bool> let_go_{false};
+  bool for_good_ = false;
+  std::atomic<bool> gives_{false};
+  // A tick's own, taken by whoever ticks.
+  std::atomic_flag ticking_ = ATOMIC_FLAG_INIT;
+  ServoStep step_;
+  std::optional<DeviceSwitch> switch_;
+  TickTime time_;
+  std::uint32_t last_heartbeat_ = 0;
+  double silent_s_ = 0;
+  std::int64_t last_ns_ = 0;
+};
+
+}  // namespace moltact

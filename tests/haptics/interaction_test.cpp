@@ -1,0 +1,46 @@
+// What a scene can be felt with: the table, and the probe as one of it.
+#include <doctest/doctest.h>
+
+#include <set>
+
+#include "engine/bench/scenes.h"
+#include "engine/haptics/interactions.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+
+TEST_CASE("every interaction has a name of its own, is made over a scene and says nothing of a hand outside it") {
+  std::set<std::string_view> names;
+  for (const InteractionKind& kind : interactionKinds()) {
+    CAPTURE(std::string(kind.name));
+    CHECK(names.insert(kind.name).second);
+    CHECK_FALSE(kind.sentence.empty());
+    const auto felt = kind.make({test::makeScene({{{0, 0, 0}, 1.6}}), &methods().front(), 1.4});
+    REQUIRE(felt);
+    CHECK(felt->probe_A() == 1.4);
+    CHECK_FALSE(felt->respond({{Vec3(0, 0, 9)}, kNoRotation}).felt());
+    CHECK(felt->respond({{Vec3(std::nan(""), 0, 0)}, kNoRotation}).contact.fault == Fault::NotFinite);
+  }
+}
+
+TEST_CASE(
+    "the probe answers 2000 poses as its tracker answers their places, however they are turned, and without a torque") {
+  const scenes::Scene scene = scenes::cluster(20, 5);
+  const auto balls = test::makeScene(scene.balls);
+  for (const Method& method : methods()) {
+    CAPTURE(std::string(method.name));
+    const auto felt = interactionKinds().front().make({balls, &method, scene.probe_A});
+    const auto tracker = method.make(balls, scene.probe_A);
+    int touching = 0, different = 0;
+    for (const Vec3& place : scenes::walk(scene, 2000, 5)) {
+      const Quat turned = glm::angleAxis(place.x, glm::normalize(Vec3(1, 2, 3)));
+      const Response response = felt->respond({{place}, turned});
+      const Contact c = tracker->step({place});
+      touching += c.touching();
+      different += response.contact.scp.A != c.scp.A || response.contact.displacement_A != c.displacement_A ||
+                   response.contact.energy_A2 != c.energy_A2 || response.torque_A2 != Vec3(0.0);
+    }
+    CHECK(touching > 500);
+    CHECK(different == 0);
+  }
+}
