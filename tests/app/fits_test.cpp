@@ -3,7 +3,7 @@
 #include <map>
 #include <set>
 
-#include "app/ui/actions.h"
+#include "app/ui/panels/actions.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
