@@ -2,14 +2,16 @@
 
 #include <charconv>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 
 std::string readingText(const ReadOptions& reading) {
   std::string out;
   const auto add = [&](const std::string& part) { out += (out.empty() ? "" : ", ") + part; };
-  if (reading.model != 1) add("model " + std::to_string(reading.model));
-  if (reading.waters) add("with waters");
-  if (!reading.assembly.empty()) add("assembly " + reading.assembly);
+  if (reading.model != 1) add(trf("model {0}", reading.model));
+  if (reading.waters) add(tr("with waters"));
+  if (!reading.assembly.empty()) add(trf("assembly {0}", reading.assembly));
   return out;
 }
 

@@ -160,7 +160,7 @@ TEST_CASE(
   CHECK(has(words({{8, 40'000}}), "greatest force (byte 8) is 40000 mN"));
   // 32767 steps of 1 um are 32.8 mm; 200 mm are needed from the middle, 200e6 nm / 32767 = 6103.7 nm.
   const std::string far = words({{6, 1000}, {12, 400}});
-  CHECK(has(far, "steps of 1000 nm (byte 6) reach 32.8 mm"));
+  CHECK(has(far, "steps of 1000 nm (byte 6) reach 32.8\u00a0mm"));
   CHECK(has(far, "room of 400 mm"));
   CHECK(has(far, "at least 6104 nm"));
   CHECK_FALSE(begun({{6, 6104}, {12, 400}}, info));

@@ -89,7 +89,7 @@ TEST_CASE("a force curve is told as it is handed in, before anything is felt, an
     for (int k = 0; k <= 500; ++k) {
       TouchSample s = touching(0, time_s += 0.001, N_per_A * 0.001 * k);
       s.hip.A.z = -0.001 * k;
-      s.contact.displacement_A = s.contact.scp.A - s.hip.A;
+      stretchToScp(s.contact, s.hip);
       session.feed(s);
     }
     return watch.look(session, 2.0, InputWay::Mouse);
@@ -109,7 +109,7 @@ TEST_CASE("a force curve is told as it is handed in, before anything is felt, an
   for (int k = 0; k <= 500; ++k) {
     TouchSample s = touching(0, time_s += 0.001, 1.0);
     s.hip.A.z = -0.001 * k;
-    s.contact.displacement_A = s.contact.scp.A - s.hip.A;
+    stretchToScp(s.contact, s.hip);
     session.feed(s);
   }
   events = watch.look(session, 4.0, InputWay::Mouse);

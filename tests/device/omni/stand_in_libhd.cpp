@@ -107,6 +107,7 @@ Type typeOf(std::uint32_t what) {
     case hd::kCalibrationStyle:
       return Type::Integer;
     case hd::kPosition:
+    case hd::kTransform:
     case hd::kMotorTemperature:
     case hd::kMaxForce:
     case hd::kMaxContinuousForce:
