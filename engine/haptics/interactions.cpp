@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "engine/language/catalogue.h"
+
 namespace moltact {
 namespace {
 
@@ -10,7 +12,7 @@ std::unique_ptr<Interaction> makeProbe(const InteractionScene& scene) {
 }
 
 constexpr std::array kKinds{
-    InteractionKind{"probe", "a sphere at the hand, which a haptic method keeps outside every atom", &makeProbe},
+    InteractionKind{"probe", N_("a sphere at the hand, which a haptic method keeps outside every atom"), &makeProbe},
 };
 
 }  // namespace

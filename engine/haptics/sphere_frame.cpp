@@ -5,6 +5,7 @@
 #include <string>
 
 #include "engine/haptics/tracker.h"
+#include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
@@ -43,19 +44,17 @@ Expected<std::unique_ptr<const SphereFrame>> SphereFrame::make(std::span<const B
     return Problem{"", 0, 0, std::move(what), std::move(remedy)};
   };
   if (ticks < 1 || ticks > kMostTicks)
-    return problem("a frame of moving spheres cannot take " + std::to_string(ticks) + " ticks",
-                   "give it 1 to " + std::to_string(kMostTicks));
+    return problem(trf("a frame of moving spheres cannot take {0} ticks", ticks), trf("give it 1 to {0}", kMostTicks));
   if (from.size() != to.size())
-    return problem(
-        "a frame begins with " + std::to_string(from.size()) + " spheres and ends with " + std::to_string(to.size()),
-        "give as many places as there are spheres");
+    return problem(trf("a frame begins with {0} spheres and ends with {1}", from.size(), to.size()),
+                   tr("give as many places as there are spheres"));
   std::vector<Moving> spheres(from.size());
   std::vector<Ball> bounds(from.size());
   double most_A = 0.0;
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (!usable(from[i]) || !usable(to[i]))
-      return problem("sphere " + std::to_string(i + 1) + " of a frame is at no place, or has no radius",
-                     "give finite coordinates within 1e9 A and radii that are not negative");
+      return problem(trf("sphere {0} of a frame is at no place, or has no radius", i + 1),
+                     tr("give finite coordinates within 1e9 A and radii that are not negative"));
     const Vec3 way = to[i].centre_A - from[i].centre_A;
     const double growth = to[i].radius_A - from[i].radius_A;
     spheres[i] = {from[i], way, growth};

@@ -95,8 +95,8 @@ class Assembler {
  private:
   // Another molecule is made beside the one that is there.
   Problem tooMuchMemory() const {
-    return {file_, 0, 0, "the assembly " + inQuotes(assembly_.name) + " takes more than 3 GB of memory",
-            "read it without one"};
+    return {file_, 0, 0, trf("the assembly {0} takes more than 3 GB of memory", inQuotes(assembly_.name)),
+            tr("read it without one")};
   }
 
   std::optional<Problem> gather() {
