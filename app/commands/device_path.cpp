@@ -27,7 +27,7 @@ std::unique_ptr<Tracker> trackerOf(const ServoRecording& recording) {
     return recording.labels.contains(key) ? recording.labels.at(key) : std::string();
   };
   const Method* method = findMethod(label("method"));
-  const auto key = findMolecule(labelledMolecule(recording.labels), MoleculeFolders::ofThisComputer());
+  const auto key = findMoleculeKey(labelledMolecule(recording.labels), MoleculeFolders::ofThisComputer());
   if (!method || !key || recording.ticks.empty()) return nullptr;
   const auto molecule = readMolecule(*key);
   if (!molecule) return nullptr;

@@ -53,7 +53,7 @@ ServoSettings settingsFor(const BallScene& scene, const DeviceSpecs& device) {
 
 Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std::string& device) {
   const MoleculeFolders folders = MoleculeFolders::ofThisComputer();
-  const Expected<MoleculeKey> key = findMolecule(options.molecule.named, folders);
+  const Expected<MoleculeKey> key = findMoleculeKey(options.molecule.named, folders);
   if (!key) throw CommandError{key.problem().text()};
   Labels labels = moleculeLabels(lastingName(*key, folders));
   labels["balls"] = fingerprint(scene);

@@ -128,7 +128,7 @@ Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& 
   return unknown(name, *entries);
 }
 
-Expected<MoleculeKey> findMolecule(const NamedMolecule& named, const MoleculeFolders& folders) {
+Expected<MoleculeKey> findMoleculeKey(const NamedMolecule& named, const MoleculeFolders& folders) {
   Expected<fs::path> file = findMolecule(named.name, folders);
   if (!file) return file.problem();
   return MoleculeKey{*std::move(file), named.reading};

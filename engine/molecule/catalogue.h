@@ -39,7 +39,7 @@ struct MoleculeFolders {
 /// The file that a person means: a path, an id of the catalogue, or the id of a fetched entry, in upper or
 /// lower case. An unknown name gives a Problem with the nearest id.
 Expected<std::filesystem::path> findMolecule(const std::string& name, const MoleculeFolders& folders);
-Expected<MoleculeKey> findMolecule(const NamedMolecule& named, const MoleculeFolders& folders);
+Expected<MoleculeKey> findMoleculeKey(const NamedMolecule& named, const MoleculeFolders& folders);
 
 /// A name that findMolecule finds the same file by from any working folder: the id of the library or of a fetched
 /// entry where the file is theirs, else its whole path.

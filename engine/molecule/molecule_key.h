@@ -32,7 +32,7 @@ struct MoleculeKey {
   friend auto operator<=>(const MoleculeKey&, const MoleculeKey&) = default;
 };
 
-/// A molecule as a person names it: a file, an id of the library or of a fetched entry (findMolecule in catalogue.h
+/// A molecule as a person names it: a file, an id of the library or of a fetched entry (findMoleculeKey in catalogue.h
 /// finds its file). A name alone means: as it is read by default.
 struct NamedMolecule {
   std::string name;

@@ -291,7 +291,7 @@ TEST_CASE("model, assembly and waters go on from scene to scene; a scene that na
 
 TEST_CASE("a way of reading that the molecule's file does not have is told where it is written, once") {
   const Lesson l =
-      readLesson("## A\n```scene\nmolecule: mix\n```\nText.\n## B\n```scene\nassembly: 9\n```\nText.\n## C\nText.\n");
+      lesson("## A\n```scene\nmolecule: mix\n```\nText.\n## B\n```scene\nassembly: 9\n```\nText.\n## C\nText.\n");
   const auto found =
       checkAgainstMolecules(l, [&](const NamedMolecule& named) -> Expected<std::shared_ptr<const Molecule>> {
         if (!named.reading.assembly.empty()) return Problem{{}, 0, 0, "there is no assembly 9", "take another"};

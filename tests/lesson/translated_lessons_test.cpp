@@ -158,8 +158,8 @@ void compareQuestions(const Lesson& original, const Question& a, const Lesson& t
   CHECK(b.answer->unit == a.answer->unit);
   CHECK(b.answer->texts.size() == a.answer->texts.size());
   if (a.answer->kind == AnswerSpec::Kind::Free) return;
-  compareSentence(a.answer->right, b.answer->right, language);
-  compareSentence(a.answer->wrong, b.answer->wrong, language);
+  compareSentence(a.answer->right.text(), b.answer->right.text(), language);
+  compareSentence(a.answer->wrong.text(), b.answer->wrong.text(), language);
 }
 
 }  // namespace

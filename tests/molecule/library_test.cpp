@@ -228,17 +228,17 @@ TEST_CASE(
 TEST_CASE("a name is found by id in any case, as a fetched entry or as a path; a wrong one gets the nearest id") {
   const Scratch scratch;
   const MoleculeFolders folders{libraryFolder(), scratch.folder};
-  REQUIRE(findMolecule("1UBQ", folders));
-  CHECK(*findMolecule("1UBQ", folders) == libraryFolder() / "1ubq.pdb");
+  REQUIRE(findMolecule(std::string("1UBQ"), folders));
+  CHECK(*findMolecule(std::string("1UBQ"), folders) == libraryFolder() / "1ubq.pdb");
   const auto fetched = scratch.write("9XYZ.cif.gz", "");
-  REQUIRE(findMolecule("9xyz", folders));
-  CHECK(*findMolecule("9xyz", folders) == fetched);
+  REQUIRE(findMolecule(std::string("9xyz"), folders));
+  CHECK(*findMolecule(std::string("9xyz"), folders) == fetched);
   const auto path = scratch.write("mine.xyzr", "0 0 0 1\n");
   CHECK(*findMolecule(path.string(), folders) == path);
-  CHECK(findMolecule("benzen", folders).problem().text() ==
+  CHECK(findMolecule(std::string("benzen"), folders).problem().text() ==
         "benzen: there is no such file, and no molecule of this name in the library; did you mean 'benzene'?");
-  CHECK(findMolecule("5adh", folders).problem().remedy == "'moltact fetch 5adh' downloads an entry of the PDB");
-  CHECK(findMolecule("1ubq", {scratch.folder, {}}).problem().message == "the catalogue of molecules cannot be opened");
+  CHECK(findMolecule(std::string("5adh"), folders).problem().remedy == "'moltact fetch 5adh' downloads an entry of the PDB");
+  CHECK(findMolecule(std::string("1ubq"), {scratch.folder, {}}).problem().message == "the catalogue of molecules cannot be opened");
 }
 
 TEST_CASE("a broken catalogue gives a problem: no JSON, a missing field, a file outside the folder, an id twice") {

@@ -38,7 +38,7 @@ TEST_CASE("a molecule of the library lasts by its id, another by its whole path,
   CHECK(lastingName({libraryFolder() / "1ubq.pdb", waters}, folders) == NamedMolecule("1ubq", waters));
   const std::filesystem::path mine = std::filesystem::current_path() / "1ubq.xyzr";
   CHECK(lastingName({"1ubq.xyzr", waters}, folders) == NamedMolecule(mine.string(), waters));
-  const Expected<MoleculeKey> found = findMolecule(NamedMolecule("1UBQ", waters), folders);
+  const Expected<MoleculeKey> found = findMoleculeKey(NamedMolecule("1UBQ", waters), folders);
   REQUIRE(found);
   CHECK(*found == MoleculeKey{libraryFolder() / "1ubq.pdb", waters});
   // Ubiquitin has 602 atoms of its own and 58 of waters in its file.

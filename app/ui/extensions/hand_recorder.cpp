@@ -98,7 +98,7 @@ void HandRecorder::play(Application& app, const fs::path& file) {
   waiting_ = *std::move(recording);
   const NamedMolecule recorded = labelledMolecule(waiting_->labels);
   const std::string& molecule = recorded.name;
-  const Expected<MoleculeKey> found = findMolecule(recorded, MoleculeFolders::ofThisComputer());
+  const Expected<MoleculeKey> found = findMoleculeKey(recorded, MoleculeFolders::ofThisComputer());
   if (found && *found != app.scene.molecule()) {
     app.showMolecule(*found);
   } else if (!found && !app.scene.stage()) {

@@ -122,7 +122,7 @@ void Playback::stageFor(Application& app) {
   // The library and what has been fetched are asked by the molecule's name: its file without its endings.
   const std::string& name = stage->file;
   const NamedMolecule id(name.substr(0, name.find('.')), stage->reading);
-  const Expected<MoleculeKey> found = findMolecule(id, MoleculeFolders::ofThisComputer());
+  const Expected<MoleculeKey> found = findMoleculeKey(id, MoleculeFolders::ofThisComputer());
   if (found) return app.showMolecule(*found);
   if (missing_ == name) return;
   missing_ = name;
