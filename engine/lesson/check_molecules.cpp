@@ -69,7 +69,7 @@ class Check {
       place = reading_place;
     }
     // A scene that goes on from the one before names nothing anew.
-    if (told_.insert({named, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
+    if (told_.insert({named.name, place.line, place.column}).second) findings_.error(place, why.message, why.remedy);
     return nullptr;
   }
 
@@ -89,7 +89,7 @@ class Check {
   const MoleculeByName& by_name_;
   Findings& findings_;
   std::map<NamedMolecule, Expected<std::shared_ptr<const Molecule>>> found_;
-  std::set<std::tuple<NamedMolecule, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
 };
 
 }  // namespace

@@ -70,7 +70,7 @@ void drawMethodChooser(Application& app) {
     WithFont small(Font::Small);
     WithText quiet(look().palette.quiet);
     ImGui::PushTextWrapPos(0.0f);
-    const std::string text(now->family.plain);
+    const std::string text(tr(now->family.plain));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     recordItem("method/sentence", text);
