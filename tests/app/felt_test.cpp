@@ -38,9 +38,10 @@ struct Felt {
     driver = startWith(MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md", options);
     Driver& d = *driver;
     d.app().scene.useMethod("mesh960-smooth");
-    d.app().settings.sound = true;
     d.point("view", 0.45, 0.55);
     frames(20);
+    d.app().settings.sound = true;
+    frames(1);  // at whose end the sound begins
     ticks.clear();
     frames(10);
     d.press();
@@ -110,7 +111,7 @@ TEST_CASE("the arrow, its label and the line of the state tell the force that th
   CHECK(glm::distance(label->centre(), place(s.contact.displacement_A)) < 0.6f);
   CHECK(glm::distance(label->centre(), place(straight(s))) > 1.0f);
   char newtons[24];
-  std::snprintf(newtons, sizeof newtons, "%.1f N", glm::length(s.force.N));
+  std::snprintf(newtons, sizeof newtons, "%.1f\u00a0N", glm::length(s.force.N));
   CHECK(label->text == newtons);
   CHECK(contains(d.text("view/state"), std::string(", ") + newtons));
   CHECK(contains(d.app().extensions().state_text.line(), std::string(", ") + newtons));
@@ -138,7 +139,7 @@ TEST_CASE("in the dark the words and the meter tell the force that the servo gav
   CHECK(d.text("view/push") == "pushed toward you");
   CHECK(pushText(glm::conjugate(d.app().scene.camera.orientation) * wrong) != "pushed toward you");
   char newtons[24];
-  std::snprintf(newtons, sizeof newtons, "%.1f N", glm::length(s.force.N));
+  std::snprintf(newtons, sizeof newtons, "%.1f\u00a0N", glm::length(s.force.N));
   CHECK(d.text("view/force meter") == newtons);
 }
 

@@ -272,7 +272,7 @@ TEST_CASE("with the mouse alone a place is found in the dark and a pair is judge
     // The device page does not tell which of the two it is.
     d->tap("Ctrl+D");
     d->frames(3);
-    CHECK(contains(d->text("device/scale"), " Å there."));
+    CHECK(contains(d->text("device/scale"), "\u00a0Å there."));
     CHECK_FALSE(contains(d->text("device/scale"), "pN"));
     CHECK_FALSE(d->shows("device/scale reason"));
     d->tap("Escape");

@@ -67,7 +67,7 @@ TEST_CASE(
   d->frames(30);
   CHECK(scale(*d) == doctest::Approx(0.1));
   CHECK(contains(d->text("status/scale"),
-                 "1 mm here is 0.1 Å there, 1 N here would be 18 pN there, magnified 2.5 times"));
+                 "1\u00a0mm here is 0.1\u00a0Å there, 1\u00a0N here would be 18\u00a0pN there, magnified 2.5 times"));
   CHECK(d->app().scene.camera.distance_A == doctest::Approx(camera.distance_A * scale(*d) / whole));
   const ServoSample after = d->app().scene.log().latest();
   CHECK(glm::distance(after.hip.A, before.hip.A) < 0.05);
