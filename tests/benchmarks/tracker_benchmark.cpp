@@ -1,6 +1,6 @@
-// Speed of the trackers: contact (0.02 A a tick, 0.6 A under the surface), free space, and the time until a scene can
-// be touched. Run: build/release/tracker_benchmark [--benchmark_filter=…]. Tail times come from `moltact replay
-// --time`.
+// Speed of the trackers: contact (0.02 A a tick, 0.6 A under the surface), free space, spheres that move, and the time
+// until a scene can be touched. Run: build/release/tracker_benchmark [--benchmark_filter=…]. Tail times come from
+// `moltact replay --time`.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -14,6 +14,7 @@
 #include "engine/bench/scenes.h"
 #include "engine/haptics/exact/exact_tracker.h"
 #include "engine/haptics/methods.h"
+#include "engine/haptics/sphere_frame.h"
 #include "engine/servo/servo_step.h"
 
 namespace {
@@ -97,6 +98,65 @@ void ready(benchmark::State& state) {
   }
 }
 
+// Atoms that swing by 0.5 A in directions and at paces of their own, in frames of 33 ticks.
+std::vector<std::unique_ptr<const SphereFrame>> swinging(std::size_t count, int frames) {
+  const std::vector<Ball> rest = bench::proteinLike(count, 1);
+  scenes::Random random(7);
+  std::vector<Vec3> way(count);
+  std::vector<double> phase(count), pace(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    way[i] = 0.5 * random.direction();
+    phase[i] = random.uniform(0.0, 6.28);
+    pace[i] = random.uniform(0.05, 0.3);
+  }
+  const auto at = [&](int frame) {
+    std::vector<Ball> out = rest;
+    for (std::size_t i = 0; i < count; ++i) out[i].centre_A += way[i] * std::sin(phase[i] + pace[i] * frame);
+    return out;
+  };
+  std::vector<std::unique_ptr<const SphereFrame>> out;
+  out.push_back(*SphereFrame::make(at(0), at(1), 33));
+  for (int k = 1; k < frames; ++k) out.push_back(*SphereFrame::after(*out.back(), at(k + 1), 33));
+  return out;
+}
+
+// Contact while every sphere moves in every tick; beside `contact` of the same method in the same run.
+void moving(benchmark::State& state, const Method* method) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const auto frames = swinging(count, 600);
+  const std::vector<Vec3>& hips = path(count, true);
+  const auto tracker = method->make(scene(count), kWaterProbe_A);
+  std::size_t k = 0, frame = 0, touching = 0;
+  int tick = 33;
+  const auto begin = [&] {
+    tracker->reset();
+    tracker->setFrame(nullptr);
+    tracker->step({Vec3(1e4)});
+    k = frame = 0;
+    tick = 33;
+  };
+  begin();
+  for (auto _ : state) {
+    if (tick == 33) tracker->setFrame(frames[frame++].get()), tick = 0;
+    tracker->moveTo(++tick / 33.0);
+    touching += tracker->step({hips[k++]}).touching();
+    if (k == hips.size() || (tick == 33 && frame == frames.size())) {
+      state.PauseTiming();
+      begin();
+      state.ResumeTiming();
+    }
+  }
+  state.counters["touching"] = double(touching) / double(state.iterations());
+}
+
+// What a new frame costs beside the loop.
+void makeFrame(benchmark::State& state) {
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const auto frames = swinging(count, 2);
+  const std::vector<Ball> to = frames[1]->at(1.0);
+  for (auto _ : state) benchmark::DoNotOptimize(*SphereFrame::after(*frames[0], to, 33));
+}
+
 // The exact tracker where most lies in the way: each tick's time, in us.
 void worst(benchmark::State& state, const std::vector<Ball>& balls, double probe_A) {
   const auto crowd = std::make_shared<BallScene>(balls);
@@ -151,6 +211,13 @@ int main(int argc, char** argv) {
       for (const int count : {50, 150, 3'000, 14'000, 1'000'000}) one->Arg(count);
     }
   }
+  for (const char* name : {"exact", "penalty", "mesh960"}) {
+    const Method* method = findMethod(name);
+    benchmark::RegisterBenchmark((std::string(name) + "/moving").c_str(), [method](benchmark::State& s) {
+      moving(s, method);
+    })->Arg(14'000);
+  }
+  benchmark::RegisterBenchmark("frame", makeFrame)->Arg(14'000)->Unit(benchmark::kMillisecond);
   benchmark::RegisterBenchmark("worst/100000 balls in 0.1 A", [](benchmark::State& s) {
     worst(s, within(0.1, 100'000), kWaterProbe_A);
   })->Unit(benchmark::kMillisecond);
