@@ -74,7 +74,6 @@ class NearbyBalls {
     stale_ = count_ > 0;
     most_moved_ = mostMovedOfList_A();
   }
-  bool hasFrame() const noexcept { return frame_ != nullptr; }
   double share() const noexcept { return share_; }
   /// The spheres as they are at this share of the frame (0 to 1). The list stays: it holds all that come near during
   /// the frame.
