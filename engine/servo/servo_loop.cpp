@@ -13,6 +13,8 @@ ServoLoop::~ServoLoop() {
   collect();
   delete arriving_.exchange(nullptr);
   delete current_;
+  delete arriving_frame_.exchange(nullptr);
+  delete frame_;
 }
 
 // The step's count goes on, so that samples are numbered without a gap.
@@ -45,7 +47,36 @@ void ServoLoop::setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t 
   delete arriving_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
-void ServoLoop::collect() { delete leaving_.exchange(nullptr, std::memory_order_acq_rel); }
+bool ServoLoop::setFrame(std::shared_ptr<const SphereFrame> frame, std::uint32_t scene) {
+  collect();
+  if (arriving_frames_scene_ == scene && arriving_frame_.load(std::memory_order_acquire)) return false;
+  arriving_frames_scene_ = scene;
+  auto next = std::unique_ptr<HandedFrame>(new HandedFrame{std::move(frame), scene});
+  delete arriving_frame_.exchange(next.release(), std::memory_order_acq_rel);
+  return true;
+}
+
+void ServoLoop::collect() {
+  delete leaving_.exchange(nullptr, std::memory_order_acq_rel);
+  delete leaving_frame_.exchange(nullptr, std::memory_order_acq_rel);
+}
+
+// Where the spheres of the scene that is felt go to in this tick.
+SceneMotion ServoLoop::nextMotion() noexcept {
+  const auto isFelt = [this] { return frame_ && current_ && frame_->scene == current_->scene; };
+  const bool ended = !isFelt() || frame_tick_ >= frame_->frame->ticks();
+  // As for what is felt: the next is taken only when the place for the old one is free.
+  if (ended && current_ && arriving_frame_.load(std::memory_order_acquire) &&
+      !leaving_frame_.load(std::memory_order_acquire)) {
+    HandedFrame* next = arriving_frame_.exchange(nullptr, std::memory_order_acq_rel);
+    if (frame_) leaving_frame_.store(frame_, std::memory_order_release);
+    frame_ = next;
+    frame_tick_ = 0;
+  }
+  if (!isFelt()) return {};
+  frame_tick_ = std::min(frame_tick_ + 1, frame_->frame->ticks());
+  return {frame_->frame.get(), double(frame_tick_) / frame_->frame->ticks()};
+}
 
 // The newest settings; without force where their owner stands still or lets it go, or the process ends.
 ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
@@ -82,7 +113,8 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   }
   const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, step_);
-  ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_);
+  const SceneMotion motion = nextMotion();
+  ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_, motion);
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;
   switch_->write({sample.force, sample.torque_N_mm}, sample.limits.has(Limit::Panic));
@@ -97,7 +129,7 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   samples_.push(sample);
   if (records)
     recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,
-                           switch_->fallenBack(), sample.contact.touching(), sample.limits});
+                           switch_->fallenBack(), sample.contact.touching(), sample.limits, motion.frame != nullptr});
   ticking_.clear(std::memory_order_release);
 }
 
