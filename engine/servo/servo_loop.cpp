@@ -15,6 +15,7 @@ ServoLoop::~ServoLoop() {
   delete current_;
   delete arriving_frame_.exchange(nullptr);
   delete frame_;
+  delete next_frame_;
 }
 
 // The step's count goes on, so that samples are numbered without a gap.
@@ -63,19 +64,26 @@ void ServoLoop::collect() {
 
 // Where the spheres of the scene that is felt go to in this tick.
 SceneMotion ServoLoop::nextMotion() noexcept {
-  const auto isFelt = [this] { return frame_ && current_ && frame_->scene == current_->scene; };
-  const bool ended = !isFelt() || frame_tick_ >= frame_->frame->ticks();
-  // As for what is felt: the next is taken only when the place for the old one is free.
-  if (ended && current_ && arriving_frame_.load(std::memory_order_acquire) &&
-      !leaving_frame_.load(std::memory_order_acquire)) {
-    HandedFrame* next = arriving_frame_.exchange(nullptr, std::memory_order_acq_rel);
-    if (frame_) leaving_frame_.store(frame_, std::memory_order_release);
-    frame_ = next;
-    frame_tick_ = 0;
+  const auto isFelt = [this](const HandedFrame* frame) { return frame && current_ && frame->scene == current_->scene; };
+  const bool ended = !isFelt(frame_) || frame_tick_ >= frame_->frame->ticks();
+  // As for what is felt: one is put down only when the place for it is free.
+  if (ended && !last_frame_ && !leaving_frame_.load(std::memory_order_acquire)) {
+    if (next_frame_ && !isFelt(next_frame_) && arriving_frame_.load(std::memory_order_acquire))
+      last_frame_ = std::exchange(next_frame_, nullptr);  // its scene never came
+    if (!next_frame_) next_frame_ = arriving_frame_.exchange(nullptr, std::memory_order_acq_rel);
+    if (!last_frame_ && isFelt(next_frame_)) {
+      last_frame_ = std::exchange(frame_, std::exchange(next_frame_, nullptr));
+      frame_tick_ = 0;
+    }
   }
-  if (!isFelt()) return {};
+  if (!isFelt(frame_)) return {};
   frame_tick_ = std::min(frame_tick_ + 1, frame_->frame->ticks());
   return {frame_->frame.get(), double(frame_tick_) / frame_->frame->ticks()};
+}
+
+// After the step, which may have asked it for the last time.
+void ServoLoop::putDownFrame() noexcept {
+  if (last_frame_) leaving_frame_.store(std::exchange(last_frame_, nullptr), std::memory_order_release);
 }
 
 // The newest settings; without force where their owner stands still or lets it go, or the process ends.
@@ -115,6 +123,7 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   const DevicePose pose = switch_->read(kTick_s, step_);
   const SceneMotion motion = nextMotion();
   ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_, motion);
+  putDownFrame();
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;
   switch_->write({sample.force, sample.torque_N_mm}, sample.limits.has(Limit::Panic));

@@ -122,6 +122,7 @@ class ServoLoop {
  private:
   ServoSettings watchedSettings(double dt_s) noexcept;
   SceneMotion nextMotion() noexcept;
+  void putDownFrame() noexcept;
   void collect();
 
   Device& fallback_;
@@ -146,8 +147,10 @@ class ServoLoop {
   };
   std::atomic<HandedFrame*> arriving_frame_{nullptr}, leaving_frame_{nullptr};  // as above
   std::uint32_t arriving_frames_scene_ = 0;                                     // the owner's
-  HandedFrame* frame_ = nullptr;                                                // the ticks'
-  int frame_tick_ = 0;                                                          // of it
+  HandedFrame* frame_ = nullptr;                                                // the ticks': the one in force
+  HandedFrame* next_frame_ = nullptr;                                           // the ticks': waits for its scene
+  HandedFrame* last_frame_ = nullptr;  // the ticks': put down in this tick, in which what is felt may still ask it
+  int frame_tick_ = 0;                 // of the one in force
   struct Recording {
     SampleRing<RecordedTick, 4096> ring;
     ServoStep start;       // written before the first tick is pushed

@@ -231,11 +231,13 @@ TEST_CASE(
   loop.setInteraction(make(), 2);
   CHECK(tick(5).share == doctest::Approx(0.75));
   CHECK(tick(30).share == 1.0);  // it stays
-  loop.setInteraction(make(), 3);
-  CHECK(tick(1).frame == 0);
   const Frame other = frame(balls, {{{0, 1, 0}, 1.6}}, 20);
   REQUIRE(loop.setFrame(other, 3));
+  CHECK(tick(3).frame == first->serial());  // the other scene's waits
+  CHECK(loop.latest().share == 1.0);
+  loop.setInteraction(make(), 3);
   CHECK(tick(1).frame == other->serial());
+  CHECK(loop.latest().share == doctest::Approx(0.05));
   loop.drain([](const ServoSample&) {});
   CHECK(first.use_count() == 1);  // given back, and destroyed here
 }
