@@ -42,6 +42,10 @@ class Interaction {
 
   virtual double probe_A() const noexcept = 0;
 
+  /// How many times as stiff as one spring it is at the most, along any direction: the springs that pull together. The
+  /// loop's stability depends on all of them.
+  virtual double parallelSprings() const noexcept { return 1.0; }
+
   /// Spheres that move: from now on they are the frame's, at its beginning; null: those that it was made with. The
   /// frame has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
   /// where what is felt cannot follow.
