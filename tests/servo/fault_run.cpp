@@ -146,6 +146,7 @@ class RigidPair final : public Interaction {
   void setProbe(double probe_A) noexcept override { ends_[0]->setProbe(probe_A), ends_[1]->setProbe(probe_A); }
   double probe_A() const noexcept override { return ends_[0]->probe_A(); }
   double parallelSprings() const noexcept override { return 2.0; }
+  bool hasOrientation() const noexcept override { return true; }
   MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
