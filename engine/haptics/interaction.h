@@ -8,6 +8,8 @@
 
 namespace moltact {
 
+class SphereFrame;
+
 /// What a method keeps for the places it has been: "model no more than a scene needs", in numbers.
 struct MemoryUsage {
   std::size_t atoms_modelled = 0;  ///< atoms for which anything beyond centre and radius is held now
@@ -39,6 +41,14 @@ class Interaction {
   virtual void setProbe(double probe_A) noexcept = 0;
 
   virtual double probe_A() const noexcept = 0;
+
+  /// Spheres that move: from now on they are the frame's, at its beginning; null: those that it was made with. The
+  /// frame has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
+  /// where what is felt cannot follow.
+  virtual bool setFrame(const SphereFrame*) noexcept { return false; }
+  /// The spheres go evenly to where they are at this share (0 to 1) of the frame; what touches them goes with them.
+  virtual void moveTo(double /*share*/) noexcept {}
+
   virtual MemoryUsage memoryUsage() const noexcept = 0;
 };
 

@@ -179,10 +179,10 @@ Vec3 SafetyStage::brakedTurning(Vec3 torque) noexcept {
 
 Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const Springs& springs, const WantedWrench& wanted) noexcept {
   if (!closes_loop_) return force;
-  // Both stores with what holds now: a gain or a clamp that changes is no motion of the hand.
+  // Both stores with what holds now: a gain, a clamp or a surface that changes is no motion of the hand.
   const double most_N = allowed_N(wanted.most_N);
   double stored = gain_ * (stored_J(springs, wanted.stiffness_N_per_mm, most_N) -
-                           stored_J(springs_, wanted.stiffness_N_per_mm, most_N));
+                           stored_J(wanted.before.value_or(springs_), wanted.stiffness_N_per_mm, most_N));
   // A torque that the device does not give is paid by the wrist all the same, which turns as it likes.
   if (!drivesTorque()) stored += gain_ * 0.5e-3 * glm::dot(torque_N_mm_ + torque, turned_rad_);
   const double way = glm::length(moved_m_);
@@ -218,9 +218,9 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
 
   Vec3 force = wanted.force_N, torque = wanted.torque_N_mm;
   double size = glm::length(force), turns = glm::length(torque);
-  Springs springs{wanted.stretch_mm, wanted.torque_mm2, wanted.energy_mm2};
-  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(turns) ||
-      !std::isfinite(springs.stretch_mm) || !std::isfinite(springs.torque_mm2) || !std::isfinite(springs.energy_mm2)) {
+  Springs springs = wanted.springs;
+  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(turns) || !springs.finite() ||
+      (wanted.before && !wanted.before->finite())) {
     acted_.add(Limit::NotFinite);
     fault_ = true;
     force = torque = Vec3(0.0);

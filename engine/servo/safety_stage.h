@@ -3,6 +3,9 @@
 // What each limit is and why: docs/safety.md. Units: millimetre, newton, second.
 #pragma once
 
+#include <cmath>
+#include <optional>
+
 #include "engine/device/device.h"
 #include "engine/servo/hand_speed.h"
 #include "engine/servo/passivity_control.h"
@@ -17,13 +20,22 @@ struct TickTime {
   double delay_s = 0.0;   ///< from reading the place to writing the force, as last measured
 };
 
+/// What springs of one stiffness pull with and hold, over that stiffness; nothing without contact.
+struct Springs {
+  double stretch_mm = 0.0;  ///< the force
+  double torque_mm2 = 0.0;  ///< the torque
+  double energy_mm2 = 0.0;  ///< what is stored; stretch^2 / 2 of a single spring
+  bool none() const { return stretch_mm == 0.0 && torque_mm2 == 0.0 && energy_mm2 == 0.0; }
+  bool finite() const { return std::isfinite(stretch_mm) && std::isfinite(torque_mm2) && std::isfinite(energy_mm2); }
+};
+
 /// What an interaction wants the hand to feel.
 struct WantedWrench {
   Vec3 force_N{0.0};
   Vec3 torque_N_mm{0.0};            ///< round the hand's place
-  double stretch_mm = 0.0;          ///< the force over the stiffness; 0 without contact
-  double torque_mm2 = 0.0;          ///< the torque over the stiffness
-  double energy_mm2 = 0.0;          ///< what is stored, over the stiffness; stretch^2 / 2 of a single spring
+  Springs springs{};                ///< that give them
+  std::optional<Springs> before{};  ///< where the surface itself moved: with the hand still where it was, so that what
+                                    ///< the surface's motion stores is told from what the hand's does
   double stiffness_N_per_mm = 0.0;  ///< of the springs that give it
   double most_N = 3.3;              ///< the greatest force that the program allows
   bool on = true;                   ///< false: no force is wanted, and the next begins softly
@@ -54,16 +66,12 @@ class SafetyStage {
   void stop(bool stopped) noexcept { stopped_ = stopped; }
 
   LimitFlags acted() const noexcept { return acted_; }                ///< in this tick
+  double debt_J() const noexcept { return passivity_.debt_J(); }      ///< energy made and not yet taken back
   double stiffnessBound_N_per_mm() const noexcept;                    ///< with the delay as measured of late
   double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 as warm as the motors may be
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  // What springs of one stiffness pull with and hold, over that stiffness.
-  struct Springs {
-    double stretch_mm = 0, torque_mm2 = 0, energy_mm2 = 0;
-    bool none() const { return stretch_mm == 0.0 && torque_mm2 == 0.0 && energy_mm2 == 0.0; }
-  };
   double allowed_N(double most_N) const noexcept;
   double share(double force_N, double torque_N_mm, double most_N) const noexcept;
   double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;

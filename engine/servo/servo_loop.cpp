@@ -13,6 +13,9 @@ ServoLoop::~ServoLoop() {
   collect();
   delete arriving_.exchange(nullptr);
   delete current_;
+  delete arriving_frame_.exchange(nullptr);
+  delete frame_;
+  delete next_frame_;
 }
 
 // The step's count goes on, so that samples are numbered without a gap.
@@ -45,7 +48,43 @@ void ServoLoop::setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t 
   delete arriving_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
-void ServoLoop::collect() { delete leaving_.exchange(nullptr, std::memory_order_acq_rel); }
+bool ServoLoop::setFrame(std::shared_ptr<const SphereFrame> frame, std::uint32_t scene) {
+  collect();
+  if (arriving_frames_scene_ == scene && arriving_frame_.load(std::memory_order_acquire)) return false;
+  arriving_frames_scene_ = scene;
+  auto next = std::unique_ptr<HandedFrame>(new HandedFrame{std::move(frame), scene});
+  delete arriving_frame_.exchange(next.release(), std::memory_order_acq_rel);
+  return true;
+}
+
+void ServoLoop::collect() {
+  delete leaving_.exchange(nullptr, std::memory_order_acq_rel);
+  delete leaving_frame_.exchange(nullptr, std::memory_order_acq_rel);
+}
+
+// Where the spheres of the scene that is felt go to in this tick.
+SceneMotion ServoLoop::nextMotion() noexcept {
+  const auto isFelt = [this](const HandedFrame* frame) { return frame && current_ && frame->scene == current_->scene; };
+  const bool ended = !isFelt(frame_) || frame_tick_ >= frame_->frame->ticks();
+  // As for what is felt: one is put down only when the place for it is free.
+  if (ended && !last_frame_ && !leaving_frame_.load(std::memory_order_acquire)) {
+    if (next_frame_ && !isFelt(next_frame_) && arriving_frame_.load(std::memory_order_acquire))
+      last_frame_ = std::exchange(next_frame_, nullptr);  // its scene never came
+    if (!next_frame_) next_frame_ = arriving_frame_.exchange(nullptr, std::memory_order_acq_rel);
+    if (!last_frame_ && isFelt(next_frame_)) {
+      last_frame_ = std::exchange(frame_, std::exchange(next_frame_, nullptr));
+      frame_tick_ = 0;
+    }
+  }
+  if (!isFelt(frame_)) return {};
+  frame_tick_ = std::min(frame_tick_ + 1, frame_->frame->ticks());
+  return {frame_->frame.get(), double(frame_tick_) / frame_->frame->ticks()};
+}
+
+// After the step, which may have asked it for the last time.
+void ServoLoop::putDownFrame() noexcept {
+  if (last_frame_) leaving_frame_.store(std::exchange(last_frame_, nullptr), std::memory_order_release);
+}
 
 // The newest settings; without force where their owner stands still or lets it go, or the process ends.
 ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
@@ -82,7 +121,9 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   }
   const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, step_);
-  ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_);
+  const SceneMotion motion = nextMotion();
+  ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_, motion);
+  putDownFrame();
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;
   switch_->write({sample.force, sample.torque_N_mm}, sample.limits.has(Limit::Panic));
@@ -97,7 +138,7 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   samples_.push(sample);
   if (records)
     recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,
-                           switch_->fallenBack(), sample.contact.touching(), sample.limits});
+                           switch_->fallenBack(), sample.contact.touching(), sample.limits, motion.frame != nullptr});
   ticking_.clear(std::memory_order_release);
 }
 

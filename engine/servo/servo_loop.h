@@ -44,6 +44,12 @@ class ServoLoop {
   /// tick.
   void setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene = 0);
 
+  /// The next frame of that scene's spheres (engine/haptics/sphere_frame.h): it begins as soon as the one before has
+  /// ended, and stays when it has ended itself until another comes. False, and nothing is handed over, while the one
+  /// before still waits to begin: ask again a frame later. Never null. Frames of another scene than that which is felt
+  /// wait for it.
+  bool setFrame(std::shared_ptr<const SphereFrame> frame, std::uint32_t scene = 0);
+
   /// The chosen device, for its info() and status(); null where none is.
   Device* device() const noexcept { return chosen_.get(); }
   /// Whether the fallback stands in, at the newest tick, for a chosen device that is gone.
@@ -115,6 +121,8 @@ class ServoLoop {
 
  private:
   ServoSettings watchedSettings(double dt_s) noexcept;
+  SceneMotion nextMotion() noexcept;
+  void putDownFrame() noexcept;
   void collect();
 
   Device& fallback_;
@@ -132,6 +140,17 @@ class ServoLoop {
   std::atomic<Handed*> arriving_{nullptr};  // the next
   std::atomic<Handed*> leaving_{nullptr};   // one that a tick has put down
   Handed* current_ = nullptr;               // the ticks'
+  // A frame on its way, with its scene's number.
+  struct HandedFrame {
+    std::shared_ptr<const SphereFrame> frame;
+    std::uint32_t scene = 0;
+  };
+  std::atomic<HandedFrame*> arriving_frame_{nullptr}, leaving_frame_{nullptr};  // as above
+  std::uint32_t arriving_frames_scene_ = 0;                                     // the owner's
+  HandedFrame* frame_ = nullptr;                                                // the ticks': the one in force
+  HandedFrame* next_frame_ = nullptr;                                           // the ticks': waits for its scene
+  HandedFrame* last_frame_ = nullptr;  // the ticks': put down in this tick, in which what is felt may still ask it
+  int frame_tick_ = 0;                 // of the one in force
   struct Recording {
     SampleRing<RecordedTick, 4096> ring;
     ServoStep start;       // written before the first tick is pushed

@@ -26,10 +26,11 @@ struct RecordedTick {
   DeviceSpecs device;         ///< of the one that leads
   bool other_device = false;  ///< that is another than in the last tick
   ForceN force;
-  // What came of it, for who watches a recording grow; the file holds the first of these only.
+  // What came of it, for who watches a recording grow; the file holds the first and the last of these only.
   bool fallen_back = false;  ///< the fallback led, for the chosen device was gone
   bool touching = false;
   LimitFlags limits = {};
+  bool spheres_moved = false;  ///< the scene's: their frames are not recorded, so that no replay gives these forces
 };
 
 struct ServoRecording {
@@ -75,6 +76,7 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file);
 
 struct ReplayResult {
   std::uint64_t ticks = 0;
+  std::uint64_t moving = 0;  ///< of these with spheres that moved when it was recorded, and stand here
   std::optional<std::uint64_t>
       first_difference;  ///< the first tick whose force is not the recorded one to the last bit
   double greatest_difference_N = 0;

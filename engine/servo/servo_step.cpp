@@ -14,10 +14,17 @@ Wrench unguarded(const WantedWrench& wanted) {
   return {{size > wanted.most_N ? wanted.force_N * (wanted.most_N / size) : wanted.force_N}, wanted.torque_N_mm};
 }
 
+// What an answer stretches and stores, in the device's space.
+Springs springsOf(const Response& response, double A_per_mm) {
+  return {.stretch_mm = glm::length(response.contact.displacement_A) / A_per_mm,
+          .torque_mm2 = glm::length(response.torque_A2) / (A_per_mm * A_per_mm),
+          .energy_mm2 = response.contact.energy_A2 / (A_per_mm * A_per_mm)};
+}
+
 }  // namespace
 
 ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* felt, const DevicePose& pose,
-                            const TickTime& time) noexcept {
+                            const TickTime& time, const SceneMotion& motion) noexcept {
   ServoSample out;
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
@@ -50,17 +57,18 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* felt, co
   WantedWrench wanted{.on = false};
   push_ = Vec3(0.0);
   if (felt) {
-    // The surface swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
-    if (std::isfinite(settings.probe_A)) {
-      const double goal = std::clamp(settings.probe_A, 0.0, kLargestProbe_A);
-      const double now = felt->probe_A(), most = kProbeSlew_A_per_s * kTick_s;
-      if (goal != now) felt->setProbe(changed ? goal : now + std::clamp(goal - now, -most, most));
-    }
+    // First the surface moves under a hand that stands, then the hand: what the springs take up in the first of these
+    // is the surface's work, and none that the hand or the loop does.
+    const bool carried = moveSurface(settings, *felt, motion, changed) && !changed && !rescaled;
+    const Springs before = carried ? springsOf(felt->respond(last_at_), settings.workspace.A_per_mm) : Springs{};
     out.probe_A = felt->probe_A();
     const Response response = felt->respond(at);
     out.contact = response.contact;
     out.memory_usage = felt->memoryUsage();
     wanted = feel(settings, response);
+    if (carried) wanted.before = before;
+    last_at_ = at;
+    if (motion.frame) out.frame = motion.frame->serial(), out.share = motion.share;
   }
   const Wrench given = guarded_ ? safety_.output(wanted) : unguarded(wanted);
   out.force = given.force;
@@ -68,6 +76,29 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* felt, co
   out.limits = safety_.acted();
   out.stiffness_bound_N_per_mm = safety_.stiffnessBound_N_per_mm();
   return out;
+}
+
+// The surface goes to where it is in this tick; false where it stands.
+bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& felt, const SceneMotion& motion,
+                            bool changed) noexcept {
+  bool moved = false;
+  // It swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
+  if (std::isfinite(settings.probe_A)) {
+    const double goal = std::clamp(settings.probe_A, 0.0, kLargestProbe_A);
+    const double now = felt.probe_A(), most = kProbeSlew_A_per_s * kTick_s;
+    if (goal != now) {
+      felt.setProbe(changed ? goal : now + std::clamp(goal - now, -most, most));
+      moved = true;
+    }
+  }
+  const std::uint64_t frame = motion.frame ? motion.frame->serial() : 0;
+  const bool other = frame != std::exchange(last_frame_, frame),
+             further = motion.share != std::exchange(last_share_, motion.share);
+  if ((other || (frame && (further || changed))) && felt.setFrame(motion.frame)) {
+    if (motion.frame) felt.moveTo(motion.share);
+    moved = true;
+  }
+  return moved;
 }
 
 WantedWrench ServoStep::feel(const ServoSettings& settings, const Response& response) noexcept {
@@ -79,10 +110,7 @@ WantedWrench ServoStep::feel(const ServoSettings& settings, const Response& resp
   wanted.force_N = settings.workspace.spring(contact.displacement_A, wanted.stiffness_N_per_mm).N;
   wanted.torque_N_mm = settings.workspace.torque_N_mm(response.torque_A2, wanted.stiffness_N_per_mm);
   if (const double size = glm::length(wanted.force_N); size > 0.0 && std::isfinite(size)) push_ = wanted.force_N / size;
-  const double A_per_mm = settings.workspace.A_per_mm;
-  wanted.stretch_mm = glm::length(contact.displacement_A) / A_per_mm;
-  wanted.torque_mm2 = glm::length(response.torque_A2) / (A_per_mm * A_per_mm);
-  wanted.energy_mm2 = contact.energy_A2 / (A_per_mm * A_per_mm);
+  wanted.springs = springsOf(response, settings.workspace.A_per_mm);
   return wanted;
 }
 

@@ -7,6 +7,7 @@
 #include "engine/core/units.h"
 #include "engine/device/device.h"
 #include "engine/haptics/interaction.h"
+#include "engine/haptics/sphere_frame.h"
 #include "engine/servo/clutch.h"
 #include "engine/servo/safety_stage.h"
 
@@ -24,6 +25,12 @@ struct ServoSettings {
   ClutchSettings clutch;              ///< how the hand reaches farther than the device
   bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
   std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and begin anew where the HIP is
+};
+
+/// Where the spheres of a scene that moves are.
+struct SceneMotion {
+  const SphereFrame* frame = nullptr;  ///< null: they stand where the interaction was made with them
+  double share = 0.0;                  ///< of the frame, 0 to 1
 };
 
 inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may swell under the finger
@@ -47,6 +54,8 @@ struct ServoSample {
   double stiffness_bound_N_per_mm =
       0;  ///< the stiffest spring that is given, for the device and the delay as measured of late
   bool has_tracker = false;
+  std::uint64_t frame = 0;            ///< SphereFrame::serial() of the spheres' frame; 0: they stand
+  double share = 0.0;                 ///< of that frame
   std::uint32_t scene = 0;            ///< the number that the tracker was handed over with (0 from tick() itself)
   std::uint32_t discontinuities = 0;  ///< of the settings in force at this tick
   bool placed =
@@ -66,9 +75,10 @@ class ServoStep {
   }
 
   /// One tick. `felt` may be null: no molecule, no force. Pass a changed one freely: it is not reset, and the force
-  /// starts softly.
-  ServoSample tick(const ServoSettings& settings, Interaction* felt, const DevicePose& pose,
-                   const TickTime& time = {}) noexcept;
+  /// starts softly. Frames follow one another without that: what the spheres' own motion does to the springs is no
+  /// energy that the loop makes.
+  ServoSample tick(const ServoSettings& settings, Interaction* felt, const DevicePose& pose, const TickTime& time = {},
+                   const SceneMotion& motion = {}) noexcept;
 
   /// As if it had met no interaction yet: the next one counts as new.
   void forgetInteraction() noexcept { last_felt_ = nullptr; }
@@ -83,10 +93,15 @@ class ServoStep {
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
+  bool moveSurface(const ServoSettings& settings, Interaction& felt, const SceneMotion& motion, bool changed) noexcept;
   WantedWrench feel(const ServoSettings& settings, const Response& response) noexcept;
 
   std::uint64_t tick_ = 0;
   const Interaction* last_felt_ = nullptr;
+  // What it was last asked for, and where the spheres were: nothing that the first tick with another depends on.
+  PoseA last_at_;
+  std::uint64_t last_frame_ = 0;  // its serial; 0: none
+  double last_share_ = 0.0;
   std::uint32_t discontinuities_ = 0, hand_discontinuities_ = 0;
   bool other_device_ = false, guarded_ = true;
   double A_per_mm_ = 0;

@@ -10,7 +10,7 @@
 namespace moltact {
 
 static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
-                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1592,
+                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1664,
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is
@@ -100,7 +100,7 @@ struct StepState {
     each("", "other_device", s.other_device_, false, true), each("", "A_per_mm", s.A_per_mm_, -kAny, kAny);
     vector(each, "", "workspace_mm", s.workspace_mm_), vector(each, "", "push", s.push_, 2.0);
     of(each, "clutch.", s.clutch_), of(each, "safety.", s.safety_);
-    // The last tracker is a place in memory: a step that was read has met none.
+    // What was felt last is a place in memory: a step that was read has met none.
   }
 };
 

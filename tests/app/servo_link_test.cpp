@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/haptics/methods.h"
 #include "engine/servo/plain_trackers.h"
 
 namespace moltact {
@@ -77,6 +78,7 @@ void virtualSleep(std::int64_t due_ns) {
 struct Loop {
   std::function<void(const ServoSettings&)> settings;
   std::function<void(std::unique_ptr<Interaction>)> feel;
+  std::function<bool(std::shared_ptr<const SphereFrame>)> move;
   std::function<void(std::unique_ptr<Device>)> hold;
   std::function<void(bool)> record;
   std::function<void()> end;
@@ -125,6 +127,18 @@ void play(const Loop& loop, Log& log) {
   ticks(20);
   loop.feel(wall());
   ticks(900);
+  // A ball that rises and sinks under the hand, frame by frame, as they are taken.
+  std::vector<Ball> ball{{{0, 0, -3.0}, 1.6}};
+  loop.feel(findMethod("exact")->make(std::make_shared<BallScene>(ball), kWaterProbe_A));
+  std::shared_ptr<const SphereFrame> next;
+  for (int k = 0, begun = 0; k < 900; ++k) {
+    if (!next) {
+      const std::vector<Ball> from = std::exchange(ball, {{{0, 0, -3.0 + 0.3 * std::sin(0.5 * ++begun)}, 1.6}});
+      next = *SphereFrame::make(from, ball, 33);
+    }
+    if (loop.move(next)) next.reset();
+    ticks(1);
+  }
   loop.end();
   ticks(40);
 }
@@ -141,6 +155,7 @@ std::vector<std::string> ofTheThread() {
     // Until a device brings its clock the thread's own would tick, by the wall's time: there is nothing to be felt yet.
     play({[&](const ServoSettings& s) { thread.loop().setSettings(s); },
           [&](std::unique_ptr<Interaction> felt) { thread.loop().setInteraction(std::move(felt)); },
+          [&](std::shared_ptr<const SphereFrame> frame) { return thread.loop().setFrame(std::move(frame)); },
           [&](std::unique_ptr<Device> device) { thread.setDevice(std::move(device)); },
           [&](bool on) { thread.record(on); }, [&] { thread.endForce(); },
           [&] {
@@ -159,6 +174,7 @@ std::vector<std::string> ofTheFrames() {
     ServoLink link(ServoClock::Frames);
     play({[&](const ServoSettings& s) { link.setSettings(s); },
           [&](std::unique_ptr<Interaction> felt) { link.setInteraction(std::move(felt)); },
+          [&](std::shared_ptr<const SphereFrame> frame) { return link.setFrame(std::move(frame)); },
           [&](std::unique_ptr<Device> device) { link.setDevice(std::move(device)); }, [&](bool on) { link.record(on); },
           [&] { link.endForce(); }, [&] { link.advance(kTick_s); }},
          log);
@@ -169,11 +185,11 @@ std::vector<std::string> ofTheFrames() {
 }  // namespace
 
 TEST_CASE(
-    "F9, a window that stands, a plug that is pulled, another device, another scene, a recording and the end: the "
-    "thread "
-    "and the frames give a device the same in each of 10 000 calls") {
+    "F9, a window that stands, a plug that is pulled, another device, another scene, a recording, spheres that move "
+    "and "
+    "the end: the thread and the frames give a device the same in each of 11 000 calls") {
   const std::vector<std::string> frames = ofTheFrames(), thread = ofTheThread();
-  CHECK(frames.size() > 9'000);
+  CHECK(frames.size() > 10'000);
   CHECK(frames.size() == thread.size());
   std::size_t stops = 0, forces = 0;
   for (std::size_t k = 0; k < std::min(frames.size(), thread.size()); ++k) {
@@ -183,7 +199,7 @@ TEST_CASE(
     forces += frames[k] != "stop" && frames[k] != "closed" && frames[k] != "0x0p+0 0x0p+0 0x0p+0";
   }
   CHECK(stops >= 30);
-  CHECK(forces > 3'000);
+  CHECK(forces > 4'000);
 }
 
 }  // namespace moltact

@@ -46,6 +46,8 @@ class ServoLink {
   void setSettings(const ServoSettings& settings) { loop().setSettings(settings); }
   /// Another interaction, or another method of it, in the same scene.
   void setInteraction(std::unique_ptr<Interaction> felt);
+  /// The next frame of this scene's spheres (ServoLoop::setFrame); false while the one before waits.
+  bool setFrame(std::shared_ptr<const SphereFrame> frame) { return loop().setFrame(std::move(frame), scene_); }
   /// A new scene: what was felt of the one before no longer comes out of advance().
   void begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt);
   /// The same molecule, placed anew by `settings`: what was felt under earlier discontinuities no longer comes out.

@@ -439,6 +439,7 @@ void MeshTracker::setProbe(double probe_A) noexcept {
 }
 
 bool MeshTracker::setFrame(const SphereFrame* frame) noexcept {
+  if (nearby_.has(frame)) return true;
   nearby_.setFrame(frame);
   if (!carry()) reset();
   return true;
@@ -446,6 +447,7 @@ bool MeshTracker::setFrame(const SphereFrame* frame) noexcept {
 
 void MeshTracker::moveTo(double share) noexcept {
   const double had = nearby_.share();
+  if (share == had) return;
   if (armed_) nearby_.each(scp_, 0.0, [](const NearBall&) {});  // so that there is a list
   const double most_A = std::abs(share - had) * nearby_.mostMoved_A();
   const int pieces =

@@ -20,12 +20,14 @@ void PenaltyTracker::setProbe(double probe_A) noexcept {
 }
 
 bool PenaltyTracker::setFrame(const SphereFrame* frame) noexcept {
+  if (nearby_.has(frame)) return true;
   nearby_.setFrame(frame);
   free_gap_ = 0.0;
   return true;
 }
 
 void PenaltyTracker::moveTo(double share) noexcept {
+  if (share == nearby_.share()) return;
   nearby_.moveTo(share);
   free_gap_ = 0.0;
 }
