@@ -6,7 +6,7 @@
 
 namespace moltact {
 
-/// While there is one, the first such wish ends all force at once (force_hold.h) and shows here; the second ends the
+/// While there is one, the first such wish ends all force at once (force_inhibit.h) and shows here; the second ends the
 /// program as ever. One at a time. Outlives the device.
 class InterruptWatch {
  public:

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 
@@ -94,7 +94,7 @@ ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
   last_heartbeat_ = heartbeat;
   if (expects_.load(std::memory_order_relaxed) && silent_s_ > kWatchdog_s) settings.force_on = false;
   if (let_go_.load(std::memory_order_acquire)) settings.force_on = false;
-  if (forceHeld()) settings.panic = true;
+  if (forceInhibited()) settings.panic = true;
   return settings;
 }
 

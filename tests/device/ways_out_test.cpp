@@ -12,7 +12,7 @@
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
 #include "engine/device/simulated_device.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 #include "tests/device/omni/stand_in.h"
 #include "tests/device/open_firmware.h"
 #include "tests/device/wire_port.h"
@@ -295,13 +295,13 @@ TEST_CASE(
     CAPTURE(row.driver);
     const auto bench = row.make();
     bench->press();
-    holdForce(Hold::Stopped);
+    inhibitForce(InhibitReason::Stopped);
     const bool hid = dynamic_cast<HidBench*>(bench.get());
     for (int k = 0; k < (hid ? 1000 : 2) && bench->last() > 0.0; ++k) bench->tick();
     CHECK(bench->last() == 0.0);
     for (int k = 0; k < 20; ++k) bench->tick();
     CHECK(bench->last() == 0.0);
-    letForce(Hold::Stopped);
+    permitForce(InhibitReason::Stopped);
     for (int k = 0; k < 1000 && bench->last() == 0.0; ++k) bench->tick();
     CHECK(bench->last() > 0.0);
   }

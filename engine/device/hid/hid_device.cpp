@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "engine/language/catalogue.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 namespace {
@@ -95,7 +95,7 @@ bool HidDevice::giveNewest(State& state) {
   const bool anew = newest.count != taken_command_.count;
   if (anew) taken_command_ = newest;
   const bool lonely = std::chrono::duration<double>(Clock::now() - taken_command_.at).count() > kLonelyForce_s;
-  const bool none = lonely || !taken_command_.motors_on || forceHeld();
+  const bool none = lonely || !taken_command_.motors_on || forceInhibited();
   const std::size_t length = none ? protocol_->stop(out) : protocol_->give(taken_command_.force, out);
   if (length == 0) return true;
   if (!port_->write({out.data(), length})) return false;

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 namespace {

@@ -30,7 +30,7 @@ class HidPort {
   virtual bool write(std::span<const std::uint8_t> report) = 0;
   /// The feature report whose id is in report[0]. Its length; -1 where there is none.
   virtual int feature(std::span<std::uint8_t> report) = 0;
-  /// The report that ends all force, for when the process dies and nobody can write any more (platform/force_hold.h).
+  /// The report that ends all force, for when the process dies and nobody can write any more (platform/force_inhibit.h).
   virtual void lastReport(std::span<const std::uint8_t>) {}
 };
 

@@ -230,7 +230,7 @@ void OmniDevice::tickFrame(bool ends) noexcept {
     target->tickOfDevice();
     frame_thread_.store(std::thread::id(), std::memory_order_release);
   }
-  if (forceHeld()) own_.force_N = Vec3(0.0);
+  if (forceInhibited()) own_.force_N = Vec3(0.0);
   const double force[3] = {own_.force_N.x, own_.force_N.y, own_.force_N.z};
   hd_.setDoublev(hd::kCurrentForce, force);
   hd_.endFrame(device);

@@ -19,7 +19,7 @@
 #include "engine/device/kept_info.h"
 #include "engine/device/omni/omni_guard.h"
 #include "engine/device/omni/omni_session.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 
