@@ -56,7 +56,7 @@ struct DevicePose {
 
 /// How fast a person wants the view to move and to turn, each -1 to 1 along and round the screen's axes (+x right, +y
 /// up, +z toward the person); what is seen goes with the hand.
-struct ViewWish {
+struct ViewMotion {
   Vec3 move{0.0}, rotation{0.0};
 };
 
@@ -95,7 +95,7 @@ class Device {
   /// The window's thread, a few times a second: may take a while, and does what is not for the haptic thread.
   virtual DeviceStatus status() { return {}; }
   /// The window's thread, each frame.
-  virtual ViewWish viewWish() noexcept { return {}; }
+  virtual ViewMotion viewMotion() noexcept { return {}; }
   /// The window's thread: the person holds the device as status() asked for its calibration.
   virtual void calibrate() {}
 

@@ -22,7 +22,7 @@ struct FoundDevice {
   bool usable = false;
   std::string why = {};  ///< why it cannot be used and what would mend it; empty where it can
   bool gives_force = false;
-  bool by_itself = false;  ///< may be chosen without being asked for
+  bool auto_selectable = false;  ///< may be chosen without being asked for
 };
 
 struct DeviceDriver {
@@ -33,7 +33,7 @@ struct DeviceDriver {
   Expected<std::unique_ptr<Device>> (*open)(const FoundDevice& device);
 };
 
-/// Every driver; the first whose device is usable `by_itself` is the default, the mouse is the last.
+/// Every driver; the first whose device is usable `auto_selectable` is the default, the mouse is the last.
 std::span<const DeviceDriver> deviceDrivers();
 
 /// What all drivers find, in their order.

@@ -40,7 +40,7 @@ class FaultyDevice final : public Device, private TickTarget {
   void writeWrench(const Wrench& wrench) noexcept override;
   void stop() noexcept override;
   DeviceStatus status() override { return device_->status(); }
-  ViewWish viewWish() noexcept override { return device_->viewWish(); }
+  ViewMotion viewMotion() noexcept override { return device_->viewMotion(); }
   void calibrate() override { device_->calibrate(); }
   bool startClock(TickTarget& target) override;
   void stopClock() override;

@@ -7,10 +7,11 @@
 #include <map>
 #include <set>
 
-#include "engine/device/hid/open_device.h"
+#include "engine/device/hid/open_layout.h"
 #include "engine/device/hid/play_station.h"
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
+#include "engine/device/packet/report_bytes.h"
 #include "engine/device/simulated_device.h"
 #include "engine/platform/force_inhibit.h"
 #include "tests/device/omni/stand_in.h"
@@ -90,11 +91,11 @@ class OmniBench final : public Bench, private TickTarget {
 
 class HidBench final : public Bench {
  public:
-  HidBench(std::unique_ptr<HidProtocol> protocol, DeviceInfo info, Report place, double (*size)(const Report&),
+  HidBench(std::unique_ptr<PacketProtocol> protocol, DeviceInfo info, Report place, double (*size)(const Report&),
            Report feature = {})
       : place_(std::move(place)), size_(size) {
     wire_->feature = std::move(feature);
-    auto opened = HidDevice::open(over(wire_), std::move(protocol), std::move(info));
+    auto opened = PacketDevice::open(over(wire_), std::move(protocol), std::move(info));
     REQUIRE(opened);
     device_ = std::move(*opened);
   }
@@ -194,8 +195,8 @@ const Row kRows[] = {
     {"open", true,
      [] {
        OpenFirmware firmware;
-       return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenProtocol>(), DeviceInfo(), of(firmware.tick({})),
-                                                  openForce, of(firmware.description())));
+       return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenLayoutProtocol>(), DeviceInfo(),
+                                                  of(firmware.tick({})), openForce, of(firmware.description())));
      }},
     {"gamepad", true,
      [] {

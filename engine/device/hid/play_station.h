@@ -5,7 +5,7 @@
 // the view. How hard the surface pushes back is how strongly it rumbles: that is no force, and moves no hand.
 #pragma once
 
-#include "engine/device/hid/hid_device.h"
+#include "engine/device/packet/packet_protocol.h"
 
 namespace moltact {
 
@@ -18,26 +18,26 @@ struct PadLayout {
 inline constexpr PadLayout kDualShock4{8, 9, 5, 5, 1, 4, 5, 32};
 inline constexpr PadLayout kDualSense{5, 6, 8, 2, 3, 3, 4, 48};
 
-class PlayStationProtocol final : public HidProtocol {
+class PlayStationProtocol final : public PacketProtocol {
  public:
   static constexpr double kFullRumble_N = 3.3;  ///< the force that is the strongest rumble
 
   explicit PlayStationProtocol(const PadLayout& usb = kDualShock4) : usb_(usb) {}
 
-  std::optional<Problem> begin(HidPort&, DeviceInfo&) override;
-  bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
-  void pass(double dt_s, DevicePose& pose) noexcept override;
-  ViewWish viewWish() const noexcept override { return wish_; }
-  std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
-  std::size_t end(std::span<std::uint8_t, 64> out) noexcept override;
+  std::optional<Problem> begin(PacketPort&, DeviceInfo&) override;
+  bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
+  void advance(double dt_s, DevicePose& pose) noexcept override;
+  ViewMotion viewMotion() const noexcept override { return view_motion_; }
+  std::size_t encode(const Wrench& wrench, ReportBuffer out) noexcept override;
+  std::size_t encodeFinalReport(ReportBuffer out) noexcept override;
 
  private:
   PadLayout usb_;
   Vec3 push_{0.0}, turn_{0.0};
-  ViewWish wish_;
+  ViewMotion view_motion_;
   double silent_s_ = 0;
   bool by_usb_ = false;
-  int told_ = -1;  // the step of rumble that was sent last; -1: none
+  int sent_step_ = -1;  // the step of rumble that was sent last; -1: none
 };
 
 }  // namespace moltact

@@ -3,7 +3,7 @@
 // it is pressed again.
 #pragma once
 
-#include "engine/device/hid/hid_device.h"
+#include "engine/device/packet/packet_protocol.h"
 
 namespace moltact {
 
@@ -12,20 +12,20 @@ struct SixAxes {
   Vec3 push{0.0}, rotation{0.0};
 };
 
-class SpaceMouseProtocol final : public HidProtocol {
+class SpaceMouseProtocol final : public PacketProtocol {
  public:
   static constexpr double kFull = 350.0;  ///< what the device tells at its stops
 
   /// A push from before an unplugging is over.
-  std::optional<Problem> begin(HidPort&, DeviceInfo&) override;
-  bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
-  void pass(double dt_s, DevicePose& pose) noexcept override;
-  ViewWish viewWish() const noexcept override { return wish_; }
+  std::optional<Problem> begin(PacketPort&, DeviceInfo&) override;
+  bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
+  void advance(double dt_s, DevicePose& pose) noexcept override;
+  ViewMotion viewMotion() const noexcept override { return view_motion_; }
   const SixAxes& axes() const { return axes_; }
 
  private:
   SixAxes axes_;
-  ViewWish wish_;
+  ViewMotion view_motion_;
   std::uint32_t pressed_ = 0;
   bool leads_view_ = false;
   double silent_s_ = 0;

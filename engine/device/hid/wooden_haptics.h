@@ -4,17 +4,17 @@
 // there is no force until the person has held both links upright and said so.
 #pragma once
 
-#include "engine/device/hid/hid_device.h"
+#include "engine/device/packet/packet_protocol.h"
 
 namespace moltact {
 
-class WoodenHapticsProtocol final : public HidProtocol {
+class WoodenHapticsProtocol final : public PacketProtocol {
  public:
-  std::optional<Problem> begin(HidPort& port, DeviceInfo& info) override;
-  HidGuidance guidance() const noexcept override;
+  std::optional<Problem> begin(PacketPort& port, DeviceInfo& info) override;
+  DeviceGuidance guidance() const noexcept override;
   bool calibrate() noexcept override;
-  bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
-  std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
+  bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
+  std::size_t encode(const Wrench& wrench, ReportBuffer out) noexcept override;
 
   /// Places and forces by the joints' angles (unit: rad), in the program's axes.
   static PointMm place(const Vec3& angles);

@@ -279,9 +279,9 @@ void OmniDevice::checkCalibration(bool may_update) noexcept {
   std::uint32_t state = hd_.checkCalibration();
   // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so, and
   // then until the driver has taken it.
-  const bool by_itself = style & (hd::kInkwell | hd::kAuto);
+  const bool automatic = style & (hd::kInkwell | hd::kAuto);
   const bool update =
-      may_update && (by_itself ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
+      may_update && (automatic ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
   if (update) {
     hd_.updateCalibration(style & hd::kInkwell ? hd::kInkwell : style & hd::kAuto ? hd::kAuto : hd::kEncoderReset);
     state = hd_.checkCalibration();

@@ -16,9 +16,9 @@
 
 #include "engine/core/triple_buffer.h"
 #include "engine/device/device.h"
-#include "engine/device/kept_info.h"
 #include "engine/device/omni/omni_guard.h"
 #include "engine/device/omni/omni_session.h"
+#include "engine/device/versioned_device_info.h"
 #include "engine/platform/force_inhibit.h"
 
 namespace moltact {
@@ -75,7 +75,7 @@ class OmniDevice final : public Device {
   bool note(std::uint32_t worst) noexcept;
 
   const hd::Library& hd_;
-  KeptInfo info_;
+  VersionedDeviceInfo info_;
   // The window's thread; while revival_ is there its thread has them, and nobody else.
   OmniSession session_;
   hd::SchedulerHandle scheduled_ = 0;

@@ -10,11 +10,11 @@
 
 namespace moltact {
 
-class KeptInfo {
+class VersionedDeviceInfo {
  public:
-  explicit KeptInfo(DeviceInfo first) { keep(std::move(first)); }
-  KeptInfo(const KeptInfo&) = delete;
-  KeptInfo& operator=(const KeptInfo&) = delete;
+  explicit VersionedDeviceInfo(DeviceInfo first) { keep(std::move(first)); }
+  VersionedDeviceInfo(const VersionedDeviceInfo&) = delete;
+  VersionedDeviceInfo& operator=(const VersionedDeviceInfo&) = delete;
 
   /// Any thread, also the haptic one.
   const DeviceInfo& get() const noexcept { return *now_.load(std::memory_order_acquire); }

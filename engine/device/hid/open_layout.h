@@ -2,7 +2,7 @@
 // page 0xFF00, usage 1. It tells in a feature report what it is and can do.
 #pragma once
 
-#include "engine/device/hid/hid_device.h"
+#include "engine/device/packet/packet_protocol.h"
 
 namespace moltact {
 
@@ -21,18 +21,18 @@ inline constexpr double kUnknownStiffness_N_per_mm = 0.3, kUnknownDelay_s = 0.00
 
 }  // namespace open_layout
 
-class OpenProtocol final : public HidProtocol {
+class OpenLayoutProtocol final : public PacketProtocol {
  public:
-  std::optional<Problem> begin(HidPort& port, DeviceInfo& info) override;
+  std::optional<Problem> begin(PacketPort& port, DeviceInfo& info) override;
   bool ofKind() const noexcept override { return of_kind_; }
-  HidGuidance guidance() const noexcept override;
-  bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
-  void pass(double dt_s, DevicePose& pose) noexcept override;
-  std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
-  std::size_t stop(std::span<std::uint8_t, 64> out) noexcept override;
+  DeviceGuidance guidance() const noexcept override;
+  bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
+  void advance(double dt_s, DevicePose& pose) noexcept override;
+  std::size_t encode(const Wrench& wrench, ReportBuffer out) noexcept override;
+  std::size_t encodeStop(ReportBuffer out) noexcept override;
 
  private:
-  std::size_t forceReport(ForceN force, bool motors_on, std::span<std::uint8_t, 64> out) noexcept;
+  std::size_t forceReport(ForceN force, bool motors_on, ReportBuffer out) noexcept;
   bool faulty() const { return (status_ & (open_layout::kFault | open_layout::kUncalibrated)) || cut_s_ > 0; }
 
   double step_mm_ = 0.005;
