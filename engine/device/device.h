@@ -70,12 +70,12 @@ struct DeviceStatus {
 };
 
 /// What a device with a clock of its own calls once a tick, on its own thread.
-class TickTarget {
+class ClockListener {
  public:
-  virtual void tickOfDevice() noexcept = 0;
+  virtual void onDeviceTick() noexcept = 0;
 
  protected:
-  ~TickTarget() = default;
+  ~ClockListener() = default;
 };
 
 /// Made open, by its driver (driver.h); closed, without force, when it is destroyed.
@@ -101,7 +101,7 @@ class Device {
 
   /// The window's thread. A device whose driver brings a clock calls `target` by it from now on and returns true;
   /// others return false and are read by the loop's own clock.
-  virtual bool startClock(TickTarget&) { return false; }
+  virtual bool startClock(ClockListener&) { return false; }
   /// The window's thread: after it returns the target is not called any more.
   virtual void stopClock() {}
 };

@@ -26,7 +26,7 @@ FaultyDevice::Given FaultyDevice::given() {
   return {broken_.exchange(nullptr), ticks_.exchange(0), fresh_.exchange(0), greatest_N_.exchange(0.0), last_N_.load()};
 }
 
-bool FaultyDevice::startClock(TickTarget& target) {
+bool FaultyDevice::startClock(ClockListener& target) {
   target_.store(&target);
   ends_.store(false);
   lent_ = device_->startClock(*this);
@@ -46,12 +46,12 @@ void FaultyDevice::run() noexcept {
   for (std::int64_t due_ns = monotonic_ns() + kPeriod_ns; !ends_.load(); due_ns += kPeriod_ns) {
     if (const std::int64_t now_ns = monotonic_ns(); now_ns - due_ns > 10 * kPeriod_ns) due_ns = now_ns;
     sleepUntil(due_ns);
-    tickOfDevice();
+    onDeviceTick();
   }
 }
 
 // A tick of the device's clock, or of the one in its place.
-void FaultyDevice::tickOfDevice() noexcept {
+void FaultyDevice::onDeviceTick() noexcept {
   const LoopFault fault = fault_.load(std::memory_order_acquire);
   if (fault == LoopFault::Late) {
     late_ = (late_ + 7) % kLatest_ms;
@@ -63,7 +63,7 @@ void FaultyDevice::tickOfDevice() noexcept {
 }
 
 void FaultyDevice::tick() noexcept {
-  if (TickTarget* const target = target_.load(); target && !ends_.load()) target->tickOfDevice();
+  if (ClockListener* const target = target_.load(); target && !ends_.load()) target->onDeviceTick();
 }
 
 void FaultyDevice::passed() noexcept {

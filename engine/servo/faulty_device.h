@@ -15,7 +15,7 @@
 
 namespace moltact {
 
-class FaultyDevice final : public Device, private TickTarget {
+class FaultyDevice final : public Device, private ClockListener {
  public:
   explicit FaultyDevice(std::unique_ptr<Device> device);
   ~FaultyDevice() override { stopClock(); }
@@ -42,11 +42,11 @@ class FaultyDevice final : public Device, private TickTarget {
   DeviceStatus status() override { return device_->status(); }
   ViewMotion viewMotion() noexcept override { return device_->viewMotion(); }
   void calibrate() override { device_->calibrate(); }
-  bool startClock(TickTarget& target) override;
+  bool startClock(ClockListener& target) override;
   void stopClock() override;
 
  private:
-  void tickOfDevice() noexcept override;
+  void onDeviceTick() noexcept override;
   void run() noexcept;
   void tick() noexcept;
   bool misread(DevicePose& pose) noexcept;
@@ -58,7 +58,7 @@ class FaultyDevice final : public Device, private TickTarget {
   std::atomic<int> left_{0};
 
   // The clock's.
-  std::atomic<TickTarget*> target_{nullptr};
+  std::atomic<ClockListener*> target_{nullptr};
   std::atomic<bool> ends_{false};
   bool lent_ = false;  // the device's own clock ticks
   std::thread clock_;

@@ -19,7 +19,7 @@ struct LoopClock {
   void (*sleepUntil)(std::int64_t) = &moltact::sleepUntil;
 };
 
-class ServoThread final : private TickTarget {
+class ServoThread final : private ClockListener {
  public:
   /// Starts the loop at once. `fallback` is read while no other device is chosen or the chosen one is gone; it must
   /// outlive the thread.
@@ -59,7 +59,7 @@ class ServoThread final : private TickTarget {
   void release();
   void finish();
   void run() noexcept;
-  void tickOfDevice() noexcept override;
+  void onDeviceTick() noexcept override;
 
   LoopClock clock_;
   ServoLoop loop_;

@@ -45,7 +45,7 @@ class Bench {
   virtual bool doIt(const std::string& way) = 0;
 };
 
-class OmniBench final : public Bench, private TickTarget {
+class OmniBench final : public Bench, private ClockListener {
  public:
   OmniBench() : device_(opened()) { CHECK(device_->startClock(*this)); }
   Device* device() override { return device_.get(); }
@@ -80,7 +80,7 @@ class OmniBench final : public Bench, private TickTarget {
   }
 
  private:
-  void tickOfDevice() noexcept override {
+  void onDeviceTick() noexcept override {
     const DevicePose pose = device_->read(0.001);
     stops_ ? device_->stop() : device_->write(pose.fault || !pose.connected ? ForceN{} : kPush);
   }
@@ -361,8 +361,8 @@ TEST_CASE(
     "Omni: where its callback no longer comes, or does not come back, the motors are switched off after 20 ms by "
     "another thread, and on "
     "again, without force, when it does") {
-  struct Slow final : TickTarget {
-    void tickOfDevice() noexcept override {
+  struct Slow final : ClockListener {
+    void onDeviceTick() noexcept override {
       device->write(cut.load() ? ForceN{} : kPush);
       if (const int wait = sleep_ms.exchange(0)) std::this_thread::sleep_for(std::chrono::milliseconds(wait));
       cut.store(cut.load() || device->read(0.001).fault);

@@ -71,7 +71,7 @@ OmniDevice::~OmniDevice() {
   KeptOmni::get().giveBack();
 }
 
-bool OmniDevice::startClock(TickTarget& target) {
+bool OmniDevice::startClock(ClockListener& target) {
   settle();
   target_.store(&target);
   schedule();
@@ -225,9 +225,9 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   stood_reads_.store(0, std::memory_order_relaxed);
 
   own_.force_N = Vec3(0.0);
-  if (TickTarget* const target = target_.load(std::memory_order_acquire); target && !ends && !broken) {
+  if (ClockListener* const target = target_.load(std::memory_order_acquire); target && !ends && !broken) {
     frame_thread_.store(std::this_thread::get_id(), std::memory_order_release);
-    target->tickOfDevice();
+    target->onDeviceTick();
     frame_thread_.store(std::thread::id(), std::memory_order_release);
   }
   if (forceInhibited()) own_.force_N = Vec3(0.0);

@@ -46,7 +46,7 @@ class OmniDevice final : public Device {
   /// Never waits.
   DeviceStatus status() override;
   void calibrate() override { calibrate_.store(true, std::memory_order_release); }
-  bool startClock(TickTarget& target) override;
+  bool startClock(ClockListener& target) override;
   void stopClock() override;
 
   const std::string& model() const { return session_.model; }
@@ -83,7 +83,7 @@ class OmniDevice final : public Device {
   std::future<Expected<OmniSession>> revival_;
 
   // From the window to the callback. The style and the handle change only while there is no callback.
-  std::atomic<TickTarget*> target_{nullptr};
+  std::atomic<ClockListener*> target_{nullptr};
   std::atomic<hd::Handle> handle_{hd::kInvalidHandle};
   std::atomic<std::uint32_t> calibration_style_{0};
   Vec3 room_middle_mm_{0.0};  // written while no frame runs

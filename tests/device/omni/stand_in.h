@@ -61,7 +61,7 @@ struct StandIn {
 };
 
 // What the haptic thread does with a device that brings its clock, without the thread.
-struct Loop final : TickTarget {
+struct Loop final : ClockListener {
   explicit Loop(Device& device) : stylus(device), devices(mouse, &device) {
     std::vector<Ball> balls;
     for (int k = 0; k < 27; ++k) balls.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
@@ -69,7 +69,7 @@ struct Loop final : TickTarget {
     CHECK(stylus.startClock(*this));
   }
   ~Loop() { stylus.stopClock(); }
-  void tickOfDevice() noexcept override {
+  void onDeviceTick() noexcept override {
     const DevicePose pose = devices.read(kTick_s, step);
     last = step.tick(settings, tracker.get(), pose);
     devices.write({last.force});
