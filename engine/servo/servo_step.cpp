@@ -37,7 +37,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* felt, co
   const PoseA at = settings.workspace.toMolecule(out.hand, pose.orientation);
   out.hip = at.place;
   out.orientation = at.orientation;
-  out.has_tracker = felt != nullptr;
+  out.has_interaction = felt != nullptr;
   out.discontinuities = settings.discontinuities;
 
   // A new interaction comes as its maker left it: one that was led to the hand keeps the contact over a change of

@@ -53,7 +53,7 @@ struct ServoSample {
   float late_us = 0;  ///< how long after its due time it began (0 on a virtual clock)
   double stiffness_bound_N_per_mm =
       0;  ///< the stiffest spring that is given, for the device and the delay as measured of late
-  bool has_tracker = false;
+  bool has_interaction = false;
   std::uint64_t frame = 0;            ///< SphereFrame::serial() of the spheres' frame; 0: they stand
   double share = 0.0;                 ///< of that frame
   std::uint32_t scene = 0;            ///< the number that the tracker was handed over with (0 from tick() itself)

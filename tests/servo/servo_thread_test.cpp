@@ -156,7 +156,7 @@ TEST_CASE("50 trackers handed over one after the other are all destroyed, and by
   }
   CHECK(alive == 0);
   CHECK(destroyed_on == std::this_thread::get_id());
-  CHECK_FALSE(servo.loop().latest().has_tracker);
+  CHECK_FALSE(servo.loop().latest().has_interaction);
 }
 
 TEST_CASE("each of 40 trackers makes the samples that bear its number, and none under settings older than its own") {

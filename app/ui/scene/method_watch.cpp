@@ -84,7 +84,7 @@ double MethodWatch::greatestTurn_deg() const {
 
 Contact MethodWatch::add(const ServoSample& s, const Method& method) {
   noteTurn(s);
-  if (!exact_ || !s.has_tracker) return {.scp = s.hip};
+  if (!exact_ || !s.has_interaction) return {.scp = s.hip};
   if (s.placed) exact_->reset();
   if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
   Contact exact = exact_->step(s.hip);
