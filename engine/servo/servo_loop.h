@@ -56,17 +56,17 @@ class ServoLoop {
   bool fallenBack() const noexcept { return fallen_back_.load(std::memory_order_relaxed); }
 
   /// Lets the force go, along the slew, while true: a device is put away, or the program ends.
-  void letGo(bool on) noexcept { let_go_.store(on || for_good_, std::memory_order_release); }
+  void rampDownForce(bool on) noexcept { ramp_down_force_.store(on || ramp_down_for_good_, std::memory_order_release); }
   /// The same for good.
   void endForce() noexcept {
-    for_good_ = true;
-    letGo(true);
+    ramp_down_for_good_ = true;
+    rampDownForce(true);
   }
   /// Lets the force go and calls pass(), which lets a period's tick go by, until none was given in two ticks, of which
   /// the first may have begun before; kRelease_ms times at the most.
   template <class Pass>
   void release(Pass&& pass) {
-    letGo(true);
+    rampDownForce(true);
     for (int k = 0, none = 0; chosen_ && none < 2 && k < kRelease_ms; ++k) {
       pass();
       none = gives() ? 0 : none + 1;
@@ -133,20 +133,20 @@ class ServoLoop {
   TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
   // What is felt on its way, with its scene's number; nothing in it: nothing is to be felt.
-  struct Handed {
+  struct HandedInteraction {
     std::unique_ptr<Interaction> felt;
     std::uint32_t scene = 0;
   };
-  std::atomic<Handed*> arriving_{nullptr};  // the next
-  std::atomic<Handed*> leaving_{nullptr};   // one that a tick has put down
-  Handed* current_ = nullptr;               // the ticks'
+  std::atomic<HandedInteraction*> pending_{nullptr};  // the next
+  std::atomic<HandedInteraction*> retired_{nullptr};   // one that a tick has put down
+  HandedInteraction* current_ = nullptr;               // the ticks'
   // A frame on its way, with its scene's number.
   struct HandedFrame {
     std::shared_ptr<const SphereFrame> frame;
     std::uint32_t scene = 0;
   };
-  std::atomic<HandedFrame*> arriving_frame_{nullptr}, leaving_frame_{nullptr};  // as above
-  std::uint32_t arriving_frames_scene_ = 0;                                     // the owner's
+  std::atomic<HandedFrame*> pending_frame_{nullptr}, retired_frame_{nullptr};  // as above
+  std::uint32_t pending_frames_scene_ = 0;                                     // the owner's
   HandedFrame* frame_ = nullptr;                                                // the ticks': the one in force
   HandedFrame* next_frame_ = nullptr;                                           // the ticks': waits for its scene
   HandedFrame* last_frame_ = nullptr;  // the ticks': put down in this tick, in which what is felt may still ask it
@@ -160,8 +160,8 @@ class ServoLoop {
   std::unique_ptr<Recording> recording_;
   bool records_ = false;  // changed only while nobody ticks
   std::atomic<bool> fallen_back_{false};
-  std::atomic<bool> let_go_{false};
-  bool for_good_ = false;
+  std::atomic<bool> ramp_down_force_{false};
+  bool ramp_down_for_good_ = false;
   std::atomic<bool> gives_{false};
   // A tick's own, taken by whoever ticks.
   std::atomic_flag ticking_ = ATOMIC_FLAG_INIT;
