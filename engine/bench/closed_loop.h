@@ -37,7 +37,7 @@ class ClosedLoop {
   /// One tick: reads the device, steps the servo loop, commands the force, moves the device with the hand led to
   /// `target`.
   /// Of the faults Late, Lost, Doubled and NotANumber.
-  LoopTick tick(Interaction& felt, PointA target, LoopFault fault = LoopFault::None);
+  LoopTick tick(Interaction& interaction, PointA target, LoopFault fault = LoopFault::None);
 
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }

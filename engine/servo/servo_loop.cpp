@@ -41,10 +41,10 @@ void ServoLoop::record(bool on) {
   records_ = on;
 }
 
-void ServoLoop::setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene) {
+void ServoLoop::setInteraction(std::unique_ptr<Interaction> interaction, std::uint32_t scene) {
   collect();
   auto next = std::unique_ptr<HandedInteraction>(new HandedInteraction{
-      std::move(felt), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
+      std::move(interaction), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
   delete pending_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
@@ -122,7 +122,7 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, step_);
   const SceneMotion motion = nextMotion();
-  ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_, motion);
+  ServoSample sample = step_.tick(settings, current_ ? current_->interaction.get() : nullptr, pose, time_, motion);
   putDownFrame();
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;

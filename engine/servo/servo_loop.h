@@ -42,7 +42,7 @@ class ServoLoop {
   /// Hands over what is felt of a scene (null: nothing), whose number comes back in every sample that it makes.
   /// Settings set before are in force when it is first asked. The old one comes back and is destroyed here, never in a
   /// tick.
-  void setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene = 0);
+  void setInteraction(std::unique_ptr<Interaction> interaction, std::uint32_t scene = 0);
 
   /// The next frame of that scene's spheres (engine/haptics/sphere_frame.h): it begins as soon as the one before has
   /// ended, and stays when it has ended itself until another comes. False, and nothing is handed over, while the one
@@ -134,7 +134,7 @@ class ServoLoop {
   SampleRing<ServoSample, 4096> samples_;
   // What is felt on its way, with its scene's number; nothing in it: nothing is to be felt.
   struct HandedInteraction {
-    std::unique_ptr<Interaction> felt;
+    std::unique_ptr<Interaction> interaction;
     std::uint32_t scene = 0;
   };
   std::atomic<HandedInteraction*> pending_{nullptr};  // the next

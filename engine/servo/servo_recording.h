@@ -84,7 +84,7 @@ struct ReplayResult {
 
 /// Steps the recorded ticks with an interaction as it was newly made for the recording (null: none), and compares the
 /// forces.
-ReplayResult replay(const ServoRecording& recording, Interaction* felt);
+ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
 
 /// How many balls and all of them in one number (FNV-1a): a recording's label "balls", by which it is told that its
 /// molecule has changed meanwhile.

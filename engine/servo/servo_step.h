@@ -74,14 +74,14 @@ class ServoStep {
     other_device_ = true;
   }
 
-  /// One tick. `felt` may be null: no molecule, no force. Pass a changed one freely: it is not reset, and the force
+  /// One tick. `interaction` may be null: no molecule, no force. Pass a changed one freely: it is not reset, and the force
   /// starts softly. Frames follow one another without that: what the spheres' own motion does to the springs is no
   /// energy that the loop makes.
-  ServoSample tick(const ServoSettings& settings, Interaction* felt, const DevicePose& pose, const TickTime& time = {},
+  ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose, const TickTime& time = {},
                    const SceneMotion& motion = {}) noexcept;
 
   /// As if it had met no interaction yet: the next one counts as new.
-  void forgetInteraction() noexcept { last_felt_ = nullptr; }
+  void forgetInteraction() noexcept { last_interaction_ = nullptr; }
 
   const SafetyStage& safety() const { return safety_; }
 
@@ -93,11 +93,11 @@ class ServoStep {
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  bool moveSurface(const ServoSettings& settings, Interaction& felt, const SceneMotion& motion, bool changed) noexcept;
+  bool moveSurface(const ServoSettings& settings, Interaction& interaction, const SceneMotion& motion, bool changed) noexcept;
   WantedWrench feel(const ServoSettings& settings, const Response& response) noexcept;
 
   std::uint64_t tick_ = 0;
-  const Interaction* last_felt_ = nullptr;
+  const Interaction* last_interaction_ = nullptr;
   // What it was last asked for, and where the spheres were: nothing that the first tick with another depends on.
   PoseA last_at_;
   std::uint64_t last_frame_ = 0;  // its serial; 0: none
