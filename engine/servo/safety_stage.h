@@ -48,7 +48,7 @@ class SafetyStage {
   void setDevice(const DeviceSpecs& device) noexcept;
 
   /// First, with the place as read. True: the contact that was is none any more, for the place leapt, the device was
-  /// gone, or nothing was known of it for kOff_s; the tracker is to begin anew.
+  /// gone, or nothing was known of it for kContactLost_s; the tracker is to begin anew.
   bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
   /// The stiffness to feel with for the one that is asked (unit: N/mm): bounded so that the loop is stable, and changed
@@ -73,7 +73,7 @@ class SafetyStage {
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
   double allowed_N(double most_N) const noexcept;
-  double share(double force_N, double torque_N_mm, double most_N) const noexcept;
+  double cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept;
   double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
   Vec3 slowedTurning(Vec3 torque) noexcept;
@@ -97,7 +97,7 @@ class SafetyStage {
   std::uint32_t discontinuities_ = 0;
   double stale_s_ = 0, delay_s_ = 0;
   double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // since the last tick; the same, but never more than a tick
-  bool off_ = false;                             // nothing has been known of the hand for kOff_s, or it is gone
+  bool off_ = false;                             // nothing has been known of the hand for kContactLost_s, or it is gone
 
   // What is given.
   ThermalModel heat_;

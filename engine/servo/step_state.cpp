@@ -53,7 +53,7 @@ struct StepState {
 
   template <class Each>
   static void of(Each& each, const std::string& p, ThermalModel& s) {
-    each(p, "heat_N2", s.heat_N2_, 0.0, kAny), each(p, "told", s.told_, -kAny, kAny);
+    each(p, "heat_N2", s.heat_N2_, 0.0, kAny), each(p, "told", s.reported_, -kAny, kAny);
   }
 
   template <class Each>
@@ -79,7 +79,7 @@ struct StepState {
     vector(each, p, "angle_rad", s.angle_rad_), vector(each, p, "turned_rad", s.turned_rad_, 4.0);
     each(p, "placed", s.placed_, false, true),
         each(p, "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
-    each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kOff_s);
+    each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kContactLost_s);
     each(p, "elapsed_s", s.elapsed_s_, 0.0, safety::kStale_s), each(p, "dt_s", s.dt_s_, 0.0, kTick_s);
     each(p, "off", s.off_, false, true);
     of(each, p + "heat.", s.heat_), of(each, p + "passivity.", s.passivity_);

@@ -18,13 +18,13 @@ class ThermalModel {
   }
 
   /// What the device itself tells of its motors: 0 cold to 1 as warm as they may be.
-  void told(double share) noexcept { told_ = std::isfinite(share) ? share : 1.0; }
+  void setReportedHeat(double fraction) noexcept { reported_ = std::isfinite(fraction) ? fraction : 1.0; }
 
   /// The greatest force now, between the continuous and the peak.
   double allowed_N(double peak_N, double continuous_N) const noexcept {
     if (continuous_N >= peak_N) return peak_N;
-    const double share = std::max(used(continuous_N), told_);
-    const double part = std::clamp((1.0 - share) / (1.0 - safety::kWarm), 0.0, 1.0);
+    const double used_fraction = std::max(used(continuous_N), reported_);
+    const double part = std::clamp((1.0 - used_fraction) / (1.0 - safety::kWarm), 0.0, 1.0);
     return continuous_N + (peak_N - continuous_N) * part;
   }
 
@@ -35,7 +35,7 @@ class ThermalModel {
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  double heat_N2_ = 0, told_ = 0;
+  double heat_N2_ = 0, reported_ = 0;
 };
 
 }  // namespace moltact
