@@ -246,12 +246,12 @@ class Check {
                     back ? "came back" : "did not come back"));
   }
   void badTicks() {
-    suffer({{LoopFault::Late, 15}, {LoopFault::Doubled, 50}, {LoopFault::Lost, 60}, {LoopFault::Stands, 60}});
+    suffer({{LoopFault::Late, 15}, {LoopFault::Doubled, 50}, {LoopFault::Lost, 60}, {LoopFault::Stall, 60}});
   }
   void badPlaces() {
-    suffer({{LoopFault::Leaps, 1},
+    suffer({{LoopFault::PositionJump, 1},
             {LoopFault::NotANumber, 50},
-            {LoopFault::Leaps, 5},
+            {LoopFault::PositionJump, 5},
             {LoopFault::Frozen, 100},
             {LoopFault::NotANumber, 1}});
   }

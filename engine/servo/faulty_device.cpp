@@ -91,11 +91,11 @@ bool FaultyDevice::misread(DevicePose& pose) noexcept {
   const LoopFault fault = fault_.load(std::memory_order_acquire);
   const bool odd = left_.load() % 2;
   switch (fault) {
-    case LoopFault::Stands:  // the next tick finds that it is late
+    case LoopFault::Stall:  // the next tick finds that it is late
       sleepUntil(monotonic_ns() + left_.exchange(0) * kPeriod_ns);
       stood_ = true;
       break;
-    case LoopFault::Leaps:
+    case LoopFault::PositionJump:
       pose.position.mm.x += odd ? kLeap_mm : -kLeap_mm;
       break;
     case LoopFault::NotANumber:
@@ -108,7 +108,7 @@ bool FaultyDevice::misread(DevicePose& pose) noexcept {
       return false;
   }
   passed();
-  return fault == LoopFault::Leaps || fault == LoopFault::NotANumber;
+  return fault == LoopFault::PositionJump || fault == LoopFault::NotANumber;
 }
 
 void FaultyDevice::write(ForceN force) noexcept {

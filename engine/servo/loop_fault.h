@@ -11,8 +11,8 @@ enum class LoopFault : std::uint8_t {
   Late,        ///< the answer comes too late for its tick: the device holds the last force meanwhile
   Lost,        ///< no tick comes
   Doubled,     ///< a tick comes twice, on one reading
-  Stands,      ///< the loop stands, in its tick
-  Leaps,       ///< the place is far off
+  Stall,       ///< the loop stands, in its tick
+  PositionJump,  ///< the place is far off
   NotANumber,  ///< the place is none
   Frozen,      ///< nothing new comes from the device
 };
