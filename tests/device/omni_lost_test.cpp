@@ -94,7 +94,7 @@ TEST_CASE("no device, another program's device and no licence are told apart") {
   CHECK(findDevices().front().title == "Stand-in Omni");
   CHECK(findDevices().front().place == "serial number 42");
   CHECK(defaultDevice(findDevices()).name == "omni");
-  OmniDevice::letGo();
+  OmniDevice::closeUnused();
   omni.call<unsigned(const char*)>("hdInitDevice")(nullptr);
   CHECK(OmniDevice::open().problem().text().find("another program uses the device; end that program") !=
         std::string::npos);

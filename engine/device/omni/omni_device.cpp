@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/device/omni/omni_kept.h"
+#include "engine/device/omni/omni_connection.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -40,16 +40,16 @@ void keepWorst(std::atomic<std::uint32_t>& worst, std::uint32_t code) noexcept {
 }  // namespace
 
 std::optional<OmniDevice::Seen> OmniDevice::taken() {
-  const auto session = KeptOmni::get().taken();
+  const auto session = OmniConnection::get().taken();
   if (!session) return std::nullopt;
   return Seen{session->model, session->serial};
 }
-void OmniDevice::letGo() { KeptOmni::get().letGo(); }
+void OmniDevice::closeUnused() { OmniConnection::get().closeUnused(); }
 
 Expected<std::unique_ptr<OmniDevice>> OmniDevice::open() {
   const auto library = hd::Library::get();
   if (!library) return library.problem();
-  auto session = KeptOmni::get().take(**library);
+  auto session = OmniConnection::get().take(**library);
   if (!session) return session.problem();
   return std::unique_ptr<OmniDevice>(new OmniDevice(**library, std::move(*session)));
 }
@@ -57,7 +57,7 @@ Expected<std::unique_ptr<OmniDevice>> OmniDevice::open() {
 Expected<OmniDevice::Seen> OmniDevice::look() {
   const auto library = hd::Library::get();
   if (!library) return library.problem();
-  const auto seen = KeptOmni::get().look(**library);
+  const auto seen = OmniConnection::get().look(**library);
   if (!seen) return seen.problem();
   return Seen{seen->model, seen->serial};
 }
@@ -68,11 +68,11 @@ OmniDevice::OmniDevice(const hd::Library& library, OmniSession session)
 OmniDevice::~OmniDevice() {
   stopClock();
   closeOmni(hd_, session_);
-  KeptOmni::get().giveBack();
+  OmniConnection::get().giveBack();
 }
 
 bool OmniDevice::startClock(ClockListener& target) {
-  settle();
+  finishRevival();
   target_.store(&target);
   schedule();
   return true;
@@ -118,7 +118,7 @@ void OmniDevice::unschedule() {
 }
 
 void OmniDevice::stopClock() {
-  settle();
+  finishRevival();
   unschedule();
   target_.store(nullptr);
 }
@@ -141,12 +141,12 @@ void OmniDevice::takeRevived() {
   why_not_.clear();
   session_ = std::move(*session);
   info_.set(session_.info);
-  KeptOmni::get().renewed(session_);
+  OmniConnection::get().renewed(session_);
   gone_.store(false);
 }
 
 // Waits for a revival that is under way.
-void OmniDevice::settle() {
+void OmniDevice::finishRevival() {
   if (revival_.valid()) takeRevived();
 }
 
@@ -220,7 +220,7 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   pose.fault = own_.fault_ticks > 0 || guard_.cut() || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
   own_.fault_ticks = std::max(0, own_.fault_ticks - 1);
   own_.warm_ticks = std::max(0, own_.warm_ticks - 1);
-  told_.write(pose);
+  last_pose_.write(pose);
   framed_.store(true, std::memory_order_release);
   stood_reads_.store(0, std::memory_order_relaxed);
 
@@ -306,7 +306,7 @@ bool OmniDevice::note(std::uint32_t worst) noexcept {
 DevicePose OmniDevice::read(double) noexcept {
   if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) return own_.pose;
   // The maker's clock stands and the loop's own has taken over.
-  DevicePose stale = told_.read();
+  DevicePose stale = last_pose_.read();
   const int stood = stood_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
   stale.fresh = false;
   stale.age_s = 0.001f * float(stood);

@@ -52,7 +52,7 @@ class OmniDevice final : public Device {
   const std::string& model() const { return session_.model; }
   const std::string& serial() const { return session_.serial; }
   /// Closes at once what look() has opened, for another program.
-  static void letGo();
+  static void closeUnused();
 
  private:
   OmniDevice(const hd::Library& library, OmniSession session);
@@ -60,7 +60,7 @@ class OmniDevice final : public Device {
   void unschedule();
   void revive();
   void takeRevived();
-  void settle();
+  void finishRevival();
   bool lost() const noexcept;
   std::string guidance(DeviceStatus& status) const;
   static hd::CallbackCode callback(void* self);
@@ -98,7 +98,7 @@ class OmniDevice final : public Device {
   } own_;
 
   // From the callback to the loop's own clock.
-  TripleBuffer<DevicePose> told_;
+  TripleBuffer<DevicePose> last_pose_;
   std::atomic<std::thread::id> frame_thread_{};
   std::atomic<int> stood_reads_{0};  // reads from elsewhere since the last frame
   std::atomic<bool> framed_{false};  // a frame has come since the clock was started

@@ -28,11 +28,11 @@ struct StandIn {
     const auto opened = SharedLibrary::open({&name, 1});
     REQUIRE(opened);
     library = new SharedLibrary(*opened);
-    OmniDevice::letGo();
+    OmniDevice::closeUnused();
     call<void(bool)>("standInReset")(manual);
   }
   ~StandIn() {
-    OmniDevice::letGo();
+    OmniDevice::closeUnused();
     delete library;
   }
   template <class F>

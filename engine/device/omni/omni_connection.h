@@ -13,14 +13,14 @@
 
 namespace moltact {
 
-class KeptOmni {
+class OmniConnection {
  public:
-  static constexpr std::chrono::seconds kKept{2};
+  static constexpr std::chrono::seconds kKeepOpen{2};
 
-  static KeptOmni& get();
-  ~KeptOmni();
+  static OmniConnection& get();
+  ~OmniConnection();
 
-  /// What is there, or was when it was last opened; it stays open for kKept.
+  /// What is there, or was when it was last opened; it stays open for kKeepOpen.
   Expected<OmniSession> look(const hd::Library& hd);
   /// Opens it, or gives the one that a look has opened. It is taken from now on.
   Expected<OmniSession> take(const hd::Library& hd);
@@ -30,7 +30,7 @@ class KeptOmni {
   /// It was opened anew, and may be another one.
   void renewed(const OmniSession& session);
   /// Closes what a look has opened, at once.
-  void letGo();
+  void closeUnused();
 
  private:
   Expected<OmniSession> opened(const hd::Library& hd);
