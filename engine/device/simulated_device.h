@@ -13,7 +13,7 @@ namespace moltact {
 
 /// What the scripted hand feels its way round lies so far behind the middle of the device's room: a molecule lies
 /// before it.
-inline constexpr double kBehind_mm = 45.0;
+inline constexpr double kSimulatedTargetDepth_mm = 45.0;
 
 class SimulatedDevice final : public Device {
  public:

@@ -110,7 +110,7 @@ void DeviceLink::look(Application& app) {
 // clock is not the search's.
 void DeviceLink::await(Application& app) {
   if (!search_ && !awaited_.empty() && app.now_s() - searched_s_ >= kLook_s)
-    search_ = std::make_unique<DeviceSearch>(awaited_);
+    search_ = std::make_unique<PendingDeviceOpen>(awaited_);
   if (!search_ || (!search_->done() && app.scene.servo().clock() == ServoClock::RealThread)) return;
   auto device = search_->take();
   search_.reset();

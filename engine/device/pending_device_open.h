@@ -11,9 +11,9 @@
 
 namespace moltact {
 
-class DeviceSearch {
+class PendingDeviceOpen {
  public:
-  explicit DeviceSearch(std::string name)
+  explicit PendingDeviceOpen(std::string name)
       : found_(std::async(std::launch::async, [name = std::move(name)] { return openDevice(name); })) {}
 
   bool done() const { return found_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
