@@ -47,7 +47,7 @@ constexpr bool steersTerminal(std::uint32_t code) {
 /// Calls keep(bytes) and harmful(code, valid) in turn for every piece of the text; `also` says which other code points
 /// are harmful.
 template <class Keep, class Harmful, class Also>
-void sortOut(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also) {
+void splitHarmful(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also) {
   std::size_t kept = 0, at = 0;
   const auto keepUpToHere = [&] {
     if (at > kept) keep(text.substr(kept, at - kept));
@@ -69,7 +69,7 @@ void sortOut(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also)
 /// stay.
 inline std::string printable(std::string_view text) {
   std::string out;
-  sortOut(
+  splitHarmful(
       text, [&](std::string_view piece) { out += piece; }, [&](std::uint32_t, bool) { out += kReplacement; },
       [](std::uint32_t) { return false; });
   return out;
@@ -78,7 +78,7 @@ inline std::string printable(std::string_view text) {
 /// The same on one line: a line end or a tab within becomes a space.
 inline std::string oneLine(std::string_view text) {
   std::string out;
-  sortOut(
+  splitHarmful(
       text, [&](std::string_view piece) { out += piece; },
       [&](std::uint32_t code, bool valid) {
         if (valid && (code == '\n' || code == '\t' || code == '\r'))

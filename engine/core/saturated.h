@@ -9,7 +9,7 @@ namespace moltact {
 
 /// The whole number of `value` towards zero, or the end of `To` that it lies beyond; 0 of NaN.
 template <class To, class From>
-requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To wholeOf(From value) {
+requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To saturateToInteger(From value) {
   // The greatest value of a wide integer rounds up to a power of two, which does not fit.
   constexpr From kBeyond = From(2) * From(std::numeric_limits<To>::max() / 2 + 1);
   if (!(value == value)) return To(0);
@@ -19,7 +19,7 @@ requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To w
 }
 
 /// The float nearest to `value`, or the greatest or least where it lies beyond them; 0 of NaN.
-constexpr float floatOf(double value) {
+constexpr float saturateToFloat(double value) {
   constexpr double kMost = double(std::numeric_limits<float>::max());
   if (!(value == value)) return 0.0f;
   return static_cast<float>(value > kMost ? kMost : value < -kMost ? -kMost : value);
