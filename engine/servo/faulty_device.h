@@ -20,7 +20,7 @@ class FaultyDevice final : public Device, private ClockListener {
   explicit FaultyDevice(std::unique_ptr<Device> device);
   ~FaultyDevice() override { stopClock(); }
 
-  /// For so many ticks; of Stands milliseconds. One at a time. Late: each tick by 0 to 14 ms; Leaps: by 20 mm.
+  /// For so many ticks; of a Stall, milliseconds. One at a time. Late: each tick by 0 to 14 ms; PositionJump: by 20 mm.
   void inject(LoopFault fault, int ticks);
   bool faultIsOver() const { return fault_.load() == LoopFault::None; }
 
