@@ -13,8 +13,8 @@
 namespace moltact::bench {
 
 struct Accuracy {
-  Spread scp_A;          ///< distance of the SCP from the right one, where the right one touches
-  Spread direction_deg;  ///< angle between the forces, where both touch
+  Statistics scp_A;          ///< distance of the SCP from the right one, where the right one touches
+  Statistics direction_deg;  ///< angle between the forces, where both touch
   double lost = 0;       ///< share of ticks with no contact where there should be some (0 to 1)
 };
 

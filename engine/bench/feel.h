@@ -26,8 +26,8 @@ std::vector<FeelPath> feelPaths();
 struct Feel {
   std::string path;
   const Method* method = nullptr;
-  Spread turn_deg;  ///< of the force's direction, a tick
-  Spread change_A;  ///< of SCP - HIP, a tick; times the stiffness it is the force's
+  Statistics turn_deg;  ///< of the force's direction, a tick
+  Statistics change_A;  ///< of SCP - HIP, a tick; times the stiffness it is the force's
   double lost = 0;  ///< share of ticks without contact
 };
 

@@ -18,11 +18,11 @@ namespace moltact::bench {
 inline constexpr double kLeastForce_N = 0.3;
 
 /// Over ticks in contact, those in which exact touches. Shares are 0 to 1.
-struct Felt {
+struct FeltErrors {
   std::string where;
   const Method* method = nullptr;
   std::size_t ticks = 0;           ///< in contact
-  Spread direction_deg;            ///< angle to exact's force, where both push
+  Statistics direction_deg;            ///< angle to exact's force, where both push
   double direction_seen = 0;       ///< share over kDirectionSeen_deg
   double direction_blind = 0;      ///< share over kDirectionBlind_deg
   double size = 0, size_wide = 0;  ///< share whose force differs in size by over kForceWeber, kForceWeberWide
@@ -33,17 +33,17 @@ struct Felt {
 };
 
 /// One method along strokes; both trackers begin anew with each.
-Felt feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
+FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
             double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
 
 /// The same errors over several places, by ticks.
-Felt together(const std::string& where, const std::vector<Felt>& parts);
+FeltErrors together(const std::string& where, const std::vector<FeltErrors>& parts);
 
 /// A row a method; `ns`, the mean time of a tick for each row, may be empty.
-ReportTable feltTable(std::string name, std::string title, const std::vector<Felt>& rows,
+ReportTable feltTable(std::string name, std::string title, const std::vector<FeltErrors>& rows,
                       const std::vector<double>& ns = {});
 
 /// Which errors a hand can tell, and which not, of the methods in the rows.
-std::string feltSentences(const std::vector<Felt>& rows);
+std::string feltSentences(const std::vector<FeltErrors>& rows);
 
 }  // namespace moltact::bench

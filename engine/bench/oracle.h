@@ -16,7 +16,7 @@
 namespace moltact::oracle {
 
 /// The companions' HIPs lie this far from the true one (unit: angstrom).
-inline constexpr double kCompanion_A = 1e-9;
+inline constexpr double kPerturbation_A = 1e-9;
 
 struct PointL {
   long double x = 0, y = 0, z = 0;
@@ -25,7 +25,7 @@ struct PointL {
 class Oracle {
  public:
   /// Without companions it is faster, and each answer is called decided.
-  Oracle(std::vector<Ball> balls, double probe_A, bool companions = true);
+  Oracle(std::vector<Ball> balls, double probe_A, bool perturbed = true);
 
   struct Answer {
     bool contact = false;

@@ -48,7 +48,7 @@ Scene ring(int n, double slack_A);
 /// Two inflated balls whose surfaces touch in the one point (R, 0, 0) / overlap by `overlap_A` / with a third
 /// across the seam.
 Scene touching();
-Scene hair(double overlap_A = 1e-9);
+Scene barelyOverlapping(double overlap_A = 1e-9);
 Scene touchingAcross();
 
 Scene nested();      ///< a ball inside another, one touching it from inside, and a neighbour

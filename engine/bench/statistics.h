@@ -8,13 +8,13 @@ namespace moltact::bench {
 
 /// In the unit of the values. Percentiles by nearest rank: p99 is the smallest value that at least 99 % do
 /// not exceed.
-struct Spread {
+struct Statistics {
   std::size_t count = 0;
   double mean = 0, rms = 0, p50 = 0, p99 = 0, p9999 = 0, max = 0;
 };
 
 /// Of no values, all zeros. The values must not be NaN.
-Spread spreadOf(std::vector<double> values);
+Statistics statisticsOf(std::vector<double> values);
 
 /// A mean and how far the true one may lie from it: half the width of the 95 % interval by Student's t; 0 of fewer
 /// than two values.

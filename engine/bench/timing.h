@@ -29,7 +29,7 @@ struct TickTimes {
   const Method* method = nullptr;
   double mean_ns = 0;        ///< over whole strokes
   std::size_t dropped = 0;   ///< strokes not counted because the processor was taken away
-  Spread single_ns;          ///< tick by tick; its mean includes what is left of the clock's cost
+  Statistics single_ns;          ///< tick by tick; its mean includes what is left of the clock's cost
   double touching = 0;       ///< share of counted ticks in contact (0 to 1)
   double make_s = 0;         ///< from the scene to a tracker that has answered its first tick, outside
   double first_touch_s = 0;  ///< the tick that first met the surface; 0 when none did

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "engine/bench/cool_ticks.h"
+#include "engine/bench/cold_cache_ticks.h"
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off.h"
 
@@ -15,7 +15,7 @@ namespace moltact::bench {
 std::string tradeOffSentences(const std::vector<TradeOff>& points);
 
 /// What a hand meets, beside the ticks in a row.
-std::string coolSentences(const std::vector<CoolTimes>& cool);
+std::string coldCacheSentences(const std::vector<ColdCacheTimes>& cool);
 
 /// Preparation, memory, and how exact's time grows with the scene.
 std::string sizeSentences(const std::vector<SceneTimes>& times);

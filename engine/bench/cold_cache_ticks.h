@@ -11,25 +11,25 @@
 
 namespace moltact::bench {
 
-struct CoolTimes {
+struct ColdCacheTimes {
   const Method* method = nullptr;
-  Spread sleeping_ns;   ///< one tick a millisecond
-  Spread thrashed_ns;   ///< each tick after kThrashed_bytes have been read and written
+  Statistics sleeping_ns;   ///< one tick a millisecond
+  Statistics thrashed_ns;   ///< each tick after kThrashed_bytes have been read and written
   double touching = 0;  ///< share of these ticks in contact (0 to 1)
 };
 
-struct CoolPlan {
+struct ColdCachePlan {
   std::size_t sleeping_ticks = 1000, thrashed_ticks = 200;  ///< of each method
 };
 
 inline constexpr std::size_t kThrashed_bytes = std::size_t(64) << 20;
 
 /// The strokes must have as many counted ticks as the plan asks for, over all.
-std::vector<CoolTimes> timeCool(std::span<const Method* const> methods, const std::shared_ptr<const BallScene>& scene,
-                                double probe_A, const std::vector<Stroke>& strokes, const CoolPlan& plan,
+std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods, const std::shared_ptr<const BallScene>& scene,
+                                double probe_A, const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
                                 const Progress& progress);
 
 /// `hot`: the same methods' times in a row, for the mean beside.
-ReportTable coolTable(const std::vector<CoolTimes>& cool, const std::vector<TickTimes>& hot, std::size_t spheres);
+ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::vector<TickTimes>& hot, std::size_t spheres);
 
 }  // namespace moltact::bench
