@@ -79,11 +79,11 @@ class MeshTracker final : public Tracker {
     Vec3 centre;
     double radius;
   };
-  struct Rival {
+  struct NearbyMesh {
     NearBall ball;
     std::int32_t face;  // whose plane may part it from the SCP; -1: none known
   };
-  static constexpr std::size_t kRivals = 4, kMostRivals = 8;
+  static constexpr std::size_t kNearbyMeshes = 4, kMostNearbyMeshes = 8;
   struct Meeting {
     double t;
     NearBall ball;
@@ -97,16 +97,16 @@ class MeshTracker final : public Tracker {
   bool touches(std::int32_t ball) const;
   bool holdsQuickly(const Vec3& hip) noexcept;
   bool wellWithin(const Touch& t, const Vec3& place) const;
-  void settle() noexcept;
+  void prepareQuickTicks() noexcept;
   bool isClear(const Vec3& end, double length) noexcept;
-  bool staysAbove(Rival& rival, const Vec3& end) const;
-  void watch(const Touch& t) noexcept;
+  bool staysAbove(NearbyMesh& other, const Vec3& end) const;
+  void trackNearby(const Touch& t) noexcept;
   void flow(const Vec3& hip) noexcept;
   void meet(const Vec3& way, Meeting& first) noexcept;
-  void dropLeft() noexcept;
+  void removeSeparated() noexcept;
   bool pushOut() noexcept;
   bool carry() noexcept;
-  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = rival_gap_ = 0.0; }
+  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = nearby_mesh_gap_ = 0.0; }
   Vec3 shadedNormal(const Vec3& hip) const noexcept;
   Contact contact(const Vec3& hip) const noexcept;
 
@@ -114,12 +114,12 @@ class MeshTracker final : public Tracker {
   Options options_;
   NearbyBalls nearby_;
   Vec3 scp_{0.0};       // this and every place inside the tracker is relative to nearby_.origin()
-  bool armed_ = false;  // has the HIP been outside since the start?
+  bool has_been_outside_ = false;  // has the HIP been outside since the start?
   std::array<Touch, kMostTouching> touching_;
   int touch_count_ = 0;
   std::array<int, 3> holding_{};  // places in touching_ of the faces that hold the SCP
   int hold_count_ = 0;
-  bool settled_ = false;  // what holds the SCP is all that it touches, and the next three say how
+  bool quick_prepared_ = false;  // what holds the SCP is all that it touches, and the next three say how
   Vec3 seam_{0.0};        // two or three hold: along the seam of the first two
   double seam_cosine_ = 0.0;
   std::array<Vec3, 3> holds_{};  // three hold: while the displacement leads against each of these
@@ -127,9 +127,9 @@ class MeshTracker final : public Tracker {
   double free_gap_ = 0.0;
   Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;
-  std::array<Rival, kMostRivals> rivals_;  // the nearest of them; but for these none is within rival_gap_
-  int rival_count_ = 0;
-  double rival_gap_ = 0.0;
+  std::array<NearbyMesh, kMostNearbyMeshes> nearby_meshes_;  // the nearest of them; but for these none is within nearby_mesh_gap_
+  int nearby_mesh_count_ = 0;
+  double nearby_mesh_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;
 };
 

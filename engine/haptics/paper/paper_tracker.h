@@ -49,7 +49,7 @@ class PaperTracker final : public Tracker {
   double probe_ = kWaterProbe_A;
   paper::AtomModels models_;
 
-  bool been_outside_ = false;
+  bool has_been_outside_ = false;
   Feature state_ = Feature::Free;
   std::int32_t atom_ = -1;     // the paper's current Atom; valid while in contact
   paper::Cone cone_;           // the current Cone; valid in state Circle

@@ -61,7 +61,7 @@ class SasMeshTracker final : public Tracker {
   Vec3 origin_;
   std::shared_ptr<const SurfaceMesh> mesh_;
   Vec3 scp_{0.0};       // this and every place inside the tracker is relative to origin_
-  bool armed_ = false;  // has the HIP been outside since the start?
+  bool has_been_outside_ = false;  // has the HIP been outside since the start?
   On on_ = On::Nothing;
   std::int32_t triangle_ = -1, edge_ = 0;
   SurfaceMesh::Plane plane_;   // the triangle's
