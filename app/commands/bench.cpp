@@ -161,10 +161,11 @@ void addCool(const BenchArguments& arguments, const std::vector<const Method*>& 
   const ColdCachePlan ticks = arguments.quick ? ColdCachePlan{100, 24} : ColdCachePlan{1000, 200};
   const ProgressBar bar("caches");
   const auto cool = timeColdCache(methodsForSize(methods, kChartSpheres), scene, kWaterProbe_A,
-                             contactStrokes(scene, kWaterProbe_A, strokes), ticks, std::cref(bar));
+                                  contactStrokes(scene, kWaterProbe_A, strokes), ticks, std::cref(bar));
   const auto hot =
       std::find_if(times.begin(), times.end(), [&](const SceneTimes& s) { return s.spheres == kChartSpheres; });
-  report.tables.push_back(coldCacheTable(cool, hot == times.end() ? std::vector<TickTimes>{} : hot->contact, kChartSpheres));
+  report.tables.push_back(
+      coldCacheTable(cool, hot == times.end() ? std::vector<TickTimes>{} : hot->contact, kChartSpheres));
   report.sentences.push_back({"cool_sentences", coldCacheSentences(cool)});
 }
 

@@ -15,7 +15,7 @@ namespace moltact::bench {
 struct Accuracy {
   Statistics scp_A;          ///< distance of the SCP from the right one, where the right one touches
   Statistics direction_deg;  ///< angle between the forces, where both touch
-  double lost = 0;       ///< share of ticks with no contact where there should be some (0 to 1)
+  double lost = 0;           ///< fraction of ticks with no contact where there should be some (0 to 1)
 };
 
 /// The angle between two vectors (unit: degree), exact for small angles; 0 where one is zero.

@@ -31,9 +31,10 @@ struct Walker {
 
 }  // namespace
 
-std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods, const std::shared_ptr<const BallScene>& scene,
-                                double probe_A, const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
-                                const Progress& progress) {
+std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods,
+                                          const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                          const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
+                                          const Progress& progress) {
   const double clock_ns = clockCost_ns();
   std::vector<ColdCacheTimes> out(methods.size());
   std::vector<Walker> walkers(methods.size());
@@ -78,7 +79,8 @@ std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods
   return out;
 }
 
-ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::vector<TickTimes>& hot, std::size_t spheres) {
+ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::vector<TickTimes>& hot,
+                           std::size_t spheres) {
   ReportTable t{"cool",
                 "One tick as a hand meets it, in contact on " + readable(double(spheres)) + " spheres",
                 {{"method", "method"},

@@ -13,9 +13,9 @@ namespace moltact::bench {
 
 struct ColdCacheTimes {
   const Method* method = nullptr;
-  Statistics sleeping_ns;   ///< one tick a millisecond
-  Statistics thrashed_ns;   ///< each tick after kThrashed_bytes have been read and written
-  double touching = 0;  ///< share of these ticks in contact (0 to 1)
+  Statistics sleeping_ns;  ///< one tick a millisecond
+  Statistics thrashed_ns;  ///< each tick after kThrashed_bytes have been read and written
+  double touching = 0;     ///< fraction of these ticks in contact (0 to 1)
 };
 
 struct ColdCachePlan {
@@ -25,11 +25,13 @@ struct ColdCachePlan {
 inline constexpr std::size_t kThrashed_bytes = std::size_t(64) << 20;
 
 /// The strokes must have as many counted ticks as the plan asks for, over all.
-std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods, const std::shared_ptr<const BallScene>& scene,
-                                double probe_A, const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
-                                const Progress& progress);
+std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods,
+                                          const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                          const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
+                                          const Progress& progress);
 
 /// `hot`: the same methods' times in a row, for the mean beside.
-ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::vector<TickTimes>& hot, std::size_t spheres);
+ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::vector<TickTimes>& hot,
+                           std::size_t spheres);
 
 }  // namespace moltact::bench

@@ -28,7 +28,7 @@ struct Feel {
   const Method* method = nullptr;
   Statistics turn_deg;  ///< of the force's direction, a tick
   Statistics change_A;  ///< of SCP - HIP, a tick; times the stiffness it is the force's
-  double lost = 0;  ///< share of ticks without contact
+  double lost = 0;      ///< fraction of ticks without contact
 };
 
 std::vector<Feel> measureFeel(const std::vector<const Method*>& methods);

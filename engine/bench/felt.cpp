@@ -12,13 +12,13 @@ namespace moltact::bench {
 namespace {
 
 constexpr double kTicks_per_s = 1000;
-constexpr double kNeverShare = 0.001, kOftenShare = 0.05;  // of ticks; between them: at times
+constexpr double kNeverFraction = 0.001, kOftenFraction = 0.05;  // of ticks; between them: at times
 constexpr double kNeverSteps_per_s = 0.1;
 
 }  // namespace
 
 FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
-            double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop) {
+                  double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop) {
   FeltErrors out;
   out.where = where;
   out.method = &method;
@@ -121,8 +121,8 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
 }
 
 std::string feltSentences(const std::vector<FeltErrors>& rows) {
-  const auto sorted = [&](const char* what, const std::function<double(const FeltErrors&)>& of, double never, double often,
-                          const char* unit, double times) {
+  const auto sorted = [&](const char* what, const std::function<double(const FeltErrors&)>& of, double never,
+                          double often, const char* unit, double times) {
     std::vector<std::string> no, at_times, yes;
     for (const FeltErrors& f : rows) {
       if (f.method->name == "exact") continue;
@@ -140,18 +140,19 @@ std::string feltSentences(const std::vector<FeltErrors>& rows) {
     return out + ".\n";
   };
   return sorted(
-             "A wrong direction, in the dark", [](const FeltErrors& f) { return f.direction_blind; }, kNeverShare,
-             kOftenShare, " % of ticks", 100) +
+             "A wrong direction, in the dark", [](const FeltErrors& f) { return f.direction_blind; }, kNeverFraction,
+             kOftenFraction, " % of ticks", 100) +
          sorted(
-             "A wrong direction, beside the picture", [](const FeltErrors& f) { return f.direction_seen; }, kNeverShare,
-             kOftenShare, " % of ticks", 100) +
+             "A wrong direction, beside the picture", [](const FeltErrors& f) { return f.direction_seen; },
+             kNeverFraction, kOftenFraction, " % of ticks", 100) +
          sorted(
-             "A wrong size, by 10 %", [](const FeltErrors& f) { return f.size_wide; }, kNeverShare, kOftenShare,
+             "A wrong size, by 10 %", [](const FeltErrors& f) { return f.size_wide; }, kNeverFraction, kOftenFraction,
              " % of ticks", 100) +
          sorted(
-             "A step of 10 %", [](const FeltErrors& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " a second", 1) +
-         "\nCannot: in at most " + constant(100 * kNeverShare) + " % of ticks, or at most " +
-         constant(kNeverSteps_per_s) + " times a second; often: in more than " + constant(100 * kOftenShare) +
+             "A step of 10 %", [](const FeltErrors& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " a second",
+             1) +
+         "\nCannot: in at most " + constant(100 * kNeverFraction) + " % of ticks, or at most " +
+         constant(kNeverSteps_per_s) + " times a second; often: in more than " + constant(100 * kOftenFraction) +
          " % of ticks, or more than once a second.\n";
 }
 

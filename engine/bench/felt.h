@@ -22,19 +22,19 @@ struct FeltErrors {
   std::string where;
   const Method* method = nullptr;
   std::size_t ticks = 0;           ///< in contact
-  Statistics direction_deg;            ///< angle to exact's force, where both push
-  double direction_seen = 0;       ///< share over kDirectionSeen_deg
-  double direction_blind = 0;      ///< share over kDirectionBlind_deg
-  double size = 0, size_wide = 0;  ///< share whose force differs in size by over kForceWeber, kForceWeberWide
+  Statistics direction_deg;        ///< angle to exact's force, where both push
+  double direction_seen = 0;       ///< fraction over kDirectionSeen_deg
+  double direction_blind = 0;      ///< fraction over kDirectionBlind_deg
+  double size = 0, size_wide = 0;  ///< fraction whose force differs in size by over kForceWeber, kForceWeberWide
   double steps = 0,
          steps_wide = 0;  ///< times a second: the force steps by those shares more than exact's does within two ticks
-  double off = 0;         ///< share with the SCP over kPlaceFelt_A from exact's
-  double lost = 0;        ///< share without contact
+  double off = 0;         ///< fraction with the SCP over kPlaceFelt_A from exact's
+  double lost = 0;        ///< fraction without contact
 };
 
 /// One method along strokes; both trackers begin anew with each.
 FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
-            double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
+                  double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
 
 /// The same errors over several places, by ticks.
 FeltErrors together(const std::string& where, const std::vector<FeltErrors>& parts);

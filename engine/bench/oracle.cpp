@@ -225,7 +225,7 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
 }
 
 Oracle::Answer Oracle::step(Vec3 hip_A) {
-  // The perturbed lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either
+  // The perturbed copies lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either
   // side.
   static const std::array<PointL, 5> kOffsets{PointL{0, 0, 0}, PointL{1, 1, 1}, PointL{1, -1, -1}, PointL{-1, 1, -1},
                                               PointL{-1, -1, 1}};
@@ -259,7 +259,7 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
     spread = std::max(spread, length(e.s - ends[0].s));
     answer.decided = answer.decided && e.settled && e.arrived == ends[0].arrived;
   }
-  // The arithmetic is better than 1e-4 of the perturbed' offset, and errors grow as the perturbed' spread
+  // The arithmetic is better than 1e-4 of the perturbed copies' offset, and errors grow as their spread
   // does.
   answer.decided = answer.decided && spread < 1000 * Real(kPerturbation_A);
   answer.accuracy_A = double(1e-4L * spread + 1e-13L);

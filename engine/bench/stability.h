@@ -79,7 +79,7 @@ struct StabilityCell {
 std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results,
                                           const StabilityLimits& limits = {});
 
-/// How true: scenes down, methods across, the share of ticks that are off with its 95 % interval.
+/// How true: scenes down, methods across, the fraction of ticks that are off with its 95 % interval.
 ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits = {});
 /// How stable: scenes down, methods across, events with the number of draws that had one.
 ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits = {});

@@ -61,7 +61,7 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
 }
 
 std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t balls,
-                                    std::size_t least_prepared) {
+                                          std::size_t least_prepared) {
   std::vector<const Method*> out;
   for (const Method* m : methods)
     if (m->most_balls == 0 || (balls <= m->most_balls && balls >= least_prepared)) out.push_back(m);

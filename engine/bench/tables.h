@@ -50,7 +50,7 @@ struct SceneTimes {
 /// Those that are made for scenes of so many balls (Method::most_balls); those that prepare them not below
 /// `least_prepared`.
 std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t balls,
-                                    std::size_t least_prepared = 0);
+                                          std::size_t least_prepared = 0);
 
 std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
                                       const Progress& progress);

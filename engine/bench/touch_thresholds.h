@@ -11,11 +11,11 @@ namespace moltact::bench {
 /// found 18.4 degrees with a picture that agrees, 25.6 without one, 31.9 with one that does not.
 inline constexpr double kDirectionSeen_deg = 18.4, kDirectionBlind_deg = 25.6, kDirectionMisled_deg = 31.9;
 
-/// Sizes of a force that differ by less than this share are not told apart. Pang, Tan & Durlach (1991): about
+/// Sizes of a force that differ by less than this fraction are not told apart. Pang, Tan & Durlach (1991): about
 /// 7 % between 2.5 and 10 N; about 7 to 10 % over many studies.
 inline constexpr double kForceWeber = 0.07, kForceWeberWide = 0.10;
 
-/// The press of the made scenes, for which a share of the force becomes newtons and angstroms: 0.6 A deep.
+/// The press of the made scenes, for which a fraction of the force becomes newtons and angstroms: 0.6 A deep.
 inline constexpr double kUsualDepth_A = 0.6;
 
 /// A place that is off by less cannot be felt: the force of the usual press then differs by 8 %.

@@ -175,8 +175,8 @@ void BallScene::makeTree(std::uint32_t begin, std::uint32_t end) {
 }
 
 std::size_t BallScene::bytes() const {
-  return sorted_.capacity() * sizeof(Sorted) + tree_nodes_.capacity() * sizeof(TreeNode) + cell_trees_.capacity() * sizeof(CellTree) +
-         cells_.capacity() * sizeof(Cell);
+  return sorted_.capacity() * sizeof(Sorted) + tree_nodes_.capacity() * sizeof(TreeNode) +
+         cell_trees_.capacity() * sizeof(CellTree) + cells_.capacity() * sizeof(Cell);
 }
 
 }  // namespace moltact

@@ -60,15 +60,15 @@ class BallScene {
     visitBox(place - Vec3(reach_A), place + Vec3(reach_A), inReach, visit);
   }
 
-  /// The same for the balls that come within margin_A of any place in the box [low, high]; where many balls cell_tree in a
+  /// The same for the balls that come within margin_A of any place in the box [low, high]; where many balls crowd in a
   /// cell, only for those in groups for which `mayMeet(centre, radius)` is true: the group's balls all lie in that
   /// ball.
   template <class MayMeet, class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, MayMeet&& mayMeet, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;
     visitBox(
-        low - Vec3(reach), high + Vec3(reach), [&](const TreeNode& b) { return mayMeet(b.centre, b.radius + b.largest); },
-        visit);
+        low - Vec3(reach), high + Vec3(reach),
+        [&](const TreeNode& b) { return mayMeet(b.centre, b.radius + b.largest); }, visit);
   }
   template <class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, Visit&& visit) const {
@@ -143,7 +143,7 @@ class BallScene {
   template <class Accept, class Visit>
   [[gnu::noinline]] bool visitTree(std::uint32_t begin, Accept&& accept, Visit&& visit) const {
     const auto cell_tree = std::lower_bound(cell_trees_.begin(), cell_trees_.end(), begin,
-                                        [](const CellTree& c, std::uint32_t b) { return c.begin < b; });
+                                            [](const CellTree& c, std::uint32_t b) { return c.begin < b; });
     const std::uint32_t end = tree_nodes_[cell_tree->root].next;
     for (std::uint32_t node = cell_tree->root; node < end;) {
       const TreeNode& b = tree_nodes_[node];
@@ -186,11 +186,11 @@ class BallScene {
   void makeTree(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Ball> balls_;
-  std::vector<Sorted> sorted_;    // by cell, the cells along x, then y, then z: neighbours lie near in memory;
-  std::uint32_t large_from_ = 0;  // from here on the few balls much larger than the rest, tested at every visit
-  std::vector<TreeNode> tree_nodes_;     // trees, each node before those below it
-  std::vector<CellTree> cell_trees_;     // by begin
-  std::vector<Cell> cells_;       // open addressing, at most half full
+  std::vector<Sorted> sorted_;        // by cell, the cells along x, then y, then z: neighbours lie near in memory;
+  std::uint32_t large_from_ = 0;      // from here on the few balls much larger than the rest, tested at every visit
+  std::vector<TreeNode> tree_nodes_;  // trees, each node before those below it
+  std::vector<CellTree> cell_trees_;  // by begin
+  std::vector<Cell> cells_;           // open addressing, at most half full
   std::size_t mask_ = 0;
   int shift_ = 62;  // 64 less the bits of a quarter of the table
   Vec3 low_{0.0}, high_{0.0}, grid_low_{0.0}, grid_high_{0.0};

@@ -20,7 +20,6 @@ struct DownloadResult {
 /// with ConsumerStopped. Gives up when no connection stands after 10 s, when less than 1 kB arrives within 30 s, or when more
 /// than `most_bytes` come; with Cancelled within a second or so after `cancelled` (may be empty) gives true.
 DownloadResult download(const std::string& url, std::size_t most_bytes,
-                        const std::function<bool(std::string_view)>& take,
-                        const std::function<bool()>& cancelled = {});
+                        const std::function<bool(std::string_view)>& take, const std::function<bool()>& cancelled = {});
 
 }  // namespace moltact

@@ -22,10 +22,10 @@ inline Workspace fitWorkspace(const BallScene& scene) {
 
 /// A hand that is held reaches no farther than its device's room, which is mostly less deep than a molecule: the room's
 /// middle lies free before the surface.
-inline constexpr double kFreeShare = 0.2, kMostFree_mm = 20.0;  ///< so much of the room's depth, and no more
+inline constexpr double kFreeFraction = 0.2, kMostFree_mm = 20.0;  ///< so much of the room's depth, and no more
 
 /// The same scale for a held hand, along the axes `turn`: straight behind the middle of the device's room lies
-/// `toward`, and before it the surface that a probe meets first on its way there, at kFreeShare of the room's depth
+/// `toward`, and before it the surface that a probe meets first on its way there, at kFreeFraction of the room's depth
 /// from the middle. Where nothing lies on that way, `toward` itself.
 Workspace beforeHand(const Workspace& scene, const BallScene& balls, double probe_A, PointA toward,
                      const glm::dmat3& turn, const DeviceSpecs& device);

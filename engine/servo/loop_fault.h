@@ -8,13 +8,13 @@ namespace moltact {
 
 enum class LoopFault : std::uint8_t {
   None,
-  Late,        ///< the answer comes too late for its tick: the device holds the last force meanwhile
-  Lost,        ///< no tick comes
-  Doubled,     ///< a tick comes twice, on one reading
-  Stall,       ///< the loop stands, in its tick
+  Late,          ///< the answer comes too late for its tick: the device holds the last force meanwhile
+  Lost,          ///< no tick comes
+  Doubled,       ///< a tick comes twice, on one reading
+  Stall,         ///< the loop stands, in its tick
   PositionJump,  ///< the place is far off
-  NotANumber,  ///< the place is none
-  Frozen,      ///< nothing new comes from the device
+  NotANumber,    ///< the place is none
+  Frozen,        ///< nothing new comes from the device
 };
 
 }  // namespace moltact

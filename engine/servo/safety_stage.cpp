@@ -53,7 +53,8 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
   dt_s_ = sane ? std::min(time.dt_s, kTick_s) : kTick_s;
   // The delay rises at once and falls within about a second, so that the bound does not flicker.
   const double measured_s = time.delay_s + pose.age_s;
-  const double delay_s = std::isfinite(measured_s) ? std::clamp(measured_s, 0.0, safety::kContactLost_s) : safety::kContactLost_s;
+  const double delay_s =
+      std::isfinite(measured_s) ? std::clamp(measured_s, 0.0, safety::kContactLost_s) : safety::kContactLost_s;
   delay_s_ = std::max(delay_s, delay_s_ + (delay_s - delay_s_) * std::min(1.0, dt_s_));
 
   const double elapsed_s = sane ? time.dt_s : safety::kStale_s;
@@ -137,7 +138,8 @@ double SafetyStage::cutFraction(double force_N, double torque_N_mm, double most_
 // What springs hold whose pull is cut: cut to a share of itself, what grows with the stretch gives back that share of
 // the energy twice, but for the square of it.
 double SafetyStage::stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept {
-  const double part = cutFraction(stiffness_N_per_mm * springs.stretch_mm, stiffness_N_per_mm * springs.torque_mm2, most_N);
+  const double part =
+      cutFraction(stiffness_N_per_mm * springs.stretch_mm, stiffness_N_per_mm * springs.torque_mm2, most_N);
   return 1e-3 * stiffness_N_per_mm * springs.energy_mm2 * part * (2.0 - part);
 }
 

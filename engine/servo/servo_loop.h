@@ -138,8 +138,8 @@ class ServoLoop {
     std::uint32_t scene = 0;
   };
   std::atomic<HandedInteraction*> pending_{nullptr};  // the next
-  std::atomic<HandedInteraction*> retired_{nullptr};   // one that a tick has put down
-  HandedInteraction* current_ = nullptr;               // the ticks'
+  std::atomic<HandedInteraction*> retired_{nullptr};  // one that a tick has put down
+  HandedInteraction* current_ = nullptr;              // the ticks'
   // A frame on its way, with its scene's number.
   struct HandedFrame {
     std::shared_ptr<const SphereFrame> frame;
@@ -147,8 +147,8 @@ class ServoLoop {
   };
   std::atomic<HandedFrame*> pending_frame_{nullptr}, retired_frame_{nullptr};  // as above
   std::uint32_t pending_frames_scene_ = 0;                                     // the owner's
-  HandedFrame* frame_ = nullptr;                                                // the ticks': the one in force
-  HandedFrame* next_frame_ = nullptr;                                           // the ticks': waits for its scene
+  HandedFrame* frame_ = nullptr;                                               // the ticks': the one in force
+  HandedFrame* next_frame_ = nullptr;                                          // the ticks': waits for its scene
   HandedFrame* last_frame_ = nullptr;  // the ticks': put down in this tick, in which what is felt may still ask it
   int frame_tick_ = 0;                 // of the one in force
   struct Recording {

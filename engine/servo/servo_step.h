@@ -77,8 +77,8 @@ class ServoStep {
   /// One tick. `interaction` may be null: no molecule, no force. Pass a changed one freely: it is not reset, and the force
   /// starts softly. Frames follow one another without that: what the spheres' own motion does to the springs is no
   /// energy that the loop makes.
-  ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose, const TickTime& time = {},
-                   const SceneMotion& motion = {}) noexcept;
+  ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
+                   const TickTime& time = {}, const SceneMotion& motion = {}) noexcept;
 
   /// As if it had met no interaction yet: the next one counts as new.
   void forgetInteraction() noexcept { last_interaction_ = nullptr; }
@@ -93,7 +93,8 @@ class ServoStep {
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  bool moveSurface(const ServoSettings& settings, Interaction& interaction, const SceneMotion& motion, bool changed) noexcept;
+  bool moveSurface(const ServoSettings& settings, Interaction& interaction, const SceneMotion& motion,
+                   bool changed) noexcept;
   WantedWrench feel(const ServoSettings& settings, const Response& response) noexcept;
 
   std::uint64_t tick_ = 0;

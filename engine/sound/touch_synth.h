@@ -66,7 +66,7 @@ class TouchSynth {
 
   TouchMoment felt_;
   double semitones_ = 0, loudness_ = 0;     // smoothed
-  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ is each one's smoothed share
+  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ is each one's smoothed level
   Blip knock_, tick_;
   int since_tick_ = kSamples_per_s;
 };

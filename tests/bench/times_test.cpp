@@ -94,7 +94,8 @@ TEST_CASE("of 3 methods 20 ticks with sleep between and 4 after lost caches are 
   const std::vector<const Method*> methods{findMethod("exact"), findMethod("mesh960"), findBenchMethod("sasmesh05")};
   StrokePlan plan;
   plan.strokes = 2, plan.ticks = 50;
-  const auto times = timeColdCache(methods, scene, kWaterProbe_A, contactStrokes(scene, kWaterProbe_A, plan), {20, 4}, {});
+  const auto times =
+      timeColdCache(methods, scene, kWaterProbe_A, contactStrokes(scene, kWaterProbe_A, plan), {20, 4}, {});
   REQUIRE(times.size() == 3);
   for (const ColdCacheTimes& t : times) {
     CHECK(t.sleeping_ns.count == 20);

@@ -148,7 +148,8 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a packet device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and plugging "
+    "a packet device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and "
+    "plugging "
     "in mends it") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();

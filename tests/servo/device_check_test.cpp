@@ -209,10 +209,11 @@ TEST_CASE(
     double at_mm;
     const char* broken;
   };
-  for (const Case& one : {Case{Fault::None, 0, 2.0, nullptr}, Case{Fault::PositionJump, 3, 2.0, "over the greatest force"},
-                          Case{Fault::NotANumber, 1, 2.0, "the force is not finite"},
-                          Case{Fault::Frozen, 60, 2.0, "force at a stale place"},
-                          Case{Fault::Stall, 1, 2.0, "more force than softly after a fault"}}) {
+  for (const Case& one :
+       {Case{Fault::None, 0, 2.0, nullptr}, Case{Fault::PositionJump, 3, 2.0, "over the greatest force"},
+        Case{Fault::NotANumber, 1, 2.0, "the force is not finite"},
+        Case{Fault::Frozen, 60, 2.0, "force at a stale place"},
+        Case{Fault::Stall, 1, 2.0, "more force than softly after a fault"}}) {
     CAPTURE(int(one.fault));
     auto put = std::make_unique<PutDevice>();
     PutDevice& raw = *put;

@@ -84,10 +84,10 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
     at = foot + Vec3(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0);
-  const float x =
-      std::clamp(view.low.x + saturateToFloat(at.x) - 0.5f * extent.x, view.low.x + l.px(6), view.high.x - extent.x - l.px(6));
-  const float y =
-      std::clamp(view.low.y + saturateToFloat(at.y) - 0.5f * extent.y, view.low.y + l.px(6), view.high.y - extent.y - l.px(6));
+  const float x = std::clamp(view.low.x + saturateToFloat(at.x) - 0.5f * extent.x, view.low.x + l.px(6),
+                             view.high.x - extent.x - l.px(6));
+  const float y = std::clamp(view.low.y + saturateToFloat(at.y) - 0.5f * extent.y, view.low.y + l.px(6),
+                             view.high.y - extent.y - l.px(6));
   const ImVec2 pad{l.px(5), l.px(2)};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y},

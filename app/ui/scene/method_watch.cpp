@@ -19,7 +19,8 @@ constexpr double kPull_A = 0.02;  // a shorter spring has no direction to speak 
 
 void TickHistogram::add(double time_us) {
   if (!(time_us > 0.0)) return;
-  const int bin = std::clamp(saturateToInteger<int>(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
+  const int bin =
+      std::clamp(saturateToInteger<int>(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
   counts_[std::size_t(bin)] += 1.0;
   total_ += 1.0;
   if (total_ < 2.0 * kFading) return;

@@ -41,8 +41,8 @@ Expected<std::unique_ptr<Device>> openHid(const HidKind& kind, const FoundDevice
   DeviceInfo known = kind.known;
   if (known.name.empty()) known.name = found.title;
   // The one that was found first; others of the kind only where that is not there, or no longer one.
-  const auto opener = [is = kind.is,
-                       path = found.place](const PacketDevice::Accept& accept) -> Expected<std::unique_ptr<PacketPort>> {
+  const auto opener =
+      [is = kind.is, path = found.place](const PacketDevice::Accept& accept) -> Expected<std::unique_ptr<PacketPort>> {
     std::vector<HidEntry> all = listHid();
     std::erase_if(all, [&](const HidEntry& entry) { return !is(entry); });
     std::stable_partition(all.begin(), all.end(), [&](const HidEntry& entry) { return entry.path == path; });

@@ -203,8 +203,9 @@ void GridTracker::setProbe(double probe_A) noexcept {
   if (capFor(wanted, bricks_.spacing_A()) > capFor(had, bricks_.spacing_A()))
     bricks_.setCap(capFor(wanted, bricks_.spacing_A()));
   // The surface moves by a part of the spacing at once, so that the SCP stays on its side of a wall.
-  const int pieces =
-      !has_been_outside_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
+  const int pieces = !has_been_outside_ || wanted < had
+                         ? 1
+                         : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
   for (int k = 1; k <= pieces; ++k) {
     probe_ = k == pieces ? wanted : had + (wanted - had) * k / pieces;
     fills_left_ = kMostFills;

@@ -54,7 +54,7 @@ class GridTracker final : public Tracker {
   Vec3 origin_;
   DistanceBricks bricks_;
   double probe_;
-  Vec3 scp_{0.0};       // this and every place inside the tracker is relative to origin_
+  Vec3 scp_{0.0};                  // this and every place inside the tracker is relative to origin_
   bool has_been_outside_ = false;  // has the HIP been outside since the start?
   bool touching_ = false;
   Vec3 free_from_{0.0};  // free: the field's surface is not within free_gap_ of this place

@@ -369,8 +369,8 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       scp_ -= face(t).normal * heightOver(t, scp_);
       touching_[std::size_t(touch_count_++)] = t;
       nearby_mesh_count_ = int(std::remove_if(nearby_meshes_.begin(), nearby_meshes_.begin() + nearby_mesh_count_,
-                                        [&](const NearbyMesh& r) { return r.ball.index == t.ball; }) -
-                         nearby_meshes_.begin());
+                                              [&](const NearbyMesh& r) { return r.ball.index == t.ball; }) -
+                               nearby_meshes_.begin());
     } else if (over >= 0) {
       touching_[std::size_t(over)].face = face(touching_[std::size_t(over)]).across[edge];
       if (moved) removeSeparated();
@@ -390,7 +390,8 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         std::copy_n(kept.begin(), blocked.count, touching_.begin());
         touch_count_ = blocked.count;
         for (int k = 0; k < count_before; ++k)
-          if (std::find(blocked.by.begin(), blocked.by.end(), k) == blocked.by.end()) trackNearby(before[std::size_t(k)]);
+          if (std::find(blocked.by.begin(), blocked.by.end(), k) == blocked.by.end())
+            trackNearby(before[std::size_t(k)]);
         holding_ = {0, 1, 2};
       }
       return;
@@ -450,8 +451,9 @@ void MeshTracker::moveTo(double share) noexcept {
   if (share == had) return;
   if (has_been_outside_) nearby_.each(scp_, 0.0, [](const NearBall&) {});  // so that there is a list
   const double most_A = std::abs(share - had) * nearby_.mostMoved_A();
-  const int pieces =
-      has_been_outside_ && most_A > kSwelling_A ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMostSwellings))) : 1;
+  const int pieces = has_been_outside_ && most_A > kSwelling_A
+                         ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMostSwellings)))
+                         : 1;
   for (int k = 1; k <= pieces; ++k) {
     nearby_.moveTo(k == pieces ? share : had + (share - had) * k / pieces);
     if (carry()) continue;

@@ -113,21 +113,22 @@ class MeshTracker final : public Tracker {
   std::shared_ptr<const SphereMesh> mesh_;
   Options options_;
   NearbyBalls nearby_;
-  Vec3 scp_{0.0};       // this and every place inside the tracker is relative to nearby_.origin()
+  Vec3 scp_{0.0};                  // this and every place inside the tracker is relative to nearby_.origin()
   bool has_been_outside_ = false;  // has the HIP been outside since the start?
   std::array<Touch, kMostTouching> touching_;
   int touch_count_ = 0;
   std::array<int, 3> holding_{};  // places in touching_ of the faces that hold the SCP
   int hold_count_ = 0;
   bool quick_prepared_ = false;  // what holds the SCP is all that it touches, and the next three say how
-  Vec3 seam_{0.0};        // two or three hold: along the seam of the first two
+  Vec3 seam_{0.0};               // two or three hold: along the seam of the first two
   double seam_cosine_ = 0.0;
   std::array<Vec3, 3> holds_{};  // three hold: while the displacement leads against each of these
   Vec3 free_from_{0.0};          // free: no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
   Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;
-  std::array<NearbyMesh, kMostNearbyMeshes> nearby_meshes_;  // the nearest of them; but for these none is within nearby_mesh_gap_
+  std::array<NearbyMesh, kMostNearbyMeshes>
+      nearby_meshes_;  // the nearest of them; but for these none is within nearby_mesh_gap_
   int nearby_mesh_count_ = 0;
   double nearby_mesh_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;

@@ -31,9 +31,9 @@ class PenaltyTracker final : public Tracker {
 
  private:
   NearbyBalls nearby_;
-  Vec3 last_{0.0};       // the last SCP, for an answer to a HIP that is no place
-  bool has_been_outside_ = false;   // has the HIP been outside since the start?
-  Vec3 free_from_{0.0};  // no ball is within free_gap_ of this place
+  Vec3 last_{0.0};                 // the last SCP, for an answer to a HIP that is no place
+  bool has_been_outside_ = false;  // has the HIP been outside since the start?
+  Vec3 free_from_{0.0};            // no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
 };
 

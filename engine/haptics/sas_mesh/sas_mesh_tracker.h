@@ -60,7 +60,7 @@ class SasMeshTracker final : public Tracker {
   double probe_, margin_;
   Vec3 origin_;
   std::shared_ptr<const SurfaceMesh> mesh_;
-  Vec3 scp_{0.0};       // this and every place inside the tracker is relative to origin_
+  Vec3 scp_{0.0};                  // this and every place inside the tracker is relative to origin_
   bool has_been_outside_ = false;  // has the HIP been outside since the start?
   On on_ = On::Nothing;
   std::int32_t triangle_ = -1, edge_ = 0;
