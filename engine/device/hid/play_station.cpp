@@ -52,7 +52,11 @@ bool PlayStationProtocol::parseReport(std::span<const std::uint8_t> r, DevicePos
 void PlayStationProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) push_ = turn_ = Vec3(0.0);
   rate_control::move(pose, push_, dt_s);
-  view_motion_.rotation = rate_control::shaped(turn_);
+  view_motion_ = {};
+  if (turns_hand_)
+    rate_control::rotate(pose, turn_, dt_s);
+  else
+    view_motion_.rotation = rate_control::shaped(turn_);
 }
 
 std::size_t PlayStationProtocol::encode(const Wrench& wrench, ReportBuffer out) noexcept {

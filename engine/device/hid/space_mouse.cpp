@@ -66,7 +66,10 @@ void SpaceMouseProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) axes_ = {};
   view_motion_ = {};
   // No hand pushes without turning a little, nor the other way round.
-  if (glm::length(axes_.rotation) > glm::length(axes_.push))
+  const bool turns = glm::length(axes_.rotation) > glm::length(axes_.push);
+  if (turns && turns_hand_ && !leads_view_)
+    rate_control::rotate(pose, axes_.rotation, dt_s);
+  else if (turns)
     view_motion_.rotation = rate_control::shaped(axes_.rotation);
   else if (leads_view_)
     view_motion_.move = rate_control::shaped(axes_.push);

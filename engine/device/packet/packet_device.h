@@ -46,6 +46,7 @@ class PacketDevice final : public Device {
   DeviceStatus status() override;
   void calibrate() override { calibrate_.store(true, std::memory_order_release); }
   ViewMotion viewMotion() noexcept override { return view_motion_.read(); }
+  void turnHand(bool on) noexcept override { turns_hand_.store(on, std::memory_order_relaxed); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -88,7 +89,7 @@ class PacketDevice final : public Device {
   TripleBuffer<DeviceGuidance> guidance_;
   std::uint32_t last_read_ = 0;  // of the haptic thread: the count of the last place
   Command next_command_;         // of the haptic thread
-  std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false};
+  std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false}, turns_hand_{false};
   std::thread thread_;
 };
 

@@ -36,6 +36,8 @@ class PacketProtocol {
   virtual void advance(double /*dt_s*/, DevicePose&) noexcept {}
   /// The motion of the view that the newest reports ask for, for devices that lead it.
   virtual ViewMotion viewMotion() const noexcept { return {}; }
+  /// As Device::turnHand; called before each advance().
+  virtual void turnHand(bool) noexcept {}
   /// Encodes the report that gives this force, and this torque where the device drives one (DeviceSpecs::dof_out 6). Its
   /// id comes first. Returns its length; 0: nothing is to be written.
   virtual std::size_t encode(const Wrench&, ReportBuffer) noexcept { return 0; }
