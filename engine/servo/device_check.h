@@ -1,6 +1,6 @@
 // The check of a device in a person's hand: its places while nothing moves, a gentle pull, a wall to press on, every
 // way in which force must end, and the faults of the loop that can be made with a real device, each judged by the
-// promises of docs/safety.md (force_judge.h). It asks before each part that moves the device, and begins when the
+// promises of docs/safety.md (force_monitor.h). It asks before each part that moves the device, and begins when the
 // device is ready. Calling thread; takes a few minutes. Units: millimetre, newton, second.
 #pragma once
 

@@ -1,5 +1,5 @@
 // A device with faults put between it and the loop: ticks that come late, twice or not at all, a loop that stands,
-// places that were misread. Everything that is then given to the device is judged (force_judge.h). It brings a clock
+// places that were misread. Everything that is then given to the device is judged (force_monitor.h). It brings a clock
 // where the device has none, so that the ticks are its own. Faults are asked for by one thread and done on the loop's.
 // Units: millimetre, newton.
 #pragma once

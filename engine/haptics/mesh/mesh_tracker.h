@@ -21,10 +21,10 @@
 // `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box by box, as published
 // polygonal trackers do. The places found are the same to the last bit.
 //
-// Force shading: with `smooth`, Contact::normal is made of normals interpolated from the corners' (Ruspini,
-// Kolarov & Khatib 1997), each weighted by its face's share in holding the SCP. Corners on the sphere carry
-// the sphere's own normals, and the interpolation of such normals over a face is the direction from the
-// centre: the best that shading can do.
+// Force shading: with `smooth` the displacement (Contact::displacement_A) keeps its length and is turned to a normal
+// interpolated from the corners' normals (Ruspini, Kolarov & Khatib 1997), each weighted by its face's part in holding
+// the SCP. Corners on the sphere have the sphere's own normals, and the interpolation of such normals over a face is the
+// direction from the centre: no shading can do better.
 //
 // Known failures, pinned by tests: over an edge the SCP leaps by about twice the depth times the tangent of
 // half the angle between the faces, and the flat force turns by that angle; the SCP lies up to a sagitta
