@@ -1,5 +1,5 @@
-// A device's description that may become another's, when another one is plugged in, while any thread reads it: those
-// that were stay as they are until the device is closed, so that a reference to one is good that long.
+// A device's description that changes when another device is plugged in, while any thread reads it. Every version lives
+// until the device is closed, so a reference to one stays valid that long.
 #pragma once
 
 #include <atomic>

@@ -1,6 +1,6 @@
-// The one device that the maker's driver has for this process. Whether it is there shows only when it is opened, and
-// that may take a while: so what a look has opened is kept for the opening that mostly follows, and closed where none
-// does. Any thread but the haptic one.
+// The one device that the vendor's driver has for this process. It shows whether it is there only when it is opened,
+// and opening may take a while. So a device that look() has opened is kept for the take() that mostly follows, and
+// closed when none does. Any thread but the haptic one.
 #pragma once
 
 #include <chrono>
@@ -20,16 +20,16 @@ class OmniConnection {
   static OmniConnection& get();
   ~OmniConnection();
 
-  /// What is there, or was when it was last opened; it stays open for kKeepOpen.
+  /// The device as it is now, or as it was when it was last opened; it stays open for kKeepOpen.
   Expected<OmniSession> look(const hd::Library& hd);
-  /// Opens it, or gives the one that a look has opened. It is taken from now on.
+  /// Opens the device, or hands over the one that look() has opened. It is in use from now on.
   Expected<OmniSession> take(const hd::Library& hd);
   void giveBack();
-  /// The one that is taken, as it was opened last.
+  /// The device that is in use, as it was opened last.
   std::optional<OmniSession> taken();
-  /// It was opened anew, and may be another one.
+  /// The device in use was reopened, and may be another one.
   void renewed(const OmniSession& session);
-  /// Closes what a look has opened, at once.
+  /// Closes at once what look() has opened.
   void closeUnused();
 
  private:

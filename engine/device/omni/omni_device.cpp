@@ -82,7 +82,7 @@ void OmniDevice::schedule() {
   if (session_.device == hd::kInvalidHandle) return;
   handle_.store(session_.device);
   calibration_style_.store(session_.calibration_style);
-  room_middle_mm_ = session_.room_middle_mm;
+  workspace_middle_mm_ = session_.workspace_middle_mm;
   calibrate_.store(false);
   framed_.store(false);
   stood_reads_.store(0);
@@ -211,7 +211,7 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   // Asked before the force is written: what is wrong by now ends it in this frame.
   bool broken = drain();
   DevicePose& pose = own_.pose;
-  pose.position.mm = Vec3(position[0], position[1], position[2]) - room_middle_mm_;
+  pose.position.mm = Vec3(position[0], position[1], position[2]) - workspace_middle_mm_;
   pose.orientation = hd::orientationOf(transform, pose.orientation);
   pose.buttons = std::uint32_t(buttons);
   pose.connected = !gone_.load(std::memory_order_relaxed);

@@ -1,6 +1,6 @@
-// Ends the force of an Omni where its callback cannot: a thread of its own, awake 250 times a second, sees whether
-// frames come, and switches the driver's force output off where none has come for kStalled_ms, and on again, to begin
-// softly, when they do. While all force is inhibited (platform/force_inhibit.h) it waits for kStalledInhibited_ms only.
+// Ends the force of an Omni where its callback cannot. Its own thread wakes 250 times a second and checks whether
+// frames come. It switches the driver's force output off when none has come for kStalled_ms, and on again, with a soft
+// start, when they do. While all force is inhibited (platform/force_inhibit.h) it waits for kStalledInhibited_ms only.
 #pragma once
 
 #include <atomic>
