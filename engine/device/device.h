@@ -15,9 +15,9 @@ namespace moltact {
 /// the literature; docs/devices.md says which is which.
 struct DeviceSpecs {
   Vec3 workspace_mm{160.0, 120.0, 70.0};  ///< the reach of the hand, edge to edge
-  int dof_in = 3;                         ///< degrees of freedom that are read and used: 3 position, 6 position and orientation
-  int dof_out = 0;                        ///< degrees of freedom that are driven: 0 none, 3 force, 6 force and torque
-  double max_force_N = 3.3;               ///< the greatest force for a moment
+  int dof_in = 3;            ///< degrees of freedom that are read and used: 3 position, 6 position and orientation
+  int dof_out = 0;           ///< degrees of freedom that are driven: 0 none, 3 force, 6 force and torque
+  double max_force_N = 3.3;  ///< the greatest force for a moment
   double continuous_force_N = 3.3;        ///< the greatest force for good, by the motors' heat
   double max_stiffness_N_per_mm = 1.0;    ///< the stiffest wall it can show
   double max_damping_N_s_per_m = 5.0;     ///< the greatest damping it can show
@@ -64,8 +64,8 @@ struct ViewMotion {
 /// A device's state, in words for the person who holds it.
 struct DeviceStatus {
   bool connected = true;
-  bool ready = true;  ///< false: no force yet, or its positions cannot be trusted; `text` says what to do
-  std::string text;   ///< what is wrong, or what the person should do; may be empty
+  bool ready = true;            ///< false: no force yet, or its positions cannot be trusted; `text` says what to do
+  std::string text;             ///< what is wrong, or what the person should do; may be empty
   bool asks_calibrate = false;  ///< waits for calibrate(), to be called when the person has done what `text` says
   double motor_heat = -1.0;  ///< 0 cold to 1 as warm as its motors may be, as the device reports it; -1: not reported
 };

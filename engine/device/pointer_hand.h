@@ -18,12 +18,13 @@ namespace moltact {
 /// The state of the person's pointing device and keys in one frame.
 struct PointerInput {
   ViewRays rays;
-  std::optional<glm::dvec2> pointer_px;  ///< the pointer's pixel in the view; none: it is elsewhere, or the keyboard leads
-  glm::dvec2 keys{0.0};                  ///< from the arrow keys: x right, y up, each -1, 0 or 1
-  bool press = false;                    ///< left button or space bar held
-  double push_notches = 0.0;             ///< wheel notches or key presses: positive pushes deeper
-  double force_N = 0.0;                  ///< the force that the servo loop gave last
-  double N_per_A = 1.0;                  ///< the force that pushes back per angstrom of depth; 0 where none does
+  std::optional<glm::dvec2>
+      pointer_px;             ///< the pointer's pixel in the view; none: it is elsewhere, or the keyboard leads
+  glm::dvec2 keys{0.0};       ///< from the arrow keys: x right, y up, each -1, 0 or 1
+  bool press = false;         ///< left button or space bar held
+  double push_notches = 0.0;  ///< wheel notches or key presses: positive pushes deeper
+  double force_N = 0.0;       ///< the force that the servo loop gave last
+  double N_per_A = 1.0;       ///< the force that pushes back per angstrom of depth; 0 where none does
   double dt_s = 1.0 / 60.0;
 };
 
@@ -31,12 +32,13 @@ class PointerHand {
  public:
   static constexpr double kHover_A = 0.35;  ///< how far before the surface the probe waits
   static constexpr double kPressSpeed_A_per_s = 1.2;
-  static constexpr double kRest_N = 0.6;          ///< the force at which a held press comes to rest
-  static constexpr double kNotch_N = 0.2;         ///< one notch changes that force by this much
-  static constexpr double kLightest_N = 0.05;     ///< the lightest press
-  static constexpr double kLongestNotch_A = 0.3;  ///< the most that one notch changes the depth, where the surface hardly pushes back
-  static constexpr double kDeepest_A = 3.0;       ///< the deepest press under the surface
-  static constexpr double kHalfGain_N = 1.0;      ///< at this force the pointer moves the probe half as far
+  static constexpr double kRest_N = 0.6;       ///< the force at which a held press comes to rest
+  static constexpr double kNotch_N = 0.2;      ///< one notch changes that force by this much
+  static constexpr double kLightest_N = 0.05;  ///< the lightest press
+  static constexpr double kLongestNotch_A =
+      0.3;  ///< the most that one notch changes the depth, where the surface hardly pushes back
+  static constexpr double kDeepest_A = 3.0;   ///< the deepest press under the surface
+  static constexpr double kHalfGain_N = 1.0;  ///< at this force the pointer moves the probe half as far
 
   /// The HIP's next target. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.
   PointA lead(const PointerInput& input, const BallScene& scene, double probe_A);

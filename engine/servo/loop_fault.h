@@ -1,5 +1,5 @@
-// What a real machine does to a tick of the servo loop, and a device to its reading: what the stability bench, the
-// device check and the fault tests put into a loop. Plain data.
+// Faults that a real machine causes in a tick of the servo loop, and a device in its reading. The stability bench, the
+// device check and the fault tests inject them. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -11,9 +11,9 @@ enum class LoopFault : std::uint8_t {
   Late,          ///< the answer comes too late for its tick: the device holds the last force meanwhile
   Lost,          ///< no tick comes
   Doubled,       ///< a tick comes twice, on one reading
-  Stall,         ///< the loop stands, in its tick
-  PositionJump,  ///< the place is far off
-  NotANumber,    ///< the place is none
+  Stall,         ///< the loop is stalled within its tick
+  PositionJump,  ///< the position is far off
+  NotANumber,    ///< the position is not a number
   Frozen,        ///< nothing new comes from the device
 };
 

@@ -88,7 +88,7 @@ struct StepState {
     each(p, "energy_mm2", s.springs_.energy_mm2, -kAny, kAny);
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
     vector(each, p, "force_N", s.force_N_), vector(each, p, "torque_N_mm", s.torque_N_mm_);
-    // What acted in the last tick is written anew in the next.
+    // The limits that acted in the last tick are set again in the next.
   }
 
   template <class Each>
@@ -100,7 +100,7 @@ struct StepState {
     each("", "other_device", s.other_device_, false, true), each("", "A_per_mm", s.A_per_mm_, -kAny, kAny);
     vector(each, "", "workspace_mm", s.workspace_mm_), vector(each, "", "push", s.push_, 2.0);
     of(each, "clutch.", s.clutch_), of(each, "safety.", s.safety_);
-    // What was felt last is a place in memory: a step that was read has met none.
+    // The last interaction is an address in memory: a step that was read has met none.
   }
 };
 

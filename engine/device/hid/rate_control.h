@@ -12,7 +12,8 @@ inline constexpr double kDead = 0.05;              ///< a smaller push counts as
 inline constexpr double kFastest_mm_per_s = 60.0;  ///< of the hand, at a full push
 inline constexpr double kFastest_rad_per_s = 1.5;  ///< of its turning, likewise
 inline constexpr double kReach_mm = 80.0;          ///< the farthest from the middle on any axis
-inline constexpr double kSilence_s = 0.25;         ///< without a report for so long a push counts as released: the report was lost
+inline constexpr double kSilence_s =
+    0.25;  ///< without a report for so long a push counts as released: the report was lost
 
 /// The push with its length squared, so that a light push is slow; zero within kDead.
 inline Vec3 shaped(const Vec3& push) noexcept {
