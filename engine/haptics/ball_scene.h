@@ -1,8 +1,8 @@
-// The balls of a scene and a uniform grid to find those near a place: all that is prepared before touching.
-// Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order.
-// The paper's "spatial partitioning methods" (section 5). The grid is hashed by cell, so memory follows the number
-// of balls and not the extent of the scene; a million balls take
-// about 0.1 s (build/release/tracker_benchmark --benchmark_filter=ready).
+// The balls of a scene, and a uniform grid that finds those near a place: all that is prepared before touching.
+// Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order. The
+// grid is the paper's "spatial partitioning methods" (section 5). It is hashed by cell, so memory follows the number of
+// balls and not the extent of the scene; a million balls take about 0.1 s (build/release/tracker_benchmark
+// --benchmark_filter=ready).
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ namespace moltact {
 
 class BallScene {
  public:
-  /// What becomes of balls with the same centre and radius: the first in the file stands for all, or each is visited.
+  /// The treatment of balls with the same centre and radius: keep only the first in the file, or visit each.
   enum class Duplicates : std::uint8_t { KeepFirst, VisitEach };
 
   /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
@@ -40,8 +40,9 @@ class BallScene {
 
   /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
   /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of balls with the same
-  /// centre and radius only the first in the file is visited, unless made otherwise. No allocation; the order is fixed
-  /// for a scene. `cost` counts what is looked at beside balls: cells, and groups of balls in crowded cells.
+  /// centre and radius only the first in the file is visited, unless Duplicates::VisitEach was given. No allocation;
+  /// the order is fixed for a scene. `cost` counts what is examined besides balls: cells, and tree nodes of crowded
+  /// cells.
   template <class Visit>
   void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
     const double reach = margin_A + cell_radius_;
@@ -60,9 +61,8 @@ class BallScene {
     visitBox(place - Vec3(reach_A), place + Vec3(reach_A), inReach, visit);
   }
 
-  /// The same for the balls that come within margin_A of any place in the box [low, high]; where many balls crowd in a
-  /// cell, only for those in groups for which `mayMeet(centre, radius)` is true: the group's balls all lie in that
-  /// ball.
+  /// The same for the balls that come within margin_A of any place in the box [low, high]. In a crowded cell only tree
+  /// nodes for which `mayMeet(centre, radius)` is true are visited; all balls of a node lie in that sphere.
   template <class MayMeet, class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, MayMeet&& mayMeet, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;
@@ -76,7 +76,7 @@ class BallScene {
         low, high, margin_A, [](const Vec3&, double) { return true; }, visit);
   }
 
-  /// The edge of a grid cell (unit: angstrom): a good length for walking along a path piece by piece.
+  /// The edge of a grid cell (unit: angstrom): a good length of the pieces of a path.
   double cell_A() const { return cell_; }
 
  private:
@@ -88,8 +88,8 @@ class BallScene {
     Ball ball;
     std::uint32_t index;
   };
-  // Cells with more than kTreeThreshold balls (a hundred thousand within 0.1 A, say) have a tree, so that a visit costs what it
-  // finds.
+  // A cell with more balls than this (a hundred thousand within 0.1 A, say) has a tree, so that the cost of a visit
+  // follows from the number of balls found.
   static constexpr std::uint32_t kTreeThreshold = 64;
   struct TreeNode {
     Vec3 centre{0.0};

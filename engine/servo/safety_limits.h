@@ -32,8 +32,8 @@ inline constexpr double kStiffening_N_per_mm_s = 1.0;  ///< how fast the stiffne
 /// A slower hand gets no damping: its measured speed is mostly rounding.
 inline constexpr double kStillHand_m_per_s = 0.005;
 inline constexpr double kStillHand_rad_per_s = 0.1;  ///< the same for its rotation
-inline constexpr double kEnergyCut_J =
-    0.005;  ///< energy made and not absorbed: half of the energy that 3.3 N store at 0.5 N/mm
+/// Energy made and not absorbed: half of the energy that 3.3 N store at 0.5 N/mm.
+inline constexpr double kEnergyCut_J = 0.005;
 inline constexpr double kHardest_N_per_mm = 5.0;  ///< the stiffest spring, whatever is asked
 
 }  // namespace safety
