@@ -1,6 +1,6 @@
-// What a hand meets: ticks in contact as the haptic thread runs them, one a millisecond with sleep between, and ticks
-// after something else has had the caches. Single ticks, timed by the clock; methods take turns. Runs on the calling
-// thread. Units: nanosecond.
+// Tick times with cold caches, as in real use: ticks in contact as the haptic thread runs them, one a millisecond with
+// sleep between, and ticks after other work has filled the caches. Single ticks, timed by the clock; methods take
+// turns. Runs on the calling thread. Units: nanosecond.
 #pragma once
 
 #include <memory>

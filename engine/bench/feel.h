@@ -1,6 +1,5 @@
-// What a fingertip would notice, the paper's Figure 1 in numbers: by how much the force turns and changes
-// from one tick to the next while the HIP slides over one sphere, along a crease and round a pit, 0.6 A deep,
-// 0.02 A a tick.
+// The changes that a fingertip would notice, the paper's Figure 1 in numbers: how much the force turns and changes from
+// one tick to the next while the HIP slides over one sphere, along a crease and round a pit, 0.6 A deep, 0.02 A a tick.
 #pragma once
 
 #include <string>

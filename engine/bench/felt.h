@@ -1,5 +1,5 @@
-// What a hand could tell of a method's errors: its force beside exact's in the same tick, measured against
-// the thresholds of touch (touch_thresholds.h). Units: angstrom, newton, degree.
+// The errors of a method that a hand could notice: its force beside exact's in the same tick, measured against the
+// thresholds of touch (touch_thresholds.h). Units: angstrom, newton, degree.
 #pragma once
 
 #include <memory>
@@ -14,10 +14,10 @@
 
 namespace moltact::bench {
 
-/// Smaller forces have larger thresholds: shares of the force are taken of at least this.
+/// Smaller forces have larger thresholds: relative errors are taken of a force of at least this.
 inline constexpr double kLeastForce_N = 0.3;
 
-/// Over ticks in contact, those in which exact touches. Shares are 0 to 1.
+/// Errors over the ticks in which exact touches. Fractions are 0 to 1.
 struct FeltErrors {
   std::string where;
   const Method* method = nullptr;
@@ -32,18 +32,18 @@ struct FeltErrors {
   double lost = 0;        ///< fraction without contact
 };
 
-/// One method along strokes; both trackers begin anew with each.
+/// The errors of one method along strokes; both trackers start anew with each stroke.
 FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
                   double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
 
-/// The same errors over several places, by ticks.
+/// Combines the errors of several places, weighted by their ticks.
 FeltErrors together(const std::string& where, const std::vector<FeltErrors>& parts);
 
 /// A row a method; `ns`, the mean time of a tick for each row, may be empty.
 ReportTable feltTable(std::string name, std::string title, const std::vector<FeltErrors>& rows,
                       const std::vector<double>& ns = {});
 
-/// Which errors a hand can tell, and which not, of the methods in the rows.
+/// Sentences that say which errors of the methods in the rows a hand can notice, and which not.
 std::string feltSentences(const std::vector<FeltErrors>& rows);
 
 }  // namespace moltact::bench

@@ -19,10 +19,10 @@
 
 namespace moltact::bench {
 
-/// Told how far along the work is (0 to 1) and at what.
+/// Receives the progress of the work (0 to 1) and the name of its present part.
 using Progress = std::function<void(double fraction, std::string_view what)>;
 
-/// What two readings of the clock in a row cost at least (unit: nanosecond).
+/// The least time between two successive readings of the clock (unit: nanosecond).
 double clockCost_ns();
 
 struct TickTimes {

@@ -1,6 +1,6 @@
-// What a hand can tell apart, from the literature; docs/hands.md names the sources and says what they did not
-// measure. Everything that is called felt on the pages is measured against these. Units: degree, newton,
-// angstrom, millimetre.
+// The thresholds of a hand's perception, from the literature; docs/hands.md names the sources and says what they did
+// not measure. Everything that the pages call felt is measured against these. Units: degree, newton, angstrom,
+// millimetre.
 #pragma once
 
 #include <numbers>

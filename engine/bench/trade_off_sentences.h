@@ -1,4 +1,4 @@
-// What the tables of speed, accuracy and size say, in sentences: written anew with every run, so that they cannot
+// The results of the tables of speed, accuracy and size in sentences: generated with every run, so that they cannot
 // disagree with the tables. Markdown.
 #pragma once
 
@@ -14,7 +14,7 @@ namespace moltact::bench {
 /// Exactness, ratios of times, what is faster and at what price. Nothing without exact among the points.
 std::string tradeOffSentences(const std::vector<TradeOff>& points);
 
-/// What a hand meets, beside the ticks in a row.
+/// Tick times with cold caches, beside the ticks in a row.
 std::string coldCacheSentences(const std::vector<ColdCacheTimes>& cool);
 
 /// Preparation, memory, and how exact's time grows with the scene.

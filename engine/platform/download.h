@@ -16,9 +16,10 @@ struct DownloadResult {
   std::string detail;  ///< in libcurl's or the server's words; empty on success
 };
 
-/// Fetches `url` (https, http or file) and hands what comes to `take`, piece by piece; where that gives false it ends
-/// with ConsumerStopped. Gives up when no connection stands after 10 s, when less than 1 kB arrives within 30 s, or when more
-/// than `most_bytes` come; with Cancelled within a second or so after `cancelled` (may be empty) gives true.
+/// Fetches `url` (https, http or file) and passes the bytes to `take`, piece by piece; where `take` returns false the
+/// download ends with ConsumerStopped. Gives up when there is no connection after 10 s, when less than 1 kB arrives
+/// within 30 s, or when more than `most_bytes` come. Ends with Cancelled within about a second after `cancelled` (may
+/// be empty) returns true.
 DownloadResult download(const std::string& url, std::size_t most_bytes,
                         const std::function<bool(std::string_view)>& take, const std::function<bool()>& cancelled = {});
 

@@ -1,5 +1,4 @@
-// Where things lie on this computer: the program's own data and the user's. The Linux edge. Not for the
-// haptic thread.
+// The folders of this computer: the program's own data and the user's. Not for the haptic thread.
 #pragma once
 
 #include <filesystem>
