@@ -32,7 +32,7 @@ struct FeltErrors {
   double lost = 0;        ///< fraction without contact
 };
 
-/// The errors of one method along strokes; both trackers start anew with each stroke.
+/// The errors of one method along strokes; both trackers are reset at each stroke.
 FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
                   double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
 

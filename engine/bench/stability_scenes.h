@@ -17,7 +17,7 @@ struct StabilityTick {
   LoopFault fault = LoopFault::None;
   double probe_A = -1;  ///< set this probe before the tick; negative: leave it
   bool swap = false;    ///< continue with the second molecule from here
-  bool reset = false;   ///< start anew from here
+  bool reset = false;   ///< reset from here
 };
 
 struct StabilityScene {

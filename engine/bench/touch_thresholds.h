@@ -7,11 +7,11 @@
 
 namespace moltact::bench {
 
-/// Force directions closer than this are not told apart. Barbagli, Salisbury, Ho, Spence & Tan (2006)
+/// Force directions closer than this are not distinguished. Barbagli, Salisbury, Ho, Spence & Tan (2006)
 /// found 18.4 degrees with a picture that agrees, 25.6 without one, 31.9 with one that does not.
 inline constexpr double kDirectionSeen_deg = 18.4, kDirectionBlind_deg = 25.6, kDirectionMisled_deg = 31.9;
 
-/// Sizes of a force that differ by less than this fraction are not told apart. Pang, Tan & Durlach (1991): about
+/// Sizes of a force that differ by less than this fraction are not distinguished. Pang, Tan & Durlach (1991): about
 /// 7 % between 2.5 and 10 N; about 7 to 10 % over many studies.
 inline constexpr double kForceWeber = 0.07, kForceWeberWide = 0.10;
 

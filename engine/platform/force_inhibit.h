@@ -1,4 +1,4 @@
-// Inhibits all force of this process and ends it, whatever ends the process. One atomic word tells every thread whether
+// Inhibits all force of this process and ends it, whatever ends the process. One atomic word says to every thread whether
 // force may be given. A driver registers its last act for its device; signal handlers, exit() and std::terminate call
 // it. The handlers are installed when the first LastAct is armed. docs/safety.md says what is possible for which device.
 #pragma once

@@ -50,7 +50,7 @@ class SafetyStage {
   void setDevice(const DeviceSpecs& device) noexcept;
 
   /// Call first in a tick, with the position as read. True: the old contact is void, because the position jumped, the
-  /// device was gone, or nothing was known of it for kContactLost_s; the interaction must start anew.
+  /// device was gone, or nothing was known of it for kContactLost_s; the interaction must be reset.
   bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
   /// The stiffness to use for the one that is asked (unit: N/mm): bounded so that the loop is stable, and changed

@@ -17,14 +17,15 @@ namespace moltact {
 /// ignored.
 struct ServoSettings {
   Workspace workspace;
-  /// Of the spring between HIP and SCP, in the device's space (0 to 5); less is used where the loop would vibrate.
+  /// The stiffness of the spring between HIP and SCP, in the device's space (0 to 5); less is used where the loop would
+  /// vibrate.
   double stiffness_N_per_mm = 0.5;
   double max_force_N = 3.3;           ///< the force's norm is clamped to this
   double probe_A = kWaterProbe_A;     ///< reached gradually, by kProbeSlew_A_per_s
   bool force_on = true;               ///< false: contact is followed, but no force is given
   ClutchSettings clutch;              ///< how the hand reaches farther than the device
   bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
-  std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and start anew at the HIP
+  std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and restart at the HIP
 };
 
 /// The state of a scene whose spheres move.
@@ -99,7 +100,7 @@ class ServoStep {
 
   std::uint64_t tick_ = 0;
   const Interaction* last_interaction_ = nullptr;
-  // What it was last asked for, and where the spheres were: nothing that the first tick with another depends on.
+  // The last pose asked for, and where the spheres were: the first tick with another interaction depends on neither.
   PoseA last_at_;
   std::uint64_t last_frame_ = 0;  // its serial; 0: none
   double last_share_ = 0.0;

@@ -78,7 +78,7 @@ class PacketDevice final : public Device {
   DeviceInfo known_;
   VersionedDeviceInfo info_;
   std::unique_ptr<PacketPort> port_;
-  // Of the device's own thread.
+  // The device's own thread only.
   Command newest_command_;
   bool last_report_kept_ = false;  // by the port, before the first force
   Clock::time_point look_again_{};
