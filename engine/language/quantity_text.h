@@ -21,7 +21,7 @@ struct Digits {
 constexpr Digits decimals(int count) { return {Digits::Kind::Decimals, count}; }
 /// So many that count, never with an exponent: 0.25, 4.2, 120 for two.
 constexpr Digits significant(int count) { return {Digits::Kind::Significant, count}; }
-/// As many as it takes, six that count at most: 1.4, 2, 0.125.
+/// As many as it takes, six that count at most: 1.4, 2, 0.125, 1e9.
 constexpr Digits plain(int most = 6) { return {Digits::Kind::Plain, most}; }
 
 struct QuantityOptions {

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/elements.h"
 #include "engine/molecule/parsed_structure.h"
 #include "engine/molecule/residue_kind.h"
@@ -85,7 +86,9 @@ std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
 std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
   for (int k = 0; k < 3; ++k)
     if (!(std::abs(from.position_A[k]) <= kMaxCoordinate_A))
-      return Problem{file_, from.line, 0, trf("the atom {0} lies farther out than 1e9 A", inQuotes(from.name)),
+      return Problem{file_, from.line, 0,
+                     trf("the atom {0} lies farther out than {1}", inQuotes(from.name),
+                         quantityText(kMaxCoordinate_A, Dimension::Length, plain())),
                      tr("correct its coordinates")};
   if (auto problem = out_.full(file_, from.line)) return problem;
   expectMore();

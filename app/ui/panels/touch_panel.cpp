@@ -9,8 +9,10 @@
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/servo/scale.h"
 
 namespace moltact {
 namespace {
@@ -70,6 +72,13 @@ void drawTouchPanel(Application& app) {
       toggle("force", tr("Force on"), app.scene.servo_settings.force_on,
              tr("Off: contact is followed, but no force is given."));
     }
+    const ServoSettings& servo = app.scene.servo_settings;
+    const double energy_J = servo.force_on ? springEnergy_J(app.scene.log().latest().contact.energy_A2,
+                                                            servo.stiffness_N_per_mm, servo.workspace.A_per_mm)
+                                           : 0.0;
+    const std::string energy = trf("Energy in the spring: {0}", quantityText(energy_J, Dimension::Energy));
+    ImGui::TextUnformatted(energy.c_str());
+    recordItem("energy", energy);
     ImGui::TextUnformatted(tr("Tracker"));
     drawMethodChooser(app);
     if (!app.panels.methods && !app.lesson.locks("panels") &&
