@@ -88,7 +88,7 @@ TEST_CASE("method, parts shown and a view that was reset are undone in the order
   auto d = startWith("argon-pair");
   d->drag("view", 80, 0, 1);
   const Camera turned = d->app().scene.camera;
-  const ShapeSet shown = d->app().scene.shown;
+  const ViewPartSet shown = d->app().scene.shown;
   CHECK(d->click("show/spheres"));
   d->app().scene.useMethod("mesh80");
   d->frames(2);

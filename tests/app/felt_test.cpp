@@ -94,7 +94,7 @@ TEST_CASE("the arrow, its label and the line of the state tell the force that th
 
   ViewScene scene = seenScene(d.app());
   CHECK(scene.force_N == glm::length(s.force.N));
-  scene.shown = {Shape::Force};
+  scene.shown = {ViewPart::Force};
   Glyphs glyphs;
   addGlyphs(scene, nullptr, glyphs);
   REQUIRE(glyphs.cones.size() >= 1);

@@ -241,7 +241,7 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   app.scene.servo_settings.probe_A = 1.0;
   app.scene.servo_settings.stiffness_N_per_mm = 1.0;
   app.scene.useMethod("penalty");
-  app.scene.shown.set(Shape::Cones, true);
+  app.scene.shown.set(ViewPart::Cones, true);
   app.panels.showMethods(true);
   app.panels.lesson = false;
   d->frames(2);
@@ -249,7 +249,7 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   CHECK(app.scene.servo_settings.probe_A == 2.0);
   CHECK(app.scene.servo_settings.stiffness_N_per_mm == 0.5);
   CHECK(app.scene.method() == "exact");
-  CHECK_FALSE(app.scene.shown.has(Shape::Cones));
+  CHECK_FALSE(app.scene.shown.has(ViewPart::Cones));
   CHECK(app.layout().touch.empty());
   CHECK_FALSE(app.layout().lesson.empty());
   app.lesson.next();

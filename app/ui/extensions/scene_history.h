@@ -35,7 +35,7 @@ class SceneHistory : public Extension {
     std::string method;
     double probe_A = 0.0, stiffness_N_per_mm = 0.0;
     bool force_on = true, magnified = false;
-    ShapeSet shown;
+    ViewPartSet shown;
     ColourBy colour_by = ColourBy::Element;
     friend bool operator==(const Choices&, const Choices&) = default;
   };

@@ -77,7 +77,7 @@ class LessonGuide {
   void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
 
   /// The parts of the picture that the step asks for; the usual ones without a lesson.
-  ShapeSet shapes() const;
+  ViewPartSet shownParts() const;
   /// Whether the lesson keeps the student from changing a scene's key ("force").
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
   /// The part of the molecule that the step magnifies.

@@ -5,7 +5,6 @@
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"
-#include "app/ui/scene/shape_label.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
@@ -20,15 +19,14 @@ namespace {
 constexpr double kLargestOffered_A = 4.0;  // of the probe's slider
 constexpr double kSoftest_N_per_mm = 0.05, kStiffest_N_per_mm = 2.0;
 
-void drawShapeSwitches(Application& app) {
+void drawPartSwitches(Application& app) {
   const WhileLocked locked(app, "show");
-  for (const ShapeName& shape : shapeNames()) {
-    if (!shape.haptic) continue;  // the others are in the View menu
-    if (shape.shape == Shape::Facets && !feltFacets(app.scene.method())) continue;
-    bool on = app.scene.shown.has(shape.shape);
-    if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on,
-               std::string(tr(shape.sentence)).c_str()))
-      app.scene.shown.set(shape.shape, on);
+  for (const ViewPartInfo& part : viewParts()) {
+    if (!part.haptic) continue;  // the others are in the View menu
+    if (part.part == ViewPart::Facets && !feltFacets(app.scene.method())) continue;
+    bool on = app.scene.shown.has(part.part);
+    if (toggle(("show/" + std::string(part.name)).c_str(), part.shownLabel(), on, tr(part.sentence)))
+      app.scene.shown.set(part.part, on);
   }
 }
 
@@ -56,7 +54,7 @@ void drawTouchPanel(Application& app) {
   ImGui::Spacing();
   sectionTitle(tr("What the hand feels"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
-  drawShapeSwitches(app);
+  drawPartSwitches(app);
   ImGui::PopStyleVar();
   ImGui::Spacing();
   disclosure("more", tr("Spring, tracker and timing"), app.panels.touch_details);

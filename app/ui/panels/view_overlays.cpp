@@ -148,7 +148,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     return;
   }
   drawColourLegend(app, view);
-  if (now.contact.touching() && app.scene.shown.has(Shape::Force)) forceLabel(app, now, view);
+  if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, view);

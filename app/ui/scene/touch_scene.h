@@ -43,7 +43,7 @@ class TouchScene {
 
   ServoSettings servo_settings;  ///< as the panels set them; handed to the servo loop each frame
   Camera camera;
-  ShapeSet shown;  ///< parts of the picture
+  ViewPartSet shown;  ///< parts of the picture
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
