@@ -51,7 +51,7 @@ struct ParsedAssembly {
 };
 
 /// What a file says besides its atoms.
-struct ParsedHead {
+struct ParsedHeader {
   std::string id, title;
   std::vector<ParsedAssembly> assemblies;
   std::vector<std::string> warnings;
@@ -99,12 +99,12 @@ class GrowingMolecule {
 };
 
 /// Takes the atoms of one model and keeps what the rules of reader.h keep.
-class AtomSieve {
+class MoleculeBuilder {
  public:
   /// `text`, which must outlive it, gives the file's name, and by its length how many atoms to expect.
-  AtomSieve(const TextSource& text, const ReadOptions& options);
+  MoleculeBuilder(const TextSource& text, const ReadOptions& options);
   std::optional<Problem> add(const ParsedAtom& atom);
-  Expected<Molecule> finish(ParsedHead head);
+  Expected<Molecule> finish(ParsedHeader head);
 
  private:
   // What is known of an atom besides what becomes part of the molecule, while its place is not whole.
