@@ -18,8 +18,8 @@ class ByteSource {
   virtual ~ByteSource() = default;
   /// Up to `most` bytes, at least one; 0 at the end, or where problem() says what is wrong.
   virtual std::size_t read(char* to, std::size_t most) = 0;
-  /// How many packed bytes what was read so far came from; 0 where nothing is packed.
-  virtual std::size_t unpacked() const { return 0; }
+  /// How many packed bytes have been consumed for the bytes read so far; 0 for a source that is not packed.
+  virtual std::size_t packedBytesRead() const { return 0; }
   const std::optional<Problem>& problem() const { return problem_; }
 
  protected:
