@@ -147,7 +147,7 @@ struct InputChanged {
   friend bool operator==(const InputChanged&, const InputChanged&) = default;
 };
 /// What is on the stage, as far as playing the trace back needs it.
-struct StageSet {
+struct StageChanged {
   std::string molecule;  ///< id
   std::string file;      ///< its name without folders
   std::size_t atoms = 0;
@@ -157,10 +157,10 @@ struct StageSet {
   std::string method;
   bool force_on = true;
   ReadOptions reading{};  ///< how the file was read
-  friend bool operator==(const StageSet&, const StageSet&) = default;
+  friend bool operator==(const StageChanged&, const StageChanged&) = default;
 };
 /// How the person looked at it (engine/render/camera.h).
-struct ViewRotated {
+struct ViewChanged {
   std::array<double, 4> orientation{1, 0, 0, 0};  ///< quaternion: w, x, y, z
   Vec3 target_A{0.0};
   double distance_A = 50.0;
@@ -197,18 +197,18 @@ struct Predicted {
   std::string question, text;
 };
 /// The program or the lesson was closed, or the turn was passed on.
-struct Left {
+struct SessionClosed {
   std::string at;  ///< UTC
 };
 
 /// The lesson is open and looked at: told where nothing else has told the time for kHeartbeat_s.
-struct StillHere {};
+struct Heartbeat {};
 /// What is killed is known to so much of its end (unit: second of use).
 inline constexpr double kHeartbeat_s = 0.9;
 
 using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan,
-                                 TouchEnded, InputChanged, StageSet, ViewRotated, HipChunk, LessonReread, Resumed,
-                                 ProgressMade, Predicted, Left, TouchSoFar, StillHere>;
+                                 TouchEnded, InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed,
+                                 ProgressMade, Predicted, SessionClosed, TouchSoFar, Heartbeat>;
 
 struct AttemptEvent {
   double t_s = 0.0;

@@ -77,7 +77,7 @@ TEST_CASE("a lesson that is only looked at leaves no file; a touch, a hint and a
   CHECK(touches[0]->atoms == std::vector<std::int32_t>{0});
   CHECK(touches[0]->peak_N > 0.05);
   CHECK(touches[0]->peak_N < 3.31);
-  CHECK(all<StageSet>(attempt).front()->atoms == 1);
+  CHECK(all<StageChanged>(attempt).front()->atoms == 1);
   // The trace is the way that was felt: outside the inflated atom always, for the SCP.
   std::size_t held = 0;
   for (const HipChunk* chunk : all<HipChunk>(attempt))
@@ -94,7 +94,7 @@ TEST_CASE("a program that ends in the middle goes on where it was: same file, sa
     driver->frames(10);
   }
   const Attempt before = only(scratch.path);
-  CHECK(std::holds_alternative<Left>(before.events.back().what));
+  CHECK(std::holds_alternative<SessionClosed>(before.events.back().what));
   const std::vector<LessonProgress> progress = readProgress(scratch.path);
   REQUIRE(progress.size() == 1);
   CHECK(progress[0].canResume());

@@ -77,7 +77,7 @@ class AttemptRecorder : public Extension {
   double now_s_ = 0.0;  // of use since log_ began
   double view_told_s_ = -1.0;
   std::optional<InputChanged> way_;
-  std::optional<StageSet> stage_;
+  std::optional<StageChanged> stage_;
   std::optional<Camera> view_;
   bool hints_ = false, paused_ = false, mending_begun_ = false;
   std::future<std::size_t> mended_;

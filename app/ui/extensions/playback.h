@@ -62,7 +62,7 @@ class Playback : public Extension {
   Camera seen_before_;          // how that was looked at
   NamedMolecule shown_stage_;   // asked for, by its file's name without folders
   std::string missing_;         // the name of a molecule's file that was told as missing
-  const ViewRotated* shown_view_ = nullptr;
+  const ViewChanged* shown_view_ = nullptr;
   double at_s_ = 0.0;
   bool running_ = false;
 };
