@@ -21,7 +21,7 @@ class Avoid : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     const bool before = on_region_;
     on_region_ = region_.touchedBy(s.contact);
     touches_ += on_region_ && !before;

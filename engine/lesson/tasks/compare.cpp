@@ -29,7 +29,7 @@ class CompareMethods : public Task {
     double felt_s = 0.0;
   };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     in_use_ = nullptr;
     double sum_s = 0.0;
@@ -97,7 +97,7 @@ class ComparePlaces : public Task {
     double mean_N() const { return felt_s > 0.0 ? impulse_Ns / felt_s : 0.0; }
   };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     here_ = nullptr;
     double sum_s = 0.0;

@@ -27,7 +27,7 @@ class Cross : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     if (!touching_) {
       // A hand that hops for an instant at the crease has not let go.

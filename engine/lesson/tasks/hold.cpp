@@ -39,7 +39,7 @@ class Hold : public Task {
  private:
   enum class State { Away, Elsewhere, TooLight, TooHard, Good };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     state_ = stateOf(s);
     if (watch_.tick(state_ == State::Good, dt_s, kSlip_s)) {
       slipped_ = true;

@@ -32,7 +32,7 @@ class Meet : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     const bool judged = s.exact.touching() && s.contact.fault == Fault::None;
     const Vec3& now = s.contact.displacement_A;

@@ -22,7 +22,7 @@ class Press : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     here_ = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact)
                                                        : isFeature(feature_, s.contact.feature);

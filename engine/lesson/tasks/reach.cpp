@@ -25,7 +25,7 @@ class Reach : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     watch_.tick(reached(s.contact), dt_s, 0.0);
     setProgress(watch_.elapsed_s() / kTouch_s);

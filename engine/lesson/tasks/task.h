@@ -47,7 +47,8 @@ struct TaskStage {
   std::optional<double> probe_A = {}, stiffness_N_per_mm = {};
   std::string method = {};
   std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
-  int showing = 0;  ///< another number: the hand lets go and begins anew outside, so that nothing else tells a change
+  int presentation = 0;  ///< another number begins a new presentation: the hand lets go and starts outside again, so that
+                         ///< nothing but the touch shows whether something has changed
 
   friend bool operator==(const TaskStage&, const TaskStage&) = default;
 };
@@ -78,13 +79,13 @@ class Task {
   std::string sentence() const;
 
   /// What the student can tell now; none once done. In the order in which they are shown.
-  std::vector<TaskButton> buttons() const { return done_ ? std::vector<TaskButton>() : offered(); }
+  std::vector<TaskButton> buttons() const { return done_ ? std::vector<TaskButton>() : currentButtons(); }
   /// Takes what the student tells. Words that are not offered and curves that are not asked for are passed over.
   void answer(const TaskAnswer& answer);
   /// Null for a task without a curve to draw.
   virtual const TaskCurves* curves() const { return nullptr; }
   /// What it asks of the scene; the lesson's own scene once done.
-  TaskStage stage() const { return done_ ? TaskStage() : wanted(); }
+  TaskStage stage() const { return done_ ? TaskStage() : requestedStage(); }
 
   /// What was measured, from the start until now or until done: time, time in contact, mean and greatest force in
   /// contact, the way of the contact point over the surface; then what the kind itself measures.
@@ -107,15 +108,15 @@ class Task {
   explicit Task(const TaskSpec& spec) : praise_(spec.values["praise"]) {}
 
   /// One good tick; `dt_s` is the time since the last one, 0 for the first and after a gap.
-  virtual void take(const TouchSample& sample, double dt_s) = 0;
+  virtual void onSample(const TouchSample& sample, double dt_s) = 0;
   /// The sentence while the task is under way.
   virtual std::string guidance() const = 0;
   /// What is told before the author's praise once it is done; may be empty.
   virtual std::string afterwards() const { return {}; }
   /// A good answer while the task is under way: its word is offered, or its curve is of the right length and finite.
-  virtual void hear(const TaskAnswer&) {}
-  virtual std::vector<TaskButton> offered() const { return {}; }
-  virtual TaskStage wanted() const { return {}; }
+  virtual void onAnswer(const TaskAnswer&) {}
+  virtual std::vector<TaskButton> currentButtons() const { return {}; }
+  virtual TaskStage requestedStage() const { return {}; }
   /// The kind's own figures.
   virtual void measure(std::vector<TaskFigure>&) const {}
 

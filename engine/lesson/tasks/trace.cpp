@@ -55,7 +55,7 @@ class Trace : public Task {
   virtual const char* unnamed() const { return tr("the way"); }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     if (!s.contact.touching()) {
       away_s_ += dt_s;
       if (away_s_ > kSlip_s && begun() && state_ != State::Lifted && state_ != State::Again) letGo();
