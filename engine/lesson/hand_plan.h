@@ -30,7 +30,7 @@ struct HandAct {
 using HandPlan = std::vector<HandAct>;
 
 /// What a plan can be made from.
-struct HandView {
+struct HandPlanInput {
   const BallScene& balls;
   double probe_A = kWaterProbe_A;
   double N_per_A = 1.0;  ///< the spring's force for a HIP so deep under the surface
@@ -43,21 +43,21 @@ std::vector<std::uint32_t> everyAtom(const BallScene& balls);
 
 /// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no
 /// two within 0.5 A. `at_most` of them; where `wanted` is given, of those for which it says true.
-std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature,
+std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms, Feature feature,
                                      std::size_t at_most = 40,
                                      const std::function<bool(const SurfacePlace&)>& wanted = {});
 
 /// The place for an attempt: the first, then others in turn. Nothing where there is none.
-std::optional<SurfacePlace> placeFor(const HandView& view, const std::vector<SurfacePlace>& places);
+std::optional<SurfacePlace> placeFor(const HandPlanInput& view, const std::vector<SurfacePlace>& places);
 
 /// How deep under the surface the spring gives so much force.
-double depthFor(const HandView& view, double force_N);
+double depthFor(const HandPlanInput& view, double force_N);
 
 /// Puts the hand before the place, brings it down and `depth_A` under the surface, and waits there.
 void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wait_s);
 
 /// From one place to another over the surface, `depth_A` under it all the way.
-void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
+void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
            double speed_A_per_s = 3.0);
 
 }  // namespace moltact

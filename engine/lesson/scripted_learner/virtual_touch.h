@@ -31,7 +31,7 @@ class VirtualTouch {
   TouchSample tick(PointA hip);
 
   const BallScene& balls() const { return *balls_; }
-  HandView view(int attempt) const;
+  HandPlanInput view(int attempt) const;
   PointA hip() const { return hip_; }
   double time_s() const { return double(ticks_) * kTick_s; }
 

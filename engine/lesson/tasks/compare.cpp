@@ -46,7 +46,7 @@ class CompareMethods : public Task {
     if (all) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::vector<SurfacePlace> places = openPlaces(view, everyAtom(view.balls), Feature::Sphere);
     for (const Part& p : parts_) {
@@ -115,7 +115,7 @@ class ComparePlaces : public Task {
     if (all) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     for (const Place& p : places_)
       if (p.felt_s < time_s_)

@@ -46,7 +46,7 @@ class FeelPlaces : public Task {
     if (felt == places_.size()) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     for (const Wanted& w : places_)
       if (!w.felt())
@@ -100,7 +100,7 @@ class FeelAtoms : public Task {
     if (felt_ >= wanted_) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     std::vector<std::uint32_t> left;
     for (const std::uint32_t a : where_.atoms())

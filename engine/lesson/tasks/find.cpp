@@ -72,7 +72,7 @@ class Find : public Task {
     }
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const auto place = placeFor(view, placesToTouch(view, target_));
     if (!place) return plan;

@@ -50,7 +50,7 @@ class Hold : public Task {
     if (watch_.elapsed_s() >= time_s_) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     const double wanted_N = high_N_ < 1e6 ? std::sqrt(std::max(low_N_, 0.05) * high_N_) : std::max(0.3, 1.5 * low_N_);
     HandPlan plan;
     const std::string kind = feature_ == "anywhere" ? "" : feature_;

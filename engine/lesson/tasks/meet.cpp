@@ -58,7 +58,7 @@ class Meet : public Task {
     if (watch_.elapsed_s() >= enough_s) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::vector<std::uint32_t> all = everyAtom(view.balls);
     if (what_ == "lost" || what_ == "wrong-side") {

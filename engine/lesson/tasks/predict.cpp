@@ -99,7 +99,7 @@ class Predict : public Task {
     if (felt >= kFeltEnough) compare();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const double depth_A = depthFor(view, 0.5);
     const auto start = placeFor(view, placesToTouch(view, from_));

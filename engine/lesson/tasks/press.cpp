@@ -33,7 +33,7 @@ class Press : public Task {
     if (watch_.elapsed_s() >= kTouch_s) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::string kind = feature_ == "anywhere" ? "" : feature_;
     if (const auto place = placeFor(view, placesToTouch(view, target_, kind)))

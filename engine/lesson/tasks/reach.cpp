@@ -32,7 +32,7 @@ class Reach : public Task {
     if (watch_.elapsed_s() >= kTouch_s) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<SurfacePlace> places = placesToTouch(view, target_);
     if (places.empty() && near_A_ > 0.0)
       for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), Feature::Sphere, 4000))

@@ -84,7 +84,7 @@ class Same : public Task {
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const auto place = placeFor(view, placesToTouch(view, by_place_ && showsOther() ? there_ : here_));
     if (!place) return plan;

@@ -98,7 +98,7 @@ std::vector<std::uint32_t> AtomSet::atoms() const {
   return out;
 }
 
-std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& atoms, std::string_view feature) {
+std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet& atoms, std::string_view feature) {
   if (feature == "crease") return openPlaces(view, atoms.atoms(), Feature::Circle);
   if (feature == "pit") return openPlaces(view, atoms.atoms(), Feature::Point);
   std::vector<SurfacePlace> places = openPlaces(view, atoms.atoms(), Feature::Sphere);

@@ -99,7 +99,7 @@ class Task {
 
   /// What a hand should do next to carry it out; empty where no place for it is open to a probe from outside. Asked for
   /// anew when the plan has been followed and the task is not done.
-  virtual HandPlan demonstrate(const HandView& view) const = 0;
+  virtual HandPlan demonstrate(const HandPlanInput& view) const = 0;
 
   /// Forgets everything, as at the start.
   virtual void reset();
@@ -198,7 +198,7 @@ const char* placeName(std::string_view word);
 
 /// Places that a hand can take to touch these atoms, or a kind of place where `feature` names one ("sphere", "crease",
 /// "pit") that these atoms make.
-std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& atoms, std::string_view feature = {});
+std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet& atoms, std::string_view feature = {});
 
 /// "sphere" -> a single atom's sphere, "crease" -> a circle, "pit" -> a point.
 bool isFeature(std::string_view word, Feature feature);
