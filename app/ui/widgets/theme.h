@@ -46,7 +46,7 @@ const Look& look();
 
 /// Has the signs of a text loaded, where the fonts hold them, before the next frame: of other scripts than those that
 /// are always there. Cheap for what is.
-void wantSigns(std::string_view utf8);
+void requestGlyphs(std::string_view utf8);
 /// Whether there are signs that applyLook() is to load.
 bool signsWanted();
 
