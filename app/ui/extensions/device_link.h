@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/ui/application/extension.h"
-#include "app/ui/extensions/device_looker.h"
+#include "app/ui/extensions/device_lister.h"
 #include "app/ui/widgets/messages.h"
 #include "engine/device/device_search.h"
 #include "engine/servo/safety_limits.h"
@@ -35,7 +35,7 @@ class DeviceLink : public Extension {
   const std::vector<FoundDevice>& found() const { return found_; }
   static constexpr double kLook_s = 2.0, kLookForOffer_s = 5.0;
   /// Looks by `find` from now on.
-  void lookBy(DeviceLooker::Find find) { looker_ = DeviceLooker(std::move(find)); }
+  void lookBy(DeviceLister::Find find) { lister_ = DeviceLister(std::move(find)); }
   /// Opens it and takes it into use, now and at the next start; "mouse" goes back to the mouse alone. What cannot be
   /// opened is told in a message and changes nothing.
   void choose(Application& app, const std::string& name);
@@ -93,7 +93,7 @@ class DeviceLink : public Extension {
   std::string awaited_, awaited_title_;
   std::unique_ptr<DeviceSearch> search_;  // for the awaited one
   double searched_s_ = 0.0;
-  DeviceLooker looker_;
+  DeviceLister lister_;
   bool begun_ = false, takes_default_ = false;
   double looked_s_ = -1.0;                // none yet: negative
   std::string offered_;                   // the device that nobody chose and could
