@@ -183,7 +183,7 @@ TEST_CASE(
   stylus.place_mm = stylus.goal_mm = Vec3(0);
   stylus.connected = true;
   d->frames(10);
-  CHECK(d->app().scene.servo().held());
+  CHECK(d->app().scene.servo().deviceLeads());
   CHECK(now(*d).contact.fault == Fault::None);
   CHECK(gap_A(*d) > 0.0);
 }

@@ -31,9 +31,9 @@ class ServoLink {
   /// Whether the mouse stands in for a chosen device that is gone.
   bool fallenBack() const { return loop().fallenBack(); }
   /// A chosen device leads.
-  bool held() const { return chosen() && !fallenBack(); }
+  bool deviceLeads() const { return chosen() && !fallenBack(); }
   /// The one that leads.
-  const DeviceInfo& device() const { return held() ? chosen()->info() : mouse_.info(); }
+  const DeviceInfo& device() const { return deviceLeads() ? chosen()->info() : mouse_.info(); }
   /// Lets the force go along the slew, for good; there is none when it returns.
   void endForce();
   /// What is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is taken up
