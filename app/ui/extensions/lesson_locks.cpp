@@ -19,7 +19,7 @@ void LessonLocks::afterPanels(Application& app) {
     app.scene.shown = app.lesson.shownParts();
     app.scene.colour_by = colourBy(spec);
   }
-  if (spec.locks("panels")) app.panels.keep(spec.panels);
+  if (spec.locks("panels")) app.panels.enforceLessonPanels(spec.panels);
 }
 
 }  // namespace moltact
