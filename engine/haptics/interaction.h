@@ -42,6 +42,10 @@ class Interaction {
 
   virtual double probe_A() const noexcept = 0;
 
+  /// How many times as stiff as one spring it is at the most, along any direction: the springs that pull together. The
+  /// loop's stability depends on all of them.
+  virtual double parallelSprings() const noexcept { return 1.0; }
+
   /// Spheres that move: from now on they are the frame's, at its beginning; null: those that it was made with. The
   /// frame has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
   /// where what is felt cannot follow.
@@ -50,6 +54,9 @@ class Interaction {
   virtual void moveTo(double /*share*/) noexcept {}
 
   virtual MemoryUsage memoryUsage() const noexcept = 0;
+
+  /// It is felt how the hand is turned: a body, not a point. Mouse, keys and devices that turn the view then turn it.
+  virtual bool hasOrientation() const noexcept { return false; }
 };
 
 }  // namespace moltact

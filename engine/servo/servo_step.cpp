@@ -65,7 +65,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* felt, co
     const Response response = felt->respond(at);
     out.contact = response.contact;
     out.memory_usage = felt->memoryUsage();
-    wanted = feel(settings, response);
+    wanted = feel(settings, response, std::max(1.0, felt->parallelSprings()));
     if (carried) wanted.before = before;
     last_at_ = at;
     if (motion.frame) out.frame = motion.frame->serial(), out.share = motion.share;
@@ -101,12 +101,14 @@ bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& felt, co
   return moved;
 }
 
-WantedWrench ServoStep::feel(const ServoSettings& settings, const Response& response) noexcept {
+WantedWrench ServoStep::feel(const ServoSettings& settings, const Response& response, double parallel) noexcept {
   const Contact& contact = response.contact;
   WantedWrench wanted{.most_N = settings.max_force_N,
                       .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
   if (!response.felt()) return wanted;
-  wanted.stiffness_N_per_mm = guarded_ ? safety_.stiffness(settings.stiffness_N_per_mm) : settings.stiffness_N_per_mm;
+  // The bound holds for all springs together.
+  wanted.stiffness_N_per_mm = guarded_ ? safety_.stiffness(settings.stiffness_N_per_mm * parallel) / parallel
+                                       : settings.stiffness_N_per_mm;
   wanted.force_N = settings.workspace.spring(contact.displacement_A, wanted.stiffness_N_per_mm).N;
   wanted.torque_N_mm = settings.workspace.torque_N_mm(response.torque_A2, wanted.stiffness_N_per_mm);
   if (const double size = glm::length(wanted.force_N); size > 0.0 && std::isfinite(size)) push_ = wanted.force_N / size;

@@ -94,7 +94,7 @@ class ServoStep {
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
   bool moveSurface(const ServoSettings& settings, Interaction& felt, const SceneMotion& motion, bool changed) noexcept;
-  WantedWrench feel(const ServoSettings& settings, const Response& response) noexcept;
+  WantedWrench feel(const ServoSettings& settings, const Response& response, double parallel) noexcept;
 
   std::uint64_t tick_ = 0;
   const Interaction* last_felt_ = nullptr;

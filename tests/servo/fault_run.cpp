@@ -145,6 +145,8 @@ class RigidPair final : public Interaction {
   void reset() noexcept override { ends_[0]->reset(), ends_[1]->reset(); }
   void setProbe(double probe_A) noexcept override { ends_[0]->setProbe(probe_A), ends_[1]->setProbe(probe_A); }
   double probe_A() const noexcept override { return ends_[0]->probe_A(); }
+  double parallelSprings() const noexcept override { return 2.0; }
+  bool hasOrientation() const noexcept override { return true; }
   MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
@@ -579,6 +581,10 @@ class Run {
     const double stiffened_J = known ? 1e-3 * potential_mm2 * std::max(0.0, stiffest - softest) : 0.0;
     const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s),
                grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
+    if (cuts_ > 0 && pair_ && !known) {
+      ++out_.body_cuts;
+      return judge_.expectAny();
+    }
     out_.cuts += cuts_;
     // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the
     // speed is; what buzzes does neither.
