@@ -10,7 +10,7 @@
 #include "app/ui/widgets/theme.h"
 #include "engine/language/units.h"
 #include "engine/servo/scale.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -288,7 +288,7 @@ TEST_CASE("text stands out from its ground: 4.5 to 1 in the light and dark theme
 
 TEST_CASE("Ctrl+Shift+S asks for a name, refuses to overwrite without a click, and writes the picture") {
   Scratch scratch;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.picture_folder = scratch.folder;
   auto d = startWith("argon", options);
   d->tap("Ctrl+Shift+S");

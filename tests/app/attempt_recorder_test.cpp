@@ -5,7 +5,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "engine/results/class_summary.h"
 #include "engine/results/progress.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Driver::Options keeping(const fs::path& folder) {
-  Driver::Options options;
+ScriptedUser::Options keeping(const fs::path& folder) {
+  ScriptedUser::Options options;
   options.width = 900;
   options.height = 560;
   options.application.attempts_folder = folder;
@@ -41,7 +41,7 @@ Attempt only(const fs::path& folder) {
   return *std::move(attempt);
 }
 
-void push(Driver& driver, int frames = 40) {
+void push(ScriptedUser& driver, int frames = 40) {
   driver.point("view", 0.5, 0.5);
   driver.press();
   driver.frames(frames);

@@ -13,7 +13,7 @@
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/folders.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -35,7 +35,7 @@ const std::string kLongTitle = "A lesson of a length that a title may have";
 
 struct Page {
   std::string name;
-  std::function<void(Driver&)> show;
+  std::function<void(ScriptedUser&)> show;
 };
 
 // A lesson with an aside, locks and colours by chain; a copy of it with mistakes; an attempt.
@@ -65,29 +65,30 @@ const std::string& fileOf(std::string Files::*member) {
   return files.*member;
 }
 
-void beginTurns(Driver& d) {
+void beginTurns(ScriptedUser& d) {
   d.app().extensions().turns.begin(d.app(), {"Ana with a long second name", "Bo", "Carla"}, 60.0);
   d.frames(3);
 }
 
 // What a flag of its own opens comes from the table of panels.
 const Page kStates[] = {
-    {"lesson", [](Driver&) {}},
-    {"touch details", [](Driver& d) { d.app().panels.touch_details = true; }},
-    {"methods", [](Driver& d) { d.app().panels.showMethods(true); }},
+    {"lesson", [](ScriptedUser&) {}},
+    {"touch details", [](ScriptedUser& d) { d.app().panels.touch_details = true; }},
+    {"methods", [](ScriptedUser& d) { d.app().panels.showMethods(true); }},
     {"message",
-     [](Driver& d) {
+     [](ScriptedUser& d) {
        d.app().messages.error("benzene.pdb:12:3: this is no number; write one there and open the file again");
      }},
-    {"file", [](Driver& d) { d.app().askForPictureAs(); }},
-    {"legend", [](Driver& d) { d.app().settings.colour_blind_safe = true; }},
-    {"all force stopped", [](Driver& d) { d.app().scene.servo_settings.panic = true; }},
+    {"file", [](ScriptedUser& d) { d.app().askForPictureAs(); }},
+    {"legend", [](ScriptedUser& d) { d.app().settings.colour_blind_safe = true; }},
+    {"all force stopped", [](ScriptedUser& d) { d.app().scene.servo_settings.panic = true; }},
     {"hand over", beginTurns},
-    {"turns strip", [](Driver& d) { beginTurns(d), d.app().extensions().turns.start(d.app()); }},
-    {"playback", [](Driver& d) { d.app().open(fileOf(&Files::attempt)); }},
-    {"locks, touch", [](Driver& d) { d.app().open(fileOf(&Files::lesson)), d.app().panels.lesson_first = false; }},
-    {"aside", [](Driver& d) { d.app().open(fileOf(&Files::lesson)), d.app().lesson.follow("#aside-more"); }},
-    {"mistakes", [](Driver& d) { d.app().open(fileOf(&Files::wrong)), d.app().panels.lesson_problems = true; }},
+    {"turns strip", [](ScriptedUser& d) { beginTurns(d), d.app().extensions().turns.start(d.app()); }},
+    {"playback", [](ScriptedUser& d) { d.app().open(fileOf(&Files::attempt)); }},
+    {"locks, touch",
+     [](ScriptedUser& d) { d.app().open(fileOf(&Files::lesson)), d.app().panels.lesson_first = false; }},
+    {"aside", [](ScriptedUser& d) { d.app().open(fileOf(&Files::lesson)), d.app().lesson.follow("#aside-more"); }},
+    {"mistakes", [](ScriptedUser& d) { d.app().open(fileOf(&Files::wrong)), d.app().panels.lesson_problems = true; }},
 };
 
 void closePages(PanelState& panels) {
@@ -99,11 +100,11 @@ std::vector<Page> pages() {
   std::vector<Page> out(std::begin(kStates), std::end(kStates));
   for (const Panel& panel : allPanels())
     if (panel.page)
-      out.push_back({std::string(panel.name), [&panel](Driver& d) { d.app().panels.*panel.page = true; }});
+      out.push_back({std::string(panel.name), [&panel](ScriptedUser& d) { d.app().panels.*panel.page = true; }});
   return out;
 }
 
-void closeAll(Driver& d) {
+void closeAll(ScriptedUser& d) {
   PanelState& p = d.app().panels;
   for (int k = 0; k < 2; ++k) {
     d.tap("Escape");
@@ -122,7 +123,7 @@ void closeAll(Driver& d) {
   d.frames(2);
 }
 
-void checkAllPages(Driver& d, glm::vec2 window) {
+void checkAllPages(ScriptedUser& d, glm::vec2 window) {
   for (const Page& page : pages()) {
     page.show(d);
     d.frames(5);
@@ -160,7 +161,7 @@ TEST_CASE("each page but the file dialog's is opened by a flag of its own, which
 
 TEST_CASE("on every page at 100 % and 200 % of 1280x800, in every theme, every widget lies inside its panel") {
   for (const double scale : {1.0, 2.0}) {
-    Driver::Options options;
+    ScriptedUser::Options options;
     options.content_scale = scale;
     auto d = startWith("", options);
     openFirst(*d);
@@ -175,7 +176,7 @@ TEST_CASE("on every page at 100 % and 200 % of 1280x800, in every theme, every w
 }
 
 TEST_CASE("on every page of a small and of a large window at 150 % every widget lies inside its panel") {
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.content_scale = 1.5;
   auto d = startWith("", options);
   openFirst(*d);

@@ -8,7 +8,7 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "engine/results/attempt_file.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 using namespace moltact;
 
@@ -78,7 +78,7 @@ TEST_CASE("what is done before and after a lesson is read again stands in one at
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md", attempts = scratch / "attempts";
   save(file, kHead + kOne + kTwo);
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.attempts_folder = attempts;
   {
     auto d = startWith(file.string(), options);

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 const std::string kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
 
-Driver::Options small(const fs::path& folder = {}) {
-  Driver::Options options;
+ScriptedUser::Options small(const fs::path& folder = {}) {
+  ScriptedUser::Options options;
   options.width = 1000;
   options.height = 600;
   options.application.attempts_folder = folder;

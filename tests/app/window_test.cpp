@@ -5,7 +5,7 @@
 
 #include "app/ui/files/settings.h"
 #include "app/ui/scene/loader.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {

@@ -25,7 +25,7 @@ struct PanelState : KeyFocus {
   bool touch_details = false;           ///< the touch panel's second half
   bool methods = false;                 ///< in the touch panel's place, behind a tab
   bool methods_first = false;           ///< which of the two is in front
-  bool set_by_lesson = false;                 ///< the lesson's step set touch and methods, so that another sets them back
+  bool set_by_lesson = false;           ///< the lesson's step set touch and methods, so that another sets them back
   bool hints = false;                   ///< the current step's hints
   bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
   float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)

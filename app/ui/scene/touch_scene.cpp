@@ -152,7 +152,8 @@ void TouchScene::fitToDevice() {
 }
 
 void TouchScene::followView() {
-  if (!stage_ || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_)))) return;
+  if (!stage_ || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
+    return;
   layBeforeHand(camera.target);
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
@@ -166,7 +167,8 @@ void TouchScene::layBeforeHand(PointA toward) {
     fitted.centre_A = toward.A;
   }
   device_leads_ = servo_.deviceLeads();
-  if (device_leads_) fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
+  if (device_leads_)
+    fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
   servo_settings.workspace = fitted;
   fitted_ = camera;
   fit_left_s_ = kSettle_s;

@@ -134,9 +134,9 @@ class TouchScene {
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
   std::optional<ServoSettings> recorded_, before_recorded_;
-  bool device_leads_ = false;        // a device in the hand leads, and the workspace is fitted to it
-  Camera fitted_;            // to this view
-  double fit_left_s_ = 0.0;  // so long a hand that turns out to be inside is taken out
+  bool device_leads_ = false;  // a device in the hand leads, and the workspace is fitted to it
+  Camera fitted_;              // to this view
+  double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out
   double view_aspect_ = 1.0;
   std::optional<Region> region_;
   bool hand_moved_ = false, resting_ = false, by_hand_ = false;

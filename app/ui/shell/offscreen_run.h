@@ -8,7 +8,7 @@ namespace moltact {
 struct OffscreenOptions {
   std::filesystem::path file;        ///< opened at the start; empty: the welcome page
   std::filesystem::path screenshot;  ///< where the last frame goes; empty: nowhere
-  std::filesystem::path script;      ///< acts before that, see driver_script.cpp; empty: none
+  std::filesystem::path script;      ///< acts before that, see scripted_user_steps.cpp; empty: none
   int width = 1280, height = 800;
   double content_scale = 1.0;
   bool frame_stats = false;        ///< tell the frame times on stdout

@@ -17,7 +17,7 @@
 
 namespace moltact {
 
-class Driver {
+class ScriptedUser {
  public:
   static constexpr double kFrame_s = 1.0 / 60.0;
 
@@ -32,8 +32,8 @@ class Driver {
   };
 
   /// Fails where off-screen OpenGL is missing.
-  static Expected<std::unique_ptr<Driver>> create(Options options);
-  ~Driver();
+  static Expected<std::unique_ptr<ScriptedUser>> create(Options options);
+  ~ScriptedUser();
 
   Application& app() { return *app_; }
 
@@ -66,11 +66,11 @@ class Driver {
   Picture picture() const;
   FrameStats& stats() { return stats_; }
 
-  /// Runs a script, one act a line: see driver_script.cpp. Returns the first line that failed, or nothing.
+  /// Runs a script, one act a line: see scripted_user_steps.cpp. Returns the first line that failed, or nothing.
   std::optional<Problem> run(const std::string& script, const std::string& file);
 
  private:
-  Driver() = default;
+  ScriptedUser() = default;
   void frame(bool drawn = true);
   const WidgetRecord* seen(std::string_view widget);
 
