@@ -16,14 +16,14 @@ constexpr char32_t kMost = 0xFFFF;
 // Hebrew to Arabic extended, the scripts of India, Thai and Lao, Tibetan, Burmese, Khmer, Mongolian, presentation
 // forms.
 constexpr std::array<GlyphCoverage::Range, 9> kNeedLayout{{{0x0590, 0x08FF},
-                                                       {0x0900, 0x0DFF},
-                                                       {0x0E00, 0x0EFF},
-                                                       {0x0F00, 0x0FFF},
-                                                       {0x1000, 0x109F},
-                                                       {0x1780, 0x17FF},
-                                                       {0x1800, 0x18AF},
-                                                       {0xFB1D, 0xFDFF},
-                                                       {0xFE70, 0xFEFE}}};
+                                                           {0x0900, 0x0DFF},
+                                                           {0x0E00, 0x0EFF},
+                                                           {0x0F00, 0x0FFF},
+                                                           {0x1000, 0x109F},
+                                                           {0x1780, 0x17FF},
+                                                           {0x1800, 0x18AF},
+                                                           {0xFB1D, 0xFDFF},
+                                                           {0xFE70, 0xFEFE}}};
 
 bool within(std::span<const GlyphCoverage::Range> ranges, char32_t c) {
   const auto at = std::upper_bound(ranges.begin(), ranges.end(), c,

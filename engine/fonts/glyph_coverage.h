@@ -33,8 +33,8 @@ class GlyphCoverage {
   /// The window's: Inter and DejaVu Sans. Read once.
   static const GlyphCoverage& ofWindow();
 
-  /// What is no sign of its own (line ends, zero-width characters, a byte order mark) is writable. Where no font could
-  /// be opened nothing is known, and all is.
+  /// A character that is no sign of its own (line ends, zero-width characters, a byte order mark) is writable. Where no
+  /// font could be opened, every character counts as writable.
   Writable writable(char32_t c) const;
   const std::vector<Range>& ranges() const { return ranges_; }
 

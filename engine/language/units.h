@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// What a number counts. In brackets: the unit in which the code counts.
+/// The quantity that a number measures. In brackets: the unit in which the code counts.
 enum class Dimension : std::uint8_t {
   None,        ///< a plain number
   Length,      ///< in the molecule (Å)

@@ -1,6 +1,6 @@
-// What a hand should do to carry out a task: the scripted learner follows it (engine/lesson/scripted_learner), and each
-// kind of task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt then takes
-// other places. Not for the haptic thread. Units: angstrom, second, newton.
+// The movements by which a hand carries out a task: the scripted learner follows it (engine/lesson/scripted_learner),
+// and each kind of task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt
+// then takes other places. Not for the haptic thread. Units: angstrom, second, newton.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct HandAct {
 
 using HandPlan = std::vector<HandAct>;
 
-/// What a plan can be made from.
+/// The input from which a plan is made.
 struct HandPlanInput {
   const BallScene& balls;
   double probe_A = kWaterProbe_A;

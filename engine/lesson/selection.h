@@ -44,8 +44,8 @@ class Selection {
   /// The indices of the selected atoms, ascending. Time grows with the number of atoms; `within` uses a grid.
   std::vector<std::uint32_t> select(const Molecule& molecule) const;
 
-  /// What a student would call it in the middle of a sentence: "an oxygen atom", "residue 52", "the ligand HEM"; where
-  /// the selection is not so simple, "the place you look for".
+  /// Its name for a student, in the middle of a sentence: "an oxygen atom", "residue 52", "the ligand HEM"; where the
+  /// selection is not so simple, "the place you look for".
   std::string noun() const;
 
   /// Why it selects nothing in this molecule, as "ligand 'BTX' is not in 1stp (ligands: BTN)": its first part without

@@ -25,7 +25,7 @@ std::size_t dropWaters(GrowingMolecule& grown) {
   const auto water = [](const Residue& r) { return r.kind == ResidueKind::Water; };
   const auto waters = static_cast<std::size_t>(std::count_if(m.residues.begin(), m.residues.end(), water));
   if (waters == 0 || waters == m.residues.size()) return 0;
-  // Residues that water parted may now be one, so all are put together anew; but in their own room.
+  // Removing waters can make two runs of one residue adjacent: all runs are merged again, in place.
   Molecule old = std::move(grown.molecule);
   GrowingMolecule out(grown.namesLabelChains());
   out.molecule.atoms = std::move(old.atoms);

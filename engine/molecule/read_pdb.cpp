@@ -82,8 +82,8 @@ gemmi::Element elementOf(const char* line, bool has_element) {
 }
 
 /// Checks one ATOM or HETATM line and adds its atom; a problem where it cannot be read.
-std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, std::string_view line, const std::string& file,
-                               std::size_t number) {
+std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, std::string_view line,
+                               const std::string& file, std::size_t number) {
   constexpr const char* kRemedy =
       N_("the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF");
   if (line.size() < 54)
@@ -149,8 +149,8 @@ void warnOfCut(PdbRecords& records) {
   if (records.ends_in_atom)
     records.warnings.push_back(tr("The file ends with an atom and has no END record after it: it may be cut short."));
   // Of several models the PDB counts the first alone, other programs all.
-  if (records.atoms_by_master && records.atoms_in_file <= kMostByMaster && records.atoms_by_master != records.atoms_in_file &&
-      records.atoms_by_master != records.atoms_in_first)
+  if (records.atoms_by_master && records.atoms_in_file <= kMostByMaster &&
+      records.atoms_by_master != records.atoms_in_file && records.atoms_by_master != records.atoms_in_first)
     records.warnings.push_back(
         trf("The MASTER record counts {0} atoms, but the file has {1}: it may be cut short or edited.",
             records.atoms_by_master, records.atoms_in_file));

@@ -29,8 +29,8 @@ inline constexpr std::size_t kMaxMoleculeBytes = std::size_t{1} << 30;
 /// A molecule of more atoms is refused, whether the file has them or an assembly makes them.
 inline constexpr std::size_t kMaxMoleculeAtoms = 25'000'000;
 
-/// What an atom takes of memory, with its residue, its chain and the reader's own needs (unit: byte). One whose
-/// residues and chains take more for so many atoms is refused: reading takes no more than 3 GB.
+/// The memory for an atom with its residue, its chain and the reader's own needs (unit: byte). One whose residues and
+/// chains take more for so many atoms is refused: reading takes no more than 3 GB.
 inline constexpr std::size_t kMoleculeBytesAnAtom = 120;
 
 /// A coordinate or radius farther out than this is refused (unit: angstrom).

@@ -46,7 +46,7 @@ class ViewPartSet {
   std::uint32_t bits_ = 0;
 };
 
-/// What a picture shows unless told otherwise: atoms, probe, force, target.
+/// The parts that a picture shows unless others are asked for: atoms, probe, force, target.
 ViewPartSet defaultViewParts();
 
 /// Reads names separated by commas ("atoms,circles"); the groups are `haptic`, `all` and `none`. For an unknown name

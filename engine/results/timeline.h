@@ -32,7 +32,7 @@ class Timeline {
   /// The hand at a moment, between two samples of the trace on the straight way from one to the other; no value before
   /// the first. The contact is the earlier sample's.
   std::optional<HipSample> hand(double t_s) const;
-  /// What was on the stage; null before the first molecule.
+  /// The stage at that moment; null before the first molecule.
   const StageChanged* stage(double t_s) const;
   /// How it was looked at; null where that is not known.
   const ViewChanged* view(double t_s) const;

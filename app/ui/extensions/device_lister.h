@@ -18,7 +18,7 @@ class DeviceLister {
 
   /// Begins to look; while it is looking it goes on with that. `waits`: until it has seen, as on the frames' clock.
   void begin(bool waits);
-  /// What has been seen, once; nothing while it is looking.
+  /// The devices found, once; nothing while the search runs.
   std::optional<std::vector<FoundDevice>> take();
 
  private:

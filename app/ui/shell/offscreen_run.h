@@ -17,7 +17,7 @@ struct OffscreenOptions {
   std::filesystem::path attempts;  ///< where what is done in a lesson is kept; empty: nowhere
 };
 
-/// Returns the program's exit status; what went wrong is told on stderr.
+/// Returns the program's exit status; errors are printed on stderr.
 int runOffscreen(const OffscreenOptions& options);
 
 }  // namespace moltact

@@ -44,7 +44,7 @@ class ScriptedUser {
   void resize(int width, int height);
 
   // Each of these draws the frames it needs. Names are those of the widget map; a name that is not on the screen gives
-  // false (or an empty text) and is told by missing().
+  // false (or an empty text) and is named by missing().
   bool click(std::string_view widget, int button = 0);
   bool drag(std::string_view widget, double dx, double dy, int button = 0);
   /// Moves the pointer to a place in the widget: (0, 0) is its upper left corner, (1, 1) its lower right.

@@ -83,7 +83,8 @@ class Cross : public Task {
   }
 
   // On the face of one atom, a little away from its crease with another.
-  static SurfacePlace beside(const HandPlanInput& view, const SurfacePlace& crease, std::int32_t atom, std::int32_t other) {
+  static SurfacePlace beside(const HandPlanInput& view, const SurfacePlace& crease, std::int32_t atom,
+                             std::int32_t other) {
     constexpr double kBeside_A = 0.6;
     const Ball &on = view.balls[static_cast<std::size_t>(atom)], &from = view.balls[static_cast<std::size_t>(other)];
     const Vec3 up = crease.scp_A - on.centre_A, away = glm::normalize(on.centre_A - from.centre_A);

@@ -49,7 +49,8 @@ void Task::answer(const TaskAnswer& given) {
     return;
   }
   const std::vector<TaskButton> there = currentButtons();
-  if (std::any_of(there.begin(), there.end(), [&](const TaskButton& b) { return b.word == given.word; })) onAnswer(given);
+  if (std::any_of(there.begin(), there.end(), [&](const TaskButton& b) { return b.word == given.word; }))
+    onAnswer(given);
 }
 
 std::vector<TaskFigure> Task::figures() const {
