@@ -8,7 +8,6 @@
 namespace moltact {
 namespace {
 
-constexpr const char* kLabel = "part of the picture";
 constexpr std::array kParts{
     ViewPartInfo{ViewPart::Atoms, "atoms", NC_("part of the picture", "Atoms"),
                  N_("the atoms as balls of their van der Waals radii"), false},
@@ -36,7 +35,7 @@ constexpr std::array kParts{
 
 }  // namespace
 
-const char* ViewPartInfo::shownLabel() const { return trc(kLabel, label); }
+const char* ViewPartInfo::shownLabel() const { return trc("part of the picture", label); }
 
 std::span<const ViewPartInfo> viewParts() { return kParts; }
 

@@ -129,7 +129,7 @@ TEST_CASE(
     REQUIRE(bool(shownUnit(d)) != plain_number);
     if (plain_number) continue;
     CHECK(shownUnit(d)->dimension == d);
-    CHECK(shownUnit(d)->use & kShowable);
+    CHECK((shownUnit(d)->use & kShowable) != 0);
     if (d == Dimension::Share) continue;
     REQUIRE(unitNamed(codeUnit(d), d));
     CHECK(unitNamed(codeUnit(d), d)->in_code_units == 1.0);
