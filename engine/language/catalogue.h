@@ -32,7 +32,7 @@ const char* trc(const char* context, const char* english) noexcept;
 /// The form that goes with `n`.
 const char* trn(const char* one, const char* many, unsigned long n) noexcept;
 
-/// The text of a placeholder: text or a whole number. A number with a fraction or a unit is a quantityText
+/// The value for a placeholder: text or a whole number. A number with a fraction or a unit is a quantityText
 /// (engine/language/quantity_text.h).
 class Piece {
  public:

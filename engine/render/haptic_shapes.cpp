@@ -267,11 +267,11 @@ class Drawer {
 void addHapticShapes(const ViewScene& scene, const MoleculeModel& model, Strokes& strokes,
                      std::vector<LooseSphere>& dots) {
   Drawer drawer(scene, model, strokes, dots);
-  if (scene.shown.has(Shape::Spheres)) drawer.spheres();
-  if (scene.shown.has(Shape::Circles)) drawer.circles();
-  if (scene.shown.has(Shape::Points)) drawer.points();
-  if (scene.shown.has(Shape::Cones)) drawer.cones();
-  if (scene.shown.has(Shape::Facets) && scene.facets) drawer.facets(*scene.facets);
+  if (scene.shown.has(ViewPart::Spheres)) drawer.spheres();
+  if (scene.shown.has(ViewPart::Circles)) drawer.circles();
+  if (scene.shown.has(ViewPart::Points)) drawer.points();
+  if (scene.shown.has(ViewPart::Cones)) drawer.cones();
+  if (scene.shown.has(ViewPart::Facets) && scene.facets) drawer.facets(*scene.facets);
 }
 
 void addCircle(Strokes& strokes, const Stroke& stroke, const Camera& camera, const Vec3& centre, const Vec3& axis,

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
@@ -10,7 +11,7 @@ namespace moltact {
 namespace {
 
 // Two digits that count, no zeros behind them and no exponent: 0.25, 4.2, 120.
-std::string twoDigits(double value, const char* unit) {
+std::string twoDigits(double value, std::string_view unit) {
   Digits digits = decimals(0);
   if (value > 0 && std::isfinite(value)) {
     const int before = static_cast<int>(std::floor(std::log10(value) + 1e-9));
@@ -20,7 +21,12 @@ std::string twoDigits(double value, const char* unit) {
   } else {
     value = 0.0;
   }
-  return numberText(value, digits) + "\u00a0" + unit;
+  return numberText(value, digits) + "\u00a0" + std::string(unit);
+}
+
+std::string lengthInMolecule(double length_A) {
+  const Unit& unit = *shownUnit(Dimension::Length);
+  return twoDigits(length_A / unit.in_code_units, unit.symbol);
 }
 
 std::string one(Dimension dimension) { return quantityText(1.0, dimension, plain()); }
@@ -48,7 +54,12 @@ Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA h
 }
 
 std::string lengthScale(const Workspace& workspace) {
-  return trf("{0} here is {1} there", one(Dimension::HandLength), twoDigits(workspace.A_per_mm, "Å"));
+  return trf("{0} here is {1} there", one(Dimension::HandLength), lengthInMolecule(workspace.A_per_mm));
+}
+
+double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_mm) {
+  constexpr double kJ_per_N_mm = 1e-3;
+  return kJ_per_N_mm * stiffness_N_per_mm * energy_A2 / (A_per_mm * A_per_mm);
 }
 
 std::optional<double> carbonPush_pN(double overlap_A) {
@@ -59,7 +70,7 @@ std::optional<double> carbonPush_pN(double overlap_A) {
 }
 
 std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm) {
-  const std::string hand = one(Dimension::HandLength), there = twoDigits(workspace.A_per_mm, "Å");
+  const std::string hand = one(Dimension::HandLength), there = lengthInMolecule(workspace.A_per_mm);
   if (!(stiffness_N_per_mm > 0.0)) return trf("{0} here is {1} there; nothing pushes back.", hand, there);
   const std::string force = one(Dimension::Force);
   const std::optional<double> push = carbonPush_pN(workspace.A_per_mm / stiffness_N_per_mm);
@@ -70,7 +81,7 @@ std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm)
 std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm) {
   if (!(stiffness_N_per_mm > 0.0)) return tr("The surface has no spring now.");
   const double depth_A = workspace.A_per_mm / stiffness_N_per_mm;
-  const std::string force = one(Dimension::Force), deep = twoDigits(depth_A, "Å");
+  const std::string force = one(Dimension::Force), deep = lengthInMolecule(depth_A);
   const std::optional<double> push = carbonPush_pN(depth_A);
   if (!push)
     return trf("With {0} the probe is {1} under the surface: so far into each other no two atoms can be pressed.",

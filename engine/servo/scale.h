@@ -30,6 +30,10 @@ Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA h
 /// "1 mm here is 0.2 Å there".
 std::string lengthScale(const Workspace& workspace);
 
+/// The energy (unit: J) that the spring in the hand stores at a contact of `Contact::energy_A2`: 0.5 k d^2, where d is
+/// the displacement in the hand's millimetres.
+double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_mm);
+
 /// The force (unit: pN) with which two carbon atoms push each other apart that lie `overlap_A` nearer than they touch:
 /// the yardstick for what a press would be between atoms. The van der Waals term of the Tripos 5.2 force field (Clark,
 /// Cramer & Van Opdenbosch, J. Comput. Chem. 10, 982, 1989), which takes carbon's radius as 1.70 Å, as Bondi and the

@@ -7,19 +7,19 @@
 
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-Driver::Options keeping(const std::filesystem::path& settings) {
-  Driver::Options options;
+ScriptedUser::Options keeping(const std::filesystem::path& settings) {
+  ScriptedUser::Options options;
   options.application.settings_file = settings;
   return options;
 }
 
 // Whether one of the messages says so.
-bool told(Driver& d, const std::string& part) {
+bool told(ScriptedUser& d, const std::string& part) {
   for (const Message& m : d.app().messages.all())
     if (contains(m.text, part)) return true;
   return false;
@@ -187,7 +187,7 @@ TEST_CASE(
     "chosen, the offer goes, and so it does when "
     "the device is gone") {
   const LibHd lib(MOLTACT_STAND_IN_LIBHD);
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.devices_unasked = true;
   auto d = startWith("1ubq", options);
   d->frames(10);
@@ -225,7 +225,7 @@ TEST_CASE(
 }
 
 TEST_CASE("a look that takes as long as it likes stops no frame") {
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.clock = ServoClock::RealThread;
   auto d = startWith("argon-pair", options);
   std::promise<void> gate;

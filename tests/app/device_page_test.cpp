@@ -6,12 +6,12 @@
 #include "engine/device/simulated_device.h"
 #include "engine/servo/safety_stage.h"
 #include "engine/servo/scale.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-SimulatedDevice& stylus(Driver& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
+SimulatedDevice& stylus(ScriptedUser& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
 
 // A device whose hand rests and that asks for the view.
 class Cap final : public Device {
@@ -28,7 +28,7 @@ class Cap final : public Device {
 };
 
 // The simulated stylus in use and pressing.
-std::unique_ptr<Driver> pressing() {
+std::unique_ptr<ScriptedUser> pressing() {
   auto d = startWith();
   d->tap("Ctrl+D");
   d->frames(3);

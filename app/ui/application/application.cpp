@@ -104,7 +104,7 @@ void Application::enterScene() {
   if (findMethod(spec->method) && spec->method != scene.method()) scene.useMethod(spec->method);
   scene.shown = lesson.shapes();
   scene.colour_by = colourBy(*spec);
-  panels.follow(spec->panels);
+  panels.applyLessonPanels(spec->panels);
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
   const Expected<MoleculeKey> molecule = lesson.molecule();
   if (!molecule) {

@@ -96,14 +96,14 @@ double DeviceLink::lookEvery_s(const Application& app) const {
 }
 
 void DeviceLink::look(Application& app) {
-  if (std::optional<std::vector<FoundDevice>> seen = looker_.take(); seen && !seen->empty()) {
+  if (std::optional<std::vector<FoundDevice>> seen = lister_.take(); seen && !seen->empty()) {
     found_ = std::move(*seen);
     offer(app);
   }
   const double every_s = lookEvery_s(app);
   if (every_s == 0.0 || (looked_s_ >= 0.0 && app.now_s() - looked_s_ < every_s)) return;
   looked_s_ = app.now_s();
-  looker_.begin(app.scene.servo().clock() == ServoClock::Frames);
+  lister_.begin(app.scene.servo().clock() == ServoClock::Frames);
 }
 
 // The search is not the window's: a driver may take seconds to find that there is no device. A script waits, for its

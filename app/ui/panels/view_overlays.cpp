@@ -148,7 +148,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     return;
   }
   drawColourLegend(app, view);
-  if (now.contact.touching() && app.scene.shown.has(Shape::Force)) forceLabel(app, now, view);
+  if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, view);
@@ -165,7 +165,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
                               : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
-             hint > 0.0f && !app.scene.playing() && !app.scene.servo().held()) {
+             hint > 0.0f && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }

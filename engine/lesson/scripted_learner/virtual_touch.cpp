@@ -60,7 +60,7 @@ TouchSample VirtualTouch::tick(PointA hip) {
   return sample;
 }
 
-HandView VirtualTouch::view(int attempt) const {
+HandPlanInput VirtualTouch::view(int attempt) const {
   return {.balls = *balls_,
           .probe_A = settings_.probe_A,
           .N_per_A = settings_.stiffness_N_per_mm / settings_.workspace.A_per_mm,

@@ -11,14 +11,14 @@
 
 namespace moltact {
 
-class DeviceLooker {
+class DeviceLister {
  public:
   using Find = std::function<std::vector<FoundDevice>()>;
-  explicit DeviceLooker(Find find = findDevices) : find_(std::move(find)) {}
+  explicit DeviceLister(Find find = findDevices) : find_(std::move(find)) {}
 
   /// Begins to look; while it is looking it goes on with that. `waits`: until it has seen, as on the frames' clock.
   void begin(bool waits);
-  /// What has been seen, once; nothing while it is looking.
+  /// The devices found, once; nothing while the search runs.
   std::optional<std::vector<FoundDevice>> take();
 
  private:

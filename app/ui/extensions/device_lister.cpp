@@ -1,4 +1,4 @@
-#include "app/ui/extensions/device_looker.h"
+#include "app/ui/extensions/device_lister.h"
 
 #include <chrono>
 #include <exception>
@@ -6,7 +6,7 @@
 
 namespace moltact {
 
-void DeviceLooker::begin(bool waits) {
+void DeviceLister::begin(bool waits) {
   if (seen_.valid()) return;
   // A look that fails has seen nothing new.
   const auto guarded = [find = find_]() -> std::vector<FoundDevice> {
@@ -25,7 +25,7 @@ void DeviceLooker::begin(bool waits) {
   if (waits) seen_.wait();
 }
 
-std::optional<std::vector<FoundDevice>> DeviceLooker::take() {
+std::optional<std::vector<FoundDevice>> DeviceLister::take() {
   if (!seen_.valid() || seen_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return std::nullopt;
   return seen_.get();
 }

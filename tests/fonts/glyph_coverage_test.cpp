@@ -1,4 +1,4 @@
-#include "engine/fonts/sign_table.h"
+#include "engine/fonts/glyph_coverage.h"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,7 @@ using namespace moltact;
 TEST_CASE(
     "the window's fonts write Latin, Greek and Cyrillic; not Chinese, Thai or a smiling face, nor Hebrew from the "
     "right") {
-  const SignTable& table = SignTable::ofWindow();
+  const GlyphCoverage& table = GlyphCoverage::ofWindow();
   REQUIRE_FALSE(table.ranges().empty());
   for (const char32_t c :
        {U'a', U'Z', U'ß', U'Å', U'ő', U'ř', U'ắ', U'α', U'Ω', U'Ж', U'ї', U'≤', U'→', U'₂', U'✓', U'„'})
@@ -19,13 +19,13 @@ TEST_CASE(
 }
 
 TEST_CASE("ranges are ascending and apart, and without a font nothing is complained of") {
-  const SignTable& table = SignTable::ofWindow();
+  const GlyphCoverage& table = GlyphCoverage::ofWindow();
   for (std::size_t k = 0; k < table.ranges().size(); ++k) {
     CHECK(table.ranges()[k].first <= table.ranges()[k].second);
     if (k) CHECK(table.ranges()[k - 1].second + 1 < table.ranges()[k].first);
   }
   const std::filesystem::path nowhere[]{"/nowhere/at-all.otf"};
-  CHECK(SignTable(nowhere).writable(U'中') == Writable::Yes);
+  CHECK(GlyphCoverage(nowhere).writable(U'中') == Writable::Yes);
 }
 
 TEST_CASE("a text gives its characters, and what is no UTF-8 in it none") {

@@ -1,4 +1,4 @@
-#include "engine/fonts/sign_table.h"
+#include "engine/fonts/glyph_coverage.h"
 
 #include <ft2build.h>
 #include FT_FREETYPE_H
@@ -15,19 +15,19 @@ constexpr char32_t kMost = 0xFFFF;
 
 // Hebrew to Arabic extended, the scripts of India, Thai and Lao, Tibetan, Burmese, Khmer, Mongolian, presentation
 // forms.
-constexpr std::array<SignTable::Range, 9> kNeedLayout{{{0x0590, 0x08FF},
-                                                       {0x0900, 0x0DFF},
-                                                       {0x0E00, 0x0EFF},
-                                                       {0x0F00, 0x0FFF},
-                                                       {0x1000, 0x109F},
-                                                       {0x1780, 0x17FF},
-                                                       {0x1800, 0x18AF},
-                                                       {0xFB1D, 0xFDFF},
-                                                       {0xFE70, 0xFEFE}}};
+constexpr std::array<GlyphCoverage::Range, 9> kNeedLayout{{{0x0590, 0x08FF},
+                                                           {0x0900, 0x0DFF},
+                                                           {0x0E00, 0x0EFF},
+                                                           {0x0F00, 0x0FFF},
+                                                           {0x1000, 0x109F},
+                                                           {0x1780, 0x17FF},
+                                                           {0x1800, 0x18AF},
+                                                           {0xFB1D, 0xFDFF},
+                                                           {0xFE70, 0xFEFE}}};
 
-bool within(std::span<const SignTable::Range> ranges, char32_t c) {
+bool within(std::span<const GlyphCoverage::Range> ranges, char32_t c) {
   const auto at = std::upper_bound(ranges.begin(), ranges.end(), c,
-                                   [](char32_t v, const SignTable::Range& r) { return v < r.first; });
+                                   [](char32_t v, const GlyphCoverage::Range& r) { return v < r.first; });
   return at != ranges.begin() && c <= std::prev(at)->second;
 }
 
@@ -38,7 +38,7 @@ bool unseen(char32_t c) {
 
 }  // namespace
 
-SignTable::SignTable(std::span<const std::filesystem::path> fonts) {
+GlyphCoverage::GlyphCoverage(std::span<const std::filesystem::path> fonts) {
   FT_Library library = nullptr;
   if (FT_Init_FreeType(&library) != 0) return;
   std::vector<char32_t> all;
@@ -60,13 +60,13 @@ SignTable::SignTable(std::span<const std::filesystem::path> fonts) {
       ranges_.emplace_back(c, c);
 }
 
-const SignTable& SignTable::ofWindow() {
+const GlyphCoverage& GlyphCoverage::ofWindow() {
   static const std::array<std::filesystem::path, 2> kFonts{kInterRegular, kDejaVu};
-  static const SignTable table(kFonts);
+  static const GlyphCoverage table(kFonts);
   return table;
 }
 
-Writable SignTable::writable(char32_t c) const {
+Writable GlyphCoverage::writable(char32_t c) const {
   if (ranges_.empty() || unseen(c)) return Writable::Yes;
   if (within(kNeedLayout, c)) return Writable::NeedsLayout;
   return c <= kMost && within(ranges_, c) ? Writable::Yes : Writable::NoSign;

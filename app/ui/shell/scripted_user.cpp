@@ -1,4 +1,4 @@
-#include "app/ui/shell/driver.h"
+#include "app/ui/shell/scripted_user.h"
 
 #include <imgui.h>
 
@@ -12,21 +12,21 @@
 #include "engine/render/gl_objects.h"
 
 namespace moltact {
-struct Driver::Target {
+struct ScriptedUser::Target {
   GlTarget gl;
 };
 
-ApplicationOptions Driver::framesClock() {
+ApplicationOptions ScriptedUser::framesClock() {
   ApplicationOptions options;
   options.clock = ServoClock::Frames;
   options.devices_unasked = false;  // what happens to be plugged in is none of a script's business
   return options;
 }
 
-Expected<std::unique_ptr<Driver>> Driver::create(Options options) {
+Expected<std::unique_ptr<ScriptedUser>> ScriptedUser::create(Options options) {
   Expected<std::unique_ptr<OffscreenGl>> gl = OffscreenGl::create();
   if (!gl) return gl.problem();
-  std::unique_ptr<Driver> d(new Driver);
+  std::unique_ptr<ScriptedUser> d(new ScriptedUser);
   d->options_ = std::move(options);
   d->gl_ = std::move(*gl);
   d->target_ = std::make_unique<Target>();
@@ -35,14 +35,14 @@ Expected<std::unique_ptr<Driver>> Driver::create(Options options) {
   return {std::move(d)};
 }
 
-Driver::~Driver() {
+ScriptedUser::~ScriptedUser() {
   // Each holds objects of the context that goes last.
   app_.reset();
   shell_.reset();
   target_.reset();
 }
 
-void Driver::frame(bool drawn) {
+void ScriptedUser::frame(bool drawn) {
   drawn = drawn && !eyes_closed_;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
@@ -62,19 +62,19 @@ void Driver::frame(bool drawn) {
   stats_.add(std::chrono::duration<double, std::milli>(Clock::now() - begun).count());
 }
 
-void Driver::frames(int n) {
+void ScriptedUser::frames(int n) {
   do frame(options_.draw_all || n <= 1);
   while (!shell_->input().empty());
   for (int k = 1; k < n; ++k) frame(options_.draw_all || k + 1 == n);
 }
 
-void Driver::resize(int width, int height) {
+void ScriptedUser::resize(int width, int height) {
   options_.width = width;
   options_.height = height;
   frames(3);
 }
 
-const WidgetRecord* Driver::seen(std::string_view widget) {
+const WidgetRecord* ScriptedUser::seen(std::string_view widget) {
   const WidgetRecord* record = widgets().find(widget);
   if (record && !record->visible() && record->scrolls) {
     // Scrolled out of sight: brought into it by the wheel, as a person would.
@@ -91,7 +91,7 @@ const WidgetRecord* Driver::seen(std::string_view widget) {
   return nullptr;
 }
 
-bool Driver::point(std::string_view widget, double x, double y) {
+bool ScriptedUser::point(std::string_view widget, double x, double y) {
   const WidgetRecord* r = seen(widget);
   if (!r) return false;
   shell_->input().pointer(double(r->low.x) + x * double(r->high.x - r->low.x),
@@ -100,17 +100,17 @@ bool Driver::point(std::string_view widget, double x, double y) {
   return true;
 }
 
-void Driver::press(int button) {
+void ScriptedUser::press(int button) {
   shell_->input().button(button, true);
   frames(1);
 }
 
-void Driver::release(int button) {
+void ScriptedUser::release(int button) {
   shell_->input().button(button, false);
   frames(2);
 }
 
-bool Driver::click(std::string_view widget, int button) {
+bool ScriptedUser::click(std::string_view widget, int button) {
   if (!point(widget)) return false;
   frames(1);
   press(button);
@@ -118,7 +118,7 @@ bool Driver::click(std::string_view widget, int button) {
   return true;
 }
 
-bool Driver::drag(std::string_view widget, double dx, double dy, int button) {
+bool ScriptedUser::drag(std::string_view widget, double dx, double dy, int button) {
   if (!point(widget)) return false;
   press(button);
   const ImVec2 from = ImGui::GetIO().MousePos;
@@ -131,12 +131,12 @@ bool Driver::drag(std::string_view widget, double dx, double dy, int button) {
   return true;
 }
 
-void Driver::wheel(double notches) {
+void ScriptedUser::wheel(double notches) {
   shell_->input().wheel(0, notches);
   frames(1);
 }
 
-void Driver::type(std::string_view utf8) {
+void ScriptedUser::type(std::string_view utf8) {
   for (std::size_t at = 0; at < utf8.size();) {
     const auto byte = static_cast<unsigned char>(utf8[at]);
     const std::size_t length = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
@@ -149,14 +149,14 @@ void Driver::type(std::string_view utf8) {
   frames(2);
 }
 
-bool Driver::hold(std::string_view names) {
+bool ScriptedUser::hold(std::string_view names) {
   const std::vector<ImGuiKey> keys = keysNamed(names);
   for (const ImGuiKey key : keys) shell_->input().key(key, true);
   frames(1);
   return !keys.empty();
 }
 
-bool Driver::letGo(std::string_view names) {
+bool ScriptedUser::letGo(std::string_view names) {
   std::vector<ImGuiKey> keys = keysNamed(names);
   std::reverse(keys.begin(), keys.end());
   for (const ImGuiKey key : keys) shell_->input().key(key, false);
@@ -164,7 +164,7 @@ bool Driver::letGo(std::string_view names) {
   return !keys.empty();
 }
 
-bool Driver::tap(std::string_view names) {
+bool ScriptedUser::tap(std::string_view names) {
   std::vector<ImGuiKey> keys = keysNamed(names);
   for (const ImGuiKey key : keys) shell_->input().key(key, true);
   std::reverse(keys.begin(), keys.end());
@@ -173,17 +173,17 @@ bool Driver::tap(std::string_view names) {
   return !keys.empty();
 }
 
-std::string Driver::text(std::string_view widget) const {
+std::string ScriptedUser::text(std::string_view widget) const {
   const WidgetRecord* record = widgets().find(widget);
   return record ? record->text : std::string();
 }
 
-bool Driver::shows(std::string_view widget) const {
+bool ScriptedUser::shows(std::string_view widget) const {
   const WidgetRecord* record = widgets().find(widget);
   return record && record->visible();
 }
 
-Picture Driver::picture() const {
+Picture ScriptedUser::picture() const {
   Picture out{options_.width, options_.height,
               std::vector<std::uint8_t>(std::size_t(options_.width) * std::size_t(options_.height) * 3)};
   std::vector<std::uint8_t> rows(out.rgb.size());

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/shell/driver.h"
+#include "app/ui/shell/scripted_user.h"
 #include "engine/device/simulated_device.h"
 #include "engine/sound/wav_file.h"
 
@@ -54,7 +54,7 @@ Act parse(const std::string& line) {
 }
 
 // Empty when the act was done, else why not.
-std::string perform(Driver& d, const Act& a) {
+std::string perform(ScriptedUser& d, const Act& a) {
   const std::string absent = "'" + a.word(0) + "' is not on the screen";
   const int button = a.words.size() > 1 && a.words.back() == "right" ? 1 : 0;
   if (a.verb == "open")
@@ -122,7 +122,7 @@ std::string perform(Driver& d, const Act& a) {
 
 }  // namespace
 
-std::optional<Problem> Driver::run(const std::string& script, const std::string& file) {
+std::optional<Problem> ScriptedUser::run(const std::string& script, const std::string& file) {
   std::istringstream in(script);
   std::string line;
   for (std::size_t number = 1; std::getline(in, line); ++number) {

@@ -17,7 +17,7 @@
 
 namespace moltact {
 
-class Driver {
+class ScriptedUser {
  public:
   static constexpr double kFrame_s = 1.0 / 60.0;
 
@@ -32,8 +32,8 @@ class Driver {
   };
 
   /// Fails where off-screen OpenGL is missing.
-  static Expected<std::unique_ptr<Driver>> create(Options options);
-  ~Driver();
+  static Expected<std::unique_ptr<ScriptedUser>> create(Options options);
+  ~ScriptedUser();
 
   Application& app() { return *app_; }
 
@@ -44,7 +44,7 @@ class Driver {
   void resize(int width, int height);
 
   // Each of these draws the frames it needs. Names are those of the widget map; a name that is not on the screen gives
-  // false (or an empty text) and is told by missing().
+  // false (or an empty text) and is named by missing().
   bool click(std::string_view widget, int button = 0);
   bool drag(std::string_view widget, double dx, double dy, int button = 0);
   /// Moves the pointer to a place in the widget: (0, 0) is its upper left corner, (1, 1) its lower right.
@@ -66,11 +66,11 @@ class Driver {
   Picture picture() const;
   FrameStats& stats() { return stats_; }
 
-  /// Runs a script, one act a line: see driver_script.cpp. Returns the first line that failed, or nothing.
+  /// Runs a script, one act a line: see scripted_user_steps.cpp. Returns the first line that failed, or nothing.
   std::optional<Problem> run(const std::string& script, const std::string& file);
 
  private:
-  Driver() = default;
+  ScriptedUser() = default;
   void frame(bool drawn = true);
   const WidgetRecord* seen(std::string_view widget);
 

@@ -9,16 +9,16 @@
 #include <memory>
 #include <string>
 
-#include "app/ui/shell/driver.h"
+#include "app/ui/shell/scripted_user.h"
 
 namespace moltact {
 
 /// A driver with ubiquitin on the stage, or whatever else is asked for; fails the test where off-screen OpenGL is
 /// missing.
-inline std::unique_ptr<Driver> startWith(const std::string& what = "1ubq", Driver::Options options = {}) {
-  Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(options));
+inline std::unique_ptr<ScriptedUser> startWith(const std::string& what = "1ubq", ScriptedUser::Options options = {}) {
+  Expected<std::unique_ptr<ScriptedUser>> made = ScriptedUser::create(std::move(options));
   if (!made) FAIL(made.problem().text());
-  std::unique_ptr<Driver> driver = std::move(*made);
+  std::unique_ptr<ScriptedUser> driver = std::move(*made);
   driver->app().settings.reduced_motion = true;  // a camera that glides would move the place under a hand
   if (!what.empty()) driver->app().open(what);
   driver->app().finishLoading();
@@ -27,7 +27,7 @@ inline std::unique_ptr<Driver> startWith(const std::string& what = "1ubq", Drive
 }
 
 /// The lesson that a newcomer begins with, as it comes with the program.
-inline void openFirst(Driver& driver) {
+inline void openFirst(ScriptedUser& driver) {
   driver.app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
 }
 

@@ -24,17 +24,17 @@ enum class Writable {
   NeedsLayout,  ///< a script that is written from right to left, or whose signs change or stack with their neighbours
 };
 
-class SignTable {
+class GlyphCoverage {
  public:
   using Range = std::pair<char32_t, char32_t>;  ///< the last included
 
   /// The characters of the font files that can be opened.
-  explicit SignTable(std::span<const std::filesystem::path> fonts);
+  explicit GlyphCoverage(std::span<const std::filesystem::path> fonts);
   /// The window's: Inter and DejaVu Sans. Read once.
-  static const SignTable& ofWindow();
+  static const GlyphCoverage& ofWindow();
 
-  /// What is no sign of its own (line ends, zero-width characters, a byte order mark) is writable. Where no font could
-  /// be opened nothing is known, and all is.
+  /// A character that is no sign of its own (line ends, zero-width characters, a byte order mark) is writable. Where no
+  /// font could be opened, every character counts as writable.
   Writable writable(char32_t c) const;
   const std::vector<Range>& ranges() const { return ranges_; }
 
