@@ -15,8 +15,8 @@
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
-#include "engine/servo/fit_workspace.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/fit_workspace.h"
+#include "engine/workspace/scale.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
 

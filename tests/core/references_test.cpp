@@ -209,7 +209,7 @@ const Project& project() {
   return all;
 }
 
-// Each file that a text names, with where it does so: "servo/scale.h", not "*_linux.cpp".
+// Each file that a text names, with where it does so: "servo/clutch.h", not "*_linux.cpp".
 std::vector<std::pair<std::string, std::size_t>> filesNamedIn(const std::string& text) {
   std::vector<std::pair<std::string, std::size_t>> out;
   for (const std::string ending : {".h", ".cpp"})

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "engine/haptics/sweep.h"
-#include "engine/servo/fit_workspace.h"
+#include "engine/workspace/fit_workspace.h"
 #include "engine/servo/plain_trackers.h"
 
 namespace moltact {
