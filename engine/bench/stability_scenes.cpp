@@ -255,7 +255,7 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   std::vector<StabilityScene> out = creases();
   out.push_back(pit());
   out.push_back(seam("touching in one point", scenes::touching()));
-  out.push_back(seam("overlapping by a hair", scenes::hair()));
+  out.push_back(seam("overlapping by a hair", scenes::barelyOverlapping()));
   out.push_back(walked("lattice, eight through a point", "Do many spheres through one point leave one answer?",
                        scenes::simpleCubic(3), seed + 1));
   out.push_back(walked("cubane-like", "The same on eight atoms of a cube.", scenes::cube(), seed + 2));

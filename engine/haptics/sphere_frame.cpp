@@ -26,7 +26,7 @@ std::uint64_t nextSerial() {
 
 SphereFrame::SphereFrame(std::vector<Moving> spheres, std::vector<Ball> bounds, int ticks, double most_moved_A)
     : spheres_(std::move(spheres)),
-      bounds_(std::move(bounds), BallScene::Equal::EachVisited),
+      bounds_(std::move(bounds), BallScene::Duplicates::VisitEach),
       ticks_(ticks),
       most_moved_(most_moved_A),
       serial_(nextSerial()) {}

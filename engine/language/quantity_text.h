@@ -55,8 +55,8 @@ void setDecimalSign(DecimalSign sign) noexcept;
 /// '.' or ','.
 char decimalSign() noexcept;
 
-/// The text of one number as a person wrote it, with a point: "1,76" gives "1.76". Where the decimal sign is a point, a
-/// comma before exactly three digits may part thousands and stays: "1,760".
+/// A number that a person typed, with a point: "1,76" gives "1.76". Where the decimal sign is a point, a comma before
+/// exactly three digits may separate thousands and stays: "1,760".
 std::string numberAsTyped(std::string text);
 
 /// Prose of an author, with the spaces between a number and a unit made no-break ones. The number stays as it was

@@ -231,7 +231,7 @@ class Drawer {
   void freeLine(const Vec3& p, const Vec3& q, const Stroke& stroke) {
     constexpr double kPiece_A = 0.15;
     const int pieces =
-        neighbours_.empty() ? 1 : std::clamp(wholeOf<int>(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
+        neighbours_.empty() ? 1 : std::clamp(saturateToInteger<int>(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
     bool open = false;
     const auto emit = [&](double t) { strokes_.point(glm::vec3(scene_.camera.toView({p + (q - p) * t}))); };
     for (int i = 0; i < pieces; ++i) {

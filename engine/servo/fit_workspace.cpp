@@ -24,7 +24,7 @@ Workspace beforeHand(const Workspace& scene, const BallScene& balls, double prob
       std::isfinite(device.workspace_mm.z) ? std::max(0.0, device.workspace_mm.z) : DeviceSpecs{}.workspace_mm.z;
   Workspace out = scene;
   out.rotation = turn;
-  const double free_A = out.A_per_mm * std::min(kMostFree_mm, kFreeShare * depth_mm);
+  const double free_A = out.A_per_mm * std::min(kMostFree_mm, kFreeFraction * depth_mm);
   out.centre_A = toward.A + turn[2] * (surfaceBefore_A(balls, probe_A, toward.A, turn[2]) + free_A);
   return out;
 }

@@ -1,5 +1,6 @@
-// The scale between a device and a molecule: what it is for a part of the molecule that is to fill the device's room,
-// and what a person is told of it. Any thread but the haptic one. Units: angstrom, millimetre, newton, piconewton.
+// The scale between a device and a molecule: the scale at which a part of the molecule fills the device's workspace,
+// and the sentences that describe a scale to a person. Any thread but the haptic one. Units: angstrom, millimetre,
+// newton, piconewton.
 #pragma once
 
 #include <optional>
@@ -13,16 +14,16 @@ namespace moltact {
 
 inline constexpr double kFinest_A_per_mm = 0.01, kCoarsest_A_per_mm = 4.0;
 
-/// The workspace in which a ball round `centre` fills the device's room as far as its narrowest side allows: the
+/// The workspace in which a ball round `centre` fills the device's workspace as far as its narrowest side allows: the
 /// paper's active haptic workspace, set round a selection. `radius_A` is clamped so that the scale stays within the
-/// figures above; what is not finite leaves `now` as it is.
+/// figures above; non-finite input leaves `now` unchanged.
 Workspace magnified(const Workspace& now, PointA centre, double radius_A, const DeviceSpecs& device);
 
 inline Workspace magnified(const Workspace& now, const Region& region, const DeviceSpecs& device) {
   return magnified(now, region.centre, region.radius_A, device);
 }
 
-/// Another scale for a hand that stays where it is, at `hand` and at `hip`. Scales that are no number or not above 0
+/// Another scale for a hand that stays where it is, at `hand` and at `hip`. Scales that are not a number or not above 0
 /// change nothing.
 Workspace rescaled(const Workspace& now, double A_per_mm, PointMm hand, PointA hip);
 
@@ -40,14 +41,14 @@ double springEnergy_J(double energy_A2, double stiffness_N_per_mm, double A_per_
 /// do not overlap, and where they overlap by more than kDeepest_A, which no such term describes.
 std::optional<double> carbonPush_pN(double overlap_A);
 
-inline constexpr double kDeepest_A =
-    1.0;  ///< there two carbon atoms push with 2 nN, of the order of what breaks a covalent bond
+/// At this overlap two carbon atoms push with 2 nN, of the order of the force that breaks a covalent bond.
+inline constexpr double kDeepest_A = 1.0;
 
 /// "1 mm here is 0.2 Å there, 1 N here would be 71 pN there": how deep 1 N presses with a spring of
-/// `stiffness_N_per_mm`, told by carbonPush_pN(); in words where it tells nothing.
+/// `stiffness_N_per_mm`, and carbonPush_pN() at that depth; in words where that returns nothing.
 std::string scaleSentence(const Workspace& workspace, double stiffness_N_per_mm);
 
-/// What that force is, and what the spring leaves out: three sentences, or one where there is no such force.
+/// Explains that force and what the spring leaves out: three sentences, or one where there is no such force.
 std::string scaleReason(const Workspace& workspace, double stiffness_N_per_mm);
 
 }  // namespace moltact

@@ -66,7 +66,7 @@ void ServoThread::run() noexcept {
   }
 }
 
-void ServoThread::tickOfDevice() noexcept {
+void ServoThread::onDeviceTick() noexcept {
   const std::int64_t now_ns = clock_.now_ns();
   device_tick_ns_.store(now_ns, std::memory_order_release);
   if (!stop_.load(std::memory_order_acquire)) loop_.tick(now_ns, std::nullopt, clock_.now_ns);

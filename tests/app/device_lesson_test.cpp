@@ -161,10 +161,10 @@ TEST_CASE("the open device page shows within two seconds what was plugged in, an
   auto d = startWith();
   bool there = false;
   d->app().extensions().device.lookBy([&] {
-    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
     if (there)
       found.insert(found.begin(),
-                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .auto_selectable = true});
     return found;
   });
   d->tap("Ctrl+D");
@@ -196,10 +196,10 @@ TEST_CASE(
   d->app().settings.device.clear();
   bool there = false;
   d->app().extensions().device.lookBy([&] {
-    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
     if (there)
       found.insert(found.begin(),
-                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .auto_selectable = true});
     return found;
   });
   d->frames(320);
@@ -232,7 +232,7 @@ TEST_CASE("a look that takes as long as it likes stops no frame") {
   const std::shared_future<void> open = gate.get_future().share();
   d->app().extensions().device.lookBy([open] {
     open.wait();
-    return std::vector<FoundDevice>{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    return std::vector<FoundDevice>{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
   });
   d->tap("Ctrl+D");
   d->frames(300);  // would never end

@@ -16,15 +16,15 @@ SimulatedDevice& stylus(ScriptedUser& d) { return dynamic_cast<SimulatedDevice&>
 // A device whose hand rests and that asks for the view.
 class Cap final : public Device {
  public:
-  explicit Cap(ViewWish& wish) : wish_(wish) { info_.name = "Cap"; }
+  explicit Cap(ViewMotion& wish) : wish_(wish) { info_.name = "Cap"; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return {.position = {{0, 0, 79}}}; }
   void write(ForceN) noexcept override {}
-  ViewWish viewWish() noexcept override { return wish_; }
+  ViewMotion viewMotion() noexcept override { return wish_; }
 
  private:
   DeviceInfo info_;
-  ViewWish& wish_;
+  ViewMotion& wish_;
 };
 
 // The simulated stylus in use and pressing.
@@ -122,7 +122,7 @@ TEST_CASE(
     "view's height, toward the person it comes "
     "2.2 times as close") {
   auto d = startWith();
-  ViewWish wish;
+  ViewMotion wish;
   d->app().scene.servo().setDevice(std::make_unique<Cap>(wish));
   d->frames(2);
   const Camera before = d->app().scene.camera;

@@ -174,7 +174,7 @@ void AttemptRecorder::ticks(Application& app, const FeltTicks& felt) {
   const InputWay way = realDevice(app) ? InputWay::Device : input_.way();
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& s = tick.sample;
-    if (!s.has_tracker) continue;
+    if (!s.has_interaction) continue;
     const double t_s = std::max({0.0, now_s_ - app.dt_s(), now_s_ - (last_s - s.time_s)});
     touch_watch_.add(touchSampleOf(s), t_s, way);
   }

@@ -110,7 +110,7 @@ void DeviceLink::look(Application& app) {
 // clock is not the search's.
 void DeviceLink::await(Application& app) {
   if (!search_ && !awaited_.empty() && app.now_s() - searched_s_ >= kLook_s)
-    search_ = std::make_unique<DeviceSearch>(awaited_);
+    search_ = std::make_unique<PendingDeviceOpen>(awaited_);
   if (!search_ || (!search_->done() && app.scene.servo().clock() == ServoClock::RealThread)) return;
   auto device = search_->take();
   search_.reset();
@@ -130,8 +130,9 @@ void DeviceLink::offer(Application& app) {
     return;
   }
   if (app.scene.servo().chosen() && app.scene.servo().chosen()->info().gives_force) return;
-  const auto best = std::find_if(found_.begin(), found_.end(),
-                                 [](const FoundDevice& one) { return one.usable && one.by_itself && one.gives_force; });
+  const auto best = std::find_if(found_.begin(), found_.end(), [](const FoundDevice& one) {
+    return one.usable && one.auto_selectable && one.gives_force;
+  });
   const std::string name = best == found_.end() ? "" : best->name;
   if (name == offered_) return;
   offered_ = name;
@@ -155,7 +156,7 @@ void DeviceLink::stopTrying(Application& app) {
 void DeviceLink::leadView(Application& app) {
   Device* device = app.scene.servo().chosen();
   if (!device || !app.scene.stage() || app.scene.servo().fallenBack() || stager_.dark()) return;
-  const ViewWish wish = device->viewWish();
+  const ViewMotion wish = device->viewMotion();
   const double dt = app.dt_s();
   Camera& camera = app.scene.camera;
   if (wish.rotation != Vec3(0.0)) {

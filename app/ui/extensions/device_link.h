@@ -12,7 +12,7 @@
 #include "app/ui/application/extension.h"
 #include "app/ui/extensions/device_lister.h"
 #include "app/ui/widgets/messages.h"
-#include "engine/device/device_search.h"
+#include "engine/device/pending_device_open.h"
 #include "engine/servo/safety_limits.h"
 
 namespace moltact {
@@ -91,7 +91,7 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
-  std::unique_ptr<DeviceSearch> search_;  // for the awaited one
+  std::unique_ptr<PendingDeviceOpen> search_;  // for the awaited one
   double searched_s_ = 0.0;
   DeviceLister lister_;
   bool begun_ = false, takes_default_ = false;

@@ -136,7 +136,7 @@ void Playback::showHand(Application& app) {
   const bool here = stage && app.scene.stage() && namedOf(app.scene.molecule()) == namedOf(*stage) &&
                     app.scene.stage().molecule->atoms.size() == stage->atoms;
   if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
-    sample.has_tracker = true;
+    sample.has_interaction = true;
     sample.hip = hand->hip;
     sample.contact.scp = hand->scp;
     sample.contact.feature = hand->feature;

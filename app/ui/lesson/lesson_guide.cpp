@@ -86,7 +86,7 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
 }
 
 void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
-  if (!on_stage_ || !s.has_tracker) return;
+  if (!on_stage_ || !s.has_interaction) return;
   session_->feed(touchSampleOf(s, method, exact));
 }
 

@@ -107,7 +107,7 @@ ViewScene seenScene(const Application& app) {
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
   scene.colour_by = app.scene.colour_by;
-  if (app.scene.stage() && now.has_tracker) {
+  if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
     scene.contact = now.contact;
     scene.force_N = app.scene.log().force_N();

@@ -32,7 +32,7 @@ void readFigures(const hd::Library& hd, OmniSession& session) {
   const Vec3 size(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
   if (finite(size) && size.x > 0 && size.y > 0 && size.z > 0) {
     info.workspace_mm = size;
-    session.room_middle_mm = Vec3(box[0], box[1], box[2]) + 0.5 * size;
+    session.workspace_middle_mm = Vec3(box[0], box[1], box[2]) + 0.5 * size;
   }
 }
 

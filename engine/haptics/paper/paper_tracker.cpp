@@ -14,7 +14,7 @@ PaperTracker::PaperTracker(std::shared_ptr<const BallScene> scene, double probe_
 }
 
 void PaperTracker::reset() noexcept {
-  been_outside_ = false;
+  has_been_outside_ = false;
   state_ = Feature::Free;
   atom_ = -1;
   models_.clear();
@@ -34,10 +34,10 @@ Contact PaperTracker::step(PointA hip) noexcept {
     scp_ = h;
     atom_ = deepestAtomAround(h);
     if (atom_ < 0) {
-      been_outside_ = true;
+      has_been_outside_ = true;
       return {.scp = hip};
     }
-    if (!been_outside_) return {.scp = hip, .fault = Fault::StartedInside};
+    if (!has_been_outside_) return {.scp = hip, .fault = Fault::StartedInside};
     state_ = Feature::Sphere;
   }
 

@@ -1,9 +1,11 @@
-#include "engine/device/hid/open_device.h"
+#include "engine/device/hid/open_layout.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 
+#include "engine/device/hid/hid_kind.h"
+#include "engine/device/packet/report_bytes.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
@@ -59,7 +61,7 @@ std::optional<Problem> problemOf(std::span<const std::uint8_t> r) {
 
 }  // namespace
 
-std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
+std::optional<Problem> OpenLayoutProtocol::begin(PacketPort& port, DeviceInfo& info) {
   std::array<std::uint8_t, 64> report{kDescription};
   const int size = port.feature(report);
   of_kind_ = size >= int(kDescriptionBytes) && report[0] == kDescription &&
@@ -91,7 +93,7 @@ std::optional<Problem> OpenProtocol::begin(HidPort& port, DeviceInfo& info) {
   return std::nullopt;
 }
 
-bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
+bool OpenLayoutProtocol::parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.size() < kPlaceBytes || report[0] != kPlaceReport) return false;
   const std::uint16_t number = uint16At(report, 1);
   const bool again = any_seen_ && number == seen_;  // the same report twice tells nothing new
@@ -111,18 +113,18 @@ bool OpenProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) 
   return !again;
 }
 
-HidGuidance OpenProtocol::guidance() const noexcept {
+DeviceGuidance OpenLayoutProtocol::guidance() const noexcept {
   if (status_ & kFault) return {N_("The device reports a fault: look at it and at its power, then plug it in again.")};
   if (status_ & kUncalibrated) return {N_("The device is not calibrated: do with it what its maker says for that.")};
   return {};
 }
 
-void OpenProtocol::pass(double dt_s, DevicePose& pose) noexcept {
+void OpenLayoutProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   pose.fault = faulty();
   cut_s_ = std::max(0.0, cut_s_ - std::min(dt_s, kMostPass_s));
 }
 
-std::size_t OpenProtocol::forceReport(ForceN force, bool motors_on, std::span<std::uint8_t, 64> out) noexcept {
+std::size_t OpenLayoutProtocol::forceReport(ForceN force, bool motors_on, ReportBuffer out) noexcept {
   if (!gives_) return 0;
   const bool on = motors_on && finite(force.N);
   out[0] = kForceReport;
@@ -135,11 +137,11 @@ std::size_t OpenProtocol::forceReport(ForceN force, bool motors_on, std::span<st
   return kForceBytes;
 }
 
-std::size_t OpenProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
-  return forceReport(force, !faulty(), out);
+std::size_t OpenLayoutProtocol::encode(const Wrench& wrench, ReportBuffer out) noexcept {
+  return forceReport(wrench.force, !faulty(), out);
 }
 
-std::size_t OpenProtocol::stop(std::span<std::uint8_t, 64> out) noexcept { return forceReport({}, false, out); }
+std::size_t OpenLayoutProtocol::encodeStop(ReportBuffer out) noexcept { return forceReport({}, false, out); }
 
 namespace {
 
@@ -147,14 +149,14 @@ const HidKind& openLayout() {
   DeviceInfo info;
   info.gives_force = true;  // most do; each tells it itself
   static const HidKind kind{N_("Device of the open layout"), isOpenDevice,
-                            [] { return std::unique_ptr<HidProtocol>(new OpenProtocol); }, info};
+                            [] { return std::unique_ptr<PacketProtocol>(new OpenLayoutProtocol); }, info};
   return kind;
 }
 
 }  // namespace
 
-extern const DeviceDriver kOpenDriver;
-const DeviceDriver kOpenDriver{
+extern const DeviceDriver kOpenLayoutDriver;
+const DeviceDriver kOpenLayoutDriver{
     .name = "open",
     .sentence = N_("A device that you build: any that speaks the reports of docs/device-protocol.md."),
     .find = [] { return findHid(openLayout()); },

@@ -1,5 +1,5 @@
-// A device's description that may become another's, when another one is plugged in, while any thread reads it: those
-// that were stay as they are until the device is closed, so that a reference to one is good that long.
+// A device's description that changes when another device is plugged in, while any thread reads it. Every version lives
+// until the device is closed, so a reference to one stays valid that long.
 #pragma once
 
 #include <atomic>
@@ -10,11 +10,11 @@
 
 namespace moltact {
 
-class KeptInfo {
+class VersionedDeviceInfo {
  public:
-  explicit KeptInfo(DeviceInfo first) { keep(std::move(first)); }
-  KeptInfo(const KeptInfo&) = delete;
-  KeptInfo& operator=(const KeptInfo&) = delete;
+  explicit VersionedDeviceInfo(DeviceInfo first) { keep(std::move(first)); }
+  VersionedDeviceInfo(const VersionedDeviceInfo&) = delete;
+  VersionedDeviceInfo& operator=(const VersionedDeviceInfo&) = delete;
 
   /// Any thread, also the haptic one.
   const DeviceInfo& get() const noexcept { return *now_.load(std::memory_order_acquire); }

@@ -1,5 +1,5 @@
-// Looks for a device that is waited for and opens it, on a thread of its own: a driver may take seconds to find that
-// there is none. Window's thread; nothing here waits but the destructor and take().
+// Opens a device on a thread of its own: a driver may take seconds to find that there is none. Window's thread; nothing
+// blocks here but the destructor and take().
 #pragma once
 
 #include <chrono>
@@ -11,13 +11,13 @@
 
 namespace moltact {
 
-class DeviceSearch {
+class PendingDeviceOpen {
  public:
-  explicit DeviceSearch(std::string name)
+  explicit PendingDeviceOpen(std::string name)
       : found_(std::async(std::launch::async, [name = std::move(name)] { return openDevice(name); })) {}
 
   bool done() const { return found_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
-  /// Once, when it is done: the device, or why there is none.
+  /// Call once, when done(): the device, or the reason why there is none.
   Expected<std::unique_ptr<Device>> take() { return found_.get(); }
 
  private:

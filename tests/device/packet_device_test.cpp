@@ -1,12 +1,14 @@
-// A HID device's own thread, over a port that the test holds the other end of: places, forces, words, plugs, the age of
-// a place.
+// The thread of a packet device, over a port whose other end the test holds: places, forces, words, plugs, the age of a
+// place.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <cmath>
 
-#include "engine/device/hid/open_device.h"
+#include "engine/device/hid/open_layout.h"
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
+#include "engine/device/packet/report_bytes.h"
 #include "tests/device/open_firmware.h"
 #include "tests/device/wire_port.h"
 
@@ -18,7 +20,7 @@ TEST_CASE(
     "place at rest, and it is "
     "asked again when it was opened anew") {
   const auto wire = std::make_shared<Wire>();
-  auto opened = HidDevice::open(over(wire), std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo());
+  auto opened = PacketDevice::open(over(wire), std::make_unique<WoodenHapticsProtocol>(), woodenHapticsInfo());
   REQUIRE(opened);
   Device& device = **opened;
   const Vec3 rest = WoodenHapticsProtocol::place(Vec3(0)).mm;
@@ -67,7 +69,7 @@ TEST_CASE(
   wire->feature = of(firmware.description());
   DeviceInfo known;
   known.name = "Built";
-  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), known);
+  auto opened = PacketDevice::open(over(wire), std::make_unique<OpenLayoutProtocol>(), known);
   REQUIRE(opened);
   Device& device = **opened;
   const DeviceInfo& first = device.info();
@@ -92,7 +94,7 @@ TEST_CASE("open layout: a fault and a missing calibration are told in words, and
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
-  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), DeviceInfo());
+  auto opened = PacketDevice::open(over(wire), std::make_unique<OpenLayoutProtocol>(), DeviceInfo());
   REQUIRE(opened);
   Device& device = **opened;
   CHECK(device.status().ready);
@@ -110,7 +112,7 @@ TEST_CASE(
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
-  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), DeviceInfo());
+  auto opened = PacketDevice::open(over(wire), std::make_unique<OpenLayoutProtocol>(), DeviceInfo());
   REQUIRE(opened);
   Device& device = **opened;
   CHECK(device.read(0.001).age_s == 0.0f);  // no place yet
@@ -137,7 +139,7 @@ TEST_CASE(
   CHECK(least >= 0.005);
 
   const auto cap = std::make_shared<Wire>();
-  auto mouse = HidDevice::open(over(cap), std::make_unique<SpaceMouseProtocol>(), DeviceInfo());
+  auto mouse = PacketDevice::open(over(cap), std::make_unique<SpaceMouseProtocol>(), DeviceInfo());
   REQUIRE(mouse);
   cap->send({3, 2});
   waitFor([&] { return (*mouse)->read(0.001).buttons == 2; });
@@ -146,14 +148,15 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a HID device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and plugging "
+    "a packet device: places arrive, forces go out, silence of the loop ends the force, unplugging is told and "
+    "plugging "
     "in mends it") {
   test::OpenFirmware firmware;
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
   DeviceInfo known;
   known.name = "Built";
-  auto opened = HidDevice::open(over(wire), std::make_unique<OpenProtocol>(), known);
+  auto opened = PacketDevice::open(over(wire), std::make_unique<OpenLayoutProtocol>(), known);
   REQUIRE(opened);
   Device& device = **opened;
   CHECK(device.info().name == "Built");
@@ -199,4 +202,66 @@ TEST_CASE(
   });
   opened->reset();
   CHECK(int16At(wire->last(), 3) == 0);  // closed without force
+}
+
+namespace {
+
+// One report each way, six numbers of 16 bits: mN and N mm / 100.
+class SixForces final : public PacketProtocol {
+ public:
+  bool parseReport(std::span<const std::uint8_t>, DevicePose&) noexcept override { return true; }
+  std::size_t encode(const Wrench& wrench, ReportBuffer out) noexcept override {
+    for (int k = 0; k < 3; ++k) {
+      putInt16(out, 2 * std::size_t(k), int(std::lround(1e3 * wrench.force.N[k])));
+      putInt16(out, 6 + 2 * std::size_t(k), int(std::lround(1e2 * wrench.torque_N_mm[k])));
+    }
+    return 12;
+  }
+};
+
+}  // namespace
+
+TEST_CASE(
+    "a device of six driven degrees of freedom gets its torque with its force: 1 N and -20 N mm; none of both when it "
+    "is stopped, when the loop is silent for 20 ms, and when it is closed") {
+  const auto wire = std::make_shared<Wire>();
+  DeviceInfo known;
+  known.gives_force = true;
+  known.dof_out = 6;
+  auto opened = PacketDevice::open(over(wire), std::make_unique<SixForces>(), known);
+  REQUIRE(opened);
+  Device& device = **opened;
+  const auto numbers = [&] {
+    const Report r = wire->last();
+    std::array<int, 6> out{};
+    for (std::size_t k = 0; k < 6 && r.size() == 12; ++k) out[k] = int16At(r, 2 * k);
+    return out;
+  };
+  const Wrench wrench{.force = {Vec3(1, 0, 0)}, .torque_N_mm = Vec3(0, -20, 0)};
+  const std::array<int, 6> given{1000, 0, 0, 0, -2000, 0}, none{};
+  const auto give = [&] {
+    waitFor([&] {
+      device.writeWrench(wrench);
+      return numbers() == given;
+    });
+    CHECK(numbers() == given);
+  };
+  give();
+  waitFor([&] {
+    device.stop();
+    return numbers() == none;
+  });
+  CHECK(numbers() == none);
+  give();
+  waitFor([&] { return numbers() == none; });  // the loop is silent
+  CHECK(numbers() == none);
+  // A force alone has no torque.
+  waitFor([&] {
+    device.write({Vec3(0, 0, 2)});
+    return numbers()[2] == 2000;
+  });
+  CHECK(numbers() == std::array<int, 6>{0, 0, 2000, 0, 0, 0});
+  give();
+  opened->reset();
+  CHECK(numbers() == none);
 }

@@ -1,4 +1,4 @@
-#include "engine/device/omni/omni_kept.h"
+#include "engine/device/omni/omni_connection.h"
 
 #include <utility>
 
@@ -6,13 +6,13 @@
 
 namespace moltact {
 
-KeptOmni& KeptOmni::get() {
-  static KeptOmni one;
+OmniConnection& OmniConnection::get() {
+  static OmniConnection one;
   return one;
 }
 
-KeptOmni::~KeptOmni() {
-  letGo();
+OmniConnection::~OmniConnection() {
+  closeUnused();
   {
     const std::lock_guard lock(mutex_);
     ends_ = true;
@@ -21,26 +21,26 @@ KeptOmni::~KeptOmni() {
   if (closer_.joinable()) closer_.join();
 }
 
-Expected<OmniSession> KeptOmni::opened(const hd::Library& hd) {
+Expected<OmniSession> OmniConnection::opened(const hd::Library& hd) {
   hd_ = &hd;
   if (taken_) return Problem{"", 0, 0, tr("the device is open already"), tr("close it first")};
   if (session_) return *session_;
   return openOmni(hd);
 }
 
-Expected<OmniSession> KeptOmni::look(const hd::Library& hd) {
+Expected<OmniSession> OmniConnection::look(const hd::Library& hd) {
   const std::lock_guard lock(mutex_);
   const bool kept = session_.has_value();
   auto session = opened(hd);
   if (!session || kept) return session;  // not kept for longer: it may have been unplugged meanwhile
   session_ = *session;
-  until_ = std::chrono::steady_clock::now() + kKept;
+  until_ = std::chrono::steady_clock::now() + kKeepOpen;
   if (!closer_.joinable()) closer_ = std::thread([this] { run(); });
   changed_.notify_all();
   return session;
 }
 
-Expected<OmniSession> KeptOmni::take(const hd::Library& hd) {
+Expected<OmniSession> OmniConnection::take(const hd::Library& hd) {
   const std::lock_guard lock(mutex_);
   auto session = opened(hd);
   if (!session) return session;
@@ -49,29 +49,29 @@ Expected<OmniSession> KeptOmni::take(const hd::Library& hd) {
   return session;
 }
 
-void KeptOmni::giveBack() {
+void OmniConnection::giveBack() {
   const std::lock_guard lock(mutex_);
   taken_.reset();
 }
 
-std::optional<OmniSession> KeptOmni::taken() {
+std::optional<OmniSession> OmniConnection::taken() {
   const std::lock_guard lock(mutex_);
   return taken_;
 }
 
-void KeptOmni::renewed(const OmniSession& session) {
+void OmniConnection::renewed(const OmniSession& session) {
   const std::lock_guard lock(mutex_);
   taken_ = session;
 }
 
-void KeptOmni::letGo() {
+void OmniConnection::closeUnused() {
   const std::lock_guard lock(mutex_);
   if (session_) closeOmni(*hd_, *session_);
   session_.reset();
 }
 
 // Closes in time what nobody took.
-void KeptOmni::run() {
+void OmniConnection::run() {
   std::unique_lock lock(mutex_);
   while (!ends_) {
     if (!session_) {

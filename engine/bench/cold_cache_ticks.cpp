@@ -1,4 +1,4 @@
-#include "engine/bench/cool_ticks.h"
+#include "engine/bench/cold_cache_ticks.h"
 
 #include <algorithm>
 #include <chrono>
@@ -31,11 +31,12 @@ struct Walker {
 
 }  // namespace
 
-std::vector<CoolTimes> timeCool(std::span<const Method* const> methods, const std::shared_ptr<const BallScene>& scene,
-                                double probe_A, const std::vector<Stroke>& strokes, const CoolPlan& plan,
-                                const Progress& progress) {
+std::vector<ColdCacheTimes> timeColdCache(std::span<const Method* const> methods,
+                                          const std::shared_ptr<const BallScene>& scene, double probe_A,
+                                          const std::vector<Stroke>& strokes, const ColdCachePlan& plan,
+                                          const Progress& progress) {
   const double clock_ns = clockCost_ns();
-  std::vector<CoolTimes> out(methods.size());
+  std::vector<ColdCacheTimes> out(methods.size());
   std::vector<Walker> walkers(methods.size());
   std::vector<std::vector<double>> sleeping(methods.size()), thrashed(methods.size());
   const Vec3 outside = scene->high_A() + Vec3(scene->largestRadius_A() + probe_A + 10.0);
@@ -71,14 +72,15 @@ std::vector<CoolTimes> timeCool(std::span<const Method* const> methods, const st
     }
   for (std::size_t k = 0; k < methods.size(); ++k) {
     out[k].touching /= std::max(1.0, double(sleeping[k].size() + thrashed[k].size()));
-    out[k].sleeping_ns = spreadOf(std::move(sleeping[k]));
-    out[k].thrashed_ns = spreadOf(std::move(thrashed[k]));
+    out[k].sleeping_ns = statisticsOf(std::move(sleeping[k]));
+    out[k].thrashed_ns = statisticsOf(std::move(thrashed[k]));
   }
   if (progress) progress(1, "");
   return out;
 }
 
-ReportTable coolTable(const std::vector<CoolTimes>& cool, const std::vector<TickTimes>& hot, std::size_t spheres) {
+ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::vector<TickTimes>& hot,
+                           std::size_t spheres) {
   ReportTable t{"cool",
                 "One tick as a hand meets it, in contact on " + readable(double(spheres)) + " spheres",
                 {{"method", "method"},
@@ -94,10 +96,10 @@ ReportTable coolTable(const std::vector<CoolTimes>& cool, const std::vector<Tick
                 {},
                 ""};
   const auto ratio = [](double a, double b) { return b > 0 ? Cell{a / b} : Cell{}; };
-  const CoolTimes* exact = nullptr;
-  for (const CoolTimes& c : cool)
+  const ColdCacheTimes* exact = nullptr;
+  for (const ColdCacheTimes& c : cool)
     if (c.method->name == "exact") exact = &c;
-  for (const CoolTimes& c : cool) {
+  for (const ColdCacheTimes& c : cool) {
     const auto beside =
         std::find_if(hot.begin(), hot.end(), [&](const TickTimes& row) { return row.method == c.method; });
     t.rows.push_back({std::string(c.method->name), beside == hot.end() ? Cell{} : Cell{beside->mean_ns},

@@ -10,28 +10,28 @@
 #include <cstdlib>
 #include <mutex>
 
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 namespace {
 
-std::atomic<unsigned> held{0};
+std::atomic<unsigned> inhibited{0};
 static_assert(std::atomic<unsigned>::is_always_lock_free, "a signal's handler sets it");
 
-// A place is taken when `data` and then `act` are there, so that a handler sees both or none.
-struct Place {
+// A slot is taken when `data` and then `act` are there, so that a handler sees both or none.
+struct Slot {
   std::atomic<bool> taken{false};
   std::atomic<void*> data{nullptr};
   std::atomic<LastAct::Act> act{nullptr};
   std::atomic<int> inside{0};  // handlers that are in it
 };
-std::array<Place, LastAct::kMost> places;
+std::array<Slot, LastAct::kMost> slots;
 
-bool doIt(Place& place) noexcept {
-  place.inside.fetch_add(1);
-  const LastAct::Act act = place.act.load();
-  const bool done = !act || act(place.data.load());
-  place.inside.fetch_sub(1);
+bool doIt(Slot& slot) noexcept {
+  slot.inside.fetch_add(1);
+  const LastAct::Act act = slot.act.load();
+  const bool done = !act || act(slot.data.load());
+  slot.inside.fetch_sub(1);
   return done;
 }
 
@@ -46,21 +46,21 @@ std::int64_t now_ns() noexcept {
   return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
 }
 
-// Each act until it is done. A thread that was about to give a force when the hold came may do so after the act: so
-// once more.
+// Each act until it is done. A thread that was about to give a force when it was inhibited may still give it after
+// the act: so each act is done once more.
 void doActs() noexcept {
   constexpr long kLook_ns = 200'000, kOvertaken_ns = 1'000'000;
   std::array<bool, LastAct::kMost> done{};
   const auto all = [&] {
     bool every = true;
-    for (std::size_t k = 0; k < places.size(); ++k) every = (done[k] = done[k] || doIt(places[k])) && every;
+    for (std::size_t k = 0; k < slots.size(); ++k) every = (done[k] = done[k] || doIt(slots[k])) && every;
     return every;
   };
-  if (std::none_of(places.begin(), places.end(), [](const Place& p) { return p.act.load(); })) return;
+  if (std::none_of(slots.begin(), slots.end(), [](const Slot& p) { return p.act.load(); })) return;
   for (const std::int64_t until_ns = now_ns() + kPatience_ms * std::int64_t{1'000'000}; !all() && now_ns() < until_ns;)
     rest(kLook_ns);
   rest(kOvertaken_ns);
-  for (Place& place : places) doIt(place);
+  for (Slot& slot : slots) doIt(slot);
 }
 
 // What ends a process: its own faults, whoever takes them otherwise; and what others send, where nobody takes it.
@@ -82,10 +82,10 @@ void onEnd(int signal, siginfo_t* info, void*) noexcept {
 
 void onStop(int) noexcept {
   const int kept = errno;
-  holdForce(Hold::Stopped);
+  inhibitForce(InhibitReason::Stopped);
   doActs();
   raise(SIGSTOP);
-  letForce(Hold::Stopped);  // it goes on; the loop finds that it stood, and begins softly
+  permitForce(InhibitReason::Stopped);  // it goes on; the loop finds that it stood, and begins softly
   errno = kept;
 }
 
@@ -120,13 +120,13 @@ void install() noexcept {
 
 }  // namespace
 
-bool forceHeld() noexcept { return held.load(std::memory_order_acquire) != 0; }
-void holdForce(Hold why) noexcept { held.fetch_or(static_cast<unsigned>(why)); }
-void letForce(Hold why) noexcept { held.fetch_and(~static_cast<unsigned>(why)); }
+bool forceInhibited() noexcept { return inhibited.load(std::memory_order_acquire) != 0; }
+void inhibitForce(InhibitReason why) noexcept { inhibited.fetch_or(static_cast<unsigned>(why)); }
+void permitForce(InhibitReason why) noexcept { inhibited.fetch_and(~static_cast<unsigned>(why)); }
 
 void endForce() noexcept {
   const int kept = errno;
-  holdForce(Hold::Dying);
+  inhibitForce(InhibitReason::Dying);
   doActs();
   errno = kept;
 }
@@ -135,23 +135,23 @@ bool LastAct::arm(Act act, void* data) noexcept {
   disarm();
   install();
   for (int k = 0; k < kMost; ++k) {
-    Place& place = places[std::size_t(k)];
-    if (place.taken.exchange(true)) continue;
-    place.data.store(data);
-    place.act.store(act);
-    place_ = k;
+    Slot& slot = slots[std::size_t(k)];
+    if (slot.taken.exchange(true)) continue;
+    slot.data.store(data);
+    slot.act.store(act);
+    slot_ = k;
     return true;
   }
   return false;
 }
 
 void LastAct::disarm() noexcept {
-  if (place_ < 0) return;
-  Place& place = places[std::size_t(place_)];
-  place.act.store(nullptr);
-  while (place.inside.load() > 0) rest(100'000);  // a handler is at it
-  place.taken.store(false);
-  place_ = -1;
+  if (slot_ < 0) return;
+  Slot& slot = slots[std::size_t(slot_)];
+  slot.act.store(nullptr);
+  while (slot.inside.load() > 0) rest(100'000);  // a handler is at it
+  slot.taken.store(false);
+  slot_ = -1;
 }
 
 LastReport::~LastReport() {
