@@ -77,7 +77,7 @@ void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wa
 void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
            double speed_A_per_s) {
   const double length = glm::distance(from.scp_A, to.scp_A);
-  const int steps = std::clamp(wholeOf<int>(std::ceil(length / kStep_A)), 1, kMostSteps);
+  const int steps = std::clamp(saturateToInteger<int>(std::ceil(length / kStep_A)), 1, kMostSteps);
   const double far = glm::distance(view.balls.low_A(), view.balls.high_A()) + 2.0 * view.probe_A + 1.0;
   for (int k = 1; k <= steps; ++k) {
     const double part = double(k) / steps;
