@@ -96,7 +96,7 @@ ReportTable coolTable(const std::vector<CoolTimes>& cool, const std::vector<Tick
   const auto ratio = [](double a, double b) { return b > 0 ? Cell{a / b} : Cell{}; };
   const CoolTimes* exact = nullptr;
   for (const CoolTimes& c : cool)
-    if (c.method->name == "exact") exact = &c;
+    if (isReference(*c.method)) exact = &c;
   for (const CoolTimes& c : cool) {
     const auto beside =
         std::find_if(hot.begin(), hot.end(), [&](const TickTimes& row) { return row.method == c.method; });

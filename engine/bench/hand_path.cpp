@@ -186,7 +186,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   return out;
 }
 
-HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* tracker) {
+HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt) {
   HandPath out;
   out.name = std::move(name);
   out.labels = trace.labels;
@@ -194,7 +194,7 @@ HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* trac
   ServoStep step = trace.start.value_or(ServoStep());
   for (const RecordedTick& tick : trace.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ServoSample sample = step.tick(tick.settings, tracker, tick.pose, tick.time);
+    const ServoSample sample = step.tick(tick.settings, felt, tick.pose, tick.time);
     out.places.push_back(sample.hip.A);
     out.touched.push_back(sample.contact.touching());
   }

@@ -19,7 +19,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/haptics/ball_scene.h"
-#include "engine/haptics/tracker.h"
+#include "engine/haptics/interaction.h"
 #include "engine/servo/servo_recording.h"
 
 namespace moltact::bench {
@@ -43,9 +43,9 @@ struct HandPath {
 /// Problem, with its line, where a row is broken, a time does not ascend, or there is no row.
 Expected<HandPath> readHandPath(const std::filesystem::path& file);
 
-/// The HIP of each tick of a recording. `tracker`: as it was newly made for the recording (the clutch asks
+/// The HIP of each tick of a recording. `felt`: as it was newly made for the recording (the clutch asks
 /// for the contact); with another or none the way is the same but where a clutch was held by the surface.
-HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* tracker);
+HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt);
 
 /// As rows of numbers with labels, to 0.001 A, so that readHandPath reads the same back.
 std::string textOf(const HandPath& path);

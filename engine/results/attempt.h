@@ -13,7 +13,8 @@
 #include <vector>
 
 #include "engine/core/units.h"
-#include "engine/haptics/tracker.h"
+#include "engine/haptics/contact.h"
+#include "engine/haptics/touch_setup.h"
 #include "engine/lesson/lesson.h"
 #include "engine/molecule/molecule_key.h"
 
@@ -152,10 +153,7 @@ struct StageSet {
   std::string file;      ///< its name without folders
   std::size_t atoms = 0;
   Workspace workspace;
-  double probe_A = kWaterProbe_A;
-  double stiffness_N_per_mm = 0.5;
-  std::string method;
-  bool force_on = true;
+  TouchSetup touch;
   ReadOptions reading{};  ///< how the file was read
   friend bool operator==(const StageSet&, const StageSet&) = default;
 };

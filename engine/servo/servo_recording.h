@@ -74,6 +74,9 @@ class ServoRecordingWriter {
 /// breaks off, or whose rest is damaged, gives the ticks before that and says so in `torn`.
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file);
 
+/// What a recording's hand felt with at its first tick, of which it must have one.
+TouchSetup touchOf(const ServoRecording& recording);
+
 struct ReplayResult {
   std::uint64_t ticks = 0;
   std::uint64_t moving = 0;  ///< of these with spheres that moved when it was recorded, and stand here

@@ -8,6 +8,7 @@
 #include "engine/device/device.h"
 #include "engine/haptics/interaction.h"
 #include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/touch_setup.h"
 #include "engine/servo/clutch.h"
 #include "engine/servo/safety_stage.h"
 
@@ -25,6 +26,19 @@ struct ServoSettings {
   ClutchSettings clutch;              ///< how the hand reaches farther than the device
   bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
   std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and begin anew where the HIP is
+
+  /// What the loop itself does of a setup; with the rest the interaction is made.
+  void take(const TouchSetup& touch) noexcept {
+    probe_A = touch.probe_A;
+    stiffness_N_per_mm = touch.stiffness_N_per_mm;
+    force_on = touch.force_on;
+  }
+  /// The same back.
+  void giveTo(TouchSetup& touch) const noexcept {
+    touch.probe_A = probe_A;
+    touch.stiffness_N_per_mm = stiffness_N_per_mm;
+    touch.force_on = force_on;
+  }
 };
 
 /// Where the spheres of a scene that moves are.

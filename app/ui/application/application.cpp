@@ -98,10 +98,7 @@ void Application::enterScene() {
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
   panels.hints = false;
-  scene.servo_settings.probe_A = spec->probe_A;
-  scene.servo_settings.stiffness_N_per_mm = spec->stiffness_N_per_mm;
-  scene.servo_settings.force_on = spec->force;
-  if (findMethod(spec->method) && spec->method != scene.method()) scene.useMethod(spec->method);
+  scene.setTouch(spec->touch);
   scene.shown = lesson.shapes();
   scene.colour_by = colourBy(*spec);
   panels.follow(spec->panels);

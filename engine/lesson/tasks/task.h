@@ -44,8 +44,7 @@ struct TaskButton {
 struct TaskStage {
   bool dark = false;         ///< the molecule is not drawn and no atom is named: the way is found by touch alone
   bool force_meter = false;  ///< in the dark the force is shown
-  std::optional<double> probe_A = {}, stiffness_N_per_mm = {};
-  std::string method = {};
+  TouchChange touch = {};    ///< felt with something else
   std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
   int showing = 0;  ///< another number: the hand lets go and begins anew outside, so that nothing else tells a change
 
