@@ -37,6 +37,8 @@ TEST_CASE(
     CHECK(fields.insert(p.field).second);
     CHECK_FALSE(p.meaning.empty());
     CHECK_FALSE(p.fallback.empty());
+    // What an interaction is made with stands in a recording's labels, all else in its ticks.
+    CHECK(p.label.empty() != p.made_with);
     const TouchValue usual = touchValue(TouchSetup(), p);
     if (const auto* number = std::get_if<double>(&usual)) {
       for (const TouchRange& range : {p.in_scenes, p.in_files, p.control.range})
