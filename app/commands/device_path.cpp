@@ -65,7 +65,10 @@ Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
   if (recording->ticks.empty())
     return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it anew")};
   if (!recording->torn.empty()) err() << "moltact: " << recording->torn << "; the hand's way ends there\n";
-  return bench::handPathOf(*recording, file.stem().string(), feltOf(*recording).get());
+  auto path = bench::handPathOf(*recording, file.stem().string(), feltOf(*recording).get());
+  if (path.places.empty())
+    return Problem{file.string(), 0, 0, tr("the hand is nowhere in this recording"), tr("record it anew")};
+  return path;
 }
 
 void addDevicePath(CLI::App& device) {

@@ -40,10 +40,12 @@ struct HandPath {
 };
 
 /// Reads rows of numbers. Rows of another clock are read as a hand that moved evenly from row to row. A
-/// Problem, with its line, where a row is broken, a time does not ascend, or there is no row.
+/// Problem, with its line, where a row is broken or longer than 64 KiB, a place is beyond 1e9 A or mm, a time does not
+/// ascend, there is no row, or there are more than 25 million rows or ticks or 1000 labels.
 Expected<HandPath> readHandPath(const std::filesystem::path& file);
 
-/// The HIP of each tick of a recording. `felt`: as it was newly made for the recording (the clutch asks
+/// The HIP of each tick of a recording, from the first that is a place; one that is none (a device may tell anything)
+/// is where the tick before was. `felt`: as it was newly made for the recording (the clutch asks
 /// for the contact); with another or none the way is the same but where a clutch was held by the surface.
 HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt);
 

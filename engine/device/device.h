@@ -96,6 +96,9 @@ class Device {
   virtual DeviceStatus status() { return {}; }
   /// The window's thread, each frame.
   virtual ViewWish viewWish() noexcept { return {}; }
+  /// The window's thread: whether what turns on the device turns the hand from now on, and no longer the view. One that
+  /// measures the hand's own turn does so always.
+  virtual void turnHand(bool) noexcept {}
   /// The window's thread: the person holds the device as status() asked for its calibration.
   virtual void calibrate() {}
 

@@ -54,6 +54,9 @@ class Interaction {
   virtual void moveTo(double /*share*/) noexcept {}
 
   virtual MemoryUsage memoryUsage() const noexcept = 0;
+
+  /// It is felt how the hand is turned: a body, not a point. Mouse, keys and devices that turn the view then turn it.
+  virtual bool hasOrientation() const noexcept { return false; }
 };
 
 }  // namespace moltact

@@ -36,9 +36,9 @@ std::string withSign(std::string text) {
 }
 
 std::string shown(double value, Digits digits, const Unit* unit, bool asked_for) {
-  if (!std::isfinite(value)) return "–";
   const double factor = unit ? 1.0 / unit->in_code_units : 1.0;
   value *= factor;
+  if (!std::isfinite(value)) return "–";  // also what is a number in the code's units alone
   switch (digits.kind) {
     case Digits::Kind::Decimals:
       return withSign(decimalsOf(value, digits.count - (asked_for ? 0 : int(std::lround(std::log10(factor))))));

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
@@ -13,6 +14,7 @@ constexpr double kBefore_A = 1.0;   // the hand begins so far before a place
 constexpr double kSettle_s = 0.3;   // in which the force after a new beginning has grown to its full size
 constexpr double kApart_A = 0.5;    // places nearer to each other than this are one
 constexpr double kStep_A = 0.4;     // of a slide, between two looks for the surface
+constexpr int kMostSteps = 20'000;  // longer on ways that are no molecule's
 constexpr double kRoom_A = 1.5;     // more room than this round a place is no better
 constexpr int kDirections = 60;     // in which an atom's face is looked at
 constexpr double kSpacing_A = 0.4;  // of places in a crease
@@ -75,7 +77,7 @@ void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wa
 void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
            double speed_A_per_s) {
   const double length = glm::distance(from.scp_A, to.scp_A);
-  const int steps = std::max(1, int(std::ceil(length / kStep_A)));
+  const int steps = std::clamp(wholeOf<int>(std::ceil(length / kStep_A)), 1, kMostSteps);
   const double far = glm::distance(view.balls.low_A(), view.balls.high_A()) + 2.0 * view.probe_A + 1.0;
   for (int k = 1; k <= steps; ++k) {
     const double part = double(k) / steps;

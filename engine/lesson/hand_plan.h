@@ -1,6 +1,6 @@
-// What a hand should do to carry out a task: the scripted learner follows it (engine/lesson/scripted_learner), and each kind of
-// task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt then takes other
-// places. Not for the haptic thread. Units: angstrom, second, newton.
+// What a hand should do to carry out a task: the scripted learner follows it (engine/lesson/scripted_learner), and each
+// kind of task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt then takes
+// other places. Not for the haptic thread. Units: angstrom, second, newton.
 #pragma once
 
 #include <cstdint>

@@ -34,6 +34,7 @@ void ServoLoop::end() noexcept {
 void ServoLoop::setDevice(std::unique_ptr<Device> device) {
   switch_.reset();
   chosen_ = std::move(device);
+  if (chosen_) chosen_->turnHand(has_orientation_);
 }
 
 void ServoLoop::record(bool on) {
@@ -43,6 +44,8 @@ void ServoLoop::record(bool on) {
 
 void ServoLoop::setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene) {
   collect();
+  has_orientation_ = felt && felt->hasOrientation();
+  if (chosen_) chosen_->turnHand(has_orientation_);
   auto next = std::unique_ptr<Handed>(new Handed{
       std::move(felt), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
   delete arriving_.exchange(next.release(), std::memory_order_acq_rel);

@@ -50,6 +50,9 @@ class ServoLoop {
   /// wait for it.
   bool setFrame(std::shared_ptr<const SphereFrame> frame, std::uint32_t scene = 0);
 
+  /// It is felt how the hand is turned: what turns on the device turns the hand, and not the view.
+  bool hasOrientation() const noexcept { return has_orientation_; }
+
   /// The chosen device, for its info() and status(); null where none is.
   Device* device() const noexcept { return chosen_.get(); }
   /// Whether the fallback stands in, at the newest tick, for a chosen device that is gone.
@@ -161,7 +164,7 @@ class ServoLoop {
   bool records_ = false;  // changed only while nobody ticks
   std::atomic<bool> fallen_back_{false};
   std::atomic<bool> let_go_{false};
-  bool for_good_ = false;
+  bool for_good_ = false, has_orientation_ = false;  // the owner's
   std::atomic<bool> gives_{false};
   // A tick's own, taken by whoever ticks.
   std::atomic_flag ticking_ = ATOMIC_FLAG_INIT;

@@ -3,8 +3,8 @@
 #include <map>
 #include <set>
 
-#include "app/ui/panels/actions.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/actions.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/folders.h"

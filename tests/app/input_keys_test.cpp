@@ -9,6 +9,7 @@
 
 #include "app/ui/shell/glfw_keys.h"
 #include "app/ui/widgets/input_queue.h"
+#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
 
 namespace moltact {
@@ -29,11 +30,16 @@ class BareImGui {
   BareImGui(const BareImGui&) = delete;
   BareImGui& operator=(const BareImGui&) = delete;
 
-  void frame(InputQueue& input) {
+  template <class Draw>
+  void frame(InputQueue& input, Draw draw) {
     ImGui::GetIO().DeltaTime = 1.0f / 60.0f;
     input.feed(ImGui::GetIO());
     ImGui::NewFrame();
+    draw();
     ImGui::EndFrame();
+  }
+  void frame(InputQueue& input) {
+    frame(input, [] {});
   }
 };
 
@@ -125,6 +131,46 @@ TEST_CASE(
   CHECK(keysDown().empty());
   CHECK_FALSE(ImGui::GetIO().KeyCtrl);
   CHECK_FALSE(ImGui::IsMouseDown(1));
+}
+
+TEST_CASE(
+    "A asks for a field in another window than the one that has the keys; 3.8, typed in the same frame as A, stands in "
+    "the field whole, and nothing else has seen the 3") {
+  for (const bool lines : {false, true}) {
+    CAPTURE(lines);
+    BareImGui imgui;
+    InputQueue input;
+    char written[16] = "";
+    bool seen = false;
+    const auto draw = [&] {
+      ImGui::Begin("view");
+      ImGui::Button("one");
+      ImGui::End();
+      ImGui::Begin("lesson");
+      ImGui::Button("two");
+      if (lines)
+        ImGui::InputTextMultiline("##field", written, sizeof written);
+      else
+        ImGui::InputText("##field", written, sizeof written);
+      if (!ImGui::GetIO().WantTextInput) {
+        seen = seen || ImGui::IsKeyPressed(ImGuiKey_3, false);
+        if (takeKey(ImGuiKey_A)) writeInLastField();
+      }
+      if (ImGui::GetFrameCount() == 1) ImGui::SetWindowFocus("view");
+      ImGui::End();
+    };
+    for (int k = 0; k < 3; ++k) imgui.frame(input, draw);
+    for (const char c : {'A', '3', '.', '8'}) {
+      const ImGuiKey key = c == '.' ? ImGuiKey_Period : keyOf(c);
+      input.key(key, true);
+      input.character(unsigned(c));
+      input.key(key, false);
+    }
+    for (int k = 0; k < 20; ++k) imgui.frame(input, draw);
+    CHECK(input.empty());
+    CHECK(std::string(written) == "3.8");
+    CHECK_FALSE(seen);
+  }
 }
 
 }  // namespace moltact

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/scene/view_controls.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/plain_trackers.h"
 
@@ -200,6 +201,50 @@ TEST_CASE(
   }
   CHECK(stops >= 30);
   CHECK(forces > 4'000);
+}
+
+TEST_CASE(
+    "a body in the hand is turned by mouse and keys: 100 px to the right and 0.5 s of an arrow up turn it by 0.8 and "
+    "-0.7 rad; a point and a new scene are not turned") {
+  struct Body final : Tracker {
+    Contact step(PointA hip) noexcept override { return {.scp = hip}; }
+    void reset() noexcept override {}
+    void setProbe(double) noexcept override {}
+    double probe_A() const noexcept override { return kWaterProbe_A; }
+    MemoryUsage memoryUsage() const noexcept override { return {}; }
+    bool hasOrientation() const noexcept override { return true; }
+  };
+  ServoLink link(ServoClock::Frames);
+  link.setInteraction(std::make_unique<WallTracker>(0.0));
+  CHECK_FALSE(link.hasOrientation());
+  link.setInteraction(std::make_unique<Body>());
+  REQUIRE(link.hasOrientation());
+  const BallScene balls({{{0, 0, 0}, 1.6}});
+  ServoSettings settings;
+  // The device's axes are the molecule's turned by a quarter round z; the camera looks as it is made.
+  settings.workspace.rotation = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
+  link.setSettings(settings);
+  ViewControls controls;
+  Camera camera;
+  controls.begin(camera, {}, settings.workspace, 10.0, link.mouse());
+  link.advance(0.2);
+  ViewInput drag, key;
+  drag.size_px = key.size_px = {800, 600};
+  drag.hand_px = {100, 0};
+  key.hand_keys = {0, 1};
+  key.dt_s = 0.01;
+  controls.update(drag, camera, &balls, settings, false, 0.0, link.mouse());
+  link.advance(0.5);
+  // Of the pose in the molecule's space: first the device's own quarter, then 0.8 rad round the screen's upright axis.
+  const Quat quarter = glm::quat_cast(settings.workspace.rotation);
+  CHECK(glm::length(rotationBetween(glm::angleAxis(0.8, camera.up()) * quarter, link.newest().orientation)) < 1e-3);
+  for (int k = 0; k < 50; ++k) controls.update(key, camera, &balls, settings, false, 0.0, link.mouse());
+  link.advance(0.5);
+  const Quat both = glm::angleAxis(-0.7, camera.right()) * glm::angleAxis(0.8, camera.up()) * quarter;
+  CHECK(glm::length(rotationBetween(both, link.newest().orientation)) < 1e-3);
+  controls.begin(camera, {}, settings.workspace, 10.0, link.mouse());
+  link.advance(0.8);
+  CHECK(glm::length(rotationBetween(quarter, link.newest().orientation)) < 1e-3);
 }
 
 }  // namespace moltact

@@ -132,9 +132,51 @@ TEST_CASE(
   CHECK(refused("# columns: t x y\n1 2 3\n").line == 1);
   CHECK(refused("# unit: inch\n1 2 3\n").message.find("inch") != std::string::npos);
   CHECK(refused("# tick_s: 0\n1 2 3\n").message.find("tick_s") != std::string::npos);
-  CHECK(refused("0 1 2 3\n1e9 1 2 3\n").message.find("day") != std::string::npos);
+  CHECK(refused("0 1 2 3\n25000 1 2 3\n").message.find("25 000 s") != std::string::npos);
+  CHECK(refused("0 1 2 3\n1e300 1 2 3\n").message.find("25 000 s") != std::string::npos);
+  CHECK(refused("-1e308 1 2 3\n1e308 1 2 3\n").message.find("25 000 s") != std::string::npos);
   CHECK(refused("only words\n").message.find("no row") != std::string::npos);
   CHECK_FALSE(readHandPath("/nowhere/at-all.txt"));
+}
+
+TEST_CASE(
+    "what would take much memory or lead nowhere is refused with its line: places beyond 1e9 mm, a line of 65 KiB, "
+    "1001 "
+    "labels; 1e9 mm and 1000 labels are read") {
+  CHECK(read("1 2 3\n1 -1e9 3\n").places.size() == 2);
+  CHECK(refused("1 2 3\n1 -1.1e9 3\n").line == 2);
+  CHECK(refused("# unit: m\n1 2 3\n1 1.7e308 3\n").line == 3);
+  CHECK(refused("1 2 3\n1 2 3" + std::string(65 << 10, ' ') + "4\n").line == 2);
+  std::string labels;
+  for (int k = 0; k < 1000; ++k) labels += "# k" + std::to_string(k) + ": v\n";
+  CHECK(read(labels + "1 2 3\n").labels.size() == 1000);
+  CHECK(refused(labels + "1 2 3\n# one: more\n").line == 1002);
+}
+
+TEST_CASE("a way of 10 rows a second is written a row a tick, and read back it lasts as long") {
+  const HandPath path = read("# tick_s: 0.1\n# time_unit: s\n1 2 3\n2 2 3\n");
+  REQUIRE(path.places.size() == 101);
+  CHECK(read(textOf(path)).places.size() == 101);
+}
+
+TEST_CASE(
+    "of a recording whose hand is first no place, then at 1 A, then NaN, 1e300 A and at 2 A, the way is 1, 1, 1, 2 A, "
+    "and reads back") {
+  ServoRecording recording;
+  for (const double x : {std::nan(""), 1.0, std::nan(""), 1e300, 2.0}) {
+    RecordedTick tick;
+    tick.settings.workspace.A_per_mm = 1.0;
+    tick.settings.probe_A = 1e5;
+    tick.pose.position.mm = {x, 0, 0};
+    recording.ticks.push_back(tick);
+  }
+  const HandPath path = handPathOf(recording, "odd", nullptr);
+  REQUIRE(path.places.size() == 4);
+  CHECK(path.touched.size() == 4);
+  for (const std::size_t k : {0u, 1u, 2u}) CHECK(path.places[k].x == doctest::Approx(1.0));
+  CHECK(path.places[3].x == doctest::Approx(2.0));
+  CHECK(path.probe_A == 20.0);
+  CHECK(read(textOf(path)).places == path.places);
 }
 
 TEST_CASE("a way that was written is read back the same to 0.001 A, with its labels") {

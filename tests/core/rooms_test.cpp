@@ -172,3 +172,10 @@ TEST_CASE("the engine never sees ImGui, and no haptic method uses the inside of 
       if (std::regex_search(included, other, method)) CHECK_MESSAGE(own[1] == other[1], file, " includes ", included);
   }
 }
+
+TEST_CASE("what versions of ImGui do in different ways is asked of imgui_versions.h and key_focus.h by all of app") {
+  static const std::regex differs("IMGUI_VERSION_NUM|SetKeyboardFocusHere *\\(|ImGui::ActivateItem");
+  for (const std::string& file : sourcesIn("app"))
+    if (!file.starts_with("app/ui/widgets/imgui_versions."))
+      CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), differs), file);
+}

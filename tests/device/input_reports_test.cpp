@@ -83,6 +83,34 @@ TEST_CASE(
 }
 
 TEST_CASE(
+    "SpaceMouse and pad: where a body is felt a full turn turns it by 1.5 rad a second and leaves the view; back again "
+    "the view turns") {
+  SpaceMouseProtocol mouse;
+  PlayStationProtocol pad;
+  DevicePose held, padded;
+  Report stick(64);
+  stick[0] = 1, stick[1] = stick[2] = 128, stick[3] = 255, stick[4] = 128,
+  stick[5] = 8;  // the right stick to the right
+  mouse.turnHand(true);
+  pad.turnHand(true);
+  for (int k = 0; k < 100; ++k) {
+    mouse.take(Report{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xA2, 0xFE}, held);
+    mouse.pass(0.01, held);
+    pad.take(stick, padded);
+    pad.pass(0.01, padded);
+  }
+  for (const DevicePose* one : {&held, &padded}) {
+    CHECK(rotationBetween(kNoRotation, one->orientation).y == doctest::Approx(1.5).epsilon(0.02));
+    CHECK(one->position.mm == Vec3(0));
+  }
+  CHECK(mouse.viewWish().rotation == Vec3(0));
+  CHECK(pad.viewWish().rotation == Vec3(0));
+  mouse.turnHand(false);
+  mouse.pass(0.01, held);
+  CHECK(mouse.viewWish().rotation.y > 0.9);
+}
+
+TEST_CASE(
     "DualShock 4: left stick right and up, right trigger in, right stick the view; sticks that rest beside their "
     "middle move nothing") {
   PlayStationProtocol pad;

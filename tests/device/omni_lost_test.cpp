@@ -73,6 +73,36 @@ TEST_CASE("a maker's clock that stands for half a second is told, and the device
   press(omni, loop);
 }
 
+TEST_CASE(
+    "where the maker's clock stands for 20 ms in contact the output stays on, after 21 ms the guard switches it off; "
+    "with "
+    "the next ticks it is on again and the force begins below 0.1 N") {
+  const StandIn omni;
+  const auto device = opened();
+  Loop loop(*device);
+  press(omni, loop);
+  CHECK(omni.driven() >= 0.7);
+  StandIn::stand(20);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // the guard has looked some times
+  CHECK(omni.driven() >= 0.7);
+  StandIn::stand(1);
+  const auto until = [&](bool on) {
+    for (int k = 0; k < 10'000 && omni.forcesOn() != on; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return omni.forcesOn() == on;
+  };
+  REQUIRE(until(false));
+  CHECK(omni.driven() == 0.0);
+  omni.step(1);
+  CHECK_FALSE(omni.forcesOn());
+  CHECK(omni.force() == 0.0);
+  omni.step(1);
+  REQUIRE(until(true));
+  omni.step(1);
+  CHECK(omni.driven() < 0.1);
+  press(omni, loop);
+  CHECK_FALSE(loop.devices.fallenBack());
+}
+
 TEST_CASE("no place is told before the first frame: until then the fallback leads") {
   const StandIn omni;
   const auto device = opened();

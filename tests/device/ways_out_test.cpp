@@ -373,7 +373,9 @@ TEST_CASE(
   for (const bool stands : {true, false}) {
     CAPTURE(stands);
     const StandIn omni;
-    const auto device = opened();
+    auto open = OmniDevice::open();  // by the wall's clock
+    REQUIRE(open);
+    const std::unique_ptr<OmniDevice> device = std::move(*open);
     Slow loop;
     loop.device = device.get();
     REQUIRE(device->startClock(loop));

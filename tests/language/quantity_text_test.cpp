@@ -63,6 +63,11 @@ TEST_CASE("digits that count, digits behind the sign, and as many as it takes") 
   CHECK(numberText(std::numeric_limits<double>::quiet_NaN()) == "–");
   CHECK(quantityText(std::numeric_limits<double>::infinity(), Dimension::Force) == "–\u00a0N");
   CHECK(numberText(1e300, decimals(2)).size() == 304);
+  // A number, but none in the unit that is shown.
+  CHECK(quantityText(1e307, Dimension::Share) == "–\u00a0%");
+  CHECK(quantityText(-1e307, Dimension::Share, significant(2)) == "–\u00a0%");
+  CHECK(quantityText(1.7e308, Dimension::Share, plain()) == "–\u00a0%");
+  CHECK(quantityText(5e-324, Dimension::Share, significant(2)) == "0.000000000000\u00a0%");
 }
 
 TEST_CASE("10 000 random numbers are rounded as the C library's printf does it; seed 3") {

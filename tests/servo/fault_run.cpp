@@ -146,6 +146,7 @@ class RigidPair final : public Interaction {
   void setProbe(double probe_A) noexcept override { ends_[0]->setProbe(probe_A), ends_[1]->setProbe(probe_A); }
   double probe_A() const noexcept override { return ends_[0]->probe_A(); }
   double parallelSprings() const noexcept override { return 2.0; }
+  bool hasOrientation() const noexcept override { return true; }
   MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
@@ -580,8 +581,9 @@ class Run {
     const double stiffened_J = known ? 1e-3 * potential_mm2 * std::max(0.0, stiffest - softest) : 0.0;
     const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s),
                grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
-    if (cuts_ > 0 && pair_ && !known) {
-      ++out_.body_cuts;
+    // Of a body that is pressed beyond the greatest force it is not known what its springs store together.
+    if (pair_ && !known) {
+      out_.body_cuts += cuts_ > 0;
       return judge_.expectAny();
     }
     out_.cuts += cuts_;

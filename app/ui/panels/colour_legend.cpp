@@ -37,7 +37,8 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   }
   for (std::size_t k = 0; k < of_chain.size(); ++k)
     if (of_chain[k])
-      chains.push_back({chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string()), of_chain[k]});
+      chains.push_back(
+          {chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string()), of_chain[k]});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k])
       others.push_back(

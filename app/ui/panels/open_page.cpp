@@ -6,12 +6,14 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/ui/application/application.h"
 #include "app/ui/files/file_list.h"
 #include "app/ui/files/library.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -56,20 +58,20 @@ void drawOpenPage(Application& app) {
     return;
   }
   FileBrowser& b = app.files;
-  if (!b.open) {
-    b.open = true;
+  const bool newly = !std::exchange(b.open, true);
+  if (newly) {
     std::error_code ignored;
     if (b.folder().empty())
       b.look(fs::current_path(ignored));
     else
       b.look(b.folder());
     b.typed.clear();
-    ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered =
       ImGui::InputTextWithHint("##path", b.folder().string().c_str(), &b.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   recordItem("open/path", b.typed);
+  if (newly) writeInLastField();
   if (entered && !b.typed.empty()) {
     fs::path where = b.typed;
     if (b.typed.starts_with("~/") && std::getenv("HOME")) where = fs::path(std::getenv("HOME")) / b.typed.substr(2);

@@ -7,10 +7,10 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
-#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"

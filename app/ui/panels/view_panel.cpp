@@ -41,7 +41,9 @@ void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
   // Keys belong to a text field, an open page or a panel before they belong to the view.
   if (!keysFree()) return;
-  if (io.KeyCtrl && !io.KeyAlt)
+  if (io.KeyCtrl && io.KeyShift && !io.KeyAlt && app.scene.servo().hasOrientation())
+    in.hand_keys = arrows();
+  else if (io.KeyCtrl && !io.KeyAlt)
     in.orbit_keys = arrows();
   else if (app.scene.playing())
     return;  // the keys belong to the bar
@@ -79,7 +81,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing();
   const glm::dvec2 drag(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
-  if (turning) in.orbit_px = drag;
+  if (turning) (io.KeyCtrl && app.scene.servo().hasOrientation() ? in.hand_px : in.orbit_px) = drag;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);

@@ -34,6 +34,8 @@ class ServoLink {
   bool held() const { return chosen() && !fallenBack(); }
   /// The one that leads.
   const DeviceInfo& device() const { return held() ? chosen()->info() : mouse_.info(); }
+  /// It is felt how the hand is turned.
+  bool hasOrientation() const { return loop().hasOrientation(); }
   /// Lets the force go along the slew, for good; there is none when it returns.
   void endForce();
   /// What is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is taken up

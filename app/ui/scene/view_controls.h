@@ -19,8 +19,9 @@ struct ViewInput {
   bool release = false;                  ///< Escape: lets go even while the button is held
   double push_notches = 0.0;
   double zoom_notches = 0.0;
-  glm::dvec2 orbit_px{0.0}, pan_px{0.0};                       ///< drags since the last frame
+  glm::dvec2 orbit_px{0.0}, pan_px{0.0}, hand_px{0.0};         ///< drags since the last frame; the last turns the hand
   glm::dvec2 probe_keys{0.0}, orbit_keys{0.0}, pan_keys{0.0};  ///< x right, y up: -1, 0 or 1
+  glm::dvec2 hand_keys{0.0};                                   ///< turn the hand
   double zoom_keys = 0.0;                                      ///< positive: closer
   std::optional<double> expected_N_per_mm;  ///< how hard the person expects the surface to push back; none: as it does
   double dt_s = 1.0 / 60.0;
@@ -58,6 +59,7 @@ class ViewControls {
 
  private:
   PointerHand hand_;
+  Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
   double hint_left_s_ = 2.0;

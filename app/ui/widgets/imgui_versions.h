@@ -138,6 +138,8 @@ bool takeKey(ImGuiKey key);
 
 /// As if it had been pressed, in the next frame.
 void activateItem(ImGuiID id);
+/// Between frames: the next one activates an item.
+bool itemAwaitsActivation();
 /// Enter presses the item that the keys are at. Later versions do that by themselves.
 void pressByEnter(ImGuiID id);
 /// Whether the item that the keys are at is marked; a mouse that moves ends it.

@@ -145,6 +145,7 @@ void HidDevice::run() {
         continue;
       }
       const Clock::time_point now = Clock::now();
+      protocol_->turnHand(turns_hand_.load(std::memory_order_relaxed));
       protocol_->pass(std::min(0.05, std::chrono::duration<double>(now - last).count()), state.pose);
       last = now;
       state_.write(state);

@@ -45,6 +45,8 @@ class HidProtocol {
   virtual void pass(double, DevicePose&) noexcept {}
   /// What the newest reports ask of the view, for devices that lead it.
   virtual ViewWish viewWish() const noexcept { return {}; }
+  /// As Device::turnHand; asked before each pass().
+  virtual void turnHand(bool) noexcept {}
   /// The report that gives this force, its id first; its length, 0 for a device without force.
   virtual std::size_t give(ForceN, std::span<std::uint8_t, 64>) noexcept { return 0; }
   /// The report that ends all force, with the motors off where they can be switched.
@@ -73,6 +75,7 @@ class HidDevice final : public Device {
   DeviceStatus status() override;
   void calibrate() override { calibrate_.store(true, std::memory_order_release); }
   ViewWish viewWish() noexcept override { return wish_.read(); }
+  void turnHand(bool on) noexcept override { turns_hand_.store(on, std::memory_order_relaxed); }
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -115,7 +118,7 @@ class HidDevice final : public Device {
   TripleBuffer<HidGuidance> guidance_;
   std::uint32_t last_told_ = 0;  // the haptic thread's
   Command next_command_;         // the haptic thread's
-  std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false};
+  std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false}, turns_hand_{false};
   std::thread thread_;
 };
 

@@ -51,7 +51,11 @@ bool PlayStationProtocol::take(std::span<const std::uint8_t> r, DevicePose& pose
 void PlayStationProtocol::pass(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) push_ = turn_ = Vec3(0.0);
   rate_control::move(pose, push_, dt_s);
-  wish_.rotation = rate_control::shaped(turn_);
+  wish_ = {};
+  if (turns_hand_)
+    rate_control::rotate(pose, turn_, dt_s);
+  else
+    wish_.rotation = rate_control::shaped(turn_);
 }
 
 std::size_t PlayStationProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {

@@ -28,6 +28,7 @@ class PlayStationProtocol final : public HidProtocol {
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void pass(double dt_s, DevicePose& pose) noexcept override;
   ViewWish viewWish() const noexcept override { return wish_; }
+  void turnHand(bool on) noexcept override { turns_hand_ = on; }
   std::size_t give(ForceN force, std::span<std::uint8_t, 64> out) noexcept override;
   std::size_t end(std::span<std::uint8_t, 64> out) noexcept override;
 
@@ -36,7 +37,7 @@ class PlayStationProtocol final : public HidProtocol {
   Vec3 push_{0.0}, turn_{0.0};
   ViewWish wish_;
   double silent_s_ = 0;
-  bool by_usb_ = false;
+  bool by_usb_ = false, turns_hand_ = false;
   int told_ = -1;  // the step of rumble that was sent last; -1: none
 };
 

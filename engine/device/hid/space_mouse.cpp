@@ -64,7 +64,10 @@ void SpaceMouseProtocol::pass(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) axes_ = {};
   wish_ = {};
   // No hand pushes without turning a little, nor the other way round.
-  if (glm::length(axes_.rotation) > glm::length(axes_.push))
+  const bool turns = glm::length(axes_.rotation) > glm::length(axes_.push);
+  if (turns && turns_hand_ && !leads_view_)
+    rate_control::rotate(pose, axes_.rotation, dt_s);
+  else if (turns)
     wish_.rotation = rate_control::shaped(axes_.rotation);
   else if (leads_view_)
     wish_.move = rate_control::shaped(axes_.push);

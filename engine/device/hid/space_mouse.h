@@ -1,6 +1,6 @@
 // 3Dconnexion SpaceMouse: six axes that tell how far the cap is pushed and turned, no force. A push sets the hand's
 // speed, a turn the view's, whichever is the stronger. The first button switches: the push then moves the view, until
-// it is pressed again.
+// it is pressed again. Where a body is felt a turn turns it, and the view only while the push moves that.
 #pragma once
 
 #include "engine/device/hid/hid_device.h"
@@ -21,13 +21,14 @@ class SpaceMouseProtocol final : public HidProtocol {
   bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
   void pass(double dt_s, DevicePose& pose) noexcept override;
   ViewWish viewWish() const noexcept override { return wish_; }
+  void turnHand(bool on) noexcept override { turns_hand_ = on; }
   const SixAxes& axes() const { return axes_; }
 
  private:
   SixAxes axes_;
   ViewWish wish_;
   std::uint32_t pressed_ = 0;
-  bool leads_view_ = false;
+  bool leads_view_ = false, turns_hand_ = false;
   double silent_s_ = 0;
 };
 

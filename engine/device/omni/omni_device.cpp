@@ -46,12 +46,12 @@ std::optional<OmniDevice::Seen> OmniDevice::taken() {
 }
 void OmniDevice::letGo() { KeptOmni::get().letGo(); }
 
-Expected<std::unique_ptr<OmniDevice>> OmniDevice::open() {
+Expected<std::unique_ptr<OmniDevice>> OmniDevice::open(std::int64_t (*now_ns)() noexcept) {
   const auto library = hd::Library::get();
   if (!library) return library.problem();
   auto session = KeptOmni::get().take(**library);
   if (!session) return session.problem();
-  return std::unique_ptr<OmniDevice>(new OmniDevice(**library, std::move(*session)));
+  return std::unique_ptr<OmniDevice>(new OmniDevice(**library, std::move(*session), now_ns));
 }
 
 Expected<OmniDevice::Seen> OmniDevice::look() {
@@ -62,8 +62,8 @@ Expected<OmniDevice::Seen> OmniDevice::look() {
   return Seen{seen->model, seen->serial};
 }
 
-OmniDevice::OmniDevice(const hd::Library& library, OmniSession session)
-    : hd_(library), info_(session.info), session_(std::move(session)), guard_(library) {}
+OmniDevice::OmniDevice(const hd::Library& library, OmniSession session, std::int64_t (*now_ns)() noexcept)
+    : hd_(library), info_(session.info), session_(std::move(session)), guard_(library, now_ns) {}
 
 OmniDevice::~OmniDevice() {
   stopClock();

@@ -20,14 +20,16 @@
 #include "engine/device/omni/omni_guard.h"
 #include "engine/device/omni/omni_session.h"
 #include "engine/platform/force_hold.h"
+#include "engine/platform/realtime.h"
 
 namespace moltact {
 
 class OmniDevice final : public Device {
  public:
   /// Initialises the default device, or takes the one that look() has just opened. A Problem in words where there is
-  /// none or it is in use. Not for the haptic thread; may take a while.
-  static Expected<std::unique_ptr<OmniDevice>> open();
+  /// none or it is in use. Not for the haptic thread; may take a while. `now_ns` is the guard's clock: another one
+  /// where frames do not come in real time.
+  static Expected<std::unique_ptr<OmniDevice>> open(std::int64_t (*now_ns)() noexcept = &monotonic_ns);
   /// What is written on the device that open() would give. It shows only once it is open, and so stays open for a
   /// moment.
   struct Seen {
@@ -55,7 +57,7 @@ class OmniDevice final : public Device {
   static void letGo();
 
  private:
-  OmniDevice(const hd::Library& library, OmniSession session);
+  OmniDevice(const hd::Library& library, OmniSession session, std::int64_t (*now_ns)() noexcept);
   void schedule();
   void unschedule();
   void revive();

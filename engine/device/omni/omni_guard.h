@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/device/omni/hd_library.h"
+#include "engine/platform/realtime.h"
 
 namespace moltact {
 
@@ -16,7 +17,8 @@ class OmniGuard {
   static constexpr int kStands_ms = 20;  ///< as late as the safety stage lets a tick be
   static constexpr int kStandsHeld_ms = 5;
 
-  explicit OmniGuard(const hd::Library& library) : hd_(library) {}
+  /// `now_ns`: the clock that frames are late by; any thread.
+  OmniGuard(const hd::Library& library, std::int64_t (*now_ns)() noexcept) : hd_(library), now_ns_(now_ns) {}
   ~OmniGuard() { stop(); }
 
   /// The thread that schedules. Frames may come from now on.
@@ -33,6 +35,7 @@ class OmniGuard {
   void look() noexcept;
 
   const hd::Library& hd_;
+  std::int64_t (*const now_ns_)() noexcept;
   std::atomic<std::int64_t> last_ns_{0};
   std::atomic<std::uint32_t> frames_{0};
   std::atomic<bool> cut_{false}, ends_{false};

@@ -1,11 +1,13 @@
 // The stand-in libHD.so for the tests of the Omni's driver, and the servo loop over it whose clock a test steps by
-// hand.
+// hand: a tick is a millisecond, also for the guard, however long the machine takes over it.
 #pragma once
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -39,7 +41,15 @@ struct StandIn {
   F* call(const char* name) const {
     return reinterpret_cast<F*>(library->symbol(name));
   }
-  void step(int ticks) const { call<void(int)>("standInStep")(ticks); }
+  /// Time since the program's start, by the ticks that were stepped.
+  static inline std::atomic<std::int64_t> stepped_ns{0};
+  static std::int64_t now_ns() noexcept { return stepped_ns; }
+  /// Time goes on and no tick comes.
+  static void stand(int ms) { stepped_ns += std::int64_t(ms) * 1'000'000; }
+  void step(int ticks) const {
+    const auto step_stand_in = call<void(int)>("standInStep");
+    for (int k = 0; k < ticks; ++k) stand(1), step_stand_in(1);
+  }
   void attach(bool on) const { call<void(bool)>("standInAttach")(on); }
   void error(std::uint32_t code) const { call<void(std::uint32_t)>("standInError")(code); }
   void calibration(std::uint32_t state, std::uint32_t style) const {
@@ -54,6 +64,7 @@ struct StandIn {
   int errorsLeft() const { return call<int()>("standInErrorsLeft")(); }
   bool initialised() const { return call<bool()>("standInInitialised")(); }
   double force() const { return call<double()>("standInForce")(); }
+  bool forcesOn() const { return call<bool()>("standInForcesOn")(); }
   double driven() const { return call<double()>("standInDriven")(); }
   void errorAtEnd(std::uint32_t code) const { call<void(std::uint32_t)>("standInErrorAtEnd")(code); }
   std::uint32_t updates() const { return call<std::uint32_t()>("standInUpdates")(); }
@@ -88,7 +99,7 @@ struct Loop final : TickTarget {
 };
 
 inline std::unique_ptr<OmniDevice> opened() {
-  auto device = OmniDevice::open();
+  auto device = OmniDevice::open(&StandIn::now_ns);
   REQUIRE(device);
   return std::move(*device);
 }
