@@ -122,6 +122,7 @@ void HandRecorder::begin(Application& app) {
   if (const std::string balls = label("balls"); !balls.empty() && balls != fingerprint(*app.scene.stage().balls))
     app.messages.warning(tr(
         "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else."));
+  app.scene.endTry();
   app.scene.setTouch(labelledTouch(waiting_->labels, app.scene.touch()));
   before_ = link_.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));
