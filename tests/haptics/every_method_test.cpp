@@ -10,6 +10,7 @@
 
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
+#include "engine/haptics/touch_setup.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;

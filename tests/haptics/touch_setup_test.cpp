@@ -49,7 +49,7 @@ TEST_CASE(
       CHECK(p.control.step > 0.0);
     }
     if (const auto* word = std::get_if<std::string>(&usual)) {
-      REQUIRE(p.words);
+      REQUIRE(bool(p.words));
       int same = 0;
       for (const TouchWord& w : p.words()) same += w.name == *word;
       CHECK(same == 1);
