@@ -1,6 +1,7 @@
-// What is felt: where the hand is and how it is turned goes in, a force and a torque come out, with what is stored. A
-// scene chooses one (interactions.h); the servo step and the safety stage do not know which. `respond` runs on the
-// haptic thread: no lock, allocation, exception, log or call of the system. Units: angstrom, in the molecule's space.
+// The interface of everything that can be felt: the hand's position and orientation go in; a force, a torque and the
+// stored energy come out. A scene chooses one (interactions.h); the servo step and the safety stage do not know which.
+// `respond` runs on the haptic thread: no lock, allocation, exception, log or call of the system. Units: angstrom, in
+// the molecule's space.
 #pragma once
 
 #include "engine/core/units.h"
@@ -10,7 +11,7 @@ namespace moltact {
 
 class SphereFrame;
 
-/// What a method keeps for the places it has been: "model no more than a scene needs", in numbers.
+/// The memory that a method keeps for the places it has been: "model no more than a scene needs", in numbers.
 struct MemoryUsage {
   std::size_t atoms_modelled = 0;  ///< atoms for which anything beyond centre and radius is held now
   std::size_t bytes = 0;           ///< all memory of the method beyond the list of balls itself (unit: byte)

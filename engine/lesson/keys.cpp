@@ -6,6 +6,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/touch_keys.h"
 #include "engine/molecule/molecule_key.h"
+#include "engine/molecule/view_part.h"
 
 namespace moltact {
 namespace {
@@ -15,6 +16,12 @@ std::vector<std::string_view> lockable() {
   std::vector<std::string_view> out{"panels"};
   for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
   out.insert(out.end(), {"show", "magnify", "all"});
+  return out;
+}
+
+std::vector<std::string_view> viewPartNames() {
+  std::vector<std::string_view> out;
+  for (const ViewPartInfo& part : viewParts()) out.push_back(part.name);
   return out;
 }
 
@@ -91,7 +98,7 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::WordList,
        .meaning = "The parts of the picture that are drawn.",
        .fallback = "atoms, probe, force, target",
-       .words = {"atoms", "spheres", "circles", "points", "cones", "facets", "hip", "scp", "force", "probe", "target"}},
+       .words = viewPartNames()},
       {.name = "colour",
        .type = ValueType::Word,
        .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else "

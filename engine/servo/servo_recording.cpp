@@ -299,12 +299,12 @@ TouchSetup touchOf(const ServoRecording& recording) {
   return out;
 }
 
-ReplayResult replay(const ServoRecording& recording, Interaction* felt) {
+ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
   ServoStep step = recording.start.value_or(ServoStep());
   ReplayResult out;
   for (const RecordedTick& tick : recording.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ForceN force = step.tick(tick.settings, felt, tick.pose, tick.time).force;
+    const ForceN force = step.tick(tick.settings, interaction, tick.pose, tick.time).force;
     if (!sameBits(force.N, tick.force.N)) {
       if (!out.first_difference) out.first_difference = out.ticks;
       out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(force.N, tick.force.N));

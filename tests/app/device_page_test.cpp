@@ -5,30 +5,30 @@
 #include "app/ui/extensions/extensions.h"
 #include "engine/device/simulated_device.h"
 #include "engine/servo/safety_stage.h"
-#include "engine/servo/scale.h"
-#include "tests/app/driver_fixture.h"
+#include "engine/workspace/scale.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-SimulatedDevice& stylus(Driver& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
+SimulatedDevice& stylus(ScriptedUser& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
 
 // A device whose hand rests and that asks for the view.
 class Cap final : public Device {
  public:
-  explicit Cap(ViewWish& wish) : wish_(wish) { info_.name = "Cap"; }
+  explicit Cap(ViewMotion& wish) : wish_(wish) { info_.name = "Cap"; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return {.position = {{0, 0, 79}}}; }
   void write(ForceN) noexcept override {}
-  ViewWish viewWish() noexcept override { return wish_; }
+  ViewMotion viewMotion() noexcept override { return wish_; }
 
  private:
   DeviceInfo info_;
-  ViewWish& wish_;
+  ViewMotion& wish_;
 };
 
 // The simulated stylus in use and pressing.
-std::unique_ptr<Driver> pressing() {
+std::unique_ptr<ScriptedUser> pressing() {
   auto d = startWith();
   d->tap("Ctrl+D");
   d->frames(3);
@@ -122,7 +122,7 @@ TEST_CASE(
     "view's height, toward the person it comes "
     "2.2 times as close") {
   auto d = startWith();
-  ViewWish wish;
+  ViewMotion wish;
   d->app().scene.servo().setDevice(std::make_unique<Cap>(wish));
   d->frames(2);
   const Camera before = d->app().scene.camera;

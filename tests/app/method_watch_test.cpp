@@ -45,7 +45,7 @@ TEST_CASE("the error against the exact SCP is the distance of the two, and 0 whe
   watch.begin(stage, 1.4);
   ServoSample s;
   s.probe_A = 1.4;
-  s.has_tracker = true;
+  s.has_interaction = true;
   const auto tick = [&](Vec3 hip, Vec3 scp, const char* method) {
     s.hip = {hip};
     s.contact.scp = {scp};
@@ -78,7 +78,7 @@ TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
   const Method& m = *findMethod("paper");
   ServoSample s;
   s.probe_A = 1.4;
-  s.has_tracker = true;
+  s.has_interaction = true;
   const auto tick = [&](Vec3 hip) {
     s.hip = s.contact.scp = {hip};
     return watch.add(s, m);

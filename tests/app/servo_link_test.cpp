@@ -24,7 +24,7 @@ struct Log {
   std::vector<std::string> calls;
   bool plugged = true;
   int reads = 0;
-  TickTarget* clock = nullptr;  // whoever is to be ticked by it
+  ClockListener* clock = nullptr;  // whoever is to be ticked by it
 };
 
 class Logged final : public Device {
@@ -49,7 +49,7 @@ class Logged final : public Device {
     log_.calls.emplace_back(text);
   }
   void stop() noexcept override { log_.calls.push_back("stop"); }
-  bool startClock(TickTarget& target) override {
+  bool startClock(ClockListener& target) override {
     log_.clock = &target;
     return true;
   }
@@ -68,7 +68,7 @@ Log* ticked = nullptr;
 std::int64_t virtualNow() { return now_ns.load(); }
 void pass() {
   now_ns += kPeriod_ns;
-  if (ticked->clock) ticked->clock->tickOfDevice();
+  if (ticked->clock) ticked->clock->onDeviceTick();
 }
 void virtualSleep(std::int64_t due_ns) {
   if (std::this_thread::get_id() != owner) return sleepUntil(monotonic_ns() + kPeriod_ns);  // it only watches

@@ -101,7 +101,7 @@ void Application::enterScene() {
   scene.setTouch(spec->touch);
   scene.shown = lesson.shapes();
   scene.colour_by = colourBy(*spec);
-  panels.follow(spec->panels);
+  panels.applyLessonPanels(spec->panels);
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
   const Expected<MoleculeKey> molecule = lesson.molecule();
   if (!molecule) {

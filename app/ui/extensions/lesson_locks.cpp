@@ -15,10 +15,10 @@ void LessonLocks::afterPanels(Application& app) {
     if (spec.locks(property.key)) setTouchValue(touch, property, touchValue(set, property));
   app.scene.setTouch(touch);
   if (spec.locks("show")) {
-    app.scene.shown = app.lesson.shapes();
+    app.scene.shown = app.lesson.shownParts();
     app.scene.colour_by = colourBy(spec);
   }
-  if (spec.locks("panels")) app.panels.keep(spec.panels);
+  if (spec.locks("panels")) app.panels.enforceLessonPanels(spec.panels);
 }
 
 }  // namespace moltact

@@ -18,7 +18,7 @@ void TaskStager::beforeTicks(Application& app) {
     return;
   }
   change(app, stage_.touch, wanted.touch);
-  const bool anew = wanted.showing != stage_.showing;
+  const bool anew = wanted.presentation != stage_.presentation;
   stage_ = wanted;
   if (!anew) return;
   app.beginSceneAgain(wanted.facing);

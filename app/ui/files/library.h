@@ -1,4 +1,4 @@
-// What comes with the program: its molecules and lessons, as menus list them, read once in each language; and lesson
+// The molecules and lessons that come with the program, as menus list them, read once in each language; and lesson
 // folders. Window's thread.
 #pragma once
 

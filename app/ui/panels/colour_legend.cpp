@@ -53,7 +53,7 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
 
 void drawColourLegend(Application& app, const Rectangle& view) {
   const bool by_chain = app.scene.colour_by == ColourBy::Chain;
-  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(Shape::Atoms))
+  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(ViewPart::Atoms))
     return;
   const Look& l = look();
   std::vector<LegendEntry> entries =
@@ -61,7 +61,7 @@ void drawColourLegend(Application& app, const Rectangle& view) {
   if (entries.size() > kMostEntries) entries.resize(kMostEntries);
   ViewScene marks;
   app.lesson.decorate(marks);
-  if (!marks.highlighted.empty() && app.scene.shown.has(Shape::Target))
+  if (!marks.highlighted.empty() && app.scene.shown.has(ViewPart::Target))
     entries.push_back({l.viewTheme().target, tr("marked"), marks.highlighted.size()});
   WithFont small(Font::Small);
   const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(),

@@ -17,6 +17,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/molecule/reader.h"
 
 namespace moltact {
 namespace {
@@ -100,8 +101,8 @@ void drawOpenPage(Application& app) {
     WithFont strong(Font::Strong);
     ImGui::TextUnformatted(elided(b.folder().string(), ImGui::GetContentRegionAvail().x).c_str());
   }
-  const fs::path file =
-      drawFileList(b, "open", tr("No folders, molecules (.pdb .ent .cif .xyzr, also .gz) or lessons (.md) here."));
+  const fs::path file = drawFileList(
+      b, "open", trf("No folders, molecules ({0}, also .gz) or lessons (.md) here.", moleculeEndingsText()).c_str());
   if (!file.empty()) chooseFile(app, file);
   ImGui::EndChild();
   ImGui::PopStyleVar();

@@ -57,9 +57,13 @@ void readKeys(Application& app, ViewInput& in) {
   if (!io.KeyCtrl) {
     if (pressed(ImGuiKey_Equal, true) || pressed(ImGuiKey_KeypadAdd, true)) in.push_notches += 1.0;
     if (pressed(ImGuiKey_Minus, true) || pressed(ImGuiKey_KeypadSubtract, true)) in.push_notches -= 1.0;
-    // Layouts without a plus beside the backspace key write it as a character.
-    for (const ImWchar c : io.InputQueueCharacters)
-      if (c == '+' && !pressed(ImGuiKey_Equal, true) && !pressed(ImGuiKey_KeypadAdd, true)) in.push_notches += 1.0;
+    // Where another key writes the plus or the minus, it comes as a character alone.
+    for (const ImWchar c : io.InputQueueCharacters) {
+      if (c == '+' && !ImGui::IsKeyDown(ImGuiKey_Equal) && !ImGui::IsKeyDown(ImGuiKey_KeypadAdd))
+        in.push_notches += 1.0;
+      if (c == '-' && !ImGui::IsKeyDown(ImGuiKey_Minus) && !ImGui::IsKeyDown(ImGuiKey_KeypadSubtract))
+        in.push_notches -= 1.0;
+    }
   }
   if (!io.KeyCtrl)
     in.zoom_keys = (ImGui::IsKeyDown(ImGuiKey_PageUp) ? 1.0 : 0.0) - (ImGui::IsKeyDown(ImGuiKey_PageDown) ? 1.0 : 0.0);
@@ -103,7 +107,7 @@ ViewScene seenScene(const Application& app) {
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
   scene.colour_by = app.scene.colour_by;
-  if (app.scene.stage() && now.has_tracker) {
+  if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
     scene.contact = now.contact;
     scene.force_N = app.scene.log().force_N();

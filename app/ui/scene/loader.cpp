@@ -8,7 +8,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/reader.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 namespace {

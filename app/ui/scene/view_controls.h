@@ -1,5 +1,5 @@
-// What a person's mouse and keys do to the view: the hand that pushes and the camera that looks. No ImGui here: the
-// view panel says what was done, once a frame. Window's thread. Units: pixel, angstrom, newton, second.
+// The effect of a person's mouse and keys on the view: the hand that pushes and the camera that looks. No ImGui here:
+// the view panel says what was done, once a frame. Window's thread. Units: pixel, angstrom, newton, second.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// What was done over the view in one frame.
+/// The input over the view in one frame.
 struct ViewInput {
   glm::dvec2 size_px{1.0};               ///< of the view
   std::optional<glm::dvec2> pointer_px;  ///< in the view; none: elsewhere, or the pointer turns the view
@@ -37,7 +37,7 @@ class ViewControls {
   void update(const ViewInput& input, Camera& camera, const BallScene* balls, const ServoSettings& settings,
               bool touching, double force_N, MouseDevice& mouse);
 
-  /// The hand begins anew, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward
+  /// The hand starts again, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward
   /// the viewer, and aims at that place until the pointer or the keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
@@ -52,7 +52,7 @@ class ViewControls {
   /// Whether the person has found out how: the hint of controls fades once both are true.
   bool hasPressed() const { return has_pressed_; }
   bool hasTurned() const { return has_turned_; }
-  /// Of the hint of controls: 1 until the person has found out how, then fading to 0.
+  /// Opacity of the hint of controls: 1 until the person has found out how, then fading to 0.
   double hintStrength() const;
   /// The next frame would look different by itself.
   bool live() const;

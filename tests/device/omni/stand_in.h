@@ -30,11 +30,11 @@ struct StandIn {
     const auto opened = SharedLibrary::open({&name, 1});
     REQUIRE(opened);
     library = new SharedLibrary(*opened);
-    OmniDevice::letGo();
+    OmniDevice::closeUnused();
     call<void(bool)>("standInReset")(manual);
   }
   ~StandIn() {
-    OmniDevice::letGo();
+    OmniDevice::closeUnused();
     delete library;
   }
   template <class F>
@@ -72,7 +72,7 @@ struct StandIn {
 };
 
 // What the haptic thread does with a device that brings its clock, without the thread.
-struct Loop final : TickTarget {
+struct Loop final : ClockListener {
   explicit Loop(Device& device) : stylus(device), devices(mouse, &device) {
     std::vector<Ball> balls;
     for (int k = 0; k < 27; ++k) balls.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
@@ -80,7 +80,7 @@ struct Loop final : TickTarget {
     CHECK(stylus.startClock(*this));
   }
   ~Loop() { stylus.stopClock(); }
-  void tickOfDevice() noexcept override {
+  void onDeviceTick() noexcept override {
     const DevicePose pose = devices.read(kTick_s, step);
     last = step.tick(settings, tracker.get(), pose);
     devices.write({last.force});
