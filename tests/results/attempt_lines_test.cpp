@@ -76,7 +76,7 @@ TEST_CASE("a stage says how its file was read where that is not the default, and
 }
 
 TEST_CASE("a stage keeps every property of what it is felt with; attempts without the newer ones have the defaults") {
-  auto stage = std::get<StageSet>(sampleEvents()[1].what);
+  auto stage = std::get<StageChanged>(sampleEvents()[1].what);
   CHECK(
       lineOf({0.0, stage}).find("\"probe_A\":1.4,\"stiffness_N_per_mm\":0.5,\"method\":\"exact\",\"force_on\":true}") !=
       std::string::npos);
@@ -93,14 +93,14 @@ TEST_CASE("a stage keeps every property of what it is felt with; attempts withou
     const std::string line = lineOf({0.0, stage});
     const auto back = readEventLine(line);
     REQUIRE(bool(back));
-    CHECK(std::get<StageSet>((**back).what) == stage);
+    CHECK(std::get<StageChanged>((**back).what) == stage);
     // Without the key.
     const std::size_t at = line.find("\"" + std::string(p.field) + "\":");
     REQUIRE(at != std::string::npos);
     const std::size_t end = line.find_first_of(",}", at);
     const auto without = readEventLine(line.substr(0, at - 1) + line.substr(end));
     CHECK(bool(without) == !p.in_old_files);
-    if (without) CHECK(std::get<StageSet>((**without).what).touch == TouchSetup());
+    if (without) CHECK(std::get<StageChanged>((**without).what).touch == TouchSetup());
   }
   // A number that no Moltact writes.
   std::string line = lineOf({0.0, stage});
