@@ -35,7 +35,7 @@ xdotool key --window "$window" ctrl+a
 sleep 1
 xdotool search --onlyvisible --name '^Moltact$' > /dev/null || { echo "on a French keyboard Ctrl+A ended the program"; exit 1; }
 xdotool key --window "$window" ctrl+q
-(sleep 60; kill "$pid") 2>/dev/null & late=$!
+(sleep 60; kill "$pid") >/dev/null 2>&1 & late=$!
 wait "$pid" || { echo "on a French keyboard Ctrl+Q did not end the program with status 0"; exit 1; }
 kill "$late"
 INSIDE
