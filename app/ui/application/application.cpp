@@ -19,7 +19,7 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
       extensions_(std::move(parts.extensions)),
       keys_(parts.keys),
       panels_(parts.panels) {
-  scene.shown = lesson.shapes();
+  scene.shown = lesson.shownParts();
   std::string fault;
   if (!options_.settings_file.empty()) {
     LoadedSettings loaded = loadSettings(options_.settings_file);
@@ -99,7 +99,7 @@ void Application::enterScene() {
   if (!spec) return;
   panels.hints = false;
   scene.setTouch(spec->touch);
-  scene.shown = lesson.shapes();
+  scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
   panels.applyLessonPanels(spec->panels);
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
