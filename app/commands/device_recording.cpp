@@ -15,10 +15,10 @@
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
-#include "engine/servo/fit_workspace.h"
-#include "engine/servo/scale.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
+#include "engine/workspace/fit_workspace.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {

@@ -36,7 +36,7 @@ LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fau
   } else {
     DevicePose given{.position = sensed};
     if (fault == LoopFault::NotANumber) given.position.mm.x = std::numeric_limits<double>::quiet_NaN();
-    settings_.probe_A = interaction.probe_A();  // a script changes it at once, and not as fast as a hand bears it
+    settings_.probe_A = interaction.probe_A();  // a script changes it at once, a hand needs it to be slow
     if (fault == LoopFault::Doubled) step_.tick(settings_, &interaction, given);
     const ServoSample sample = step_.tick(settings_, &interaction, given);
     last_ = sample.contact;

@@ -127,7 +127,7 @@ StabilityScene graze() {
 StabilityScene passes(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
   StabilityScene out{"passes at 0.05 to 12 A a tick", "Is no sphere missed, however fast the HIP comes?", scene};
-  // Each pass begins anew outside: with a SCP left behind, two answers would be right.
+  // Each pass starts again outside: with a SCP left behind, two answers would be right.
   scenes::Random random(seed);
   Script script(Vec3(60, 0, 0));
   Vec3 low(1e300), high(-1e300);

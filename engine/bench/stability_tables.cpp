@@ -24,7 +24,7 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
-// Two digits are as much as thirty draws bear.
+// Thirty draws justify two digits.
 std::string brief(double value) {
   return value < 0.005 ? "<0.01" : fixed(value, value >= 9.95 ? 0 : value >= 0.95 ? 1 : 2);
 }

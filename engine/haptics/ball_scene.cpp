@@ -61,7 +61,7 @@ BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates) : balls_(st
   resetTable();
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     if (balls_[i].radius_A > large_from) continue;
-    if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted anew
+    if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted again
       cells_.assign(cells_.size() * 4, Cell{});
       resetTable();
       i = std::size_t(-1);
@@ -98,7 +98,7 @@ BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates) : balls_(st
       sorted_[cells_[slot_of[i]].end++] = entry;
   }
 
-  // Of equal balls (alternate locations written twice, say) the first stands for all: a cell keeps it alone.
+  // Of equal balls (alternate locations written twice, say) only the first is kept in a cell.
   const auto same = [](const Sorted& a, const Sorted& b) {
     return a.ball.centre_A == b.ball.centre_A && a.ball.radius_A == b.ball.radius_A;
   };

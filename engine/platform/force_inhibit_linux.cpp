@@ -85,7 +85,7 @@ void onStop(int) noexcept {
   inhibitForce(InhibitReason::Stopped);
   doActs();
   raise(SIGSTOP);
-  permitForce(InhibitReason::Stopped);  // it goes on; the loop finds that it stood, and begins softly
+  permitForce(InhibitReason::Stopped);  // continued: the loop finds that it was stalled, and starts softly
   errno = kept;
 }
 

@@ -19,7 +19,7 @@ constexpr double kPull_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
 constexpr double kStill_mm = 0.5;        // a place at rest wanders by no more
 constexpr double kStaleFraction = 0.05;  // of the ticks: a computer that is busy with other things has some
 constexpr double kBack_s =
-    8.0;  // by then the force is back after a fault; a loop that stood stays soft for some seconds
+    8.0;  // by then the force is back after a fault; a loop that was stalled stays soft for some seconds
 constexpr double kOver_s = 1.0;  // by then a fault is over
 constexpr auto kStep = std::chrono::milliseconds(10);
 
@@ -82,7 +82,7 @@ class Check {
     return true;
   }
 
-  // Until it is ready to give force and tells fresh places; guides the person to that.
+  // Waits until the device can give force and reports fresh positions; guides the person to that.
   bool ready() {
     const auto end = Clock::now() + std::chrono::duration<double>(options_.ready_s);
     device_->given();
@@ -273,7 +273,7 @@ class Check {
       const Seen seen = watch(0.2 + 0.05 * k);
       ticks.insert(ticks.end(), seen.ticks.begin(), seen.ticks.end());
     }
-    // From each tick on in which the contact was placed anew, softly from what there was.
+    // After each tick in which the contact was forgotten: softly from the remaining force.
     ForceMonitor judge(settings_.max_force_N);
     std::size_t placed = 0;
     const char* broken = nullptr;

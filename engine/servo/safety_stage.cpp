@@ -43,7 +43,7 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
   fault_ = false;
   bool forget = false;
 
-  // A clock that stood, ran back or is no number: what the force did meanwhile is not known.
+  // A clock that was stalled, ran back or is no number: the effect of the force meanwhile is not known.
   const bool sane = time.dt_s >= 0.0 && time.dt_s <= safety::kStale_s;
   if (!sane) {
     acted_.add(Limit::LateLoop);
@@ -207,7 +207,7 @@ Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const Springs& springs,
 // From what was given last to what is to be given, by no more than the rates allow (a second).
 Vec3 SafetyStage::slewed(const Vec3& from, const Vec3& to, double rise, double fall) noexcept {
   const Vec3 change = to - from;
-  // A device that bears no quick rise may still be let go of at once.
+  // A device that allows no quick rise may still be released at once.
   const bool rises = glm::length(to) > glm::length(from);
   const double size = glm::length(change), most = (rises ? rise : fall) * dt_s_;
   if (size <= most) return to;

@@ -89,7 +89,7 @@ void ServoLoop::putDownFrame() noexcept {
   if (last_frame_) retired_frame_.store(std::exchange(last_frame_, nullptr), std::memory_order_release);
 }
 
-// The newest settings; without force where their owner stands still or lets it go, or the process ends.
+// The newest settings; without force where their owner is stalled or ramps it down, or the process ends.
 ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
   ServoSettings settings = settings_.read();
   const std::uint32_t heartbeat = heartbeat_.load(std::memory_order_relaxed);

@@ -29,7 +29,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
   const bool lost = guarded_ && safety_.beginTick(pose, time);
-  // A hand that is placed anew, or leapt, is where it is.
+  // A hand that was placed elsewhere, or jumped, starts from where it is.
   if (lost || settings.discontinuities != discontinuities_ || pose.discontinuities != hand_discontinuities_)
     clutch_.restart();
   out.hand = clutch_.place(pose, settings.clutch, workspace_mm_, push_, kTick_s);
@@ -57,7 +57,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   WantedWrench wanted{.on = false};
   push_ = Vec3(0.0);
   if (interaction) {
-    // First the surface moves under a hand that stands, then the hand: what the springs take up in the first of these
+    // First the surface moves under a hand at rest, then the hand: what the springs take up in the first of these
     // is the surface's work, and none that the hand or the loop does.
     const bool carried = moveSurface(settings, *interaction, motion, changed) && !changed && !rescaled;
     const Springs before = carried ? springsOf(interaction->respond(last_at_), settings.workspace.A_per_mm) : Springs{};
@@ -78,7 +78,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   return out;
 }
 
-// The surface goes to where it is in this tick; false where it stands.
+// Moves the surface to its state in this tick; false where it is at rest.
 bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interaction, const SceneMotion& motion,
                             bool changed) noexcept {
   bool moved = false;

@@ -9,7 +9,7 @@
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/language/units.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {

@@ -5,7 +5,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "engine/device/simulated_device.h"
 #include "engine/servo/safety_stage.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {

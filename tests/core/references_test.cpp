@@ -209,7 +209,7 @@ const Project& project() {
   return all;
 }
 
-// Each file that a text names, with where it does so: "servo/scale.h", not "*_linux.cpp".
+// Each file that a text names, with where it does so: "servo/clutch.h", not "*_linux.cpp".
 std::vector<std::pair<std::string, std::size_t>> filesNamedIn(const std::string& text) {
   std::vector<std::pair<std::string, std::size_t>> out;
   for (const std::string ending : {".h", ".cpp"})
@@ -289,4 +289,34 @@ TEST_CASE("every member that a comment or a page names as Type::member is there"
                     "::", one.member, ", which is not there");
     }
   CHECK(named > 50);
+}
+
+TEST_CASE("every source of the program that starts a thread is named in docs/architecture.md, under Threads") {
+  const std::string& page = project().texts.at("docs/architecture.md");
+  const std::size_t begin = page.find("\n## Threads\n");
+  REQUIRE(begin != std::string::npos);
+  const std::string section = page.substr(begin, page.find("\n## ", begin + 1) - begin);
+  std::size_t found = 0;
+  for (const std::string& file : project().files) {
+    if (file.starts_with("tests/")) continue;
+    const std::string code = halvesOf(textOf(kSource / file)).code;
+    if (code.find("std::async(") == std::string::npos && code.find("= std::thread(") == std::string::npos &&
+        code.find("std::jthread>") == std::string::npos)
+      continue;
+    ++found;
+    const fs::path path(file);
+    // The class of "engine/servo/servo_thread.cpp" is ServoThread; a file of functions is named itself.
+    std::string name;
+    bool upper = true;
+    for (const char c : path.stem().string()) {
+      if (c != '_') name += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+      upper = c == '_';
+    }
+    // What is the operating system's or a library's own has its name behind the class's.
+    bool named = section.find("`" + path.stem().string() + ".h`") != std::string::npos;
+    for (std::size_t length = name.size(); length >= 6 && !named; --length)
+      named = section.find("`" + name.substr(0, length) + "`") != std::string::npos;
+    CHECK_MESSAGE(named, file, " starts a thread, and ", name, " is not in the table of docs/architecture.md");
+  }
+  CHECK(found >= 15);
 }

@@ -52,7 +52,7 @@ std::vector<Room> roomsOfPage() {
   return out;
 }
 
-// The room that a file "engine/servo/scale.h" stands in: the longest one that its path begins with.
+// The room that a file "engine/servo/servo_loop.h" stands in: the longest one that its path begins with.
 std::string roomOf(const std::vector<Room>& rooms, const std::string& file) {
   std::string best;
   for (const Room& r : rooms)
@@ -77,7 +77,7 @@ std::vector<std::string> includesOf(const std::string& file) {
 
 // The engine's libraries as its CMakeLists.txt makes them.
 struct Libraries {
-  std::map<std::string, std::string> of_file;          // "engine/servo/scale.cpp": "moltact_servo"
+  std::map<std::string, std::string> of_file;          // "engine/servo/servo_loop.cpp": "moltact_servo"
   std::map<std::string, std::set<std::string>> links;  // directly
 
   Libraries() {

@@ -103,11 +103,11 @@ TEST_CASE(
     CHECK(rotationBetween(kNoRotation, one->orientation).y == doctest::Approx(1.5).epsilon(0.02));
     CHECK(one->position.mm == Vec3(0));
   }
-  CHECK(mouse.viewWish().rotation == Vec3(0));
-  CHECK(pad.viewWish().rotation == Vec3(0));
+  CHECK(mouse.viewMotion().rotation == Vec3(0));
+  CHECK(pad.viewMotion().rotation == Vec3(0));
   mouse.turnHand(false);
   mouse.advance(0.01, held);
-  CHECK(mouse.viewWish().rotation.y > 0.9);
+  CHECK(mouse.viewMotion().rotation.y > 0.9);
 }
 
 TEST_CASE(

@@ -11,8 +11,8 @@
 #include "engine/device/device_model.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/force_monitor.h"
-#include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
+#include "engine/workspace/scale.h"
 #include "tests/haptics/walk.h"
 
 namespace moltact::test {

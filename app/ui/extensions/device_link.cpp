@@ -8,7 +8,7 @@
 #include "app/ui/extensions/task_stager.h"
 #include "engine/language/catalogue.h"
 #include "engine/servo/safety_stage.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {

@@ -14,8 +14,8 @@
 #include "engine/core/problem.h"
 #include "engine/lesson/session.h"
 #include "engine/render/view_scene.h"
-#include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 

@@ -11,7 +11,7 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/haptics/sweep.h"
-#include "engine/servo/fit_workspace.h"
 #include "engine/servo/plain_trackers.h"
+#include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
 namespace {

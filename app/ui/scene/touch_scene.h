@@ -18,7 +18,7 @@
 #include "engine/haptics/methods.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/render/view_scene.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 

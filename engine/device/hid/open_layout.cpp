@@ -18,10 +18,10 @@ bool isOpenDevice(const HidEntry& entry) { return entry.usage_page == kUsagePage
 
 constexpr std::array<std::uint8_t, 4> kMagic{'M', 'L', 'T', 'C'};
 
-// A cut is told for so long that the haptic thread cannot miss it: a loop that stood for longer begins softly anyway.
-constexpr double kCutTold_s = 0.020;
-constexpr double kMostPass_s = 0.002;  // a thread that stood lets no cut go by untold
-constexpr double kFarthest = 32767.0;  // of 16 bits with a sign
+// A cut is reported for so long that the haptic thread cannot miss it: a loop that was stalled longer starts softly anyway.
+constexpr double kCutReported_s = 0.020;
+constexpr double kMostAdvance_s = 0.002;  // a thread that was stalled leaves no cut unreported
+constexpr double kFarthest = 32767.0;     // of 16 bits with a sign
 
 Problem noneOfIt(const char* what) {
   return Problem{"", 0, 0, trf("the device is none of the open layout: {0}", what), tr("see docs/device-protocol.md")};
@@ -96,7 +96,7 @@ std::optional<Problem> OpenLayoutProtocol::begin(PacketPort& port, DeviceInfo& i
 bool OpenLayoutProtocol::parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.size() < kPlaceBytes || report[0] != kPlaceReport) return false;
   const std::uint16_t number = uint16At(report, 1);
-  const bool again = any_seen_ && number == seen_;  // the same report twice tells nothing new
+  const bool again = any_seen_ && number == seen_;  // the same report twice has nothing new
   seen_ = number;
   any_seen_ = true;
   pose.position.mm = step_mm_ * Vec3(int16At(report, 7), int16At(report, 9), int16At(report, 11));
@@ -107,7 +107,7 @@ bool OpenLayoutProtocol::parseReport(std::span<const std::uint8_t> report, Devic
   }
   pose.buttons = report[21];
   status_ = report[22];
-  if (status_ & kWatchdogTripped) cut_s_ = kCutTold_s;
+  if (status_ & kWatchdogTripped) cut_s_ = kCutReported_s;
   pose.fault = faulty();
   pose.motor_heat = status_ & kHot ? 1.0f : 0.0f;
   return !again;
@@ -121,7 +121,7 @@ DeviceGuidance OpenLayoutProtocol::guidance() const noexcept {
 
 void OpenLayoutProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   pose.fault = faulty();
-  cut_s_ = std::max(0.0, cut_s_ - std::min(dt_s, kMostPass_s));
+  cut_s_ = std::max(0.0, cut_s_ - std::min(dt_s, kMostAdvance_s));
 }
 
 std::size_t OpenLayoutProtocol::forceReport(ForceN force, bool motors_on, ReportBuffer out) noexcept {
@@ -147,7 +147,7 @@ namespace {
 
 const HidKind& openLayout() {
   DeviceInfo info;
-  info.gives_force = true;  // most do; each tells it itself
+  info.gives_force = true;  // most do; each reports it itself
   static const HidKind kind{N_("Device of the open layout"), isOpenDevice,
                             [] { return std::unique_ptr<PacketProtocol>(new OpenLayoutProtocol); }, info};
   return kind;

@@ -12,14 +12,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kStaleReads = 100;    // reads from outside the callback until the device counts as gone
-constexpr int kTellStanding = 250;  // until it is told, and opened anew
-constexpr int kTellNoFrame = 2000;  // the same where the clock was started and has not ticked yet
-constexpr int kFaultTicks = 500;    // without force after the driver cut one
-constexpr int kWarmTicks = 5000;    // with small force after the driver found the motors warm
-constexpr int kLookTicks = 100;     // between two looks at the temperature
-constexpr int kUpdateTicks = 10;    // between two updates of the calibration while there is none
-constexpr int kResetTicks = 3000;   // so long the encoders' reset is tried
+constexpr int kStaleReads = 100;      // reads from outside the callback until the device counts as gone
+constexpr int kReportStall = 250;     // until the stall is reported and the device reopened
+constexpr int kReportNoFrame = 2000;  // the same where the clock was started and has not ticked yet
+constexpr int kFaultTicks = 500;      // without force after the driver cut one
+constexpr int kWarmTicks = 5000;      // with small force after the driver found the motors warm
+constexpr int kLookTicks = 100;       // between two looks at the temperature
+constexpr int kUpdateTicks = 10;      // between two updates of the calibration while there is none
+constexpr int kResetTicks = 3000;     // so long the encoders' reset is tried
 constexpr auto kShowError = std::chrono::seconds(5);
 constexpr auto kTryAgain = std::chrono::seconds(2);
 constexpr auto kLastFrame = std::chrono::milliseconds(100);
@@ -85,7 +85,7 @@ void OmniDevice::schedule() {
   workspace_middle_mm_ = session_.workspace_middle_mm;
   calibrate_.store(false);
   framed_.store(false);
-  stood_reads_.store(0);
+  stalled_reads_.store(0);
   ends_.store(false);
   anew_.store(true);
   none_given_.store(true);
@@ -222,7 +222,7 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   own_.warm_ticks = std::max(0, own_.warm_ticks - 1);
   last_pose_.write(pose);
   framed_.store(true, std::memory_order_release);
-  stood_reads_.store(0, std::memory_order_relaxed);
+  stalled_reads_.store(0, std::memory_order_relaxed);
 
   own_.force_N = Vec3(0.0);
   if (ClockListener* const target = target_.load(std::memory_order_acquire); target && !ends && !broken) {
@@ -305,9 +305,9 @@ bool OmniDevice::note(std::uint32_t worst) noexcept {
 
 DevicePose OmniDevice::read(double) noexcept {
   if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) return own_.pose;
-  // The maker's clock stands and the loop's own has taken over.
+  // The vendor's clock is stalled and the loop's own has taken over.
   DevicePose stale = last_pose_.read();
-  const int stood = stood_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
+  const int stood = stalled_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
   stale.fresh = false;
   stale.age_s = 0.001f * float(stood);
   stale.connected =
@@ -320,7 +320,8 @@ void OmniDevice::write(ForceN force) noexcept {
 }
 
 bool OmniDevice::lost() const noexcept {
-  return gone_.load(std::memory_order_acquire) || stood_reads_.load() > (framed_.load() ? kTellStanding : kTellNoFrame);
+  return gone_.load(std::memory_order_acquire) ||
+         stalled_reads_.load() > (framed_.load() ? kReportStall : kReportNoFrame);
 }
 
 DeviceStatus OmniDevice::status() {

@@ -101,8 +101,8 @@ class OmniDevice final : public Device {
   // From the callback to the loop's own clock.
   TripleBuffer<DevicePose> last_pose_;
   std::atomic<std::thread::id> frame_thread_{};
-  std::atomic<int> stood_reads_{0};  // reads from elsewhere since the last frame
-  std::atomic<bool> framed_{false};  // a frame has come since the clock was started
+  std::atomic<int> stalled_reads_{0};  // reads from elsewhere since the last frame
+  std::atomic<bool> framed_{false};    // a frame has come since the clock was started
 
   // From the callback to the window.
   std::atomic<std::uint32_t> calibration_{hd::kNeedsManualInput}, worst_error_{hd::kNoError}, lost_by_{hd::kNoError};

@@ -44,7 +44,7 @@ Contact PaperTracker::step(PointA hip) noexcept {
   if (state_ == Feature::Point) leavePoint(h);
 
   // Section 4.3: "If the HIP moves out of the current sphere it is assumed to be no longer in collision."
-  // The test of all atoms comes with the next tick, as Algorithm 1's if and else part them.
+  // The test of all atoms comes with the next tick, as the if and else of Algorithm 1 have it.
   if (!insideSphere(atom_, h)) {
     state_ = Feature::Free;
     scp_ = h;

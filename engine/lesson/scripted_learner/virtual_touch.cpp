@@ -1,8 +1,8 @@
 #include "engine/lesson/scripted_learner/virtual_touch.h"
 
 #include "engine/lesson/lesson_region.h"
-#include "engine/servo/fit_workspace.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/fit_workspace.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 

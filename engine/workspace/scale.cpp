@@ -1,4 +1,4 @@
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "engine/servo/fit_workspace.h"
+#include "engine/workspace/fit_workspace.h"
 
 #include <cmath>
 
