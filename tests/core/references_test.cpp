@@ -1,5 +1,5 @@
-// What comments and pages name must be there: a file by its ending .h or .cpp, and a member by its type and two
-// colons, a name in backticks on a page. A name that was changed in the code and not where it is told would send a reader nowhere.
+// What comments and pages name must be there: a file by its ending .h or .cpp, a member by its type and two colons, a
+// name in backticks on a page. A name that was changed in the code and not where it is told would send a reader nowhere.
 #include <doctest/doctest.h>
 
 #include <algorithm>
