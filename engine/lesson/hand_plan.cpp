@@ -17,7 +17,7 @@ constexpr double kStep_A = 0.4;     // of a slide, between two looks for the sur
 constexpr int kMostSteps = 20'000;  // longer on ways that are no molecule's
 constexpr double kRoom_A = 1.5;     // more room than this round a place is no better
 constexpr int kDirections = 60;     // in which an atom's face is looked at
-constexpr double kSpacing_A = 0.4;  // of places in a crease
+constexpr double kHandSpacing_A = 0.4;  // of places in a crease
 
 // How far the nearest atom that does not hold the probe is away from it there.
 double room(const HandPlanInput& view, const SurfacePlace& place) {
@@ -44,7 +44,7 @@ std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const 
   if (feature == Feature::Sphere)
     found = facePlaces(view.balls, atoms, view.probe_A, kDirections);
   else if (feature == Feature::Circle)
-    found = creasePlaces(view.balls, atoms, view.probe_A, kSpacing_A);
+    found = creasePlaces(view.balls, atoms, view.probe_A, kHandSpacing_A);
   else if (feature == Feature::Point)
     found = pitPlaces(view.balls, atoms, view.probe_A);
   if (wanted) std::erase_if(found, [&](const SurfacePlace& p) { return !wanted(p); });
