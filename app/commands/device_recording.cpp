@@ -15,10 +15,10 @@
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
-#include "engine/servo/fit_workspace.h"
-#include "engine/servo/scale.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
+#include "engine/workspace/fit_workspace.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {
@@ -240,6 +240,10 @@ void replayHand(const std::string& file) {
   const auto tracker = method->make(scene, recording->ticks.front().settings.probe_A);
   const ReplayResult result = replay(*recording, tracker.get());
   char text[200];
+  if (result.moving)
+    fail("the molecule moved in " + std::to_string(result.moving) + " of " + std::to_string(result.ticks) +
+             " ticks, and how is not recorded: such forces cannot be given again",
+         "record a hand on a molecule that stands");
   if (result.first_difference) {
     std::snprintf(text, sizeof text, "%llu ticks: the forces differ from tick %llu on, by at most %.3g N%s",
                   static_cast<unsigned long long>(result.ticks),

@@ -2,13 +2,14 @@
 
 #include "app/commands/command.h"
 #include "engine/molecule/catalogue.h"
+#include "engine/molecule/reader.h"
 
 namespace moltact {
 
 void MoleculeArgument::addTo(CLI::App& command) {
-  std::string endings;
-  for (const std::string_view e : moleculeEndings()) endings += (endings.empty() ? "" : " ") + std::string(e);
-  command.add_option("molecule", named.name, "A file (" + endings + ", also .gz), or a molecule of the library (1ubq)")
+  command
+      .add_option("molecule", named.name,
+                  "A file (" + moleculeEndingsText() + ", also .gz), or a molecule of the library (1ubq)")
       ->required();
   command.add_option("--model", named.reading.model, "Which model of the file, from 1")
       ->capture_default_str()

@@ -92,7 +92,7 @@ void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
   ViewScene scene;
   scene.hip = hipOf(arguments.hip);
-  const auto shown = parseShapes(arguments.show);
+  const auto shown = parseViewParts(arguments.show);
   if (!shown) throw CLI::ValidationError("--show", shown.problem().text());
   scene.shown = *shown;
   scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
@@ -133,7 +133,7 @@ void addRender(CLI::App& app) {
       ->capture_default_str();
   command->add_option("--hip", a.hip, "Where the hand is: x,y,z in angstroms; it comes there along the line of sight");
   std::string shapes = "What is drawn, parted by commas; the groups are haptic, all and none:";
-  for (const ShapeName& s : shapeNames()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
+  for (const ViewPartInfo& s : viewParts()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command->add_option("--show", a.show, shapes)->capture_default_str();
   std::vector<std::string> names;
   for (const Method& m : methods()) names.emplace_back(m.name);

@@ -11,7 +11,7 @@
 namespace moltact::bench {
 namespace {
 
-// A family that is not told apart here has the circle.
+// Any other family has the circle.
 Mark markOf(const MethodFamily& family) {
   constexpr std::pair<std::string_view, Mark> kMarks[] = {{"Exact", Mark::Diamond},
                                                           {"Paper", Mark::Disc},

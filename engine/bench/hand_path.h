@@ -1,15 +1,20 @@
-// The way of a hand as a file, for replaying it through methods: recordings of this program, and rows of
-// numbers that others have written. Not for the haptic thread. Units: angstrom, or the device's millimetre
-// until it is laid on a molecule; second.
+// The path of a hand as a file, for replaying it through methods: recordings of this program, and rows of numbers that
+// others have written. Not for the haptic thread. Units: angstrom, or the device's millimetre until the path is laid on
+// a molecule; second.
 //
-// Rows of numbers, text: a row a tick, numbers parted by blanks, tabs, commas or semicolons. Lines that begin
-// with '#', '%',
-// ';' or "//" are comments; one of the form "# key: value" is kept as a label. These labels are understood:
-// "columns", the meaning of a row's numbers, such as "t x y z fx fy fz" (others than t, x, y, z, fx, fy, fz
-// are passed over); "unit", A or mm, cm, m, of the places; "tick_s", the time between rows without t (default
-// 0.001); "time_unit", s or ms, of t (default s); "probe_A" and "molecule". Without "columns" three numbers
-// are x y z, four t x y z, seven and more t x y z fx fy fz; without "unit" the places are millimetres. A head
-// of words before the first row is passed over, unless it names such columns.
+// A text file of numbers has a row for each tick. Numbers are separated by blanks, tabs, commas or semicolons. Lines
+// that begin with '#', '%', ';' or "//" are comments; a comment of the form "# key: value" is kept as a label. These
+// labels are understood:
+//
+//   columns      the meaning of a row's numbers, such as "t x y z fx fy fz"; others than these seven are ignored.
+//                Without it three numbers are x y z, four t x y z, seven and more t x y z fx fy fz.
+//   unit         A or mm, cm, m, of the places; without it millimetres
+//   tick_s       the time between rows without t (default 0.001)
+//   time_unit    s or ms, of t (default s)
+//   probe_A
+//   molecule
+//
+// Words in a head line before the first row are ignored, unless they name such columns.
 #pragma once
 
 #include <filesystem>

@@ -71,7 +71,7 @@ class Judge {
     path_.push_back(hip);
   }
 
-  // The tracker begins anew: what it was is no part of what it is.
+  // The tracker is reset: its past must not count.
   void cut() { cuts_.push_back(force_.size()); }
 
   const scenes::Path& path() const { return path_; }

@@ -1,4 +1,4 @@
-// What the stability tables say, in sentences: written anew with every run, so that they cannot disagree with
+// The results of the stability tables in sentences: generated with every run, so that they cannot disagree with
 // them.
 #include <algorithm>
 #include <functional>

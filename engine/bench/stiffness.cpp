@@ -257,7 +257,7 @@ ReportTable stiffnessFigures(const std::vector<Stiffness>& rows) {
 }
 
 std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
-  // Along one direction two limits are told apart when they differ by more than the search's last step.
+  // Along one direction two limits count as different when they differ by more than the search's last step.
   std::vector<std::string> above, never;
   double wall_low = kMost_N_per_mm, wall_high = 0, straight = 0, exact_ratio = 0;
   std::size_t compared = 0, exact_rows = 0;

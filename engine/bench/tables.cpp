@@ -60,8 +60,8 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
   return out;
 }
 
-std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls,
-                                    std::size_t least_prepared) {
+std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t balls,
+                                          std::size_t least_prepared) {
   std::vector<const Method*> out;
   for (const Method* m : methods)
     if (m->most_balls == 0 || (balls <= m->most_balls && balls >= least_prepared)) out.push_back(m);
@@ -81,7 +81,7 @@ std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, con
     const auto scene = std::make_shared<const BallScene>(balls);
     const auto contact = contactStrokes(scene, options.probe_A, options.plan);
     at(0.3);
-    const std::vector<const Method*> methods = thatBear(options.methods, balls.size(), options.least_prepared);
+    const std::vector<const Method*> methods = methodsForSize(options.methods, balls.size(), options.least_prepared);
     one.contact = timeMethods(methods, scene, options.probe_A, contact, options.budget_s);
     at(0.7);
     const auto free = freeStrokes(scene, options.probe_A, options.plan);

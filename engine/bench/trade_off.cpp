@@ -5,8 +5,8 @@
 namespace moltact::bench {
 
 std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Progress& progress) {
-  const auto at = [&](double share, std::string_view what) {
-    if (progress) progress(share, what);
+  const auto at = [&](double fraction, std::string_view what) {
+    if (progress) progress(fraction, what);
   };
   at(0, "preparing the strokes");
   const auto scene =

@@ -49,15 +49,15 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
   return out + ".\n";
 }
 
-std::string coolSentences(const std::vector<CoolTimes>& cool) {
+std::string coldCacheSentences(const std::vector<ColdCacheTimes>& cool) {
   const auto exact =
-      std::find_if(cool.begin(), cool.end(), [](const CoolTimes& c) { return c.method->name == "exact"; });
+      std::find_if(cool.begin(), cool.end(), [](const ColdCacheTimes& c) { return c.method->name == "exact"; });
   if (exact == cool.end() || exact->sleeping_ns.count == 0) return "";
   std::string out = "A hand meets `exact` at " + readable(exact->sleeping_ns.p50) +
                     " ns a tick, once a millisecond, and at " + readable(1e-3 * exact->thrashed_ns.p50) +
                     " us where other work has emptied the caches: " + readable(1e-4 * exact->thrashed_ns.p50) +
                     " % of the millisecond.";
-  const auto slowest = std::max_element(cool.begin(), cool.end(), [](const CoolTimes& a, const CoolTimes& b) {
+  const auto slowest = std::max_element(cool.begin(), cool.end(), [](const ColdCacheTimes& a, const ColdCacheTimes& b) {
     return a.thrashed_ns.p50 < b.thrashed_ns.p50;
   });
   if (slowest != exact)

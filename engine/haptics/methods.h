@@ -30,7 +30,7 @@ struct Method {
   int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
   std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
   bool one_probe = false;         ///< it feels only the probe that it was made for
-  bool follows_motion = true;     ///< it goes with spheres that move (Tracker::setFrame)
+  bool follows_motion = true;     ///< it goes with spheres that move (Interaction::setFrame)
 };
 
 /// The methods that the window, the lessons and every command offer, the default first. Each bears any scene and probe.

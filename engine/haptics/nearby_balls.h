@@ -68,12 +68,15 @@ class NearbyBalls {
     // Where it goes on from the last one's end, what was far off has come nearer by no more than it moves.
     const bool goes_on = frame && frame_ && share_ == 1.0 && frame->follows(*frame_) && fits_ && !shrunk_;
     frame_ = frame;
+    frame_serial_ = frame ? frame->serial() : 0;
     share_ = 0.0;
     reach_ = goes_on ? reach_ - frame->mostMoved_A() : -1.0;
     if (reach_ < 0.0) count_ = 0;
     stale_ = count_ > 0;
     most_moved_ = mostMovedOfList_A();
   }
+  /// Whether that frame is in force; null: none. One that lies where another lay is another.
+  bool has(const SphereFrame* frame) const noexcept { return (frame ? frame->serial() : 0) == frame_serial_; }
   double share() const noexcept { return share_; }
   /// The spheres as they are at this share of the frame (0 to 1). The list stays: it holds all that come near during
   /// the frame.
@@ -221,6 +224,7 @@ class NearbyBalls {
 
   std::shared_ptr<const BallScene> scene_;
   const SphereFrame* frame_ = nullptr;
+  std::uint64_t frame_serial_ = 0;
   double share_ = 0.0, most_moved_ = 0.0;
   bool stale_ = false;  // the list's spheres have moved on
   double margin_;

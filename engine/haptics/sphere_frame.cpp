@@ -6,6 +6,7 @@
 
 #include "engine/haptics/tracker.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -25,7 +26,7 @@ std::uint64_t nextSerial() {
 
 SphereFrame::SphereFrame(std::vector<Moving> spheres, std::vector<Ball> bounds, int ticks, double most_moved_A)
     : spheres_(std::move(spheres)),
-      bounds_(std::move(bounds), BallScene::Equal::EachVisited),
+      bounds_(std::move(bounds), BallScene::Duplicates::VisitEach),
       ticks_(ticks),
       most_moved_(most_moved_A),
       serial_(nextSerial()) {}
@@ -54,7 +55,8 @@ Expected<std::unique_ptr<const SphereFrame>> SphereFrame::make(std::span<const B
   for (std::size_t i = 0; i < from.size(); ++i) {
     if (!usable(from[i]) || !usable(to[i]))
       return problem(trf("sphere {0} of a frame is at no place, or has no radius", i + 1),
-                     tr("give finite coordinates within 1e9 Å and radii that are not negative"));
+                     trf("give finite coordinates within {0} and radii that are not negative",
+                         quantityText(kFarthest_A, Dimension::Length, plain())));
     const Vec3 way = to[i].centre_A - from[i].centre_A;
     const double growth = to[i].radius_A - from[i].radius_A;
     spheres[i] = {from[i], way, growth};

@@ -32,6 +32,8 @@ class SphereFrame {
   /// No surface moves farther within the frame.
   double mostMoved_A() const { return most_moved_; }
 
+  /// One of its own for each frame of a program's run, from 1 on.
+  std::uint64_t serial() const { return serial_; }
   int ticks() const { return ticks_; }
   std::size_t size() const { return spheres_.size(); }
 

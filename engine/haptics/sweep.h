@@ -18,7 +18,7 @@ struct Hit {
   double t = 1.0;          ///< where on the way from `from` (0) to `to` (1)
 };
 
-/// Finds the first of the balls that are looked at, one after the other, on a straight way.
+/// Finds the first ball on a straight path, among the balls passed to look() one after the other.
 class FirstMet {
  public:
   /// `along` is unit; balls farther than `length` are not met. A ball within `contact_A` of the start is touched: it is

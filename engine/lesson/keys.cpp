@@ -3,6 +3,7 @@
 #include "engine/haptics/methods.h"
 #include "engine/haptics/tracker.h"
 #include "engine/language/catalogue.h"
+#include "engine/molecule/view_part.h"
 
 namespace moltact {
 namespace {
@@ -10,6 +11,12 @@ namespace {
 /// What a student may be kept from changing: keys of a scene, by their names.
 const std::vector<std::string_view> kLockable{"panels",    "method", "force",   "probe",
                                               "stiffness", "show",   "magnify", "all"};
+
+std::vector<std::string_view> viewPartNames() {
+  std::vector<std::string_view> out;
+  for (const ViewPartInfo& part : viewParts()) out.push_back(part.name);
+  return out;
+}
 
 std::vector<KeySpec> frontMatterKeys() {
   return {
@@ -103,7 +110,7 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::WordList,
        .meaning = "The parts of the picture that are drawn.",
        .fallback = "atoms, probe, force, target",
-       .words = {"atoms", "spheres", "circles", "points", "cones", "facets", "hip", "scp", "force", "probe", "target"}},
+       .words = viewPartNames()},
       {.name = "colour",
        .type = ValueType::Word,
        .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else "

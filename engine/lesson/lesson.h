@@ -80,7 +80,7 @@ struct ScenePlaces {
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
 };
 
-/// What is on the stage. Complete: what a scene block left out has been filled in.
+/// The scene on the stage. It is complete: values that a scene block left out have been filled in.
 struct SceneSpec {
   NamedMolecule molecule;           ///< its name in the library or beside the lesson, and how its file is read
   double probe_A = 1.4;             ///< unit: angstrom
@@ -104,7 +104,7 @@ struct SceneSpec {
   friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
 
-/// Something to do by touch. What its values mean is known to its kind (tasks/registry.h).
+/// Something to do by touch. Its kind knows what the values mean (tasks/registry.h).
 struct TaskSpec {
   std::string kind;  ///< "reach"
   KeyValues values;  ///< every key of the kind and the common ones, fallbacks filled in
@@ -118,7 +118,7 @@ struct Choice {
   Place place;
 };
 
-/// What an `answer` block asks for.
+/// The content of an `answer` block.
 struct AnswerSpec {
   enum class Kind : std::uint8_t { Number, Text, Free };
   Kind kind = Kind::Free;

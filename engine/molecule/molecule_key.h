@@ -1,5 +1,5 @@
-// What tells one molecule from another: a file and how it is read. Two readings of a file, say with and without its
-// waters, are two molecules. Plain data; any thread.
+// The identity of a molecule: a file and how it is read. Two readings of a file, say with and without its waters, are
+// two molecules. Plain data; any thread.
 #pragma once
 
 #include <compare>
@@ -45,7 +45,7 @@ struct NamedMolecule {
   friend auto operator<=>(const NamedMolecule&, const NamedMolecule&) = default;
 };
 
-/// What is read otherwise than by default, as "model 2, with waters, assembly 1"; empty where nothing is.
+/// The options that differ from the default, as "model 2, with waters, assembly 1"; empty where nothing is.
 std::string readingText(const ReadOptions& reading);
 
 /// The labels "molecule", "model", "waters" and "assembly" that a recording carries, and back. A label that is missing

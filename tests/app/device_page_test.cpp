@@ -9,26 +9,26 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/device/simulated_device.h"
 #include "engine/servo/safety_stage.h"
-#include "engine/servo/scale.h"
-#include "tests/app/driver_fixture.h"
+#include "engine/workspace/scale.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-SimulatedDevice& stylus(Driver& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
+SimulatedDevice& stylus(ScriptedUser& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
 
 // A device whose hand rests and that asks for the view.
 class Cap final : public Device {
  public:
-  explicit Cap(ViewWish& wish) : wish_(wish) { info_.name = "Cap"; }
+  explicit Cap(ViewMotion& wish) : wish_(wish) { info_.name = "Cap"; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return {.position = {{0, 0, 79}}}; }
   void write(ForceN) noexcept override {}
-  ViewWish viewWish() noexcept override { return wish_; }
+  ViewMotion viewMotion() noexcept override { return wish_; }
 
  private:
   DeviceInfo info_;
-  ViewWish& wish_;
+  ViewMotion& wish_;
 };
 
 // A stylus that tells of any room, and of a hand anywhere, as a recording may.
@@ -48,7 +48,7 @@ class Odd final : public Device {
 };
 
 // The part of the rectangle at (x, y), 0 to 1 from its upper left corner, shows the hand's dot.
-bool dotAt(Driver& d, const char* name, float x, float y) {
+bool dotAt(ScriptedUser& d, const char* name, float x, float y) {
   const WidgetRecord* room = widgets().find(name);
   REQUIRE(room);
   REQUIRE(room->visible());
@@ -60,7 +60,7 @@ bool dotAt(Driver& d, const char* name, float x, float y) {
 }
 
 // The simulated stylus in use and pressing.
-std::unique_ptr<Driver> pressing() {
+std::unique_ptr<ScriptedUser> pressing() {
   auto d = startWith();
   d->tap("Ctrl+D");
   d->frames(3);
@@ -190,7 +190,7 @@ TEST_CASE(
     "view's height, toward the person it comes "
     "2.2 times as close") {
   auto d = startWith();
-  ViewWish wish;
+  ViewMotion wish;
   d->app().scene.servo().setDevice(std::make_unique<Cap>(wish));
   d->frames(2);
   const Camera before = d->app().scene.camera;

@@ -5,7 +5,7 @@
 
 #include "app/ui/files/settings.h"
 #include "app/ui/scene/loader.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -204,9 +204,9 @@ TEST_CASE("the probe's slider sets the radius, and the shape switches change the
   CHECK(d->app().scene.servo_settings.probe_A == doctest::Approx(4.0));
   CHECK(d->text("probe") == "4.0\u00a0Å");
   const Picture before = d->picture();
-  const bool spheres = d->app().scene.shown.has(Shape::Spheres);
+  const bool spheres = d->app().scene.shown.has(ViewPart::Spheres);
   CHECK(d->click("show/spheres"));
-  CHECK(d->app().scene.shown.has(Shape::Spheres) != spheres);
+  CHECK(d->app().scene.shown.has(ViewPart::Spheres) != spheres);
   d->frames(20);
   CHECK(difference(before, d->picture()) > 0.002);
 }

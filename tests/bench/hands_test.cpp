@@ -70,7 +70,7 @@ struct Wrong {
   }
 };
 
-Felt feltWith(double turn_deg, double scale) {
+FeltErrors feltWith(double turn_deg, double scale) {
   static constexpr Method kWrong{"wrong", "", &Wrong::make};
   Wrong::turn_deg = turn_deg, Wrong::scale = scale;
   StrokePlan plan;
@@ -232,23 +232,23 @@ TEST_CASE(
 TEST_CASE(
     "a force turned by 22 degrees is told beside the picture and not in the dark; one 8 % too large passes 7 "
     "% and not 10 %; neither steps") {
-  const Felt turned = feltWith(22, 1);
+  const FeltErrors turned = feltWith(22, 1);
   CHECK(turned.ticks == 2000);
   CHECK(turned.direction_deg.p50 == doctest::Approx(22).epsilon(1e-6));
   CHECK(turned.direction_seen == 1);
   CHECK(turned.direction_blind == 0);
   CHECK(turned.size == 0);
-  const Felt larger = feltWith(0, 1.08);
+  const FeltErrors larger = feltWith(0, 1.08);
   CHECK(larger.direction_deg.max < 1e-4);
   CHECK(larger.size > 0.9);  // less where the force is under 0.3 N or cut at 3.3 N
   CHECK(larger.size_wide == 0);
   CHECK(larger.steps == 0);
-  const Felt right = feltWith(0, 1);
+  const FeltErrors right = feltWith(0, 1);
   CHECK(right.size + right.off + right.lost + right.steps == 0);
 }
 
 TEST_CASE("two parts of 2000 and 1000 ticks count by their ticks") {
-  Felt a, b;
+  FeltErrors a, b;
   a.ticks = 2000, a.size = 0.3, b.ticks = 1000, b.size = 0;
   CHECK(together("both", {a, b}).size == doctest::Approx(0.2));
   CHECK(together("both", {a, b}).ticks == 3000);

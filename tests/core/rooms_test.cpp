@@ -52,7 +52,7 @@ std::vector<Room> roomsOfPage() {
   return out;
 }
 
-// The room that a file "engine/servo/scale.h" stands in: the longest one that its path begins with.
+// The room that a file "engine/servo/servo_loop.h" stands in: the longest one that its path begins with.
 std::string roomOf(const std::vector<Room>& rooms, const std::string& file) {
   std::string best;
   for (const Room& r : rooms)
@@ -77,7 +77,7 @@ std::vector<std::string> includesOf(const std::string& file) {
 
 // The engine's libraries as its CMakeLists.txt makes them.
 struct Libraries {
-  std::map<std::string, std::string> of_file;          // "engine/servo/scale.cpp": "moltact_servo"
+  std::map<std::string, std::string> of_file;          // "engine/servo/servo_loop.cpp": "moltact_servo"
   std::map<std::string, std::set<std::string>> links;  // directly
 
   Libraries() {
@@ -171,4 +171,11 @@ TEST_CASE("the engine never sees ImGui, and no haptic method uses the inside of 
     for (const std::string& included : includesOf(file))
       if (std::regex_search(included, other, method)) CHECK_MESSAGE(own[1] == other[1], file, " includes ", included);
   }
+}
+
+TEST_CASE("what versions of ImGui do in different ways is asked of imgui_versions.h and key_focus.h by all of app") {
+  static const std::regex differs("IMGUI_VERSION_NUM|SetKeyboardFocusHere *\\(|ImGui::ActivateItem");
+  for (const std::string& file : sourcesIn("app"))
+    if (!file.starts_with("app/ui/widgets/imgui_versions."))
+      CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), differs), file);
 }

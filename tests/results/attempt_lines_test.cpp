@@ -61,14 +61,14 @@ TEST_CASE("a felt curve keeps its forces to 0.001 N and the places where nothing
 }
 
 TEST_CASE("a stage says how its file was read where that is not the default, and no more than that") {
-  auto stage = std::get<StageSet>(sampleEvents()[1].what);
+  auto stage = std::get<StageChanged>(sampleEvents()[1].what);
   CHECK(lineOf({0.0, stage}).find("waters") == std::string::npos);
   for (const ReadOptions& reading :
        {ReadOptions{}, ReadOptions{.waters = true}, ReadOptions{.model = 3, .assembly = "1"}}) {
     stage.reading = reading;
     const auto back = readEventLine(lineOf({0.0, stage}));
     REQUIRE(bool(back));
-    CHECK(std::get<StageSet>((**back).what) == stage);
+    CHECK(std::get<StageChanged>((**back).what) == stage);
   }
   std::string line = lineOf({0.0, stage});
   line.replace(line.find("\"model\":3"), 9, "\"model\":0");

@@ -60,7 +60,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
   const BallScene balls(read.balls());
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
-  scene.shown = {Shape::Atoms, Shape::Target, Shape::Probe, Shape::Facets};
+  scene.shown = {ViewPart::Atoms, ViewPart::Target, ViewPart::Probe, ViewPart::Facets};
   scene.probe_A = spec.probe_A;
   scene.colour_by = colourBy(spec);
   scene.facets = feltFacets(spec.method);

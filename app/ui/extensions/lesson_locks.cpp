@@ -16,10 +16,10 @@ void LessonLocks::afterPanels(Application& app) {
   if (spec.locks("force")) app.scene.servo_settings.force_on = spec.force;
   if (spec.locks("method") && findMethod(method) && app.scene.method() != method) app.scene.useMethod(method);
   if (spec.locks("show")) {
-    app.scene.shown = app.lesson.shapes();
+    app.scene.shown = app.lesson.shownParts();
     app.scene.colour_by = colourBy(spec);
   }
-  if (spec.locks("panels")) app.panels.keep(spec.panels);
+  if (spec.locks("panels")) app.panels.enforceLessonPanels(spec.panels);
 }
 
 }  // namespace moltact

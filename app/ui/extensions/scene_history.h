@@ -1,5 +1,5 @@
 // Undo and redo of what a person changed about the scene by hand: method, probe, spring, parts shown, what was
-// magnified, the view that was reset. What a lesson's step sets begins anew. Window's thread.
+// magnified, the view that was reset. A step of a lesson that sets them starts a new history. Window's thread.
 #pragma once
 
 #include <optional>
@@ -35,7 +35,7 @@ class SceneHistory : public Extension {
     std::string method;
     double probe_A = 0.0, stiffness_N_per_mm = 0.0;
     bool force_on = true, magnified = false;
-    ShapeSet shown;
+    ViewPartSet shown;
     ColourBy colour_by = ColourBy::Element;
     friend bool operator==(const Choices&, const Choices&) = default;
   };

@@ -23,7 +23,7 @@ void TaskStager::beforeTicks(Application& app) {
   if (wanted.stiffness_N_per_mm != stage_.stiffness_N_per_mm)
     settings.stiffness_N_per_mm = wanted.stiffness_N_per_mm.value_or(spec.stiffness_N_per_mm);
   if (wanted.method != stage_.method) app.scene.useMethod(wanted.method.empty() ? spec.method : wanted.method);
-  const bool anew = wanted.showing != stage_.showing;
+  const bool anew = wanted.presentation != stage_.presentation;
   stage_ = wanted;
   if (!anew) return;
   app.beginSceneAgain(wanted.facing);

@@ -5,12 +5,13 @@
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"
-#include "app/ui/scene/shape_label.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {
@@ -18,15 +19,14 @@ namespace {
 constexpr double kLargestOffered_A = 4.0;  // of the probe's slider
 constexpr double kSoftest_N_per_mm = 0.05, kStiffest_N_per_mm = 2.0;
 
-void drawShapeSwitches(Application& app) {
+void drawPartSwitches(Application& app) {
   const WhileLocked locked(app, "show");
-  for (const ShapeName& shape : shapeNames()) {
-    if (!shape.haptic) continue;  // the others are in the View menu
-    if (shape.shape == Shape::Facets && !feltFacets(app.scene.method())) continue;
-    bool on = app.scene.shown.has(shape.shape);
-    if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on,
-               std::string(tr(shape.sentence)).c_str()))
-      app.scene.shown.set(shape.shape, on);
+  for (const ViewPartInfo& part : viewParts()) {
+    if (!part.haptic) continue;  // the others are in the View menu
+    if (part.part == ViewPart::Facets && !feltFacets(app.scene.method())) continue;
+    bool on = app.scene.shown.has(part.part);
+    if (toggle(("show/" + std::string(part.name)).c_str(), part.shownLabel(), on, tr(part.sentence)))
+      app.scene.shown.set(part.part, on);
   }
 }
 
@@ -54,7 +54,7 @@ void drawTouchPanel(Application& app) {
   ImGui::Spacing();
   sectionTitle(tr("What the hand feels"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
-  drawShapeSwitches(app);
+  drawPartSwitches(app);
   ImGui::PopStyleVar();
   ImGui::Spacing();
   disclosure("more", tr("Spring, tracker and timing"), app.panels.touch_details);
@@ -70,6 +70,13 @@ void drawTouchPanel(Application& app) {
       toggle("force", tr("Force on"), app.scene.servo_settings.force_on,
              tr("Off: contact is followed, but no force is given."));
     }
+    const ServoSettings& servo = app.scene.servo_settings;
+    const double energy_J = servo.force_on ? springEnergy_J(app.scene.log().latest().contact.energy_A2,
+                                                            servo.stiffness_N_per_mm, servo.workspace.A_per_mm)
+                                           : 0.0;
+    const std::string energy = trf("Energy in the spring: {0}", quantityText(energy_J, Dimension::Energy));
+    ImGui::TextUnformatted(energy.c_str());
+    recordItem("energy", energy);
     ImGui::TextUnformatted(tr("Tracker"));
     drawMethodChooser(app);
     if (!app.panels.methods && !app.lesson.locks("panels") &&

@@ -1,7 +1,7 @@
 #include "app/ui/scene/stage.h"
 
 #include "engine/language/catalogue.h"
-#include "engine/servo/fit_workspace.h"
+#include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
 namespace {

@@ -1,5 +1,5 @@
-// What is touched: a molecule, its balls, and how large it lies under the hand. Built whole on any thread, then never
-// changed. Units: angstrom.
+// The object that is touched: a molecule, its balls, and how large it lies under the hand. Built whole on any thread,
+// then never changed. Units: angstrom.
 #pragma once
 
 #include <filesystem>
@@ -27,8 +27,8 @@ struct Stage {
 /// Puts a molecule on the stage. One without atoms gives a problem that names `file`.
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
 
-/// What the stage is felt with, going on with `contact` where the hand is if there is one, so that a change of method
-/// is not felt as letting go. Null without a stage.
+/// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
+/// method is not felt as letting go. Null without a stage.
 std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const Method& method, double probe_A,
                                              const Contact& contact, const PoseA& hand);
 

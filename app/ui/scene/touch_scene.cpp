@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/haptics/sweep.h"
-#include "engine/servo/fit_workspace.h"
 #include "engine/servo/plain_trackers.h"
+#include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
 namespace {
@@ -152,11 +152,12 @@ void TouchScene::fitToDevice() {
 }
 
 void TouchScene::followView() {
-  if (!stage_ || recorded_ || (held_ == servo_.held() && (!held_ || sameView(camera, fitted_)))) return;
+  if (!stage_ || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
+    return;
   layBeforeHand(camera.target);
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
-  if (!held_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
+  if (!device_leads_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
 }
 
 void TouchScene::layBeforeHand(PointA toward) {
@@ -165,8 +166,9 @@ void TouchScene::layBeforeHand(PointA toward) {
     fitted.A_per_mm = byHand_A_per_mm();
     fitted.centre_A = toward.A;
   }
-  held_ = servo_.held();
-  if (held_) fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
+  device_leads_ = servo_.deviceLeads();
+  if (device_leads_)
+    fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
   servo_settings.workspace = fitted;
   fitted_ = camera;
   fit_left_s_ = kSettle_s;
@@ -176,7 +178,7 @@ void TouchScene::layBeforeHand(PointA toward) {
 void TouchScene::drawBack(double dt_s) {
   const ServoSample& now = log_.latest();
   fit_left_s_ -= dt_s;
-  if (!held_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
+  if (!device_leads_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
       now.contact.fault != Fault::StartedInside)
     return;
   servo_settings.workspace = drawnBack(servo_settings.workspace, *stage_.balls, now.probe_A, now.hand);

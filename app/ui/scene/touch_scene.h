@@ -1,6 +1,6 @@
-// What is touched and seen: the molecule on the stage, the servo loop that follows the hand over it, the method in use,
-// the camera, and what was felt. Panels set the public members; the rest changes through the functions. Window's
-// thread.
+// The scene that is touched and seen: the molecule on the stage, the servo loop that follows the hand over it, the
+// method in use, the camera, and what was felt. Panels set the public members; the rest changes through the functions.
+// Window's thread.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 #include "engine/haptics/methods.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/render/view_scene.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 
@@ -43,7 +43,7 @@ class TouchScene {
 
   ServoSettings servo_settings;  ///< as the panels set them; handed to the servo loop each frame
   Camera camera;
-  ShapeSet shown;  ///< parts of the picture
+  ViewPartSet shown;  ///< parts of the picture
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
@@ -55,7 +55,7 @@ class TouchScene {
   const TouchLog& log() const { return log_; }
   const MethodWatch& watch() const { return watch_; }
 
-  /// Another molecule; the view is set anew.
+  /// Another molecule; the view is set as for a new scene.
   void show(Stage stage, const MoleculeKey& molecule, const Facing& facing);
   /// The same molecule as if it had just been opened, keeping what was found out about the methods.
   void beginAgain(const Facing& facing);
@@ -72,7 +72,7 @@ class TouchScene {
   /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
   void fitToDevice();
   /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies
-  /// behind the middle of its room; where view or device have changed the hand is placed anew, so that nothing is
+  /// behind the middle of its room; where view or device have changed the hand is placed again, so that nothing is
   /// dragged along.
   void followView();
   /// How many times larger than the whole molecule's scale.
@@ -100,13 +100,13 @@ class TouchScene {
   void endTry();
   bool trying() const { return servo_.trying(); }
 
-  /// What a recorded hand was led with: workspace, probe, surface and clutch stand in for the scene's own until null;
-  /// the clutch is then its next device's.
+  /// The conditions under which a recorded hand was led: workspace, probe, surface and clutch stand in for the scene's
+  /// own until null; the clutch is then its next device's.
   void leadBy(const ServoSettings* recorded);
   /// Records from a new contact on; false where there is nothing to be felt.
   bool beginRecording();
 
-  /// What is shown in the place of what the hand feels: it stands in the log, no force is given and advance() gives no
+  /// A sample that is shown in the place of the hand's: it stands in the log, no force is given and advance() gives no
   /// ticks. Nothing: the hand again, from outside.
   void play(const std::optional<ServoSample>& sample);
   bool playing() const { return played_.has_value(); }
@@ -134,9 +134,9 @@ class TouchScene {
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
   std::optional<ServoSettings> recorded_, before_recorded_;
-  bool held_ = false;        // a device in the hand leads, and the workspace is fitted to it
-  Camera fitted_;            // to this view
-  double fit_left_s_ = 0.0;  // so long a hand that turns out to be inside is taken out
+  bool device_leads_ = false;  // a device in the hand leads, and the workspace is fitted to it
+  Camera fitted_;              // to this view
+  double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out
   double view_aspect_ = 1.0;
   std::optional<Region> region_;
   bool hand_moved_ = false, resting_ = false, by_hand_ = false;

@@ -19,6 +19,7 @@ constexpr double kArcOfChord = 1.5708;  // an arc of up to half a turn is at mos
 }  // namespace
 
 bool ExactTracker::setFrame(const SphereFrame* frame) noexcept {
+  if (near_.has(frame)) return true;
   // The SCP stays where it is; the next tick finds what it touches there.
   near_.setFrame(frame);
   forgetSurroundings();

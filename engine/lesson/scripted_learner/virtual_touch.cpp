@@ -1,8 +1,8 @@
 #include "engine/lesson/scripted_learner/virtual_touch.h"
 
 #include "engine/lesson/lesson_region.h"
-#include "engine/servo/fit_workspace.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/fit_workspace.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 
@@ -60,7 +60,7 @@ TouchSample VirtualTouch::tick(PointA hip) {
   return sample;
 }
 
-HandView VirtualTouch::view(int attempt) const {
+HandPlanInput VirtualTouch::view(int attempt) const {
   return {.balls = *balls_,
           .probe_A = settings_.probe_A,
           .N_per_A = settings_.stiffness_N_per_mm / settings_.workspace.A_per_mm,

@@ -20,7 +20,7 @@ class VirtualTouch {
  public:
   /// Sets the scene of a step with its molecule; the hand begins outside. The clock goes on from scene to scene.
   void begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene);
-  /// What a task asks of the scene, or a default one for the scene as the lesson has it.
+  /// The changes of the scene that a task asks for; a default value for the scene as the lesson has it.
   void setStage(const TaskStage& stage);
   /// Another method, from a fresh start. Unknown names change nothing.
   void useMethod(std::string_view name);
@@ -31,7 +31,7 @@ class VirtualTouch {
   TouchSample tick(PointA hip);
 
   const BallScene& balls() const { return *balls_; }
-  HandView view(int attempt) const;
+  HandPlanInput view(int attempt) const;
   PointA hip() const { return hip_; }
   double time_s() const { return double(ticks_) * kTick_s; }
 

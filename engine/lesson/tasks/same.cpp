@@ -37,7 +37,7 @@ class Same : public Task {
 
   void reset() override {
     Task::reset();
-    round_ = showing_ = 0;
+    round_ = presentation_ = 0;
     begin();
   }
 
@@ -77,14 +77,14 @@ class Same : public Task {
     return t.second_first != (second_ && t.differ);
   }
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     const AtomSet& wanted = by_place_ && showsOther() ? there_ : here_;
     touching_ = s.contact.touching();
     beside_ = touching_ && !wanted.touchedBy(s.contact);
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const auto place = placeFor(view, placesToTouch(view, by_place_ && showsOther() ? there_ : here_));
     if (!place) return plan;
@@ -93,24 +93,24 @@ class Same : public Task {
     return plan;
   }
 
-  std::vector<TaskButton> offered() const override {
+  std::vector<TaskButton> currentButtons() const override {
     if (felt_s_ < time_s_) return {};
     if (!second_) return {{"next", N_("Feel the second")}};
     return {{"same", N_("The same"), 'S'}, {"different", N_("Different"), 'D'}};
   }
 
-  TaskStage wanted() const override {
+  TaskStage requestedStage() const override {
     TaskStage stage = showsOther() ? other_ : one_;
     stage.dark = true;
     stage.force_meter = meter_;
-    stage.showing = showing_ + 1;
+    stage.presentation = presentation_ + 1;
     return stage;
   }
 
-  void hear(const TaskAnswer& answer) override {
+  void onAnswer(const TaskAnswer& answer) override {
     felt_s_ = 0.0;
     touching_ = beside_ = false;
-    ++showing_;
+    ++presentation_;
     if (!second_) {
       second_ = true;
       return;
@@ -183,7 +183,7 @@ class Same : public Task {
   bool tell_ = true, meter_ = true, by_place_ = false;
   TaskStage one_, other_;
   std::vector<Trial> order_;
-  int round_ = 0, showing_ = 0, hits_ = 0, alarms_ = 0;
+  int round_ = 0, presentation_ = 0, hits_ = 0, alarms_ = 0;
   bool second_ = false, touching_ = false, beside_ = false, answered_ = false, failed_ = false, last_right_ = false,
        last_differed_ = false;
 };
