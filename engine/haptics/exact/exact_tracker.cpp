@@ -67,7 +67,10 @@ void ExactTracker::lookAtHolders() noexcept {
       continue;
     }
     const NearBall on = near_.ball(holders_[k]);
-    held_[k] = {on.centre, on.radius, on.radius > 0.0 ? 1.0 / on.radius : 0.0};
+    Held& held = held_[k];  // one by one: as a vector they would go through memory once more
+    held.centre.x = on.centre.x, held.centre.y = on.centre.y, held.centre.z = on.centre.z;
+    held.radius = on.radius;
+    held.inverse_radius = on.radius > 0.0 ? 1.0 / on.radius : 0.0;
   }
 }
 
