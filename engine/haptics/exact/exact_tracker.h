@@ -78,7 +78,7 @@ class ExactTracker final : public Tracker {
 
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
   [[gnu::noinline]] Contact whileItSwells(const Vec3& hip) noexcept;
-  bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
+  [[gnu::noinline]] Contact stay(double x, double y, double z) noexcept;  // ordinary_tick.cpp
   void flow(const Vec3& hip) noexcept;
   SlideResult piece(const Vec3& hip, Admitted admitted) noexcept;
   SlideResult fly(const Vec3& hip) noexcept;
@@ -102,7 +102,8 @@ class ExactTracker final : public Tracker {
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
   void lookAtHolders() noexcept;
-  Contact contact(const Vec3& hip) const noexcept;
+  Contact contact(const Vec3& hip) const noexcept;                           // ordinary_tick.cpp
+  Contact contactHeldBy(std::size_t count, const Vec3& hip) const noexcept;  // ordinary_tick.cpp
 
   NearbyBalls near_;
   Vec3 scp_{0.0};           // this and every place inside the tracker is relative to near_.origin()
@@ -123,9 +124,9 @@ class ExactTracker final : public Tracker {
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
   struct Held {
     Vec3 centre{0.0};
-    double inverse_radius = 0.0;
+    double radius = 0.0, inverse_radius = 0.0;
   };
-  std::array<Held, 3> held_{};                 // the same balls
+  std::array<Held, 3> held_{};                 // the same balls, as they are now; nothing where there is none
   std::array<Touch, kMostTouching> touching_;  // what the SCP touches, while it flows
   std::size_t touching_count_ = 0;
 
