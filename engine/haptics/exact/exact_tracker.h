@@ -28,8 +28,8 @@ class ExactTracker final : public Tracker {
   void reset() noexcept override;
   /// A growing surface carries the SCP in steps, as many as kMostLooked allows; the rest follows in the next ticks.
   void setProbe(double probe_A) noexcept override;
-  bool setFrame(const SphereFrame* frame) noexcept override;  // moving_spheres.cpp
-  void moveTo(double share) noexcept override;
+  bool setMotion(const SphereMotion* motion) noexcept override;  // moving_spheres.cpp
+  void advanceTo(double fraction) noexcept override;
   /// What the balls are inflated by now: where a large change is carried on over several ticks it lags behind
   /// setProbe().
   double probe_A() const noexcept override { return near_.probe_A(); }
@@ -110,12 +110,13 @@ class ExactTracker final : public Tracker {
   double contact_A_ = 0.0;  // a ball whose surface is no farther than this from the SCP is touched
   bool armed_ = false;      // has the HIP been outside since the start?
   bool behind_ = false;     // the last flow was cut short
-  bool moved_ = false;  // the spheres have moved on from `seen_share_` of the frame, where the SCP was last brought out
-  double seen_share_ = 0.0;
-  // While spheres move: when the share was clear_share_, no ball but the holders was nearer to this place than
+  bool moved_ =
+      false;  // the spheres have moved on from `seen_fraction_` of the motion, where the SCP was last brought out
+  double seen_fraction_ = 0.0;
+  // While spheres move: when the fraction was clear_fraction_, no ball but the holders was nearer to this place than
   // clear_gap_.
   Vec3 clear_from_{0.0};
-  double clear_gap_ = 0.0, clear_share_ = 0.0;
+  double clear_gap_ = 0.0, clear_fraction_ = 0.0;
   bool swells_ = false;   // the surface is on its way to probe goal_A_
   bool swelled_ = false;  // and has gone on since the last tick
   double goal_A_ = 0.0, step_A_ = 0.0;
