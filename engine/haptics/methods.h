@@ -14,7 +14,7 @@ namespace moltact {
 
 class SphereMesh;
 
-/// Methods that differ only in how finely they work share one.
+/// Methods that differ only in how finely they work fraction one.
 struct MethodFamily {
   std::string_view name;   ///< "Mesh"
   std::string_view plain;  ///< what it does, in a student's words
@@ -31,7 +31,7 @@ struct Method {
   int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
   std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
   bool one_probe = false;         ///< it feels only the probe that it was made for
-  bool follows_motion = false;    ///< it goes with spheres that move (Interaction::setFrame)
+  bool follows_motion = false;    ///< it goes with spheres that move (Interaction::setMotion)
   bool offered = true;            ///< to people; else it stands for comparison in the bench only
   bool reference = false;         ///< the others are judged by it; exactly one is
 };

@@ -152,8 +152,8 @@ struct StageChanged {
   std::string molecule;  ///< id
   std::string file;      ///< its name without folders
   std::size_t atoms = 0;
-  Workspace workspace;
-  TouchSetup touch;
+  Workspace workspace{};
+  TouchSetup touch{};
   ReadOptions reading{};  ///< how the file was read
   friend bool operator==(const StageChanged&, const StageChanged&) = default;
 };

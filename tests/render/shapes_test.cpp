@@ -130,7 +130,7 @@ TEST_CASE("facets of balls as large as a file may have them, 1e9 A, are cut at t
   scene.contact.feature = Feature::Circle;
   scene.contact.atoms = {0, 1, -1};
   scene.camera = frontCamera(4e9);
-  scene.shown = {Shape::Facets};
+  scene.shown = {ViewPart::Facets};
   const auto mesh = SphereMesh::ofTriangles(80);
   scene.facets = mesh;
   double longest = 0.0;
@@ -156,7 +156,7 @@ TEST_CASE("facets of balls as large as a file may have them, 1e9 A, are cut at t
 
 TEST_CASE("a contact at the ends of what an attempt can tell, 2e9 A, gives lines and dots that are numbers") {
   ViewScene scene = crease();
-  for (const ShapeName& s : shapeNames()) scene.shown.set(s.shape);
+  for (const ViewPartInfo& part : viewParts()) scene.shown.set(part.part);
   scene.facets = SphereMesh::ofTriangles(80);
   const MoleculeModel model(scene.molecule);
   for (const double far_A : {2e9, -2e9}) {

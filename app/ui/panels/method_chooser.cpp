@@ -71,7 +71,7 @@ void drawMethodChooser(Application& app) {
     WithText quiet(look().palette.quiet);
     ImGui::PushTextWrapPos(0.0f);
     std::string text(tr(now->family.plain));
-    const bool moves = app.scene.log().latest().frame != 0;
+    const bool moves = app.scene.log().latest().motion != 0;
     if (const std::string_view still = motionSentence(*now); moves && !still.empty())
       text.append(" ").append(tr(still));
     ImGui::TextUnformatted(text.c_str());
