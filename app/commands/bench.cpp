@@ -98,8 +98,8 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
   constexpr std::string_view kNotQuick[] = {"grid02-ready", "sasmesh025"};
   std::vector<const Method*> out;
   for (const Method& m : benchMethods())
-    if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) ||
-        m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
+    if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) || isReference(m) ||
+        std::find(names.begin(), names.end(), m.name) != names.end())
       out.push_back(&m);
   for (const std::string& name : names)
     if (!findBenchMethod(name)) {
@@ -182,7 +182,8 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
   for (const auto& [name, table] : {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {
     report.excerpts.push_back(
         rowsWhere(table, "scene", "13 800 protein-like", std::string(name) + "_13800", table.title));
-    report.excerpts.push_back(rowsWhere(table, "method", "exact", std::string(name) + "_exact", table.title));
+    report.excerpts.push_back(
+        rowsWhere(table, "method", std::string(referenceMethod().name), std::string(name) + "_exact", table.title));
   }
   report.pictures.push_back({"memory-and-ready-time.svg", sizeChart(times)});
   report.sentences.push_back({"size_sentences", sizeSentences(times)});

@@ -98,7 +98,7 @@ ReportTable coldCacheTable(const std::vector<ColdCacheTimes>& cool, const std::v
   const auto ratio = [](double a, double b) { return b > 0 ? Cell{a / b} : Cell{}; };
   const ColdCacheTimes* exact = nullptr;
   for (const ColdCacheTimes& c : cool)
-    if (c.method->name == "exact") exact = &c;
+    if (isReference(*c.method)) exact = &c;
   for (const ColdCacheTimes& c : cool) {
     const auto beside =
         std::find_if(hot.begin(), hot.end(), [&](const TickTimes& row) { return row.method == c.method; });

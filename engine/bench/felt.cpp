@@ -125,7 +125,7 @@ std::string feltSentences(const std::vector<FeltErrors>& rows) {
                           double often, const char* unit, double times) {
     std::vector<std::string> no, at_times, yes;
     for (const FeltErrors& f : rows) {
-      if (f.method->name == "exact") continue;
+      if (isReference(*f.method)) continue;
       const double value = of(f);
       const std::string name = "`" + std::string(f.method->name) + "`";
       (value <= never   ? no

@@ -128,6 +128,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       continue;
     }
     const std::vector<std::string> fields = words(line);
+    if (fields.empty()) continue;  // separators alone
     if (rows.empty() && !number(fields.front())) {
       if (const auto named = columnsNamed(fields)) columns = named;
       ++out.passed_over;
@@ -202,7 +203,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
   return out;
 }
 
-HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* tracker) {
+HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt) {
   HandPath out;
   out.name = std::move(name);
   out.labels = trace.labels;
@@ -210,7 +211,7 @@ HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* trac
   ServoStep step = trace.start.value_or(ServoStep());
   for (const RecordedTick& tick : trace.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ServoSample sample = step.tick(tick.settings, tracker, tick.pose, tick.time);
+    const ServoSample sample = step.tick(tick.settings, felt, tick.pose, tick.time);
     const bool somewhere = usableHip(sample.hip.A);
     if (!somewhere && out.places.empty()) continue;
     out.places.push_back(somewhere ? sample.hip.A : Vec3(out.places.back()));

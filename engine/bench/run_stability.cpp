@@ -112,7 +112,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
   loop.workspace.centre_A = middleOf(scene.scene);
   scenes::Scene now = scene.scene;
   auto tracker = method.make(std::make_shared<const BallScene>(now.balls), now.probe_A);
-  RightAnswer right(now, method.name == "exact");
+  RightAnswer right(now, isReference(method));
   Judge judge(scene, method, loop, limits);
   ClosedLoop device(loop, {scene.script.front().place_A});
   std::vector<Vec3> held_mm;

@@ -273,7 +273,7 @@ std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
     ++compared;
     const MeanOf ratio = meanOf(r.of_wall);
     const std::string what = "`" + std::string(r.method->name) + "` at \"" + r.place + "\" (" + r.setup + ")";
-    if (r.method->name == "exact") exact_ratio += ratio.mean, ++exact_rows;
+    if (isReference(*r.method)) exact_ratio += ratio.mean, ++exact_rows;
     if (ratio.mean - ratio.half_width > kToldApart)
       above.push_back(what + ": " + readable(ratio.mean) + " ± " + readable(ratio.half_width));
     if (*std::max_element(r.limit_N_per_mm.begin(), r.limit_N_per_mm.end()) == 0) never.push_back(what);

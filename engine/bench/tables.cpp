@@ -119,7 +119,7 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
   for (const SceneTimes& scene : times)
     for (const bool contact : {false, true}) {
       const auto& rows = contact ? scene.contact : scene.free;
-      const TickTimes* exact = rowOf(rows, "exact");
+      const TickTimes* exact = rowOf(rows, referenceMethod().name);
       for (const TickTimes& row : rows)
         t.rows.push_back({scene.scene, double(scene.spheres), std::string(contact ? "contact" : "free"),
                           std::string(row.method->name), row.mean_ns, row.single_ns.p50, step, row.single_ns.p99,
@@ -148,7 +148,7 @@ ReportTable readyTable(const std::vector<SceneTimes>& times) {
                 "atoms modelled are those for "
                 "which it holds more than centre and radius."};
   for (const SceneTimes& scene : times) {
-    const TickTimes* exact = rowOf(scene.contact, "exact");
+    const TickTimes* exact = rowOf(scene.contact, referenceMethod().name);
     for (const TickTimes& row : scene.contact) {
       const double bytes = double(row.memory_usage.bytes), modelled = double(row.memory_usage.atoms_modelled);
       t.rows.push_back({scene.scene, double(scene.spheres), std::string(row.method->name), 1e3 * scene.scene_s,
@@ -173,7 +173,7 @@ ReportTable besidePaperTable(const std::vector<SceneTimes>& times) {
                 {},
                 "The column heads of the paper's tables say Hz; the figures are seconds a haptic frame, "
                 "given here in nanoseconds."};
-  const std::array<std::string_view, 4> shown{"exact", "paper", "mesh960", "sasmesh05"};
+  const std::array<std::string_view, 4> shown{referenceMethod().name, "paper", "mesh960", "sasmesh05"};
   for (const std::string_view name : shown)
     t.columns.push_back({std::string(name) + "_ns", std::string(name) + " here"});
   for (const SceneTimes& scene : times) {

@@ -9,7 +9,7 @@
 
 namespace moltact {
 
-class SphereFrame;
+class SphereMotion;
 
 /// The memory that a method keeps for the places it has been: "model no more than a scene needs", in numbers.
 struct MemoryUsage {
@@ -47,12 +47,12 @@ class Interaction {
   /// loop's stability depends on all of them.
   virtual double parallelSprings() const noexcept { return 1.0; }
 
-  /// Spheres that move: from now on they are the frame's, at its beginning; null: those that it was made with. The
-  /// frame has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
+  /// Spheres that move: from now on they are the motion's, at its beginning; null: those that it was made with. The
+  /// motion has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
   /// where what is felt cannot follow.
-  virtual bool setFrame(const SphereFrame*) noexcept { return false; }
-  /// The spheres go evenly to where they are at this share (0 to 1) of the frame; what touches them goes with them.
-  virtual void moveTo(double /*share*/) noexcept {}
+  virtual bool setMotion(const SphereMotion*) noexcept { return false; }
+  /// The spheres go evenly to where they are at this fraction (0 to 1) of the motion; what touches them goes with them.
+  virtual void advanceTo(double /*fraction*/) noexcept {}
 
   virtual MemoryUsage memoryUsage() const noexcept = 0;
 

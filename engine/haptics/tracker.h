@@ -10,7 +10,7 @@ namespace moltact {
 class Tracker : public Interaction {
  public:
   /// One tick: moves the SCP for the new HIP (unit: angstrom). Non-finite input gives Fault::NotFinite. While touching
-  /// the SCP is carried along with a surface that setProbe() or moveTo() moves.
+  /// the SCP is carried along with a surface that setProbe() or advanceTo() moves.
   virtual Contact step(PointA hip) noexcept = 0;
 
   Response respond(const PoseA& pose) noexcept final { return {.contact = step(pose.place)}; }

@@ -10,14 +10,14 @@
 namespace moltact {
 namespace {
 
-constexpr double kBefore_A = 1.0;   // the hand begins so far before a place
-constexpr double kSettle_s = 0.3;   // in which the force after a new beginning has grown to its full size
-constexpr double kApart_A = 0.5;    // places nearer to each other than this are one
-constexpr double kStep_A = 0.4;     // of a slide, between two looks for the surface
-constexpr int kMostSteps = 20'000;  // longer on ways that are no molecule's
-constexpr double kRoom_A = 1.5;     // more room than this round a place is no better
-constexpr int kDirections = 60;     // in which an atom's face is looked at
-constexpr double kSpacing_A = 0.4;  // of places in a crease
+constexpr double kBefore_A = 1.0;       // the hand begins so far before a place
+constexpr double kSettle_s = 0.3;       // in which the force after a new beginning has grown to its full size
+constexpr double kApart_A = 0.5;        // places nearer to each other than this are one
+constexpr double kStep_A = 0.4;         // of a slide, between two looks for the surface
+constexpr int kMostSteps = 20'000;      // longer on ways that are no molecule's
+constexpr double kRoom_A = 1.5;         // more room than this round a place is no better
+constexpr int kDirections = 60;         // in which an atom's face is looked at
+constexpr double kHandSpacing_A = 0.4;  // of places in a crease
 
 // How far the nearest atom that does not hold the probe is away from it there.
 double room(const HandPlanInput& view, const SurfacePlace& place) {
@@ -44,7 +44,7 @@ std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const 
   if (feature == Feature::Sphere)
     found = facePlaces(view.balls, atoms, view.probe_A, kDirections);
   else if (feature == Feature::Circle)
-    found = creasePlaces(view.balls, atoms, view.probe_A, kSpacing_A);
+    found = creasePlaces(view.balls, atoms, view.probe_A, kHandSpacing_A);
   else if (feature == Feature::Point)
     found = pitPlaces(view.balls, atoms, view.probe_A);
   if (wanted) std::erase_if(found, [&](const SurfacePlace& p) { return !wanted(p); });

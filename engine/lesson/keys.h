@@ -27,7 +27,7 @@ enum class ValueType : std::uint8_t {
   TextList,   ///< texts: "- " lines, or separated by commas
   Count,      ///< a whole number
   Number,     ///< any number, with or without a unit (the answer to a question)
-  Quantity,   ///< a number with its unit
+  Quantity,   ///< a number with its unit, or without one where the key has no dimension
   Range,      ///< "0.2 N to 0.6 N"
   Word,       ///< one of `words`
   WordList,   ///< some of `words`, separated by commas

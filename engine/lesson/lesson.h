@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/haptics/touch_setup.h"
 #include "engine/lesson/keys.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
@@ -83,10 +84,7 @@ struct ScenePlaces {
 /// The scene on the stage. It is complete: values that a scene block left out have been filled in.
 struct SceneSpec {
   NamedMolecule molecule;           ///< its name in the library or beside the lesson, and how its file is read
-  double probe_A = 1.4;             ///< unit: angstrom
-  double stiffness_N_per_mm = 0.5;  ///< unit: newton per millimetre, in the device's space
-  std::string method = "exact";     ///< as in findMethod
-  bool force = true;                ///< false: the hand feels nothing
+  TouchSetup touch;                 ///< what it is felt with
   std::vector<std::string> show;    ///< names of the picture's parts
   std::string colour = "element";   ///< what the atoms' colours tell: "element" or "chain"
   std::vector<std::string> panels;  ///< "touch", "methods", or "none"; empty: as the student has them

@@ -14,7 +14,8 @@
 
 #include "engine/core/content_hash.h"
 #include "engine/core/units.h"
-#include "engine/haptics/tracker.h"
+#include "engine/haptics/contact.h"
+#include "engine/haptics/touch_setup.h"
 #include "engine/lesson/lesson.h"
 #include "engine/molecule/molecule_key.h"
 
@@ -149,11 +150,8 @@ struct StageChanged {
   std::string molecule;  ///< id
   std::string file;      ///< its name without folders
   std::size_t atoms = 0;
-  Workspace workspace;
-  double probe_A = kWaterProbe_A;
-  double stiffness_N_per_mm = 0.5;
-  std::string method;
-  bool force_on = true;
+  Workspace workspace{};
+  TouchSetup touch{};
   ReadOptions reading{};  ///< how the file was read
   friend bool operator==(const StageChanged&, const StageChanged&) = default;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "engine/language/catalogue.h"
 #include "engine/results/attempt_ranges.h"
@@ -108,13 +109,16 @@ struct FactWriter {
     out["turn"] = Json::array();
     for (int column = 0; column < 3; ++column)
       for (int row = 0; row < 3; ++row) out["turn"].push_back(e.workspace.rotation[column][row]);
-    out["probe_A"] = rounded(e.probe_A);
-    out["stiffness_N_per_mm"] = rounded(e.stiffness_N_per_mm);
-    out["method"] = e.method;
-    out["force_on"] = e.force_on;
-    if (e.reading.model != 1) out["model"] = e.reading.model;
-    if (e.reading.waters) out["waters"] = true;
-    if (!e.reading.assembly.empty()) out["assembly"] = e.reading.assembly;
+    for (const TouchProperty& p : touchProperties()) {
+      const TouchValue value = touchValue(e.touch, p);
+      if (!p.in_old_files && value == touchValue(TouchSetup(), p)) continue;
+      Json& to = out[std::string(p.field)];
+      std::visit([&](const auto& v) { to = v; }, value);
+      if (const auto* number = std::get_if<double>(&value)) to = rounded(*number);
+    }
+    for (const ReadingOption& option : readingOptions())
+      if (!isDefault(e.reading, option))
+        std::visit([&](const auto member) { out[std::string(option.name)] = e.reading.*member; }, option.member);
   }
   void operator()(const ViewChanged& e) {
     for (const double q : e.orientation) out["orientation"].push_back(std::round(q * 1e5) / 1e5);
@@ -343,6 +347,34 @@ std::vector<std::int32_t> atoms(const Json& from) {
   return out;
 }
 
+// What a property or an option of that type has at its key.
+template <class T>
+void take(T& to, const Json& from, std::string_view name) {
+  const std::string key(name);
+  if constexpr (std::is_same_v<T, std::string>)
+    to = text(from, key.c_str(), true);
+  else if constexpr (std::is_same_v<T, bool>)
+    to = flag(from, key.c_str());
+  else
+    to = static_cast<T>(numberAt(from, key.c_str()));
+}
+
+TouchSetup touch(const Json& from) {
+  TouchSetup out;
+  for (const TouchProperty& p : touchProperties())
+    if (p.in_old_files || from.contains(p.field))
+      std::visit([&](const auto member) { take(out.*member, from, p.field); }, p.member);
+  return out;
+}
+
+ReadOptions reading(const Json& from) {
+  ReadOptions out;
+  for (const ReadingOption& option : readingOptions())
+    if (from.contains(option.name))
+      std::visit([&](const auto member) { take(out.*member, from, option.name); }, option.member);
+  return out;
+}
+
 // The same order as the table of kinds.
 std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "step") return StepEntered{text(j, "step", true)};
@@ -388,12 +420,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
                       way(j)};
   if (kind == "input") return InputChanged{way(j), text(j, "device", false), flag(j, "gives_force")};
   if (kind == "stage") {
-    StageChanged s{
-        text(j, "molecule", true),         text(j, "file", true),   countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
-        numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
-    if (j.contains("model")) s.reading.model = static_cast<int>(countAt(j, "model"));
-    s.reading.waters = j.contains("waters") && flag(j, "waters");
-    s.reading.assembly = text(j, "assembly", false);
+    StageChanged s{text(j, "molecule", true), text(j, "file", true), countAt(j, "atoms"), {}, touch(j), reading(j)};
     s.workspace.A_per_mm = numberAt(j, "A_per_mm");
     s.workspace.centre_A = vector(j, "centre_A");
     const std::vector<double> turn = numbers(j, "turn", 9);

@@ -13,9 +13,9 @@ ServoLoop::~ServoLoop() {
   collect();
   delete pending_.exchange(nullptr);
   delete current_;
-  delete pending_frame_.exchange(nullptr);
-  delete frame_;
-  delete next_frame_;
+  delete pending_motion_.exchange(nullptr);
+  delete motion_;
+  delete next_motion_;
 }
 
 // The step's count goes on, so that samples are numbered without a gap.
@@ -51,42 +51,44 @@ void ServoLoop::setInteraction(std::unique_ptr<Interaction> interaction, std::ui
   delete pending_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
-bool ServoLoop::setFrame(std::shared_ptr<const SphereFrame> frame, std::uint32_t scene) {
+bool ServoLoop::setMotion(std::shared_ptr<const SphereMotion> motion, std::uint32_t scene) {
   collect();
-  if (pending_frames_scene_ == scene && pending_frame_.load(std::memory_order_acquire)) return false;
-  pending_frames_scene_ = scene;
-  auto next = std::unique_ptr<HandedFrame>(new HandedFrame{std::move(frame), scene});
-  delete pending_frame_.exchange(next.release(), std::memory_order_acq_rel);
+  if (pending_motions_scene_ == scene && pending_motion_.load(std::memory_order_acquire)) return false;
+  pending_motions_scene_ = scene;
+  auto next = std::unique_ptr<HandedMotion>(new HandedMotion{std::move(motion), scene});
+  delete pending_motion_.exchange(next.release(), std::memory_order_acq_rel);
   return true;
 }
 
 void ServoLoop::collect() {
   delete retired_.exchange(nullptr, std::memory_order_acq_rel);
-  delete retired_frame_.exchange(nullptr, std::memory_order_acq_rel);
+  delete retired_motion_.exchange(nullptr, std::memory_order_acq_rel);
 }
 
 // Where the spheres of the scene that is felt go to in this tick.
-SceneMotion ServoLoop::nextMotion() noexcept {
-  const auto isFelt = [this](const HandedFrame* frame) { return frame && current_ && frame->scene == current_->scene; };
-  const bool ended = !isFelt(frame_) || frame_tick_ >= frame_->frame->ticks();
+MotionPhase ServoLoop::nextMotion() noexcept {
+  const auto isFelt = [this](const HandedMotion* motion) {
+    return motion && current_ && motion->scene == current_->scene;
+  };
+  const bool ended = !isFelt(motion_) || motion_tick_ >= motion_->motion->ticks();
   // As for what is felt: one is put down only when the place for it is free.
-  if (ended && !last_frame_ && !retired_frame_.load(std::memory_order_acquire)) {
-    if (next_frame_ && !isFelt(next_frame_) && pending_frame_.load(std::memory_order_acquire))
-      last_frame_ = std::exchange(next_frame_, nullptr);  // its scene never came
-    if (!next_frame_) next_frame_ = pending_frame_.exchange(nullptr, std::memory_order_acq_rel);
-    if (!last_frame_ && isFelt(next_frame_)) {
-      last_frame_ = std::exchange(frame_, std::exchange(next_frame_, nullptr));
-      frame_tick_ = 0;
+  if (ended && !last_motion_ && !retired_motion_.load(std::memory_order_acquire)) {
+    if (next_motion_ && !isFelt(next_motion_) && pending_motion_.load(std::memory_order_acquire))
+      last_motion_ = std::exchange(next_motion_, nullptr);  // its scene never came
+    if (!next_motion_) next_motion_ = pending_motion_.exchange(nullptr, std::memory_order_acq_rel);
+    if (!last_motion_ && isFelt(next_motion_)) {
+      last_motion_ = std::exchange(motion_, std::exchange(next_motion_, nullptr));
+      motion_tick_ = 0;
     }
   }
-  if (!isFelt(frame_)) return {};
-  frame_tick_ = std::min(frame_tick_ + 1, frame_->frame->ticks());
-  return {frame_->frame.get(), double(frame_tick_) / frame_->frame->ticks()};
+  if (!isFelt(motion_)) return {};
+  motion_tick_ = std::min(motion_tick_ + 1, motion_->motion->ticks());
+  return {motion_->motion.get(), double(motion_tick_) / motion_->motion->ticks()};
 }
 
 // After the step, which may have asked it for the last time.
-void ServoLoop::putDownFrame() noexcept {
-  if (last_frame_) retired_frame_.store(std::exchange(last_frame_, nullptr), std::memory_order_release);
+void ServoLoop::putDownMotion() noexcept {
+  if (last_motion_) retired_motion_.store(std::exchange(last_motion_, nullptr), std::memory_order_release);
 }
 
 // The newest settings; without force where their owner is stalled or ramps it down, or the process ends.
@@ -124,9 +126,9 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   }
   const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, step_);
-  const SceneMotion motion = nextMotion();
-  ServoSample sample = step_.tick(settings, current_ ? current_->interaction.get() : nullptr, pose, time_, motion);
-  putDownFrame();
+  const MotionPhase phase = nextMotion();
+  ServoSample sample = step_.tick(settings, current_ ? current_->interaction.get() : nullptr, pose, time_, phase);
+  putDownMotion();
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;
   switch_->write({sample.force, sample.torque_N_mm}, sample.limits.has(Limit::Panic));
@@ -141,7 +143,7 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   samples_.push(sample);
   if (records)
     recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,
-                           switch_->fallenBack(), sample.contact.touching(), sample.limits, motion.frame != nullptr});
+                           switch_->fallenBack(), sample.contact.touching(), sample.limits, phase.motion != nullptr});
   ticking_.clear(std::memory_order_release);
 }
 

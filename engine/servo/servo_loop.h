@@ -44,11 +44,11 @@ class ServoLoop {
   /// back and is destroyed here, never in a tick.
   void setInteraction(std::unique_ptr<Interaction> interaction, std::uint32_t scene = 0);
 
-  /// Hands over the next frame of that scene's spheres (engine/haptics/sphere_frame.h). It begins as soon as the one
+  /// Hands over the next motion of that scene's spheres (engine/haptics/sphere_motion.h). It begins as soon as the one
   /// before has ended; when it has ended itself it stays until another comes. False, and nothing is handed over, while
   /// the one before still waits to begin: try again a frame later. Never null. A frame of a scene that is not felt yet
   /// waits for that scene.
-  bool setFrame(std::shared_ptr<const SphereFrame> frame, std::uint32_t scene = 0);
+  bool setMotion(std::shared_ptr<const SphereMotion> motion, std::uint32_t scene = 0);
 
   /// It is felt how the hand is turned: what turns on the device turns the hand, and not the view.
   bool hasOrientation() const noexcept { return has_orientation_; }
@@ -125,8 +125,8 @@ class ServoLoop {
 
  private:
   ServoSettings watchedSettings(double dt_s) noexcept;
-  SceneMotion nextMotion() noexcept;
-  void putDownFrame() noexcept;
+  MotionPhase nextMotion() noexcept;
+  void putDownMotion() noexcept;
   void collect();
 
   Device& fallback_;
@@ -145,16 +145,16 @@ class ServoLoop {
   std::atomic<HandedInteraction*> retired_{nullptr};  // one that a tick has put down
   HandedInteraction* current_ = nullptr;              // the ticks'
   // A frame that crosses, with its scene's number.
-  struct HandedFrame {
-    std::shared_ptr<const SphereFrame> frame;
+  struct HandedMotion {
+    std::shared_ptr<const SphereMotion> motion;
     std::uint32_t scene = 0;
   };
-  std::atomic<HandedFrame*> pending_frame_{nullptr}, retired_frame_{nullptr};  // as above
-  std::uint32_t pending_frames_scene_ = 0;                                     // the owner's
-  HandedFrame* frame_ = nullptr;                                               // the ticks': the one in force
-  HandedFrame* next_frame_ = nullptr;                                          // the ticks': waits for its scene
-  HandedFrame* last_frame_ = nullptr;  // the ticks': put down in this tick, in which what is felt may still ask it
-  int frame_tick_ = 0;                 // of the one in force
+  std::atomic<HandedMotion*> pending_motion_{nullptr}, retired_motion_{nullptr};  // as above
+  std::uint32_t pending_motions_scene_ = 0;                                       // the owner's
+  HandedMotion* motion_ = nullptr;                                                // the ticks': the one in force
+  HandedMotion* next_motion_ = nullptr;                                           // the ticks': waits for its scene
+  HandedMotion* last_motion_ = nullptr;  // the ticks': put down in this tick, in which what is felt may still ask it
+  int motion_tick_ = 0;                  // of the one in force
   struct Recording {
     SampleRing<RecordedTick, 4096> ring;
     ServoStep start;       // written before the first tick is pushed

@@ -293,6 +293,12 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   return recording;
 }
 
+TouchSetup touchOf(const ServoRecording& recording) {
+  TouchSetup out = labelledTouch(recording.labels);
+  recording.ticks.front().settings.giveTo(out);
+  return out;
+}
+
 ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
   ServoStep step = recording.start.value_or(ServoStep());
   ReplayResult out;

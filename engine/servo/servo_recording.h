@@ -75,6 +75,9 @@ class ServoRecordingWriter {
 /// that is cut off or damaged gives the ticks before the damage, and `torn` says so.
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file);
 
+/// What a recording's hand felt with at its first tick, of which it must have one.
+TouchSetup touchOf(const ServoRecording& recording);
+
 struct ReplayResult {
   std::uint64_t ticks = 0;
   std::uint64_t moving = 0;  ///< those whose spheres moved during the recording and are at rest here

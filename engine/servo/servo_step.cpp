@@ -24,7 +24,7 @@ Springs springsOf(const Response& response, double A_per_mm) {
 }  // namespace
 
 ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
-                            const TickTime& time, const SceneMotion& motion) noexcept {
+                            const TickTime& time, const MotionPhase& phase) noexcept {
   ServoSample out;
   out.tick = tick_++;
   out.time_s = double(out.tick) * kTick_s;
@@ -59,7 +59,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
   if (interaction) {
     // First the surface moves under a hand at rest, then the hand: what the springs take up in the first of these
     // is the surface's work, and none that the hand or the loop does.
-    const bool carried = moveSurface(settings, *interaction, motion, changed) && !changed && !rescaled;
+    const bool carried = moveSurface(settings, *interaction, phase, changed) && !changed && !rescaled;
     const Springs before = carried ? springsOf(interaction->respond(last_at_), settings.workspace.A_per_mm) : Springs{};
     out.probe_A = interaction->probe_A();
     const Response response = interaction->respond(at);
@@ -68,7 +68,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     wanted = feel(settings, response, std::max(1.0, interaction->parallelSprings()));
     if (carried) wanted.before = before;
     last_at_ = at;
-    if (motion.frame) out.frame = motion.frame->serial(), out.share = motion.share;
+    if (phase.motion) out.motion = phase.motion->serial(), out.fraction = phase.fraction;
   }
   const Wrench given = guarded_ ? safety_.output(wanted) : unguarded(wanted);
   out.force = given.force;
@@ -79,7 +79,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
 }
 
 // Moves the surface to its state in this tick; false where it is at rest.
-bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interaction, const SceneMotion& motion,
+bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interaction, const MotionPhase& phase,
                             bool changed) noexcept {
   bool moved = false;
   // It swells or shrinks by a little each tick, so that it carries the finger instead of striking it.
@@ -91,11 +91,11 @@ bool ServoStep::moveSurface(const ServoSettings& settings, Interaction& interact
       moved = true;
     }
   }
-  const std::uint64_t frame = motion.frame ? motion.frame->serial() : 0;
-  const bool other = frame != std::exchange(last_frame_, frame),
-             further = motion.share != std::exchange(last_share_, motion.share);
-  if ((other || (frame && (further || changed))) && interaction.setFrame(motion.frame)) {
-    if (motion.frame) interaction.moveTo(motion.share);
+  const std::uint64_t serial = phase.motion ? phase.motion->serial() : 0;
+  const bool other = serial != std::exchange(last_motion_, serial),
+             further = phase.fraction != std::exchange(last_fraction_, phase.fraction);
+  if ((other || (serial && (further || changed))) && interaction.setMotion(phase.motion)) {
+    if (phase.motion) interaction.advanceTo(phase.fraction);
     moved = true;
   }
   return moved;

@@ -7,7 +7,8 @@
 #include "engine/core/units.h"
 #include "engine/device/device.h"
 #include "engine/haptics/interaction.h"
-#include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/sphere_motion.h"
+#include "engine/haptics/touch_setup.h"
 #include "engine/servo/clutch.h"
 #include "engine/servo/safety_stage.h"
 
@@ -26,12 +27,25 @@ struct ServoSettings {
   ClutchSettings clutch;              ///< how the hand reaches farther than the device
   bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
   std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and restart at the HIP
+
+  /// What the loop itself does of a setup; with the rest the interaction is made.
+  void take(const TouchSetup& touch) noexcept {
+    probe_A = touch.probe_A;
+    stiffness_N_per_mm = touch.stiffness_N_per_mm;
+    force_on = touch.force_on;
+  }
+  /// The same back.
+  void giveTo(TouchSetup& touch) const noexcept {
+    touch.probe_A = probe_A;
+    touch.stiffness_N_per_mm = stiffness_N_per_mm;
+    touch.force_on = force_on;
+  }
 };
 
 /// The state of a scene whose spheres move.
-struct SceneMotion {
-  const SphereFrame* frame = nullptr;  ///< null: they are at rest where the interaction was made with them
-  double share = 0.0;                  ///< of the frame, 0 to 1
+struct MotionPhase {
+  const SphereMotion* motion = nullptr;  ///< null: they are at rest where the interaction was made with them
+  double fraction = 0.0;                 ///< of the motion, 0 to 1
 };
 
 inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may swell under the finger
@@ -55,9 +69,9 @@ struct ServoSample {
   /// The stiffest spring that is allowed, for the device and the recently measured delay.
   double stiffness_bound_N_per_mm = 0;
   bool has_interaction = false;
-  std::uint64_t frame = 0;            ///< SphereFrame::serial() of the spheres' frame; 0: they are at rest
-  double share = 0.0;                 ///< of that frame
-  std::uint32_t scene = 0;            ///< the number that the interaction was handed over with (0 from tick() itself)
+  std::uint64_t motion = 0;  ///< SphereMotion::serial() of the motion that the spheres are in; 0: they are at rest
+  double fraction = 0.0;     ///< of that motion
+  std::uint32_t scene = 0;   ///< the number that the interaction was handed over with (0 from tick() itself)
   std::uint32_t discontinuities = 0;  ///< of the settings in force at this tick
   /// The contact was forgotten before this tick: hand or scene were placed elsewhere, or the hand was lost.
   bool placed = false;
@@ -79,7 +93,7 @@ class ServoStep {
   /// and the force starts softly. Frames may follow one another without that: the spheres' own motion changes the
   /// springs' energy, but this does not count as energy made by the loop.
   ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
-                   const TickTime& time = {}, const SceneMotion& motion = {}) noexcept;
+                   const TickTime& time = {}, const MotionPhase& phase = {}) noexcept;
 
   /// Forgets the last interaction: the next one counts as new.
   void forgetInteraction() noexcept { last_interaction_ = nullptr; }
@@ -94,7 +108,7 @@ class ServoStep {
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  bool moveSurface(const ServoSettings& settings, Interaction& interaction, const SceneMotion& motion,
+  bool moveSurface(const ServoSettings& settings, Interaction& interaction, const MotionPhase& phase,
                    bool changed) noexcept;
   WantedWrench feel(const ServoSettings& settings, const Response& response, double parallel) noexcept;
 
@@ -102,8 +116,8 @@ class ServoStep {
   const Interaction* last_interaction_ = nullptr;
   // The last pose asked for, and where the spheres were: the first tick with another interaction depends on neither.
   PoseA last_at_;
-  std::uint64_t last_frame_ = 0;  // its serial; 0: none
-  double last_share_ = 0.0;
+  std::uint64_t last_motion_ = 0;  // its serial; 0: none
+  double last_fraction_ = 0.0;
   std::uint32_t discontinuities_ = 0, hand_discontinuities_ = 0;
   bool other_device_ = false, guarded_ = true;
   double A_per_mm_ = 0;

@@ -84,6 +84,38 @@ TEST_CASE("a whole drag of the probe's slider is undone at once, and redone") {
   CHECK(d->app().scene.servo_settings.probe_A == after_A);
 }
 
+TEST_CASE(
+    "whatever of what is felt is changed, the change is undone and redone; a word that is not known changes nothing") {
+  for (const TouchProperty& p : touchProperties()) {
+    if (!isChoice(p)) continue;
+    CAPTURE(std::string(p.key));
+    auto d = startWith("argon");
+    const TouchSetup before = d->app().scene.touch();
+    TouchSetup after = before;
+    if (std::holds_alternative<double TouchSetup::*>(p.member))
+      setTouchValue(after, p, p.control.range.most);
+    else if (p.words)
+      setTouchValue(after, p, std::string(p.words().back().name));
+    else
+      setTouchValue(after, p, !std::get<bool>(touchValue(before, p)));
+    REQUIRE_FALSE(after == before);
+    d->app().scene.setTouch(after);
+    d->frames(2);
+    CHECK(d->app().scene.touch() == after);
+    d->tap("Ctrl+Z");
+    CHECK(d->app().scene.touch() == before);
+    d->tap("Ctrl+Shift+Z");
+    CHECK(d->app().scene.touch() == after);
+  }
+  // A word that is not known stays as it was.
+  auto d = startWith("argon");
+  TouchSetup wrong;
+  wrong.method = "none";
+  wrong.interaction = "none";
+  d->app().scene.setTouch(wrong);
+  CHECK(d->app().scene.touch() == TouchSetup());
+}
+
 TEST_CASE("method, parts shown and a view that was reset are undone in the order in which they were changed") {
   auto d = startWith("argon-pair");
   d->drag("view", 80, 0, 1);

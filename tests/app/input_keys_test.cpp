@@ -289,7 +289,7 @@ TEST_CASE(
         ImGui::InputText("##field", written, sizeof written);
       if (!ImGui::GetIO().WantTextInput) {
         seen = seen || ImGui::IsKeyPressed(ImGuiKey_3, false);
-        if (takeKey(ImGuiKey_A)) writeInLastField();
+        if (takeKey(ImGuiKey_A)) writeInLastField("##field");
       }
       if (ImGui::GetFrameCount() == 1) ImGui::SetWindowFocus("view");
       ImGui::End();

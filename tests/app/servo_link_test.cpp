@@ -79,7 +79,7 @@ void virtualSleep(std::int64_t due_ns) {
 struct Loop {
   std::function<void(const ServoSettings&)> settings;
   std::function<void(std::unique_ptr<Interaction>)> feel;
-  std::function<bool(std::shared_ptr<const SphereFrame>)> move;
+  std::function<bool(std::shared_ptr<const SphereMotion>)> move;
   std::function<void(std::unique_ptr<Device>)> hold;
   std::function<void(bool)> record;
   std::function<void()> end;
@@ -131,11 +131,11 @@ void play(const Loop& loop, Log& log) {
   // A ball that rises and sinks under the hand, frame by frame, as they are taken.
   std::vector<Ball> ball{{{0, 0, -3.0}, 1.6}};
   loop.feel(findMethod("exact")->make(std::make_shared<BallScene>(ball), kWaterProbe_A));
-  std::shared_ptr<const SphereFrame> next;
+  std::shared_ptr<const SphereMotion> next;
   for (int k = 0, begun = 0; k < 900; ++k) {
     if (!next) {
       const std::vector<Ball> from = std::exchange(ball, {{{0, 0, -3.0 + 0.3 * std::sin(0.5 * ++begun)}, 1.6}});
-      next = *SphereFrame::make(from, ball, 33);
+      next = *SphereMotion::make(from, ball, 33);
     }
     if (loop.move(next)) next.reset();
     ticks(1);
@@ -156,7 +156,7 @@ std::vector<std::string> ofTheThread() {
     // Until a device brings its clock the thread's own would tick, by the wall's time: there is nothing to be felt yet.
     play({[&](const ServoSettings& s) { thread.loop().setSettings(s); },
           [&](std::unique_ptr<Interaction> felt) { thread.loop().setInteraction(std::move(felt)); },
-          [&](std::shared_ptr<const SphereFrame> frame) { return thread.loop().setFrame(std::move(frame)); },
+          [&](std::shared_ptr<const SphereMotion> frame) { return thread.loop().setMotion(std::move(frame)); },
           [&](std::unique_ptr<Device> device) { thread.setDevice(std::move(device)); },
           [&](bool on) { thread.record(on); }, [&] { thread.endForce(); },
           [&] {
@@ -175,7 +175,7 @@ std::vector<std::string> ofTheFrames() {
     ServoLink link(ServoClock::Frames);
     play({[&](const ServoSettings& s) { link.setSettings(s); },
           [&](std::unique_ptr<Interaction> felt) { link.setInteraction(std::move(felt)); },
-          [&](std::shared_ptr<const SphereFrame> frame) { return link.setFrame(std::move(frame)); },
+          [&](std::shared_ptr<const SphereMotion> frame) { return link.setMotion(std::move(frame)); },
           [&](std::unique_ptr<Device> device) { link.setDevice(std::move(device)); }, [&](bool on) { link.record(on); },
           [&] { link.endForce(); }, [&] { link.advance(kTick_s); }},
          log);

@@ -25,8 +25,13 @@ sleep 1
 xdotool mouseup 1 key --window "$window" F1
 sleep 1
 xdotool key --window "$window" Escape
-import -window "$window" "$3/window.png"
-colours=$(identify -format '%k' "$3/window.png")
+# A busy machine takes its time for the first pictures.
+for attempt in $(seq 30); do
+  import -window "$window" "$3/window.png"
+  colours=$(identify -format '%k' "$3/window.png")
+  [ "$colours" -gt 50 ] && break
+  sleep 1
+done
 [ "$colours" -gt 50 ] || { echo "the window shows only $colours colours"; kill "$pid"; exit 1; }
 # On AZERTY the A stands where a keyboard of the United States has the Q, and the other way round.
 setxkbmap fr

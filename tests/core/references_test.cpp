@@ -1,5 +1,5 @@
-// What comments and pages name must be there: a file by its ending .h or .cpp, and a member by its type and two
-// colons. A name that was changed in the code and not where it is told would send a reader nowhere.
+// What comments and pages name must be there: a file by its ending .h or .cpp, a member by its type and two colons, a
+// name in backticks on a page. A name that was changed in the code and not where it is told would send a reader nowhere.
 #include <doctest/doctest.h>
 
 #include <algorithm>
@@ -181,6 +181,7 @@ struct Project {
   std::vector<std::string> files;            // "engine/core/units.h"
   std::map<std::string, std::string> texts;  // where names are told: comments, and whole pages
   Scopes scopes;
+  std::set<std::string> words;  // of code and literals
 
   Project() {
     for (const char* top : {"app", "engine", "tests", "assets", "molecules"})
@@ -188,10 +189,15 @@ struct Project {
         const std::string ending = entry.path().extension().string();
         if (ending != ".h" && ending != ".cpp") continue;
         const std::string file = fs::relative(entry.path(), kSource).generic_string();
-        const Halves halves = halvesOf(textOf(entry.path()));
+        std::string source = textOf(entry.path());
+        const Halves halves = halvesOf(source);
         files.push_back(file);
         texts[file] = halves.comments;
         scopes.read(halves.code);
+        for (std::size_t k = 0; k < source.size(); ++k)
+          if (halves.comments[k] != ' ') source[k] = halves.comments[k] == '\n' ? '\n' : ' ';
+        for (const std::string& token : tokensOf(source))
+          if (isWord(token)) words.insert(token);
       }
     for (const char* page : {"README.md", "CONTRIBUTING.md"}) texts[page] = textOf(kSource / page);
     for (const auto& entry : fs::directory_iterator(kSource / "docs"))
@@ -289,6 +295,41 @@ TEST_CASE("every member that a comment or a page names as Type::member is there"
                     "::", one.member, ", which is not there");
     }
   CHECK(named > 50);
+}
+
+TEST_CASE("every camelCase name that a page has in backticks, and every kConstant that it names, is in the code") {
+  // The names of the styles themselves.
+  const std::set<std::string> styles{"PascalCase", "camelCase", "kConstant"};
+  const auto isCodeName = [](const std::string& word) {
+    for (std::size_t k = 1; k < word.size(); ++k)
+      if (std::islower(static_cast<unsigned char>(word[k - 1])) && std::isupper(static_cast<unsigned char>(word[k])))
+        return true;
+    return false;
+  };
+  std::size_t named = 0;
+  for (const auto& [where, text] : project().texts) {
+    if (!where.ends_with(".md")) continue;
+    std::istringstream lines(text);
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      bool in_code = false;
+      for (std::size_t at = 0; at < line.size();) {
+        std::size_t end = at;
+        while (end < line.size() && isWordPart(line[end])) ++end;
+        const std::string word = line.substr(at, end - at);
+        const bool constant = word.size() > 1 && word[0] == 'k' && std::isupper(static_cast<unsigned char>(word[1]));
+        if (((in_code && isCodeName(word)) || constant) && !styles.contains(word)) {
+          ++named;
+          CHECK_MESSAGE(project().words.contains(word), where, ":", number, " names ", word,
+                        ", which is not in the code");
+        }
+        if (end < line.size() && line[end] == '`') in_code = !in_code;
+        at = end + 1;
+      }
+    }
+  }
+  CHECK(named > 100);
 }
 
 TEST_CASE("every source of the program that starts a thread is named in docs/architecture.md, under Threads") {

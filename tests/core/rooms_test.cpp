@@ -103,6 +103,19 @@ struct Libraries {
   }
 };
 
+// The .cpp files that a CMakeLists.txt compiles several at a time, by target.
+std::map<std::string, std::vector<std::string>> compiledTogether(const std::string& folder) {
+  static const std::regex light(R"(moltact_light\((\w+) \d+\))"),
+      add(R"(add_(?:library|executable)\((moltact\w*)([^)]*)\))"), cpp(R"(([\w/]+\.cpp))");
+  const std::string text = textOf(kSource / folder / "CMakeLists.txt");
+  std::map<std::string, std::vector<std::string>> out;
+  for (const std::string& target : quotedIn(text, light)) out[target];
+  for (std::sregex_iterator it(text.begin(), text.end(), add), end; it != end; ++it)
+    if (const auto found = out.find((*it)[1]); found != out.end())
+      for (const std::string& file : quotedIn((*it)[2], cpp)) found->second.push_back(folder + "/" + file);
+  return out;
+}
+
 }  // namespace
 
 TEST_CASE("no room includes from a room above it, nor from one that docs/architecture.md does not let it use") {
@@ -178,4 +191,25 @@ TEST_CASE("what versions of ImGui do in different ways is asked of imgui_version
   for (const std::string& file : sourcesIn("app"))
     if (!file.starts_with("app/ui/widgets/imgui_versions."))
       CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), differs), file);
+}
+
+TEST_CASE("sources that are compiled together have no constant and no type of their own by the same name") {
+  static const std::regex own(
+      R"((?:^|\n)(?:(?:static |inline )?constexpr [^=({;\n]*?|struct |class |enum class )(\w+)(?:\[\])?(?: final)?(?: = |\{| \{| : ))");
+  std::size_t files = 0, names = 0;
+  for (const char* folder : {"engine", "app", "app/ui"})
+    for (const auto& [target, sources] : compiledTogether(folder)) {
+      std::map<std::string, std::string> first;
+      CHECK_MESSAGE(!sources.empty(), target);
+      for (const std::string& file : sources) {
+        ++files;
+        for (const std::string& name : quotedIn(textOf(kSource / file), own)) {
+          ++names;
+          const auto [at, is_new] = first.emplace(name, file);
+          CHECK_MESSAGE(is_new, target, ": ", name, " in ", at->second, " and ", file);
+        }
+      }
+    }
+  CHECK(files > 150);
+  CHECK(names > 200);
 }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/device/mouse_device.h"
+#include "engine/device/packet/packet_device.h"
 #include "engine/device/packet/report_bytes.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/servo/servo_thread.h"

@@ -7,10 +7,12 @@
 #include <map>
 #include <set>
 
+#include "engine/device/driver.h"
 #include "engine/device/hid/open_layout.h"
 #include "engine/device/hid/play_station.h"
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
+#include "engine/device/packet/packet_device.h"
 #include "engine/device/packet/report_bytes.h"
 #include "engine/device/simulated_device.h"
 #include "engine/platform/force_inhibit.h"

@@ -122,6 +122,56 @@ TEST_CASE("facets are the mesh's edges, outside the other ball, and few however 
   CHECK(linesOf(SphereMesh::ofTriangles(5120)).lines().size() < 6000);
 }
 
+TEST_CASE("facets of balls as large as a file may have them, 1e9 A, are cut at the other ball to a 24th of an edge") {
+  constexpr double kRadius_A = 1e9;
+  ViewScene scene;
+  scene.molecule = molecule({atom(Vec3(-0.55e9, 0, 0), kRadius_A, 18), atom(Vec3(0.55e9, 0, 0), kRadius_A, 16)});
+  scene.contact.scp.A = Vec3(0, std::sqrt(1.0 - 0.55 * 0.55) * kRadius_A, 0);
+  scene.contact.feature = Feature::Circle;
+  scene.contact.atoms = {0, 1, -1};
+  scene.camera = frontCamera(4e9);
+  scene.shown = {ViewPart::Facets};
+  const auto mesh = SphereMesh::ofTriangles(80);
+  scene.facets = mesh;
+  double longest = 0.0;
+  for (const SphereMesh::Face& f : mesh->faces())
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, glm::distance(mesh->vertices()[std::size_t(f.corners[k])],
+                                                mesh->vertices()[std::size_t(f.corners[(k + 1) % 3])]));
+  const MoleculeModel model(scene.molecule);
+  Strokes strokes;
+  std::vector<LooseSphere> dots;
+  addHapticShapes(scene, model, strokes, dots);
+  CHECK(strokes.lines().size() > 120);
+  // A piece is drawn where its middle is outside: an end lies no deeper than half of it.
+  const double least = 1.0 - std::max(mesh->sagitta(), longest / 48.0);
+  for (const Strokes::Line& line : strokes.lines())
+    for (std::size_t i = line.begin; i < line.end; ++i) {
+      const Vec3 p = scene.camera.fromView(Vec3(strokes[i])).A;
+      const double near = std::min(glm::length(p - Vec3(-0.55e9, 0, 0)), glm::length(p - Vec3(0.55e9, 0, 0)));
+      CHECK(near / kRadius_A > least - 1e-5);
+      CHECK(near / kRadius_A < 1.0 + 1e-5);
+    }
+}
+
+TEST_CASE("a contact at the ends of what an attempt can tell, 2e9 A, gives lines and dots that are numbers") {
+  ViewScene scene = crease();
+  for (const ViewPartInfo& part : viewParts()) scene.shown.set(part.part);
+  scene.facets = SphereMesh::ofTriangles(80);
+  const MoleculeModel model(scene.molecule);
+  for (const double far_A : {2e9, -2e9}) {
+    scene.contact.scp.A = Vec3(far_A, -far_A, far_A);
+    scene.hip = PointA{Vec3(-far_A, far_A, -far_A)};
+    stretchToScp(scene.contact, *scene.hip);
+    Strokes strokes;
+    std::vector<LooseSphere> dots;
+    addHapticShapes(scene, model, strokes, dots);
+    for (const Strokes::Line& line : strokes.lines())
+      for (std::size_t i = line.begin; i < line.end; ++i) CHECK(finite(Vec3(strokes[i])));
+    for (const LooseSphere& dot : dots) CHECK(finite(Vec3(dot.centre)));
+  }
+}
+
 TEST_CASE("each part that is switched on changes the picture, and only the ones of its own") {
   const ViewScene base = crease();
   ViewScene scene = base;

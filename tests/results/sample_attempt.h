@@ -70,7 +70,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
     }
     chunk.samples.push_back(s);
   }
-  StageChanged stage{"1UBQ", "1ubq.pdb", 602, {}, 1.4, 0.5, "exact", true};
+  StageChanged stage{"1UBQ", "1ubq.pdb", 602};
   stage.workspace.A_per_mm = 0.25;
   stage.workspace.centre_A = {30.5, 29.25, 14.125};
   return {

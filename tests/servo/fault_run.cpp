@@ -138,10 +138,10 @@ class RigidPair final : public Interaction {
     }
     return sum;
   }
-  bool setFrame(const SphereFrame* frame) noexcept override {
-    return ends_[0]->setFrame(frame) && ends_[1]->setFrame(frame);
+  bool setMotion(const SphereMotion* motion) noexcept override {
+    return ends_[0]->setMotion(motion) && ends_[1]->setMotion(motion);
   }
-  void moveTo(double share) noexcept override { ends_[0]->moveTo(share), ends_[1]->moveTo(share); }
+  void advanceTo(double fraction) noexcept override { ends_[0]->advanceTo(fraction), ends_[1]->advanceTo(fraction); }
   void reset() noexcept override { ends_[0]->reset(), ends_[1]->reset(); }
   void setProbe(double probe_A) noexcept override { ends_[0]->setProbe(probe_A), ends_[1]->setProbe(probe_A); }
   double probe_A() const noexcept override { return ends_[0]->probe_A(); }
@@ -214,11 +214,11 @@ class Run {
   // The spheres go to these places within so many ticks.
   void moveSpheres(const std::vector<Ball>& to, int ticks) {
     auto frame =
-        frames_.empty() ? SphereFrame::make(scene_.balls, to, ticks) : SphereFrame::after(*frames_.back(), to, ticks);
+        frames_.empty() ? SphereMotion::make(scene_.balls, to, ticks) : SphereMotion::after(*frames_.back(), to, ticks);
     frames_.push_back(*std::move(frame));
     for (int k = 1; k <= ticks; ++k) {
-      share_ = double(k) / ticks;
-      if (follows_) scene_.balls = frames_.back()->at(share_);
+      fraction_ = double(k) / ticks;
+      if (follows_) scene_.balls = frames_.back()->at(fraction_);
       tick({});
     }
   }
@@ -297,8 +297,8 @@ class Run {
                           .connected = how.connected,
                           .orientation = how.orientation.value_or(orientation_)};
     sensed_ = pose.position;
-    const SceneMotion motion{frames_.empty() ? nullptr : frames_.back().get(), share_};
-    const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time, motion);
+    const MotionPhase phase{frames_.empty() ? nullptr : frames_.back().get(), fraction_};
+    const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time, phase);
     ++out_.ticks;
     out_.contact += sample.contact.touching();
     out_.turned += !bad_ && pair_ && sample.contact.touching();
@@ -619,10 +619,10 @@ class Run {
   ServoSettings settings_;
   scenes::Scene scene_;
   std::unique_ptr<Interaction> tracker_, bad_;
-  std::vector<std::unique_ptr<const SphereFrame>> frames_;  // of tracker_; the last is in force
-  double share_ = 1.0;                                      // of it
-  bool follows_ = true;                                     // tracker_ goes with the spheres
-  RigidPair* pair_ = nullptr;                               // of tracker_, where it is one
+  std::vector<std::unique_ptr<const SphereMotion>> frames_;  // of tracker_; the last is in force
+  double fraction_ = 1.0;                                    // of it
+  bool follows_ = true;                                      // tracker_ goes with the spheres
+  RigidPair* pair_ = nullptr;                                // of tracker_, where it is one
   Quat orientation_ = kNoRotation;
   Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));
   std::string_view method_;

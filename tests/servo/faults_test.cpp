@@ -1,6 +1,5 @@
-// Seeded faults against the whole servo step: 100 seeds here; MOLTACT_FAULT_SEEDS=10000 for more, from the
-// seed MOLTACT_FAULT_FIRST on; MOLTACT_SOAK_S=600 to go on
-// for so many seconds of the wall's clock.
+// Seeded faults against the whole servo step: 100 seeds here; MOLTACT_FAULT_SEEDS=10000 for more, from the seed
+// MOLTACT_FAULT_FIRST on; MOLTACT_SOAK_S=600 to go on for so many seconds of the wall's clock.
 #include <doctest/doctest.h>
 
 #include <chrono>

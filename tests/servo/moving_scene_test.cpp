@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/haptics/methods.h"
-#include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/sphere_motion.h"
 #include "engine/servo/servo_loop.h"
 #include "engine/servo/servo_step.h"
 #include "tests/haptics/walk.h"
@@ -17,15 +17,15 @@ using namespace moltact;
 
 namespace {
 
-using Frame = std::shared_ptr<const SphereFrame>;
+using Frame = std::shared_ptr<const SphereMotion>;
 
 Frame frame(const std::vector<Ball>& from, const std::vector<Ball>& to, int ticks = 33) {
-  auto made = SphereFrame::make(from, to, ticks);
+  auto made = SphereMotion::make(from, to, ticks);
   REQUIRE(made);
   return *std::move(made);
 }
-Frame after(const SphereFrame& before, const std::vector<Ball>& to, int ticks = 33) {
-  auto made = SphereFrame::after(before, to, ticks);
+Frame after(const SphereMotion& before, const std::vector<Ball>& to, int ticks = 33) {
+  auto made = SphereMotion::after(before, to, ticks);
   REQUIRE(made);
   return *std::move(made);
 }
@@ -35,8 +35,8 @@ struct StillHand {
   explicit StillHand(const std::vector<Ball>& balls, std::string_view method = "exact")
       : felt(findMethod(method)->make(test::makeScene(balls), kWaterProbe_A)) {}
 
-  ServoSample tick(double z_mm, const SceneMotion& motion = {}) {
-    return step.tick(settings, felt.get(), {.position = {{0, 0, z_mm}}}, {}, motion);
+  ServoSample tick(double z_mm, const MotionPhase& phase = {}) {
+    return step.tick(settings, felt.get(), {.position = {{0, 0, z_mm}}}, {}, phase);
   }
   ServoSample press(double from_mm, double to_mm, int ticks = 700) {
     for (double z = from_mm; z > to_mm; z -= 0.2) tick(z);
@@ -76,7 +76,7 @@ TEST_CASE(
       const ServoSample s = hand.tick(10.99, {frames.back().get(), tick / 33.0});
       REQUIRE(s.force.N.z == doctest::Approx(0.505).epsilon(1e-9));
       REQUIRE_FALSE(s.limits.any());
-      REQUIRE(s.frame == frames.back()->serial());
+      REQUIRE(s.motion == frames.back()->serial());
     }
   }
 }
@@ -139,8 +139,8 @@ TEST_CASE("energy that a method makes is still a debt while the surface moves: a
     void setProbe(double probe_A) noexcept override { of_->setProbe(probe_A); }
     double probe_A() const noexcept override { return of_->probe_A(); }
     MemoryUsage memoryUsage() const noexcept override { return of_->memoryUsage(); }
-    bool setFrame(const SphereFrame* f) noexcept override { return of_->setFrame(f); }
-    void moveTo(double share) noexcept override { of_->moveTo(share); }
+    bool setMotion(const SphereMotion* f) noexcept override { return of_->setMotion(f); }
+    void advanceTo(double fraction) noexcept override { of_->advanceTo(fraction); }
     bool out = false;
 
    private:
@@ -186,11 +186,11 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
   Frame next = frame(balls, {{{0, 0, 0.01}, 1.6}}, 10);
   std::vector<ServoSample> all;
   for (int k = 0; k < 200; ++k) {
-    if (loop.setFrame(next, 7)) {
+    if (loop.setMotion(next, 7)) {
       serials.push_back(next->serial());
       kept.push_back(next);
       next = after(*kept.back(), {{{0, 0, 0.01 * double(kept.size() + 1)}, 1.6}}, 10);
-      CHECK_FALSE(loop.setFrame(next, 7));  // one waits already
+      CHECK_FALSE(loop.setMotion(next, 7));  // one waits already
     }
     loop.tick((k + 1) * ServoLoop::kPeriod_ns, std::nullopt, nullptr);
     loop.drain([&](const ServoSample& s) { all.push_back(s); });
@@ -199,8 +199,8 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
   for (std::size_t k = 0; k < all.size(); ++k) {
     CAPTURE(k);
     REQUIRE(k / 10 < serials.size());
-    REQUIRE(all[k].frame == serials[k / 10]);
-    REQUIRE(all[k].share == doctest::Approx(0.1 * double(k % 10 + 1)));
+    REQUIRE(all[k].motion == serials[k / 10]);
+    REQUIRE(all[k].fraction == doctest::Approx(0.1 * double(k % 10 + 1)));
   }
 }
 
@@ -223,21 +223,21 @@ TEST_CASE(
   };
   loop.setInteraction(make(), 1);
   const Frame first = frame(balls, {{{0, 0, 1}, 1.6}}, 20);
-  REQUIRE(loop.setFrame(first, 2));
-  CHECK(tick(5).frame == 0);  // scene 1 is felt
+  REQUIRE(loop.setMotion(first, 2));
+  CHECK(tick(5).motion == 0);  // scene 1 is felt
   loop.setInteraction(make(), 2);
-  CHECK(tick(10).frame == first->serial());
-  CHECK(loop.latest().share == doctest::Approx(0.5));
+  CHECK(tick(10).motion == first->serial());
+  CHECK(loop.latest().fraction == doctest::Approx(0.5));
   loop.setInteraction(make(), 2);
-  CHECK(tick(5).share == doctest::Approx(0.75));
-  CHECK(tick(30).share == 1.0);  // it stays
+  CHECK(tick(5).fraction == doctest::Approx(0.75));
+  CHECK(tick(30).fraction == 1.0);  // it stays
   const Frame other = frame(balls, {{{0, 1, 0}, 1.6}}, 20);
-  REQUIRE(loop.setFrame(other, 3));
-  CHECK(tick(3).frame == first->serial());  // the other scene's waits
-  CHECK(loop.latest().share == 1.0);
+  REQUIRE(loop.setMotion(other, 3));
+  CHECK(tick(3).motion == first->serial());  // the other scene's waits
+  CHECK(loop.latest().fraction == 1.0);
   loop.setInteraction(make(), 3);
-  CHECK(tick(1).frame == other->serial());
-  CHECK(loop.latest().share == doctest::Approx(0.05));
+  CHECK(tick(1).motion == other->serial());
+  CHECK(loop.latest().fraction == doctest::Approx(0.05));
   loop.drain([](const ServoSample&) {});
   CHECK(first.use_count() == 1);  // given back, and destroyed here
 }

@@ -29,16 +29,9 @@ bool realDevice(Application& app) { return &app.scene.servo().device() != &app.s
 StageChanged stageOf(const Application& app) {
   const TouchScene& scene = app.scene;
   const Molecule& molecule = *scene.stage().molecule;
-  const ServoSettings& s = scene.servo_settings;
-  return {molecule.id,
-          scene.molecule().file.filename().string(),
-          molecule.atoms.size(),
-          s.workspace,
-          s.probe_A,
-          s.stiffness_N_per_mm,
-          scene.method(),
-          s.force_on,
-          scene.molecule().reading};
+  return {molecule.id,           scene.molecule().file.filename().string(),
+          molecule.atoms.size(), scene.servo_settings.workspace,
+          scene.touch(),         scene.molecule().reading};
 }
 
 }  // namespace

@@ -148,7 +148,7 @@ void Playback::showHand(Application& app) {
     sample.contact.atoms = hand->atoms;
     sample.contact.displacement_A = hand->displacement_A;
     sample.force = hand->force;
-    sample.probe_A = stage->probe_A;
+    sample.probe_A = stage->touch.probe_A;
     sample.time_s = at_s_;
   }
   app.scene.play(sample);

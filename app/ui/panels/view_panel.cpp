@@ -91,7 +91,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   readKeys(app, in);
   // A surface that a task makes softer or harder is to be felt as that: the hand presses as deep as before.
   if (app.extensions().task_stager.changesStiffness())
-    in.expected_N_per_mm = app.lesson.session()->scene().stiffness_N_per_mm;
+    in.expected_N_per_mm = app.lesson.session()->scene().touch.stiffness_N_per_mm;
   if (hovered || active) (in.press ? in.push_notches : in.zoom_notches) += double(io.MouseWheel);
   return in;
 }

@@ -43,7 +43,7 @@ MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / T
 
 void MethodWatch::begin(const Stage& stage, double probe_A) {
   balls_ = stage.balls;
-  exact_ = stage ? methods().front().make(stage.balls, probe_A) : nullptr;
+  exact_ = stage ? referenceMethod().make(stage.balls, probe_A) : nullptr;
   latest_exact_ = {};
   left_behind_ticks_ = 0;
   tried_.clear();

@@ -10,6 +10,7 @@
 
 #include "app/ui/scene/stage.h"
 #include "app/ui/scene/touch_log.h"
+#include "engine/haptics/methods.h"
 #include "engine/servo/servo_step.h"
 
 namespace moltact {

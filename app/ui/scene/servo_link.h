@@ -48,8 +48,8 @@ class ServoLink {
   void setSettings(const ServoSettings& settings) { loop().setSettings(settings); }
   /// Another interaction, or another method of it, in the same scene.
   void setInteraction(std::unique_ptr<Interaction> felt);
-  /// The next frame of this scene's spheres (ServoLoop::setFrame); false while the one before waits.
-  bool setFrame(std::shared_ptr<const SphereFrame> frame) { return loop().setFrame(std::move(frame), scene_); }
+  /// The next motion of this scene's spheres (ServoLoop::setMotion); false while the one before waits.
+  bool setMotion(std::shared_ptr<const SphereMotion> motion) { return loop().setMotion(std::move(motion), scene_); }
   /// A new scene: what was felt of the one before no longer comes out of advance().
   void begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt);
   /// The same molecule, placed again by `settings`: ticks of earlier discontinuities no longer come out.

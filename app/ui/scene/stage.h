@@ -16,7 +16,6 @@ namespace moltact {
 struct Stage {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const BallScene> balls;
-  const InteractionKind* interaction = &interactionKinds().front();  ///< what it is felt with
   Workspace workspace;
   PointA middle;         ///< of the atoms' centres, before which the probe waits
   double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
@@ -28,8 +27,8 @@ struct Stage {
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
 
 /// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
-/// method is not felt as letting go. Null without a stage.
-std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const Method& method, double probe_A,
-                                             const Contact& contact, const PoseA& hand);
+/// method is not felt as letting go. Null without a stage, and where the setup names what there is not.
+std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
+                                             const PoseA& hand);
 
 }  // namespace moltact

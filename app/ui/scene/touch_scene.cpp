@@ -29,7 +29,7 @@ bool sameView(const Camera& a, const Camera& b) {
 
 }  // namespace
 
-TouchScene::TouchScene(ServoClock clock) : servo_(clock), method_(methods().front().name) {}
+TouchScene::TouchScene(ServoClock clock) : servo_(clock) {}
 
 void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& facing) {
   stage_ = std::move(next);
@@ -42,7 +42,7 @@ void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& fac
 }
 
 std::unique_ptr<Interaction> TouchScene::freshInteraction() const {
-  return played_ ? nullptr : makeInteraction(stage_, *findMethod(method_), servo_settings.probe_A, Contact{}, PoseA{});
+  return played_ ? nullptr : makeInteraction(stage_, touch(), Contact{}, PoseA{});
 }
 
 void TouchScene::play(const std::optional<ServoSample>& sample) {
@@ -195,22 +195,43 @@ void TouchScene::handBegins(PointA before) {
   servo_.setSettings(handed(trying()));
 }
 
+TouchSetup TouchScene::touch() const {
+  TouchSetup out = made_with_;
+  servo_settings.giveTo(out);
+  return out;
+}
+
+void TouchScene::setTouch(const TouchSetup& wanted) {
+  TouchSetup next = wanted;
+  if (!findMethod(next.method)) next.method = made_with_.method;
+  if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
+  const bool alike = madeAlike(next, made_with_);
+  servo_settings.take(next);
+  made_with_ = std::move(next);
+  if (!alike) feelAnew();
+}
+
 void TouchScene::useMethod(std::string_view name) {
-  const Method* m = findMethod(name);
-  if (!m) return;
-  method_ = m->name;
+  TouchSetup next = touch();
+  next.method = name;
+  setTouch(next);
+}
+
+void TouchScene::feelAnew() {
   if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
   if (!played_)
-    servo_.setInteraction(
-        makeInteraction(stage_, *m, servo_settings.probe_A, contact, {log_.latest().hip, log_.latest().orientation}));
+    servo_.setInteraction(makeInteraction(stage_, touch(), contact, {log_.latest().hip, log_.latest().orientation}));
 }
 
 void TouchScene::leadBy(const ServoSettings* recorded) {
+  // Whether the force is on stays the choice of who sits there.
   const auto take = [&](const ServoSettings& from) {
-    servo_settings.probe_A = from.probe_A;
-    servo_settings.stiffness_N_per_mm = from.stiffness_N_per_mm;
+    TouchSetup led;
+    from.giveTo(led);
+    led.force_on = servo_settings.force_on;
+    servo_settings.take(led);
   };
   if (recorded && !recorded_) before_recorded_ = servo_settings;
   const bool anew = !recorded || !recorded_ || recorded_->discontinuities != recorded->discontinuities;
@@ -240,7 +261,7 @@ bool TouchScene::beginRecording() {
 }
 
 FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
-  const Method& m = *findMethod(method_);
+  const Method& m = *findMethod(made_with_.method);
   const PointA hand_before = log_.latest().hip;
   felt_.clear();
   const std::vector<ServoSample>& ticks = servo_.advance(dt_s);

@@ -41,7 +41,7 @@ class TouchScene {
 
   explicit TouchScene(ServoClock clock);
 
-  ServoSettings servo_settings;  ///< as the panels set them; handed to the servo loop each frame
+  ServoSettings servo_settings;  ///< as they are handed to the servo loop each frame
   Camera camera;
   ViewPartSet shown;  ///< parts of the picture
   ColourBy colour_by = ColourBy::Element;
@@ -51,7 +51,9 @@ class TouchScene {
   const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
   ServoLink& servo() { return servo_; }
   const ServoLink& servo() const { return servo_; }
-  const std::string& method() const { return method_; }
+  /// What the scene is felt with.
+  TouchSetup touch() const;
+  const std::string& method() const { return made_with_.method; }
   const TouchLog& log() const { return log_; }
   const MethodWatch& watch() const { return watch_; }
 
@@ -79,7 +81,9 @@ class TouchScene {
   double magnification() const;
   /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
   void resetView(const Facing& facing);
-  /// Another haptic method, keeping a contact that there is. Unknown names change nothing.
+  /// Feels the scene with something else, keeping a contact that there is. A word that is not known stays as it was.
+  void setTouch(const TouchSetup& wanted);
+  /// The same with another haptic method.
   void useMethod(std::string_view name);
   /// The view's width over its height: what the camera is fitted to.
   void setViewAspect(double aspect) { view_aspect_ = aspect; }
@@ -122,12 +126,13 @@ class TouchScene {
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
   std::unique_ptr<Interaction> freshInteraction() const;
+  void feelAnew();
   ServoSettings handed(bool trying) const;
 
   Stage stage_;
   MoleculeKey molecule_;
   ServoLink servo_;
-  std::string method_;
+  TouchSetup made_with_;  // what the servo loop does itself of it is in servo_settings only
   TouchLog log_;
   MethodWatch watch_;
   std::vector<FeltTick> felt_;

@@ -9,17 +9,37 @@
 //   wait FRAMES                  expect WIDGET TEXT            expect-not WIDGET TEXT    picture FILE.png
 //
 // `expect` passes where the widget is on the screen and its text contains TEXT.
-#include <fstream>
+#include <algorithm>
+#include <charconv>
 #include <sstream>
+#include <string_view>
 #include <vector>
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/shell/scripted_user.h"
 #include "engine/device/simulated_device.h"
+#include "engine/language/quantity_text.h"
 #include "engine/sound/wav_file.h"
 
 namespace moltact {
 namespace {
+
+// The numbers of an act begin at this word and are in this range.
+struct Numbers {
+  std::string_view verb;
+  std::size_t first, count;
+  double least, most;
+};
+constexpr Numbers kNumbers[]{{"size", 0, 2, 64.0, 8192.0}, {"scale", 0, 1, 0.5, 4.0},  {"text-size", 0, 1, 0.5, 4.0},
+                             {"drag", 1, 2, -1e5, 1e5},    {"point", 1, 2, -1e3, 1e3}, {"wheel", 0, 1, -1e3, 1e3},
+                             {"wait", 0, 1, 0.0, 1e5}};
+
+std::optional<double> numberOf(const std::string& word) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
 
 struct Act {
   std::string verb;
@@ -31,11 +51,7 @@ struct Act {
     return k < words.size() ? words[k] : kNone;
   }
   double number(std::size_t k, double otherwise) const {
-    try {
-      return k < words.size() ? std::stod(words[k]) : otherwise;
-    } catch (...) {
-      return otherwise;
-    }
+    return k < words.size() ? numberOf(words[k]).value_or(otherwise) : otherwise;
   }
   std::string after(std::size_t k) const {
     std::string out;
@@ -53,8 +69,23 @@ Act parse(const std::string& line) {
   return act;
 }
 
+// The first word that is no number where one belongs, or one out of range; empty where there is none.
+std::string wrongNumber(const Act& a) {
+  for (const Numbers& n : kNumbers) {
+    if (n.verb != a.verb) continue;
+    for (std::size_t k = n.first; k < std::min(a.words.size(), n.first + n.count); ++k) {
+      if (a.words[k] == "right" && k + 1 == a.words.size()) continue;
+      const std::optional<double> value = numberOf(a.words[k]);
+      if (!value || !(*value >= n.least && *value <= n.most))
+        return "'" + a.words[k] + "' is no number from " + numberText(n.least) + " to " + numberText(n.most);
+    }
+  }
+  return {};
+}
+
 // Empty when the act was done, else why not.
 std::string perform(ScriptedUser& d, const Act& a) {
+  if (std::string wrong = wrongNumber(a); !wrong.empty()) return wrong;
   const std::string absent = "'" + a.word(0) + "' is not on the screen";
   const int button = a.words.size() > 1 && a.words.back() == "right" ? 1 : 0;
   if (a.verb == "open")

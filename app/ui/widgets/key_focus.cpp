@@ -175,9 +175,10 @@ unsigned keyStop() {
   return item.ID;
 }
 
-void writeInLastField() {
-  const ImGuiLastItemData& item = GImGui->LastItemData;
-  leadTo({item.ID, GImGui->CurrentWindow, item.Rect, true});
+void writeInLastField(const char* label) {
+  // By its label: ImGui 1.86 forgets the identity of a field of several lines, which is a group to it.
+  ImGuiWindow* window = GImGui->CurrentWindow;
+  leadTo({window->GetID(label), window, GImGui->LastItemData.Rect, true});
 }
 
 bool keysAtItem() { return keysLeadControls() && keysPlaceShown() && ImGui::IsItemFocused(); }

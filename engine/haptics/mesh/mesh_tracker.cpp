@@ -178,10 +178,10 @@ bool MeshTracker::staysAbove(NearbyMesh& other, const Vec3& end) const {
     if (std::min(hp, hq) > kSure * r) return true;
     double highest = hp + hq;
     std::int32_t next = -1;
-    for (const std::int32_t other : f.across) {
-      const SphereMesh::Face& g = mesh_->faces()[std::size_t(other)];
+    for (const std::int32_t neighbour : f.across) {
+      const SphereMesh::Face& g = mesh_->faces()[std::size_t(neighbour)];
       const double height = glm::dot(g.normal, p + q) - 2.0 * g.height * r;
-      if (height > highest) highest = height, next = other;
+      if (height > highest) highest = height, next = neighbour;
     }
     if (next < 0) return false;
     other.face = next;
@@ -439,25 +439,25 @@ void MeshTracker::setProbe(double probe_A) noexcept {
   }
 }
 
-bool MeshTracker::setFrame(const SphereFrame* frame) noexcept {
-  if (nearby_.has(frame)) return true;
-  nearby_.setFrame(frame);
+bool MeshTracker::setMotion(const SphereMotion* motion) noexcept {
+  if (nearby_.has(motion)) return true;
+  nearby_.setMotion(motion);
   if (!carry()) reset();
   return true;
 }
 
-void MeshTracker::moveTo(double share) noexcept {
-  const double had = nearby_.share();
-  if (share == had) return;
+void MeshTracker::advanceTo(double fraction) noexcept {
+  const double had = nearby_.fraction();
+  if (fraction == had) return;
   if (has_been_outside_) nearby_.each(scp_, 0.0, [](const NearBall&) {});  // so that there is a list
-  const double most_A = std::abs(share - had) * nearby_.mostMoved_A();
+  const double most_A = std::abs(fraction - had) * nearby_.mostMoved_A();
   const int pieces = has_been_outside_ && most_A > kSwelling_A
                          ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMostSwellings)))
                          : 1;
   for (int k = 1; k <= pieces; ++k) {
-    nearby_.moveTo(k == pieces ? share : had + (share - had) * k / pieces);
+    nearby_.advanceTo(k == pieces ? fraction : had + (fraction - had) * k / pieces);
     if (carry()) continue;
-    nearby_.moveTo(share);
+    nearby_.advanceTo(fraction);
     reset();
     return;
   }

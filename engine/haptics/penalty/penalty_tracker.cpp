@@ -19,16 +19,16 @@ void PenaltyTracker::setProbe(double probe_A) noexcept {
   free_gap_ = 0.0;
 }
 
-bool PenaltyTracker::setFrame(const SphereFrame* frame) noexcept {
-  if (nearby_.has(frame)) return true;
-  nearby_.setFrame(frame);
+bool PenaltyTracker::setMotion(const SphereMotion* motion) noexcept {
+  if (nearby_.has(motion)) return true;
+  nearby_.setMotion(motion);
   free_gap_ = 0.0;
   return true;
 }
 
-void PenaltyTracker::moveTo(double share) noexcept {
-  if (share == nearby_.share()) return;
-  nearby_.moveTo(share);
+void PenaltyTracker::advanceTo(double fraction) noexcept {
+  if (fraction == nearby_.fraction()) return;
+  nearby_.advanceTo(fraction);
   free_gap_ = 0.0;
 }
 

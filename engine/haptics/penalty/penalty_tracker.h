@@ -23,8 +23,8 @@ class PenaltyTracker final : public Tracker {
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
-  bool setFrame(const SphereFrame* frame) noexcept override;
-  void moveTo(double share) noexcept override;
+  bool setMotion(const SphereMotion* motion) noexcept override;
+  void advanceTo(double fraction) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/haptics/interactions.h"
+#include "engine/haptics/methods.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
 #include "engine/lesson/tasks/task.h"
@@ -36,11 +37,15 @@ class VirtualTouch {
   double time_s() const { return double(ticks_) * kTick_s; }
 
  private:
+  void feelWith(const TouchSetup& touch);
+
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const BallScene> balls_;
   std::unique_ptr<Interaction> felt_;
   std::unique_ptr<Tracker> exact_;
-  std::string_view method_;
+  TouchSetup touch_;
+  std::string_view method_;    // its name in the table of methods
+  bool is_reference_ = false;  // what is felt is what exact_ would give
   SceneSpec scene_;
   TaskStage stage_;
   ServoSettings settings_;

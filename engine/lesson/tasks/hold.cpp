@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -57,7 +58,7 @@ class Hold : public Task {
     if (const auto place = placeFor(view, placesToTouch(view, target_, kind))) {
       comeTo(plan, *place, depthFor(view, wanted_N), time_s_ + 0.5);
       // A method that loses the surface is given up for one that does not.
-      if (view.attempt >= 3) plan.front().method = "exact";
+      if (view.attempt >= 3) plan.front().method = referenceMethod().name;
     }
     return plan;
   }

@@ -45,8 +45,7 @@ struct TaskButton {
 struct TaskStage {
   bool dark = false;         ///< the molecule is not drawn and no atom is named: the way is found by touch alone
   bool force_meter = false;  ///< in the dark the force is shown
-  std::optional<double> probe_A = {}, stiffness_N_per_mm = {};
-  std::string method = {};
+  TouchChange touch = {};    ///< felt with something else
   std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
   int presentation = 0;  ///< another number begins a new presentation: the hand lets go and starts outside again, so
                          ///< that nothing but the touch shows whether something has changed
