@@ -28,7 +28,7 @@ void drawNameQuestion(Application& app) {
   ImGui::SetNextItemWidth(-1.0f);
   bool given = ImGui::InputText("##name", &asker.draft, ImGuiInputTextFlags_EnterReturnsTrue);
   recordItem("name/field", asker.draft);
-  if (appears) writeInLastField();
+  if (appears) writeInLastField("##name");
   {
     WithText quiet(l.palette.quiet);
     ImGui::TextWrapped("%s", tr("It is kept on this computer with what you do, and your teacher's report lists by it. "
