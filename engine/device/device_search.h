@@ -8,13 +8,14 @@
 #include <string>
 
 #include "engine/device/driver.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 
 class DeviceSearch {
  public:
   explicit DeviceSearch(std::string name)
-      : found_(std::async(std::launch::async, [name = std::move(name)] { return openDevice(name); })) {}
+      : found_(inBackground([name = std::move(name)] { return openDevice(name); })) {}
 
   bool done() const { return found_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
   /// Once, when it is done: the device, or why there is none.

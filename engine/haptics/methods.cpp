@@ -86,7 +86,8 @@ constexpr std::array kMethods{
 };
 
 constexpr std::size_t kOffered =
-    std::size_t(std::ranges::find_if(kMethods, [](const Method& m) { return m.most_balls > 0; }) - kMethods.begin());
+    std::size_t(std::find_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.most_balls > 0; }) -
+                kMethods.begin());
 
 }  // namespace
 

@@ -1,7 +1,5 @@
 #include "app/ui/scene/view_picture.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
