@@ -13,7 +13,8 @@ for preset in "${@:-release}"; do
   [ "$preset" != fuzz ] || install_missing .ci/packages-fuzz
   if [ "$preset" = web ]; then
     install_missing .ci/packages-web
-    build_preset web
+    build_preset web moltact_page
+    build_preset web moltact_trace
     [ -x build/release/moltact ] || build_preset release moltact
     timeout 20m python3 tests/web/run.py
     continue

@@ -318,7 +318,7 @@
     }
     if (!url) return;
     if (!await agreed(`This page is asked to fetch ${name} from ${url.host}. That server then sees that you do so.`,
-                      `Diese Seite soll ${name} von ${url.host} laden. Jener Server erfährt dann, dass Sie das tun.`)) return;
+                      `Diese Seite soll ${name} von ${url.host} laden. Jener Server erfährt dann, dass du das tust.`)) return;
     try {
       const reply = await fetch(url, {credentials: "omit", referrerPolicy: "no-referrer"});
       if (!reply.ok) throw new Error(reply.status + " " + reply.statusText);

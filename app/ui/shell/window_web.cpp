@@ -5,6 +5,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -33,6 +34,7 @@ struct Page {
   Application app;
   Fingers fingers{shell.input()};
   std::string clipboard, words;
+  std::array<std::int32_t, 3> touched{-1, -1, -1};
   double pen_N = 0.0;  // what the pen's pressure asks for now; 0: it does not press
   int cursor = ImGuiMouseCursor_Arrow;
 
@@ -51,7 +53,19 @@ std::unique_ptr<Page> page;
 
 EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text)); })
 EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
+EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
 EM_JS(void, showFullScreen, (int on), { Module.page.fullScreen(on); })
+
+// Where the device can vibrate, a contact and each crossing to other atoms is felt.
+void feel() {
+  const Contact& contact = page->app.scene.log().latest().contact;
+  const std::array<std::int32_t, 3> now =
+      contact.touching() ? contact.atoms : std::array<std::int32_t, 3>{-1, -1, -1};
+  if (now == page->touched) return;
+  page->touched = now;
+  constexpr int kShort_ms = 12;
+  if (contact.touching() && page->app.scene.controls.pressing()) vibrate(kShort_ms);
+}
 
 // On the molecule's picture, and no page or menu over it.
 bool inView(double x, double y) {
@@ -101,6 +115,7 @@ EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_sca
   if (const std::string fault = moltact::takeStorageFault(); !fault.empty()) app.messages.warning(fault);
   page->shell.setLook(app.settings.theme, float(content_scale * app.settings.scale), float(app.settings.text_size));
   page->shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {float(width), float(height)}); });
+  moltact::feel();
   if (const int cursor = ImGui::GetMouseCursor(); cursor != page->cursor) moltact::showCursor(page->cursor = cursor);
   static bool full_screen = false;
   if (app.panels.full_screen != full_screen) moltact::showFullScreen(full_screen = app.panels.full_screen);
