@@ -1,7 +1,5 @@
-// The browser edition's entry: the window, opened by app/web/page.js with what its address asks for.
+// The browser edition's entry, called by app/web/page.js when the program's files are there. The language is that of the
+// settings, else the browser's.
 #include "app/ui/shell/window.h"
 
-int main(int argc, char** argv) {
-  return moltact::runWindow(
-      {.file = argc > 1 ? argv[1] : "", .frame_stats = false, .language = argc > 2 ? argv[2] : "", .state_text = {}});
-}
+int main() { return moltact::runWindow({}); }

@@ -74,7 +74,7 @@
         if (name === "." || name === "..") continue;
         const path = folder + "/" + name;
         if (this.FS.isDir(this.FS.stat(path).mode)) this.all(path, into);
-        else if (!name.startsWith(".moltact-") && !path.startsWith(kHome + "/.cache/")) into.push(path);
+        else if (!name.startsWith(".moltact-")) into.push(path);
       }
       return into;
     },
@@ -367,7 +367,7 @@
     made.FS.mkdirTree(kHome);
     await keeper.load(made.FS);
     document.documentElement.lang = german ? "de" : "en";
-    if (made.callMain(["", german ? "de" : "en"]) !== 0)
+    if (made.callMain([]) !== 0)
       return say("This browser offers no WebGL 2, which Moltact draws with. Another browser, or newer graphics drivers, may.",
                  "Dieser Browser bietet kein WebGL 2, mit dem Moltact zeichnet. Ein anderer oder neuere Treiber vielleicht.");
     program = made;

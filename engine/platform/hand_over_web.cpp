@@ -4,12 +4,8 @@
 
 #include <string>
 
-namespace {
-
 EM_JS(void, giveFile, (const char* path, const char* name), { Module.page.give(UTF8ToString(path), UTF8ToString(name)); })
 EM_JS(void, chooseFile, (void), { Module.page.choose(); })
-
-}  // namespace
 
 namespace moltact {
 

@@ -26,6 +26,12 @@
 #include "engine/render/gl.h"
 #include "engine/results/attempt_file.h"
 
+// What page.js does for the program.
+EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text)); })
+EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
+EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
+EM_JS(void, showFullScreen, (int on), { Module.page.fullScreen(on); })
+
 namespace moltact {
 namespace {
 
@@ -50,11 +56,6 @@ struct Page {
 };
 
 std::unique_ptr<Page> page;
-
-EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text)); })
-EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
-EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
-EM_JS(void, showFullScreen, (int on), { Module.page.fullScreen(on); })
 
 // Where the device can vibrate, a contact and each crossing to other atoms is felt.
 void feel() {
@@ -116,9 +117,9 @@ EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_sca
   page->shell.setLook(app.settings.theme, float(content_scale * app.settings.scale), float(app.settings.text_size));
   page->shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {float(width), float(height)}); });
   moltact::feel();
-  if (const int cursor = ImGui::GetMouseCursor(); cursor != page->cursor) moltact::showCursor(page->cursor = cursor);
+  if (const int cursor = ImGui::GetMouseCursor(); cursor != page->cursor) showCursor(page->cursor = cursor);
   static bool full_screen = false;
-  if (app.panels.full_screen != full_screen) moltact::showFullScreen(full_screen = app.panels.full_screen);
+  if (app.panels.full_screen != full_screen) showFullScreen(full_screen = app.panels.full_screen);
   return (app.live() || !page->shell.input().empty() ? 1 : 0) | (ImGui::GetIO().WantTextInput ? 2 : 0);
 }
 
