@@ -307,7 +307,19 @@ Picture Renderer::readPixels() const {
   return picture;
 }
 
-void Renderer::finish() const { glFinish(); }
+void Renderer::finish() const {
+#ifdef __EMSCRIPTEN__
+  // WebGL's finish() waits for nothing; what is read has been drawn.
+  GLint read = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->picture.framebuffer());
+  std::uint8_t pixel[4];
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read));
+#else
+  glFinish();
+#endif
+}
 
 void Renderer::invalidate() { impl_->have_layer = impl_->have_picture = false; }
 
