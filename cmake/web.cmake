@@ -49,10 +49,10 @@ macro(web_libraries)
     web_library(web_fmt fmt::fmt DEFINE FMT_HEADER_ONLY=1)
     web_library(web_json nlohmann_json::nlohmann_json)
     # Libraries that are headers alone but for one source that asks for their functions.
-    file(WRITE ${web_sources}/stb/stb.c "#define STB_IMAGE_IMPLEMENTATION\n#include <stb_image.h>\n"
-      "#define STB_IMAGE_WRITE_IMPLEMENTATION\n#include <stb_image_write.h>\n")
+    file(CONFIGURE OUTPUT ${web_sources}/stb/stb.c CONTENT "#define STB_IMAGE_IMPLEMENTATION\n#include <stb_image.h>
+#define STB_IMAGE_WRITE_IMPLEMENTATION\n#include <stb_image_write.h>\n")
     web_library(web_stb PkgConfig::STB FOLDER stb SOURCES stb.c INCLUDE ${web_headers}/stb)
-    file(WRITE ${web_sources}/tinygltf/tinygltf.cpp
+    file(CONFIGURE OUTPUT ${web_sources}/tinygltf/tinygltf.cpp CONTENT
       "#include <nlohmann/json.hpp>\n#define TINYGLTF_IMPLEMENTATION\n#include <tiny_gltf.h>\n")
     web_library(web_tinygltf PkgConfig::TINYGLTF FOLDER tinygltf SOURCES tinygltf.cpp
       DEFINE TINYGLTF_NO_INCLUDE_JSON TINYGLTF_NO_STB_IMAGE TINYGLTF_NO_STB_IMAGE_WRITE)
@@ -63,17 +63,24 @@ macro(web_libraries)
       inftrees.c trees.c uncompr.c zutil.c DEFINE HAVE_UNISTD_H)
     web_library(web_md4c PkgConfig::md4c FOLDER md4c INCLUDE ${web_sources}/md4c/src SOURCES src/md4c.c DEFINE MD4C_USE_UTF8)
     # The modules that Debian's FreeType has for scalable fonts.
-    file(WRITE ${CMAKE_BINARY_DIR}/freetype/web_modules.h
-      "FT_USE_MODULE( FT_Module_Class, autofit_module_class )\nFT_USE_MODULE( FT_Driver_ClassRec, tt_driver_class )\n"
-      "FT_USE_MODULE( FT_Driver_ClassRec, cff_driver_class )\nFT_USE_MODULE( FT_Module_Class, psaux_module_class )\n"
-      "FT_USE_MODULE( FT_Module_Class, psnames_module_class )\nFT_USE_MODULE( FT_Module_Class, pshinter_module_class )\n"
-      "FT_USE_MODULE( FT_Module_Class, sfnt_module_class )\nFT_USE_MODULE( FT_Renderer_Class, ft_smooth_renderer_class )\n")
+    file(CONFIGURE OUTPUT ${CMAKE_BINARY_DIR}/freetype/web_modules.h CONTENT
+"FT_USE_MODULE( FT_Module_Class, autofit_module_class )
+FT_USE_MODULE( FT_Driver_ClassRec, tt_driver_class )
+FT_USE_MODULE( FT_Driver_ClassRec, cff_driver_class )
+FT_USE_MODULE( FT_Module_Class, psaux_module_class )
+FT_USE_MODULE( FT_Module_Class, psnames_module_class )
+FT_USE_MODULE( FT_Module_Class, pshinter_module_class )
+FT_USE_MODULE( FT_Module_Class, sfnt_module_class )
+FT_USE_MODULE( FT_Renderer_Class, ft_smooth_renderer_class )
+")
     web_library(web_freetype PkgConfig::FREETYPE FOLDER freetype INCLUDE ${CMAKE_BINARY_DIR}/freetype ${web_sources}/freetype/include
       SOURCES src/autofit/autofit.c src/base/ftbase.c src/base/ftbbox.c src/base/ftbitmap.c src/base/ftdebug.c
-      src/base/ftglyph.c src/base/ftinit.c src/base/ftmm.c src/base/ftsynth.c src/base/ftsystem.c src/cff/cff.c
+      src/base/ftglyph.c src/base/ftinit.c src/base/ftmm.c src/base/ftsynth.c src/base/ftsystem.c src/cff/cff.c src/gzip/ftgzip.c
       src/psaux/psaux.c src/pshinter/pshinter.c src/psnames/psnames.c src/sfnt/sfnt.c src/smooth/smooth.c
       src/truetype/truetype.c
       DEFINE FT2_BUILD_LIBRARY FT_CONFIG_MODULES_H=<web_modules.h>)
+    target_link_libraries(web_freetype PRIVATE web_zlib)
+    set_source_files_properties(${web_sources}/freetype/src/gzip/ftgzip.c PROPERTIES COMPILE_DEFINITIONS FT_CONFIG_OPTION_SYSTEM_ZLIB)
     # Vertices are counted in 32 bits: WebGL draws no part of a list from a base of its own.
     web_library(web_imgui PkgConfig::IMGUI FOLDER imgui INCLUDE ${web_sources}/imgui ${web_sources}/imgui/misc/freetype
       ${web_sources}/imgui/misc/cpp
