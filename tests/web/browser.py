@@ -1,6 +1,7 @@
 """A headless Chromium with the page in it, driven as a student would: real mouse, key and touch events, through the
 DevTools protocol on a pipe. Python's standard library alone."""
 import base64
+import fcntl
 import json
 import os
 import pathlib
@@ -24,8 +25,10 @@ class Browser:
         program = next(p for p in ("/usr/lib/chromium/chromium", "/usr/bin/chromium") if os.path.exists(p))
 
         def fds():
-            os.dup2(to_browser, 3)
-            os.dup2(from_browser, 4)
+            # By way of high numbers: 3 and 4 may be taken by the pipes themselves.
+            high = fcntl.fcntl(to_browser, fcntl.F_DUPFD, 100), fcntl.fcntl(from_browser, fcntl.F_DUPFD, 100)
+            os.dup2(high[0], 3)
+            os.dup2(high[1], 4)
 
         self.process = subprocess.Popen(
             [program, "--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking",
