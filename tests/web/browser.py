@@ -102,11 +102,12 @@ class Browser:
     # ---- the page
 
     def open(self, url, patience_s=120):
-        """Opens the page; the seconds until its first frame with something on it."""
+        """Opens the page; the seconds until its welcome page stands, all lessons read."""
         begun = time.monotonic()
         self.call("Page.navigate", url=str(url))
-        self.until("globalThis.moltact && moltact.page.frames > 1 && Object.keys(JSON.parse(moltact.ccall("
-                   "'moltact_widgets','string',[],[]))).length > 5", patience_s)
+        self.until("globalThis.moltact && moltact.page.frames > 1 && (() => { const all = Object.entries(JSON.parse("
+                   "moltact.ccall('moltact_widgets','string',[],[]))).filter(([n]) => n.startsWith('welcome/lesson/'));"
+                   " return all.length > 5 && all.every(([, w]) => w[4].includes('min')); })()", patience_s)
         return time.monotonic() - begun
 
     def until(self, condition, patience_s=60):
@@ -132,11 +133,11 @@ class Browser:
         found = self.widgets().get(name)
         return found[4] if found else None
 
-    def wait_for(self, name, text="", patience_s=60):
+    def wait_for(self, name, text="", patience_s=120, seen=False):
         end = time.monotonic() + patience_s
         while True:
             found = self.widgets().get(name)
-            if found and found[5] and text in found[4]:
+            if found and text in found[4] and (found[5] or not seen):
                 return found
             if time.monotonic() > end:
                 raise TimeoutError(f"no {name!r} with {text!r}; there are {[n for n, w in self.widgets().items() if w[5]]}")
@@ -144,7 +145,7 @@ class Browser:
 
     def place(self, name, x=0.5, y=0.5):
         """Of a widget, in the page's own pixels."""
-        low_x, low_y, high_x, high_y = self.wait_for(name)[:4]
+        low_x, low_y, high_x, high_y = self.wait_for(name, seen=True)[:4]
         return ((low_x + x * (high_x - low_x)) / self.scale, (low_y + y * (high_y - low_y)) / self.scale)
 
     def screenshot(self, file):

@@ -220,7 +220,8 @@ class Lesson(PageTest):
         self.open_lesson(browser)
         self.press(browser, until=("task/0", "done"))
         news = browser.evaluate("document.getElementById('news').textContent")
-        self.assertIn("Touch the argon atom", news)
+        self.assertIn("touching: argon 1", news)
+        self.assertIn("step 1 of 5", news)
         browser.until("document.getElementById('page').textContent.includes('van der Waals radius')")
         # A screen reader's press of the button in the text.
         browser.evaluate("[...document.querySelectorAll('#page button')].find((b) => b.textContent === 'Next').click()")
