@@ -1,4 +1,4 @@
-# Functions of run.sh and test.sh: what is missing is installed, what has changed is built. Run from the project's root.
+# Functions of run.sh, test.sh and .ci/run: what is missing is installed, what has changed is built. Run from the project's root.
 
 # install_missing [LIST]: installs the Debian packages of .ci/packages, or of another list, that are not there.
 install_missing() {

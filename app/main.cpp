@@ -6,7 +6,7 @@
 #include "app/commands/language_option.h"
 #include "app/window_options.h"
 #include "engine/language/catalogue.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 

@@ -7,7 +7,7 @@
 #include "app/commands/command.h"
 #include "app/commands/device_path.h"
 #include "engine/bench/charts.h"
-#include "engine/bench/cool_ticks.h"
+#include "engine/bench/cold_cache_ticks.h"
 #include "engine/bench/feel.h"
 #include "engine/bench/felt.h"
 #include "engine/bench/hand_replay.h"
@@ -98,8 +98,8 @@ std::vector<const Method*> chosen(const std::vector<std::string>& names, bool qu
   constexpr std::string_view kNotQuick[] = {"grid02-ready", "sasmesh025"};
   std::vector<const Method*> out;
   for (const Method& m : benchMethods())
-    if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) ||
-        m.name == "exact" || std::find(names.begin(), names.end(), m.name) != names.end())
+    if ((names.empty() && !(quick && std::ranges::find(kNotQuick, m.name) != std::end(kNotQuick))) || isReference(m) ||
+        std::find(names.begin(), names.end(), m.name) != names.end())
       out.push_back(&m);
   for (const std::string& name : names)
     if (!findBenchMethod(name)) {
@@ -158,14 +158,15 @@ void addCool(const BenchArguments& arguments, const std::vector<const Method*>& 
       std::make_shared<const BallScene>(proteinLike(kChartSpheres, static_cast<unsigned>(arguments.seed)));
   StrokePlan strokes = plan(arguments);
   strokes.strokes = 4;
-  const CoolPlan ticks = arguments.quick ? CoolPlan{100, 24} : CoolPlan{1000, 200};
+  const ColdCachePlan ticks = arguments.quick ? ColdCachePlan{100, 24} : ColdCachePlan{1000, 200};
   const ProgressBar bar("caches");
-  const auto cool = timeCool(thatBear(methods, kChartSpheres), scene, kWaterProbe_A,
-                             contactStrokes(scene, kWaterProbe_A, strokes), ticks, std::cref(bar));
+  const auto cool = timeColdCache(methodsForSize(methods, kChartSpheres), scene, kWaterProbe_A,
+                                  contactStrokes(scene, kWaterProbe_A, strokes), ticks, std::cref(bar));
   const auto hot =
       std::find_if(times.begin(), times.end(), [&](const SceneTimes& s) { return s.spheres == kChartSpheres; });
-  report.tables.push_back(coolTable(cool, hot == times.end() ? std::vector<TickTimes>{} : hot->contact, kChartSpheres));
-  report.sentences.push_back({"cool_sentences", coolSentences(cool)});
+  report.tables.push_back(
+      coldCacheTable(cool, hot == times.end() ? std::vector<TickTimes>{} : hot->contact, kChartSpheres));
+  report.sentences.push_back({"cool_sentences", coldCacheSentences(cool)});
 }
 
 void addTables(const BenchArguments& arguments, const std::vector<const Method*>& methods, Report& report) {
@@ -181,7 +182,8 @@ void addTables(const BenchArguments& arguments, const std::vector<const Method*>
   for (const auto& [name, table] : {std::pair{"ticks", tickTable(times)}, std::pair{"ready", readyTable(times)}}) {
     report.excerpts.push_back(
         rowsWhere(table, "scene", "13 800 protein-like", std::string(name) + "_13800", table.title));
-    report.excerpts.push_back(rowsWhere(table, "method", "exact", std::string(name) + "_exact", table.title));
+    report.excerpts.push_back(
+        rowsWhere(table, "method", std::string(referenceMethod().name), std::string(name) + "_exact", table.title));
   }
   report.pictures.push_back({"memory-and-ready-time.svg", sizeChart(times)});
   report.sentences.push_back({"size_sentences", sizeSentences(times)});
@@ -242,7 +244,7 @@ void addFeel(const BenchArguments& arguments, const std::vector<const Method*>& 
   strokes.strokes /= 2;
   const auto made = contactStrokes(scene, kWaterProbe_A, strokes);
   const std::vector<const Method*> judged = withNoiseFloor(methods);
-  std::vector<Felt> felt(judged.size());
+  std::vector<FeltErrors> felt(judged.size());
   inManyThreads(
       judged.size(), [&](std::size_t k) { felt[k] = feltOn("made strokes", *judged[k], scene, kWaterProbe_A, made); },
       [&](std::size_t done) { bar(double(done) / double(judged.size()), ""); });

@@ -5,13 +5,13 @@
 
 namespace moltact {
 
-/// What ends a command: its text goes to stderr, on one line. A command's callback throws it.
+/// A command's callback throws this to end the command: the text goes to stderr, on one line.
 struct CommandError {
   std::string text;
   int status = 1;  ///< the program's exit status
 };
 
-/// Ends a command with exit status 1 where it has told by itself what is wrong.
+/// Ends a command with exit status 1 where it has already printed what is wrong.
 struct CommandFailed {};
 
 /// Adds every command as a subcommand of `app`; the callback of the one that is named runs it.

@@ -5,7 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/number_range.h"
-#include "engine/haptics/methods.h"
+#include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/reader.h"
@@ -21,17 +21,14 @@ struct PathOptions {
   double before_touch_s = -1;
 };
 
-// The tracker as it was newly made for the recording; nullptr where its molecule or method is not there.
-std::unique_ptr<Tracker> trackerOf(const ServoRecording& recording) {
-  const auto label = [&](const char* key) {
-    return recording.labels.contains(key) ? recording.labels.at(key) : std::string();
-  };
-  const Method* method = findMethod(label("method"));
+// What was felt, as it was newly made for the recording; nullptr where its molecule, interaction or method is not
+// there.
+std::unique_ptr<Interaction> feltOf(const ServoRecording& recording) {
   const auto key = findMoleculeKey(labelledMolecule(recording.labels), MoleculeFolders::ofThisComputer());
-  if (!method || !key || recording.ticks.empty()) return nullptr;
+  if (!key || recording.ticks.empty()) return nullptr;
   const auto molecule = readMolecule(*key);
   if (!molecule) return nullptr;
-  return method->make(std::make_shared<const BallScene>(molecule->balls()), recording.ticks.front().settings.probe_A);
+  return makeInteraction({std::make_shared<const BallScene>(molecule->balls()), touchOf(recording)});
 }
 
 void run(const PathOptions& options) {
@@ -68,7 +65,10 @@ Expected<bench::HandPath> openHandPath(const std::filesystem::path& file) {
   if (recording->ticks.empty())
     return Problem{file.string(), 0, 0, tr("the recording holds no ticks"), tr("record it anew")};
   if (!recording->torn.empty()) err() << "moltact: " << recording->torn << "; the hand's way ends there\n";
-  return bench::handPathOf(*recording, file.stem().string(), trackerOf(*recording).get());
+  auto path = bench::handPathOf(*recording, file.stem().string(), feltOf(*recording).get());
+  if (path.places.empty())
+    return Problem{file.string(), 0, 0, tr("the hand is nowhere in this recording"), tr("record it anew")};
+  return path;
 }
 
 void addDevicePath(CLI::App& device) {

@@ -8,17 +8,19 @@
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/touch_options.h"
 #include "engine/device/driver.h"
 #include "engine/device/mouse_device.h"
+#include "engine/haptics/interactions.h"
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
-#include "engine/servo/fit_workspace.h"
-#include "engine/servo/scale.h"
 #include "engine/servo/servo_recording.h"
 #include "engine/servo/servo_thread.h"
+#include "engine/workspace/fit_workspace.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {
@@ -32,7 +34,8 @@ constexpr int kAsk_ms = 250;    // between two questions for the device's state
 constexpr int kReadyLooks = 2;  // in a row: at the first a device may not know yet what it lacks
 
 struct RecordOptions {
-  std::string device, file, method = "exact";
+  std::string device, file;
+  TouchSetup touch;
   MoleculeArgument molecule;
   double seconds = 10.0, wait_s = 60.0;
   bool overwrite = false;
@@ -43,8 +46,9 @@ std::shared_ptr<const BallScene> sceneOf(const MoleculeArgument& molecule) {
 }
 
 // The molecule before the hand, seen along its z-axis.
-ServoSettings settingsFor(const BallScene& scene, const DeviceSpecs& device) {
+ServoSettings settingsFor(const BallScene& scene, const TouchSetup& touch, const DeviceSpecs& device) {
   ServoSettings settings;
+  settings.take(touch);
   settings.workspace.A_per_mm = kRecordedRoom_A_per_mm;
   settings.workspace = beforeHand(settings.workspace, scene, settings.probe_A, {0.5 * (scene.low_A() + scene.high_A())},
                                   glm::dmat3(1.0), device);
@@ -57,7 +61,7 @@ Labels labelsOf(const RecordOptions& options, const BallScene& scene, const std:
   if (!key) throw CommandError{key.problem().text()};
   Labels labels = moleculeLabels(lastingName(*key, folders));
   labels["balls"] = fingerprint(scene);
-  labels["method"] = options.method;
+  labels.merge(touchLabels(options.touch));
   labels["device"] = device;
   return labels;
 }
@@ -102,12 +106,12 @@ class Recorder {
   Recorder(const RecordOptions& options, ServoRecordingWriter writer, Labels labels)
       : options_(options), writer_(std::move(writer)), labels_(std::move(labels)) {}
 
-  /// Waits until the device is ready, as it asks of the person; then the hand feels `tracker` and is recorded.
-  void run(ServoThread& servo, std::unique_ptr<Tracker> tracker) {
+  /// Waits until the device is ready, as it asks of the person; then the hand feels `felt` and is recorded.
+  void run(ServoThread& servo, std::unique_ptr<Interaction> felt) {
     awaitReady(servo);
     out() << "Recording " << options_.seconds << " s.\n";
     out().flush();
-    servo.loop().setInteraction(std::move(tracker));
+    servo.loop().setInteraction(std::move(felt));
     const auto wanted = std::uint64_t(std::llround(options_.seconds / kTick_s));
     ServoStep start;
     for (int look = 0; ticks_ < wanted && !problem_ && !servo.loop().lostOfRecording() && !interrupt_.seen(); ++look) {
@@ -205,9 +209,9 @@ void recordHand(const RecordOptions& options) {
   auto device = openDevice(options.device);
   if (!device) throw CommandError{device.problem().text()};
   const DeviceInfo info = (*device)->info();
-  const ServoSettings settings = settingsFor(*scene, info);
+  const ServoSettings settings = settingsFor(*scene, options.touch, info);
   Recorder recorder(options, openedFile(options), labelsOf(options, *scene, info.name));
-  auto tracker = findMethod(options.method)->make(scene, settings.probe_A);
+  auto felt = makeInteraction({scene, options.touch});
   MouseDevice mouse;
   ServoThread servo(mouse);
   servo.loop().setSettings(settings);
@@ -215,7 +219,7 @@ void recordHand(const RecordOptions& options) {
   servo.record(true);
   out() << scaleSentence(settings.workspace, steadyStiffness_N_per_mm(settings.stiffness_N_per_mm, info)) << '\n';
   out().flush();
-  recorder.run(servo, std::move(tracker));
+  recorder.run(servo, std::move(felt));
 }
 
 void replayHand(const std::string& file) {
@@ -229,17 +233,25 @@ void replayHand(const std::string& file) {
   const auto label = [&](const char* key) {
     return recording->labels.contains(key) ? recording->labels.at(key) : std::string();
   };
-  const Method* method = findMethod(label("method"));
-  if (!method)
-    fail("it was recorded with a method \"" + label("method") + "\" that is not known here", "record it anew");
+  const TouchSetup touch = touchOf(*recording);
+  const auto known = [&](const char* what, const std::string& name, bool is) {
+    if (!is)
+      fail("it was recorded with " + std::string(what) + " \"" + name + "\" that is not known here", "record it anew");
+  };
+  known("a method", touch.method, findMethod(touch.method));
+  known("an interaction", touch.interaction, findInteractionKind(touch.interaction));
   const auto scene = sceneOf({labelledMolecule(recording->labels)});
   if (!label("balls").empty() && label("balls") != fingerprint(*scene))
     fail("the molecule \"" + label("molecule") + "\" is not the one any more that it was recorded on",
          "put the old file back, or record it anew");
 
-  const auto tracker = method->make(scene, recording->ticks.front().settings.probe_A);
-  const ReplayResult result = replay(*recording, tracker.get());
+  const auto felt = makeInteraction({scene, touch});
+  const ReplayResult result = replay(*recording, felt.get());
   char text[200];
+  if (result.moving)
+    fail("the molecule moved in " + std::to_string(result.moving) + " of " + std::to_string(result.ticks) +
+             " ticks, and how is not recorded: such forces cannot be given again",
+         "record a hand on a molecule that stands");
   if (result.first_difference) {
     std::snprintf(text, sizeof text, "%llu ticks: the forces differ from tick %llu on, by at most %.3g N%s",
                   static_cast<unsigned long long>(result.ticks),
@@ -255,15 +267,12 @@ void replayHand(const std::string& file) {
 
 void addDeviceRecording(CLI::App& device) {
   const auto options = std::make_shared<RecordOptions>();
-  std::vector<std::string> names;
-  for (const Method& m : methods()) names.emplace_back(m.name);
-
   CLI::App* records = device.add_subcommand("record", "Record a hand on a molecule: every place and every force");
   records->add_option("NAME", options->device, "as `moltact devices` lists it")->required();
   options->molecule.addTo(*records);
   records->add_option("--out", options->file, "the file to write")->required();
   records->add_flag("--overwrite", options->overwrite, "replace the file if it is there already");
-  records->add_option("--method", options->method, "haptic method")->check(CLI::IsMember(names))->capture_default_str();
+  addTouchOptions(*records, options->touch);
   records->add_option("--seconds", options->seconds, "how long; a replay takes 1.3 GB of memory for an hour")
       ->check(numberFrom(0.1, 3600.0))
       ->capture_default_str();

@@ -6,7 +6,9 @@
 #include <string_view>
 
 #include "engine/core/text.h"
+#include "engine/haptics/contact.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/platform/read_file.h"
 
 namespace moltact {
@@ -60,7 +62,7 @@ Expected<std::vector<PointA>> readHipPath(const std::filesystem::path& file) {
       const auto [after, fault] = std::from_chars(next, stop, place.A[k]);
       if (fault == std::errc::result_out_of_range)
         return Problem{name, line_number, column(next), tr("this number is too large or too small for a coordinate"),
-                       tr("keep coordinates within 1e9 A")};
+                       trf("keep coordinates within {0}", quantityText(kFarthest_A, Dimension::Length, plain()))};
       if (fault != std::errc{})
         return Problem{name, line_number, column(next), tr("a number was expected here"),
                        tr("a row is three numbers with commas between: x,y,z in angstroms")};

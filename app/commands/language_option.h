@@ -6,7 +6,7 @@
 
 namespace moltact {
 
-/// Before the arguments are read: $MOLTACT_LANGUAGE or the system's language. What is wrong with it is told, and the
+/// Before the arguments are read: $MOLTACT_LANGUAGE or the system's language. A fault in it is reported, and the
 /// language is English.
 void speakAsAsked();
 

@@ -2,19 +2,26 @@
 
 #include "app/commands/command.h"
 #include "engine/molecule/catalogue.h"
+#include "engine/molecule/reader.h"
 
 namespace moltact {
 
 void MoleculeArgument::addTo(CLI::App& command) {
-  std::string endings;
-  for (const std::string_view e : moleculeEndings()) endings += (endings.empty() ? "" : " ") + std::string(e);
-  command.add_option("molecule", named.name, "A file (" + endings + ", also .gz), or a molecule of the library (1ubq)")
+  command
+      .add_option("molecule", named.name,
+                  "A file (" + moleculeEndingsText() + ", also .gz), or a molecule of the library (1ubq)")
       ->required();
-  command.add_option("--model", named.reading.model, "Which model of the file, from 1")
-      ->capture_default_str()
-      ->check(CLI::Range(1, 100000));
-  command.add_flag("--waters", named.reading.waters, "Keep the water molecules");
-  command.add_option("--assembly", named.reading.assembly, "Build this biological assembly (1)");
+  for (const ReadingOption& option : readingOptions()) {
+    const std::string name = "--" + std::string(option.name), help(option.option_help);
+    if (const auto* number = std::get_if<int ReadOptions::*>(&option.member))
+      command.add_option(name, named.reading.**number, help)
+          ->capture_default_str()
+          ->check(CLI::Range(1, kMostReadNumber));
+    else if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member))
+      command.add_flag(name, named.reading.**on, help);
+    else
+      command.add_option(name, named.reading.*std::get<std::string ReadOptions::*>(option.member), help);
+  }
 }
 
 Molecule MoleculeArgument::load() const {

@@ -8,7 +8,7 @@ namespace moltact {
 
 void printDocument(const nlohmann::ordered_json& json) {
   std::string text;
-  sortOut(
+  splitHarmful(
       json.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace),
       [&](std::string_view piece) { text += piece; },
       [&](std::uint32_t code, bool) {

@@ -8,7 +8,8 @@
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
-#include "engine/haptics/methods.h"
+#include "app/commands/touch_options.h"
+#include "engine/haptics/interactions.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
 #include "engine/render/renderer.h"
@@ -20,9 +21,9 @@ constexpr double kRadian = std::numbers::pi / 180;
 
 struct RenderArguments {
   MoleculeArgument molecule;
-  std::string out, size = "1280x800", hip, show = "atoms,probe,force", method = "exact", theme = "dark",
-                   colour = "element";
-  double probe_A = kWaterProbe_A, azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", colour = "element";
+  TouchSetup touch;
+  double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
   bool look_at_hip = false;
 };
@@ -51,13 +52,13 @@ std::optional<PointA> hipOf(const std::string& text) {
 Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments, const Camera& camera,
              PointA hip) {
   const auto scene = std::make_shared<const BallScene>(molecule->balls());
-  const auto tracker = findMethod(arguments.method)->make(scene, arguments.probe_A);
+  const auto felt = makeInteraction({scene, arguments.touch});
   const Vec3 from_hip = camera.back();
-  const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * arguments.probe_A + 1;
+  const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * arguments.touch.probe_A + 1;
   const double step = std::max(0.02, reach / 200000);
   const long ticks = std::lround(std::ceil(reach / step));
   Contact contact;
-  for (long i = ticks; i >= 0; --i) contact = tracker->step({hip.A + from_hip * (step * double(i))});
+  for (long i = ticks; i >= 0; --i) contact = felt->respond({{hip.A + from_hip * (step * double(i))}}).contact;
   return contact;
 }
 
@@ -92,13 +93,13 @@ void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
   ViewScene scene;
   scene.hip = hipOf(arguments.hip);
-  const auto shown = parseShapes(arguments.show);
+  const auto shown = parseViewParts(arguments.show);
   if (!shown) throw CLI::ValidationError("--show", shown.problem().text());
   scene.shown = *shown;
   scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
   scene.colour_by = arguments.colour == "chain" ? ColourBy::Chain : ColourBy::Element;
-  scene.probe_A = arguments.probe_A;
+  scene.probe_A = arguments.touch.probe_A;
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
   scene.camera.fit(*scene.molecule, double(width) / height);
   if (scene.hip) {
@@ -128,16 +129,12 @@ void addRender(CLI::App& app) {
   a.molecule.addTo(*command);
   command->add_option("--out", a.out, "The PNG file to write")->required();
   command->add_option("--size", a.size, "Width x height in pixels")->capture_default_str();
-  command->add_option("--probe", a.probe_A, "The probe's radius in angstroms")
-      ->check(numberFrom(0.0, kLargestProbe_A))
-      ->capture_default_str();
+  addProbeOption(*command, a.touch);
   command->add_option("--hip", a.hip, "Where the hand is: x,y,z in angstroms; it comes there along the line of sight");
   std::string shapes = "What is drawn, parted by commas; the groups are haptic, all and none:";
-  for (const ShapeName& s : shapeNames()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
+  for (const ViewPartInfo& s : viewParts()) shapes += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command->add_option("--show", a.show, shapes)->capture_default_str();
-  std::vector<std::string> names;
-  for (const Method& m : methods()) names.emplace_back(m.name);
-  command->add_option("--method", a.method, "The haptic method")->check(CLI::IsMember(names))->capture_default_str();
+  addTouchOptions(*command, a.touch);
   command->add_option("--stiffness", a.stiffness_N_per_A, "Of the spring, in N per angstrom, for the arrow")
       ->check(numberFrom(0.0, 1e6))
       ->capture_default_str();

@@ -9,8 +9,9 @@
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
+#include "app/commands/touch_options.h"
 #include "engine/core/quantile.h"
-#include "engine/haptics/methods.h"
+#include "engine/haptics/interactions.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 
@@ -19,8 +20,9 @@ namespace {
 
 struct ReplayOptions {
   MoleculeArgument molecule;
-  std::string path, out, method = "exact";
-  double probe_A = kWaterProbe_A, stiffness_N_per_A = 1.0;
+  std::string path, out;
+  TouchSetup touch;
+  double stiffness_N_per_A = 1.0;
   bool time = false;
 };
 
@@ -83,8 +85,8 @@ nlohmann::ordered_json summary(std::vector<double> ns) {
 
 // Each tick's least time of three passes, so that what else the machine did meanwhile does not count; the clock's own
 // cost is taken off.
-nlohmann::ordered_json timePath(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
-                                const std::vector<PointA>& path, const std::vector<Contact>& contacts) {
+nlohmann::ordered_json timePath(const InteractionInput& input, const std::vector<PointA>& path,
+                                const std::vector<Contact>& contacts) {
   using Clock = std::chrono::steady_clock;
   const auto between = [](Clock::time_point a, Clock::time_point b) {
     return std::chrono::duration<double, std::nano>(b - a).count();
@@ -96,10 +98,10 @@ nlohmann::ordered_json timePath(const Method& method, const std::shared_ptr<cons
   }
   std::vector<double> least(path.size(), 1e300);
   for (int pass = 0; pass < 3; ++pass) {
-    const auto tracker = method.make(scene, probe_A);
+    const auto felt = makeInteraction(input);
     for (std::size_t k = 0; k < path.size(); ++k) {
       const auto a = Clock::now();
-      [[maybe_unused]] const volatile bool touching = tracker->step(path[k]).touching();
+      [[maybe_unused]] const volatile bool touching = felt->respond({path[k]}).contact.touching();
       least[k] = std::min(least[k], std::max(0.0, between(a, Clock::now()) - clock_ns));
     }
   }
@@ -119,15 +121,13 @@ void run(const ReplayOptions& options) {
   const Molecule molecule = options.molecule.load();
   const auto path = readHipPath(options.path);
   if (!path) throw CommandError{path.problem().text()};
-  const Method& method = *findMethod(options.method);
-  const auto scene = std::make_shared<const BallScene>(molecule.balls());
-
-  const auto tracker = method.make(scene, options.probe_A);
+  const InteractionInput input{std::make_shared<const BallScene>(molecule.balls()), options.touch};
+  const auto felt = makeInteraction(input);
   std::vector<Contact> contacts;
   contacts.reserve(path->size());
   std::size_t inside = 0, refused = 0;
   for (const PointA& hip : *path) {
-    contacts.push_back(tracker->step(hip));
+    contacts.push_back(felt->respond({hip}).contact);
     inside += contacts.back().fault == Fault::StartedInside;
     refused += contacts.back().fault == Fault::NotFinite;
   }
@@ -136,7 +136,7 @@ void run(const ReplayOptions& options) {
           << " ticks, until it has been outside\n";
   if (refused) err() << "moltact: " << refused << " places were not finite or beyond 1e9 A: no force there\n";
   if (!options.out.empty()) writeTrace(options, *path, contacts);
-  if (options.time) printDocument(timePath(method, scene, options.probe_A, *path, contacts));
+  if (options.time) printDocument(timePath(input, *path, contacts));
 }
 
 }  // namespace
@@ -148,16 +148,8 @@ void addReplay(CLI::App& app) {
   options->molecule.addTo(*command);
   command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")->required();
   command->add_option("--out", options->out, "where to write the trace (CSV); may be left out with --time");
-  std::vector<std::string> names;
-  std::string help = "haptic method:";
-  for (const Method& m : methods()) {
-    names.emplace_back(m.name);
-    help += "\n  " + std::string(m.name) + ": " + std::string(m.sentence);
-  }
-  command->add_option("--method", options->method, help)->check(CLI::IsMember(names))->capture_default_str();
-  command->add_option("--probe", options->probe_A, "the probe's radius, added to every atom's (angstrom)")
-      ->check(numberFrom(0.0, kLargestProbe_A))
-      ->capture_default_str();
+  addTouchOptions(*command, options->touch);
+  addProbeOption(*command, options->touch);
   command
       ->add_option("--stiffness", options->stiffness_N_per_A, "force for each angstrom of the spring that is felt (N)")
       ->check(numberFrom(0.0, 1e6))

@@ -223,6 +223,15 @@
 
   const kBrowsers = new Set(["F5", "F12"]);  // stay the browser's
 
+  const tellKey = (code, writes, down) =>
+    program.ccall("moltact_key", "number", ["string", "string", "number"], [code, writes, down]);
+  // What the key writes by itself; a letter is the same with Shift and Ctrl.
+  function written(event) {
+    if ([...event.key].length !== 1 || event.getModifierState("AltGraph") || event.altKey) return "";
+    const small = event.key.toLowerCase();
+    return small !== event.key.toUpperCase() || !event.shiftKey ? small : "";
+  }
+
   function hearKeys() {
     // Both the canvas and the field that a screen keyboard writes to.
     addEventListener("keydown", (event) => {
@@ -230,14 +239,14 @@
       stir();
       const command = event.ctrlKey || event.metaKey;
       if (command && (event.code === "KeyV" || event.code === "KeyR")) return;  // pasting comes as its own event
-      const taken = program.ccall("moltact_key", "number", ["string", "number"], [event.code, 1]);
+      const taken = tellKey(event.code, written(event), 1);
       if ([...event.key].length === 1 && !(command && !event.getModifierState("AltGraph")) && event.target !== keyboard)
         program.ccall("moltact_text", null, ["string"], [event.key]);
       if (taken && event.target !== keyboard) event.preventDefault();
     });
     addEventListener("keyup", (event) => {
       stir();
-      program.ccall("moltact_key", "number", ["string", "number"], [event.code, 0]);
+      tellKey(event.code, "", 0);
     });
     keyboard.addEventListener("input", () => {
       stir();
@@ -247,7 +256,7 @@
     addEventListener("paste", (event) => {
       stir();
       program.ccall("moltact_clipboard", null, ["string"], [event.clipboardData.getData("text")]);
-      for (const down of [1, 0]) program.ccall("moltact_key", "number", ["string", "number"], ["KeyV", down]);
+      for (const down of [1, 0]) tellKey("KeyV", "v", down);
       event.preventDefault();
     });
     addEventListener("blur", () => { stir(); program._moltact_focus_lost(); });

@@ -24,8 +24,8 @@ struct Errors {
   Accuracy result() && {
     Accuracy a;
     a.lost = scp.empty() ? 0 : double(lost) / double(scp.size());
-    a.scp_A = spreadOf(std::move(scp));
-    a.direction_deg = spreadOf(std::move(direction));
+    a.scp_A = statisticsOf(std::move(scp));
+    a.direction_deg = statisticsOf(std::move(direction));
     return a;
   }
 };

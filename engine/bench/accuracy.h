@@ -1,5 +1,5 @@
-// How far a method's SCP and force are from the right ones along strokes in contact. The right ones are
-// exact's, and for exact itself those of the brute-force oracle (oracle.h). Units: angstrom, degree.
+// The errors of a method's SCP and force along strokes in contact. The reference is exact; for exact itself it is the
+// brute-force oracle (oracle.h). Units: angstrom, degree.
 #pragma once
 
 #include <functional>
@@ -13,9 +13,9 @@
 namespace moltact::bench {
 
 struct Accuracy {
-  Spread scp_A;          ///< distance of the SCP from the right one, where the right one touches
-  Spread direction_deg;  ///< angle between the forces, where both touch
-  double lost = 0;       ///< share of ticks with no contact where there should be some (0 to 1)
+  Statistics scp_A;          ///< distance of the SCP from the reference, where the reference touches
+  Statistics direction_deg;  ///< angle between the forces, where both touch
+  double lost = 0;           ///< fraction of ticks with no contact where there should be some (0 to 1)
 };
 
 /// The angle between two vectors (unit: degree), exact for small angles; 0 where one is zero.
@@ -25,9 +25,8 @@ double angle_deg(const Vec3& a, const Vec3& b);
 Accuracy accuracyOf(const Method& method, const std::shared_ptr<const BallScene>& scene, double probe_A,
                     const std::vector<Stroke>& strokes);
 
-/// Of exact against the oracle, on every piece of `piece` ticks out of each stroke: the oracle sees the balls
-/// near the piece only, and begins at exact's SCP. Ticks in which the oracle calls two outcomes right are
-/// left out.
+/// The errors of exact against the oracle, on every piece of `piece` ticks out of each stroke: the oracle sees only the
+/// balls near the piece, and begins at exact's SCP. Ticks in which the oracle accepts two outcomes are left out.
 Accuracy exactAgainstOracle(const std::shared_ptr<const BallScene>& scene, double probe_A,
                             const std::vector<Stroke>& strokes, std::size_t piece);
 

@@ -1,7 +1,6 @@
-// Draws charts with two logarithmic axes as SVG: black and greys with a mark's shape for its kind, so that
-// they read in black and white and by the colour-blind; labels beside the points that keep clear of each
-// other. The text is plain sans-serif; nothing is loaded from elsewhere. A gap of more than three decades in
-// y is cut short and marked.
+// Draws charts with two logarithmic axes as SVG: black and greys, with a mark's shape for its kind, so that they can be
+// read in black and white and by the colour-blind; labels beside the points that do not overlap. The text is plain
+// sans-serif; nothing is loaded from elsewhere. A gap of more than three decades in y is cut short and marked.
 #pragma once
 
 #include <string>

@@ -11,7 +11,7 @@
 namespace moltact::bench {
 namespace {
 
-// A family that is not told apart here has the circle.
+// Any other family has the circle.
 Mark markOf(const MethodFamily& family) {
   constexpr std::pair<std::string_view, Mark> kMarks[] = {{"Exact", Mark::Diamond},
                                                           {"Paper", Mark::Disc},
@@ -62,11 +62,12 @@ std::string tradeOffChart(const std::vector<TradeOff>& points, std::size_t spher
 
 std::string sizeChart(const std::vector<SceneTimes>& times) {
   // A line for each method would be too many; these stand for their kinds.
-  constexpr std::array<std::string_view, 6> kShown{"exact", "paper", "mesh960", "sasmesh05", "grid04", "penalty"};
+  const std::string_view reference = referenceMethod().name;
+  const std::array<std::string_view, 6> shown{reference, "paper", "mesh960", "sasmesh05", "grid04", "penalty"};
   ChartPanel memory{"Memory of the method after sliding", "atoms loaded", "bytes", {}},
       ready{"Until the scene can be touched", "atoms loaded", "milliseconds", {}};
-  for (const std::string_view name : kShown) {
-    ChartSeries bytes{std::string(name), markOf(findBenchMethod(name)->family), true, name != "exact", true, {}},
+  for (const std::string_view name : shown) {
+    ChartSeries bytes{std::string(name), markOf(findBenchMethod(name)->family), true, name != reference, true, {}},
         ms = bytes;
     for (const SceneTimes& scene : times)
       for (const TickTimes& row : scene.contact) {
@@ -81,7 +82,7 @@ std::string sizeChart(const std::vector<SceneTimes>& times) {
     // Where points crowd, the first of them is labelled.
     double labelled = 0;
     for (ChartPoint& p : bytes.points) {
-      if (name != "exact" || p.x < 8 * labelled)
+      if (name != reference || p.x < 8 * labelled)
         p.label.clear();
       else
         labelled = p.x;

@@ -1,5 +1,4 @@
-// The two charts of the bench as SVG: speed against accuracy, and memory and ready time against the number of
-// atoms.
+// The two charts of the bench as SVG: speed against accuracy, and memory and ready time against the number of atoms.
 #pragma once
 
 #include <string>
@@ -10,12 +9,11 @@
 
 namespace moltact::bench {
 
-/// Time a tick against the SCP's error and against the force's; the front of best trade-offs as a dashed
-/// line.
+/// Time a tick against the error of the SCP and of the force; the front of best trade-offs is a dashed line.
 std::string tradeOffChart(const std::vector<TradeOff>& points, std::size_t spheres);
 
-/// Memory and ready time against the number of atoms, a line a method, with atoms modelled of loaded at
-/// exact's points.
+/// Memory and ready time against the number of atoms, one line for each method; exact's points are labelled with the
+/// atoms modelled out of those loaded.
 std::string sizeChart(const std::vector<SceneTimes>& times);
 
 }  // namespace moltact::bench

@@ -15,10 +15,10 @@ constexpr double kReach_ns = 2000.0;  // longer differences say more of interrup
 }  // namespace
 
 double stepOf(const std::vector<double>& differences_ns) {
-  // How well the differences lie on a comb: the length of the mean of exp(2 pi i d / step), 1 where all are multiples
-  // of it. Rounding to whole nanoseconds shortens it to sinc^2(1 / step); half of them between the teeth would make it
-  // 0.
-  double shortest = kWidest_ns;  // no tooth is wider than the shortest difference
+  // How well the differences fit multiples of a step: the length of the mean of exp(2 pi i d / step), the
+  // autocorrelation of their phases, which is 1 where all are multiples. Rounding to whole nanoseconds shortens it to
+  // sinc^2(1 / step); if half of them were half a step off it would be 0.
+  double shortest = kWidest_ns;  // the step is no larger than the shortest difference
   for (const double d : differences_ns)
     if (d > 0) shortest = std::min(shortest, d + 1.0);
   for (double step = shortest; step > 1.5; step *= 1.0 - 2e-4) {
@@ -33,7 +33,7 @@ double stepOf(const std::vector<double>& differences_ns) {
     const double x = std::numbers::pi / step, sinc = std::sin(x) / x;
     const std::complex<double> mean = sum / double(count);
     if (mean.real() < 0.93 * sinc * sinc) continue;
-    // On the flank of a tooth: on to its top.
+    // On the slope of a peak: go on to its maximum.
     double best = step, most = mean.real();
     for (double finer = step; finer > 0.97 * step; finer *= 1.0 - 5e-5) {
       double real = 0;

@@ -1,17 +1,17 @@
-// The step of a clock from its readings. Many clocks count in steps of their own and tell nanoseconds: their readings
-// differ by any whole number of nanoseconds, but lie on a comb of coarser teeth. Not for the haptic thread. Unit:
-// nanosecond.
+// The resolution of a clock, from its readings. Many clocks count in coarser steps of their own and report nanoseconds:
+// their readings differ by whole numbers of nanoseconds that are, but for rounding, multiples of that coarser step. Not
+// for the haptic thread. Unit: nanosecond.
 #pragma once
 
 #include <vector>
 
 namespace moltact::bench {
 
-/// The widest step of which all differences are multiples but for their rounding to whole nanoseconds; 1 where there is
-/// none wider.
+/// The largest step of which all differences are multiples, but for their rounding to whole nanoseconds; 1 where there
+/// is no larger one.
 double stepOf(const std::vector<double>& differences_ns);
 
-/// The same of the clock that ticks are timed by, measured now (takes some milliseconds).
+/// The resolution of the clock that times the ticks, measured now (takes some milliseconds).
 double clockStep_ns();
 
 }  // namespace moltact::bench

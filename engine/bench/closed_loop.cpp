@@ -26,7 +26,7 @@ ClosedLoop::ClosedLoop(const LoopSettings& settings, PointA start)
   observer_.release();
 }
 
-LoopTick ClosedLoop::tick(Interaction& felt, PointA target, LoopFault fault) {
+LoopTick ClosedLoop::tick(Interaction& interaction, PointA target, LoopFault fault) {
   LoopTick out;
   const PointMm sensed = device_.sensed();
   out.hip = settings_.workspace.toMolecule(sensed);
@@ -36,9 +36,9 @@ LoopTick ClosedLoop::tick(Interaction& felt, PointA target, LoopFault fault) {
   } else {
     DevicePose given{.position = sensed};
     if (fault == LoopFault::NotANumber) given.position.mm.x = std::numeric_limits<double>::quiet_NaN();
-    settings_.probe_A = felt.probe_A();  // a script changes it at once, and not as fast as a hand bears it
-    if (fault == LoopFault::Doubled) step_.tick(settings_, &felt, given);
-    const ServoSample sample = step_.tick(settings_, &felt, given);
+    settings_.probe_A = interaction.probe_A();  // a script changes it at once, a hand needs it to be slow
+    if (fault == LoopFault::Doubled) step_.tick(settings_, &interaction, given);
+    const ServoSample sample = step_.tick(settings_, &interaction, given);
     last_ = sample.contact;
     command_ = sample.force;
   }

@@ -1,5 +1,5 @@
-// Hand, device and tracker in a loop on a virtual clock: what a person would do to a method and it to the
-// person. Units: angstrom in the molecule, millimetre and newton at the hand, joule.
+// Hand, device and tracker in a closed loop on a virtual clock: how a person and a method act on each other. Units:
+// angstrom in the molecule, millimetre and newton at the hand, joule.
 #pragma once
 
 #include "engine/bench/passivity_observer.h"
@@ -19,7 +19,7 @@ struct LoopSettings {
 struct LoopTick {
   PointA hip;           ///< as read, even where the program was given NaN
   Contact contact;      ///< the last answer
-  ForceN force;         ///< as commanded, cut to the device's greatest
+  ForceN force;         ///< as commanded, clamped to the device's greatest
   bool stepped = true;  ///< false on a lost tick
 };
 
@@ -34,20 +34,18 @@ class ClosedLoop {
   /// The device begins at rest at `start`.
   ClosedLoop(const LoopSettings& settings, PointA start);
 
-  /// One tick: reads the device, steps the servo loop, commands the force, moves the device with the hand led to
-  /// `target`.
-  /// Of the faults Late, Lost, Doubled and NotANumber.
-  LoopTick tick(Interaction& felt, PointA target, LoopFault fault = LoopFault::None);
+  /// One tick: reads the device, steps the servo loop, commands the force, and moves the device while the hand is led to
+  /// `target`. Supports the faults Late, Lost, Doubled and NotANumber.
+  LoopTick tick(Interaction& interaction, PointA target, LoopFault fault = LoopFault::None);
 
   const DeviceModel& device() const { return device_; }
   DeviceModel& device() { return device_; }
 
-  /// Energy that came out of nothing at the device between two releases: the method's and what sampling,
-  /// delay and rounding add (unit: J).
+  /// Energy made at the device between two releases: the method's, plus that of sampling, delay and rounding (unit: J).
   double made_J() const { return observer_.made_J(); }
 
-  /// The most that sampling, delay and rounding could have made with any surface whose force changes by no
-  /// more than the stiffness times the way moved, as a plain wall's does (unit: J): sum of K |dx| (way since
+  /// The most energy that sampling, delay and rounding could have made with any surface whose force changes by no more
+  /// than the stiffness times the displacement, as a plain wall's does (unit: J): the sum of K |dx| (displacement since
   /// the reading + rounding).
   double samplingBound_J() const { return sampling_; }
 

@@ -72,7 +72,7 @@ std::vector<Feel> measureFeel(const std::vector<const Method*>& methods) {
         lost += !c.touching();
         last = pull;
       }
-      out.push_back({path.name, method, spreadOf(std::move(turn)), spreadOf(std::move(change)),
+      out.push_back({path.name, method, statisticsOf(std::move(turn)), statisticsOf(std::move(change)),
                      double(lost) / double(path.counted.size())});
     }
   }

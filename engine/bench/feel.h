@@ -1,6 +1,5 @@
-// What a fingertip would notice, the paper's Figure 1 in numbers: by how much the force turns and changes
-// from one tick to the next while the HIP slides over one sphere, along a crease and round a pit, 0.6 A deep,
-// 0.02 A a tick.
+// The changes that a fingertip would notice, the paper's Figure 1 in numbers: how much the force turns and changes from
+// one tick to the next while the HIP slides over one sphere, along a crease and round a pit, 0.6 A deep, 0.02 A a tick.
 #pragma once
 
 #include <string>
@@ -26,9 +25,9 @@ std::vector<FeelPath> feelPaths();
 struct Feel {
   std::string path;
   const Method* method = nullptr;
-  Spread turn_deg;  ///< of the force's direction, a tick
-  Spread change_A;  ///< of SCP - HIP, a tick; times the stiffness it is the force's
-  double lost = 0;  ///< share of ticks without contact
+  Statistics turn_deg;  ///< of the force's direction, a tick
+  Statistics change_A;  ///< of SCP - HIP, a tick; times the stiffness it is the force's
+  double lost = 0;      ///< fraction of ticks without contact
 };
 
 std::vector<Feel> measureFeel(const std::vector<const Method*>& methods);

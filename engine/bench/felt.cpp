@@ -12,14 +12,14 @@ namespace moltact::bench {
 namespace {
 
 constexpr double kTicks_per_s = 1000;
-constexpr double kNeverShare = 0.001, kOftenShare = 0.05;  // of ticks; between them: at times
+constexpr double kNeverFraction = 0.001, kOftenFraction = 0.05;  // of ticks; between them: at times
 constexpr double kNeverSteps_per_s = 0.1;
 
 }  // namespace
 
-Felt feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
-            double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop) {
-  Felt out;
+FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
+                  double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop) {
+  FeltErrors out;
   out.where = where;
   out.method = &method;
   ExactTracker exact(scene, probe_A);
@@ -61,7 +61,7 @@ Felt feltOn(const std::string& where, const Method& method, const std::shared_pt
   }
   for (const double angle : direction) seen += angle > kDirectionSeen_deg, blind += angle > kDirectionBlind_deg;
   const double n = double(std::max<std::size_t>(out.ticks, 1));
-  out.direction_deg = spreadOf(std::move(direction));
+  out.direction_deg = statisticsOf(std::move(direction));
   out.direction_seen = double(seen) / n, out.direction_blind = double(blind) / n;
   out.size = double(size) / n, out.size_wide = double(size_wide) / n;
   out.steps = kTicks_per_s * double(steps) / n, out.steps_wide = kTicks_per_s * double(steps_wide) / n;
@@ -69,10 +69,10 @@ Felt feltOn(const std::string& where, const Method& method, const std::shared_pt
   return out;
 }
 
-Felt together(const std::string& where, const std::vector<Felt>& parts) {
-  Felt out;
+FeltErrors together(const std::string& where, const std::vector<FeltErrors>& parts) {
+  FeltErrors out;
   out.where = where;
-  for (const Felt& p : parts) {
+  for (const FeltErrors& p : parts) {
     out.method = p.method;
     const double before = double(out.ticks), now = double(p.ticks), all = std::max(before + now, 1.0);
     const auto mix = [&](double& a, double b) { a = (a * before + b * now) / all; };
@@ -86,7 +86,7 @@ Felt together(const std::string& where, const std::vector<Felt>& parts) {
   return out;
 }
 
-ReportTable feltTable(std::string name, std::string title, const std::vector<Felt>& rows,
+ReportTable feltTable(std::string name, std::string title, const std::vector<FeltErrors>& rows,
                       const std::vector<double>& ns) {
   ReportTable t{std::move(name), std::move(title), {{"method", "method"}}, {}, ""};
   if (!ns.empty()) t.columns.push_back({"tick_ns", "tick (ns)"});
@@ -103,7 +103,7 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
                            {"lost_percent", "contact lost (%)"}})
     t.columns.push_back(c);
   for (std::size_t k = 0; k < rows.size(); ++k) {
-    const Felt& f = rows[k];
+    const FeltErrors& f = rows[k];
     std::vector<Cell> row{std::string(f.method->name)};
     if (!ns.empty()) row.push_back(k < ns.size() && ns[k] > 0 ? Cell{ns[k]} : Cell{});
     for (const double value :
@@ -120,12 +120,12 @@ ReportTable feltTable(std::string name, std::string title, const std::vector<Fel
   return t;
 }
 
-std::string feltSentences(const std::vector<Felt>& rows) {
-  const auto sorted = [&](const char* what, const std::function<double(const Felt&)>& of, double never, double often,
-                          const char* unit, double times) {
+std::string feltSentences(const std::vector<FeltErrors>& rows) {
+  const auto sorted = [&](const char* what, const std::function<double(const FeltErrors&)>& of, double never,
+                          double often, const char* unit, double times) {
     std::vector<std::string> no, at_times, yes;
-    for (const Felt& f : rows) {
-      if (f.method->name == "exact") continue;
+    for (const FeltErrors& f : rows) {
+      if (isReference(*f.method)) continue;
       const double value = of(f);
       const std::string name = "`" + std::string(f.method->name) + "`";
       (value <= never   ? no
@@ -140,18 +140,19 @@ std::string feltSentences(const std::vector<Felt>& rows) {
     return out + ".\n";
   };
   return sorted(
-             "A wrong direction, in the dark", [](const Felt& f) { return f.direction_blind; }, kNeverShare,
-             kOftenShare, " % of ticks", 100) +
+             "A wrong direction, in the dark", [](const FeltErrors& f) { return f.direction_blind; }, kNeverFraction,
+             kOftenFraction, " % of ticks", 100) +
          sorted(
-             "A wrong direction, beside the picture", [](const Felt& f) { return f.direction_seen; }, kNeverShare,
-             kOftenShare, " % of ticks", 100) +
+             "A wrong direction, beside the picture", [](const FeltErrors& f) { return f.direction_seen; },
+             kNeverFraction, kOftenFraction, " % of ticks", 100) +
          sorted(
-             "A wrong size, by 10 %", [](const Felt& f) { return f.size_wide; }, kNeverShare, kOftenShare,
+             "A wrong size, by 10 %", [](const FeltErrors& f) { return f.size_wide; }, kNeverFraction, kOftenFraction,
              " % of ticks", 100) +
          sorted(
-             "A step of 10 %", [](const Felt& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " a second", 1) +
-         "\nCannot: in at most " + constant(100 * kNeverShare) + " % of ticks, or at most " +
-         constant(kNeverSteps_per_s) + " times a second; often: in more than " + constant(100 * kOftenShare) +
+             "A step of 10 %", [](const FeltErrors& f) { return f.steps_wide; }, kNeverSteps_per_s, 1.0, " a second",
+             1) +
+         "\nCannot: in at most " + constant(100 * kNeverFraction) + " % of ticks, or at most " +
+         constant(kNeverSteps_per_s) + " times a second; often: in more than " + constant(100 * kOftenFraction) +
          " % of ticks, or more than once a second.\n";
 }
 

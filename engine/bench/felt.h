@@ -1,5 +1,5 @@
-// What a hand could tell of a method's errors: its force beside exact's in the same tick, measured against
-// the thresholds of touch (touch_thresholds.h). Units: angstrom, newton, degree.
+// The errors of a method that a hand could notice: its force beside exact's in the same tick, measured against the
+// thresholds of touch (touch_thresholds.h). Units: angstrom, newton, degree.
 #pragma once
 
 #include <memory>
@@ -14,36 +14,36 @@
 
 namespace moltact::bench {
 
-/// Smaller forces have larger thresholds: shares of the force are taken of at least this.
+/// Smaller forces have larger thresholds: relative errors are taken of a force of at least this.
 inline constexpr double kLeastForce_N = 0.3;
 
-/// Over ticks in contact, those in which exact touches. Shares are 0 to 1.
-struct Felt {
+/// Errors over the ticks in which exact touches. Fractions are 0 to 1.
+struct FeltErrors {
   std::string where;
   const Method* method = nullptr;
   std::size_t ticks = 0;           ///< in contact
-  Spread direction_deg;            ///< angle to exact's force, where both push
-  double direction_seen = 0;       ///< share over kDirectionSeen_deg
-  double direction_blind = 0;      ///< share over kDirectionBlind_deg
-  double size = 0, size_wide = 0;  ///< share whose force differs in size by over kForceWeber, kForceWeberWide
+  Statistics direction_deg;        ///< angle to exact's force, where both push
+  double direction_seen = 0;       ///< fraction over kDirectionSeen_deg
+  double direction_blind = 0;      ///< fraction over kDirectionBlind_deg
+  double size = 0, size_wide = 0;  ///< fraction whose force differs in size by over kForceWeber, kForceWeberWide
   double steps = 0,
          steps_wide = 0;  ///< times a second: the force steps by those shares more than exact's does within two ticks
-  double off = 0;         ///< share with the SCP over kPlaceFelt_A from exact's
-  double lost = 0;        ///< share without contact
+  double off = 0;         ///< fraction with the SCP over kPlaceFelt_A from exact's
+  double lost = 0;        ///< fraction without contact
 };
 
-/// One method along strokes; both trackers begin anew with each.
-Felt feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
-            double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
+/// The errors of one method along strokes; both trackers are reset at each stroke.
+FeltErrors feltOn(const std::string& where, const Method& method, const std::shared_ptr<const BallScene>& scene,
+                  double probe_A, const std::vector<Stroke>& strokes, const LoopSettings& loop = {});
 
-/// The same errors over several places, by ticks.
-Felt together(const std::string& where, const std::vector<Felt>& parts);
+/// Combines the errors of several places, weighted by their ticks.
+FeltErrors together(const std::string& where, const std::vector<FeltErrors>& parts);
 
 /// A row a method; `ns`, the mean time of a tick for each row, may be empty.
-ReportTable feltTable(std::string name, std::string title, const std::vector<Felt>& rows,
+ReportTable feltTable(std::string name, std::string title, const std::vector<FeltErrors>& rows,
                       const std::vector<double>& ns = {});
 
-/// Which errors a hand can tell, and which not, of the methods in the rows.
-std::string feltSentences(const std::vector<Felt>& rows);
+/// Sentences that say which errors of the methods in the rows a hand can notice, and which not.
+std::string feltSentences(const std::vector<FeltErrors>& rows);
 
 }  // namespace moltact::bench

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "engine/core/text.h"
+#include "engine/haptics/hip_input.h"
 #include "engine/haptics/sweep.h"
 #include "engine/platform/read_file.h"
 
@@ -16,7 +17,8 @@ namespace {
 
 constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 constexpr double kTick_s = 0.001;
-constexpr double kMostTicks = 1e8;
+constexpr std::size_t kMostTicks = 25'000'000;  // seven hours; of rows as well
+constexpr std::size_t kLongestLine = 64 << 10, kMostLabels = 1000;
 constexpr std::array<std::string_view, 7> kColumns{"t", "x", "y", "z", "fx", "fy", "fz"};
 constexpr std::string_view kBlanks = " \t,;";
 
@@ -75,6 +77,7 @@ struct Row {
 void sample(const std::vector<Row>& rows, const std::vector<double>& time_s, bool forces, double scale, HandPath& out) {
   const double length_s = time_s.back() - time_s.front();
   const auto ticks = static_cast<std::size_t>(std::floor(length_s / kTick_s + 1e-6)) + 1;
+  out.places.reserve(ticks);
   std::size_t row = 0;
   for (std::size_t k = 0; k < ticks; ++k) {
     const double t = time_s.front() + double(k) * kTick_s;
@@ -107,6 +110,8 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
     const std::string_view line = trimmed(text.substr(at, end - at));
     at = end + 1;
     ++line_number;
+    if (line.size() > kLongestLine)
+      return Problem{name, line_number, 1, "this line is longer than 64 KiB", "write a row a line"};
     if (line.empty()) continue;
     if (isComment(line)) {
       const std::string_view said = trimmed(line.substr(std::min(line.find_first_not_of("#%;/"), line.size())));
@@ -115,6 +120,8 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
         continue;
       const std::string key(trimmed(said.substr(0, colon))), value(trimmed(said.substr(colon + 1)));
       out.labels[key] = value;
+      if (out.labels.size() > kMostLabels)
+        return Problem{name, line_number, 1, "there are more than 1000 labels", "leave some out"};
       if (key == "columns" && !(columns = columnsNamed(words(value))))
         return Problem{name, line_number, 1, "these columns do not name x, y and z once each",
                        "write for example \"# columns: t x y z\""};
@@ -148,6 +155,8 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
                        "write a number, with a point before its fraction"};
       row.value[std::size_t((*columns)[k])] = *value;
     }
+    if (rows.size() == kMostTicks)
+      return Problem{name, line_number, 1, "there are more than 25 million rows", "split it into shorter ways"};
     rows.push_back(row);
   }
   if (rows.empty())
@@ -167,6 +176,8 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       const auto value = number(said);
       if (!value || *value < 0 || (*value == 0 && target == &tick_s))
         return Problem{name, 0, 0, "\"" + said + "\" is no " + std::string(key), "write a positive number"};
+      if (target == &out.probe_A && *value > kLargestProbe_A)
+        return Problem{name, 0, 0, "a probe of " + said + " A is larger than 20 A", "write 0 to 20"};
       *target = *value;
     }
 
@@ -179,23 +190,30 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       return Problem{name, rows[k].line, 1, "the time does not go on from the row before",
                      "put the rows in order, each with a later time"};
   }
-  if (!(time_s.back() - time_s.front() < kMostTicks * kTick_s))
-    return Problem{name, 0, 0, "it lasts longer than a day",
-                   "say \"# time_unit: ms\" where the times are milliseconds"};
+  if (!(time_s.back() - time_s.front() < double(kMostTicks) * kTick_s))
+    return Problem{name, 0, 0, "it lasts longer than 25 000 s, which is 25 million ticks",
+                   "say \"# time_unit: ms\" where the times are milliseconds, or split it into shorter ways"};
+  for (const Row& row : rows)
+    for (int k = 1; k <= 3; ++k)
+      if (!(std::abs(row.value[std::size_t(k)] * scale) <= kFarthest_A))
+        return Problem{name, row.line, 1, "this place is farther out than 1e9 " + std::string(unit == "A" ? "A" : "mm"),
+                       "say the unit of the places, for example \"# unit: mm\""};
   sample(rows, time_s, forces, scale, out);
   return out;
 }
 
-HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* tracker) {
+HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt) {
   HandPath out;
   out.name = std::move(name);
   out.labels = trace.labels;
-  if (!trace.ticks.empty()) out.probe_A = trace.ticks.front().settings.probe_A;
+  if (!trace.ticks.empty()) out.probe_A = usableProbe_A(trace.ticks.front().settings.probe_A, kWaterProbe_A);
   ServoStep step = trace.start.value_or(ServoStep());
   for (const RecordedTick& tick : trace.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ServoSample sample = step.tick(tick.settings, tracker, tick.pose, tick.time);
-    out.places.push_back(sample.hip.A);
+    const ServoSample sample = step.tick(tick.settings, felt, tick.pose, tick.time);
+    const bool somewhere = usableHip(sample.hip.A);
+    if (!somewhere && out.places.empty()) continue;
+    out.places.push_back(somewhere ? sample.hip.A : Vec3(out.places.back()));
     out.touched.push_back(sample.contact.touching());
   }
   return out;
@@ -204,8 +222,9 @@ HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* trac
 std::string textOf(const HandPath& path) {
   std::string out;
   char line[120];
+  constexpr std::array<std::string_view, 5> kOwn{"columns", "unit", "probe_A", "tick_s", "time_unit"};
   for (const auto& [key, value] : path.labels)
-    if (key != "columns" && key != "unit" && key != "probe_A") out += "# " + key + ": " + value + '\n';
+    if (std::find(kOwn.begin(), kOwn.end(), key) == kOwn.end()) out += "# " + key + ": " + value + '\n';
   std::snprintf(line, sizeof line, "# probe_A: %g\n", path.probe_A);
   out += line;
   out += path.on_molecule ? "# unit: A\n# columns: x y z\n" : "# unit: mm\n# columns: x y z\n";

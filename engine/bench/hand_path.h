@@ -1,15 +1,20 @@
-// The way of a hand as a file, for replaying it through methods: recordings of this program, and rows of
-// numbers that others have written. Not for the haptic thread. Units: angstrom, or the device's millimetre
-// until it is laid on a molecule; second.
+// The path of a hand as a file, for replaying it through methods: recordings of this program, and rows of numbers that
+// others have written. Not for the haptic thread. Units: angstrom, or the device's millimetre until the path is laid on
+// a molecule; second.
 //
-// Rows of numbers, text: a row a tick, numbers parted by blanks, tabs, commas or semicolons. Lines that begin
-// with '#', '%',
-// ';' or "//" are comments; one of the form "# key: value" is kept as a label. These labels are understood:
-// "columns", the meaning of a row's numbers, such as "t x y z fx fy fz" (others than t, x, y, z, fx, fy, fz
-// are passed over); "unit", A or mm, cm, m, of the places; "tick_s", the time between rows without t (default
-// 0.001); "time_unit", s or ms, of t (default s); "probe_A" and "molecule". Without "columns" three numbers
-// are x y z, four t x y z, seven and more t x y z fx fy fz; without "unit" the places are millimetres. A head
-// of words before the first row is passed over, unless it names such columns.
+// A text file of numbers has a row for each tick. Numbers are separated by blanks, tabs, commas or semicolons. Lines
+// that begin with '#', '%', ';' or "//" are comments; a comment of the form "# key: value" is kept as a label. These
+// labels are understood:
+//
+//   columns      the meaning of a row's numbers, such as "t x y z fx fy fz"; others than these seven are ignored.
+//                Without it three numbers are x y z, four t x y z, seven and more t x y z fx fy fz.
+//   unit         A or mm, cm, m, of the places; without it millimetres
+//   tick_s       the time between rows without t (default 0.001)
+//   time_unit    s or ms, of t (default s)
+//   probe_A
+//   molecule
+//
+// Words in a head line before the first row are ignored, unless they name such columns.
 #pragma once
 
 #include <filesystem>
@@ -19,7 +24,7 @@
 
 #include "engine/core/problem.h"
 #include "engine/haptics/ball_scene.h"
-#include "engine/haptics/tracker.h"
+#include "engine/haptics/interaction.h"
 #include "engine/servo/servo_recording.h"
 
 namespace moltact::bench {
@@ -40,12 +45,14 @@ struct HandPath {
 };
 
 /// Reads rows of numbers. Rows of another clock are read as a hand that moved evenly from row to row. A
-/// Problem, with its line, where a row is broken, a time does not ascend, or there is no row.
+/// Problem, with its line, where a row is broken or longer than 64 KiB, a place is beyond 1e9 A or mm, a time does not
+/// ascend, there is no row, or there are more than 25 million rows or ticks or 1000 labels.
 Expected<HandPath> readHandPath(const std::filesystem::path& file);
 
-/// The HIP of each tick of a recording. `tracker`: as it was newly made for the recording (the clutch asks
+/// The HIP of each tick of a recording, from the first that is a place; one that is none (a device may tell anything)
+/// is where the tick before was. `felt`: as it was newly made for the recording (the clutch asks
 /// for the contact); with another or none the way is the same but where a clutch was held by the surface.
-HandPath handPathOf(const ServoRecording& trace, std::string name, Tracker* tracker);
+HandPath handPathOf(const ServoRecording& trace, std::string name, Interaction* felt);
 
 /// As rows of numbers with labels, to 0.001 A, so that readHandPath reads the same back.
 std::string textOf(const HandPath& path);

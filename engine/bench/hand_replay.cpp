@@ -40,11 +40,11 @@ std::vector<HandReplay> replayHands(const std::vector<HandOnMolecule>& hands, co
   return out;
 }
 
-std::vector<Felt> feltOverAll(const std::vector<HandReplay>& hands) {
-  std::vector<Felt> out;
+std::vector<FeltErrors> feltOverAll(const std::vector<HandReplay>& hands) {
+  std::vector<FeltErrors> out;
   if (hands.empty()) return out;
   for (std::size_t m = 0; m < hands.front().felt.size(); ++m) {
-    std::vector<Felt> parts;
+    std::vector<FeltErrors> parts;
     for (const HandReplay& h : hands) parts.push_back(h.felt[m]);
     out.push_back(together("all hands", parts));
   }
@@ -69,7 +69,7 @@ ReportTable handsTable(const std::vector<HandReplay>& hands) {
 }
 
 ReportTable handsFeltTable(const std::vector<HandReplay>& hands) {
-  const std::vector<Felt> all = feltOverAll(hands);
+  const std::vector<FeltErrors> all = feltOverAll(hands);
   std::vector<double> ns(all.size());
   for (std::size_t m = 0; m < all.size(); ++m) {
     double ticks = 0;

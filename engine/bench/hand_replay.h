@@ -20,8 +20,8 @@ struct HandOnMolecule {
 
 struct HandReplay {
   std::string name, device, hand, stroke, molecule;
-  double seconds = 0, touching = 0;  ///< share of ticks in which exact touches (0 to 1)
-  std::vector<Felt> felt;            ///< a method each
+  double seconds = 0, touching = 0;  ///< fraction of ticks in which exact touches (0 to 1)
+  std::vector<FeltErrors> felt;      ///< a method each
   std::vector<double> tick_ns;       ///< mean of each; 0: not timed
 };
 
@@ -36,6 +36,6 @@ ReportTable handsFeltTable(const std::vector<HandReplay>& hands);
 /// A row a hand and method.
 ReportTable handsFigures(const std::vector<HandReplay>& hands);
 /// All hands together, a method each.
-std::vector<Felt> feltOverAll(const std::vector<HandReplay>& hands);
+std::vector<FeltErrors> feltOverAll(const std::vector<HandReplay>& hands);
 
 }  // namespace moltact::bench

@@ -10,9 +10,8 @@ namespace moltact::bench {
 
 class LogAxis {
  public:
-  /// Covers the values above zero with a margin, drawn from `begin` to `end` (unit: pixel). Where two
-  /// neighbours are more than three decades apart and `may_cut`, what lies between is cut to one decade's
-  /// length.
+  /// Covers the values above zero with a margin, drawn from `begin` to `end` (unit: pixel). Where two neighbouring
+  /// values are more than three decades apart and `may_cut` is true, the gap between them is drawn one decade long.
   LogAxis(const std::vector<double>& values, double begin, double end, bool may_cut) : begin_(begin), end_(end) {
     std::vector<double> logs;
     for (const double v : values)

@@ -104,7 +104,7 @@ struct Candidate {
 
 }  // namespace
 
-Oracle::Oracle(std::vector<Ball> balls, double probe_A, bool companions) : flows_(companions ? 5 : 1) {
+Oracle::Oracle(std::vector<Ball> balls, double probe_A, bool perturbed) : flows_(perturbed ? 5 : 1) {
   // Relative to the first centre, so that a scene a million angstroms away loses no digits.
   if (!balls.empty()) origin_ = wide(balls[0].centre_A);
   for (const Ball& b : balls) {
@@ -225,12 +225,12 @@ Oracle::Flow Oracle::flow(PointL s, PointL hip) const {
 }
 
 Oracle::Answer Oracle::step(Vec3 hip_A) {
-  // The companions lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either
+  // The perturbed copies lie at the corners of a tetrahedron: whatever way a threshold runs, some are on either
   // side.
   static const std::array<PointL, 5> kOffsets{PointL{0, 0, 0}, PointL{1, 1, 1}, PointL{1, -1, -1}, PointL{-1, 1, -1},
                                               PointL{-1, -1, 1}};
   const auto hipOf = [&](std::size_t c) {
-    return wide(hip_A) - origin_ + kOffsets[c] * (Real(kCompanion_A) / std::sqrt(Real(3)));
+    return wide(hip_A) - origin_ + kOffsets[c] * (Real(kPerturbation_A) / std::sqrt(Real(3)));
   };
   const auto insideAny = [&](PointL x) {
     for (std::size_t k = 0; k < centres_.size(); ++k)
@@ -259,9 +259,9 @@ Oracle::Answer Oracle::step(Vec3 hip_A) {
     spread = std::max(spread, length(e.s - ends[0].s));
     answer.decided = answer.decided && e.settled && e.arrived == ends[0].arrived;
   }
-  // The arithmetic is better than 1e-4 of the companions' offset, and errors grow as the companions' spread
+  // The arithmetic is better than 1e-4 of the perturbed copies' offset, and errors grow as their spread
   // does.
-  answer.decided = answer.decided && spread < 1000 * Real(kCompanion_A);
+  answer.decided = answer.decided && spread < 1000 * Real(kPerturbation_A);
   answer.accuracy_A = double(1e-4L * spread + 1e-13L);
   for (std::size_t c = 0; c < flows_; ++c) s_[c] = answer.decided ? ends[c].s : ends[0].s;
   return answer;

@@ -1,10 +1,10 @@
-// A brute-force god-object on a union of balls, against which the trackers are judged in tests and benches;
-// slow on purpose. The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying
-// outside every ball's interior (ball i has radius R_i = radius + probe), until it rests or reaches the HIP
-// h. How it differs from a tracker: long double throughout, every ball looked at in a loop, no neighbour
-// lists, no closed form for where a path enters a ball (sign changes are bracketed and halved), the balls
-// that hold the point found by trying every set of up to three touching ones, and four companions whose HIPs
-// are 1e-9 A away that tell whether the answer hangs by a thread. Units: angstrom.
+// A brute-force god-object on a union of balls, by which the trackers are judged in tests and benches; slow on purpose.
+// The ideal SCP s flows along the steepest descent of |x - h|^2 from its last place, staying outside every ball (ball i
+// has radius R_i = radius + probe), until it rests or reaches the HIP h. It differs from a tracker in this: long double
+// throughout; every ball examined in a loop; no neighbour lists; no closed form for the place where a path enters a
+// ball (sign changes are bracketed and bisected); the balls that hold the point found by trying every set of up to
+// three touching ones; and four perturbed copies whose HIPs are 1e-9 A away, which show whether the answer is
+// ill-conditioned. Units: angstrom.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@
 
 namespace moltact::oracle {
 
-/// The companions' HIPs lie this far from the true one (unit: angstrom).
-inline constexpr double kCompanion_A = 1e-9;
+/// The distance of the perturbed copies' HIPs from the true one (unit: angstrom).
+inline constexpr double kPerturbation_A = 1e-9;
 
 struct PointL {
   long double x = 0, y = 0, z = 0;
@@ -24,15 +24,15 @@ struct PointL {
 
 class Oracle {
  public:
-  /// Without companions it is faster, and each answer is called decided.
-  Oracle(std::vector<Ball> balls, double probe_A, bool companions = true);
+  /// Without perturbed copies it is faster, and each answer counts as decided.
+  Oracle(std::vector<Ball> balls, double probe_A, bool perturbed = true);
 
   struct Answer {
     bool contact = false;
     Vec3 scp_A{0.0};          ///< the HIP when there is no contact
-    double accuracy_A = 0.0;  ///< how far this answer itself may be off
-    /// False when a HIP 1e-9 A away ends in another place or flag: two outcomes are right, and a test judges
-    /// another answer by `deepest` and `atRest` alone, then calls `place` to go on from that answer.
+    double accuracy_A = 0.0;  ///< the error bound of this answer itself
+    /// False when a HIP 1e-9 A away ends in another place or flag: two outcomes are right. A test then judges another
+    /// answer by `deepest` and `atRest` alone, and calls `place` to continue from that answer.
     bool decided = true;
     bool started_inside = false;  ///< the HIP has not been outside yet; no contact until then
   };
@@ -59,15 +59,14 @@ class Oracle {
   PointL origin_;
   std::size_t flows_ = 5;
   bool been_outside_ = false;
-  std::array<PointL, 5> s_;  // the true one first, then the companions
+  std::array<PointL, 5> s_;  // the true one first, then the perturbed copies
 };
 
 /// The greatest penetration of p into any ball, in long double; negative outside; -infinity without balls.
 double deepest(const std::vector<Ball>& balls, double probe_A, Vec3 p);
 
-/// Whether scp is a place of rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over
-/// the balls whose surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k outward unit
-/// normals).
+/// Whether scp is at rest for that hip: |h - s + sum mu_k n_k| <= tolerance_A for some mu_k >= 0 over the balls whose
+/// surface is within tolerance_A of scp (the Karush-Kuhn-Tucker condition; n_k outward unit normals).
 bool atRest(const std::vector<Ball>& balls, double probe_A, Vec3 scp, Vec3 hip, double tolerance_A);
 
 }  // namespace moltact::oracle

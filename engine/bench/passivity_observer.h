@@ -1,11 +1,11 @@
-// A passivity observer after Hannaford & Ryu (2002): how much energy a virtual thing has given that it never
-// got. Units: joule, newton, metre. Plain arithmetic, usable on every thread.
+// A passivity observer after Hannaford & Ryu (2002): the energy that a virtual object has given but never received.
+// Units: joule, newton, metre. Plain arithmetic, usable on every thread.
 //
-// It needs no model of what the thing stores: at a release, a moment with neither contact nor force, nothing
-// is stored whatever the method is. What the thing has given to the device by then, sum(F . dx), F the force
-// on the device, may only fall from one release to a later one if it is passive; the greatest rise is energy
-// made out of nothing. Between releases nothing is judged: what looks like a gain there may be a store that
-// only the method knows, such as the sum over all balls of a penalty.
+// It needs no model of the energy that the object stores: at a release, a moment with neither contact nor force,
+// nothing is stored, whatever the method is. The energy given to the device by then, sum(F . dx) with F the force on
+// the device, may only fall from one release to a later one if the object is passive; the greatest rise is energy made
+// from nothing. Between releases nothing is judged: an apparent gain there may be stored energy that only the method
+// knows, such as the sum over all balls of a penalty.
 #pragma once
 
 #include <algorithm>

@@ -31,7 +31,7 @@ double madeAlong(Tracker& tracker, const scenes::Scene& scene, const scenes::Pat
     const Vec3 before = force;
     force = forceAt(next, touching);
     const Vec3 moved_m = 1e-3 * (loop.workspace.toDevice({next}).mm - loop.workspace.toDevice({here}).mm);
-    // Where nothing has touched meanwhile nothing was given, and the release before still stands.
+    // Where nothing has touched meanwhile nothing was given, and the release before is still valid.
     const bool released = !touching && was_touching && outside(next);
     // Where in the tick a jump lies nobody knows: what the later force gives with it is not claimed beyond
     // the lesser.

@@ -1,5 +1,5 @@
-// Energy that a method makes out of nothing, judged by closed paths alone: no store is assumed, so that every
-// method is judged by the same law. Units: angstrom, newton, millimetre, joule.
+// Energy that a method makes from nothing, judged by closed paths alone: no store is assumed, so every method is judged
+// by the same law. Units: angstrom, newton, millimetre, joule.
 #pragma once
 
 #include <functional>

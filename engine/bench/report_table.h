@@ -1,5 +1,4 @@
-// A table of results with its units, and the forms it is written in: console, CSV, Markdown, JSON. Not for
-// the haptic thread.
+// A table of results with its units, and its output formats: console, CSV, Markdown, JSON. Not for the haptic thread.
 #pragma once
 
 #include <string>
@@ -42,13 +41,13 @@ std::string toCsv(const ReportTable& table);
 /// {"command": …, "tables": {name: {"title", "note", "rows": [{column: value}]}}}; nothing is null.
 std::string toJson(const std::vector<ReportTable>& tables, const std::string& command);
 
-/// The rows whose text in the column of that name is `value`, under another name and title; no rows where
-/// there is no such column.
+/// The rows whose text in the column of that name is `value`, under another name and title; no rows where there is no
+/// such column.
 ReportTable rowsWhere(const ReportTable& table, const std::string& column, const std::string& value, std::string name,
                       std::string title);
 
-/// `text` with what stands between the lines "<!-- name:begin" … and "<!-- name:end -->" replaced by
-/// `content`; the text unchanged where the markers are not there.
+/// Returns `text` with everything between the lines "<!-- name:begin" … and "<!-- name:end -->" replaced by `content`;
+/// the text unchanged where the markers are missing.
 std::string replacedBetweenMarkers(const std::string& text, const std::string& name, const std::string& content);
 
 }  // namespace moltact::bench

@@ -1,5 +1,5 @@
-// What the SCP ought to be, tick by tick, for judging a method: exact's answer, and for exact itself the
-// brute-force oracle's. Units: angstrom.
+// The reference SCP, tick by tick, for judging a method: exact's answer, and for exact itself the brute-force oracle's.
+// Units: angstrom.
 #pragma once
 
 #include <memory>

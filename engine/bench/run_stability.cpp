@@ -71,7 +71,7 @@ class Judge {
     path_.push_back(hip);
   }
 
-  // The tracker begins anew: what it was is no part of what it is.
+  // The tracker is reset: its past must not count.
   void cut() { cuts_.push_back(force_.size()); }
 
   const scenes::Path& path() const { return path_; }
@@ -112,7 +112,7 @@ StabilityResult runScene(const StabilityScene& scene, const Method& method, cons
   loop.workspace.centre_A = middleOf(scene.scene);
   scenes::Scene now = scene.scene;
   auto tracker = method.make(std::make_shared<const BallScene>(now.balls), now.probe_A);
-  RightAnswer right(now, method.name == "exact");
+  RightAnswer right(now, isReference(method));
   Judge judge(scene, method, loop, limits);
   ClosedLoop device(loop, {scene.script.front().place_A});
   std::vector<Vec3> held_mm;

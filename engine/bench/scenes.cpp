@@ -143,7 +143,7 @@ Scene touching() {
   return {"touching in one point", {{{0, 0, 0}, 1.5}, {{6, 0, 0}, 1.5}}, 1.5};
 }
 
-Scene hair(double overlap_A) {
+Scene barelyOverlapping(double overlap_A) {
   return {"overlapping by a hair", {{{0, 0, 0}, 1.5}, {{6 - overlap_A, 0, 0}, 1.5}}, 1.5};
 }
 
@@ -183,7 +183,7 @@ std::vector<Scene> all(std::uint64_t seed) {
                          ring(12, -0.01),
                          ring(12, 0.2),
                          touching(),
-                         hair(),
+                         barelyOverlapping(),
                          touchingAcross(),
                          nested(),
                          duplicates(),

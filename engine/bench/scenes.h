@@ -36,8 +36,8 @@ Scene shell();        ///< fullerene-like: 60 C on a truncated icosahedron of ed
 Scene cluster(int n,
               std::uint64_t seed);  ///< n random atoms of radii 1.1 to 2 in a cube, as dense as an organic crystal
 
-/// n x n x n balls of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of
-/// each cell, on the face-centred lattice six (octahedral hole) and four (tetrahedral hole).
+/// n x n x n balls of one size: on the simple cubic lattice eight inflated surfaces meet in the middle of each cell, on
+/// the face-centred lattice six (octahedral hole) and four (tetrahedral hole).
 Scene simpleCubic(int n);
 Scene faceCentred(int n);
 
@@ -45,10 +45,10 @@ Scene faceCentred(int n);
 /// probe + slack_A.
 Scene ring(int n, double slack_A);
 
-/// Two inflated balls whose surfaces touch in the one point (R, 0, 0) / overlap by `overlap_A` / with a third
-/// across the seam.
+/// Two inflated balls whose surfaces touch in the one point (R, 0, 0); that overlap by `overlap_A`; that touch, with a
+/// third ball across the seam.
 Scene touching();
-Scene hair(double overlap_A = 1e-9);
+Scene barelyOverlapping(double overlap_A = 1e-9);
 Scene touchingAcross();
 
 Scene nested();      ///< a ball inside another, one touching it from inside, and a neighbour
@@ -61,8 +61,8 @@ std::vector<Scene> all(std::uint64_t seed = 1);
 
 using Path = std::vector<Vec3>;
 
-/// A walk of fixed step along the surface: the depth below it wanders between 0 and depth_A, and now and then
-/// the HIP comes out by a little. Starts outside.
+/// A walk of fixed step along the surface: its depth varies between 0 and depth_A, and now and then the HIP comes out a
+/// little. Starts outside.
 Path walk(const Scene& scene, int ticks, std::uint64_t seed, double step_A = 0.02, double depth_A = 0.8);
 
 /// The same walk, with a jump to a random place (in or out) every 37th tick.

@@ -1,5 +1,5 @@
-// The noise floor of every comparison with exact: exact itself with a probe that is smaller by as little as
-// no finger feels. Where it differs from exact, the question has no answer that is finer. Units: angstrom.
+// The noise floor of every comparison with exact: exact itself with a probe that is smaller by so little that no finger
+// feels it. A difference between this and exact cannot be resolved any finer. Units: angstrom.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
-// Leads methods through the stability scenes, many times over, and says how true and how stable each one is:
-// two questions, two tables. On a virtual clock: the same figures on every run of the same build, however
-// many threads run it. Units: angstrom, newton, millimetre, joule.
+// Leads methods through the stability scenes, many times over, and measures how true and how stable each one is: two
+// questions, two tables. On a virtual clock: the same figures on every run of the same build, for any number of
+// threads. Units: angstrom, newton, millimetre, joule.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@
 
 namespace moltact::bench {
 
-/// What is more than this is a failure.
+/// A value above its limit is a failure.
 struct StabilityLimits {
   double place_A = kPlaceFelt_A;     ///< of the SCP from the right one: not true
   double step_over_N = kStepFelt_N;  ///< of the force's step from tick to tick over the true surface's: a jump
@@ -79,11 +79,11 @@ struct StabilityCell {
 std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& results,
                                           const StabilityLimits& limits = {});
 
-/// How true: scenes down, methods across, the share of ticks that are off with its 95 % interval.
+/// How true: scenes down, methods across, the fraction of ticks that are off with its 95 % interval.
 ReportTable fidelityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits = {});
 /// How stable: scenes down, methods across, events with the number of draws that had one.
 ReportTable stabilityMatrix(const std::vector<StabilityCell>& cells, const StabilityLimits& limits = {});
-/// A row a method: what its errors are, over all scenes and draws.
+/// A row a method: its errors over all scenes and draws.
 ReportTable stabilitySummary(const std::vector<StabilityResult>& results, const StabilityLimits& limits = {});
 /// Every figure, a row a scene, method and draw.
 ReportTable stabilityFigures(const std::vector<StabilityResult>& results);
@@ -91,7 +91,7 @@ ReportTable stabilityFigures(const std::vector<StabilityResult>& results);
 /// The device and the loop of the scenes.
 ReportTable deviceTable(const LoopSettings& loop = {});
 
-/// What the tables say, in sentences.
+/// Sentences that state the tables' results.
 std::string stabilitySentences(const std::vector<StabilityResult>& results, const StabilityLimits& limits = {});
 
 }  // namespace moltact::bench

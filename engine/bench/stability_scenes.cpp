@@ -127,7 +127,7 @@ StabilityScene graze() {
 StabilityScene passes(std::uint64_t seed) {
   const scenes::Scene scene = scenes::cluster(20, seed);
   StabilityScene out{"passes at 0.05 to 12 A a tick", "Is no sphere missed, however fast the HIP comes?", scene};
-  // Each pass begins anew outside: with a SCP left behind, two answers would be right.
+  // Each pass starts again outside: with a SCP left behind, two answers would be right.
   scenes::Random random(seed);
   Script script(Vec3(60, 0, 0));
   Vec3 low(1e300), high(-1e300);
@@ -255,7 +255,7 @@ std::vector<StabilityScene> stabilityScenes(std::uint64_t seed) {
   std::vector<StabilityScene> out = creases();
   out.push_back(pit());
   out.push_back(seam("touching in one point", scenes::touching()));
-  out.push_back(seam("overlapping by a hair", scenes::hair()));
+  out.push_back(seam("overlapping by a hair", scenes::barelyOverlapping()));
   out.push_back(walked("lattice, eight through a point", "Do many spheres through one point leave one answer?",
                        scenes::simpleCubic(3), seed + 1));
   out.push_back(walked("cubane-like", "The same on eight atoms of a cube.", scenes::cube(), seed + 2));

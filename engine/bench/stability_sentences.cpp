@@ -1,4 +1,4 @@
-// What the stability tables say, in sentences: written anew with every run, so that they cannot disagree with
+// The results of the stability tables in sentences: generated with every run, so that they cannot disagree with
 // them.
 #include <algorithm>
 #include <functional>
@@ -47,6 +47,9 @@ std::string count(std::size_t n, const char* one, const char* many) {
   return readable(double(n)) + (n == 1 ? one : many);
 }
 
+// The reference, and the same with another probe.
+bool ofReference(const Sums& sums) { return sums.method->family.name == referenceMethod().family.name; }
+
 }  // namespace
 
 std::string stabilitySentences(const std::vector<StabilityResult>& results, const StabilityLimits& limits) {
@@ -56,7 +59,7 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
   std::string out;
 
   for (const Sums& s : all) {
-    if (!s.method->name.starts_with("exact")) continue;
+    if (!ofReference(s)) continue;
     out += "* " + quoted(s.method) + " is off in " + readable(s.off_percent()) +
            " % of the ticks in contact, on the mean over scenes, and has " +
            count(s.tunnelled + s.jumps + s.broken, " event", " events") + " in " + readable(double(runs)) +
@@ -71,7 +74,7 @@ std::string stabilitySentences(const std::vector<StabilityResult>& results, cons
   // The others, by how true they are.
   std::vector<const Sums*> others;
   for (const Sums& s : all)
-    if (!s.method->name.starts_with("exact")) others.push_back(&s);
+    if (!ofReference(s)) others.push_back(&s);
   std::stable_sort(others.begin(), others.end(),
                    [](const Sums* a, const Sums* b) { return a->off_percent() < b->off_percent(); });
   std::vector<std::string> order, tunnels, jumps, quiet, energy;

@@ -24,7 +24,7 @@ std::string fixed(double value, int digits) {
   return text;
 }
 
-// Two digits are as much as thirty draws bear.
+// Thirty draws justify two digits.
 std::string brief(double value) {
   return value < 0.005 ? "<0.01" : fixed(value, value >= 9.95 ? 0 : value >= 0.95 ? 1 : 2);
 }
@@ -95,8 +95,8 @@ std::vector<StabilityCell> stabilityCells(const std::vector<StabilityResult>& re
     const bool last = k + 1 == results.size() || results[k + 1].scene != r.scene || results[k + 1].method != r.method;
     if (!last) continue;
     c.off_percent = meanOf(off);
-    const double share = contact > 0 ? kPer / contact : 0;
-    c.tunnelled = tunnelled * share, c.jumps = jumps * share, c.broken = broken * share;
+    const double per_contact = contact > 0 ? kPer / contact : 0;
+    c.tunnelled = tunnelled * per_contact, c.jumps = jumps * per_contact, c.broken = broken * per_contact;
     c.energy_J /= double(c.draws);
   }
   return out;

@@ -9,8 +9,8 @@
 
 namespace moltact::bench {
 
-Spread spreadOf(std::vector<double> values) {
-  Spread s;
+Statistics statisticsOf(std::vector<double> values) {
+  Statistics s;
   s.count = values.size();
   if (values.empty()) return s;
   std::sort(values.begin(), values.end());

@@ -1,4 +1,4 @@
-// What a list of measurements comes to: mean, percentiles, extremes. Not for the haptic thread.
+// Statistics of a list of measurements: mean, percentiles, extremes. Not for the haptic thread.
 #pragma once
 
 #include <cstddef>
@@ -6,25 +6,24 @@
 
 namespace moltact::bench {
 
-/// In the unit of the values. Percentiles by nearest rank: p99 is the smallest value that at least 99 % do
-/// not exceed.
-struct Spread {
+/// In the unit of the values. Percentiles by nearest rank: p99 is the smallest value that at least 99 % of the values
+/// do not exceed.
+struct Statistics {
   std::size_t count = 0;
   double mean = 0, rms = 0, p50 = 0, p99 = 0, p9999 = 0, max = 0;
 };
 
-/// Of no values, all zeros. The values must not be NaN.
-Spread spreadOf(std::vector<double> values);
+/// All zeros for no values. The values must not be NaN.
+Statistics statisticsOf(std::vector<double> values);
 
-/// A mean and how far the true one may lie from it: half the width of the 95 % interval by Student's t; 0 of fewer
-/// than two values.
+/// A mean and the uncertainty of it: half the width of the 95 % interval by Student's t; 0 for fewer than two values.
 struct MeanOf {
   double mean = 0, half_width = 0;
 };
 MeanOf meanOf(const std::vector<double>& values);
 
-/// Of points (cost, error), those for which no other is both cheaper and less wrong, as indices by ascending
-/// cost: the front of best trade-offs. Of equal points the first stands.
+/// The Pareto front of the points (cost, error): those for which no other is both cheaper and less wrong, as indices by
+/// ascending cost. The first of equal points counts.
 std::vector<std::size_t> paretoFront(const std::vector<double>& cost, const std::vector<double>& error);
 
 }  // namespace moltact::bench

@@ -257,7 +257,7 @@ ReportTable stiffnessFigures(const std::vector<Stiffness>& rows) {
 }
 
 std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
-  // Along one direction two limits are told apart when they differ by more than the search's last step.
+  // Along one direction two limits count as different when they differ by more than the search's last step.
   std::vector<std::string> above, never;
   double wall_low = kMost_N_per_mm, wall_high = 0, straight = 0, exact_ratio = 0;
   std::size_t compared = 0, exact_rows = 0;
@@ -273,7 +273,7 @@ std::string stiffnessSentences(const std::vector<Stiffness>& rows) {
     ++compared;
     const MeanOf ratio = meanOf(r.of_wall);
     const std::string what = "`" + std::string(r.method->name) + "` at \"" + r.place + "\" (" + r.setup + ")";
-    if (r.method->name == "exact") exact_ratio += ratio.mean, ++exact_rows;
+    if (isReference(*r.method)) exact_ratio += ratio.mean, ++exact_rows;
     if (ratio.mean - ratio.half_width > kToldApart)
       above.push_back(what + ": " + readable(ratio.mean) + " ± " + readable(ratio.half_width));
     if (*std::max_element(r.limit_N_per_mm.begin(), r.limit_N_per_mm.end()) == 0) never.push_back(what);

@@ -1,7 +1,7 @@
-// The greatest stiffness of the spring between HIP and SCP at which a pressed device comes to rest: at places
-// of several kinds, pressed along several directions of the device, with and without its friction and the
-// hand. Each is set beside a plain wall pressed along the same directions. On a virtual clock. Units:
-// angstrom, newton, millimetre.
+// The greatest stiffness of the spring between HIP and SCP at which a pressed device comes to rest: at places of
+// several kinds, pressed along several directions of the device, with and without its friction and the hand. Each is
+// compared with a plain wall pressed along the same directions. On a virtual clock. Units: angstrom, newton,
+// millimetre.
 #pragma once
 
 #include <array>
@@ -22,15 +22,15 @@ namespace moltact::bench {
 struct StiffnessPlace {
   std::string name;
   scenes::Scene scene;
-  Vec3 surface{0.0}, out{0.0, 0.0, 1.0};  ///< where it is met, and the unit vector out of it
-  bool holds = true;                      ///< what is pushed in stays there by itself; on a ridge only a hand holds it
+  Vec3 surface{0.0}, out{0.0, 0.0, 1.0};  ///< the point of first contact, and the unit vector out of it
+  bool holds = true;  ///< a probe that is pushed in stays there by itself; on a ridge only a hand holds it
 };
 
 /// One sphere, a crease, a pit, the pit of four spheres, a hole too narrow for the probe, a flat face of
 /// eight atoms.
 std::vector<StiffnessPlace> stiffnessPlaces();
 
-/// What presses, and with what device.
+/// A device and the push on it.
 struct StiffnessSetup {
   std::string name;
   DeviceParameters device;
@@ -38,7 +38,7 @@ struct StiffnessSetup {
   double push_N = 0;          ///< with no hand: a constant push, under which the device begins at rest in the surface
   double strike_N_s = 0;      ///< straight in; without a hand so little that the device stays in contact
   int ticks = 0;              ///< until it must be at rest
-  double begin_N_per_mm = 0;  ///< where the search begins, for all alike
+  double begin_N_per_mm = 0;  ///< where the search begins, the same for all
 };
 
 /// With friction and a light hand, with each alone, with neither.
@@ -68,11 +68,11 @@ std::vector<Stiffness> measureStiffness(const StiffnessOptions& options, const P
 
 /// Set-ups and places down, methods across: the median over directions, and the least.
 ReportTable stiffnessTable(const std::vector<Stiffness>& rows);
-/// What the set-ups are.
+/// The set-ups themselves.
 ReportTable stiffnessSetupsTable();
 /// A row a set-up, place, method and direction.
 ReportTable stiffnessFigures(const std::vector<Stiffness>& rows);
-/// Which limits lie above the plain wall's, and why.
+/// Sentences that say which limits lie above the plain wall's, and why.
 std::string stiffnessSentences(const std::vector<Stiffness>& rows);
 
 }  // namespace moltact::bench

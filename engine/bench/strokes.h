@@ -1,5 +1,4 @@
-// The motions that methods are timed and compared on: strokes of a HIP over the surface or past it. Units:
-// angstrom.
+// The motions by which methods are timed and compared: strokes of a HIP over the surface or past it. Units: angstrom.
 #pragma once
 
 #include <memory>

@@ -60,8 +60,8 @@ std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed) {
   return out;
 }
 
-std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls,
-                                    std::size_t least_prepared) {
+std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t balls,
+                                          std::size_t least_prepared) {
   std::vector<const Method*> out;
   for (const Method* m : methods)
     if (m->most_balls == 0 || (balls <= m->most_balls && balls >= least_prepared)) out.push_back(m);
@@ -81,7 +81,7 @@ std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, con
     const auto scene = std::make_shared<const BallScene>(balls);
     const auto contact = contactStrokes(scene, options.probe_A, options.plan);
     at(0.3);
-    const std::vector<const Method*> methods = thatBear(options.methods, balls.size(), options.least_prepared);
+    const std::vector<const Method*> methods = methodsForSize(options.methods, balls.size(), options.least_prepared);
     one.contact = timeMethods(methods, scene, options.probe_A, contact, options.budget_s);
     at(0.7);
     const auto free = freeStrokes(scene, options.probe_A, options.plan);
@@ -119,7 +119,7 @@ ReportTable tickTable(const std::vector<SceneTimes>& times) {
   for (const SceneTimes& scene : times)
     for (const bool contact : {false, true}) {
       const auto& rows = contact ? scene.contact : scene.free;
-      const TickTimes* exact = rowOf(rows, "exact");
+      const TickTimes* exact = rowOf(rows, referenceMethod().name);
       for (const TickTimes& row : rows)
         t.rows.push_back({scene.scene, double(scene.spheres), std::string(contact ? "contact" : "free"),
                           std::string(row.method->name), row.mean_ns, row.single_ns.p50, step, row.single_ns.p99,
@@ -148,7 +148,7 @@ ReportTable readyTable(const std::vector<SceneTimes>& times) {
                 "atoms modelled are those for "
                 "which it holds more than centre and radius."};
   for (const SceneTimes& scene : times) {
-    const TickTimes* exact = rowOf(scene.contact, "exact");
+    const TickTimes* exact = rowOf(scene.contact, referenceMethod().name);
     for (const TickTimes& row : scene.contact) {
       const double bytes = double(row.memory_usage.bytes), modelled = double(row.memory_usage.atoms_modelled);
       t.rows.push_back({scene.scene, double(scene.spheres), std::string(row.method->name), 1e3 * scene.scene_s,
@@ -173,7 +173,7 @@ ReportTable besidePaperTable(const std::vector<SceneTimes>& times) {
                 {},
                 "The column heads of the paper's tables say Hz; the figures are seconds a haptic frame, "
                 "given here in nanoseconds."};
-  const std::array<std::string_view, 4> shown{"exact", "paper", "mesh960", "sasmesh05"};
+  const std::array<std::string_view, 4> shown{referenceMethod().name, "paper", "mesh960", "sasmesh05"};
   for (const std::string_view name : shown)
     t.columns.push_back({std::string(name) + "_ns", std::string(name) + " here"});
   for (const SceneTimes& scene : times) {

@@ -1,6 +1,6 @@
-// The paper's Tables 1 and 2 anew: tick times of every method in free space and in contact on scenes of the
-// paper's sizes and larger, the time until the scene can be touched, and memory. Beside them stand the
-// paper's own figures; the heads of its columns say Hz, but the figures are seconds a haptic frame.
+// The paper's Tables 1 and 2, measured again: tick times of every method in free space and in contact on scenes of the
+// paper's sizes and larger, the time until the scene can be touched, and memory. The paper's own figures are listed
+// beside them; the heads of its columns say Hz, but the figures are seconds a haptic frame.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ struct TableScene {
 /// without the two largest but with 100 000.
 std::vector<TableScene> madeScenes(bool quick, std::uint64_t seed);
 
-/// What the paper measured for "Test 1", "Test 2", "5ADH", "8TIM", "1KBW"; nothing for other names.
+/// The paper's figures for "Test 1", "Test 2", "5ADH", "8TIM", "1KBW"; nothing for other names.
 std::optional<PaperFigures> paperFigures(const std::string& paper_name);
 
 struct TableOptions {
@@ -43,14 +43,14 @@ struct SceneTimes {
   std::string scene;
   std::string paper_name;
   std::size_t spheres = 0;
-  double scene_s = 0;                    ///< preparing what all methods share
-  std::vector<TickTimes> free, contact;  ///< a row a method that bears the scene, in the order of the options
+  double scene_s = 0;                    ///< the preparation that all methods share
+  std::vector<TickTimes> free, contact;  ///< a row a method made for this size, in the order of the options
 };
 
-/// Those that are made for scenes of so many balls (Method::most_balls); those that prepare them not below
-/// `least_prepared`.
-std::vector<const Method*> thatBear(const std::vector<const Method*>& methods, std::size_t balls,
-                                    std::size_t least_prepared = 0);
+/// The methods that are made for scenes of so many balls (Method::most_balls); methods that prepare a whole scene only
+/// from `least_prepared` balls on.
+std::vector<const Method*> methodsForSize(const std::vector<const Method*>& methods, std::size_t balls,
+                                          std::size_t least_prepared = 0);
 
 std::vector<SceneTimes> measureTables(const std::vector<TableScene>& scenes, const TableOptions& options,
                                       const Progress& progress);

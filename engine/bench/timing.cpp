@@ -104,7 +104,7 @@ std::vector<TickTimes> timeMethods(std::span<const Method* const> methods,
   std::vector<TickTimes> out;
   for (Contender& c : contenders) {
     c.times.mean_ns = c.whole_ticks ? c.whole_ns / double(c.whole_ticks) : 0;
-    c.times.single_ns = spreadOf(std::move(c.single));
+    c.times.single_ns = statisticsOf(std::move(c.single));
     c.times.touching = c.ticks ? double(c.touching) / double(c.ticks) : 0;
     c.times.memory_usage = c.tracker->memoryUsage();
     out.push_back(c.times);

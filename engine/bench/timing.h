@@ -19,18 +19,18 @@
 
 namespace moltact::bench {
 
-/// Told how far along the work is (0 to 1) and at what.
-using Progress = std::function<void(double share, std::string_view what)>;
+/// Receives the progress of the work (0 to 1) and the name of its present part.
+using Progress = std::function<void(double fraction, std::string_view what)>;
 
-/// What two readings of the clock in a row cost at least (unit: nanosecond).
+/// The least time between two successive readings of the clock (unit: nanosecond).
 double clockCost_ns();
 
 struct TickTimes {
   const Method* method = nullptr;
   double mean_ns = 0;        ///< over whole strokes
   std::size_t dropped = 0;   ///< strokes not counted because the processor was taken away
-  Spread single_ns;          ///< tick by tick; its mean includes what is left of the clock's cost
-  double touching = 0;       ///< share of counted ticks in contact (0 to 1)
+  Statistics single_ns;      ///< tick by tick; its mean includes what is left of the clock's cost
+  double touching = 0;       ///< fraction of counted ticks in contact (0 to 1)
   double make_s = 0;         ///< from the scene to a tracker that has answered its first tick, outside
   double first_touch_s = 0;  ///< the tick that first met the surface; 0 when none did
   MemoryUsage memory_usage;  ///< at the end

@@ -5,8 +5,8 @@
 namespace moltact::bench {
 
 std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Progress& progress) {
-  const auto at = [&](double share, std::string_view what) {
-    if (progress) progress(share, what);
+  const auto at = [&](double fraction, std::string_view what) {
+    if (progress) progress(fraction, what);
   };
   at(0, "preparing the strokes");
   const auto scene =
@@ -18,8 +18,8 @@ std::vector<TradeOff> measureTradeOffs(const TradeOffOptions& options, const Pro
     out.push_back({t.method, t.mean_ns, {}, t.memory_usage, false, false});
   for (std::size_t k = 0; k < out.size(); ++k) {
     at(0.3 + 0.7 * double(k) / double(out.size()), out[k].method->name);
-    out[k].accuracy = out[k].method->name == "exact" ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
-                                                     : accuracyOf(*out[k].method, scene, options.probe_A, strokes);
+    out[k].accuracy = isReference(*out[k].method) ? exactAgainstOracle(scene, options.probe_A, strokes, 250)
+                                                  : accuracyOf(*out[k].method, scene, options.probe_A, strokes);
   }
   std::vector<double> cost, scp, direction;
   for (const TradeOff& one : out) {

@@ -1,5 +1,5 @@
-// Speed against accuracy: for each method the time a tick and the error of SCP and force, and which methods
-// no other beats in both. The user's first wish of this bench.
+// Speed against accuracy: for each method the time a tick and the error of SCP and force, and which methods no other
+// beats in both.
 #pragma once
 
 #include <vector>

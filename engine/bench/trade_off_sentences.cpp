@@ -18,11 +18,11 @@ std::string seconds(double s) { return s < 1 ? readable(1e3 * s) + " ms" : reada
 
 std::string tradeOffSentences(const std::vector<TradeOff>& points) {
   const auto exact =
-      std::find_if(points.begin(), points.end(), [](const TradeOff& p) { return p.method->name == "exact"; });
+      std::find_if(points.begin(), points.end(), [](const TradeOff& p) { return isReference(*p.method); });
   if (exact == points.end() || points.size() < 2 || !(exact->tick_ns > 0)) return "";
   std::vector<TradeOff> others;
   for (const TradeOff& p : points)
-    if (p.method->name != "exact") others.push_back(p);
+    if (!isReference(*p.method)) others.push_back(p);
   std::sort(others.begin(), others.end(), [](const TradeOff& a, const TradeOff& b) { return a.tick_ns < b.tick_ns; });
 
   std::string out = "* Exactness: `exact` is off by at most " + readable(exact->accuracy.scp_A.max) +
@@ -49,15 +49,15 @@ std::string tradeOffSentences(const std::vector<TradeOff>& points) {
   return out + ".\n";
 }
 
-std::string coolSentences(const std::vector<CoolTimes>& cool) {
+std::string coldCacheSentences(const std::vector<ColdCacheTimes>& cool) {
   const auto exact =
-      std::find_if(cool.begin(), cool.end(), [](const CoolTimes& c) { return c.method->name == "exact"; });
+      std::find_if(cool.begin(), cool.end(), [](const ColdCacheTimes& c) { return isReference(*c.method); });
   if (exact == cool.end() || exact->sleeping_ns.count == 0) return "";
   std::string out = "A hand meets `exact` at " + readable(exact->sleeping_ns.p50) +
                     " ns a tick, once a millisecond, and at " + readable(1e-3 * exact->thrashed_ns.p50) +
                     " us where other work has emptied the caches: " + readable(1e-4 * exact->thrashed_ns.p50) +
                     " % of the millisecond.";
-  const auto slowest = std::max_element(cool.begin(), cool.end(), [](const CoolTimes& a, const CoolTimes& b) {
+  const auto slowest = std::max_element(cool.begin(), cool.end(), [](const ColdCacheTimes& a, const ColdCacheTimes& b) {
     return a.thrashed_ns.p50 < b.thrashed_ns.p50;
   });
   if (slowest != exact)
@@ -67,14 +67,14 @@ std::string coolSentences(const std::vector<CoolTimes>& cool) {
 }
 
 std::string sizeSentences(const std::vector<SceneTimes>& times) {
-  const auto rowOf = [](const std::vector<TickTimes>& rows, std::string_view name) -> const TickTimes* {
+  const auto referenceIn = [](const std::vector<TickTimes>& rows) -> const TickTimes* {
     for (const TickTimes& row : rows)
-      if (row.method->name == name) return &row;
+      if (isReference(*row.method)) return &row;
     return nullptr;
   };
   const SceneTimes *least = nullptr, *most = nullptr, *prepared = nullptr;
   for (const SceneTimes& s : times) {
-    const TickTimes* row = rowOf(s.contact, "exact");
+    const TickTimes* row = referenceIn(s.contact);
     if (!row || !(row->mean_ns > 0)) continue;
     if (!least || s.spheres < least->spheres) least = &s;
     if (!most || s.spheres > most->spheres) most = &s;
@@ -85,15 +85,15 @@ std::string sizeSentences(const std::vector<SceneTimes>& times) {
   if (!least) return "";
   std::string out;
   if (most != least) {
-    const double few = rowOf(least->contact, "exact")->mean_ns, many = rowOf(most->contact, "exact")->mean_ns;
+    const double few = referenceIn(least->contact)->mean_ns, many = referenceIn(most->contact)->mean_ns;
     out += "* Scale: from " + readable(double(least->spheres)) + " to " + readable(double(most->spheres)) +
            " spheres `exact`'s tick in contact goes from " + readable(few) + " to " + readable(many) + " ns (" +
            readable(many / few) + " times), its memory a sphere from " +
-           readable(double(rowOf(least->contact, "exact")->memory_usage.bytes) / double(least->spheres)) + " to " +
-           readable(double(rowOf(most->contact, "exact")->memory_usage.bytes) / double(most->spheres)) + " bytes.\n";
+           readable(double(referenceIn(least->contact)->memory_usage.bytes) / double(least->spheres)) + " to " +
+           readable(double(referenceIn(most->contact)->memory_usage.bytes) / double(most->spheres)) + " bytes.\n";
   }
   if (!prepared) return out;
-  const TickTimes* exact = rowOf(prepared->contact, "exact");
+  const TickTimes* exact = referenceIn(prepared->contact);
   const auto ready = [&](const TickTimes& t) { return prepared->scene_s + t.make_s + t.first_touch_s; };
   out += "* Preparation on " + readable(double(prepared->spheres)) + " spheres: `exact` can be touched after " +
          seconds(ready(*exact)) + ", with " + bytes(exact->memory_usage.bytes) + " in the end";

@@ -1,5 +1,5 @@
-// The one way from the bytes of a file to a number in memory. Only numbers are made so: a bool, an enum, a pointer or a
-// class takes values that not every pattern of bits is, and so is made from numbers, which are looked at first. Any
+// The only conversion from a file's bytes to a number in memory. Only numbers are made so: a bool, an enum, a pointer
+// or a class does not have a value for every pattern of bits, and so is made from numbers that are checked first. Any
 // thread.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace moltact {
 
-/// The number whose bytes, as this machine orders them, stand at `at`. `at` need not be aligned.
+/// The number whose bytes, in this machine's order, lie at `at`, which need not be aligned.
 template <class T>
 T numberAt(const void* at) noexcept {
   static_assert(std::is_arithmetic_v<T> && !std::is_same_v<std::remove_cv_t<T>, bool>,

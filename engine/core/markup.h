@@ -8,8 +8,8 @@
 
 namespace moltact {
 
-/// Text as it stands between tags and in attributes: what a tag could be made of is written as its entity, and bytes
-/// that are no printable text are cleaned (printable.h).
+/// Text for use between tags and in attributes: characters that could form a tag become entities, and bytes that are no
+/// printable text are cleaned (printable.h).
 inline std::string escaped(std::string_view text) {
   std::string out;
   for (const char c : printable(text)) switch (c) {

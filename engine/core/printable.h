@@ -1,6 +1,5 @@
-// Text that came from outside (names, titles, paths, messages that quote them) made safe to be shown: no sequence of it
-// steers a terminal, reorders what stands beside it, or begins a line of its own. Usable on every thread but the haptic
-// one.
+// Makes text from outside (names, titles, paths, messages that quote them) safe to show: no sequence in it controls a
+// terminal, reorders the text beside it, or begins a line of its own. Usable on every thread but the haptic one.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +9,7 @@
 
 namespace moltact {
 
-inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD, in the place of what is not shown
+inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD, shown in place of a harmful piece
 
 /// One code point at the front of a text: `bytes` long. Bytes that are no UTF-8 give `valid` false and a length of 1;
 /// `cut`: more bytes could still make a code point of it.
@@ -37,17 +36,17 @@ inline CodePoint firstCodePoint(std::string_view text) {
   return sound ? CodePoint{code, length, true, false} : CodePoint{first, 1, false, false};
 }
 
-/// Whether a code point steers what shows it: C0 and C1 controls but tab and line end, DEL, and what turns the
-/// direction of the text round it (embeddings, overrides, isolates).
+/// Whether a code point controls the display: C0 and C1 controls except tab and line end, DEL, and characters that
+/// change the direction of the surrounding text (embeddings, overrides, isolates).
 constexpr bool steersTerminal(std::uint32_t code) {
   return (code < 0x20 && code != '\t' && code != '\n') || (code >= 0x7F && code < 0xA0) ||
          (code >= 0x202A && code <= 0x202E) || (code >= 0x2066 && code <= 0x2069);
 }
 
-/// Calls keep(bytes) and harmful(code, valid) in turn for every piece of the text; `also` says which other code points
-/// are harmful.
+/// Calls keep(bytes) for each harmless piece of the text and harmful(code, valid) for each harmful code point, in
+/// order; `also` says which other code points are harmful.
 template <class Keep, class Harmful, class Also>
-void sortOut(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also) {
+void splitHarmful(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also) {
   std::size_t kept = 0, at = 0;
   const auto keepUpToHere = [&] {
     if (at > kept) keep(text.substr(kept, at - kept));
@@ -65,11 +64,11 @@ void sortOut(std::string_view text, Keep&& keep, Harmful&& harmful, Also&& also)
   keepUpToHere();
 }
 
-/// The text with U+FFFD for each code point that steers a terminal and each byte that is no UTF-8. Line ends and tabs
-/// stay.
+/// The text with U+FFFD in place of each code point that controls a terminal and each byte that is not UTF-8. Line ends
+/// and tabs stay.
 inline std::string printable(std::string_view text) {
   std::string out;
-  sortOut(
+  splitHarmful(
       text, [&](std::string_view piece) { out += piece; }, [&](std::uint32_t, bool) { out += kReplacement; },
       [](std::uint32_t) { return false; });
   return out;
@@ -78,7 +77,7 @@ inline std::string printable(std::string_view text) {
 /// The same on one line: a line end or a tab within becomes a space.
 inline std::string oneLine(std::string_view text) {
   std::string out;
-  sortOut(
+  splitHarmful(
       text, [&](std::string_view piece) { out += piece; },
       [&](std::uint32_t code, bool valid) {
         if (valid && (code == '\n' || code == '\t' || code == '\r'))

@@ -1,5 +1,5 @@
-// What went wrong with something a person gave us (a file, a line, an argument), and what would mend it.
-// Used outside the haptic thread only.
+// A fault in something that a person gave us (a file, a line, an argument), and its remedy. Used outside the haptic
+// thread only.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ struct Problem {
   std::string file;
   std::size_t line = 0;
   std::size_t column = 0;
-  std::string message;  ///< what is wrong, in words of the person's world
-  std::string remedy;   ///< what would mend it; may be empty
+  std::string message;  ///< what is wrong, in the person's own terms
+  std::string remedy;   ///< what would correct it; may be empty
 
   /// "file:line:column: message; remedy" on one line, leaving out what is not known. Names and what a message quotes
   /// may hold anything; what would steer a terminal is replaced.
@@ -32,7 +32,7 @@ struct Problem {
   }
 };
 
-/// Either a value or the problem that stood in its way.
+/// Either a value, or the problem that prevented it.
 template <class T>
 class Expected {
  public:

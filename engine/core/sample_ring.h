@@ -1,5 +1,5 @@
-// A queue of fixed length between one writing and one reading thread, without locks.
-// When the reader has fallen a whole ring behind, new values are dropped and counted: the writer never waits.
+// A queue of fixed length from one writing to one reading thread, without locks. When the reader is a whole ring
+// behind, new values are dropped and counted: the writer never waits.
 #pragma once
 
 #include <atomic>

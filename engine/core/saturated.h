@@ -1,5 +1,5 @@
-// Conversions between kinds of numbers that have a result for every number: the cast itself is undefined where the
-// value does not fit. Usable on every thread.
+// Conversions between types of numbers that are defined for every number: the cast itself is undefined where the value
+// does not fit. Usable on every thread.
 #pragma once
 
 #include <limits>
@@ -7,9 +7,9 @@
 
 namespace moltact {
 
-/// The whole number of `value` towards zero, or the end of `To` that it lies beyond; 0 of NaN.
+/// `value` rounded towards zero, or the nearer limit of `To` where it does not fit; 0 for NaN.
 template <class To, class From>
-requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To wholeOf(From value) {
+requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To saturateToInteger(From value) {
   // The greatest value of a wide integer rounds up to a power of two, which does not fit.
   constexpr From kBeyond = From(2) * From(std::numeric_limits<To>::max() / 2 + 1);
   if (!(value == value)) return To(0);
@@ -18,8 +18,8 @@ requires(std::is_integral_v<To>&& std::is_floating_point_v<From>) constexpr To w
   return static_cast<To>(value);
 }
 
-/// The float nearest to `value`, or the greatest or least where it lies beyond them; 0 of NaN.
-constexpr float floatOf(double value) {
+/// The float nearest to `value`, or the greatest or least float where it lies beyond; 0 for NaN.
+constexpr float saturateToFloat(double value) {
   constexpr double kMost = double(std::numeric_limits<float>::max());
   if (!(value == value)) return 0.0f;
   return static_cast<float>(value > kMost ? kMost : value < -kMost ? -kMost : value);

@@ -1,4 +1,4 @@
-// A name that is nearly always short, for things of which there are millions: 16 bytes where std::string takes 32. Any
+// A text that is nearly always short, for things of which there are millions: 16 bytes where std::string takes 32. Any
 // thread but the haptic one.
 #pragma once
 

@@ -1,5 +1,5 @@
-// Where spheres meet: the circle of two and the points of three. Pure functions; any thread; they neither allocate nor
-// throw. Units: angstrom. The trackers that are felt have their own, written for what they keep from tick to tick: the
+// The intersections of spheres: the circle of two and the points of three. Pure functions; any thread; they neither
+// allocate nor throw. Units: angstrom. The trackers have their own versions, for what they keep from tick to tick: the
 // paper's as it was published (haptics/paper), the exact one's for places that move (haptics/exact).
 #pragma once
 

@@ -1,5 +1,5 @@
-// Hands whole values from one thread to another without locks: one writer, one reader, each always free to go on.
-// The reader sees the newest value that was written whole; values between are skipped.
+// Hands whole values from one thread to another without locks: one writer, one reader; neither ever waits. The reader
+// sees the newest complete value; values between are skipped.
 #pragma once
 
 #include <array>

@@ -12,7 +12,7 @@ namespace moltact {
 using Vec3 = glm::dvec3;
 using Quat = glm::dquat;
 
-/// Turns nothing.
+/// The identity rotation.
 inline constexpr Quat kNoRotation{1.0, 0.0, 0.0, 0.0};
 
 /// True where none of the three numbers is infinite or NaN.
@@ -21,7 +21,7 @@ inline bool finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v
 /// True for a quaternion that rotates: of length 1 but for rounding. False for NaN.
 inline bool rotates(const Quat& q) { return std::abs(glm::dot(q, q) - 1.0) < 1e-3; }
 
-/// The way from one orientation to the other as an axis times its angle, the short way round (unit: radian).
+/// The rotation from one orientation to the other as axis times angle, the short way round (unit: radian).
 inline Vec3 rotationBetween(const Quat& from, const Quat& to) {
   Quat q = to * glm::conjugate(from);
   if (q.w < 0.0) q = -q;
@@ -58,8 +58,8 @@ struct Wrench {
   Vec3 torque_N_mm{0.0};
 };
 
-/// How the device's space lies in the molecule's: a scale, a rotation and a centre.
-/// Valid range: A_per_mm > 0; `rotation` a rotation matrix (orthonormal, determinant 1).
+/// The mapping from the device's space to the molecule's: a scale, a rotation and a centre. Valid range: A_per_mm > 0;
+/// `rotation` a rotation matrix (orthonormal, determinant 1).
 struct Workspace {
   double A_per_mm = 0.25;    ///< one millimetre of the hand is this many angstroms of the molecule (default 0.25)
   Vec3 centre_A{0.0};        ///< the place in the molecule where the device's origin lies (unit: angstrom)

@@ -1,13 +1,12 @@
-// A force-feedback stylus in a hand, simulated: what closes the loop round a method without hardware.
-// Deterministic, on a virtual clock; figures of the Phantom Omni class. Units: millimetre outside, SI inside;
-// newton, second.
+// A force-feedback stylus in a hand, simulated: it closes the loop round a method without hardware. Deterministic, on a
+// virtual clock; figures of the Phantom Omni class. Units: millimetre outside, SI inside; newton, second.
 //
-//   m x'' = F_held + F_hand - b x' - f_c tanh(|x'| / v_0) x'/|x'|,   F_hand = k_h (target - x) + b_h (target'
-//   - x')
+//   m x'' = F_held + F_hand - b x' - f_c tanh(|x'| / v_0) x'/|x'|
+//   F_hand = k_h (target - x) + b_h (target' - x')
 //
-// F_held is the command of `delay_ticks` ago, cut to max_force_N and held through a tick (zero-order hold);
-// what the program sees of x is rounded to `resolution_mm` on each axis. Fourth-order Runge-Kutta in
-// `substeps` a tick.
+// F_held is the command of `delay_ticks` ago, cut to max_force_N and held for a whole tick (zero-order hold). The
+// program sees x rounded to `resolution_mm` on each axis. Integrated by the fourth-order Runge-Kutta method, `substeps`
+// a tick.
 #pragma once
 
 #include <vector>
@@ -33,20 +32,20 @@ struct HandParameters {
   double damping_N_s_per_m = 5;
 };
 
-/// No hand at all: the device floats.
+/// No hand: the device floats freely.
 inline constexpr HandParameters kNoHand{0, 0};
 
 class DeviceModel {
  public:
   DeviceModel(const DeviceParameters& device, const HandParameters& hand, PointMm at);
 
-  /// The place that the program is told.
+  /// The position that the program sees.
   PointMm sensed() const;
   PointMm position() const { return {1e3 * x_}; }
   Vec3 velocity_m_per_s() const { return v_; }
 
-  /// One tick: takes the program's command (non-finite gives none) and leads the hand evenly to `target`
-  /// meanwhile.
+  /// Advances by one tick: takes the program's command (a non-finite one gives no force) and leads the hand evenly to
+  /// `target` meanwhile.
   void tick(ForceN command, PointMm target);
 
   /// The force that was held during the last tick (unit: newton).
@@ -61,7 +60,7 @@ class DeviceModel {
   DeviceParameters device_;
   HandParameters hand_;
   Vec3 x_, v_{0.0}, target_, held_{0.0};  // m, m/s, m, N
-  std::vector<Vec3> queue_;               // commands on their way
+  std::vector<Vec3> queue_;               // commands that are delayed
   std::size_t next_ = 0;
 };
 

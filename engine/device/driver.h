@@ -1,5 +1,5 @@
-// The devices there are, and what stands in the way of those that cannot be used. A device is added with its own files
-// and one line in drivers.cpp. Window's thread and commands; looking may take some tens of milliseconds.
+// The device drivers, and the devices that they find. A device is added with its own files and one line in drivers.cpp.
+// Window's thread and commands; finding may take some tens of milliseconds.
 #pragma once
 
 #include <memory>
@@ -14,39 +14,40 @@
 
 namespace moltact {
 
-/// One device that a driver knows of.
+/// One device that a driver has found.
 struct FoundDevice {
   std::string name = {};   ///< as in `moltact device check NAME`: the driver's, with ":2" and so on from the second on
-  std::string title = {};  ///< what is written on it, or a name of ours in English; `tr` where it is shown
-  std::string place = {};  ///< where it is plugged in, in the driver's words; may be empty
+  std::string title = {};  ///< the device's own title, or a name of ours in English; pass it through `tr` to show it
+  std::string place = {};  ///< the port or path, in the driver's words; may be empty
   bool usable = false;
-  std::string why = {};  ///< why it cannot be used and what would mend it; empty where it can
+  std::string why = {};  ///< why it cannot be used and what would help; empty where it can
   bool gives_force = false;
-  bool by_itself = false;  ///< may be chosen without being asked for
+  bool auto_selectable = false;  ///< may be chosen without a person asking for it
 };
 
 struct DeviceDriver {
   std::string_view name;      ///< "omni"
-  std::string_view sentence;  ///< what it is for
-  /// What there is now. A driver that cannot look at all gives one entry that says why.
+  std::string_view sentence;  ///< its purpose
+  /// Lists the devices of this driver. A driver that cannot look at all returns one entry that says why.
   std::vector<FoundDevice> (*find)();
   Expected<std::unique_ptr<Device>> (*open)(const FoundDevice& device);
 };
 
-/// Every driver; the first whose device is usable `by_itself` is the default, the mouse is the last.
+/// Every driver. The default device is the first one found that is usable and `auto_selectable`; the mouse comes last.
 std::span<const DeviceDriver> deviceDrivers();
 
-/// What all drivers find, in their order.
+/// The devices that all drivers find, in the drivers' order.
 std::vector<FoundDevice> findDevices();
 
-/// What there is of that name, by its driver alone; nothing where no driver knows it or it lists none.
+/// The device of that name, found by its driver alone; nothing where no driver has that name or it does not list the
+/// device.
 std::optional<FoundDevice> findDevice(std::string_view name);
 
-/// The one to use where nobody chose; never fails, for the mouse is always there.
+/// The device to use where nobody has chosen; never fails, for the mouse is always there.
 const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found);
 
-/// Opens the device of that name. A Problem where there is none of that name (it lists those there are), where it
-/// cannot be used, or where it fails to open.
+/// Opens the device of that name. A Problem where no device has that name (it lists those there are), where it cannot
+/// be used, or where opening fails.
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name);
 
 }  // namespace moltact

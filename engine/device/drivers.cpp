@@ -12,9 +12,9 @@
 #define MOLTACT_DRIVERS(X) \
   X(Omni)                  \
   X(WoodenHaptics)         \
-  X(Open)                  \
+  X(OpenLayout)            \
   X(SpaceMouse)            \
-  X(DualShock)             \
+  X(DualShock4)            \
   X(DualSense)             \
   X(Simulated)             \
   X(Mouse)
@@ -67,8 +67,8 @@ std::optional<FoundDevice> findDevice(std::string_view name) {
 }
 
 const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found) {
-  const auto best =
-      std::find_if(found.begin(), found.end(), [](const FoundDevice& one) { return one.usable && one.by_itself; });
+  const auto best = std::find_if(found.begin(), found.end(),
+                                 [](const FoundDevice& one) { return one.usable && one.auto_selectable; });
   return best != found.end() ? *best : found.back();
 }
 

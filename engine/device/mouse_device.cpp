@@ -23,14 +23,26 @@ void MouseDevice::place(PointMm target) noexcept {
   lead(target);
 }
 
+void MouseDevice::turn(const Quat& orientation) noexcept {
+  if (!rotates(orientation)) return;
+  sent_.orientation = glm::normalize(orientation);
+  lead_.write(sent_);
+}
+
 DevicePose MouseDevice::read(double dt_s) noexcept {
   const Lead& lead = lead_.read();
   if (lead.discontinuities != placed_) {
     placed_ = pose_.discontinuities = lead.discontinuities;
     pose_.position = lead.target;
+    pose_.orientation = lead.orientation;
     return pose_;
   }
-  Vec3 way = (lead.target.mm - pose_.position.mm) * (1.0 - std::exp(-dt_s / kGlide_s));
+  const double part = 1.0 - std::exp(-dt_s / kGlide_s);
+  const Vec3 angle = rotationBetween(pose_.orientation, lead.orientation);
+  if (const double size = glm::length(angle); size > 0.0)
+    pose_.orientation = glm::normalize(glm::angleAxis(std::min(size * part, kFastest_rad_per_s * dt_s), angle / size) *
+                                       pose_.orientation);
+  Vec3 way = (lead.target.mm - pose_.position.mm) * part;
   const double length = glm::length(way), most = kFastest_mm_per_s * dt_s;
   if (length > most) way *= most / length;
   pose_.position.mm += way;

@@ -1,4 +1,4 @@
-// The device that is always there: a mouse or keyboard standing in for a stylus. The window leads it, the haptic thread
+// The device that is always there: a mouse or keyboard in place of a stylus. The window leads it, the haptic thread
 // reads it; between two frames it glides, so that the HIP moves in small steps at 1 kHz.
 #pragma once
 
@@ -14,18 +14,23 @@ class MouseDevice final : public Device {
   DevicePose read(double dt_s) noexcept override;
   void write(ForceN) noexcept override {}
 
-  /// The window's thread: where the hand is to go. It glides there, with a time constant of kGlide_s and at most
+  /// The window's thread: sets the target of the hand. It glides there, with a time constant of kGlide_s and at most
   /// kFastest_mm_per_s. Non-finite places are ignored.
   void lead(PointMm target) noexcept;
-  /// The window's thread: the hand is there at once (a new scene).
+  /// The window's thread: the hand is there at once (a new scene), turned as it was.
   void place(PointMm target) noexcept;
+  /// The window's thread: how the hand is to be turned; it turns there as it glides, at most kFastest_rad_per_s. What
+  /// is no rotation is ignored.
+  void turn(const Quat& orientation) noexcept;
 
   static constexpr double kGlide_s = 0.025;
   static constexpr double kFastest_mm_per_s = 400.0;
+  static constexpr double kFastest_rad_per_s = 6.0;
 
  private:
   struct Lead {
     PointMm target;
+    Quat orientation = kNoRotation;
     std::uint32_t discontinuities = 0;
   };
   DeviceInfo info_;

@@ -1,9 +1,10 @@
-// A hand made out of a mouse or a keyboard: the probe hovers over the surface under the pointer, a press pushes it in.
+// A hand made from a mouse or a keyboard: the probe hovers over the surface under the pointer, a press pushes it in.
 // Pure logic on the window's thread, once a frame; MouseDevice carries the result smoothly to the haptic thread.
-// What stands in for the felt resistance: the HIP goes under while the probe stays on the surface, the push slows down
-// and the pointer's gain falls as the force rises. A press that is held comes to rest at the depth where the spring
-// gives kRest_N; a notch makes that kNotch_N more or less, and the press keeps it. Met at a slant the surface pushes
-// back less than the spring gives at that depth, never more. Units: angstrom, pixel, newton, second.
+//
+// The resistance is shown, not felt: the HIP goes under the surface while the probe stays on it, the push slows down,
+// and the pointer's gain falls as the force rises. A held press comes to rest at the depth where the spring gives
+// kRest_N; each notch makes that kNotch_N more or less, and the press keeps it. Met at a slant, the surface pushes back
+// less than the spring gives at that depth, never more. Units: angstrom, pixel, newton, second.
 #pragma once
 
 #include <optional>
@@ -14,15 +15,16 @@
 
 namespace moltact {
 
-/// What the person's pointing device and keys say in one frame.
+/// The state of the person's pointing device and keys in one frame.
 struct PointerInput {
   ViewRays rays;
-  std::optional<glm::dvec2> pointer_px;  ///< where the pointer is in the view; none: elsewhere, or the keyboard leads
-  glm::dvec2 keys{0.0};                  ///< from the arrow keys: x right, y up, each -1, 0 or 1
-  bool press = false;                    ///< left button or space bar held
-  double push_notches = 0.0;             ///< wheel notches or key presses: positive pushes deeper
-  double force_N = 0.0;                  ///< the force that the servo loop gave last
-  double N_per_A = 1.0;                  ///< how hard the surface pushes back an angstrom under it; 0 where it does not
+  std::optional<glm::dvec2>
+      pointer_px;             ///< the pointer's pixel in the view; none: it is elsewhere, or the keyboard leads
+  glm::dvec2 keys{0.0};       ///< from the arrow keys: x right, y up, each -1, 0 or 1
+  bool press = false;         ///< left button or space bar held
+  double push_notches = 0.0;  ///< wheel notches or key presses: positive pushes deeper
+  double force_N = 0.0;       ///< the force that the servo loop gave last
+  double N_per_A = 1.0;       ///< the force that pushes back per angstrom of depth; 0 where none does
   double dt_s = 1.0 / 60.0;
 };
 
@@ -30,14 +32,15 @@ class PointerHand {
  public:
   static constexpr double kHover_A = 0.35;  ///< how far before the surface the probe waits
   static constexpr double kPressSpeed_A_per_s = 1.2;
-  static constexpr double kRest_N = 0.6;          ///< with so much force a held press comes to rest
-  static constexpr double kNotch_N = 0.2;         ///< a notch makes it so much harder or lighter
-  static constexpr double kLightest_N = 0.05;     ///< a press is never lighter
-  static constexpr double kLongestNotch_A = 0.3;  ///< where the surface hardly pushes back
-  static constexpr double kDeepest_A = 3.0;       ///< a press goes no further under the surface
-  static constexpr double kHalfGain_N = 1.0;      ///< at this force the pointer moves the probe half as far
+  static constexpr double kRest_N = 0.6;       ///< the force at which a held press comes to rest
+  static constexpr double kNotch_N = 0.2;      ///< one notch changes that force by this much
+  static constexpr double kLightest_N = 0.05;  ///< the lightest press
+  static constexpr double kLongestNotch_A =
+      0.3;  ///< the most that one notch changes the depth, where the surface hardly pushes back
+  static constexpr double kDeepest_A = 3.0;   ///< the deepest press under the surface
+  static constexpr double kHalfGain_N = 1.0;  ///< at this force the pointer moves the probe half as far
 
-  /// Where the HIP is to be led. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.
+  /// The HIP's next target. `probe_A` inflates the scene's balls. Non-finite input leaves the hand where it was.
   PointA lead(const PointerInput& input, const BallScene& scene, double probe_A);
 
   double depth_A() const {

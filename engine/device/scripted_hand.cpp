@@ -7,7 +7,7 @@ namespace moltact {
 namespace {
 
 constexpr double kGoldenAngle = 2.399963229728653;
-constexpr int kVisits = 13;  // sides, before it begins anew
+constexpr int kVisits = 13;  // sides, before it starts again
 constexpr double kSlide_rad_per_s = 0.25;
 constexpr double kTurn_rad_per_s = 3.0;
 constexpr double kYield_mm_per_s_N = 15.0;  // how fast the hand follows what it feels

@@ -1,6 +1,6 @@
-// A hand that feels its way round whatever lies at the middle of the workspace: it comes from one side after another,
-// presses until it feels about kPress_N, slides along for some seconds and goes away again. The same every time.
-// Any thread; no allocation. Units: millimetre, newton, second.
+// A hand that explores whatever lies at the middle of the workspace: it comes from one side after another, presses
+// until it feels about kPress_N, slides along for some seconds and leaves again. The same motion every time. Any
+// thread; no allocation. Units: millimetre, newton, second.
 #pragma once
 
 #include "engine/core/units.h"
@@ -16,9 +16,9 @@ class ScriptedHand {
 
   ScriptedHand();
 
-  /// Where the hand wants to be `dt_s` later, having felt that force.
+  /// The hand's target `dt_s` later, after it felt that force.
   PointMm lead(double dt_s, ForceN felt) noexcept;
-  /// As one holds a pen: its axis, z at rest, lies along the side from which the hand comes.
+  /// As one holds a pen: its axis (z at rest) points to the side from which the hand comes.
   Quat orientation() const noexcept;
   PointMm place() const noexcept { return {side_ * distance_mm_}; }
 

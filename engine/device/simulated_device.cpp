@@ -25,7 +25,7 @@ SimulatedDevice::SimulatedDevice(const DeviceParameters& device, const HandParam
     : info_(describe(device)), model_(std::make_shared<DeviceModel>(device, hand, ScriptedHand().place())) {}
 
 DevicePose SimulatedDevice::read(double) noexcept {
-  return {.position = {model_->sensed().mm - Vec3(0, 0, kBehind_mm)},
+  return {.position = {model_->sensed().mm - Vec3(0, 0, kSimulatedTargetDepth_mm)},
           .connected = plugged_.load(std::memory_order_acquire),
           .orientation = hand_.orientation()};
 }

@@ -1,5 +1,5 @@
-// A force-feedback stylus that is not there: the device model (device_model.h) in the scripted hand, or in a hand that
-// a test leads. The loop through it is closed: what is written moves it. Haptic thread but where said.
+// A simulated force-feedback stylus: the device model (device_model.h) in the scripted hand, or in a hand that a test
+// leads. The loop through it is closed: the written force moves it. Haptic thread unless stated otherwise.
 #pragma once
 
 #include <atomic>
@@ -11,9 +11,9 @@
 
 namespace moltact {
 
-/// What the scripted hand feels its way round lies so far behind the middle of the device's room: a molecule lies
-/// before it.
-inline constexpr double kBehind_mm = 45.0;
+/// The scripted hand explores a point this far behind the middle of the device's workspace, for a molecule lies in
+/// front of that point.
+inline constexpr double kSimulatedTargetDepth_mm = 45.0;
 
 class SimulatedDevice final : public Device {
  public:
@@ -22,11 +22,11 @@ class SimulatedDevice final : public Device {
 
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override;
-  /// A tick of the model passes.
+  /// Advances the model by a tick.
   void write(ForceN force) noexcept override;
   DeviceStatus status() override;
 
-  /// What is led and driven; it outlives the device for whoever holds it, to be looked at when nothing ticks.
+  /// The model; it outlives the device for whoever holds it. Read it only while nothing ticks.
   std::shared_ptr<const DeviceModel> model() const { return model_; }
 
   /// Any thread: pulls the plug, or puts it back. The hand goes on meanwhile, without force.
@@ -39,7 +39,7 @@ class SimulatedDevice final : public Device {
   std::atomic<bool> plugged_{true};
 };
 
-/// What a program is told of a device with these parameters.
+/// The description of a device with these parameters.
 DeviceInfo describe(const DeviceParameters& device);
 
 }  // namespace moltact

@@ -22,7 +22,7 @@ struct ClosedSurface {
   Vec3 middle_A{0.0};
 };
 
-/// Of the box round the balls, cells of at most this many are looked at.
+/// The most cells of the box round the balls that are examined.
 inline constexpr double kMostCells = 64e6;
 
 /// The step that gives the longest side 100 cells, but none finer than 0.15 A: some 400 000 triangles for a protein.

@@ -14,7 +14,7 @@
 
 namespace moltact {
 
-/// What is drawn of a model: triangles with all transforms applied, three corners each.
+/// The drawable part of a model: triangles with all transforms applied, three corners each.
 struct SolidModel {
   struct Corner {
     glm::vec3 place{0.0f}, normal{0.0f};  ///< the normal has length 1

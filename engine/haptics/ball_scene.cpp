@@ -10,7 +10,7 @@
 
 namespace moltact {
 
-BallScene::BallScene(std::vector<Ball> balls, Equal equal) : balls_(std::move(balls)) {
+BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates) : balls_(std::move(balls)) {
   if (balls_.empty()) {
     cells_.resize(16);
     mask_ = 15;
@@ -61,7 +61,7 @@ BallScene::BallScene(std::vector<Ball> balls, Equal equal) : balls_(std::move(ba
   resetTable();
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     if (balls_[i].radius_A > large_from) continue;
-    if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted anew
+    if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted again
       cells_.assign(cells_.size() * 4, Cell{});
       resetTable();
       i = std::size_t(-1);
@@ -98,13 +98,13 @@ BallScene::BallScene(std::vector<Ball> balls, Equal equal) : balls_(std::move(ba
       sorted_[cells_[slot_of[i]].end++] = entry;
   }
 
-  // Of equal balls (alternate locations written twice, say) the first stands for all: a cell keeps it alone.
+  // Of equal balls (alternate locations written twice, say) only the first is kept in a cell.
   const auto same = [](const Sorted& a, const Sorted& b) {
     return a.ball.centre_A == b.ball.centre_A && a.ball.radius_A == b.ball.radius_A;
   };
   auto kept = sorted_.begin();  // the cells move together over the gaps
   for (Cell* cell : in_order) {
-    if (equal == Equal::EachVisited) break;
+    if (duplicates == Duplicates::VisitEach) break;
     Cell& c = *cell;
     const auto begin = sorted_.begin() + c.begin;
     auto end = sorted_.begin() + c.end;
@@ -124,20 +124,20 @@ BallScene::BallScene(std::vector<Ball> balls, Equal equal) : balls_(std::move(ba
     c.begin = static_cast<std::uint32_t>(first_kept - sorted_.begin());
     c.end = static_cast<std::uint32_t>(kept - sorted_.begin());
   }
-  if (equal == Equal::FirstStandsForAll) sorted_.erase(kept, sorted_.end());
+  if (duplicates == Duplicates::KeepFirst) sorted_.erase(kept, sorted_.end());
   large_from_ = static_cast<std::uint32_t>(sorted_.size());
   sorted_.insert(sorted_.end(), large.begin(), large.end());
 
-  for (const Cell* cell : in_order) makeCrowd(cell->begin, cell->end);
-  makeCrowd(large_from_, static_cast<std::uint32_t>(sorted_.size()));
+  for (const Cell* cell : in_order) makeTree(cell->begin, cell->end);
+  makeTree(large_from_, static_cast<std::uint32_t>(sorted_.size()));
 }
 
 // A tree over a crowded part of the list: halves at the middle of the longest side, the radius being one of four, down
 // to kLeaf balls. Of radii the larger half comes first: those are met first.
-void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
+void BallScene::makeTree(std::uint32_t begin, std::uint32_t end) {
   constexpr std::uint32_t kLeaf = 8;
-  if (end - begin <= kCrowd) return;
-  crowds_.push_back({begin, static_cast<std::uint32_t>(bounds_.size())});
+  if (end - begin <= kTreeThreshold) return;
+  cell_trees_.push_back({begin, static_cast<std::uint32_t>(tree_nodes_.size())});
   const auto grow = [&](const auto& self, std::uint32_t from, std::uint32_t to) -> void {
     Vec3 low = sorted_[from].ball.centre_A, high = low;
     double small = sorted_[from].ball.radius_A, large = small;
@@ -147,15 +147,15 @@ void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
       small = std::min(small, sorted_[k].ball.radius_A);
       large = std::max(large, sorted_[k].ball.radius_A);
     }
-    const std::size_t node = bounds_.size();
-    Bound bound{.centre = 0.5 * (low + high), .begin = from, .end = to, .leaf = to - from <= kLeaf};
+    const std::size_t node = tree_nodes_.size();
+    TreeNode bound{.centre = 0.5 * (low + high), .begin = from, .end = to, .leaf = to - from <= kLeaf};
     for (std::uint32_t k = from; k < to; ++k) {
-      bound.spread = std::max(bound.spread, glm::distance(bound.centre, sorted_[k].ball.centre_A));
+      bound.radius = std::max(bound.radius, glm::distance(bound.centre, sorted_[k].ball.centre_A));
       bound.largest = std::max(bound.largest, sorted_[k].ball.radius_A);
     }
-    bound.spread +=
-        1e-9 + 1e-12 * (glm::length(bound.centre) + bound.spread);  // what is just within reach is not lost to rounding
-    bounds_.push_back(bound);
+    bound.radius +=
+        1e-9 + 1e-12 * (glm::length(bound.centre) + bound.radius);  // what is just within reach is not lost to rounding
+    tree_nodes_.push_back(bound);
     if (!bound.leaf) {
       const Vec3 side = high - low;
       const int axis = side.x >= side.y ? (side.x >= side.z ? 0 : 2) : (side.y >= side.z ? 1 : 2);
@@ -169,14 +169,14 @@ void BallScene::makeCrowd(std::uint32_t begin, std::uint32_t end) {
       self(self, middle, to);
       self(self, from, middle);
     }
-    bounds_[node].next = static_cast<std::uint32_t>(bounds_.size());
+    tree_nodes_[node].next = static_cast<std::uint32_t>(tree_nodes_.size());
   };
   grow(grow, begin, end);
 }
 
 std::size_t BallScene::bytes() const {
-  return sorted_.capacity() * sizeof(Sorted) + bounds_.capacity() * sizeof(Bound) + crowds_.capacity() * sizeof(Crowd) +
-         cells_.capacity() * sizeof(Cell);
+  return sorted_.capacity() * sizeof(Sorted) + tree_nodes_.capacity() * sizeof(TreeNode) +
+         cell_trees_.capacity() * sizeof(CellTree) + cells_.capacity() * sizeof(Cell);
 }
 
 }  // namespace moltact

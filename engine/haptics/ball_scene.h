@@ -1,8 +1,8 @@
-// The balls of a scene and a uniform grid to find those near a place: all that is prepared before touching.
-// Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order.
-// The paper's "spatial partitioning methods" (section 5). The grid is hashed by cell, so memory follows the number
-// of balls and not the extent of the scene; a million balls take
-// about 0.1 s (build/release/tracker_benchmark --benchmark_filter=ready).
+// The balls of a scene, and a uniform grid that finds those near a place: all that is prepared before touching.
+// Immutable after construction, so every thread may read it. Units: angstrom; indices count from 0 in file order. The
+// grid is the paper's "spatial partitioning methods" (section 5). It is hashed by cell, so memory follows the number of
+// balls and not the extent of the scene; a million balls take about 0.1 s (build/release/tracker_benchmark
+// --benchmark_filter=ready).
 #pragma once
 
 #include <algorithm>
@@ -19,12 +19,12 @@ namespace moltact {
 
 class BallScene {
  public:
-  /// What becomes of balls with the same centre and radius: the first in the file stands for all, or each is visited.
-  enum class Equal : std::uint8_t { FirstStandsForAll, EachVisited };
+  /// The treatment of balls with the same centre and radius: keep only the first in the file, or visit each.
+  enum class Duplicates : std::uint8_t { KeepFirst, VisitEach };
 
   /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
   /// files).
-  explicit BallScene(std::vector<Ball> balls, Equal equal = Equal::FirstStandsForAll);
+  explicit BallScene(std::vector<Ball> balls, Duplicates duplicates = Duplicates::KeepFirst);
 
   std::span<const Ball> balls() const { return balls_; }
   const Ball& operator[](std::size_t i) const { return balls_[i]; }
@@ -40,14 +40,15 @@ class BallScene {
 
   /// Calls visit(index, ball) for every ball with |centre - place| <= radius + margin_A, each once, and for some
   /// farther ones: the visitor tests what it needs. A visitor that returns false ends the visit. Of balls with the same
-  /// centre and radius only the first in the file is visited, unless made otherwise. No allocation; the order is fixed
-  /// for a scene. `cost` counts what is looked at beside balls: cells, and groups of balls in crowded cells.
+  /// centre and radius only the first in the file is visited, unless Duplicates::VisitEach was given. No allocation;
+  /// the order is fixed for a scene. `cost` counts what is examined besides balls: cells, and tree nodes of crowded
+  /// cells.
   template <class Visit>
   void visitNear(const Vec3& place, double margin_A, Visit&& visit, std::uint64_t* cost = nullptr) const {
     const double reach = margin_A + cell_radius_;
-    const auto near = [&](const Bound& b) {
+    const auto near = [&](const TreeNode& b) {
       if (cost) ++*cost;
-      return glm::distance(place, b.centre) <= b.spread + b.largest + margin_A;
+      return glm::distance(place, b.centre) <= b.radius + b.largest + margin_A;
     };
     if (cost) *cost += static_cast<std::uint64_t>(std::min(std::pow(2.0 * reach / cell_, 3.0), double(large_from_)));
     visitBox(place - Vec3(reach), place + Vec3(reach), near, visit);
@@ -56,19 +57,18 @@ class BallScene {
   /// The same for the balls whose centres lie within `reach_A` of the place.
   template <class Visit>
   void visitCentresNear(const Vec3& place, double reach_A, Visit&& visit) const {
-    const auto inReach = [&](const Bound& b) { return glm::distance(place, b.centre) <= b.spread + reach_A; };
+    const auto inReach = [&](const TreeNode& b) { return glm::distance(place, b.centre) <= b.radius + reach_A; };
     visitBox(place - Vec3(reach_A), place + Vec3(reach_A), inReach, visit);
   }
 
-  /// The same for the balls that come within margin_A of any place in the box [low, high]; where many balls crowd in a
-  /// cell, only for those in groups for which `mayMeet(centre, radius)` is true: the group's balls all lie in that
-  /// ball.
+  /// The same for the balls that come within margin_A of any place in the box [low, high]. In a crowded cell only tree
+  /// nodes for which `mayMeet(centre, radius)` is true are visited; all balls of a node lie in that sphere.
   template <class MayMeet, class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, MayMeet&& mayMeet, Visit&& visit) const {
     const double reach = margin_A + cell_radius_;
     visitBox(
-        low - Vec3(reach), high + Vec3(reach), [&](const Bound& b) { return mayMeet(b.centre, b.spread + b.largest); },
-        visit);
+        low - Vec3(reach), high + Vec3(reach),
+        [&](const TreeNode& b) { return mayMeet(b.centre, b.radius + b.largest); }, visit);
   }
   template <class Visit>
   void visitNearBox(const Vec3& low, const Vec3& high, double margin_A, Visit&& visit) const {
@@ -76,7 +76,7 @@ class BallScene {
         low, high, margin_A, [](const Vec3&, double) { return true; }, visit);
   }
 
-  /// The edge of a grid cell (unit: angstrom): a good length for walking along a path piece by piece.
+  /// The edge of a grid cell (unit: angstrom): a good length of the pieces of a path.
   double cell_A() const { return cell_; }
 
  private:
@@ -88,18 +88,18 @@ class BallScene {
     Ball ball;
     std::uint32_t index;
   };
-  // Cells with more than kCrowd balls (a hundred thousand within 0.1 A, say) have a tree, so that a visit costs what it
-  // finds.
-  static constexpr std::uint32_t kCrowd = 64;
-  struct Bound {
+  // A cell with more balls than this (a hundred thousand within 0.1 A, say) has a tree, so that the cost of a visit
+  // follows from the number of balls found.
+  static constexpr std::uint32_t kTreeThreshold = 64;
+  struct TreeNode {
     Vec3 centre{0.0};
-    double spread = 0.0, largest = 0.0;  // no centre is farther from `centre`, no radius larger
+    double radius = 0.0, largest = 0.0;  // no centre is farther from `centre`, no radius larger
     std::uint32_t begin = 0, end = 0,
                   next = 0;  // into sorted_; the place of the next tree node that is not below this one
     bool leaf = false;
   };
-  struct Crowd {
-    std::uint32_t begin = 0, root = 0;  // of the cell in sorted_; of its tree in bounds_
+  struct CellTree {
+    std::uint32_t begin = 0, root = 0;  // of the cell in sorted_; of its tree in tree_nodes_
   };
   static constexpr std::uint64_t kEmpty = ~std::uint64_t{0};
   static constexpr double kHalfCells =
@@ -134,19 +134,19 @@ class BallScene {
 
   template <class Accept, class Visit>
   bool visitRange(std::uint32_t begin, std::uint32_t end, Accept&& accept, Visit&& visit) const {
-    if (end - begin > kCrowd) return visitCrowd(begin, accept, visit);
+    if (end - begin > kTreeThreshold) return visitTree(begin, accept, visit);
     for (std::uint32_t k = begin; k < end; ++k)
       if (!goesOn(visit, sorted_[k])) return false;
     return true;
   }
 
   template <class Accept, class Visit>
-  [[gnu::noinline]] bool visitCrowd(std::uint32_t begin, Accept&& accept, Visit&& visit) const {
-    const auto crowd = std::lower_bound(crowds_.begin(), crowds_.end(), begin,
-                                        [](const Crowd& c, std::uint32_t b) { return c.begin < b; });
-    const std::uint32_t end = bounds_[crowd->root].next;
-    for (std::uint32_t node = crowd->root; node < end;) {
-      const Bound& b = bounds_[node];
+  [[gnu::noinline]] bool visitTree(std::uint32_t begin, Accept&& accept, Visit&& visit) const {
+    const auto cell_tree = std::lower_bound(cell_trees_.begin(), cell_trees_.end(), begin,
+                                            [](const CellTree& c, std::uint32_t b) { return c.begin < b; });
+    const std::uint32_t end = tree_nodes_[cell_tree->root].next;
+    for (std::uint32_t node = cell_tree->root; node < end;) {
+      const TreeNode& b = tree_nodes_[node];
       if (!accept(b)) {
         node = b.next;
         continue;
@@ -183,14 +183,14 @@ class BallScene {
             if (!visitRange(c->begin, c->end, accept, visit)) return;
   }
 
-  void makeCrowd(std::uint32_t begin, std::uint32_t end);
+  void makeTree(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Ball> balls_;
-  std::vector<Sorted> sorted_;    // by cell, the cells along x, then y, then z: neighbours lie near in memory;
-  std::uint32_t large_from_ = 0;  // from here on the few balls much larger than the rest, tested at every visit
-  std::vector<Bound> bounds_;     // trees, each node before those below it
-  std::vector<Crowd> crowds_;     // by begin
-  std::vector<Cell> cells_;       // open addressing, at most half full
+  std::vector<Sorted> sorted_;        // by cell, the cells along x, then y, then z: neighbours lie near in memory;
+  std::uint32_t large_from_ = 0;      // from here on the few balls much larger than the rest, tested at every visit
+  std::vector<TreeNode> tree_nodes_;  // trees, each node before those below it
+  std::vector<CellTree> cell_trees_;  // by begin
+  std::vector<Cell> cells_;           // open addressing, at most half full
   std::size_t mask_ = 0;
   int shift_ = 62;  // 64 less the bits of a quarter of the table
   Vec3 low_{0.0}, high_{0.0}, grid_low_{0.0}, grid_high_{0.0};

@@ -1,5 +1,5 @@
-// What every method does with its input before its own work: refuse a HIP that is no place, clamp a probe.
-// Haptic thread. Units: angstrom.
+// Checks that every method makes on its input: it refuses a HIP that is no usable place and clamps a probe. Haptic
+// thread. Units: angstrom.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ inline bool usableHip(const Vec3& v) {
   return std::abs(v.x) <= kFarthest_A && std::abs(v.y) <= kFarthest_A && std::abs(v.z) <= kFarthest_A;
 }
 
-/// The answer to a HIP that is not usable; `last` stands for it where it is not even finite.
+/// The answer to a HIP that is not usable; its SCP is `last` where the HIP is not even finite.
 inline Contact refusedHip(PointA hip, const Vec3& last) {
   Contact refused{.scp = hip, .fault = Fault::NotFinite};
   if (!std::isfinite(hip.A.x) || !std::isfinite(hip.A.y) || !std::isfinite(hip.A.z)) refused.scp.A = last;

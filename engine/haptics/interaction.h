@@ -1,6 +1,7 @@
-// What is felt: where the hand is and how it is turned goes in, a force and a torque come out, with what is stored. A
-// scene chooses one (interactions.h); the servo step and the safety stage do not know which. `respond` runs on the
-// haptic thread: no lock, allocation, exception, log or call of the system. Units: angstrom, in the molecule's space.
+// The interface of everything that can be felt: the hand's position and orientation go in; a force, a torque and the
+// stored energy come out. A scene chooses one (interactions.h); the servo step and the safety stage do not know which.
+// `respond` runs on the haptic thread: no lock, allocation, exception, log or call of the system. Units: angstrom, in
+// the molecule's space.
 #pragma once
 
 #include "engine/core/units.h"
@@ -8,7 +9,9 @@
 
 namespace moltact {
 
-/// What a method keeps for the places it has been: "model no more than a scene needs", in numbers.
+class SphereMotion;
+
+/// The memory that a method keeps for the places it has been: "model no more than a scene needs", in numbers.
 struct MemoryUsage {
   std::size_t atoms_modelled = 0;  ///< atoms for which anything beyond centre and radius is held now
   std::size_t bytes = 0;           ///< all memory of the method beyond the list of balls itself (unit: byte)
@@ -39,7 +42,22 @@ class Interaction {
   virtual void setProbe(double probe_A) noexcept = 0;
 
   virtual double probe_A() const noexcept = 0;
+
+  /// How many times as stiff as one spring it is at the most, along any direction: the springs that pull together. The
+  /// loop's stability depends on all of them.
+  virtual double parallelSprings() const noexcept { return 1.0; }
+
+  /// Spheres that move: from now on they are the motion's, at its beginning; null: those that it was made with. The
+  /// motion has as many and stays until another is set; the one in force changes nothing. False, with nothing changed,
+  /// where what is felt cannot follow.
+  virtual bool setMotion(const SphereMotion*) noexcept { return false; }
+  /// The spheres go evenly to where they are at this fraction (0 to 1) of the motion; what touches them goes with them.
+  virtual void advanceTo(double /*fraction*/) noexcept {}
+
   virtual MemoryUsage memoryUsage() const noexcept = 0;
+
+  /// It is felt how the hand is turned: a body, not a point. Mouse, keys and devices that turn the view then turn it.
+  virtual bool hasOrientation() const noexcept { return false; }
 };
 
 }  // namespace moltact

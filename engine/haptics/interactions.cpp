@@ -2,21 +2,35 @@
 
 #include <array>
 
+#include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
 namespace {
 
-std::unique_ptr<Interaction> makeProbe(const InteractionScene& scene) {
-  return scene.method->make(scene.balls, scene.probe_A);
+std::unique_ptr<Interaction> makeProbe(const InteractionInput& input) {
+  const Method* method = findMethod(input.touch.method);
+  return method ? method->make(input.balls, input.touch.probe_A) : nullptr;
 }
 
 constexpr std::array kKinds{
-    InteractionKind{"probe", N_("a sphere at the hand, which a haptic method keeps outside every atom"), &makeProbe},
+    InteractionKind{"probe", N_("Probe"), N_("a sphere at the hand, which a haptic method keeps outside every atom"),
+                    &makeProbe},
 };
 
 }  // namespace
 
 std::span<const InteractionKind> interactionKinds() { return kKinds; }
+
+const InteractionKind* findInteractionKind(std::string_view name) {
+  for (const InteractionKind& k : kKinds)
+    if (k.name == name) return &k;
+  return nullptr;
+}
+
+std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input) {
+  const InteractionKind* kind = findInteractionKind(input.touch.interaction);
+  return kind ? kind->make(input) : nullptr;
+}
 
 }  // namespace moltact

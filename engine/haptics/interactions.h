@@ -6,24 +6,33 @@
 #include <span>
 #include <string_view>
 
-#include "engine/haptics/methods.h"
+#include "engine/haptics/ball_scene.h"
+#include "engine/haptics/interaction.h"
+#include "engine/haptics/touch_setup.h"
 
 namespace moltact {
 
 /// What an interaction is made from.
-struct InteractionScene {
+struct InteractionInput {
   std::shared_ptr<const BallScene> balls;
-  const Method* method;  ///< how a sphere is kept outside the balls
-  double probe_A = kWaterProbe_A;
+  TouchSetup touch = {};
 };
 
 struct InteractionKind {
   std::string_view name;      ///< "probe"
+  std::string_view title;     ///< on the screen: "Probe"
   std::string_view sentence;  ///< what it is
-  std::unique_ptr<Interaction> (*make)(const InteractionScene& scene);
+  /// Null where the setup names a method that there is not.
+  std::unique_ptr<Interaction> (*make)(const InteractionInput& input);
 };
 
 /// All, the one that a scene has unless it chooses another first.
 std::span<const InteractionKind> interactionKinds();
+
+/// The one of that name, or nullptr.
+const InteractionKind* findInteractionKind(std::string_view name);
+
+/// Makes what the setup names; null where there is no such interaction or method.
+std::unique_ptr<Interaction> makeInteraction(const InteractionInput& input);
 
 }  // namespace moltact

@@ -44,50 +44,137 @@ constexpr MethodFamily kExact{N_("Exact"), N_("Follows the spheres themselves, w
     kPenalty{N_("Penalty"), N_("Each atom pushes for itself, and nothing remembers from which side you came.")},
     kSurfaceMesh{N_("Surface mesh"), N_("One mesh of the whole surface, made beforehand.")};
 
-// A method that cannot follow spheres that move.
-constexpr Method still(Method method) {
-  method.follows_motion = false;
-  return method;
-}
-
-constexpr std::array kMethods{
-    Method{"exact", N_("the sphere tracker without error: the god-object on the union of balls"), &make<ExactTracker>,
-           kExact},
-    still(Method{"paper", N_("Algorithm 1 of Stocks and Laycock (2008) as published, its faults included"),
-                 &make<PaperTracker>, kPaper}),
-    Method{"mesh80", N_("a god-object on 80 triangles a ball"), &makeMesh<80>, kMesh, "80", "", 80},
-    Method{"mesh320", N_("a god-object on 320 triangles a ball"), &makeMesh<320>, kMesh, "320", "", 320},
-    Method{"mesh960", N_("a god-object on 960 triangles a ball, as many as in the paper"), &makeMesh<960>, kMesh, "960",
-           N_("Flat"), 960},
-    Method{"mesh1280", N_("a god-object on 1280 triangles a ball"), &makeMesh<1280>, kMesh, "1280", "", 1280},
-    Method{"mesh5120", N_("a god-object on 5120 triangles a ball"), &makeMesh<5120>, kMesh, "5120", "", 5120},
-    Method{"mesh960-smooth", N_("the same on 960 triangles with interpolated normals: force shading"),
-           &makeMesh<960, true>, kMesh, "960", N_("Smooth"), 960},
-    Method{"mesh960-tree", N_("the same on 960 triangles, the trees asked anew in every tick"),
-           &makeMesh<960, false, false>, kMesh, "960", N_("No memory"), 960},
-    still(Method{"grid02", N_("a signed-distance grid, smoothly interpolated, 0.2 A apart"), &makeGrid<2>, kGrid,
-                 N_("0.2 Å")}),
-    still(Method{"grid04", N_("a signed-distance grid, smoothly interpolated, 0.4 A apart"), &makeGrid<4>, kGrid,
-                 N_("0.4 Å")}),
-    still(Method{"grid08", N_("a signed-distance grid, smoothly interpolated, 0.8 A apart"), &makeGrid<8>, kGrid,
-                 N_("0.8 Å")}),
-    Method{"penalty", N_("the sum of each ball's push, without a proxy"), &make<PenaltyTracker>, kPenalty},
-    // For the bench only:
-    still(Method{"grid02-ready", N_("the grid 0.2 A apart, made beforehand wherever the surface is"),
-                 &makeGrid<2, true>, kGrid, N_("0.2 Å"), N_("Ready"), 0, kMostPrepared}),
-    still(Method{"grid04-ready", N_("the grid 0.4 A apart, made beforehand wherever the surface is"),
-                 &makeGrid<4, true>, kGrid, N_("0.4 Å"), N_("Ready"), 0, kMostPrepared}),
-    still(Method{"sasmesh05",
-                 N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
-                 &makeSasMesh<50>, kSurfaceMesh, N_("0.5 Å"), "", 0, kMostPrepared, true}),
-    still(Method{"sasmesh025",
-                 N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart"),
-                 &makeSasMesh<25>, kSurfaceMesh, N_("0.25 Å"), "", 0, kMostPrepared, true}),
+constexpr std::array kTable{
+    Method{.name = "exact",
+           .sentence = N_("the sphere tracker without error: the god-object on the union of balls"),
+           .make = &make<ExactTracker>,
+           .family = kExact,
+           .follows_motion = true,
+           .reference = true},
+    Method{.name = "paper",
+           .sentence = N_("Algorithm 1 of Stocks and Laycock (2008) as published, its faults included"),
+           .make = &make<PaperTracker>,
+           .family = kPaper},
+    Method{.name = "mesh80",
+           .sentence = N_("a god-object on 80 triangles a ball"),
+           .make = &makeMesh<80>,
+           .family = kMesh,
+           .grade = "80",
+           .triangles = 80,
+           .follows_motion = true},
+    Method{.name = "mesh320",
+           .sentence = N_("a god-object on 320 triangles a ball"),
+           .make = &makeMesh<320>,
+           .family = kMesh,
+           .grade = "320",
+           .triangles = 320,
+           .follows_motion = true},
+    Method{.name = "mesh960",
+           .sentence = N_("a god-object on 960 triangles a ball, as many as in the paper"),
+           .make = &makeMesh<960>,
+           .family = kMesh,
+           .grade = "960",
+           .variant = N_("Flat"),
+           .plain_variant = true,
+           .triangles = 960,
+           .follows_motion = true},
+    Method{.name = "mesh1280",
+           .sentence = N_("a god-object on 1280 triangles a ball"),
+           .make = &makeMesh<1280>,
+           .family = kMesh,
+           .grade = "1280",
+           .triangles = 1280,
+           .follows_motion = true},
+    Method{.name = "mesh5120",
+           .sentence = N_("a god-object on 5120 triangles a ball"),
+           .make = &makeMesh<5120>,
+           .family = kMesh,
+           .grade = "5120",
+           .triangles = 5120,
+           .follows_motion = true},
+    Method{.name = "mesh960-smooth",
+           .sentence = N_("the same on 960 triangles with interpolated normals: force shading"),
+           .make = &makeMesh<960, true>,
+           .family = kMesh,
+           .grade = "960",
+           .variant = N_("Smooth"),
+           .triangles = 960,
+           .follows_motion = true},
+    Method{.name = "mesh960-tree",
+           .sentence = N_("the same on 960 triangles, the trees asked anew in every tick"),
+           .make = &makeMesh<960, false, false>,
+           .family = kMesh,
+           .grade = "960",
+           .variant = N_("No memory"),
+           .triangles = 960,
+           .follows_motion = true},
+    Method{.name = "grid02",
+           .sentence = N_("a signed-distance grid, smoothly interpolated, 0.2 A apart"),
+           .make = &makeGrid<2>,
+           .family = kGrid,
+           .grade = N_("0.2 Å")},
+    Method{.name = "grid04",
+           .sentence = N_("a signed-distance grid, smoothly interpolated, 0.4 A apart"),
+           .make = &makeGrid<4>,
+           .family = kGrid,
+           .grade = N_("0.4 Å")},
+    Method{.name = "grid08",
+           .sentence = N_("a signed-distance grid, smoothly interpolated, 0.8 A apart"),
+           .make = &makeGrid<8>,
+           .family = kGrid,
+           .grade = N_("0.8 Å")},
+    Method{.name = "penalty",
+           .sentence = N_("the sum of each ball's push, without a proxy"),
+           .make = &make<PenaltyTracker>,
+           .family = kPenalty,
+           .follows_motion = true},
+    Method{.name = "grid02-ready",
+           .sentence = N_("the grid 0.2 A apart, made beforehand wherever the surface is"),
+           .make = &makeGrid<2, true>,
+           .family = kGrid,
+           .grade = N_("0.2 Å"),
+           .variant = N_("Ready"),
+           .most_balls = kMostPrepared,
+           .offered = false},
+    Method{.name = "grid04-ready",
+           .sentence = N_("the grid 0.4 A apart, made beforehand wherever the surface is"),
+           .make = &makeGrid<4, true>,
+           .family = kGrid,
+           .grade = N_("0.4 Å"),
+           .variant = N_("Ready"),
+           .most_balls = kMostPrepared,
+           .offered = false},
+    Method{.name = "sasmesh05",
+           .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
+           .make = &makeSasMesh<50>,
+           .family = kSurfaceMesh,
+           .grade = N_("0.5 Å"),
+           .most_balls = kMostPrepared,
+           .one_probe = true,
+           .offered = false},
+    Method{.name = "sasmesh025",
+           .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart"),
+           .make = &makeSasMesh<25>,
+           .family = kSurfaceMesh,
+           .grade = N_("0.25 Å"),
+           .most_balls = kMostPrepared,
+           .one_probe = true,
+           .offered = false},
 };
 
-constexpr std::size_t kOffered =
-    std::size_t(std::find_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.most_balls > 0; }) -
-                kMethods.begin());
+// The offered ones first, each in the order of the table.
+constexpr auto kMethods = [] {
+  auto out = kTable;
+  std::size_t n = 0;
+  for (const bool offered : {true, false})
+    for (const Method& m : kTable)
+      if (m.offered == offered) out[n++] = m;
+  return out;
+}();
+
+constexpr auto kOffered =
+    std::size_t(std::count_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.offered; }));
+static_assert(std::count_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.reference; }) == 1);
 
 }  // namespace
 
@@ -118,12 +205,21 @@ std::shared_ptr<const SphereMesh> feltFacets(std::string_view method) {
   return m && m->triangles > 0 ? SphereMesh::ofTriangles(m->triangles) : nullptr;
 }
 
+const Method& referenceMethod() {
+  return *std::find_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.reference; });
+}
+
+std::string_view motionSentence(const Method& method) {
+  return method.follows_motion ? std::string_view()
+                               : N_("It stays with the atoms as they stood: it cannot follow them while they move.");
+}
+
 std::string methodTitle(std::string_view name) {
   const Method* m = findBenchMethod(name);
   if (!m) return std::string(name);
   std::string title(tr(m->family.name));
   if (!m->grade.empty()) title.append(" ").append(tr(m->grade));
-  if (!m->variant.empty() && m->variant != "Flat") title.append(", ").append(tr(m->variant));
+  if (!m->variant.empty() && !m->plain_variant) title.append(", ").append(tr(m->variant));
   return title;
 }
 

@@ -14,7 +14,7 @@ namespace moltact {
 
 class SphereMesh;
 
-/// Methods that differ only in how finely they work share one.
+/// Methods that differ only in how finely they work fraction one.
 struct MethodFamily {
   std::string_view name;   ///< "Mesh"
   std::string_view plain;  ///< what it does, in a student's words
@@ -27,17 +27,25 @@ struct Method {
   MethodFamily family;
   std::string_view grade = {};    ///< how finely: "960", "0.4 Å"; empty where a family is one method
   std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
+  bool plain_variant = false;     ///< its title leaves the variant out: it is what its grade is without further words
   int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
   std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
   bool one_probe = false;         ///< it feels only the probe that it was made for
-  bool follows_motion = true;     ///< it goes with spheres that move (Tracker::setFrame)
+  bool follows_motion = false;    ///< it goes with spheres that move (Interaction::setMotion)
+  bool offered = true;            ///< to people; else it stands for comparison in the bench only
+  bool reference = false;         ///< the others are judged by it; exactly one is
 };
 
 /// The methods that the window, the lessons and every command offer, the default first. Each bears any scene and probe.
 std::span<const Method> methods();
 
-/// These and the ones that stand for comparison only, with what methods() does not allow: see most_balls and one_probe.
+/// These, then the ones that stand for comparison only, with what methods() does not allow: see most_balls and
+/// one_probe.
 std::span<const Method> benchMethods();
+
+/// The one that has no error of its own, by which all are judged.
+const Method& referenceMethod();
+inline bool isReference(const Method& method) { return method.reference; }
 
 /// The method of that name among methods(), or nullptr.
 const Method* findMethod(std::string_view name);
@@ -50,6 +58,9 @@ std::vector<std::string_view> methodNames();
 
 /// The triangles that a method of methods() feels for a ball of radius 1; null for a method without.
 std::shared_ptr<const SphereMesh> feltFacets(std::string_view method);
+
+/// What a person is told of a method while the spheres of the scene move (N_); empty where it goes with them.
+std::string_view motionSentence(const Method& method);
 
 /// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
 std::string methodTitle(std::string_view name);

@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "engine/haptics/ball_scene.h"
-#include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/sphere_motion.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
@@ -38,8 +38,8 @@ class NearbyBalls {
         crowded_(crowded),
         origin_(1024.0 * glm::round((scene_->low_A() + scene_->high_A()) / 2048.0)) {}
 
-  /// What is visited: the scene, or the bounds of a frame's spheres, whose radii and places are ball()'s.
-  const BallScene& scene() const noexcept { return frame_ ? frame_->bounds() : *scene_; }
+  /// What is visited: the scene, or the bounds of a motion's spheres, whose radii and places are ball()'s.
+  const BallScene& scene() const noexcept { return motion_ ? motion_->sweptBalls() : *scene_; }
   /// The scene's middle in whole steps of 1024 A, so that differences to it are exact; zero for a scene near
   /// the origin.
   const Vec3& origin() const noexcept { return origin_; }
@@ -62,28 +62,31 @@ class NearbyBalls {
     for (std::size_t k = 0; k < count_; ++k) list_[k].radius = ball(list_[k].index).radius;
   }
 
-  /// From now on the spheres are those of the frame, at its beginning; null: the scene's own. The frame has as many as
+  /// From now on the spheres are those of the motion, at its beginning; null: the scene's own. The motion has as many as
   /// the scene, and stays until another is set.
-  void setFrame(const SphereFrame* frame) noexcept {
+  void setMotion(const SphereMotion* motion) noexcept {
     // Where it goes on from the last one's end, what was far off has come nearer by no more than it moves.
-    const bool goes_on = frame && frame_ && share_ == 1.0 && frame->follows(*frame_) && fits_ && !shrunk_;
-    frame_ = frame;
-    share_ = 0.0;
-    reach_ = goes_on ? reach_ - frame->mostMoved_A() : -1.0;
+    const bool goes_on = motion && motion_ && fraction_ == 1.0 && motion->continues(*motion_) && fits_ && !shrunk_;
+    motion_ = motion;
+    motion_serial_ = motion ? motion->serial() : 0;
+    fraction_ = 0.0;
+    reach_ = goes_on ? reach_ - motion->mostMoved_A() : -1.0;
     if (reach_ < 0.0) count_ = 0;
     stale_ = count_ > 0;
     most_moved_ = mostMovedOfList_A();
   }
-  double share() const noexcept { return share_; }
-  /// The spheres as they are at this share of the frame (0 to 1). The list stays: it holds all that come near during
-  /// the frame.
-  void moveTo(double share) noexcept {
-    share_ = share;
-    stale_ = frame_ != nullptr;
+  /// Whether that motion is in force; null: none. One that lies where another lay is another.
+  bool has(const SphereMotion* motion) const noexcept { return (motion ? motion->serial() : 0) == motion_serial_; }
+  double fraction() const noexcept { return fraction_; }
+  /// The spheres as they are at this fraction of the motion (0 to 1). The list stays: it holds all that come near during
+  /// the motion.
+  void advanceTo(double fraction) noexcept {
+    fraction_ = fraction;
+    stale_ = motion_ != nullptr;
   }
-  /// No listed sphere's surface moves farther than this in the whole frame; infinite where there is no list.
+  /// No listed sphere's surface moves farther than this in the whole motion; infinite where there is no list.
   double mostMoved_A() const noexcept {
-    if (!frame_) return 0.0;
+    if (!motion_) return 0.0;
     return reach_ < 0.0 || !fits_ ? std::numeric_limits<double>::infinity() : most_moved_;
   }
   /// The list holds all that come within `within_A` of the place.
@@ -92,7 +95,7 @@ class NearbyBalls {
   }
 
   NearBall ball(std::int32_t i) const noexcept {
-    return inflated(i, frame_ ? (*frame_)[std::size_t(i)].at(share_) : (*scene_)[std::size_t(i)]);
+    return inflated(i, motion_ ? (*motion_)[std::size_t(i)].at(fraction_) : (*scene_)[std::size_t(i)]);
   }
 
   /// Calls visit(NearBall) once for each ball that comes within `within_A` of the place, and for some farther
@@ -141,11 +144,11 @@ class NearbyBalls {
 
   /// A lower bound of the distance from the place to the nearest sphere; negative or zero inside or on one.
   double clearanceAt(const Vec3& place) const noexcept {
-    return clearance(scene(), probe_, origin_ + place, frame_, share_);
+    return clearance(scene(), probe_, origin_ + place, motion_, fraction_);
   }
   /// The first sphere on the straight way from one place to another; `contact_A` as FirstMet has it.
   Hit firstMet(const Vec3& from, const Vec3& to, double contact_A) const noexcept {
-    return sweepFrom(scene(), probe_, origin_, from, to, contact_A, frame_, share_);
+    return sweepFrom(scene(), probe_, origin_, from, to, contact_A, motion_, fraction_);
   }
 
  private:
@@ -153,7 +156,7 @@ class NearbyBalls {
   static constexpr double kSpare_A =
       1e-12;  // a reach that has been reckoned on by a change of the probe is off by less
 
-  // The list's spheres as they are at this share.
+  // The list's spheres as they are at this fraction.
   void refresh() noexcept {
     for (std::size_t k = 0; k < count_; ++k) list_[k] = ball(list_[k].index);
     stale_ = false;
@@ -161,14 +164,14 @@ class NearbyBalls {
 
   double mostMovedOfList_A() const noexcept {
     double most = 0.0;
-    for (std::size_t k = 0; frame_ && k < count_; ++k)
-      most = std::max(most, (*frame_)[std::size_t(list_[k].index)].moved_A());
+    for (std::size_t k = 0; motion_ && k < count_; ++k)
+      most = std::max(most, (*motion_)[std::size_t(list_[k].index)].moved_A());
     return most;
   }
 
-  // A sphere as it is now, of which the scene or the frame's bounds hold `b`.
+  // A sphere as it is now, of which the scene or the motion's bounds hold `b`.
   NearBall now(std::uint32_t i, const Ball& b) const noexcept {
-    return inflated(std::int32_t(i), frame_ ? (*frame_)[i].at(share_) : b);
+    return inflated(std::int32_t(i), motion_ ? (*motion_)[i].at(fraction_) : b);
   }
 
   NearBall inflated(std::int32_t i, const Ball& b) const noexcept {
@@ -220,8 +223,9 @@ class NearbyBalls {
   }
 
   std::shared_ptr<const BallScene> scene_;
-  const SphereFrame* frame_ = nullptr;
-  double share_ = 0.0, most_moved_ = 0.0;
+  const SphereMotion* motion_ = nullptr;
+  std::uint64_t motion_serial_ = 0;
+  double fraction_ = 0.0, most_moved_ = 0.0;
   bool stale_ = false;  // the list's spheres have moved on
   double margin_;
   Crowded crowded_;

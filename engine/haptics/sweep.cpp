@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/sphere_motion.h"
 
 namespace moltact {
 namespace {
@@ -30,7 +30,7 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
 }
 
 Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
-              double contact_A, const SphereFrame* frame, double share) noexcept {
+              double contact_A, const SphereMotion* motion, double fraction) noexcept {
   constexpr double kSpare_A = 1e-6;  // more is looked at than rounding can hide
   const Vec3 way = to - from;
   double t0 = 0.0, t1 = 1.0;
@@ -54,7 +54,7 @@ Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const 
         origin + glm::min(p, q), origin + glm::max(p, q), probe_A + kSpare_A,
         [&](const Vec3& centre, double radius) { return first.mayMeet(centre - origin, radius + probe_A + kSpare_A); },
         [&](std::uint32_t i, const Ball& bound) {
-          const Ball b = frame ? (*frame)[i].at(share) : bound;
+          const Ball b = motion ? (*motion)[i].at(fraction) : bound;
           first.look(static_cast<std::int32_t>(i), b.centre_A - origin, b.radius_A + probe_A);
         });
     if (piece == length || (first.ball() >= 0 && first.at() <= a + piece)) break;
@@ -69,13 +69,13 @@ double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexc
   return glm::length(glm::max(glm::max(low - place, place - high), Vec3(0.0)));
 }
 
-double clearance(const BallScene& scene, double probe_A, const Vec3& place, const SphereFrame* frame,
-                 double share) noexcept {
+double clearance(const BallScene& scene, double probe_A, const Vec3& place, const SphereMotion* motion,
+                 double fraction) noexcept {
   const double looked = 0.5 * scene.cell_A(), to_box = wayToBox(scene, probe_A, place);
   if (to_box > looked) return to_box;
   double best = looked;
   scene.visitNear(place, probe_A + looked, [&](std::uint32_t i, const Ball& bound) {
-    const Ball b = frame ? (*frame)[i].at(share) : bound;
+    const Ball b = motion ? (*motion)[i].at(fraction) : bound;
     lessenGap(best, place - b.centre_A, b.radius_A + probe_A);
   });
   return best;

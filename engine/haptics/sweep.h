@@ -11,14 +11,14 @@
 
 namespace moltact {
 
-class SphereFrame;
+class SphereMotion;
 
 struct Hit {
   std::int32_t ball = -1;  ///< -1: nothing is met
   double t = 1.0;          ///< where on the way from `from` (0) to `to` (1)
 };
 
-/// Finds the first of the balls that are looked at, one after the other, on a straight way.
+/// Finds the first ball on a straight path, among the balls passed to look() one after the other.
 class FirstMet {
  public:
   /// `along` is unit; balls farther than `length` are not met. A ball within `contact_A` of the start is touched: it is
@@ -81,16 +81,16 @@ Hit sweep(const BallScene& scene, double probe_A, const Vec3& from, const Vec3& 
 
 /// The same for places given from `origin`, so that far from the zero point no digits are lost, with FirstMet's
 /// `contact_A`.
-/// With a frame the scene is its bounds, and the spheres are where they are at that share of it.
+/// With a motion the scene is its bounds, and the spheres are where they are at that fraction of it.
 Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const Vec3& from, const Vec3& to,
-              double contact_A, const SphereFrame* frame = nullptr, double share = 0.0) noexcept;
+              double contact_A, const SphereMotion* motion = nullptr, double fraction = 0.0) noexcept;
 
 /// The distance from `place` to the box round all inflated balls, 0 inside it.
 double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept;
 
 /// A lower bound of the distance from `place` to the nearest inflated ball, exact when under one grid cell;
-/// negative or zero inside or on a ball. Frame and share as above.
-double clearance(const BallScene& scene, double probe_A, const Vec3& place, const SphereFrame* frame = nullptr,
-                 double share = 0.0) noexcept;
+/// negative or zero inside or on a ball. Frame and fraction as above.
+double clearance(const BallScene& scene, double probe_A, const Vec3& place, const SphereMotion* motion = nullptr,
+                 double fraction = 0.0) noexcept;
 
 }  // namespace moltact

@@ -27,12 +27,12 @@ namespace moltact {
 const char* tr(const char* english) noexcept;
 /// The same for what stands in a table of std::string_view.
 std::string_view tr(std::string_view english) noexcept;
-/// A sentence that means different things in different places: `context` (never shown) tells them apart.
+/// A sentence that means different things in different places: `context` (never shown) distinguishes them.
 const char* trc(const char* context, const char* english) noexcept;
 /// The form that goes with `n`.
 const char* trn(const char* one, const char* many, unsigned long n) noexcept;
 
-/// What fills a placeholder: text or a whole number. A number with a fraction or a unit is a quantityText
+/// The value for a placeholder: text or a whole number. A number with a fraction or a unit is a quantityText
 /// (engine/language/quantity_text.h).
 class Piece {
  public:

@@ -1,6 +1,6 @@
-// A catalogue of translations as msgfmt writes it (.mo; GNU gettext manual, "The Format of GNU MO Files"). Read here
-// and not by the system's gettext because the language changes while the program runs, needs none of the system's
-// locales and must work where there is no system. Any thread but the haptic one.
+// A catalogue of translations in the format of msgfmt (.mo; GNU gettext manual, "The Format of GNU MO Files"). It is
+// read here and not by the system's gettext because the language changes while the program runs, needs no locale of the
+// system, and must work where the system has no gettext. Any thread but the haptic one.
 #pragma once
 
 #include <cstddef>

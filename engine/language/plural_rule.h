@@ -1,6 +1,6 @@
-// Which of a language's plural forms goes with a number: the C expression of a catalogue's header, for example
-// "nplurals=3; plural=n==1 ? 0 : n%10>=2 && n%10<=4 && (n%100<10 || n%100>=20) ? 1 : 2;" (GNU gettext manual, "Plural
-// forms"). Plain data once read; any thread but the haptic one.
+// Selects the plural form for a number by the C expression of a catalogue's header, for example "nplurals=3;
+// plural=n==1 ? 0 : n%10>=2 && n%10<=4 && (n%100<10 || n%100>=20) ? 1 : 2;" (GNU gettext manual, "Plural forms").
+// Immutable once read; any thread but the haptic one.
 #pragma once
 
 #include <cstdint>

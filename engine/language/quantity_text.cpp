@@ -35,22 +35,35 @@ std::string withSign(std::string text) {
   return text;
 }
 
-std::string shown(double value, Digits digits, const Unit* unit, bool asked_for) {
-  if (!std::isfinite(value)) return "–";
+// "1e9" of "1e+09".
+std::string shortExponent(std::string text) {
+  const std::size_t e = text.find('e');
+  if (e == std::string::npos) return text;
+  std::size_t from = e + 1;
+  if (text[from] == '+')
+    text.erase(from, 1);
+  else
+    ++from;  // '-'
+  while (from + 1 < text.size() && text[from] == '0') text.erase(from, 1);
+  return text;
+}
+
+std::string numberIn(double value, Digits digits, const Unit* unit, bool asked_for) {
   const double factor = unit ? 1.0 / unit->in_code_units : 1.0;
   value *= factor;
+  if (!std::isfinite(value)) return "–";  // also what is a number in the code's units alone
   switch (digits.kind) {
     case Digits::Kind::Decimals:
       return withSign(decimalsOf(value, digits.count - (asked_for ? 0 : int(std::lround(std::log10(factor))))));
     case Digits::Kind::Significant:
       return withSign(significantOf(value, digits.count));
     case Digits::Kind::Usual:
-      if (unit && unit->use & kShown) return withSign(decimalsOf(value, unit->decimals));
+      if (unit && unit->use & kShowable) return withSign(decimalsOf(value, unit->decimals));
       break;
     case Digits::Kind::Plain:
       break;
   }
-  return withSign(fmt::format("{:.{}g}", value, digits.kind == Digits::Kind::Plain ? digits.count : 6));
+  return withSign(shortExponent(fmt::format("{:.{}g}", value, digits.kind == Digits::Kind::Plain ? digits.count : 6)));
 }
 
 const Unit* unitOf(Dimension dimension, std::string_view in) {
@@ -61,7 +74,7 @@ const Unit* unitOf(Dimension dimension, std::string_view in) {
 }  // namespace
 
 std::string quantityNumber(double value, Dimension dimension, QuantityOptions options) {
-  return shown(value, options.digits, unitOf(dimension, options.in), !options.in.empty());
+  return numberIn(value, options.digits, unitOf(dimension, options.in), !options.in.empty());
 }
 
 std::string quantityNumber(double value, Dimension dimension, Digits digits) {
@@ -70,7 +83,7 @@ std::string quantityNumber(double value, Dimension dimension, Digits digits) {
 
 std::string quantityText(double value, Dimension dimension, QuantityOptions options) {
   const Unit* unit = unitOf(dimension, options.in);
-  std::string out = shown(value, options.digits, unit, !options.in.empty());
+  std::string out = numberIn(value, options.digits, unit, !options.in.empty());
   if (!unit) return out;
   if (unit->symbol != "°") out += kNoBreakSpace;  // the one that follows its number at once
   return out += unit->symbol;
@@ -80,14 +93,14 @@ std::string quantityText(double value, Dimension dimension, Digits digits) {
   return quantityText(value, dimension, {digits, {}});
 }
 
-std::string numberText(double value, Digits digits) { return shown(value, digits, nullptr, false); }
+std::string numberText(double value, Digits digits) { return numberIn(value, digits, nullptr, false); }
 
 std::string quantityIn(double value, std::string_view symbol, Digits digits) {
-  for (const Unit& u : units())
-    if (u.symbol == symbol && shownUnit(u.dimension))
-      return quantityText(value * u.in_code_units, u.dimension,
-                          shownUnit(u.dimension)->in_code_units == u.in_code_units ? QuantityOptions{digits, symbol}
-                                                                                   : QuantityOptions{digits, {}});
+  const Unit* unit = unitNamed(symbol);
+  if (const Unit* in_use = unit ? shownUnit(unit->dimension) : nullptr)
+    return quantityText(
+        value * unit->in_code_units, unit->dimension,
+        in_use->in_code_units == unit->in_code_units ? QuantityOptions{digits, symbol} : QuantityOptions{digits, {}});
   return numberText(value, digits) + (symbol.empty() ? "" : kNoBreakSpace) + std::string(symbol);
 }
 

@@ -16,12 +16,13 @@ struct Digits {
   int count = 0;
 };
 
-/// So many behind the decimal sign. Of a quantity: in the code's unit, so that where a dimension is shown in a unit of
-/// which a hundred are one of the code's there are two fewer; of a unit that the place asks for (`in`): in that.
+/// So many behind the decimal sign. For a quantity the count is meant in the code's unit, so that where a dimension is
+/// shown in a unit of which a hundred are one of the code's there are two fewer; for a unit that the place asks for
+/// (`in`) it is meant in that unit.
 constexpr Digits decimals(int count) { return {Digits::Kind::Decimals, count}; }
 /// So many that count, never with an exponent: 0.25, 4.2, 120 for two.
 constexpr Digits significant(int count) { return {Digits::Kind::Significant, count}; }
-/// As many as it takes, six that count at most: 1.4, 2, 0.125.
+/// As many as it takes, six that count at most: 1.4, 2, 0.125, 1e9.
 constexpr Digits plain(int most = 6) { return {Digits::Kind::Plain, most}; }
 
 struct QuantityOptions {
@@ -30,7 +31,7 @@ struct QuantityOptions {
       in;  ///< a unit of that dimension in the place of the shown one: "ms" for a time; none of its: the shown one
 };
 
-/// The value (in the code's unit) in the unit that is shown, and that unit. What is no finite number is "–".
+/// The value (in the code's unit) in the unit that is shown, and that unit. A number that is not finite is "–".
 std::string quantityText(double value, Dimension dimension, QuantityOptions options = {});
 std::string quantityText(double value, Dimension dimension, Digits digits);
 /// A value in the unit of that symbol, as an author or a task has it; shown in that of its dimension. A unit that is
@@ -54,8 +55,8 @@ void setDecimalSign(DecimalSign sign) noexcept;
 /// '.' or ','.
 char decimalSign() noexcept;
 
-/// What a person wrote as one number, with a point: "1,76" gives "1.76". Where the decimal sign is a point, a comma
-/// before exactly three digits may part thousands and stays: "1,760".
+/// A number that a person typed, with a point: "1,76" gives "1.76". Where the decimal sign is a point, a comma before
+/// exactly three digits may separate thousands and stays: "1,760".
 std::string numberAsTyped(std::string text);
 
 /// Prose of an author, with the spaces between a number and a unit made no-break ones. The number stays as it was

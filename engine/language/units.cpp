@@ -1,46 +1,125 @@
 #include "engine/language/units.h"
 
+#include <atomic>
+#include <utility>
+
 namespace moltact {
 namespace {
 
 using D = Dimension;
 
-constexpr int kBoth = kWritten | kShown;
+constexpr double kAvogadro_per_mol = 6.02214076e23;  // exact by the definition of the mole
+constexpr int kInLessons = kWritten | kNamed;
 
-// U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages give either.
+// U+00C5 is the letter, U+212B the angstrom sign; keyboards and web pages give either. The first of a dimension that
+// counts 1 is the code's unit.
 constexpr Unit kUnits[] = {
-    {"Å", D::Length, 1.0, kBoth, 2},       {"\xE2\x84\xAB", D::Length, 1.0, kWritten},
-    {"A", D::Length, 1.0, kWritten},       {"nm", D::Length, 10.0, kWritten},
-    {"pm", D::Length, 0.01, kWritten},     {"N", D::Force, 1.0, kBoth, 2},
-    {"mN", D::Force, 0.001, kWritten},     {"pN", D::Force, 1e-12, kKept},
-    {"s", D::Time, 1.0, kBoth, 1},         {"ms", D::Time, 0.001, kWritten},
-    {"min", D::Time, 60.0, kWritten},      {"h", D::Time, 3600.0, kKept},
-    {"µs", D::Time, 1e-6, kKept},          {"ns", D::Time, 1e-9, kKept},
-    {"N/mm", D::Stiffness, 1.0, kBoth, 2}, {"N/m", D::Stiffness, 0.001, kWritten},
-    {"mm", D::HandLength, 1.0, kShown, 1}, {"µm", D::HandLength, 0.001, kKept},
-    {"cm", D::HandLength, 10.0, kKept},    {"m", D::HandLength, 1000.0, kKept},
-    {"°", D::Angle, 1.0, kShown, 1},       {"%", D::Share, 0.01, kShown, 0},
-    {"Hz", D::Frequency, 1.0, kShown, 0},  {"kHz", D::Frequency, 1000.0, kKept},
-    {"Å²", D::Other, 1.0, kKept},          {"Å³", D::Other, 1.0, kKept},
-    {"°C", D::Other, 1.0, kKept},          {"K", D::Other, 1.0, kKept},
-    {"g", D::Other, 1.0, kKept},           {"kg", D::Other, 1.0, kKept},
-    {"Da", D::Other, 1.0, kKept},          {"kDa", D::Other, 1.0, kKept},
+    {"Å", D::Length, 1.0, kInLessons | kShowable, 2},
+    {"\xE2\x84\xAB", D::Length, 1.0, kWritten},
+    {"A", D::Length, 1.0, kWritten},
+    {"nm", D::Length, 10.0, kInLessons | kShowable, 3},
+    {"pm", D::Length, 0.01, kWritten | kShowable, 0},
+    {"N", D::Force, 1.0, kInLessons | kShowable, 2},
+    {"mN", D::Force, 0.001, kInLessons | kShowable, 0},
+    {"pN", D::Force, 1e-12, kProseOnly},
+    {"s", D::Time, 1.0, kInLessons | kShowable, 1},
+    {"ms", D::Time, 0.001, kWritten},
+    {"min", D::Time, 60.0, kInLessons},
+    {"h", D::Time, 3600.0, kProseOnly},
+    {"µs", D::Time, 1e-6, kProseOnly},
+    {"ns", D::Time, 1e-9, kProseOnly},
+    {"N/m", D::Stiffness, 0.001, kInLessons | kShowable, 0},
+    {"N/mm", D::Stiffness, 1.0, kInLessons | kShowable, 2},
+    {"mm", D::HandLength, 1.0, kShowable, 1},
+    {"µm", D::HandLength, 0.001, kProseOnly},
+    {"cm", D::HandLength, 10.0, kShowable, 2},
+    {"m", D::HandLength, 1000.0, kProseOnly},
+    {"°", D::Angle, 1.0, kShowable, 1},
+    {"%", D::Share, 0.01, kShowable, 0},
+    {"Hz", D::Frequency, 1.0, kShowable, 0},
+    {"kHz", D::Frequency, 1000.0, kProseOnly},
+    {"J", D::Energy, 1.0, kShowable, 4},
+    {"mJ", D::Energy, 1e-3, kShowable, 2},
+    {"zJ", D::Energy, 1e-21, kShowable, 1},
+    {"kJ/mol", D::Energy, 1e3 / kAvogadro_per_mol, kShowable, 1},
+    {"kcal/mol", D::Energy, 4184.0 / kAvogadro_per_mol, kShowable, 1},
+    {"Å²", D::Other, 1.0, kProseOnly},
+    {"Å³", D::Other, 1.0, kProseOnly},
+    {"°C", D::Other, 1.0, kProseOnly},
+    {"K", D::Other, 1.0, kProseOnly},
+    {"g", D::Other, 1.0, kProseOnly},
+    {"kg", D::Other, 1.0, kProseOnly},
+    {"Da", D::Other, 1.0, kProseOnly},
+    {"kDa", D::Other, 1.0, kProseOnly},
 };
+
+// The units that the program shows where nothing else is chosen.
+constexpr std::pair<Dimension, std::string_view> kOwnUnits[] = {
+    {D::Length, "Å"}, {D::Force, "N"}, {D::Time, "s"},       {D::Stiffness, "N/mm"}, {D::HandLength, "mm"},
+    {D::Angle, "°"},  {D::Share, "%"}, {D::Frequency, "Hz"}, {D::Energy, "mJ"},
+};
+
+// One pointer a dimension, so that a thread that reads one while another sets them has the old one or the new one.
+struct Shown {
+  std::array<std::atomic<const Unit*>, kDimensions> units;
+  Shown() {
+    const UnitSet own;
+    for (std::size_t d = 0; d < kDimensions; ++d) units[d].store(own.of(Dimension(d)));
+  }
+};
+Shown& shown() {
+  static Shown all;
+  return all;
+}
 
 }  // namespace
 
 std::span<const Unit> units() { return kUnits; }
 
-const Unit* shownUnit(Dimension dimension) {
-  for (const Unit& u : kUnits)
-    if (u.dimension == dimension && u.use & kShown) return &u;
-  return nullptr;
-}
-
 const Unit* unitNamed(std::string_view symbol, Dimension dimension) {
   for (const Unit& u : kUnits)
     if (u.dimension == dimension && u.symbol == symbol) return &u;
   return nullptr;
+}
+
+const Unit* unitNamed(std::string_view symbol) {
+  for (const Unit& u : kUnits)
+    if (u.symbol == symbol) return &u;
+  return nullptr;
+}
+
+std::string_view codeUnit(Dimension dimension) {
+  if (dimension == Dimension::Share || dimension == Dimension::Other) return {};
+  for (const Unit& u : kUnits)
+    if (u.dimension == dimension && u.in_code_units == 1.0) return u.symbol;
+  return {};
+}
+
+std::vector<std::string_view> namedUnits(Dimension dimension) {
+  std::vector<std::string_view> out;
+  for (const Unit& u : kUnits)
+    if (u.dimension == dimension && u.use & kNamed) out.push_back(u.symbol);
+  return out;
+}
+
+UnitSet::UnitSet() {
+  for (const auto& [dimension, symbol] : kOwnUnits) choose(dimension, symbol);
+}
+
+bool UnitSet::choose(Dimension dimension, std::string_view symbol) {
+  const Unit* unit = unitNamed(symbol, dimension);
+  if (!unit || !(unit->use & kShowable)) return false;
+  units_[std::size_t(dimension)] = unit;
+  return true;
+}
+
+void setShownUnits(const UnitSet& units) noexcept {
+  for (std::size_t d = 0; d < kDimensions; ++d)
+    shown().units[d].store(units.of(Dimension(d)), std::memory_order_relaxed);
+}
+
+const Unit* shownUnit(Dimension dimension) noexcept {
+  return shown().units[std::size_t(dimension)].load(std::memory_order_relaxed);
 }
 
 }  // namespace moltact

@@ -1,14 +1,17 @@
-// Every unit that the program knows: which quantity it measures, how it counts, and where it is used. To show forces in
-// another unit, its line is marked kShown in the place of the newton's. Plain data; any thread.
+// Every unit that the program knows: which quantity it measures, how it counts, and where it is used; and the set of
+// units in which quantities are shown. Any thread but the haptic one.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace moltact {
 
-/// What a number counts. In brackets: the unit in which the code counts.
+/// The quantity that a number measures. In brackets: the unit in which the code counts.
 enum class Dimension : std::uint8_t {
   None,        ///< a plain number
   Length,      ///< in the molecule (Å)
@@ -19,13 +22,16 @@ enum class Dimension : std::uint8_t {
   Angle,       ///< (°)
   Share,       ///< a part of a whole (1; shown in per cent)
   Frequency,   ///< (Hz)
+  Energy,      ///< (J); a unit per mole is that of one contact times Avogadro's number
   Other        ///< the program shows none, an author's prose may
 };
+inline constexpr std::size_t kDimensions = std::size_t(Dimension::Other) + 1;
 
 enum UnitUse : std::uint8_t {
-  kKept = 0,     ///< only kept on one line with its number where it stands in prose
-  kWritten = 1,  ///< an author may write it in a lesson
-  kShown = 2     ///< the unit in which the program shows quantities of this dimension; one for each
+  kProseOnly = 0,  ///< only kept on one line with its number where it stands in prose
+  kWritten = 1,    ///< an author may write it in a lesson
+  kNamed = 2,      ///< messages and the authors' reference name it where a unit is missing
+  kShowable = 4    ///< a UnitSet may hold it
 };
 
 struct Unit {
@@ -33,16 +39,39 @@ struct Unit {
   Dimension dimension;
   double in_code_units;
   int use;           ///< of UnitUse
-  int decimals = 0;  ///< of kShown: how many a number has where its place asks for no others
+  int decimals = 0;  ///< of kShowable: how many a number has where its place asks for no others
 };
 
-/// Shown and written ones first within a dimension.
 std::span<const Unit> units();
-
-/// The unit in which quantities of the dimension are shown. Null for None and Other.
-const Unit* shownUnit(Dimension dimension);
 
 /// The unit of that symbol within the dimension; null where there is none.
 const Unit* unitNamed(std::string_view symbol, Dimension dimension);
+/// The unit of that symbol, whatever it measures; null where there is none.
+const Unit* unitNamed(std::string_view symbol);
+
+/// The symbol of the unit in which the code counts: "Å", "N", "s", "N/mm". Empty for None, Share and Other.
+std::string_view codeUnit(Dimension dimension);
+
+/// The units that a message names to an author, kNamed: "Å" and "nm".
+std::vector<std::string_view> namedUnits(Dimension dimension);
+
+/// In which unit quantities of each dimension are shown. A new one is the program's own: see kOwnUnits in units.cpp.
+class UnitSet {
+ public:
+  UnitSet();
+  /// False, and nothing is changed, where the dimension has no kShowable unit of that symbol.
+  bool choose(Dimension dimension, std::string_view symbol);
+  /// Null for None and Other.
+  const Unit* of(Dimension dimension) const { return units_[std::size_t(dimension)]; }
+
+ private:
+  std::array<const Unit*, kDimensions> units_{};
+};
+
+/// From here on every quantity is shown in these.
+void setShownUnits(const UnitSet& units) noexcept;
+
+/// The unit in which quantities of the dimension are shown. Null for None and Other.
+const Unit* shownUnit(Dimension dimension) noexcept;
 
 }  // namespace moltact

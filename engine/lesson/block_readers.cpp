@@ -6,6 +6,7 @@
 #include "engine/lesson/reading.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/lesson/touch_keys.h"
 
 namespace moltact::reading {
 namespace {
@@ -105,18 +106,15 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
              std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
     reading.error(block.place, tr("the lesson's first scene needs the key 'molecule'"), tr("add a line 'molecule: …'"));
   }
-  if (takes("model")) scene.molecule.reading.model = static_cast<int>(values["model"].number);
-  if (takes("assembly")) {
-    const std::string& name = values["assembly"].text;
-    scene.molecule.reading.assembly = name == "none" ? std::string() : name;
+  for (const ReadingOption& option : readingOptions()) {
+    const Value& value = values[option.name];
+    const bool counts = std::holds_alternative<int ReadOptions::*>(option.member);
+    const std::string text = counts ? std::to_string(static_cast<int>(value.number)) : value.text;
+    if (takes(option.name)) readText(scene.molecule.reading, option, text == "none" ? "" : text);
+    if (value.place.line > scene.places.reading.line) scene.places.reading = value.place;
   }
-  if (takes("waters")) scene.molecule.reading.waters = values["waters"].words[0] == "yes";
-  for (const std::string_view key : {"model", "assembly", "waters"})
-    if (const Place place = values[key].place; place.line > scene.places.reading.line) scene.places.reading = place;
-  if (takes("probe")) scene.probe_A = values["probe"].number;
-  if (takes("stiffness")) scene.stiffness_N_per_mm = values["stiffness"].number;
-  if (takes("method")) scene.method = values["method"].words[0];
-  if (takes("force")) scene.force = values["force"].words[0] == "on";
+  for (const TouchProperty& property : touchProperties())
+    if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
   if (takes("show")) scene.show = values["show"].words;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   if (takes("panels")) {

@@ -1,6 +1,6 @@
-// Checks a lesson as an author needs it: everything that can be told of it at once, beyond its own text too: molecules
-// that there are, selections that select atoms, links and pictures that are there, steps that can be reached.
-// Not for the haptic thread.
+// Checks a lesson as an author needs it: all faults that can be found at once, beyond its own text too: molecules that
+// there are, selections that select atoms, links and pictures that are there, steps that can be reached. Not for the
+// haptic thread.
 #pragma once
 
 #include <functional>

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <string>
 
-#include "engine/fonts/sign_table.h"
+#include "engine/fonts/glyph_coverage.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
 #include "engine/lesson/checks.h"
@@ -37,7 +37,7 @@ void language(const Lesson& lesson, const std::filesystem::path& lesson_file, Fi
 }
 
 void signs(std::string_view text, Findings& findings) {
-  const SignTable& table = SignTable::ofWindow();
+  const GlyphCoverage& table = GlyphCoverage::ofWindow();
   std::size_t number = 1;
   for (std::size_t from = 0; from < text.size() && !enoughProblems(findings.warnings); ++number) {
     const std::size_t end = std::min(text.find('\n', from), text.size());

@@ -4,21 +4,23 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/core/saturated.h"
 #include "engine/haptics/sweep.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kBefore_A = 1.0;   // the hand begins so far before a place
-constexpr double kSettle_s = 0.3;   // in which the force after a new beginning has grown to its full size
-constexpr double kApart_A = 0.5;    // places nearer to each other than this are one
-constexpr double kStep_A = 0.4;     // of a slide, between two looks for the surface
-constexpr double kRoom_A = 1.5;     // more room than this round a place is no better
-constexpr int kDirections = 60;     // in which an atom's face is looked at
-constexpr double kSpacing_A = 0.4;  // of places in a crease
+constexpr double kBefore_A = 1.0;       // the hand begins so far before a place
+constexpr double kSettle_s = 0.3;       // in which the force after a new beginning has grown to its full size
+constexpr double kApart_A = 0.5;        // places nearer to each other than this are one
+constexpr double kStep_A = 0.4;         // of a slide, between two looks for the surface
+constexpr int kMostSteps = 20'000;      // longer on ways that are no molecule's
+constexpr double kRoom_A = 1.5;         // more room than this round a place is no better
+constexpr int kDirections = 60;         // in which an atom's face is looked at
+constexpr double kHandSpacing_A = 0.4;  // of places in a crease
 
 // How far the nearest atom that does not hold the probe is away from it there.
-double room(const HandView& view, const SurfacePlace& place) {
+double room(const HandPlanInput& view, const SurfacePlace& place) {
   double least = kRoom_A;
   view.balls.visitNear(place.scp_A, view.probe_A + kRoom_A, [&](std::uint32_t i, const Ball& b) {
     const auto atom = static_cast<std::int32_t>(i);
@@ -36,13 +38,13 @@ std::vector<std::uint32_t> everyAtom(const BallScene& balls) {
   return all;
 }
 
-std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature,
+std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms, Feature feature,
                                      std::size_t at_most, const std::function<bool(const SurfacePlace&)>& wanted) {
   std::vector<SurfacePlace> found;
   if (feature == Feature::Sphere)
     found = facePlaces(view.balls, atoms, view.probe_A, kDirections);
   else if (feature == Feature::Circle)
-    found = creasePlaces(view.balls, atoms, view.probe_A, kSpacing_A);
+    found = creasePlaces(view.balls, atoms, view.probe_A, kHandSpacing_A);
   else if (feature == Feature::Point)
     found = pitPlaces(view.balls, atoms, view.probe_A);
   if (wanted) std::erase_if(found, [&](const SurfacePlace& p) { return !wanted(p); });
@@ -60,22 +62,22 @@ std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::
   return out;
 }
 
-std::optional<SurfacePlace> placeFor(const HandView& view, const std::vector<SurfacePlace>& places) {
+std::optional<SurfacePlace> placeFor(const HandPlanInput& view, const std::vector<SurfacePlace>& places) {
   if (places.empty()) return std::nullopt;
   return places[static_cast<std::size_t>(view.attempt) % places.size()];
 }
 
-double depthFor(const HandView& view, double force_N) { return view.N_per_A > 0.0 ? force_N / view.N_per_A : 0.0; }
+double depthFor(const HandPlanInput& view, double force_N) { return view.N_per_A > 0.0 ? force_N / view.N_per_A : 0.0; }
 
 void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wait_s) {
   plan.push_back({.to = PointA{place.scp_A + place.outward * kBefore_A}, .placed = true, .wait_s = kSettle_s});
   plan.push_back({.to = PointA{place.scp_A - place.outward * depth_A}, .wait_s = wait_s});
 }
 
-void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
+void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
            double speed_A_per_s) {
   const double length = glm::distance(from.scp_A, to.scp_A);
-  const int steps = std::max(1, int(std::ceil(length / kStep_A)));
+  const int steps = std::clamp(saturateToInteger<int>(std::ceil(length / kStep_A)), 1, kMostSteps);
   const double far = glm::distance(view.balls.low_A(), view.balls.high_A()) + 2.0 * view.probe_A + 1.0;
   for (int k = 1; k <= steps; ++k) {
     const double part = double(k) / steps;

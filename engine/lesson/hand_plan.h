@@ -1,6 +1,6 @@
-// What a hand should do to carry out a task: the scripted learner follows it (engine/lesson/scripted_learner), and each kind of
-// task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt then takes other
-// places. Not for the haptic thread. Units: angstrom, second, newton.
+// The movements by which a hand carries out a task: the scripted learner follows it (engine/lesson/scripted_learner),
+// and each kind of task offers it. A plan may fail, for the molecule's shape is judged only roughly; the next attempt
+// then takes other places. Not for the haptic thread. Units: angstrom, second, newton.
 #pragma once
 
 #include <cstdint>
@@ -29,8 +29,8 @@ struct HandAct {
 
 using HandPlan = std::vector<HandAct>;
 
-/// What a plan can be made from.
-struct HandView {
+/// The input from which a plan is made.
+struct HandPlanInput {
   const BallScene& balls;
   double probe_A = kWaterProbe_A;
   double N_per_A = 1.0;  ///< the spring's force for a HIP so deep under the surface
@@ -43,21 +43,21 @@ std::vector<std::uint32_t> everyAtom(const BallScene& balls);
 
 /// Places of this kind that these atoms alone make and a probe reaches straight from outside, the roomiest first and no
 /// two within 0.5 A. `at_most` of them; where `wanted` is given, of those for which it says true.
-std::vector<SurfacePlace> openPlaces(const HandView& view, std::span<const std::uint32_t> atoms, Feature feature,
+std::vector<SurfacePlace> openPlaces(const HandPlanInput& view, std::span<const std::uint32_t> atoms, Feature feature,
                                      std::size_t at_most = 40,
                                      const std::function<bool(const SurfacePlace&)>& wanted = {});
 
 /// The place for an attempt: the first, then others in turn. Nothing where there is none.
-std::optional<SurfacePlace> placeFor(const HandView& view, const std::vector<SurfacePlace>& places);
+std::optional<SurfacePlace> placeFor(const HandPlanInput& view, const std::vector<SurfacePlace>& places);
 
 /// How deep under the surface the spring gives so much force.
-double depthFor(const HandView& view, double force_N);
+double depthFor(const HandPlanInput& view, double force_N);
 
 /// Puts the hand before the place, brings it down and `depth_A` under the surface, and waits there.
 void comeTo(HandPlan& plan, const SurfacePlace& place, double depth_A, double wait_s);
 
 /// From one place to another over the surface, `depth_A` under it all the way.
-void slide(HandPlan& plan, const HandView& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
+void slide(HandPlan& plan, const HandPlanInput& view, const SurfacePlace& from, const SurfacePlace& to, double depth_A,
            double speed_A_per_s = 3.0);
 
 }  // namespace moltact

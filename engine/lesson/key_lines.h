@@ -31,7 +31,7 @@ struct KeyLine {
 /// an item of a list adds a problem (without a file name).
 std::vector<KeyLine> splitKeyLines(std::span<const BlockLine> lines, std::vector<Problem>& problems);
 
-/// What would mend a key that the block does not have; where it gives nothing, the nearest of its keys is suggested.
+/// The remedy for a key that the block does not have; where it gives nothing, the nearest of its keys is suggested.
 using UnknownKey = std::function<std::string(std::string_view key)>;
 
 /// Reads the values of a block by its keys: adds a problem for each unknown or doubled key, bad value and missing

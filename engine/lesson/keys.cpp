@@ -1,15 +1,29 @@
 #include "engine/lesson/keys.h"
 
-#include "engine/haptics/methods.h"
-#include "engine/haptics/tracker.h"
+#include <iterator>
+#include <utility>
+
 #include "engine/language/catalogue.h"
+#include "engine/lesson/touch_keys.h"
+#include "engine/molecule/molecule_key.h"
+#include "engine/molecule/view_part.h"
 
 namespace moltact {
 namespace {
 
 /// What a student may be kept from changing: keys of a scene, by their names.
-const std::vector<std::string_view> kLockable{"panels",    "method", "force",   "probe",
-                                              "stiffness", "show",   "magnify", "all"};
+std::vector<std::string_view> lockable() {
+  std::vector<std::string_view> out{"panels"};
+  for (const KeySpec& k : touchSceneKeys()) out.push_back(k.name);
+  out.insert(out.end(), {"show", "magnify", "all"});
+  return out;
+}
+
+std::vector<std::string_view> viewPartNames() {
+  std::vector<std::string_view> out;
+  for (const ViewPartInfo& part : viewParts()) out.push_back(part.name);
+  return out;
+}
 
 std::vector<KeySpec> frontMatterKeys() {
   return {
@@ -49,61 +63,42 @@ std::vector<KeySpec> frontMatterKeys() {
        .type = ValueType::WordList,
        .meaning = "What the student cannot change in menus and panels in the whole lesson, for studies: keys of the "
                   "scenes, or all of them.",
-       .words = kLockable},
+       .words = lockable()},
   };
 }
 
+// How the molecule's file is read.
+std::vector<KeySpec> readingKeys() {
+  std::vector<KeySpec> out;
+  for (const ReadingOption& option : readingOptions()) {
+    KeySpec& key =
+        out.emplace_back(KeySpec{.name = option.name, .meaning = option.meaning, .fallback = option.fallback});
+    if (std::holds_alternative<int ReadOptions::*>(option.member)) {
+      key.type = ValueType::Count;
+      key.least = 1;
+      key.most = kMostReadNumber;
+    } else if (std::holds_alternative<bool ReadOptions::*>(option.member)) {
+      key.type = ValueType::Word;
+      key.words = {"yes", "no"};
+    }
+  }
+  return out;
+}
+
 std::vector<KeySpec> sceneKeys() {
-  return {
+  std::vector<KeySpec> out{
       {.name = "molecule",
        .type = ValueType::Text,
        .meaning = "The molecule on the stage. A scene that names one starts anew; a scene that does not changes only "
-                  "what it says."},
-      {.name = "model",
-       .type = ValueType::Count,
-       .meaning = "Which model of the molecule's file is shown, counted from 1.",
-       .fallback = "1",
-       .least = 1,
-       .most = 100000},
-      {.name = "assembly",
-       .type = ValueType::Text,
-       .meaning =
-           "The name of a biological assembly that is built from the molecule's file, for example '1'; 'none' takes "
-           "the coordinates as they stand in the file.",
-       .fallback = "none"},
-      {.name = "waters",
-       .type = ValueType::Word,
-       .meaning = "Whether the water molecules of the file are there too.",
-       .fallback = "no",
-       .words = {"yes", "no"}},
-      {.name = "probe",
-       .type = ValueType::Quantity,
-       .meaning = "The probe's radius, by which every atom grows.",
-       .fallback = "1.4 Å",
-       .dimension = Dimension::Length,
-       .most = kLargestProbe_A},
-      {.name = "stiffness",
-       .type = ValueType::Quantity,
-       .meaning = "How hard the surface pushes back for the way pushed in.",
-       .fallback = "500 N/m",
-       .dimension = Dimension::Stiffness,
-       .least = 0.01,
-       .most = 5.0},
-      {.name = "method",
-       .type = ValueType::Word,
-       .meaning = "The haptic method that finds the contact point.",
-       .fallback = "exact",
-       .words = methodNames()},
-      {.name = "force",
-       .type = ValueType::Word,
-       .meaning = "Whether the hand feels the force.",
-       .fallback = "on",
-       .words = {"on", "off"}},
+                  "what it says."}};
+  for (KeySpec& key : readingKeys()) out.push_back(std::move(key));
+  for (KeySpec& key : touchSceneKeys()) out.push_back(std::move(key));
+  const KeySpec others[]{
       {.name = "show",
        .type = ValueType::WordList,
        .meaning = "The parts of the picture that are drawn.",
        .fallback = "atoms, probe, force, target",
-       .words = {"atoms", "spheres", "circles", "points", "cones", "facets", "hip", "scp", "force", "probe", "target"}},
+       .words = viewPartNames()},
       {.name = "colour",
        .type = ValueType::Word,
        .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else "
@@ -133,8 +128,10 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "locked",
        .type = ValueType::WordList,
        .meaning = "What the student cannot change here, besides what the front matter locks.",
-       .words = kLockable},
+       .words = lockable()},
   };
+  out.insert(out.end(), std::begin(others), std::end(others));
+  return out;
 }
 
 std::vector<KeySpec> touchKeys() {

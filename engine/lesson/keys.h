@@ -24,16 +24,16 @@ const char* blockName(KeyBlock block);
 
 enum class ValueType : std::uint8_t {
   Text,       ///< a line of text
-  TextList,   ///< texts: "- " lines, or parted by commas
+  TextList,   ///< texts: "- " lines, or separated by commas
   Count,      ///< a whole number
   Number,     ///< any number, with or without a unit (the answer to a question)
-  Quantity,   ///< a number with its unit
+  Quantity,   ///< a number with its unit, or without one where the key has no dimension
   Range,      ///< "0.2 N to 0.6 N"
   Word,       ///< one of `words`
-  WordList,   ///< some of `words`, parted by commas
+  WordList,   ///< some of `words`, separated by commas
   Selection,  ///< atoms (selection.h)
   Target,     ///< one of `words`, or a selection
-  Path,       ///< selections in order, parted by "then"; or one of `words`
+  Path,       ///< selections in order, separated by "then"; or one of `words`
   View,       ///< one of `words`, or "facing" and a selection
 };
 

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/haptics/touch_setup.h"
 #include "engine/lesson/keys.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
@@ -80,13 +81,10 @@ struct ScenePlaces {
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
 };
 
-/// What is on the stage. Complete: what a scene block left out has been filled in.
+/// The scene on the stage. It is complete: values that a scene block left out have been filled in.
 struct SceneSpec {
   NamedMolecule molecule;           ///< its name in the library or beside the lesson, and how its file is read
-  double probe_A = 1.4;             ///< unit: angstrom
-  double stiffness_N_per_mm = 0.5;  ///< unit: newton per millimetre, in the device's space
-  std::string method = "exact";     ///< as in findMethod
-  bool force = true;                ///< false: the hand feels nothing
+  TouchSetup touch;                 ///< what it is felt with
   std::vector<std::string> show;    ///< names of the picture's parts
   std::string colour = "element";   ///< what the atoms' colours tell: "element" or "chain"
   std::vector<std::string> panels;  ///< "touch", "methods", or "none"; empty: as the student has them
@@ -104,7 +102,7 @@ struct SceneSpec {
   friend bool operator==(const SceneSpec&, const SceneSpec&) = default;
 };
 
-/// Something to do by touch. What its values mean is known to its kind (tasks/registry.h).
+/// Something to do by touch. Its kind knows what the values mean (tasks/registry.h).
 struct TaskSpec {
   std::string kind;  ///< "reach"
   KeyValues values;  ///< every key of the kind and the common ones, fallbacks filled in
@@ -118,7 +116,7 @@ struct Choice {
   Place place;
 };
 
-/// What an `answer` block asks for.
+/// The content of an `answer` block.
 struct AnswerSpec {
   enum class Kind : std::uint8_t { Number, Text, Free };
   Kind kind = Kind::Free;

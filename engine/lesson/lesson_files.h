@@ -36,8 +36,8 @@ struct LessonName {
 };
 LessonName lessonName(const std::filesystem::path& file);
 
-/// Of the files of one folder that are the same lesson, the one in this language; else the one that names none; else
-/// the first. The order stays.
+/// The file in this language among those of one folder that are the same lesson; else the one that names none; else the
+/// first. The order stays.
 std::vector<std::filesystem::path> inLanguage(std::vector<std::filesystem::path> lessons, std::string_view language);
 
 struct LessonFolder {
@@ -46,8 +46,8 @@ struct LessonFolder {
   std::optional<Problem> fault;                ///< the folder cannot be read, or holds no lesson
 };
 
-/// The Markdown files in a folder and the folders in it, but hidden ones. A lesson is told by its front matter or by a
-/// block scene, touch or answer, so that one that lost its front matter is still checked.
+/// The Markdown files in a folder and the folders in it, but hidden ones. A lesson is recognised by its front matter or
+/// by a block scene, touch or answer, so that one that lost its front matter is still checked.
 LessonFolder lessonsIn(const std::filesystem::path& folder);
 
 }  // namespace moltact

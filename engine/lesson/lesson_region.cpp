@@ -12,7 +12,7 @@ std::optional<Region> magnifiedRegion(const SceneSpec& scene, const Molecule& mo
   for (const std::uint32_t a : atoms) region.centre.A += molecule.atoms[a].position.A / double(atoms.size());
   for (const std::uint32_t a : atoms) {
     const double out_A =
-        glm::distance(molecule.atoms[a].position.A, region.centre.A) + molecule.atoms[a].radius_A + scene.probe_A;
+        glm::distance(molecule.atoms[a].position.A, region.centre.A) + molecule.atoms[a].radius_A + scene.touch.probe_A;
     region.radius_A = std::max(region.radius_A, out_A);
   }
   return region;

@@ -1,5 +1,5 @@
-// What is told of a lesson, which a person reads from the top: so many problems and no more. Any thread but the haptic
-// one.
+// The problems of a lesson that are reported; a person reads them from the top, so there is a greatest number. Any
+// thread but the haptic one.
 #pragma once
 
 #include <algorithm>
@@ -12,10 +12,10 @@
 
 namespace moltact {
 
-/// Of one lesson and one kind, errors or warnings; a last one says that there are more.
+/// The problems of one lesson and one kind, errors or warnings; a last one says that there are more.
 inline constexpr std::size_t kMostLessonProblems = 500;
 
-/// Whether another problem would not be told any more, so that neither it nor its remedy need be sought.
+/// Whether another problem would not be reported any more, so that neither it nor its remedy need be sought.
 inline bool enoughProblems(const std::vector<Problem>& problems) { return problems.size() > kMostLessonProblems; }
 
 /// Brings them into the order of the file, and cuts what is too many.

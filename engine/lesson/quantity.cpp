@@ -34,6 +34,14 @@ Expected<Number> leadingNumber(std::string_view whole, std::size_t from) {
   return out;
 }
 
+// "Å or nm", in the language in use.
+std::string unitsFor(Dimension dimension) {
+  std::string out;
+  for (const std::string_view symbol : namedUnits(dimension))
+    out = out.empty() ? std::string(symbol) : trf("{0} or {1}", out, symbol);
+  return out;
+}
+
 std::string notAUnit(std::string_view symbol, Dimension dimension) {
   switch (dimension) {
     case Dimension::Length:
@@ -54,7 +62,7 @@ std::string notAUnit(std::string_view symbol, Dimension dimension) {
 Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::size_t unit_at, Dimension dimension) {
   const std::string_view number = whole.substr(number_at, unit_at - number_at);
   const std::string_view symbol = stripped(whole.substr(unit_at));
-  const char* wanted = tr(unitsFor(dimension));
+  const std::string wanted = unitsFor(dimension);
   if (symbol.empty()) return problemAt(whole, number_at, trf("'{0}' needs a unit: {1}", stripped(number), wanted));
   for (const Unit& u : units()) {
     if (!(u.use & kWritten) || u.symbol != symbol) continue;
@@ -83,38 +91,6 @@ const char* dimensionName(Dimension dimension) {
       break;
   }
   return N_("a number");
-}
-
-const char* unitsFor(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::Length:
-      return N_("Å or nm");
-    case Dimension::Force:
-      return N_("N or mN");
-    case Dimension::Time:
-      return N_("s or min");
-    case Dimension::Stiffness:
-      return N_("N/m or N/mm");
-    default:
-      break;
-  }
-  return "";
-}
-
-std::string_view codeUnit(Dimension dimension) {
-  switch (dimension) {
-    case Dimension::Length:
-      return "Å";
-    case Dimension::Force:
-      return "N";
-    case Dimension::Time:
-      return "s";
-    case Dimension::Stiffness:
-      return "N/mm";
-    default:
-      break;
-  }
-  return "";
 }
 
 Expected<double> parseQuantity(std::string_view text, Dimension dimension) {

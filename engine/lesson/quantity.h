@@ -13,12 +13,6 @@ namespace moltact {
 /// "a length", "a force", … in English; `tr` where a person reads it in a message.
 const char* dimensionName(Dimension dimension);
 
-/// The units an author may use, as they are shown: "Å or nm". In English, as above.
-const char* unitsFor(Dimension dimension);
-
-/// The unit in which the code counts: "Å", "N", "s", "N/mm".
-std::string_view codeUnit(Dimension dimension);
-
 /// A quantity in the code's unit. `text` must be one number and one unit of that dimension, nothing else; the number
 /// finite. A problem has line 0 and the column within `text`.
 Expected<double> parseQuantity(std::string_view text, Dimension dimension);

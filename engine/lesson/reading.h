@@ -1,4 +1,4 @@
-// What the parts of the lesson reader share: the source, the problems so far, and each part's entry. Internal.
+// State that the parts of the lesson reader share: the source, the problems so far, and each part's entry. Internal.
 #pragma once
 
 #include <set>

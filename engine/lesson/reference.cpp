@@ -117,8 +117,12 @@ void units(std::ostream& out) {
   out << "## Quantities\n\nA quantity is a number and its unit: `4 Å`, `0.3 N`. A number without its unit is an error. "
          "The decimal sign is a "
          "point.\n\n| quantity | units |\n| --- | --- |\n";
-  for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness})
-    out << "| " << dimensionName(d) << " | " << unitsFor(d) << " |\n";
+  for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness}) {
+    out << "| " << dimensionName(d) << " |";
+    const char* before = " ";
+    for (const std::string_view symbol : namedUnits(d)) out << std::exchange(before, " or ") << symbol;
+    out << " |\n";
+  }
   out << "\nA range has both ends: `0.2 N to 0.6 N`.\n\n";
 }
 

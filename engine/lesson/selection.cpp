@@ -62,9 +62,13 @@ bool matches(const Node& node, const Molecule& m, std::size_t index) {
       return isKind(ResidueKind::Water);
     case SelectionKind::Ion:
       return isKind(ResidueKind::Ion);
-    default:
-      return false;
+    case SelectionKind::Within:  // these are of whole masks: see evaluate()
+    case SelectionKind::Not:
+    case SelectionKind::And:
+    case SelectionKind::Or:
+      break;
   }
+  return false;
 }
 
 Mask within(const Mask& near_what, double distance_A, const Molecule& m) {
@@ -170,7 +174,10 @@ std::string Selection::noun() const {
         return vowel ? trf("an {0} atom", tr(name)) : trf("a {0} atom", tr(name));
       }
       break;
-    default:
+    case SelectionKind::Within:
+    case SelectionKind::Not:
+    case SelectionKind::And:
+    case SelectionKind::Or:
       break;
   }
   return tr("the place you look for");

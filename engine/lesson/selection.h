@@ -2,8 +2,10 @@
 //
 //   all                         every atom
 //   chain A B                   chains by name                    (one or more names)
-//   residue 52  residue 10-20   residues by number, as in the file (one or more numbers or ranges; 52A with insertion
-//   code) resname HEM                 residues by name name CA                     atoms by name in their residue
+//   residue 52  residue 10-20   residues by number, as in the file (one or more numbers or ranges;
+//                               52A with its insertion code)
+//   resname HEM                 residues by name
+//   name CA                     atoms by name in their residue
 //   element O                   atoms by element symbol, in capitals or small letters
 //   atom 3  atom 0-5            atoms by index, counted from 0 in file order as kept
 //   ligand  ligand HEM          residues that are neither polymer nor water nor ion; of that name
@@ -42,8 +44,8 @@ class Selection {
   /// The indices of the selected atoms, ascending. Time grows with the number of atoms; `within` uses a grid.
   std::vector<std::uint32_t> select(const Molecule& molecule) const;
 
-  /// What a student would call it in the middle of a sentence: "an oxygen atom", "residue 52", "the ligand HEM"; where
-  /// the selection is not so simple, "the place you look for".
+  /// Its name for a student, in the middle of a sentence: "an oxygen atom", "residue 52", "the ligand HEM"; where the
+  /// selection is not so simple, "the place you look for".
   std::string noun() const;
 
   /// Why it selects nothing in this molecule, as "ligand 'BTX' is not in 1stp (ligands: BTN)": its first part without

@@ -122,9 +122,14 @@ Problem faultOf(const Node& leaf, const Molecule& molecule) {
       return plain(trf("water is not in {0}", place));
     case SelectionKind::Ion:
       return plain(trf("an ion is not in {0}", place));
-    default:
-      return plain(trf("no atom of {0} is selected", place));
+    case SelectionKind::All:
+    case SelectionKind::Within:
+    case SelectionKind::Not:
+    case SelectionKind::And:
+    case SelectionKind::Or:
+      break;
   }
+  return plain(trf("no atom of {0} is selected", place));
 }
 
 }  // namespace

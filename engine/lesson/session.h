@@ -32,7 +32,7 @@ struct QuestionStatus {
   bool last_right = false;          ///< of the last attempt
 };
 
-/// What was done in a lesson, by the ids of its steps and questions: what a session is taken up from.
+/// The work done in a lesson, by the ids of its steps and questions: a session is resumed from it.
 struct SessionMemory {
   struct StepMemory {
     std::string step;                                               ///< id
@@ -54,14 +54,15 @@ class LessonSession {
   /// The same, but in an aside the step that it belongs to: the last one that is no aside.
   std::size_t mainStepIndex() const { return main_step_; }
 
-  /// What is on the stage now. `sceneNumber` grows whenever it may have changed, so the screen can compare it cheaply.
+  /// The scene on the stage now. `sceneNumber` grows whenever it may have changed, so the screen can compare it
+  /// cheaply.
   const SceneSpec& scene() const { return step().scene; }
   std::size_t sceneNumber() const { return scene_number_; }
 
   bool hasNext() const { return step().aside || mainStepAfter(step_) < lesson_->steps.size(); }
   bool hasBack() const { return step().aside || step_ > 0; }
   /// Moves on or back, passing asides over; does nothing at the ends. From an aside both lead to the step from which
-  /// the student came to it. A student may always move on: `stepDone` tells whether anything is left.
+  /// the student came to it. A student may always move on: `stepDone` says whether anything is left.
   void next();
   void back();
   /// Follows a link "#step-id" (or the id alone). False, without moving, where there is no such step.
@@ -87,11 +88,12 @@ class LessonSession {
   const Task* taskAt(std::size_t index) const;
   /// The index of the task that the student is at; the number of tasks when all are done.
   std::size_t currentTask() const;
-  /// What the current task asks of the scene; nothing where there is none.
+  /// The changes of the scene that the current task asks for; none where there is no task.
   TaskStage taskStage() const;
   /// Tells the current task something.
   void answerTask(const TaskAnswer& answer);
-  /// What a task of the current step has measured so far, or until it was done; empty while there is no molecule.
+  /// The figures that a task of the current step has measured so far, or until it was done; empty while there is no
+  /// molecule.
   std::vector<TaskFigure> taskFigures(std::size_t index) const;
 
   /// Begins a task of the current step again, done or not.
@@ -103,7 +105,7 @@ class LessonSession {
   /// Answers a question that has an answer block. Numbers may have their unit or leave it out; words are compared
   /// without capitals and outer spaces. An empty text is no attempt and gives false.
   bool write(std::size_t question, std::string text);
-  /// What is said to the last attempt at a question: the feedback of each chosen choice, or of the answer block.
+  /// The feedback to the last attempt at a question: the feedback of each chosen choice, or of the answer block.
   std::vector<RichText> feedback(std::size_t question) const;
 
   /// The same of any step, whether it is shown or not.
@@ -120,8 +122,8 @@ class LessonSession {
   /// Every task of the step is done and every question answered rightly.
   bool stepDone() const { return stepDone(step_); }
   bool stepDone(std::size_t step) const;
-  /// Tasks and questions done, of all in the lesson, 0 to 1; the share of steps seen where it has none. Asides do not
-  /// count.
+  /// Tasks and questions done, of all in the lesson, 0 to 1; the fraction of steps seen where it has none. Asides do
+  /// not count.
   double progress() const;
   bool finished() const;
 

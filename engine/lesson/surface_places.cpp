@@ -5,6 +5,7 @@
 #include <numbers>
 #include <optional>
 
+#include "engine/core/saturated.h"
 #include "engine/core/sphere_intersections.h"
 #include "engine/haptics/sweep.h"
 
@@ -65,7 +66,8 @@ std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const s
   std::vector<SurfacePlace> out;
   visitPairs(scene, atoms, probe_A, [&](std::uint32_t a, std::uint32_t b, const SphereCircle& crease) {
     const Vec3 x = across(crease.axis), y = glm::cross(crease.axis, x);
-    const int count = std::max(12, int(std::ceil(2.0 * std::numbers::pi * crease.radius_A / spacing_A)));
+    const int count = std::clamp(
+        saturateToInteger<int>(std::ceil(2.0 * std::numbers::pi * crease.radius_A / spacing_A)), 12, kMostCreasePlaces);
     for (int k = 0; k < count; ++k) {
       const double turn = 2.0 * std::numbers::pi * k / count;
       const Vec3 u = x * std::cos(turn) + y * std::sin(turn);

@@ -26,6 +26,8 @@ std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std
                                      int directions);
 
 /// Places at most `spacing_A` apart along every crease between two of these atoms, less those that another atom covers.
+/// A crease has kMostCreasePlaces at most, which are farther apart on one that is longer than so many spacings.
+inline constexpr int kMostCreasePlaces = 20'000;
 std::vector<SurfacePlace> creasePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                        double spacing_A);
 

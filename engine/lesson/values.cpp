@@ -146,7 +146,7 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::Number:
       return numberValue(text, std::move(value));
     case ValueType::Quantity: {
-      const auto number = parseQuantity(text, key.dimension);
+      const auto number = key.dimension == Dimension::None ? parseNumber(text) : parseQuantity(text, key.dimension);
       if (!number) return number.problem();
       value.number = *number;
       return bounded(key, text, std::move(value), *number, *number);

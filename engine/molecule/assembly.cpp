@@ -7,6 +7,7 @@
 #include <unordered_map>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
@@ -179,7 +180,8 @@ class Assembler {
               for (int axis = 0; axis < 3; ++axis)
                 if (!(std::abs(place[axis]) <= kMaxCoordinate_A))
                   return Problem{file_, 0, 0,
-                                 trf("the assembly {0} has atoms farther out than 1e9 A", inQuotes(assembly_.name)),
+                                 trf("the assembly {0} has atoms farther out than {1}", inQuotes(assembly_.name),
+                                     quantityText(kMaxCoordinate_A, Dimension::Length, plain())),
                                  tr("read it without one")};
               const bool kept = copies == 1 || places.add(place);
               keep_[bit + o] = kept;

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/elements.h"
 #include "engine/molecule/parsed_structure.h"
 #include "engine/molecule/residue_kind.h"
@@ -24,7 +25,7 @@ std::size_t dropWaters(GrowingMolecule& grown) {
   const auto water = [](const Residue& r) { return r.kind == ResidueKind::Water; };
   const auto waters = static_cast<std::size_t>(std::count_if(m.residues.begin(), m.residues.end(), water));
   if (waters == 0 || waters == m.residues.size()) return 0;
-  // Residues that water parted may now be one, so all are put together anew; but in their own room.
+  // Removing waters can make two runs of one residue adjacent: all runs are merged again, in place.
   Molecule old = std::move(grown.molecule);
   GrowingMolecule out(grown.namesLabelChains());
   out.molecule.atoms = std::move(old.atoms);
@@ -47,12 +48,12 @@ std::size_t dropWaters(GrowingMolecule& grown) {
 
 }  // namespace
 
-AtomSieve::AtomSieve(const TextSource& text, const ReadOptions& options)
+MoleculeBuilder::MoleculeBuilder(const TextSource& text, const ReadOptions& options)
     : options_(options), text_(text), file_(text.file()), out_(!options.assembly.empty()) {}
 
 // How long the lines are is known after some of them. What is kept of the atoms grows into one room that is large
 // enough for all, for while a list moves to a larger room both are held.
-void AtomSieve::expectMore() {
+void MoleculeBuilder::expectMore() {
   constexpr std::size_t kTelling = 10'000;
   if (atoms_++ == 0) before_ = text_.givenBytes();
   const std::vector<Atom>& kept = out_.molecule.atoms;
@@ -64,7 +65,7 @@ void AtomSieve::expectMore() {
     out_.expect(static_cast<std::size_t>(std::min(likely, double(kMaxMoleculeAtoms))));
 }
 
-std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
+std::int32_t MoleculeBuilder::unknownElement(const ParsedAtom& atom) {
   if (element(atom.atomic_number).source != RadiusSource::Default) return -1;
   constexpr std::size_t kLongestShown = 25;
   const std::string_view symbol = atom.atomic_number > 0 && atom.atomic_number <= kElementCount
@@ -82,10 +83,12 @@ std::int32_t AtomSieve::unknownElement(const ParsedAtom& atom) {
   return index;
 }
 
-std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
+std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   for (int k = 0; k < 3; ++k)
     if (!(std::abs(from.position_A[k]) <= kMaxCoordinate_A))
-      return Problem{file_, from.line, 0, trf("the atom {0} lies farther out than 1e9 A", inQuotes(from.name)),
+      return Problem{file_, from.line, 0,
+                     trf("the atom {0} lies farther out than {1}", inQuotes(from.name),
+                         quantityText(kMaxCoordinate_A, Dimension::Length, plain())),
                      tr("correct its coordinates")};
   if (auto problem = out_.full(file_, from.line)) return problem;
   expectMore();
@@ -121,7 +124,7 @@ std::optional<Problem> AtomSieve::add(const ParsedAtom& from) {
 }
 
 /// Of the atoms at the place with one name, the likeliest are kept.
-void AtomSieve::keepLikeliest() {
+void MoleculeBuilder::keepLikeliest() {
   std::vector<char> keep(waiting_.size(), 1);
   std::unordered_map<std::uint64_t, std::size_t> best;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
@@ -143,7 +146,7 @@ void AtomSieve::keepLikeliest() {
 }
 
 /// Leaves out the alternate locations that the rules do not keep.
-void AtomSieve::dropAlternates() {
+void MoleculeBuilder::dropAlternates() {
   const auto alternate = [](const Waiting& w) { return w.alternate != ' '; };
   if (std::none_of(waiting_.begin(), waiting_.end(), alternate)) return;
   const std::size_t before = waiting_.size();
@@ -160,7 +163,7 @@ void AtomSieve::dropAlternates() {
   alternates_left_out_ += before - waiting_.size();
 }
 
-void AtomSieve::endPlace() {
+void MoleculeBuilder::endPlace() {
   dropAlternates();
   for (const Waiting& w : waiting_) {
     const std::string& residue = residues_[w.residue];
@@ -175,7 +178,7 @@ void AtomSieve::endPlace() {
 }
 
 /// One sentence for each element without a published radius, and for each that is not known.
-void AtomSieve::warnOfElements(std::vector<std::string>& warnings) const {
+void MoleculeBuilder::warnOfElements(std::vector<std::string>& warnings) const {
   const bool waters = out_.molecule.waters_left_out == 0;
   constexpr std::size_t kMostNamed = 50;
   std::size_t named = 0, rest = 0;
@@ -198,7 +201,7 @@ void AtomSieve::warnOfElements(std::vector<std::string>& warnings) const {
   if (rest) warnings.push_back(trf("1.70 A was also taken for {0} of further unknown elements.", countedAtoms(rest)));
 }
 
-Expected<Molecule> AtomSieve::finish(ParsedHead head) {
+Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {
   endPlace();
   out_.close();
   Molecule& out = out_.molecule;

@@ -15,7 +15,7 @@ class CifWords {
 
   /// The next word; End at the end, and where there is a problem, the text's own or one of the syntax.
   Kind next();
-  /// Of a value what stands in its quotes; of `data_x` the name. Valid until the next call.
+  /// The text of a value without its quotes; the name in `data_name`. Valid until the next call.
   std::string_view text() const { return word_; }
   /// A value without quotes that is "." or "?": not known, or not meant.
   bool null() const { return null_; }

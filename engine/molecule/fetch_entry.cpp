@@ -18,7 +18,7 @@ Problem downloadProblem(const DownloadResult& result, const std::string& id, con
     case DownloadFailure::NotFound:
       return {id, 0, 0, trf("the Protein Data Bank has no such entry (tried {0})", url),
               tr("check the id at www.rcsb.org")};
-    case DownloadFailure::BrokenOff:
+    case DownloadFailure::Cancelled:
       return {id, 0, 0, tr("broken off; nothing was kept of it"), ""};
     case DownloadFailure::TooLarge:
       return {id, 0, 0, trf("the entry is larger than 1 GiB ({0})", url), tr("take a smaller entry")};
@@ -36,7 +36,7 @@ Problem downloadProblem(const DownloadResult& result, const std::string& id, con
 std::string entryUrl(const std::string& pdb_id) { return "https://files.rcsb.org/download/" + pdb_id + ".cif.gz"; }
 
 Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folder, const std::string& mirror,
-                                  bool again, const std::function<bool()>& broken_off) {
+                                  bool again, const std::function<bool()>& cancelled) {
   const std::string id = pdbId(text);
   if (id.empty())
     return Problem{text, 0, 0, tr("it is not an id of the Protein Data Bank"),
@@ -60,7 +60,7 @@ Expected<FetchedEntry> fetchEntry(const std::string& text, const fs::path& folde
   const std::string url = mirror.empty() ? entryUrl(id) : mirror;
   std::optional<Problem> problem;
   const auto take = [&](std::string_view bytes) { return !(problem = draft->append(bytes)); };
-  const DownloadResult result = download(url, kMostBytes, take, broken_off);
+  const DownloadResult result = download(url, kMostBytes, take, cancelled);
   if (result.failure == DownloadFailure::None) problem = draft->flush();
   if (problem) return unwritten(*problem);
   if (result.failure != DownloadFailure::None) return downloadProblem(result, id, url, file);

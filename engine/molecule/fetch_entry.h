@@ -22,9 +22,9 @@ std::string entryUrl(const std::string& pdb_id);
 /// Downloads the entry `id` (see pdb_id.h) to `folder`/ID.cif.gz, which is created where missing. The
 /// download goes to a temporary name, is read as a molecule, and only then takes its place. A sound file that
 /// lies there already is kept unless `again`. `url`, where not empty, takes the place of the archive's
-/// address (a mirror). Ends with a Problem soon after `broken_off` (may be empty) gives true; nothing is left then.
+/// address (a mirror). Ends with a Problem soon after `cancelled` (may be empty) gives true; nothing is left then.
 Expected<FetchedEntry> fetchEntry(const std::string& id, const std::filesystem::path& folder,
                                   const std::string& url = {}, bool again = false,
-                                  const std::function<bool()>& broken_off = {});
+                                  const std::function<bool()>& cancelled = {});
 
 }  // namespace moltact

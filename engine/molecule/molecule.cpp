@@ -37,7 +37,8 @@ AtomWords Molecule::words(std::size_t index) const {
   if (residue.kind == ResidueKind::AminoAcid)
     for (std::size_t i = 1; i < name.size(); ++i)
       name[i] = static_cast<char>(std::tolower(static_cast<unsigned char>(name[i])));
-  out.residue = (name.empty() ? std::string(trc("of an atom", "residue")) : name) + ' ' + std::to_string(residue.number);
+  out.residue =
+      (name.empty() ? std::string(trc("of an atom", "residue")) : name) + ' ' + std::to_string(residue.number);
   if (residue.insertion != ' ') out.residue += residue.insertion;
   out.chain = chains[residue.chain].name.string();
   return out;

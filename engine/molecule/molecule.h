@@ -42,7 +42,7 @@ struct Chain {
   std::uint32_t first_residue = 0, residue_count = 0;
 };
 
-/// What an atom is called, by parts.
+/// The parts of an atom's name.
 struct AtomWords {
   std::string atom;     ///< "CA"; of a residue of its own, as an ion is, its element and number: "zinc 201"
   std::string residue;  ///< "Asp 52"; empty where the atom is alone, or belongs to none

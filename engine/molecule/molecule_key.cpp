@@ -1,40 +1,88 @@
 #include "engine/molecule/molecule_key.h"
 
+#include <array>
 #include <charconv>
+#include <type_traits>
 
 #include "engine/language/catalogue.h"
 
 namespace moltact {
+namespace {
+
+constexpr std::array kOptions{
+    ReadingOption{.name = "model",
+                  .member = &ReadOptions::model,
+                  .told = N_("model {0}"),
+                  .fallback = "1",
+                  .meaning = "Which model of the molecule's file is shown, counted from 1.",
+                  .option_help = "Which model of the file, from 1"},
+    ReadingOption{.name = "waters",
+                  .member = &ReadOptions::waters,
+                  .told = N_("with waters"),
+                  .fallback = "no",
+                  .meaning = "Whether the water molecules of the file are there too.",
+                  .option_help = "Keep the water molecules"},
+    ReadingOption{
+        .name = "assembly",
+        .member = &ReadOptions::assembly,
+        .told = N_("assembly {0}"),
+        .fallback = "none",
+        .meaning =
+            "The name of a biological assembly that is built from the molecule's file, for example '1'; 'none' takes "
+            "the coordinates as they stand in the file.",
+        .option_help = "Build this biological assembly (1)"},
+};
+
+}  // namespace
+
+std::span<const ReadingOption> readingOptions() { return kOptions; }
+
+std::string textOf(const ReadOptions& reading, const ReadingOption& option) {
+  if (const auto* number = std::get_if<int ReadOptions::*>(&option.member)) return std::to_string(reading.**number);
+  if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member)) return reading.**on ? "yes" : "no";
+  return reading.*std::get<std::string ReadOptions::*>(option.member);
+}
+
+bool readText(ReadOptions& reading, const ReadingOption& option, std::string_view text) {
+  if (const auto* member = std::get_if<int ReadOptions::*>(&option.member)) {
+    int number = 0;
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data(), end, number);
+    if (read.ec != std::errc() || read.ptr != end || number < 1 || number > kMostReadNumber) return false;
+    reading.** member = number;
+  } else if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member)) {
+    if (text != "yes" && text != "no") return false;
+    reading.** on = text == "yes";
+  } else {
+    reading.*std::get<std::string ReadOptions::*>(option.member) = text;
+  }
+  return true;
+}
+
+bool isDefault(const ReadOptions& reading, const ReadingOption& option) {
+  return std::visit([&](const auto member) { return reading.*member == ReadOptions().*member; }, option.member);
+}
 
 std::string readingText(const ReadOptions& reading) {
   std::string out;
-  const auto add = [&](const std::string& part) { out += (out.empty() ? "" : ", ") + part; };
-  if (reading.model != 1) add(trf("model {0}", reading.model));
-  if (reading.waters) add(tr("with waters"));
-  if (!reading.assembly.empty()) add(trf("assembly {0}", reading.assembly));
+  for (const ReadingOption& option : kOptions)
+    if (!isDefault(reading, option)) out += (out.empty() ? "" : ", ") + trf(option.told, textOf(reading, option));
   return out;
 }
 
 std::map<std::string, std::string> moleculeLabels(const NamedMolecule& molecule) {
-  const ReadOptions& reading = molecule.reading;
-  return {{"molecule", molecule.name},
-          {"model", std::to_string(reading.model)},
-          {"waters", reading.waters ? "yes" : "no"},
-          {"assembly", reading.assembly}};
+  std::map<std::string, std::string> out{{"molecule", molecule.name}};
+  for (const ReadingOption& option : kOptions) out.emplace(option.name, textOf(molecule.reading, option));
+  return out;
 }
 
 NamedMolecule labelledMolecule(const std::map<std::string, std::string>& labels) {
-  const auto label = [&](const char* key) {
-    const auto found = labels.find(key);
+  const auto label = [&](std::string_view key) {
+    const auto found = labels.find(std::string(key));
     return found == labels.end() ? std::string() : found->second;
   };
   NamedMolecule out(label("molecule"));
-  const std::string model = label("model");
-  int number = 0;
-  if (std::from_chars(model.data(), model.data() + model.size(), number).ec == std::errc() && number > 0)
-    out.reading.model = number;
-  out.reading.waters = label("waters") == "yes";
-  out.reading.assembly = label("assembly");
+  for (const ReadingOption& option : kOptions) readText(out.reading, option, label(option.name));
   return out;
 }
 
@@ -42,9 +90,13 @@ NamedMolecule labelledMolecule(const std::map<std::string, std::string>& labels)
 
 std::size_t std::hash<moltact::MoleculeKey>::operator()(const moltact::MoleculeKey& key) const noexcept {
   std::size_t out = std::filesystem::hash_value(key.file);
-  const auto mix = [&](std::size_t value) { out ^= value + 0x9e3779b97f4a7c15ull + (out << 6) + (out >> 2); };
-  mix(std::hash<int>()(key.reading.model));
-  mix(std::hash<bool>()(key.reading.waters));
-  mix(std::hash<std::string>()(key.reading.assembly));
+  for (const moltact::ReadingOption& option : moltact::readingOptions())
+    std::visit(
+        [&](const auto member) {
+          const auto& value = key.reading.*member;
+          out ^= std::hash<std::remove_cvref_t<decltype(value)>>()(value) + 0x9e3779b97f4a7c15ull + (out << 6) +
+                 (out >> 2);
+        },
+        option.member);
   return out;
 }

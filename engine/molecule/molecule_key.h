@@ -1,5 +1,5 @@
-// What tells one molecule from another: a file and how it is read. Two readings of a file, say with and without its
-// waters, are two molecules. Plain data; any thread.
+// The identity of a molecule: a file and how it is read. Two readings of a file, say with and without its waters, are
+// two molecules. Plain data; any thread.
 #pragma once
 
 #include <compare>
@@ -7,13 +7,16 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <variant>
 
 namespace moltact {
 
-/// How a molecule's file is read. A choice that is added here (a table of radii, say) tells molecules apart
-/// everywhere, and is written into labels and attempts by molecule_key.cpp.
+/// How a molecule's file is read. A choice that is added here (a table of radii, say) gets a row in readingOptions(),
+/// from which keys of scenes, labels, attempts, hashes and the options of commands are made.
 struct ReadOptions {
   int model = 1;           ///< which model, counted from 1 in the order of the file (default: the first)
   bool waters = false;     ///< keep the water molecules (default: leave them out)
@@ -22,6 +25,27 @@ struct ReadOptions {
 
   friend auto operator<=>(const ReadOptions&, const ReadOptions&) = default;
 };
+
+struct ReadingOption {
+  std::string_view name;  ///< in labels, attempts, scenes and options of commands: "model"
+  std::variant<int ReadOptions::*, bool ReadOptions::*, std::string ReadOptions::*> member;
+  const char* told;              ///< how a person is told a value other than the default (N_): "model {0}"
+  std::string_view fallback;     ///< the default as an author writes it
+  std::string_view meaning;      ///< one sentence for authors
+  std::string_view option_help;  ///< of the commands' option
+};
+
+/// A number is from 1 to this.
+inline constexpr int kMostReadNumber = 100'000;
+
+/// All, in the order in which they are told.
+std::span<const ReadingOption> readingOptions();
+
+/// As text: "3"; "yes" or "no"; a text as it is.
+std::string textOf(const ReadOptions& reading, const ReadingOption& option);
+/// The same back; false, and nothing changed, where the text is not sound.
+bool readText(ReadOptions& reading, const ReadingOption& option, std::string_view text);
+bool isDefault(const ReadOptions& reading, const ReadingOption& option);
 
 /// A molecule whose file has been found.
 struct MoleculeKey {
@@ -45,11 +69,11 @@ struct NamedMolecule {
   friend auto operator<=>(const NamedMolecule&, const NamedMolecule&) = default;
 };
 
-/// What is read otherwise than by default, as "model 2, with waters, assembly 1"; empty where nothing is.
+/// The options that differ from the default, as "model 2, with waters, assembly 1"; empty where nothing is.
 std::string readingText(const ReadOptions& reading);
 
-/// The labels "molecule", "model", "waters" and "assembly" that a recording carries, and back. A label that is missing
-/// or not sound gives the default.
+/// The labels that a recording carries, "molecule" and one for each option, and back. A label that is missing or not
+/// sound gives the default.
 std::map<std::string, std::string> moleculeLabels(const NamedMolecule& molecule);
 NamedMolecule labelledMolecule(const std::map<std::string, std::string>& labels);
 

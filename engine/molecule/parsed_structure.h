@@ -1,5 +1,5 @@
-// What a format's reader hands on, atom by atom, and what makes a molecule of it by the rules of reader.h. Nothing but
-// the molecule itself grows with the file. Inside engine/molecule only. Units: angstrom.
+// The atoms that a format's reader hands on one by one, and the builder that makes a molecule of them by the rules of
+// reader.h. Nothing but the molecule itself grows with the file. Inside engine/molecule only. Units: angstrom.
 #pragma once
 
 #include <cstddef>
@@ -50,8 +50,8 @@ struct ParsedAssembly {
   std::vector<Part> parts;
 };
 
-/// What a file says besides its atoms.
-struct ParsedHead {
+/// The contents of a file other than its atoms.
+struct ParsedHeader {
   std::string id, title;
   std::vector<ParsedAssembly> assemblies;
   std::vector<std::string> warnings;
@@ -61,7 +61,7 @@ struct ParsedHead {
 /// A molecule that grows: residues and chains are runs of atoms, in the order in which these come.
 class GrowingMolecule {
  public:
-  /// Of a residue with its chains; texts as in ParsedAtom.
+  /// The residue of an atom with its chains; texts as in ParsedAtom.
   struct Place {
     std::string_view residue, chain, label_chain;
     int number = 0;
@@ -78,7 +78,7 @@ class GrowingMolecule {
   void put(std::size_t at, const Atom& atom, const Place& place, bool hetero);
   /// A Problem where the next atom would be one too many, or too much for the memory that a molecule may take.
   std::optional<Problem> full(const std::string& file, std::size_t line) const;
-  /// What it takes of memory.
+  /// The memory that it takes (unit: byte).
   std::size_t bytes() const;
   /// The last residue is whole.
   void close();
@@ -99,15 +99,15 @@ class GrowingMolecule {
 };
 
 /// Takes the atoms of one model and keeps what the rules of reader.h keep.
-class AtomSieve {
+class MoleculeBuilder {
  public:
   /// `text`, which must outlive it, gives the file's name, and by its length how many atoms to expect.
-  AtomSieve(const TextSource& text, const ReadOptions& options);
+  MoleculeBuilder(const TextSource& text, const ReadOptions& options);
   std::optional<Problem> add(const ParsedAtom& atom);
-  Expected<Molecule> finish(ParsedHead head);
+  Expected<Molecule> finish(ParsedHeader head);
 
  private:
-  // What is known of an atom besides what becomes part of the molecule, while its place is not whole.
+  // Facts of an atom beyond those that become part of the molecule, kept while its place is not complete.
   struct Waiting {
     Atom atom;
     std::uint64_t name = 0;  // of the whole name

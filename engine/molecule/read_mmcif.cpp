@@ -409,8 +409,8 @@ class Reader {
   const std::string& file_;
   const ReadOptions& options_;
   CifWords words_;
-  AtomSieve builder_;
-  ParsedHead head_;
+  MoleculeBuilder builder_;
+  ParsedHeader head_;
   std::array<Row, std::size(kTables)> single_;  // of this block's pairs
   Operators operators_;
   std::vector<Generator> generators_;

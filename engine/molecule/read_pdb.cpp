@@ -26,7 +26,7 @@ bool startsWith(std::string_view line, std::string_view record) {
 }
 
 /// The lines of a PDB file that gemmi is to see, and what was noticed on the way.
-struct Sieve {
+struct PdbRecords {
   std::string kept;  // lines of 80 columns and a line feed
   std::vector<std::string> warnings;
   int models = 0;
@@ -82,8 +82,8 @@ gemmi::Element elementOf(const char* line, bool has_element) {
 }
 
 /// Checks one ATOM or HETATM line and adds its atom; a problem where it cannot be read.
-std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_view line, const std::string& file,
-                               std::size_t number) {
+std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, std::string_view line,
+                               const std::string& file, std::size_t number) {
   constexpr const char* kRemedy =
       N_("the PDB format has x, y, z in columns 31-54; correct the line, or convert the file to mmCIF");
   if (line.size() < 54)
@@ -109,8 +109,8 @@ std::optional<Problem> addAtom(AtomSieve& builder, Sieve& sieve, std::string_vie
                    tr(kRemedy)};
   const std::string_view field = clean.substr(kOccupancy.first, kOccupancy.width);
   if (const bool blank = trimmed(field).empty(); blank || !parseNumber(field, atom.occupancy)) {
-    if (!blank && sieve.warnings.size() < kMostLineWarnings)
-      sieve.warnings.push_back(
+    if (!blank && records.warnings.size() < kMostLineWarnings)
+      records.warnings.push_back(
           trf("Line {0}: the occupancy {1} is not a number and was taken as 1.", number, inQuotes(field)));
     atom.occupancy = 1.0;
   }
@@ -144,58 +144,58 @@ std::size_t masterCount(std::string_view line) {
 }
 
 /// A file cut between two lines reads as a smaller molecule: what gives it away is told.
-void warnOfCut(Sieve& sieve) {
+void warnOfCut(PdbRecords& records) {
   constexpr std::size_t kMostByMaster = 99'999;  // its columns hold no more
-  if (sieve.ends_in_atom)
-    sieve.warnings.push_back(tr("The file ends with an atom and has no END record after it: it may be cut short."));
+  if (records.ends_in_atom)
+    records.warnings.push_back(tr("The file ends with an atom and has no END record after it: it may be cut short."));
   // Of several models the PDB counts the first alone, other programs all.
-  if (sieve.atoms_by_master && sieve.atoms_in_file <= kMostByMaster && sieve.atoms_by_master != sieve.atoms_in_file &&
-      sieve.atoms_by_master != sieve.atoms_in_first)
-    sieve.warnings.push_back(
+  if (records.atoms_by_master && records.atoms_in_file <= kMostByMaster &&
+      records.atoms_by_master != records.atoms_in_file && records.atoms_by_master != records.atoms_in_first)
+    records.warnings.push_back(
         trf("The MASTER record counts {0} atoms, but the file has {1}: it may be cut short or edited.",
-            sieve.atoms_by_master, sieve.atoms_in_file));
+            records.atoms_by_master, records.atoms_in_file));
 }
 
-/// Walks over the lines: keeps the atoms of the model asked for and the records that name, describe and copy
-/// them.
-std::optional<Problem> sift(Sieve& sieve, AtomSieve& builder, TextSource& text, int wanted) {
+/// Reads the file line by line: hands the atoms of model `wanted` to the builder and keeps the records that name and
+/// describe the molecule and its assemblies.
+std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder, TextSource& text, int wanted) {
   bool in_model = false;
   for (std::string_view line; text.next(line);) {
     if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
     if (startsWith(line, "ATOM") || startsWith(line, "HETATM")) {
       if (!in_model) {
         in_model = true;
-        ++sieve.models;
+        ++records.models;
       }
-      ++sieve.atoms_in_file;
-      sieve.atoms_in_first += sieve.models == 1;
-      sieve.ends_in_atom = true;
-      if (sieve.models == wanted)
-        if (auto problem = addAtom(builder, sieve, line, text.file(), text.number())) return problem;
+      ++records.atoms_in_file;
+      records.atoms_in_first += records.models == 1;
+      records.ends_in_atom = true;
+      if (records.models == wanted)
+        if (auto problem = addAtom(builder, records, line, text.file(), text.number())) return problem;
       continue;
     }
     // These belong to the atom before them.
     const bool of_atom = startsWith(line, "ANISOU") || startsWith(line, "SIGATM") || startsWith(line, "SIGUIJ");
-    if (!of_atom && !trimmed(line).empty()) sieve.ends_in_atom = false;
+    if (!of_atom && !trimmed(line).empty()) records.ends_in_atom = false;
     if (startsWith(line, "MASTER")) {
-      sieve.atoms_by_master = masterCount(line);
+      records.atoms_by_master = masterCount(line);
     } else if (startsWith(line, "MODEL ")) {
       in_model = true;
-      ++sieve.models;
+      ++records.models;
     } else if (startsWith(line, "ENDMDL")) {
       in_model = false;
     } else if (startsWith(line, "END") && trimmed(line).size() == 3) {
       // Simulation programs write END between frames; another atom after it would begin another model.
       in_model = false;
     } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350")) {
-      if (sieve.kept.size() > kMostHead)
+      if (records.kept.size() > kMostHead)
         return Problem{text.file(), text.number(), 0, tr("more than 32 MiB of titles and descriptions of assemblies"),
                        tr("take the file again from its source")};
       std::string kept(line.substr(0, kLineWidth));
       for (char& c : kept)
         if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = ' ';
       kept.resize(kLineWidth, ' ');
-      sieve.kept += kept + '\n';
+      records.kept += kept + '\n';
     }
   }
   return std::nullopt;
@@ -226,19 +226,19 @@ std::string information(const gemmi::Structure& st, const char* key) {
 
 Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
   const std::string& file = text.file();
-  Sieve sieve;
-  AtomSieve builder(text, options);
-  if (auto problem = sift(sieve, builder, text, options.model)) return *problem;
-  if (sieve.models == 0)
+  PdbRecords records;
+  MoleculeBuilder builder(text, options);
+  if (auto problem = scanRecords(records, builder, text, options.model)) return *problem;
+  if (records.models == 0)
     return Problem{file, 0, 0, tr("there is no ATOM or HETATM line in it"),
                    tr("take a coordinate file from the PDB (www.rcsb.org)")};
-  if (options.model < 1 || options.model > sieve.models) return noSuchModel(file, options.model, sieve.models);
-  warnOfCut(sieve);
-  ParsedHead head;
-  head.warnings = sieve.warnings;
-  head.models = sieve.models;
+  if (options.model < 1 || options.model > records.models) return noSuchModel(file, options.model, records.models);
+  warnOfCut(records);
+  ParsedHeader head;
+  head.warnings = records.warnings;
+  head.models = records.models;
   try {
-    const gemmi::Structure st = gemmi::read_pdb_from_memory(sieve.kept.data(), sieve.kept.size(), file);
+    const gemmi::Structure st = gemmi::read_pdb_from_memory(records.kept.data(), records.kept.size(), file);
     head.id = information(st, "_entry.id");
     head.title = information(st, "_struct.title");
     for (const gemmi::Assembly& assembly : st.assemblies) head.assemblies.push_back(assemblyFrom(assembly));

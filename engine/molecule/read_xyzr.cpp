@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
@@ -58,7 +59,8 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
                        trf("expected the number {0}, found {1}", kColumn[count], inQuotes(word)), tr(kFormatRemedy)};
       if (!std::isfinite(value[count]) || std::abs(value[count]) > kMaxCoordinate_A)
         return Problem{file, line_number, column,
-                       trf("{0} is {1}, which is not a finite number up to 1e9 A", kColumn[count], inQuotes(word)),
+                       trf("{0} is {1}, which is not a finite number up to {2}", kColumn[count], inQuotes(word),
+                           quantityText(kMaxCoordinate_A, Dimension::Length, plain())),
                        tr("correct or remove the line")};
       if (count == 3 && value[3] < 0)
         return Problem{file, line_number, column, trf("the radius is negative: {0}", inQuotes(word)),

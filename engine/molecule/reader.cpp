@@ -114,6 +114,12 @@ std::vector<std::string_view> moleculeEndings() {
   return out;
 }
 
+std::string moleculeEndingsText() {
+  std::string out;
+  for (const Format& format : kFormats) out += (out.empty() ? "" : " ") + std::string(format.extension);
+  return out;
+}
+
 bool hasMoleculeName(const std::filesystem::path& file) {
   const std::string ending = lower(innerName(file).extension().string());
   return std::any_of(std::begin(kFormats), std::end(kFormats), [&](const Format& format) { return ending == format.extension; });

@@ -1,13 +1,13 @@
-// Reads a molecule from a file: PDB, mmCIF, .xyzr, each also gzipped. Not for the haptic thread.
-// Units: angstrom. What cannot be read gives a Problem with file, line where known, and remedy; nothing
-// throws or hangs.
+// Reads a molecule from a file of one of the formats of moleculeEndings(), also gzipped. Not for the haptic thread.
+// Units: angstrom. A file that cannot be read gives a Problem with the file, the line where it is known, and a remedy;
+// nothing throws or hangs.
 //
 // Rules, the same for every format:
 // * Atoms keep the order of the file; hydrogens are kept as present.
-// * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is
-// kept, the
-//   first on a tie. Where the alternatives are different residues (a point mutation), the residue with the
-//   highest mean occupancy is kept whole. Looked for among at most 100 000 atoms and 100 residues at a place.
+// * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is kept,
+//   the first on a tie. Where the alternatives are different residues (a point mutation), the residue with the
+//   highest mean occupancy is kept whole. Alternates are looked for among at most 100 000 atoms and 100 residues at a
+//   place.
 // * Water (HOH, WAT, H2O, DOD, TIP3, SOL) is left out unless asked for or unless the file holds nothing else.
 // * A radius comes from the table in elements.h; an unknown element gets the default and one warning.
 #pragma once
@@ -29,8 +29,8 @@ inline constexpr std::size_t kMaxMoleculeBytes = std::size_t{1} << 30;
 /// A molecule of more atoms is refused, whether the file has them or an assembly makes them.
 inline constexpr std::size_t kMaxMoleculeAtoms = 25'000'000;
 
-/// What an atom takes of memory, with its residue, its chain and the reader's own needs (unit: byte). One whose
-/// residues and chains take more for so many atoms is refused: reading takes no more than 3 GB.
+/// The memory for an atom with its residue, its chain and the reader's own needs (unit: byte). One whose residues and
+/// chains take more for so many atoms is refused: reading takes no more than 3 GB.
 inline constexpr std::size_t kMoleculeBytesAnAtom = 120;
 
 /// A coordinate or radius farther out than this is refused (unit: angstrom).
@@ -38,6 +38,8 @@ inline constexpr double kMaxCoordinate_A = 1e9;
 
 /// The endings of the names that are read, in lower case and without .gz: ".pdb", ".cif" and so on.
 std::vector<std::string_view> moleculeEndings();
+/// The same for a sentence: ".pdb .ent .cif .mmcif .xyzr".
+std::string moleculeEndingsText();
 
 /// Whether a reader may know the file, by its name: one of these endings, with or without .gz, in whatever case.
 bool hasMoleculeName(const std::filesystem::path& file);

@@ -1,4 +1,4 @@
-// What kind of residue a name stands for. Inside engine/molecule only.
+// The kind of residue that a name stands for. Inside engine/molecule only.
 #pragma once
 
 #include <string_view>

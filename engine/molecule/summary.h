@@ -1,4 +1,4 @@
-// What a molecule holds, counted: for the screen and `moltact info`. Units: angstrom.
+// The contents of a molecule, counted: for the screen and `moltact info`. Units: angstrom.
 #pragma once
 
 #include <map>

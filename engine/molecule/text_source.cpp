@@ -82,7 +82,7 @@ class Gzip final : public ByteSource {
     }
     return 0;
   }
-  std::size_t unpacked() const override { return taken_ - std::min<std::size_t>(stream_.avail_in, taken_); }
+  std::size_t packedBytesRead() const override { return taken_ - std::min<std::size_t>(stream_.avail_in, taken_); }
 
  private:
   Problem broken(const char* how) const { return {name_, 0, 0, how, tr("copy or download the file again")}; }
@@ -158,9 +158,9 @@ TextSource::TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, 
 }
 
 std::size_t TextSource::expectedBytes() const {
-  const std::size_t unpacked = bytes_->unpacked();
-  if (unpacked == 0) return expected_;
-  const double likely = double(packed_bytes_) * (double(taken_) / double(unpacked));
+  const std::size_t packed_read = bytes_->packedBytesRead();
+  if (packed_read == 0) return expected_;
+  const double likely = double(packed_bytes_) * (double(taken_) / double(packed_read));
   return static_cast<std::size_t>(std::clamp(likely, double(std::min(taken_, most_)), double(most_)));
 }
 

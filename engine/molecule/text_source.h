@@ -18,8 +18,8 @@ class ByteSource {
   virtual ~ByteSource() = default;
   /// Up to `most` bytes, at least one; 0 at the end, or where problem() says what is wrong.
   virtual std::size_t read(char* to, std::size_t most) = 0;
-  /// How many packed bytes what was read so far came from; 0 where nothing is packed.
-  virtual std::size_t unpacked() const { return 0; }
+  /// How many packed bytes have been consumed for the bytes read so far; 0 for a source that is not packed.
+  virtual std::size_t packedBytesRead() const { return 0; }
   const std::optional<Problem>& problem() const { return problem_; }
 
  protected:
@@ -28,9 +28,9 @@ class ByteSource {
 
 /// `bytes` must outlive it.
 std::unique_ptr<ByteSource> memorySource(std::string_view bytes);
-/// Of a file of `size` bytes; `name` is its name in problems.
+/// The bytes of a file of `size` bytes; `name` is its name in problems.
 std::unique_ptr<ByteSource> fileSource(std::ifstream in, std::size_t size, const std::string& name);
-/// What `packed` unpacks to, all members of the file one after another; a Problem where it is cut or damaged.
+/// The bytes that `packed` unpacks to, all members of the file one after another; a Problem where it is cut or damaged.
 std::unique_ptr<ByteSource> gzipSource(std::unique_ptr<ByteSource> packed, const std::string& name);
 
 /// True where the bytes begin as gzip does.
@@ -41,13 +41,14 @@ inline constexpr std::size_t kLongestMoleculeLine = std::size_t{16} << 20;
 
 class TextSource {
  public:
-  /// Of at most `most` bytes, from gzip where the bytes begin so. `expected` bytes are in the source, before unpacking.
+  /// The text of at most `most` bytes, unpacked from gzip where the bytes begin so. `expected` bytes are in the source,
+  /// before unpacking.
   TextSource(std::unique_ptr<ByteSource> bytes, std::size_t expected, std::size_t most, std::string file);
 
   /// The next line without its line feed, valid until the next call; false at the end, and where there is a problem.
   bool next(std::string_view& line);
   std::size_t number() const { return number_; }  ///< of the line that was last given, from 1
-  /// What follows, up to 64 KiB of it, without taking it.
+  /// The text that follows, up to 64 KiB of it, without taking it.
   std::string_view ahead();
   const std::optional<Problem>& problem() const { return problem_; }
   bool blank() const { return blank_; }  ///< no line so far held anything

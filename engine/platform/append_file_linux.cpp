@@ -73,7 +73,7 @@ std::optional<Problem> AppendFile::append(std::string_view bytes) {
     const ssize_t written = uninterrupted([&] { return ::write(handle_, bytes.data(), bytes.size()); });
     if (written <= 0) {
       const int error = written < 0 ? errno : ENOSPC;
-      // A piece that stands half in the file goes out again; a file that cannot be cut has none.
+      // A piece that is half in the file is removed again; a file that cannot be cut has none.
       if (::ftruncate(handle_, before.st_size) != 0) errno = error;
       return writingProblem(path_, error);
     }

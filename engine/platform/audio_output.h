@@ -1,6 +1,6 @@
 // The loudspeaker: asks for samples on a thread of its own and plays them. OpenAL is loaded when the first sound is
-// wanted and not before, so a program that stays silent pays nothing, and a computer without it still starts. Where
-// there is no sound card, no library or the card goes away, `fault` says so and nothing else happens.
+// wanted and not before, so a silent program pays nothing, and a computer without OpenAL still starts. Where there is
+// no sound card, no library, or the card disappears, `fault` says so and nothing else happens.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ class AudioOutput {
 
   /// Returns at once: the sound card is opened on the output's thread.
   AudioOutput(int samples_per_s, Fill fill);
-  /// Ends the thread and lets the card go.
+  /// Ends the thread and releases the card.
   ~AudioOutput();
   AudioOutput(const AudioOutput&) = delete;
   AudioOutput& operator=(const AudioOutput&) = delete;

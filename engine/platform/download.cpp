@@ -11,7 +11,7 @@ namespace {
 
 struct Sink {
   const std::function<bool(std::string_view)>& take;
-  const std::function<bool()>& broken_off;
+  const std::function<bool()>& cancelled;
   std::size_t most = 0, taken = 0;
   bool too_large = false, not_taken = false, ended = false;
 };
@@ -29,14 +29,14 @@ std::size_t receive(char* data, std::size_t one, std::size_t count, void* to) {
 // Called at least once a second, also while nothing comes; other than 0 ends the transfer.
 int goesOn(void* to, curl_off_t, curl_off_t, curl_off_t, curl_off_t) {
   Sink& sink = *static_cast<Sink*>(to);
-  sink.ended = sink.ended || (sink.broken_off && sink.broken_off());
+  sink.ended = sink.ended || (sink.cancelled && sink.cancelled());
   return sink.ended ? 1 : 0;
 }
 
 DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
   if (sink.too_large) return DownloadFailure::TooLarge;
-  if (sink.ended) return DownloadFailure::BrokenOff;
-  if (sink.not_taken) return DownloadFailure::NotTaken;
+  if (sink.ended) return DownloadFailure::Cancelled;
+  if (sink.not_taken) return DownloadFailure::ConsumerStopped;
   if (status == 404 || status == 410 || code == CURLE_FILE_COULDNT_READ_FILE) return DownloadFailure::NotFound;
   if (code == CURLE_HTTP_RETURNED_ERROR || code == CURLE_URL_MALFORMAT || code == CURLE_UNSUPPORTED_PROTOCOL)
     return DownloadFailure::Refused;
@@ -46,12 +46,12 @@ DownloadFailure kindOf(CURLcode code, long status, const Sink& sink) {
 }  // namespace
 
 DownloadResult download(const std::string& url, std::size_t most_bytes,
-                        const std::function<bool(std::string_view)>& take, const std::function<bool()>& broken_off) {
+                        const std::function<bool(std::string_view)>& take, const std::function<bool()>& cancelled) {
   static const CURLcode started = curl_global_init(CURL_GLOBAL_DEFAULT);
   const std::unique_ptr<CURL, void (*)(CURL*)> curl(started == CURLE_OK ? curl_easy_init() : nullptr,
                                                     curl_easy_cleanup);
   if (!curl) return {DownloadFailure::Refused, tr("libcurl cannot be started")};
-  Sink sink{take, broken_off, most_bytes};
+  Sink sink{take, cancelled, most_bytes};
   char words[CURL_ERROR_SIZE] = "";
   curl_easy_setopt(curl.get(), CURLOPT_URL, url.c_str());
   curl_easy_setopt(curl.get(), CURLOPT_PROTOCOLS_STR, "https,http,file");

@@ -1,5 +1,5 @@
-// The system calls that write_file and append_file share: what a failed one means to a person, and drafts beside a
-// file. Linux only; included by engine/platform/*_linux.cpp.
+// The system calls that write_file and append_file share: the meaning of errors, and drafts beside a file. Linux only;
+// included by engine/platform/*_linux.cpp.
 #pragma once
 
 #include <cerrno>
@@ -16,14 +16,15 @@ auto uninterrupted(Call call) {
   return result;
 }
 
-/// What an `errno` says of a file that was to be written.
+/// The Problem for an `errno` of a failed write to that file.
 Problem writingProblem(const std::filesystem::path& file, int error);
 
-/// Where writing to `file` ends: links are followed, also to a file that is not there yet.
+/// The target of `file`: links are followed, also to a file that does not exist yet.
 std::filesystem::path behindLinks(const std::filesystem::path& file);
 
-/// A new empty file in the folder of `file`, locked as long as it is open, and its name; -1 with `errno` where there
-/// can be none. It gets the rights of `file` where that is there. Drafts in that folder whose program has ended go.
+/// Creates a new empty file in the folder of `file`, locked as long as it is open, and returns its handle and name; -1
+/// with `errno` on failure. It gets the permissions of `file` where that exists. Removes drafts in that folder whose
+/// program has ended.
 int openDraft(const std::filesystem::path& file, int flags, std::filesystem::path& draft);
 
 /// Renames the draft; with `refuse`, EEXIST where the file is there. 0, or -1 with `errno`.

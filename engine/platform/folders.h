@@ -1,5 +1,4 @@
-// Where things lie on this computer: the program's own data and the user's. The Linux edge. Not for the
-// haptic thread.
+// The folders of this computer: the program's own data and the user's. Not for the haptic thread.
 #pragma once
 
 #include <filesystem>
@@ -25,7 +24,7 @@ std::filesystem::path translationsFolder();
 std::filesystem::path folderFromEnvironment(const char* name);
 
 /// Where the program keeps what the user fetched or made: $XDG_DATA_HOME/moltact, else
-/// ~/.local/share/moltact. It may not exist yet. Empty where neither variable tells a home.
+/// ~/.local/share/moltact. It may not exist yet. Empty where neither variable gives a home.
 std::filesystem::path userDataFolder();
 
 /// userDataFolder()/molecules: the entries that `moltact fetch` downloaded.

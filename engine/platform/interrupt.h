@@ -1,13 +1,13 @@
-// A person's or the system's wish to end the program (Ctrl-C, the terminal closed, the session's end) seen by the
-// window or a command, so that a device is closed and what was done is saved in order. Not for the haptic thread.
+// Shows the window or a command that a person or the system asks the program to end (Ctrl-C, a closed terminal, the
+// session's end), so that it closes the device and saves the work in order. Not for the haptic thread.
 #pragma once
 
 #include <memory>
 
 namespace moltact {
 
-/// While there is one, the first such wish ends all force at once (force_hold.h) and shows here; the second ends the
-/// program as ever. One at a time. Outlives the device.
+/// While one exists, the first such request inhibits all force at once (force_inhibit.h) and seen() returns true; the
+/// second ends the program in the system's usual way. One at a time. It must outlive the device.
 class InterruptWatch {
  public:
   InterruptWatch();

@@ -2,7 +2,7 @@
 #include <atomic>
 #include <csignal>
 
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 #include "engine/platform/interrupt.h"
 
 namespace moltact {
@@ -23,7 +23,7 @@ InterruptWatch::InterruptWatch() : before_(std::make_unique<Before>()) {
   struct sigaction action {};
   // The force ends here and now; whoever watches closes the device when it comes to that.
   action.sa_handler = [](int) {
-    holdForce(Hold::Interrupted);
+    inhibitForce(InhibitReason::Interrupted);
     wished.store(true);
   };
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // and no SA_RESTART: who waits for the person is woken
@@ -32,7 +32,7 @@ InterruptWatch::InterruptWatch() : before_(std::make_unique<Before>()) {
 
 InterruptWatch::~InterruptWatch() {
   for (std::size_t k = 0; k < kWishes.size(); ++k) sigaction(kWishes[k], &before_->actions[k], nullptr);
-  letForce(Hold::Interrupted);
+  permitForce(InhibitReason::Interrupted);
 }
 
 bool InterruptWatch::seen() const noexcept { return wished.load(); }

@@ -1,5 +1,5 @@
 // An OpenGL 3.3 core context without a window or a display, in software where there is no graphics card: for pictures
-// to a file and for tests. The Linux edge of the engine: EGL. Belongs to the thread that made it.
+// to a file and for tests. Uses EGL. Belongs to the thread that made it.
 #pragma once
 
 #include <memory>

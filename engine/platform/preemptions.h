@@ -1,5 +1,4 @@
-// How often the operating system has taken the processor away. Not for the haptic thread (a call of the
-// system).
+// Counts how often the operating system has taken the processor away. Not for the haptic thread (a call of the system).
 #pragma once
 
 #include <cstdint>

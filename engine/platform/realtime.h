@@ -1,4 +1,4 @@
-// The haptic thread's edge to the operating system: its clock, its sleep and its priority.
+// The haptic thread's interface to the operating system: its clock, its sleep and its priority.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ enum class RealtimeStatus : std::uint8_t {
   Ordinary,  ///< the system did not allow it; ticks may come late while the window is busy
 };
 
-/// Asks for real-time scheduling and locked memory for the calling thread; tells what was granted.
+/// Asks for real-time scheduling and locked memory for the calling thread; returns what was granted.
 RealtimeStatus becomeRealtime() noexcept;
 
 /// Monotonic time (unit: nanosecond).

@@ -1,5 +1,5 @@
-// A shared library that is found while the program runs and need not be there. The Linux edge: dlopen. It is never
-// unloaded, for some drivers fail when they are loaded a second time. Not for the haptic thread.
+// A shared library that is loaded at run time and may be missing. Uses dlopen. It is never unloaded, for some drivers
+// fail when they are loaded a second time. Not for the haptic thread.
 #pragma once
 
 #include <span>

@@ -1,6 +1,6 @@
-// The terminal, or whatever standard input, output and error are: the one place that writes to it. What is written may
-// hold names and texts of files that others made; nothing of it steers the terminal (engine/core/printable.h), and a
-// value begins no line of its own. Any one thread but the haptic one.
+// The only code that writes to standard output and error, whatever they are connected to. The text may hold names and
+// texts from files that others made; nothing in it controls the terminal (engine/core/printable.h), and a value begins
+// no line of its own. Any one thread but the haptic one.
 #pragma once
 
 #include <ostream>

@@ -1,8 +1,8 @@
-// The one way to write a file whole: into a draft of its own beside it, flushed to the disk, and put in its place by
-// one rename. Whoever reads the file meets what it was or what it is to be, never less, whatever ends the program or
-// fills the disk; two who write it at once each have a draft, and the later one's stands. A draft whose program was
-// killed goes when anything is written in its folder again. Files that grow while they are written: append_file.h. Any
-// one thread but the haptic one.
+// The only way to write a file whole: into a draft beside it, flushed to the disk, and put in its place by one rename.
+// A reader of the file finds either the old or the new content, never a part, whatever ends the program or fills the
+// disk. Two writers at the same time each have a draft, and the later one's remains. A draft whose program was killed
+// is removed when anything is written in its folder again. For files that grow while they are written: append_file.h.
+// Any one thread but the haptic one.
 #pragma once
 
 #include <filesystem>
@@ -19,20 +19,20 @@ enum class IfThere {
   Refuse,  ///< a Problem; what is there stays
 };
 
-/// Writes the file; its folder must be there. A link is followed, and what is no ordinary file (a pipe, a device) is
-/// written to as it is. A Problem that a person can act on where that cannot be; then everything is as it was.
+/// Writes the file; its folder must exist. A link is followed; a target that is no ordinary file (a pipe, a device) is
+/// written directly. A Problem that a person can act on where that is impossible; then everything is as it was.
 std::optional<Problem> writeWhole(const std::filesystem::path& file, std::string_view bytes,
                                   IfThere there = IfThere::Replace);
 
 /// The same in pieces.
 class Draft {
  public:
-  /// Where the file could not be written for want of a folder or a right, this says so, and changes nothing.
+  /// A Problem where a folder or a permission is missing; then nothing is changed.
   static Expected<Draft> begin(const std::filesystem::path& file, IfThere there = IfThere::Replace);
 
   Draft(Draft&&) noexcept;
   Draft& operator=(Draft&&) noexcept;
-  /// A draft that was not committed goes.
+  /// Removes a draft that was not committed.
   ~Draft();
 
   std::optional<Problem> append(std::string_view bytes);
@@ -48,7 +48,7 @@ class Draft {
   std::unique_ptr<Impl> impl_;
 };
 
-/// From here on a limit on the size of files (`ulimit -f`) is an error like a full disk, and not the end of the
+/// From this call on a limit on the size of files (`ulimit -f`) is an error like a full disk, and does not end the
 /// program.
 void takeSizeLimitsAsErrors();
 

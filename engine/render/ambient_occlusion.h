@@ -16,8 +16,9 @@ struct AmbientOcclusion {
   float level = 1.0f;
 };
 
-/// One ambient_occlusion a ball, from the smoothed density of all balls about it (own method: a blurred voxel field of
-/// the balls' volume at two widths, taken to first order about each centre). Balls alone in space get full light.
+/// One AmbientOcclusion for each ball, from the smoothed density of all balls about it (own method: a blurred voxel
+/// field of the balls' volume at two widths, taken to first order about each centre). Balls alone in space get full
+/// light.
 std::vector<AmbientOcclusion> ambientOcclusion(std::span<const Ball> balls);
 
 }  // namespace moltact

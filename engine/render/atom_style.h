@@ -16,7 +16,7 @@ enum class ElementColours : std::uint8_t {
                     ///< vision tells apart
 };
 
-/// What an atom's colour tells.
+/// The meaning of an atom's colour.
 enum class ColourBy : std::uint8_t {
   Element,
   Chain,  ///< its chain; what is no protein and no nucleic acid keeps its element's colour

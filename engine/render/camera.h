@@ -1,7 +1,7 @@
 // An orbit camera: it looks at a target from a distance and turns about it. Plain data and arithmetic in double
 // precision; usable on every thread. Units: angstrom, radian, pixel (origin at the picture's upper left corner, y
-// down). The camera's own axes are x right, y up, z toward the viewer. What is sent to the graphics card is relative to
-// the target, so a molecule a million angstroms from the origin looks as it does at the origin.
+// down). The camera's own axes are x right, y up, z toward the viewer. Coordinates for the graphics card are relative
+// to the target, so a molecule a million angstroms from the origin looks as it does at the origin.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -43,7 +43,7 @@ class GlTarget {
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;
 
-  /// Makes the textures anew if the size differs. Returns false if the driver refuses the size.
+  /// Makes new textures if the size differs. Returns false if the driver refuses the size.
   bool resize(int width_px, int height_px);
   void bind() const;
 
@@ -58,7 +58,7 @@ class GlTarget {
   int width_ = 0, height_ = 0;
 };
 
-/// A vertex array with one vertex buffer that is filled anew for each picture.
+/// A vertex array with one vertex buffer that is filled for each picture.
 class GlStream {
  public:
   GlStream() = default;

@@ -180,16 +180,16 @@ void Glyphs::clear() {
 
 void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs) {
   Maker make(scene, glyphs);
-  if (scene.shown.has(Shape::Target)) {
+  if (scene.shown.has(ViewPart::Target)) {
     make.targets();
     if (model) make.highlights(model->scene);
   }
   if (!make.hasHip()) return;
-  if (model && scene.shown.has(Shape::Atoms)) make.touched(*model);
-  if (scene.shown.has(Shape::Probe)) make.probe(), make.hand();
-  if (scene.shown.has(Shape::Hip)) make.hip();
-  if (scene.shown.has(Shape::Scp)) make.scp();
-  if (scene.shown.has(Shape::Force)) make.force();
+  if (model && scene.shown.has(ViewPart::Atoms)) make.touched(*model);
+  if (scene.shown.has(ViewPart::Probe)) make.probe(), make.hand();
+  if (scene.shown.has(ViewPart::Hip)) make.hip();
+  if (scene.shown.has(ViewPart::Scp)) make.scp();
+  if (scene.shown.has(ViewPart::Force)) make.force();
 }
 
 }  // namespace moltact

@@ -231,7 +231,7 @@ class Drawer {
   void freeLine(const Vec3& p, const Vec3& q, const Stroke& stroke) {
     constexpr double kPiece_A = 0.15;
     const int pieces =
-        neighbours_.empty() ? 1 : std::clamp(wholeOf<int>(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
+        neighbours_.empty() ? 1 : std::clamp(saturateToInteger<int>(std::ceil(glm::length(q - p) / kPiece_A)), 1, 24);
     bool open = false;
     const auto emit = [&](double t) { strokes_.point(glm::vec3(scene_.camera.toView({p + (q - p) * t}))); };
     for (int i = 0; i < pieces; ++i) {
@@ -267,11 +267,11 @@ class Drawer {
 void addHapticShapes(const ViewScene& scene, const MoleculeModel& model, Strokes& strokes,
                      std::vector<LooseSphere>& dots) {
   Drawer drawer(scene, model, strokes, dots);
-  if (scene.shown.has(Shape::Spheres)) drawer.spheres();
-  if (scene.shown.has(Shape::Circles)) drawer.circles();
-  if (scene.shown.has(Shape::Points)) drawer.points();
-  if (scene.shown.has(Shape::Cones)) drawer.cones();
-  if (scene.shown.has(Shape::Facets) && scene.facets) drawer.facets(*scene.facets);
+  if (scene.shown.has(ViewPart::Spheres)) drawer.spheres();
+  if (scene.shown.has(ViewPart::Circles)) drawer.circles();
+  if (scene.shown.has(ViewPart::Points)) drawer.points();
+  if (scene.shown.has(ViewPart::Cones)) drawer.cones();
+  if (scene.shown.has(ViewPart::Facets) && scene.facets) drawer.facets(*scene.facets);
 }
 
 void addCircle(Strokes& strokes, const Stroke& stroke, const Camera& camera, const Vec3& centre, const Vec3& axis,

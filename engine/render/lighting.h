@@ -6,7 +6,7 @@
 
 namespace moltact {
 
-/// What lights everything in a picture. Colours are sRGB.
+/// The light of a picture. Colours are sRGB.
 struct Lighting {
   glm::vec3 background_top{0.0f}, background_bottom{0.0f};  ///< what distance fades into
   float fade_from_A = 1e9f, fade_over_A = 1.0f;             ///< depth where the fading begins, and over what length

@@ -1,5 +1,5 @@
-// What the renderer keeps of a molecule between pictures: balls, colours, ambient_occlusion, and a grid to find
-// neighbours. Made once for a molecule; only its colours change. Units: angstrom.
+// The renderer's data of a molecule between pictures: balls, colours, ambient occlusion, and a grid to find neighbours.
+// Made once for a molecule; only its colours change. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace moltact {
 
-/// The chain whose colour an atom has where chains are told apart; none for what keeps its element's.
+/// The chain whose colour an atom has in pictures coloured by chain; none for an atom that keeps its element's.
 std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom);
 
 struct MoleculeModel {

@@ -234,12 +234,12 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
                  .samples = std::clamp(options.samples, 1, 4),
                  .outlines = options.outlines,
                  .cull = options.occlusion_cull,
-                 .atoms = scene.shown.has(Shape::Atoms),
+                 .atoms = scene.shown.has(ViewPart::Atoms),
                  .top = scene.theme.background_top,
                  .bottom = scene.theme.background_bottom,
                  .tint = scene.theme.target,
                  .tinted = {}};
-    if (scene.shown.has(Shape::Target)) key.tinted = scene.highlighted;
+    if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
     std::sort(key.tinted.begin(), key.tinted.end());
     const int samples = key.samples;
     const bool all_smooth = options.smooth_glyphs && samples > 1;

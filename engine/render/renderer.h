@@ -1,5 +1,5 @@
 // Draws a ViewScene. Needs a current OpenGL 3.3 core context, at construction and in every call; belongs to its thread.
-// The atoms are kept as a layer and drawn anew only when the camera or the atoms change, so that moving the probe over
+// The atoms are kept as a layer and drawn again only when the camera or the atoms change, so that moving the probe over
 // a large molecule costs no more than over a small one.
 #pragma once
 
@@ -23,7 +23,7 @@ struct RenderOptions {
   friend bool operator==(const RenderOptions&, const RenderOptions&) = default;
 };
 
-/// What the last picture cost and held.
+/// The cost and the contents of the last picture.
 struct RenderCount {
   std::size_t atoms = 0, atoms_drawn = 0;
   bool atoms_redrawn = false;  ///< false when the kept layer was used
@@ -55,7 +55,7 @@ class Renderer {
   /// Waits until the picture is really drawn: for measuring.
   void finish() const;
 
-  /// Draws everything anew at the next call.
+  /// Draws everything again at the next call.
   void invalidate();
 
   const RenderCount& count() const;

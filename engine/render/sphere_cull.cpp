@@ -12,7 +12,7 @@ constexpr float kNothing = std::numeric_limits<float>::infinity();
 
 // The cell in which a place from -1 to 1 lies. A ball close before the eye reaches as far beyond the picture as one
 // likes.
-int cellAt(float place, float cell) { return wholeOf<int>((place + 1) / cell); }
+int cellAt(float place, float cell) { return saturateToInteger<int>((place + 1) / cell); }
 
 // The slopes (sideways over ahead) of the two tangents from the eye to a disc; `side` and `depth` are its centre.
 glm::vec2 tangents(float side, float depth, float radius) {
@@ -66,7 +66,7 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
 
   // About eight cells across a ball: finer costs more than the drawing that it saves.
   const double mean_px = seen_.empty() ? 0 : wide / double(seen_.size()) * 0.5 * projection.width_px;
-  cell_px_ = std::clamp(wholeOf<int>(mean_px / 8), 3, 24);
+  cell_px_ = std::clamp(saturateToInteger<int>(mean_px / 8), 3, 24);
   cells_x_ = (projection.width_px + cell_px_ - 1) / cell_px_;
   cells_y_ = (projection.height_px + cell_px_ - 1) / cell_px_;
   cell_x_ = 2.0f * float(cell_px_) / float(projection.width_px);
@@ -141,9 +141,9 @@ bool SphereCull::hidden(const DrawnSphere& s) const {
 // A cell is covered where the rays through its four corners all hit the ball, since the image of a ball is convex. Over
 // such a cell the front is nowhere deeper than at the deepest corner: 1 / depth of a convex front is concave.
 void SphereCull::cover(const DrawnSphere& s) {
-  const int x0 = std::max(0, wholeOf<int>(std::ceil((s.low.x + 1) / cell_x_))),
+  const int x0 = std::max(0, saturateToInteger<int>(std::ceil((s.low.x + 1) / cell_x_))),
             x1 = std::min(cells_x_, cellAt(s.high.x, cell_x_));
-  const int y0 = std::max(0, wholeOf<int>(std::ceil((s.low.y + 1) / cell_y_))),
+  const int y0 = std::max(0, saturateToInteger<int>(std::ceil((s.low.y + 1) / cell_y_))),
             y1 = std::min(cells_y_, cellAt(s.high.y, cell_y_));
   if (x1 <= x0) return;
   const float r2 = s.radius * s.radius, depth = -s.centre.z;

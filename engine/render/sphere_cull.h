@@ -26,9 +26,9 @@ bool projectSphere(const Projection& projection, const glm::vec3& centre, float 
 
 class SphereCull {
  public:
-  /// Fills drawn() with the balls to draw, cut into boxes; a ball may give none or several. What is left out is covered
-  /// by nearer balls, decided on a coarse grid of cells, so the picture is the same without it. `occlusion` false
-  /// keeps every ball whole.
+  /// Fills drawn() with the balls to draw, cut into boxes; a ball may give none or several. A part that is left out is
+  /// covered by nearer balls, decided on a coarse grid of cells, so the picture is the same without it. `occlusion`
+  /// false keeps every ball whole.
   void run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim, bool occlusion);
 
   const std::vector<DrawnSphere>& drawn() const { return drawn_; }

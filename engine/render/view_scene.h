@@ -5,14 +5,12 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <span>
-#include <string_view>
 #include <vector>
 
-#include "engine/core/problem.h"
 #include "engine/core/units.h"
 #include "engine/haptics/tracker.h"
 #include "engine/molecule/molecule.h"
+#include "engine/molecule/view_part.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/camera.h"
 
@@ -20,41 +18,6 @@ namespace moltact {
 
 class SphereMesh;
 struct SolidModel;
-
-/// The parts of a picture that are switched one by one. A part is added here, in the table of view_scene.cpp and where
-/// it is drawn.
-enum class Shape : std::uint8_t { Atoms, Spheres, Circles, Points, Cones, Hip, Scp, Force, Probe, Target, Facets };
-
-struct ShapeName {
-  Shape shape;
-  std::string_view name;      ///< as in `--show circles`
-  std::string_view sentence;  ///< what it is, for a tool tip and for `--help`
-  bool haptic;                ///< belongs to the group `haptic`
-};
-
-/// All parts in the order in which they are offered.
-std::span<const ShapeName> shapeNames();
-
-class ShapeSet {
- public:
-  constexpr ShapeSet() = default;
-  constexpr ShapeSet(std::initializer_list<Shape> shapes) {
-    for (const Shape s : shapes) set(s);
-  }
-  constexpr bool has(Shape s) const { return bits_ >> unsigned(s) & 1u; }
-  constexpr void set(Shape s, bool on = true) { bits_ = on ? bits_ | 1u << unsigned(s) : bits_ & ~(1u << unsigned(s)); }
-  friend constexpr bool operator==(const ShapeSet&, const ShapeSet&) = default;
-
- private:
-  std::uint32_t bits_ = 0;
-};
-
-/// What a picture shows unless told otherwise: atoms, probe, force, target.
-ShapeSet defaultShapes();
-
-/// Reads names parted by commas ("atoms,circles"); the groups are `haptic`, `all` and `none`. An unknown name gives a
-/// problem that lists the known ones.
-Expected<ShapeSet> parseShapes(std::string_view names);
 
 /// The colours of everything that is not an atom.
 struct Theme {
@@ -81,7 +44,7 @@ struct TargetMarker {
 struct ViewScene {
   std::shared_ptr<const Molecule> molecule;  ///< may be null: only the background and the glyphs are drawn
   Camera camera;
-  ShapeSet shown = defaultShapes();
+  ViewPartSet shown = defaultViewParts();
   Theme theme = darkTheme();
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;

@@ -13,13 +13,14 @@
 #include <vector>
 
 #include "engine/core/units.h"
-#include "engine/haptics/tracker.h"
+#include "engine/haptics/contact.h"
+#include "engine/haptics/touch_setup.h"
 #include "engine/lesson/lesson.h"
 #include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
-/// What led the probe, or gave an answer.
+/// The input that led the probe, or gave an answer.
 enum class InputWay : std::uint8_t { Device, Mouse, Keyboard };
 /// "device", "mouse" or "keyboard".
 std::string_view nameOf(InputWay way);
@@ -42,7 +43,7 @@ struct StepOutline {
   std::vector<QuestionOutline> questions;
 };
 
-/// What a lesson asked, so that an attempt can be read without the lesson's file.
+/// The questions of a lesson, so that an attempt can be read without the lesson's file.
 struct LessonOutline {
   std::string file;  ///< its name without folders: "first-touch.md"
   std::string title;
@@ -106,8 +107,8 @@ struct TaskDone {
   InputWay by = InputWay::Mouse;
   std::vector<LoggedFigure> figures;
 };
-/// Of a task that asks to draw a force curve before it is felt: the one or the other. Values at even distances from 0
-/// to `to_A`, both ends included; NaN where nothing was felt.
+/// A force curve of a task that asks to draw it before it is felt: the drawn one or the felt one. Values at even
+/// distances from 0 to `to_A`, both ends included; NaN where nothing was felt.
 struct CurveKept {
   std::string step;
   std::size_t task = 0;
@@ -146,21 +147,18 @@ struct InputChanged {
   bool gives_force = false;
   friend bool operator==(const InputChanged&, const InputChanged&) = default;
 };
-/// What is on the stage, as far as playing the trace back needs it.
-struct StageSet {
+/// The stage, as far as playing the trace back needs it.
+struct StageChanged {
   std::string molecule;  ///< id
   std::string file;      ///< its name without folders
   std::size_t atoms = 0;
-  Workspace workspace;
-  double probe_A = kWaterProbe_A;
-  double stiffness_N_per_mm = 0.5;
-  std::string method;
-  bool force_on = true;
+  Workspace workspace{};
+  TouchSetup touch{};
   ReadOptions reading{};  ///< how the file was read
-  friend bool operator==(const StageSet&, const StageSet&) = default;
+  friend bool operator==(const StageChanged&, const StageChanged&) = default;
 };
 /// How the person looked at it (engine/render/camera.h).
-struct ViewRotated {
+struct ViewChanged {
   std::array<double, 4> orientation{1, 0, 0, 0};  ///< quaternion: w, x, y, z
   Vec3 target_A{0.0};
   double distance_A = 50.0;
@@ -197,18 +195,18 @@ struct Predicted {
   std::string question, text;
 };
 /// The program or the lesson was closed, or the turn was passed on.
-struct Left {
+struct SessionClosed {
   std::string at;  ///< UTC
 };
 
-/// The lesson is open and looked at: told where nothing else has told the time for kHeartbeat_s.
-struct StillHere {};
-/// What is killed is known to so much of its end (unit: second of use).
+/// The lesson is open and looked at: written where no other event has given the time for kHeartbeat_s.
+struct Heartbeat {};
+/// The end of an attempt whose program was killed is known to within this (unit: second of use).
 inline constexpr double kHeartbeat_s = 0.9;
 
 using AttemptFact = std::variant<StepEntered, Answered, HintOpened, TaskBegun, TaskDone, CurveKept, TouchBegan,
-                                 TouchEnded, InputChanged, StageSet, ViewRotated, HipChunk, LessonReread, Resumed,
-                                 ProgressMade, Predicted, Left, TouchSoFar, StillHere>;
+                                 TouchEnded, InputChanged, StageChanged, ViewChanged, HipChunk, LessonReread, Resumed,
+                                 ProgressMade, Predicted, SessionClosed, TouchSoFar, Heartbeat>;
 
 struct AttemptEvent {
   double t_s = 0.0;

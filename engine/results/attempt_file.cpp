@@ -163,7 +163,7 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
     if (!*event) continue;
     if (const auto* again = std::get_if<LessonReread>(&(*event)->what)) out.header.lesson = again->lesson;
     if (depth == ReadDepth::NoTrace &&
-        (std::holds_alternative<ViewRotated>((*event)->what) || std::holds_alternative<HipChunk>((*event)->what)))
+        (std::holds_alternative<ViewChanged>((*event)->what) || std::holds_alternative<HipChunk>((*event)->what)))
       continue;
     within.mend(**event);
     out.events.push_back(**std::move(event));

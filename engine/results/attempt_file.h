@@ -28,7 +28,7 @@ enum class ReadDepth {
   NoTrace,  ///< without the hand's way and the views, which are most of the file
 };
 
-/// A Problem where the file cannot be read or holds no attempt; damaged lines after the first are passed over and told.
+/// A Problem where the file cannot be read or holds no attempt; damaged lines after the first are skipped and reported.
 Expected<Attempt> readAttempt(const std::filesystem::path& file, ReadDepth depth = ReadDepth::All);
 
 /// The .jsonl files in a folder, by name; those that are named themselves. A Problem for what is not there.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "engine/language/catalogue.h"
 #include "engine/results/attempt_ranges.h"
@@ -14,7 +15,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // What a line lacks; caught in this file, so that the readers below can be written one key a line.
-struct Lacking {
+struct LineError {
   std::string what;
 };
 
@@ -99,7 +100,7 @@ struct FactWriter {
     out["device"] = e.device;
     out["gives_force"] = e.gives_force;
   }
-  void operator()(const StageSet& e) {
+  void operator()(const StageChanged& e) {
     out["molecule"] = e.molecule;
     out["file"] = e.file;
     out["atoms"] = e.atoms;
@@ -108,15 +109,18 @@ struct FactWriter {
     out["turn"] = Json::array();
     for (int column = 0; column < 3; ++column)
       for (int row = 0; row < 3; ++row) out["turn"].push_back(e.workspace.rotation[column][row]);
-    out["probe_A"] = rounded(e.probe_A);
-    out["stiffness_N_per_mm"] = rounded(e.stiffness_N_per_mm);
-    out["method"] = e.method;
-    out["force_on"] = e.force_on;
-    if (e.reading.model != 1) out["model"] = e.reading.model;
-    if (e.reading.waters) out["waters"] = true;
-    if (!e.reading.assembly.empty()) out["assembly"] = e.reading.assembly;
+    for (const TouchProperty& p : touchProperties()) {
+      const TouchValue value = touchValue(e.touch, p);
+      if (!p.in_old_files && value == touchValue(TouchSetup(), p)) continue;
+      Json& to = out[std::string(p.field)];
+      std::visit([&](const auto& v) { to = v; }, value);
+      if (const auto* number = std::get_if<double>(&value)) to = rounded(*number);
+    }
+    for (const ReadingOption& option : readingOptions())
+      if (!isDefault(e.reading, option))
+        std::visit([&](const auto member) { out[std::string(option.name)] = e.reading.*member; }, option.member);
   }
-  void operator()(const ViewRotated& e) {
+  void operator()(const ViewChanged& e) {
     for (const double q : e.orientation) out["orientation"].push_back(std::round(q * 1e5) / 1e5);
     out["target_A"] = rounded(e.target_A);
     out["distance_A"] = rounded(e.distance_A);
@@ -173,7 +177,7 @@ struct FactWriter {
     out["question"] = e.question;
     out["text"] = e.text;
   }
-  void operator()(const Left& e) { out["at"] = e.at; }
+  void operator()(const SessionClosed& e) { out["at"] = e.at; }
   void operator()(const TouchSoFar& e) {
     out["from"] = rounded(e.from_s);
     out["crossings"] = e.crossings;
@@ -182,7 +186,7 @@ struct FactWriter {
     out["path_A"] = rounded(e.path_A);
     out["by"] = nameOf(e.by);
   }
-  void operator()(const StillHere&) {}
+  void operator()(const Heartbeat&) {}
 };
 
 std::string_view kindOf(const AttemptFact& fact) {
@@ -196,12 +200,12 @@ std::string_view kindOf(const AttemptFact& fact) {
 
 const Json& need(const Json& from, const char* key) {
   const auto it = from.find(key);
-  if (it == from.end()) throw Lacking{trf("'{0}' is missing", key)};
+  if (it == from.end()) throw LineError{trf("'{0}' is missing", key)};
   return *it;
 }
 
 std::string text(const Json& value, const char* key) {
-  if (!value.is_string()) throw Lacking{trf("'{0}' is no text", key)};
+  if (!value.is_string()) throw LineError{trf("'{0}' is no text", key)};
   return value.get<std::string>();
 }
 std::string text(const Json& from, const char* key, bool needed) {
@@ -212,13 +216,13 @@ std::string text(const Json& from, const char* key, bool needed) {
 
 // Every number of the format has a range (attempt_ranges.h).
 double number(const Json& value, const char* key) {
-  if (!value.is_number()) throw Lacking{trf("'{0}' is no number", key)};
+  if (!value.is_number()) throw LineError{trf("'{0}' is no number", key)};
   const double number = value.get<double>();
   const AttemptRange* range = attemptRange(key);
   if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number)))
     return number;
-  if (range && range->whole) throw Lacking{trf("'{0}' is no whole number that fits", key)};
-  throw Lacking{trf("'{0}' is a number that no Moltact writes", key)};
+  if (range && range->whole) throw LineError{trf("'{0}' is no whole number that fits", key)};
+  throw LineError{trf("'{0}' is a number that no Moltact writes", key)};
 }
 double numberAt(const Json& from, const char* key) { return number(need(from, key), key); }
 double numberOr(const Json& from, const char* key, double otherwise) {
@@ -232,8 +236,8 @@ std::size_t countAt(const Json& from, const char* key) { return count(need(from,
 
 const Json& list(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
   const Json& value = need(from, key);
-  if (!value.is_array()) throw Lacking{trf("'{0}' is no list", key)};
-  if (value.size() > most) throw Lacking{trf("'{0}' is longer than any that Moltact writes", key)};
+  if (!value.is_array()) throw LineError{trf("'{0}' is no list", key)};
+  if (value.size() > most) throw LineError{trf("'{0}' is longer than any that Moltact writes", key)};
   return value;
 }
 const Json& listOrNone(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
@@ -245,7 +249,7 @@ std::int32_t atom(const Json& value) { return static_cast<std::int32_t>(number(v
 
 bool flag(const Json& from, const char* key) {
   const Json& value = need(from, key);
-  if (!value.is_boolean()) throw Lacking{trf("'{0}' is neither true nor false", key)};
+  if (!value.is_boolean()) throw LineError{trf("'{0}' is neither true nor false", key)};
   return value.get<bool>();
 }
 
@@ -253,12 +257,12 @@ InputWay way(const Json& from) {
   const std::string name = text(from, "by", true);
   for (const InputWay w : {InputWay::Device, InputWay::Mouse, InputWay::Keyboard})
     if (name == nameOf(w)) return w;
-  throw Lacking{tr("'by' is none of device, mouse and keyboard")};
+  throw LineError{tr("'by' is none of device, mouse and keyboard")};
 }
 
 std::vector<double> numbers(const Json& from, const char* key, std::size_t size) {
   const Json& values = list(from, key);
-  if (values.size() != size) throw Lacking{trf("'{0}' should hold {1} numbers", key, size)};
+  if (values.size() != size) throw LineError{trf("'{0}' should hold {1} numbers", key, size)};
   std::vector<double> out;
   for (const Json& v : values) out.push_back(number(v, key));
   return out;
@@ -270,7 +274,7 @@ Vec3 vector(const Json& from, const char* key) {
 }
 
 const Json& object(const Json& value, const char* what) {
-  if (!value.is_object()) throw Lacking{trf("'{0}' is no object", what)};
+  if (!value.is_object()) throw LineError{trf("'{0}' is no object", what)};
   return value;
 }
 
@@ -296,7 +300,7 @@ HipChunk trace(const Json& from) {
   const Json& ms = list(from, "ms");
   const std::string features = text(from, "feature", true);
   const std::size_t n = ms.size();
-  if (features.size() != n) throw Lacking{tr("'feature' and 'ms' differ in length")};
+  if (features.size() != n) throw LineError{tr("'feature' and 'ms' differ in length")};
   const std::size_t touching = n - static_cast<std::size_t>(std::count(features.begin(), features.end(), '.'));
   const std::vector<double> hip = numbers(from, "hip", 3 * n);
   std::vector<double> scp, force, displacement;
@@ -315,7 +319,7 @@ HipChunk trace(const Json& from) {
     s.t_s = from_s + number(ms[i], "ms") / 1000.0;
     s.hip.A = s.scp.A = {hip[3 * i], hip[3 * i + 1], hip[3 * i + 2]};
     const std::size_t feature = kFeatureSigns.find(features[i]);
-    if (feature == std::string_view::npos) throw Lacking{tr("'feature' has a sign that is not known")};
+    if (feature == std::string_view::npos) throw LineError{tr("'feature' has a sign that is not known")};
     s.feature = static_cast<Feature>(feature);
     if (s.feature != Feature::Free) {
       s.scp.A = {scp[k], scp[k + 1], scp[k + 2]};
@@ -340,6 +344,34 @@ HipChunk trace(const Json& from) {
 std::vector<std::int32_t> atoms(const Json& from) {
   std::vector<std::int32_t> out;
   for (const Json& a : list(from, "atoms", kMostTouched)) out.push_back(atom(a));
+  return out;
+}
+
+// What a property or an option of that type has at its key.
+template <class T>
+void take(T& to, const Json& from, std::string_view name) {
+  const std::string key(name);
+  if constexpr (std::is_same_v<T, std::string>)
+    to = text(from, key.c_str(), true);
+  else if constexpr (std::is_same_v<T, bool>)
+    to = flag(from, key.c_str());
+  else
+    to = static_cast<T>(numberAt(from, key.c_str()));
+}
+
+TouchSetup touch(const Json& from) {
+  TouchSetup out;
+  for (const TouchProperty& p : touchProperties())
+    if (p.in_old_files || from.contains(p.field))
+      std::visit([&](const auto member) { take(out.*member, from, p.field); }, p.member);
+  return out;
+}
+
+ReadOptions reading(const Json& from) {
+  ReadOptions out;
+  for (const ReadingOption& option : readingOptions())
+    if (from.contains(option.name))
+      std::visit([&](const auto member) { take(out.*member, from, option.name); }, option.member);
   return out;
 }
 
@@ -388,12 +420,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
                       way(j)};
   if (kind == "input") return InputChanged{way(j), text(j, "device", false), flag(j, "gives_force")};
   if (kind == "stage") {
-    StageSet s{
-        text(j, "molecule", true),         text(j, "file", true),   countAt(j, "atoms"), {}, numberAt(j, "probe_A"),
-        numberAt(j, "stiffness_N_per_mm"), text(j, "method", true), flag(j, "force_on")};
-    if (j.contains("model")) s.reading.model = static_cast<int>(countAt(j, "model"));
-    s.reading.waters = j.contains("waters") && flag(j, "waters");
-    s.reading.assembly = text(j, "assembly", false);
+    StageChanged s{text(j, "molecule", true), text(j, "file", true), countAt(j, "atoms"), {}, touch(j), reading(j)};
     s.workspace.A_per_mm = numberAt(j, "A_per_mm");
     s.workspace.centre_A = vector(j, "centre_A");
     const std::vector<double> turn = numbers(j, "turn", 9);
@@ -402,14 +429,14 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     const glm::dmat3 product = glm::transpose(s.workspace.rotation) * s.workspace.rotation;
     for (int k = 0; k < 9; ++k)
       if (std::abs(product[k / 3][k % 3] - (k % 4 == 0)) > kOff || glm::determinant(s.workspace.rotation) < 0.0)
-        throw Lacking{tr("'turn' is no rotation")};
+        throw LineError{tr("'turn' is no rotation")};
     return s;
   }
   if (kind == "view") {
     const std::vector<double> q = numbers(j, "orientation", 4);
     if (const double length = std::hypot(std::hypot(q[0], q[1]), std::hypot(q[2], q[3])); std::abs(length - 1.0) > 1e-2)
-      throw Lacking{tr("'orientation' is no rotation")};
-    return ViewRotated{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
+      throw LineError{tr("'orientation' is no rotation")};
+    return ViewChanged{{q[0], q[1], q[2], q[3]}, vector(j, "target_A"), numberAt(j, "distance_A")};
   }
   if (kind == "trace") return trace(j);
   if (kind == "lesson") return LessonReread{outline(need(j, "lesson"))};
@@ -422,8 +449,8 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
   if (kind == "touching")
     return TouchSoFar{numberAt(j, "from"),   countAt(j, "crossings"), numberAt(j, "peak_N"),
                       numberAt(j, "mean_N"), numberAt(j, "path_A"),   way(j)};
-  if (kind == "still") return StillHere{};
-  if (kind == "left") return Left{text(j, "at", true)};
+  if (kind == "still") return Heartbeat{};
+  if (kind == "left") return SessionClosed{text(j, "at", true)};
   return std::nullopt;
 }
 
@@ -489,7 +516,7 @@ Expected<AttemptHeader> readHeaderLine(std::string_view line) {
     h.gives_force = j.contains("gives_force") && flag(j, "gives_force");
     h.lesson = outline(need(j, "lesson"));
     return h;
-  } catch (const Lacking& lacking) {
+  } catch (const LineError& lacking) {
     return Problem{{}, 0, 0, trf("its first line is damaged: {0}", lacking.what), none.remedy};
   }
 }
@@ -502,7 +529,7 @@ Expected<std::optional<AttemptEvent>> readEventLine(std::string_view line) {
     std::optional<AttemptFact> fact = factOf(text(j, "kind", true), j);
     if (!fact) return std::optional<AttemptEvent>();
     return std::optional<AttemptEvent>(AttemptEvent{t_s, *std::move(fact)});
-  } catch (const Lacking& lacking) {
+  } catch (const LineError& lacking) {
     return Problem{{}, 0, 0, lacking.what, tr("the line is passed over")};
   }
 }

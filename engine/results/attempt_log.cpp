@@ -56,13 +56,13 @@ void AttemptLog::write(std::string line) {
 }
 
 void AttemptLog::heartbeat(double t_s) {
-  if (writer_ && t_s + from_s_ - told_s_ >= kHeartbeat_s) add({t_s, StillHere{}});
+  if (writer_ && t_s + from_s_ - told_s_ >= kHeartbeat_s) add({t_s, Heartbeat{}});
 }
 
 void AttemptLog::add(AttemptEvent event) {
   if (!writer_ && folder_.empty()) return;
   moveBy(from_s_, event);
-  if (!std::holds_alternative<HipChunk>(event.what) && !std::holds_alternative<ViewRotated>(event.what))
+  if (!std::holds_alternative<HipChunk>(event.what) && !std::holds_alternative<ViewChanged>(event.what))
     told_s_ = std::max(told_s_, event.t_s);
   const bool step = std::holds_alternative<StepEntered>(event.what),
              gone_on = step && before_.find(R"({"kind":"step")") != std::string::npos;  // of our own lines

@@ -16,13 +16,14 @@ class AttemptLog {
  public:
   /// A new attempt, kept in `folder` (empty: nothing is kept).
   AttemptLog(std::filesystem::path folder, AttemptHeader header);
-  /// An attempt that is taken up again; `end_s` is the time of its last event. What is added counts on from there.
+  /// An attempt that is taken up again; `end_s` is the time of its last event. Events that are added count on from
+  /// there.
   AttemptLog(std::filesystem::path file, double end_s, const Resumed& resumed);
 
   /// `event.t_s` is the time of use since this object was made.
   void add(AttemptEvent event);
-  /// Once a frame: tells the time where nothing else has for kHeartbeat_s, so that what is killed is known almost to
-  /// its end. Views and the hand's way do not count, for a report passes over them.
+  /// Once a frame: writes the time where no other event has for kHeartbeat_s, so that an attempt whose program is
+  /// killed is known almost to its end. Views and the hand's way do not count, for a report passes over them.
   void heartbeat(double t_s);
 
   /// The file has been begun.
@@ -34,7 +35,7 @@ class AttemptLog {
   bool takeRecovered() { return writer_ && writer_->takeRecovered(); }
   bool flush() { return !writer_ || writer_->flush(); }
 
-  /// Progress is told anew after so much else, so that readProgress finds it near the end (unit: byte).
+  /// Progress is written again after so many bytes, so that readProgress finds it near the end (unit: byte).
   static constexpr std::size_t kProgressEvery = 24 << 10;
 
  private:

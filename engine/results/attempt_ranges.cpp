@@ -1,8 +1,11 @@
 #include "engine/results/attempt_ranges.h"
 
 #include <array>
+#include <vector>
 
-#include "engine/haptics/tracker.h"
+#include "engine/core/units.h"
+#include "engine/haptics/touch_setup.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 namespace {
@@ -24,7 +27,6 @@ constexpr std::array kRanges{
     AttemptRange{"most_N", 0.0, kMost_N},
     AttemptRange{"force_N", -kMost_N, kMost_N},
     AttemptRange{"force", -kMost_N, kMost_N},
-    AttemptRange{"stiffness_N_per_mm", 0.0, kMost_N},
     // place
     AttemptRange{"hip", -kBeyond_A, kBeyond_A},
     AttemptRange{"scp", -kBeyond_A, kBeyond_A},
@@ -34,13 +36,11 @@ constexpr std::array kRanges{
     AttemptRange{"distance_A", 0.1, 1e8},
     AttemptRange{"path_A", 0.0, 1e10},
     AttemptRange{"to_A", 0.0, 1e6},
-    AttemptRange{"probe_A", 0.0, kLargestProbe_A},
     AttemptRange{"A_per_mm", 1e-4, 1e4},
     AttemptRange{"turn", -1.001, 1.001},
     AttemptRange{"orientation", -1.001, 1.001},
     // counts and indices
     AttemptRange{"format", 1.0, kMostAtoms, true},
-    AttemptRange{"model", 1.0, 1e6, true},
     AttemptRange{"attempt", 1.0, 1e6, true},
     AttemptRange{"task", 0.0, 1e6, true},
     AttemptRange{"chosen", 0.0, 1e6, true},
@@ -53,10 +53,23 @@ constexpr std::array kRanges{
     AttemptRange{"value", -1e9, 1e9},
 };
 
+// With those of what a scene is felt with and of how a molecule's file is read.
+std::vector<AttemptRange> allRanges() {
+  std::vector<AttemptRange> out(kRanges.begin(), kRanges.end());
+  for (const TouchProperty& p : touchProperties())
+    if (std::holds_alternative<double TouchSetup::*>(p.member))
+      out.push_back({p.field, p.in_files.least, p.in_files.most});
+  for (const ReadingOption& option : readingOptions())
+    if (std::holds_alternative<int ReadOptions::*>(option.member))
+      out.push_back({option.name, 1.0, kMostReadNumber, true});
+  return out;
+}
+
 }  // namespace
 
 const AttemptRange* attemptRange(std::string_view key) {
-  for (const AttemptRange& range : kRanges)
+  static const std::vector<AttemptRange> ranges = allRanges();
+  for (const AttemptRange& range : ranges)
     if (range.key == key) return &range;
   return nullptr;
 }

@@ -1,5 +1,6 @@
-// What the numbers of an attempt may be: a table by key, of what a program of ours can have written. A line with a
-// number outside it is passed over and told, so that nobody downstream has to doubt one. Any thread but the haptic one.
+// The ranges of the numbers of an attempt: a table by key, of the values that this program can have written. A line
+// with a number outside it is skipped and reported, so that nobody downstream has to doubt one. Any thread but the
+// haptic one.
 #pragma once
 
 #include <cstddef>

@@ -29,7 +29,8 @@ class AttemptWriter {
   /// Gives a line, with its line end, to the thread.
   void append(std::string line);
 
-  /// What keeps the lines from being written: once each time that it begins, then nothing until it has gone.
+  /// The fault that keeps the lines from being written: given once each time that it begins, then nothing until it has
+  /// gone.
   std::optional<Problem> takeFault();
   /// Lines have been written again after fault: true once.
   bool takeRecovered();

@@ -53,7 +53,7 @@ class Counting {
     at_ = step_ = e.step;
     entered_s_ = t_s_;
   }
-  void operator()(const Left&) { leaveStep(); }
+  void operator()(const SessionClosed&) { leaveStep(); }
   void operator()(const Answered& e) {
     AnswerScore& a = p_.answers[{e.step, e.question}];
     if (a.tries == 0) {

@@ -1,6 +1,7 @@
-// What a class did, counted from its attempts: plain numbers, from which the CSV and the page are written. Any thread
-// but the haptic one. A person is a student's name, or an attempt where no name was given. Several attempts of a person
-// at a lesson count together: the farthest progress, all the time, and of each question the first answer ever given.
+// The work of a class, counted from its attempts: plain numbers, from which the CSV and the page are written. Any
+// thread but the haptic one. A person is a student's name, or an attempt where no name was given. Several attempts of a
+// person at a lesson count together: the farthest progress, all the time, and of each question the first answer ever
+// given.
 #pragma once
 
 #include <array>

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <string_view>
+#include <utility>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/results/page_parts.h"
 
 namespace moltact {
@@ -27,7 +30,7 @@ void tile(std::string& out, const std::string& value, const std::string& what) {
 }
 
 struct Column {
-  const char* title;  // may hold <br>
+  std::string title;  // may hold <br>
   bool left = false;
 };
 
@@ -42,9 +45,24 @@ std::string section(const char* heading, std::initializer_list<Column> columns) 
   return std::string("<h3>") + heading + "</h3><div class=\"card scroll\">" + tableHead(columns);
 }
 
-// "mean force, N". Attempts hold the names of figures in English.
-std::string figureTitle(const std::string& name, const std::string& unit) {
-  return tr(name.c_str()) + (unit.empty() ? std::string() : ", " + unit);
+// A task's figure as it is shown: "mean force, N", and what a value of it is multiplied by. Attempts hold the names of
+// figures in English, and values in the unit that stands beside them.
+struct FigureShown {
+  std::string title;
+  double factor = 1.0;
+};
+FigureShown figureShown(const std::string& name, const std::string& unit) {
+  const Unit* known = unitNamed(unit);
+  const Unit* shown = known ? shownUnit(known->dimension) : nullptr;
+  const std::string_view symbol = shown ? shown->symbol : std::string_view(unit);
+  return {tr(name.c_str()) + (symbol.empty() ? std::string() : ", " + std::string(symbol)),
+          shown ? known->in_code_units / shown->in_code_units : 1.0};
+}
+
+// A histogram of values in the code's unit.
+std::string histogramOf(const std::string& title, Dimension dimension, std::vector<Measured> values) {
+  for (Measured& m : values) m.value /= shownUnit(dimension)->in_code_units;
+  return histogram(title, std::string(unitText(dimension)), std::move(values));
 }
 
 std::string legend(const std::vector<PersonScore>& people) {
@@ -99,9 +117,9 @@ void byWay(std::string& out, const LessonSummary& lesson) {
                                          {tr("Done<br>(median)")},
                                          {tr("Right at<br>first try")},
                                          {tr("Time<br>(median)")},
-                                         {tr("Peak force<br>(median), N")},
-                                         {tr("Mean force<br>(median), N")},
-                                         {tr("Path<br>(median), Å")}});
+                                         {trf("Peak force<br>(median), {0}", unitText(Dimension::Force))},
+                                         {trf("Mean force<br>(median), {0}", unitText(Dimension::Force))},
+                                         {trf("Path<br>(median), {0}", unitText(Dimension::Length))}});
   for (std::size_t w = 0; w < kWays; ++w) {
     const auto& group = groups[w];
     if (group.empty()) continue;
@@ -114,9 +132,12 @@ void byWay(std::string& out, const LessonSummary& lesson) {
            percent(median([](const PersonScore& p) { return p.share(); })) + "</td><td>" +
            (answers ? percent(double(right) / double(answers)) : "–") + "</td><td>" +
            duration(median([](const PersonScore& p) { return p.time_s; })) + "</td><td>" +
-           number(median([](const PersonScore& p) { return p.peak_N; }), 2) + "</td><td>" +
-           number(median([](const PersonScore& p) { return p.mean_N; }), 2) + "</td><td>" +
-           number(median([](const PersonScore& p) { return p.path_A; }), 0) + "</td></tr>";
+           quantityNumber(median([](const PersonScore& p) { return p.peak_N; }), Dimension::Force, decimals(2)) +
+           "</td><td>" +
+           quantityNumber(median([](const PersonScore& p) { return p.mean_N; }), Dimension::Force, decimals(2)) +
+           "</td><td>" +
+           quantityNumber(median([](const PersonScore& p) { return p.path_A; }), Dimension::Length, decimals(0)) +
+           "</td></tr>";
   }
   out += "</tbody></table></div>";
 }
@@ -128,10 +149,10 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
                                   {tr("Time")},
                                   {tr("Right at<br>first try")},
                                   {tr("Hints")},
-                                  {tr("Touch,<br>s")},
-                                  {tr("Peak,<br>N")},
-                                  {tr("Mean,<br>N")},
-                                  {tr("Path,<br>Å")},
+                                  {trf("Touch,<br>{0}", unitText(Dimension::Time))},
+                                  {trf("Peak,<br>{0}", unitText(Dimension::Force))},
+                                  {trf("Mean,<br>{0}", unitText(Dimension::Force))},
+                                  {trf("Path,<br>{0}", unitText(Dimension::Length))},
                                   {tr("Input"), true}});
   for (const PersonScore& p : lesson.people)
     out +=
@@ -144,9 +165,10 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
         (p.finished() ? std::string("<span class=\"tick\">✓</span> ") + tr("finished") : escaped(p.last_step)) +
         "</td><td>" + duration(p.time_s) + "</td><td>" +
         (p.answers.empty() ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answers.size())) +
-        "</td><td>" + std::to_string(p.hints) + "</td><td>" + number(p.touch_s, 0) + "</td><td>" + number(p.peak_N, 2) +
-        "</td><td>" + number(p.mean_N, 2) + "</td><td>" + number(p.path_A, 0) + "</td><td class=\"left\">" +
-        escaped(waysText(p)) +
+        "</td><td>" + std::to_string(p.hints) + "</td><td>" + quantityNumber(p.touch_s, Dimension::Time, decimals(0)) +
+        "</td><td>" + quantityNumber(p.peak_N, Dimension::Force, decimals(2)) + "</td><td>" +
+        quantityNumber(p.mean_N, Dimension::Force, decimals(2)) + "</td><td>" +
+        quantityNumber(p.path_A, Dimension::Length, decimals(0)) + "</td><td class=\"left\">" + escaped(waysText(p)) +
         (p.gives_force ? "<br><span class=\"quiet small nowrap\">" + escaped(tr(p.device.c_str())) + "</span>" : "") +
         "</td></tr>";
   out += "</tbody></table></div>";
@@ -284,10 +306,11 @@ void tasks(std::string& out, const LessonSummary& lesson) {
       std::size_t begun = 0, done = 0;
       std::vector<std::pair<std::string, std::vector<Measured>>> figures;  // by "name, unit", in the order met
       std::map<std::string, std::size_t> places;
-      const auto figure = [&](const std::string& name) -> std::vector<Measured>& {
-        const auto [place, made] = places.try_emplace(name, figures.size());
-        if (made) figures.emplace_back(name, std::vector<Measured>());
-        return figures[place->second].second;
+      const auto add = [&](const std::string& name, const std::string& unit, double value, InputWay by) {
+        const FigureShown shown = figureShown(name, unit);
+        const auto [place, made] = places.try_emplace(shown.title, figures.size());
+        if (made) figures.emplace_back(shown.title, std::vector<Measured>());
+        figures[place->second].second.push_back({value * shown.factor, by});
       };
       for (const PersonScore& p : lesson.people) {
         const auto score = p.tasks.find({s.id, t});
@@ -296,9 +319,9 @@ void tasks(std::string& out, const LessonSummary& lesson) {
         done += score->second.done;
         if (!score->second.done) continue;
         if (score->second.figures.empty())
-          figure(figureTitle("time", "s")).push_back({score->second.took_s, score->second.by});
+          add("time", std::string(codeUnit(Dimension::Time)), score->second.took_s, score->second.by);
         for (const LoggedFigure& f : score->second.figures)
-          if (std::isfinite(f.value)) figure(figureTitle(f.name, f.unit)).push_back({f.value, score->second.by});
+          if (std::isfinite(f.value)) add(f.name, f.unit, f.value, score->second.by);
       }
       rows += "<div class=\"card\"><div class=\"head\"><b>" +
               escaped(s.tasks[t].say.empty() ? s.tasks[t].kind : s.tasks[t].say) + "</b><span>" +
@@ -313,7 +336,7 @@ void tasks(std::string& out, const LessonSummary& lesson) {
           for (const Measured& m : values) v.push_back(m.value);
           std::sort(v.begin(), v.end());
           const double most = roundAbove(v.back());
-          const int digits = most >= 50 ? 0 : most >= 5 ? 1 : 2;
+          const int digits = most >= 50 ? 0 : most >= 5 ? 1 : most >= 0.05 ? 2 : 3;
           rows += "<tr><td>" + escaped(name) + "</td><td>" + number(quantile(v, 0.5), digits) + "</td><td>" +
                   number(quantile(v, 0.25), digits) + " – " + number(quantile(v, 0.75), digits) + "</td><td>" +
                   number(v.front(), digits) + " – " + number(v.back(), digits) + "</td><td class=\"left\">" +
@@ -339,9 +362,11 @@ void forces(std::string& out, const LessonSummary& lesson) {
   }
   out += std::string("<h3>") + tr("Time, force and path") + "</h3><div class=\"histograms\">" +
          histogram(tr("Time for the lesson"), "min", minutes) +
-         histogram(tr("Answers right at the first try"), "", right) + histogram(tr("Time in touch"), "s", touch) +
-         histogram(tr("Peak force"), "N", peak) + histogram(tr("Mean force while touching"), "N", mean) +
-         histogram(tr("Path over the surface"), "Å", path) + "</div>";
+         histogram(tr("Answers right at the first try"), "", right) +
+         histogramOf(tr("Time in touch"), Dimension::Time, touch) +
+         histogramOf(tr("Peak force"), Dimension::Force, peak) +
+         histogramOf(tr("Mean force while touching"), Dimension::Force, mean) +
+         histogramOf(tr("Path over the surface"), Dimension::Length, path) + "</div>";
 }
 
 void predictions(std::string& out, const LessonSummary& lesson) {

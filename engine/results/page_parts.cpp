@@ -222,11 +222,13 @@ std::string curves(const std::string& title, const CurveKept& drawn, const std::
   svg += format(
       "<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%s</text><text class=\"axis\" x=\"%.0f\" "
       "y=\"%.0f\" text-anchor=\"end\">0</text>",
-      kLeft - 4, kTop + 8, numberText(most, significant(2)).c_str(), kLeft - 4, kTop + kHigh + 3);
+      kLeft - 4, kTop + 8, quantityNumber(most, Dimension::Force, significant(2)).c_str(), kLeft - 4, kTop + kHigh + 3);
   svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%s</text>", kLeft + kWide,
                 kTop + kHigh + 14, quantityText(drawn.to_A, Dimension::Length, significant(2)).c_str());
   svg += "<text class=\"axis\" x=\"" + format("%.0f", kLeft) + "\" y=\"" + format("%.0f", kTop + kHigh + 14) + "\">" +
-         escaped(trf("N against {0}", tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str()))) + "</text>";
+         escaped(trf("{0} against {1}", unitText(Dimension::Force),
+                     tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str()))) +
+         "</text>";
   if (felt) svg += "<path class=\"felt\" d=\"" + linePath(felt->force_N, most, kLeft, kTop, kWide, kHigh) + "\"/>";
   svg += "<path class=\"drawn\" d=\"" + linePath(drawn.force_N, most, kLeft, kTop, kWide, kHigh) + "\"/></svg>";
   return "<figure class=\"curve\"><figcaption>" + escaped(title) +

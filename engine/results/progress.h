@@ -35,12 +35,12 @@ struct LessonProgress {
 };
 
 /// One entry a lesson that was ever begun, the last one touched first. Reads the two ends of each file only, so that
-/// hundreds of attempts take no longer than a frame or two. What is no attempt is passed over. `student`: only attempts
-/// under this name (no value: all).
+/// hundreds of attempts take no longer than a frame or two. A file that is no attempt is skipped. `student`: only
+/// attempts under this name (no value: all).
 std::vector<LessonProgress> readProgress(const std::filesystem::path& folder,
                                          const std::optional<std::string>& student = {});
 
-/// What a session needs to go on where an attempt ended; LessonSession::restore takes it.
+/// The data with which a session goes on where an attempt ended; LessonSession::restore takes it.
 SessionMemory memoryOf(const Attempt& attempt);
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// Turns what changes in a lesson's session into events of an attempt, by comparing it with what it was at the last
-// look. Window's thread, once a frame: cheap where nothing changed.
+// Turns changes in a lesson's session into events of an attempt, by comparing it with what it was at the last look.
+// Window's thread, once a frame: cheap where nothing changed.
 #pragma once
 
 #include <vector>
@@ -11,11 +11,10 @@ namespace moltact {
 
 class SessionWatch {
  public:
-  /// What the session holds now is known already: nothing of it becomes an event, but for the step where the student
-  /// is.
+  /// Takes the session's present state as known: nothing of it becomes an event but the step where the student is.
   void begin(const LessonSession& session);
 
-  /// What has happened since the last look. `by`: what led the probe and gave answers meanwhile.
+  /// The events since the last look. `by`: the input that led the probe and gave answers meanwhile.
   std::vector<AttemptEvent> look(const LessonSession& session, double t_s, InputWay by);
 
   /// As a line of the log tells it.

@@ -48,8 +48,8 @@ Timeline::Timeline(Attempt attempt) : header_(std::move(attempt.header)), length
   for (AttemptEvent& e : attempt.events) {
     if (auto* chunk = std::get_if<HipChunk>(&e.what))
       samples_.insert(samples_.end(), chunk->samples.begin(), chunk->samples.end());
-    if (auto* stage = std::get_if<StageSet>(&e.what)) stages_.push_back({e.t_s, std::move(*stage)});
-    if (auto* view = std::get_if<ViewRotated>(&e.what)) views_.push_back({e.t_s, *view});
+    if (auto* stage = std::get_if<StageChanged>(&e.what)) stages_.push_back({e.t_s, std::move(*stage)});
+    if (auto* view = std::get_if<ViewChanged>(&e.what)) views_.push_back({e.t_s, *view});
     if (auto* input = std::get_if<InputChanged>(&e.what)) inputs_.push_back({e.t_s, input->by});
     if (auto* step = std::get_if<StepEntered>(&e.what)) {
       const StepOutline* known = stepOf(header_.lesson, step->step);
@@ -84,7 +84,7 @@ std::optional<HipSample> Timeline::hand(double t_s) const {
   const HipSample& after = *(before + 1);
   const double span_s = after.t_s - before->t_s;
   // From stage to stage there is no way; one that was put elsewhere, or let go, was not drawn there.
-  const StageSet *here = stage(before->t_s), *there = stage(after.t_s);
+  const StageChanged *here = stage(before->t_s), *there = stage(after.t_s);
   if (!(span_s > 0.0) || here != there) return out;
   const double part = (t_s - before->t_s) / span_s;
   out.hip.A = glm::mix(before->hip.A, after.hip.A, part);
@@ -98,12 +98,12 @@ std::optional<HipSample> Timeline::hand(double t_s) const {
   return out;
 }
 
-const StageSet* Timeline::stage(double t_s) const {
+const StageChanged* Timeline::stage(double t_s) const {
   const auto* found = lastUpTo(stages_, t_s);
   return found ? &found->fact : nullptr;
 }
 
-const ViewRotated* Timeline::view(double t_s) const {
+const ViewChanged* Timeline::view(double t_s) const {
   const auto* found = lastUpTo(views_, t_s);
   return found ? &found->fact : nullptr;
 }

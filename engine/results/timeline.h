@@ -32,10 +32,10 @@ class Timeline {
   /// The hand at a moment, between two samples of the trace on the straight way from one to the other; no value before
   /// the first. The contact is the earlier sample's.
   std::optional<HipSample> hand(double t_s) const;
-  /// What was on the stage; null before the first molecule.
-  const StageSet* stage(double t_s) const;
+  /// The stage at that moment; null before the first molecule.
+  const StageChanged* stage(double t_s) const;
   /// How it was looked at; null where that is not known.
-  const ViewRotated* view(double t_s) const;
+  const ViewChanged* view(double t_s) const;
   /// When the hand moves or a mark comes next; the end where there is neither.
   double nextAfter(double t_s) const;
   InputWay input(double t_s) const;
@@ -50,8 +50,8 @@ class Timeline {
   };
   AttemptHeader header_;
   std::vector<HipSample> samples_;
-  std::vector<At<StageSet>> stages_;
-  std::vector<At<ViewRotated>> views_;
+  std::vector<At<StageChanged>> stages_;
+  std::vector<At<ViewChanged>> views_;
   std::vector<At<InputWay>> inputs_;
   std::vector<TimelineMark> marks_;
   double length_s_ = 0.0;

@@ -16,8 +16,8 @@ class TouchWatch {
   /// The stage or the attempt changes: a touch under way ends here.
   void breakOff();
 
-  /// What has become whole since the last call: touches at once, the trace at least every kTraceChunk_s; and of a touch
-  /// that goes on, every kHeartbeat_s, what it is so far.
+  /// The events that are complete since the last call: touches at once, the trace at least every kTraceChunk_s; and for
+  /// a touch that goes on, every kHeartbeat_s, its figures so far.
   std::vector<AttemptEvent> take(double t_s);
 
   static constexpr double kSample_s = 1.0 / 60.0;   ///< the trace has a sample at most so often

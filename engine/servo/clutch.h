@@ -1,6 +1,6 @@
-// Reaching farther than the device does: while the clutch's button is held the probe stays and the hand goes back; and
-// where the hand is pushed beyond the edge of its room, the probe goes on slowly. Haptic thread. Units: millimetre,
-// second.
+// Reaching farther than the device does. While the clutch's button is held, the probe stays and the hand moves back;
+// and where the hand is pushed to the edge of its workspace, the probe drifts on slowly. Haptic thread. Units:
+// millimetre, second.
 #pragma once
 
 #include <algorithm>
@@ -12,21 +12,21 @@
 namespace moltact {
 
 struct ClutchSettings {
-  std::uint32_t buttons = 0;  ///< bits of the buttons that hold the clutch; 0: none
-  bool at_edge = false;       ///< the probe goes on where the hand is within kEdge_mm of its room's edge
+  std::uint32_t buttons = 0;  ///< bits of the buttons that operate the clutch; 0: none
+  bool at_edge = false;       ///< the probe drifts on where the hand is within kEdge_mm of its workspace's edge
 };
 
 class Clutch {
  public:
   static constexpr double kEdge_mm = 10.0;
   static constexpr double kDrift_mm_per_s = 20.0;  ///< at the very edge
-  static constexpr double kStill_mm = 0.2,
-                          kLetGo_s = 1.5;  ///< a stylus that moved no farther for so long lies in its stand or hangs
+  /// A stylus that moved no farther for so long lies in its stand or hangs.
+  static constexpr double kStill_mm = 0.2, kLetGo_s = 1.5;
 
   void restart() noexcept { offset_mm_ = Vec3(0.0), held_ = false; }
 
-  /// Where the probe is for that pose, in the device's space and beyond. Non-finite places pass as they are. `push` is
-  /// the way in which a surface pushed the hand in the last tick (length 1, or none): at the edge the probe goes on
+  /// The probe's place for that pose, in the device's space and beyond. Non-finite places pass unchanged. `push` is the
+  /// direction in which a surface pushed the hand in the last tick (length 1, or zero): at the edge the probe drifts
   /// along the surface and off it, never deeper.
   PointMm place(const DevicePose& pose, const ClutchSettings& settings, const Vec3& workspace_mm, const Vec3& push,
                 double dt_s) noexcept {
@@ -46,12 +46,12 @@ class Clutch {
     return {now + offset_mm_};
   }
 
-  /// Whether the hand moves without the probe: then there is to be no force, for the hand would carry it about.
+  /// Whether the hand moves without the probe. Then there must be no force, for it would push the hand about.
   bool held() const noexcept { return held_; }
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  // How far beyond the inner room along each axis: 1 at its edge and farther.
+  // How far beyond the inner part of the workspace along each axis: 1 at its edge and farther.
   static Vec3 drift(const Vec3& place_mm, const Vec3& workspace_mm) noexcept {
     Vec3 out(0.0);
     for (int k = 0; k < 3; ++k) {

@@ -16,10 +16,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kPull_N = 0.4, kWall_N_per_mm = 0.4, kMost_N = 2.0;
-constexpr double kStill_mm = 0.5;     // a place at rest wanders by no more
-constexpr double kStaleShare = 0.05;  // of the ticks: a computer that is busy with other things has some
+constexpr double kStill_mm = 0.5;        // a place at rest wanders by no more
+constexpr double kStaleFraction = 0.05;  // of the ticks: a computer that is busy with other things has some
 constexpr double kBack_s =
-    8.0;  // by then the force is back after a fault; a loop that stood stays soft for some seconds
+    8.0;  // by then the force is back after a fault; a loop that was stalled stays soft for some seconds
 constexpr double kOver_s = 1.0;  // by then a fault is over
 constexpr auto kStep = std::chrono::milliseconds(10);
 
@@ -82,7 +82,7 @@ class Check {
     return true;
   }
 
-  // Until it is ready to give force and tells fresh places; guides the person to that.
+  // Waits until the device can give force and reports fresh positions; guides the person to that.
   bool ready() {
     const auto end = Clock::now() + std::chrono::duration<double>(options_.ready_s);
     device_->given();
@@ -197,7 +197,7 @@ class Check {
     const double wandered = seen.ticks.empty() ? 0 : glm::length(high - low);
     // A hand that moves on its own, as a simulated one does, is no fault of the places.
     const std::string rest = wandered <= kStill_mm ? "" : " (more than a device at rest: was it held still?)";
-    const bool fresh = !seen.ticks.empty() && double(stale) <= kStaleShare * double(seen.ticks.size());
+    const bool fresh = !seen.ticks.empty() && double(stale) <= kStaleFraction * double(seen.ticks.size());
     found(fresh && strange == 0 && seen.connected && status_.ready && seen.given.greatest_N == 0.0,
           text("%zu ticks, wandered %.3f mm%s, %zu places strange, %zu stale, latest tick %.1f ms late",
                seen.ticks.size(), wandered, rest.c_str(), strange, stale, seen.latest_ms));
@@ -246,12 +246,12 @@ class Check {
                     back ? "came back" : "did not come back"));
   }
   void badTicks() {
-    suffer({{LoopFault::Late, 15}, {LoopFault::Doubled, 50}, {LoopFault::Lost, 60}, {LoopFault::Stands, 60}});
+    suffer({{LoopFault::Late, 15}, {LoopFault::Doubled, 50}, {LoopFault::Lost, 60}, {LoopFault::Stall, 60}});
   }
   void badPlaces() {
-    suffer({{LoopFault::Leaps, 1},
+    suffer({{LoopFault::PositionJump, 1},
             {LoopFault::NotANumber, 50},
-            {LoopFault::Leaps, 5},
+            {LoopFault::PositionJump, 5},
             {LoopFault::Frozen, 100},
             {LoopFault::NotANumber, 1}});
   }
@@ -273,7 +273,7 @@ class Check {
       const Seen seen = watch(0.2 + 0.05 * k);
       ticks.insert(ticks.end(), seen.ticks.begin(), seen.ticks.end());
     }
-    // From each tick on in which the contact was placed anew, softly from what there was.
+    // After each tick in which the contact was forgotten: softly from the remaining force.
     ForceMonitor judge(settings_.max_force_N);
     std::size_t placed = 0;
     const char* broken = nullptr;

@@ -1,5 +1,5 @@
-// Which device leads in this tick: the one that was chosen while it is there, else the fallback, in the same tick in
-// which it went; and back again when it comes. Haptic thread.
+// Selects the device that leads in this tick: the chosen one while it is there, else the fallback, in the same tick in
+// which the chosen one disappeared; and the chosen one again when it is back. Haptic thread.
 #pragma once
 
 #include "engine/device/device.h"
@@ -12,7 +12,7 @@ class DeviceSwitch {
   /// `chosen` may be null. Both must outlive the switch.
   DeviceSwitch(Device& fallback, Device* chosen) noexcept : fallback_(fallback), chosen_(chosen), used_(nullptr) {}
 
-  /// The pose of this tick; `step` is told when another device leads than before.
+  /// The pose of this tick. Calls step.setDevice() when another device leads than before.
   DevicePose read(double dt_s, ServoStep& step) noexcept {
     DevicePose pose;
     Device* now = &fallback_;
@@ -29,7 +29,7 @@ class DeviceSwitch {
     return pose;
   }
 
-  /// `stopped`: all force is stopped, and motors that can go off.
+  /// `stopped`: no force at all, with the motors off where the device can switch them.
   void write(const Wrench& wrench, bool stopped = false) noexcept {
     if (chosen_) stopped ? chosen_->stop() : chosen_->writeWrench(used_ == chosen_ ? wrench : Wrench{});
     if (used_ != chosen_ || !chosen_) fallback_.writeWrench(wrench);
@@ -37,9 +37,9 @@ class DeviceSwitch {
 
   /// True where another device leads in this tick than in the last.
   bool other() const noexcept { return other_; }
-  /// The one that leads.
+  /// The device that leads.
   const DeviceInfo& info() const noexcept { return (used_ ? used_ : &fallback_)->info(); }
-  /// True while the fallback stands in for a chosen device that is gone.
+  /// True while the fallback replaces a chosen device that is gone.
   bool fallenBack() const noexcept { return chosen_ && used_ == &fallback_; }
 
  private:

@@ -26,7 +26,7 @@ FaultyDevice::Given FaultyDevice::given() {
   return {broken_.exchange(nullptr), ticks_.exchange(0), fresh_.exchange(0), greatest_N_.exchange(0.0), last_N_.load()};
 }
 
-bool FaultyDevice::startClock(TickTarget& target) {
+bool FaultyDevice::startClock(ClockListener& target) {
   target_.store(&target);
   ends_.store(false);
   lent_ = device_->startClock(*this);
@@ -46,12 +46,12 @@ void FaultyDevice::run() noexcept {
   for (std::int64_t due_ns = monotonic_ns() + kPeriod_ns; !ends_.load(); due_ns += kPeriod_ns) {
     if (const std::int64_t now_ns = monotonic_ns(); now_ns - due_ns > 10 * kPeriod_ns) due_ns = now_ns;
     sleepUntil(due_ns);
-    tickOfDevice();
+    onDeviceTick();
   }
 }
 
 // A tick of the device's clock, or of the one in its place.
-void FaultyDevice::tickOfDevice() noexcept {
+void FaultyDevice::onDeviceTick() noexcept {
   const LoopFault fault = fault_.load(std::memory_order_acquire);
   if (fault == LoopFault::Late) {
     late_ = (late_ + 7) % kLatest_ms;
@@ -63,7 +63,7 @@ void FaultyDevice::tickOfDevice() noexcept {
 }
 
 void FaultyDevice::tick() noexcept {
-  if (TickTarget* const target = target_.load(); target && !ends_.load()) target->tickOfDevice();
+  if (ClockListener* const target = target_.load(); target && !ends_.load()) target->onDeviceTick();
 }
 
 void FaultyDevice::passed() noexcept {
@@ -91,11 +91,11 @@ bool FaultyDevice::misread(DevicePose& pose) noexcept {
   const LoopFault fault = fault_.load(std::memory_order_acquire);
   const bool odd = left_.load() % 2;
   switch (fault) {
-    case LoopFault::Stands:  // the next tick finds that it is late
+    case LoopFault::Stall:  // the next tick finds that it is late
       sleepUntil(monotonic_ns() + left_.exchange(0) * kPeriod_ns);
       stood_ = true;
       break;
-    case LoopFault::Leaps:
+    case LoopFault::PositionJump:
       pose.position.mm.x += odd ? kLeap_mm : -kLeap_mm;
       break;
     case LoopFault::NotANumber:
@@ -108,7 +108,7 @@ bool FaultyDevice::misread(DevicePose& pose) noexcept {
       return false;
   }
   passed();
-  return fault == LoopFault::Leaps || fault == LoopFault::NotANumber;
+  return fault == LoopFault::PositionJump || fault == LoopFault::NotANumber;
 }
 
 void FaultyDevice::write(ForceN force) noexcept {

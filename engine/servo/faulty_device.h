@@ -1,7 +1,6 @@
-// A device with faults put between it and the loop: ticks that come late, twice or not at all, a loop that stands,
-// places that were misread. Everything that is then given to the device is judged (force_judge.h). It brings a clock
-// where the device has none, so that the ticks are its own. Faults are asked for by one thread and done on the loop's.
-// Units: millimetre, newton.
+// Injects faults between a device and the loop: ticks that come late, twice or not at all, a stalled loop, misread
+// positions. Judges every force that the device is then given (force_monitor.h). It brings a clock where the device has
+// none, so that it owns the ticks. One thread injects; the loop's thread executes. Units: millimetre, newton.
 #pragma once
 
 #include <atomic>
@@ -15,22 +14,22 @@
 
 namespace moltact {
 
-class FaultyDevice final : public Device, private TickTarget {
+class FaultyDevice final : public Device, private ClockListener {
  public:
   explicit FaultyDevice(std::unique_ptr<Device> device);
   ~FaultyDevice() override { stopClock(); }
 
-  /// For so many ticks; of Stands milliseconds. One at a time. Late: each tick by 0 to 14 ms; Leaps: by 20 mm.
+  /// For so many ticks; of a Stall, milliseconds. One at a time. Late: each tick by 0 to 14 ms; PositionJump: by 20 mm.
   void inject(LoopFault fault, int ticks);
   bool faultIsOver() const { return fault_.load() == LoopFault::None; }
 
-  /// What was given to the device since the last call.
+  /// The forces that the device was given since the last call.
   struct Given {
-    const char* broken = nullptr;  ///< the first promise that was broken
+    const char* broken = nullptr;  ///< the first promise that was broken; null: none
     std::uint64_t ticks = 0;
-    std::uint64_t fresh = 0;  ///< with a fresh place of the device itself
+    std::uint64_t fresh = 0;  ///< those with a fresh position from the device itself
     double greatest_N = 0;
-    double last_N = 0;  ///< the newest
+    double last_N = 0;  ///< the newest force
   };
   Given given();
 
@@ -40,13 +39,13 @@ class FaultyDevice final : public Device, private TickTarget {
   void writeWrench(const Wrench& wrench) noexcept override;
   void stop() noexcept override;
   DeviceStatus status() override { return device_->status(); }
-  ViewWish viewWish() noexcept override { return device_->viewWish(); }
+  ViewMotion viewMotion() noexcept override { return device_->viewMotion(); }
   void calibrate() override { device_->calibrate(); }
-  bool startClock(TickTarget& target) override;
+  bool startClock(ClockListener& target) override;
   void stopClock() override;
 
  private:
-  void tickOfDevice() noexcept override;
+  void onDeviceTick() noexcept override;
   void run() noexcept;
   void tick() noexcept;
   bool misread(DevicePose& pose) noexcept;
@@ -58,7 +57,7 @@ class FaultyDevice final : public Device, private TickTarget {
   std::atomic<int> left_{0};
 
   // The clock's.
-  std::atomic<TickTarget*> target_{nullptr};
+  std::atomic<ClockListener*> target_{nullptr};
   std::atomic<bool> ends_{false};
   bool lent_ = false;  // the device's own clock ticks
   std::thread clock_;

@@ -1,5 +1,5 @@
-// What docs/safety.md promises of the force, judged tick by tick by rules that share nothing with the safety stage. Any
-// one thread, also the haptic one. Units: newton; time in ticks.
+// Judges the force tick by tick by the promises of docs/safety.md, with rules that share nothing with the safety stage.
+// Any one thread, also the haptic one. Units: newton; time in ticks.
 #pragma once
 
 #include <algorithm>
@@ -10,27 +10,27 @@ namespace moltact {
 
 class ForceMonitor {
  public:
-  static constexpr double kSlew_N = 1.0;    ///< from tick to tick
-  static constexpr int kSoft_ticks = 500;   ///< from nothing to the peak
-  static constexpr int kFadeTo_ticks = 44;  ///< after the last fresh place there is none: 40 ms, and a way down of 4
+  static constexpr double kSlew_N = 1.0;   ///< the most that the force changes from tick to tick
+  static constexpr int kSoft_ticks = 500;  ///< from nothing to the peak
+  static constexpr int kFadeTo_ticks =
+      44;  ///< so long after the last fresh position there is no force: 40 ms, plus 4 to ramp down
 
   /// A soft start goes up to `peak_N` in kSoft_ticks.
   explicit ForceMonitor(double peak_N) : peak_N_(peak_N), soft_N_(peak_N) {}
 
-  /// Another device is given force from now on, of which it bears so much: nothing has been given to it.
+  /// From now on another device is given force, at most `peak_N`; it has been given none yet.
   void otherDevice(double peak_N) { peak_N_ = peak_N, last_N_ = Vec3(0.0), expectSoft(); }
-  /// A fault, or what begins anew: what is left of the force goes away along the slew, and comes back no faster than
-  /// softly.
+  /// A fault or a new start: the remaining force falls along the slew, and returns no faster than a soft start.
   void expectSoft() { before_N_ = glm::length(last_N_), since_ = 0; }
-  /// While a fault lasts nothing comes back.
+  /// While a fault lasts no force returns.
   void lasting(bool on) { lasting_ = on; }
-  /// What came back is at rest: from here on any force within the rest of the promises.
+  /// The soft start is over: from here on only the other promises limit the force.
   void expectAny() { since_ = kSoft_ticks; }
 
   struct Tick {
-    bool fresh = true;     ///< the place was
-    bool at_once = false;  ///< the force may end in this tick, for something is wrong; then it comes back softly
-    bool stopped = false;  ///< the same, and has to: by the panic key, or where it is known that something is wrong
+    bool fresh = true;     ///< the position was fresh
+    bool at_once = false;  ///< the force may end in this tick, for something is wrong; then it returns softly
+    bool stopped = false;  ///< the force must end in this tick: the panic key, or a known fault
   };
   /// The promise that this tick's force breaks; null: none.
   const char* judge(const Vec3& force_N, const Tick& tick) {
@@ -54,7 +54,7 @@ class ForceMonitor {
     return nullptr;
   }
 
-  double beforeFault_N() const { return before_N_; }  ///< what there was at the last fault
+  double beforeFault_N() const { return before_N_; }  ///< the force at the last fault
   double sinceFault_ticks() const { return since_; }
 
  private:

@@ -1,5 +1,5 @@
-// How fast the hand moves, from places that come rounded: the way of the last kSpan ticks over their time, so that one
-// step of a sensor of 0.055 mm counts as 7 mm/s and not as 55. Haptic thread. Units: metre, second.
+// The hand's velocity from rounded positions: the displacement over the last kSpan ticks divided by their time, so that
+// one step of a sensor of 0.055 mm counts as 7 mm/s and not as 55. Haptic thread. Units: metre, second.
 #pragma once
 
 #include <array>
@@ -15,7 +15,7 @@ class HandSpeed {
 
   void restart() noexcept { count_ = 0; }
 
-  /// The next place, `dt_s` after the last.
+  /// Adds the next position, `dt_s` after the last.
   void add(const Vec3& place_m, double dt_s) noexcept {
     time_s_ += dt_s;
     ring_[next_] = {place_m, time_s_};

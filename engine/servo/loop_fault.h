@@ -1,5 +1,5 @@
-// What a real machine does to a tick of the servo loop, and a device to its reading: what the stability bench, the
-// device check and the fault tests put into a loop. Plain data.
+// Faults that a real machine causes in a tick of the servo loop, and a device in its reading. The stability bench, the
+// device check and the fault tests inject them. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -8,13 +8,13 @@ namespace moltact {
 
 enum class LoopFault : std::uint8_t {
   None,
-  Late,        ///< the answer comes too late for its tick: the device holds the last force meanwhile
-  Lost,        ///< no tick comes
-  Doubled,     ///< a tick comes twice, on one reading
-  Stands,      ///< the loop stands, in its tick
-  Leaps,       ///< the place is far off
-  NotANumber,  ///< the place is none
-  Frozen,      ///< nothing new comes from the device
+  Late,          ///< the answer comes too late for its tick: the device holds the last force meanwhile
+  Lost,          ///< no tick comes
+  Doubled,       ///< a tick comes twice, on one reading
+  Stall,         ///< the loop is stalled within its tick
+  PositionJump,  ///< the position is far off
+  NotANumber,    ///< the position is not a number
+  Frozen,        ///< nothing new comes from the device
 };
 
 }  // namespace moltact

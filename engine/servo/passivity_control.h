@@ -1,7 +1,7 @@
-// Observer and controller of passivity (Hannaford & Ryu 2002), with the spring's store as the reference: a passive
-// surface gives back no more than it was given. What sampling, delay or a method's leaps make beyond that is a debt;
-// what the device's own damping and friction take pays it, and what is left is taken back by braking. Haptic thread.
-// Units: joule, metre, newton, radian, second; torques in newton millimetre.
+// Passivity observer and controller (Hannaford & Ryu 2002), with the energy stored in the spring as the reference: a
+// passive surface returns no more energy than it was given. Energy that sampling, delay or a method's jumps make beyond
+// that is a debt. The device's own damping and friction pay it; braking takes back the rest. Haptic thread. Units:
+// joule, metre, newton, radian, second; torques in newton millimetre.
 #pragma once
 
 #include <algorithm>
@@ -21,8 +21,8 @@ class PassivityControl {
     torques_.fill(Vec3(0.0));
   }
 
-  /// The last interval: the way moved and the angle turned, what the springs' store rose by meanwhile, and what the
-  /// device itself took. `delay_ticks`: how much later than it was written a force is felt.
+  /// Observes the last interval: the displacement, the rotation, the rise of the springs' stored energy, and the energy
+  /// that the device itself took. `delay_ticks`: how much later than it was written a force is felt.
   void observe(const Vec3& moved_m, const Vec3& turned_rad, double stored_J, double taken_J,
                std::size_t delay_ticks) noexcept {
     const std::size_t back = std::min(delay_ticks, given_.size() - 1);
@@ -38,14 +38,14 @@ class PassivityControl {
     return -speed_m_per_s * std::min(debt_J_ / (v2 * dt_s), most_N_s_per_m);
   }
 
-  /// The same of the turning: a torque (unit: N mm, with the damping in N mm s).
+  /// The same for rotation: a torque (unit: N mm, with the damping in N mm s).
   Vec3 braking_N_mm(const Vec3& speed_rad_per_s, double dt_s, double most_N_mm_s) const noexcept {
     const double w2 = glm::dot(speed_rad_per_s, speed_rad_per_s);
     if (debt_J_ <= 0 || dt_s <= 0 || w2 < safety::kStillHand_rad_per_s * safety::kStillHand_rad_per_s) return Vec3(0.0);
     return -speed_rad_per_s * std::min(1e3 * debt_J_ / (w2 * dt_s), most_N_mm_s);
   }
 
-  /// The force and the torque as given at the end of the tick.
+  /// Records the force and the torque as given at the end of the tick.
   void give(const Vec3& force_N, const Vec3& torque_N_mm) noexcept {
     given_[next_] = force_N;
     torques_[next_] = torque_N_mm;

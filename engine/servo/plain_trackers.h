@@ -1,5 +1,4 @@
-// Methods without a molecule, for trying a device: what they feel like is known beforehand. Haptic thread. Units:
-// angstrom.
+// Methods without a molecule, for trying a device: their feel is known beforehand. Haptic thread. Units: angstrom.
 #pragma once
 
 #include "engine/haptics/tracker.h"
@@ -21,7 +20,7 @@ class PullTracker final : public PlainTracker {
   explicit PullTracker(double stretch_A) : stretch_A_(stretch_A) {}
   Contact step(PointA hip) noexcept override {
     Contact out{.scp = {hip.A + Vec3(stretch_A_, 0, 0)}, .atoms = {0, -1, -1}, .feature = Feature::Sphere};
-    // The store never changes: what the pull gives on a way comes out of nothing, and the safety stage says how much.
+    // The stored energy never changes: the work of the pull comes from nothing, and the safety stage says how much it is.
     stretchToScp(out, hip);
     out.normals[0] = Vec3(1, 0, 0);
     return out;
@@ -31,8 +30,8 @@ class PullTracker final : public PlainTracker {
   double stretch_A_;
 };
 
-/// A wall at that z that faces +z: the half-space below it, all of it matter. What a sampled device makes of energy and
-/// shaking on this wall no method can be blamed for.
+/// A wall at that z that faces +z: the half-space below it is solid. Where a sampled device makes energy or vibrates on
+/// this wall, no method is at fault.
 class WallTracker final : public PlainTracker {
  public:
   explicit WallTracker(double z_A) : z_A_(z_A) {}

@@ -1,4 +1,4 @@
-// A recorded hand as a device: it moves as the recording did, whatever force it is given. Haptic thread but where said.
+// A recorded hand as a device: it moves as recorded, whatever force it is given. Haptic thread unless stated otherwise.
 #pragma once
 
 #include <atomic>

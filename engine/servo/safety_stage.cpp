@@ -11,7 +11,7 @@ double usable(double figure) { return std::isfinite(figure) ? std::max(0.0, figu
 
 // Ours, or what keeps clear of the device's own limit; one that is none counts as none.
 double within(double ours, double of_device) {
-  return of_device > 0.0 ? std::min(ours, safety::kOfOwnLimit * of_device) : ours;
+  return of_device > 0.0 ? std::min(ours, safety::kVendorLimitMargin * of_device) : ours;
 }
 
 }  // namespace
@@ -43,17 +43,18 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
   fault_ = false;
   bool forget = false;
 
-  // A clock that stood, ran back or is no number: what the force did meanwhile is not known.
+  // A clock that was stalled, ran back or is no number: the effect of the force meanwhile is not known.
   const bool sane = time.dt_s >= 0.0 && time.dt_s <= safety::kStale_s;
   if (!sane) {
     acted_.add(Limit::LateLoop);
     fault_ = true;
-    forget = time.dt_s > safety::kOff_s;
+    forget = time.dt_s > safety::kContactLost_s;
   }
   dt_s_ = sane ? std::min(time.dt_s, kTick_s) : kTick_s;
   // The delay rises at once and falls within about a second, so that the bound does not flicker.
   const double measured_s = time.delay_s + pose.age_s;
-  const double delay_s = std::isfinite(measured_s) ? std::clamp(measured_s, 0.0, safety::kOff_s) : safety::kOff_s;
+  const double delay_s =
+      std::isfinite(measured_s) ? std::clamp(measured_s, 0.0, safety::kContactLost_s) : safety::kContactLost_s;
   delay_s_ = std::max(delay_s, delay_s_ + (delay_s - delay_s_) * std::min(1.0, dt_s_));
 
   const double elapsed_s = sane ? time.dt_s : safety::kStale_s;
@@ -63,10 +64,10 @@ bool SafetyStage::beginTick(const DevicePose& pose, const TickTime& time) noexce
   if (!pose.connected) acted_.add(Limit::Unplugged);
   if (pose.fault) acted_.add(Limit::DeviceFault);
   fault_ = fault_ || !known || !pose.connected || pose.fault;
-  heat_.told(double(pose.motor_heat));
+  heat_.setReportedHeat(double(pose.motor_heat));
   const double unseen_s = stale_s_ + elapsed_s;
   stale_s_ = pose.fresh && known ? 0.0 : unseen_s;
-  const bool off = !pose.connected || stale_s_ >= safety::kOff_s;
+  const bool off = !pose.connected || stale_s_ >= safety::kContactLost_s;
   const bool back = off_ && !off;
   forget = forget || off != off_;
   fault_ = fault_ || off;
@@ -127,7 +128,7 @@ double SafetyStage::allowed_N(double most_N) const noexcept {
 }
 
 // To what part of itself a wrench is cut: force and torque together, so that it leads the same way.
-double SafetyStage::share(double force_N, double torque_N_mm, double most_N) const noexcept {
+double SafetyStage::cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept {
   double out = 1.0;
   if (force_N > most_N) out = most_N / force_N;
   if (drivesTorque() && torque_N_mm > peak_torque_N_mm_) out = std::min(out, peak_torque_N_mm_ / torque_N_mm);
@@ -137,16 +138,17 @@ double SafetyStage::share(double force_N, double torque_N_mm, double most_N) con
 // What springs hold whose pull is cut: cut to a share of itself, what grows with the stretch gives back that share of
 // the energy twice, but for the square of it.
 double SafetyStage::stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept {
-  const double part = share(stiffness_N_per_mm * springs.stretch_mm, stiffness_N_per_mm * springs.torque_mm2, most_N);
+  const double part =
+      cutFraction(stiffness_N_per_mm * springs.stretch_mm, stiffness_N_per_mm * springs.torque_mm2, most_N);
   return 1e-3 * stiffness_N_per_mm * springs.energy_mm2 * part * (2.0 - part);
 }
 
-// Above kSlowing of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing.
+// Above kSpeedFadeStart of the fastest speed the part of the force that drives the hand on falls, at that speed it is nothing.
 // What brakes the hand stays.
 Vec3 SafetyStage::slowed(Vec3 force) noexcept {
   const Vec3 speed = speed_.m_per_s();
   const double fast = glm::length(speed);
-  const double slowing = safety::kSlowing * fastest_m_per_s_;
+  const double slowing = safety::kSpeedFadeStart * fastest_m_per_s_;
   if (fast <= slowing) return force;
   const double driving = glm::dot(force, speed) / fast;
   if (driving <= 0.0) return force;
@@ -158,7 +160,7 @@ Vec3 SafetyStage::slowed(Vec3 force) noexcept {
 // The same of the torque and the turning.
 Vec3 SafetyStage::slowedTurning(Vec3 torque) noexcept {
   const Vec3 speed = turning_.m_per_s();
-  const double fast = glm::length(speed), slowing = safety::kSlowing * safety::kFastest_rad_per_s;
+  const double fast = glm::length(speed), slowing = safety::kSpeedFadeStart * safety::kFastest_rad_per_s;
   const double driving = fast > slowing ? glm::dot(torque, speed) / fast : 0.0;
   if (driving <= 0.0) return torque;
   acted_.add(Limit::Speed);
@@ -179,10 +181,10 @@ Vec3 SafetyStage::brakedTurning(Vec3 torque) noexcept {
 
 Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const Springs& springs, const WantedWrench& wanted) noexcept {
   if (!closes_loop_) return force;
-  // Both stores with what holds now: a gain or a clamp that changes is no motion of the hand.
+  // Both stores with what holds now: a gain, a clamp or a surface that changes is no motion of the hand.
   const double most_N = allowed_N(wanted.most_N);
   double stored = gain_ * (stored_J(springs, wanted.stiffness_N_per_mm, most_N) -
-                           stored_J(springs_, wanted.stiffness_N_per_mm, most_N));
+                           stored_J(wanted.before.value_or(springs_), wanted.stiffness_N_per_mm, most_N));
   // A torque that the device does not give is paid by the wrist all the same, which turns as it likes.
   if (!drivesTorque()) stored += gain_ * 0.5e-3 * glm::dot(torque_N_mm_ + torque, turned_rad_);
   const double way = glm::length(moved_m_);
@@ -205,7 +207,7 @@ Vec3 SafetyStage::braked(Vec3 force, const Vec3& torque, const Springs& springs,
 // From what was given last to what is to be given, by no more than the rates allow (a second).
 Vec3 SafetyStage::slewed(const Vec3& from, const Vec3& to, double rise, double fall) noexcept {
   const Vec3 change = to - from;
-  // A device that bears no quick rise may still be let go of at once.
+  // A device that allows no quick rise may still be released at once.
   const bool rises = glm::length(to) > glm::length(from);
   const double size = glm::length(change), most = (rises ? rise : fall) * dt_s_;
   if (size <= most) return to;
@@ -218,9 +220,9 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
 
   Vec3 force = wanted.force_N, torque = wanted.torque_N_mm;
   double size = glm::length(force), turns = glm::length(torque);
-  Springs springs{wanted.stretch_mm, wanted.torque_mm2, wanted.energy_mm2};
-  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(turns) ||
-      !std::isfinite(springs.stretch_mm) || !std::isfinite(springs.torque_mm2) || !std::isfinite(springs.energy_mm2)) {
+  Springs springs = wanted.springs;
+  if (!finite(force) || !std::isfinite(size) || !finite(torque) || !std::isfinite(turns) || !springs.finite() ||
+      (wanted.before && !wanted.before->finite())) {
     acted_.add(Limit::NotFinite);
     fault_ = true;
     force = torque = Vec3(0.0);
@@ -229,7 +231,7 @@ Wrench SafetyStage::output(const WantedWrench& wanted) noexcept {
   }
 
   const double most_N = allowed_N(wanted.most_N);
-  if (const double part = share(size, turns, most_N); part < 1.0) {
+  if (const double part = cutFraction(size, turns, most_N); part < 1.0) {
     const bool warm = size > most_N && most_N < std::min(peak_N_, usable(wanted.most_N));
     acted_.add(warm ? Limit::Heat : Limit::Clamp);
     force *= part;

@@ -1,7 +1,10 @@
 // The stage between a method's force and a hand: the same for every device, always on. A function of its state and its
-// inputs on the clock that it is told. Haptic thread: no lock, allocation, exception, log or call of the system.
-// What each limit is and why: docs/safety.md. Units: millimetre, newton, second.
+// inputs, on the clock that it is given. Haptic thread: no lock, allocation, exception, log or call of the system.
+// docs/safety.md says what each limit is and why. Units: millimetre, newton, second.
 #pragma once
+
+#include <cmath>
+#include <optional>
 
 #include "engine/device/device.h"
 #include "engine/servo/hand_speed.h"
@@ -11,19 +14,30 @@
 
 namespace moltact {
 
-/// When a tick began, and how long its answer takes.
+/// The time since the last tick, and how long the answer takes.
 struct TickTime {
   double dt_s = kTick_s;  ///< since the tick before; negative, NaN or over kStale_s is a fault
   double delay_s = 0.0;   ///< from reading the place to writing the force, as last measured
 };
 
-/// What an interaction wants the hand to feel.
+/// The force, torque and stored energy of springs of one stiffness, each divided by that stiffness; zero without
+/// contact.
+struct Springs {
+  double stretch_mm = 0.0;  ///< the force
+  double torque_mm2 = 0.0;  ///< the torque
+  double energy_mm2 = 0.0;  ///< the stored energy; stretch^2 / 2 for a single spring
+  bool none() const { return stretch_mm == 0.0 && torque_mm2 == 0.0 && energy_mm2 == 0.0; }
+  bool finite() const { return std::isfinite(stretch_mm) && std::isfinite(torque_mm2) && std::isfinite(energy_mm2); }
+};
+
+/// The force and torque that an interaction wants the hand to feel.
 struct WantedWrench {
   Vec3 force_N{0.0};
-  Vec3 torque_N_mm{0.0};            ///< round the hand's place
-  double stretch_mm = 0.0;          ///< the force over the stiffness; 0 without contact
-  double torque_mm2 = 0.0;          ///< the torque over the stiffness
-  double energy_mm2 = 0.0;          ///< what is stored, over the stiffness; stretch^2 / 2 of a single spring
+  Vec3 torque_N_mm{0.0};  ///< about the hand's position
+  Springs springs{};      ///< the springs that give both
+  /// Where the surface itself moved: the springs with the hand still at its last position. This separates the energy
+  /// that the surface's motion stores from the energy that the hand's motion stores.
+  std::optional<Springs> before{};
   double stiffness_N_per_mm = 0.0;  ///< of the springs that give it
   double most_N = 3.3;              ///< the greatest force that the program allows
   bool on = true;                   ///< false: no force is wanted, and the next begins softly
@@ -31,41 +45,38 @@ struct WantedWrench {
 
 class SafetyStage {
  public:
-  /// Figures of a device at hand. The force of the next ticks begins softly.
+  /// Takes a device's figures. The force of the next ticks starts softly.
   explicit SafetyStage(const DeviceSpecs& device) noexcept { setDevice(device); }
   void setDevice(const DeviceSpecs& device) noexcept;
 
-  /// First, with the place as read. True: the contact that was is none any more, for the place leapt, the device was
-  /// gone, or nothing was known of it for kOff_s; the tracker is to begin anew.
+  /// Call first in a tick, with the position as read. True: the old contact is void, because the position jumped, the
+  /// device was gone, or nothing was known of it for kContactLost_s; the interaction must be reset.
   bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
-  /// The stiffness to feel with for the one that is asked (unit: N/mm): bounded so that the loop is stable, and changed
-  /// slowly. Non-finite: none.
+  /// The stiffness to use for the one that is asked (unit: N/mm): bounded so that the loop is stable, and changed
+  /// slowly. Non-finite gives zero.
   double stiffness(double asked_N_per_mm) noexcept;
 
-  /// Last: the force and the torque to give in this tick, the latter none for a device that drives none. Always finite
-  /// and within the device's greatest; none at all in a tick with a fault. It is not known here what is felt: the power
-  /// is force times speed and torque times angular speed.
+  /// Call last in a tick: the force and the torque to give. The torque is zero for a device that drives none. Always
+  /// finite and within the device's greatest; zero in a tick with a fault. The stage does not know what is felt: power
+  /// is force times velocity plus torque times angular velocity.
   Wrench output(const WantedWrench& wanted) noexcept;
 
-  /// A new tracker, a hand that was placed anew, a tracker's fault: full force is to be reached softly from nothing.
+  /// For a new interaction, a hand that was placed elsewhere, or a fault of the interaction: the force starts softly
+  /// from zero.
   void restart() noexcept { gain_ = 0.0; }
-  /// Panic: no force at all from this tick on, without a way down, until false again.
+  /// Panic: no force at all from this tick on, without a ramp, until false again.
   void stop(bool stopped) noexcept { stopped_ = stopped; }
 
   LimitFlags acted() const noexcept { return acted_; }                ///< in this tick
-  double stiffnessBound_N_per_mm() const noexcept;                    ///< with the delay as measured of late
+  double debt_J() const noexcept { return passivity_.debt_J(); }      ///< energy made and not yet taken back
+  double stiffnessBound_N_per_mm() const noexcept;                    ///< with the recently measured delay
   double heat() const noexcept { return heat_.used(continuous_N_); }  ///< 0 cold, 1 as warm as the motors may be
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  // What springs of one stiffness pull with and hold, over that stiffness.
-  struct Springs {
-    double stretch_mm = 0, torque_mm2 = 0, energy_mm2 = 0;
-    bool none() const { return stretch_mm == 0.0 && torque_mm2 == 0.0 && energy_mm2 == 0.0; }
-  };
   double allowed_N(double most_N) const noexcept;
-  double share(double force_N, double torque_N_mm, double most_N) const noexcept;
+  double cutFraction(double force_N, double torque_N_mm, double most_N) const noexcept;
   double stored_J(const Springs& springs, double stiffness_N_per_mm, double most_N) const noexcept;
   Vec3 slowed(Vec3 force) noexcept;
   Vec3 slowedTurning(Vec3 torque) noexcept;
@@ -80,7 +91,7 @@ class SafetyStage {
   double peak_torque_N_mm_ = 0;  // 0: it drives none
   bool closes_loop_ = false;
 
-  // What is known of the hand.
+  // State of the hand.
   HandSpeed speed_, turning_;  // of the place; of the angle, in rad/s
   Vec3 place_mm_{0.0}, moved_m_{0.0};
   Quat orientation_ = kNoRotation;
@@ -89,19 +100,19 @@ class SafetyStage {
   std::uint32_t discontinuities_ = 0;
   double stale_s_ = 0, delay_s_ = 0;
   double elapsed_s_ = kTick_s, dt_s_ = kTick_s;  // since the last tick; the same, but never more than a tick
-  bool off_ = false;                             // nothing has been known of the hand for kOff_s, or it is gone
+  bool off_ = false;                             // nothing has been known of the hand for kContactLost_s, or it is gone
 
-  // What is given.
+  // Output.
   ThermalModel heat_;
   PassivityControl passivity_;
   double gain_ = 0, stiffness_ = 0;
   Springs springs_;
   bool fault_ = false, stopped_ = false;
-  Vec3 force_N_{0.0}, torque_N_mm_{0.0};  // the latter as wanted where the device gives none
+  Vec3 force_N_{0.0}, torque_N_mm_{0.0};  // the torque as wanted where the device drives none
   LimitFlags acted_;
 };
 
-/// The stiffness that is felt of the one that is asked, at the delay of the device's own figures (unit: N/mm).
+/// The stiffness that results for the one that is asked, with the delay of the device's published figures (unit: N/mm).
 double steadyStiffness_N_per_mm(double asked_N_per_mm, const DeviceSpecs& device) noexcept;
 
 }  // namespace moltact

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 
@@ -11,8 +11,11 @@ ServoLoop::ServoLoop(Device& fallback) : fallback_(fallback), step_(fallback.inf
 
 ServoLoop::~ServoLoop() {
   collect();
-  delete arriving_.exchange(nullptr);
+  delete pending_.exchange(nullptr);
   delete current_;
+  delete pending_motion_.exchange(nullptr);
+  delete motion_;
+  delete next_motion_;
 }
 
 // The step's count goes on, so that samples are numbered without a gap.
@@ -25,12 +28,13 @@ void ServoLoop::begin(std::int64_t now_ns) noexcept {
 void ServoLoop::end() noexcept {
   if (chosen_) chosen_->stop();
   fallback_.write(ForceN{});
-  letGo(false);
+  rampDownForce(false);
 }
 
 void ServoLoop::setDevice(std::unique_ptr<Device> device) {
   switch_.reset();
   chosen_ = std::move(device);
+  if (chosen_) chosen_->turnHand(has_orientation_);
 }
 
 void ServoLoop::record(bool on) {
@@ -38,24 +42,64 @@ void ServoLoop::record(bool on) {
   records_ = on;
 }
 
-void ServoLoop::setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene) {
+void ServoLoop::setInteraction(std::unique_ptr<Interaction> interaction, std::uint32_t scene) {
   collect();
-  auto next = std::unique_ptr<Handed>(new Handed{
-      std::move(felt), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
-  delete arriving_.exchange(next.release(), std::memory_order_acq_rel);
+  has_orientation_ = interaction && interaction->hasOrientation();
+  if (chosen_) chosen_->turnHand(has_orientation_);
+  auto next = std::unique_ptr<HandedInteraction>(new HandedInteraction{
+      std::move(interaction), scene});  // not made by make_unique, which clang before 16 cannot do with an aggregate
+  delete pending_.exchange(next.release(), std::memory_order_acq_rel);
 }
 
-void ServoLoop::collect() { delete leaving_.exchange(nullptr, std::memory_order_acq_rel); }
+bool ServoLoop::setMotion(std::shared_ptr<const SphereMotion> motion, std::uint32_t scene) {
+  collect();
+  if (pending_motions_scene_ == scene && pending_motion_.load(std::memory_order_acquire)) return false;
+  pending_motions_scene_ = scene;
+  auto next = std::unique_ptr<HandedMotion>(new HandedMotion{std::move(motion), scene});
+  delete pending_motion_.exchange(next.release(), std::memory_order_acq_rel);
+  return true;
+}
 
-// The newest settings; without force where their owner stands still or lets it go, or the process ends.
+void ServoLoop::collect() {
+  delete retired_.exchange(nullptr, std::memory_order_acq_rel);
+  delete retired_motion_.exchange(nullptr, std::memory_order_acq_rel);
+}
+
+// Where the spheres of the scene that is felt go to in this tick.
+MotionPhase ServoLoop::nextMotion() noexcept {
+  const auto isFelt = [this](const HandedMotion* motion) {
+    return motion && current_ && motion->scene == current_->scene;
+  };
+  const bool ended = !isFelt(motion_) || motion_tick_ >= motion_->motion->ticks();
+  // As for what is felt: one is put down only when the place for it is free.
+  if (ended && !last_motion_ && !retired_motion_.load(std::memory_order_acquire)) {
+    if (next_motion_ && !isFelt(next_motion_) && pending_motion_.load(std::memory_order_acquire))
+      last_motion_ = std::exchange(next_motion_, nullptr);  // its scene never came
+    if (!next_motion_) next_motion_ = pending_motion_.exchange(nullptr, std::memory_order_acq_rel);
+    if (!last_motion_ && isFelt(next_motion_)) {
+      last_motion_ = std::exchange(motion_, std::exchange(next_motion_, nullptr));
+      motion_tick_ = 0;
+    }
+  }
+  if (!isFelt(motion_)) return {};
+  motion_tick_ = std::min(motion_tick_ + 1, motion_->motion->ticks());
+  return {motion_->motion.get(), double(motion_tick_) / motion_->motion->ticks()};
+}
+
+// After the step, which may have asked it for the last time.
+void ServoLoop::putDownMotion() noexcept {
+  if (last_motion_) retired_motion_.store(std::exchange(last_motion_, nullptr), std::memory_order_release);
+}
+
+// The newest settings; without force where their owner is stalled or ramps it down, or the process ends.
 ServoSettings ServoLoop::watchedSettings(double dt_s) noexcept {
   ServoSettings settings = settings_.read();
   const std::uint32_t heartbeat = heartbeat_.load(std::memory_order_relaxed);
   silent_s_ = heartbeat != last_heartbeat_ ? 0.0 : silent_s_ + std::max(0.0, dt_s);
   last_heartbeat_ = heartbeat;
   if (expects_.load(std::memory_order_relaxed) && silent_s_ > kWatchdog_s) settings.force_on = false;
-  if (let_go_.load(std::memory_order_acquire)) settings.force_on = false;
-  if (forceHeld()) settings.panic = true;
+  if (ramp_down_force_.load(std::memory_order_acquire)) settings.force_on = false;
+  if (forceInhibited()) settings.panic = true;
   return settings;
 }
 
@@ -64,9 +108,9 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
 
   // What is to be felt next is taken only when the place for the old one is free, so that nothing is ever destroyed
   // here.
-  if (arriving_.load(std::memory_order_acquire) && !leaving_.load(std::memory_order_acquire)) {
-    Handed* next = arriving_.exchange(nullptr, std::memory_order_acq_rel);
-    if (current_) leaving_.store(current_, std::memory_order_release);
+  if (pending_.load(std::memory_order_acquire) && !retired_.load(std::memory_order_acquire)) {
+    HandedInteraction* next = pending_.exchange(nullptr, std::memory_order_acq_rel);
+    if (current_) retired_.store(current_, std::memory_order_release);
     current_ = next;
     if (recording_) recording_->begun = true;
   }
@@ -82,7 +126,9 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   }
   const ServoSettings settings = watchedSettings(time_.dt_s);
   const DevicePose pose = switch_->read(kTick_s, step_);
-  ServoSample sample = step_.tick(settings, current_ ? current_->felt.get() : nullptr, pose, time_);
+  const MotionPhase phase = nextMotion();
+  ServoSample sample = step_.tick(settings, current_ ? current_->interaction.get() : nullptr, pose, time_, phase);
+  putDownMotion();
   const TickTime time_was = time_;
   sample.scene = current_ ? current_->scene : 0;
   switch_->write({sample.force, sample.torque_N_mm}, sample.limits.has(Limit::Panic));
@@ -97,7 +143,7 @@ void ServoLoop::tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, 
   samples_.push(sample);
   if (records)
     recording_->ring.push({settings, pose, time_was, switch_->info(), switch_->other(), sample.force,
-                           switch_->fallenBack(), sample.contact.touching(), sample.limits});
+                           switch_->fallenBack(), sample.contact.touching(), sample.limits, phase.motion != nullptr});
   ticking_.clear(std::memory_order_release);
 }
 

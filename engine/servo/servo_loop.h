@@ -1,6 +1,6 @@
-// The servo loop but its clock: everything that a tick does, and everything that crosses to and from it. Who ticks it
-// tells it the time: the haptic thread the wall's (servo_thread.h), the window's frames, and tests, a virtual one. What
-// crosses does so whole and without locks. Units: nanosecond, second.
+// The servo loop without its clock: everything that a tick does, and everything that crosses to and from it. The caller
+// of tick() supplies the time: the haptic thread the wall clock (servo_thread.h); the window's frames and tests a
+// virtual one. Values cross whole and without locks. Units: nanosecond, second.
 #pragma once
 
 #include <atomic>
@@ -34,46 +34,55 @@ class ServoLoop {
     settings_.write(settings);
     heartbeat_.fetch_add(1, std::memory_order_relaxed);
   }
-  /// From now on the owner hands settings over at least every kWatchdog_s. While it does not, its panic key is not
-  /// heard either, and no force is given.
+  /// From now on the owner hands settings over at least every kWatchdog_s. While it does not, the loop cannot hear the
+  /// panic key either, and gives no force.
   void expectSettings() noexcept { expects_.store(true, std::memory_order_relaxed); }
   static constexpr double kWatchdog_s = 1.0;
 
-  /// Hands over what is felt of a scene (null: nothing), whose number comes back in every sample that it makes.
-  /// Settings set before are in force when it is first asked. The old one comes back and is destroyed here, never in a
-  /// tick.
-  void setInteraction(std::unique_ptr<Interaction> felt, std::uint32_t scene = 0);
+  /// Hands over the interaction of a scene (null: nothing is felt) with the scene's number, which every sample of it
+  /// carries. Settings set before this call are in force when the interaction is first asked. The old interaction comes
+  /// back and is destroyed here, never in a tick.
+  void setInteraction(std::unique_ptr<Interaction> interaction, std::uint32_t scene = 0);
+
+  /// Hands over the next motion of that scene's spheres (engine/haptics/sphere_motion.h). It begins as soon as the one
+  /// before has ended; when it has ended itself it stays until another comes. False, and nothing is handed over, while
+  /// the one before still waits to begin: try again a frame later. Never null. A frame of a scene that is not felt yet
+  /// waits for that scene.
+  bool setMotion(std::shared_ptr<const SphereMotion> motion, std::uint32_t scene = 0);
+
+  /// It is felt how the hand is turned: what turns on the device turns the hand, and not the view.
+  bool hasOrientation() const noexcept { return has_orientation_; }
 
   /// The chosen device, for its info() and status(); null where none is.
   Device* device() const noexcept { return chosen_.get(); }
-  /// Whether the fallback stands in, at the newest tick, for a chosen device that is gone.
+  /// Whether the fallback, at the newest tick, replaces a chosen device that is gone.
   bool fallenBack() const noexcept { return fallen_back_.load(std::memory_order_relaxed); }
 
-  /// Lets the force go, along the slew, while true: a device is put away, or the program ends.
-  void letGo(bool on) noexcept { let_go_.store(on || for_good_, std::memory_order_release); }
-  /// The same for good.
+  /// While true, ramps the force down along the slew and gives none: a device is put away, or the program ends.
+  void rampDownForce(bool on) noexcept { ramp_down_force_.store(on || ramp_down_for_good_, std::memory_order_release); }
+  /// Ramps the force down for good.
   void endForce() noexcept {
-    for_good_ = true;
-    letGo(true);
+    ramp_down_for_good_ = true;
+    rampDownForce(true);
   }
-  /// Lets the force go and calls pass(), which lets a period's tick go by, until none was given in two ticks, of which
-  /// the first may have begun before; kRelease_ms times at the most.
+  /// Ramps the force down and calls pass(), which lets a period's tick go by, until two ticks in a row gave none (the
+  /// first of them may have begun before); at most kRelease_ms times.
   template <class Pass>
   void release(Pass&& pass) {
-    letGo(true);
+    rampDownForce(true);
     for (int k = 0, none = 0; chosen_ && none < 2 && k < kRelease_ms; ++k) {
       pass();
       none = gives() ? 0 : none + 1;
     }
   }
   static constexpr int kRelease_ms = 50;
-  /// The newest tick gave the chosen device some force.
+  /// Whether the newest tick gave the chosen device any force.
   bool gives() const noexcept { return gives_.load(std::memory_order_acquire); }
 
   /// The newest tick.
   const ServoSample& latest() noexcept { return latest_.read(); }
   /// Calls take(sample) for every tick since the last call, oldest first (the last 4 s at most). Call it each frame: it
-  /// also destroys what the ticks have given back.
+  /// also destroys the objects that the ticks have returned.
   template <class Take>
   void drain(Take&& take) {
     collect();
@@ -81,8 +90,8 @@ class ServoLoop {
     while (samples_.pop(sample)) take(sample);
   }
 
-  /// Calls take(tick) for each recorded tick since the last call (the last 4 s at most), and tells in `start` the state
-  /// that the first began from.
+  /// Calls take(tick) for each recorded tick since the last call (the last 4 s at most), and sets `start` to the state
+  /// from which the first began.
   template <class Take>
   void drainRecording(ServoStep& start, Take&& take) {
     RecordedTick tick;
@@ -94,27 +103,30 @@ class ServoLoop {
   /// Ticks that were not recorded because nobody drained them in time.
   std::size_t lostOfRecording() const { return recording_ ? recording_->ring.dropped() : 0; }
 
-  // For the owner while nobody ticks.
+  // For the owner, while nobody ticks.
 
-  /// The first tick from now on is due a period after `now_ns`; it tells of its device as of another one.
+  /// The first tick from now on is due a period after `now_ns`; it treats its device as another one.
   void begin(std::int64_t now_ns) noexcept;
-  /// The chosen device's last act, and the fallback's: no force.
+  /// Gives no force to the chosen device and the fallback, as the last act.
   void end() noexcept;
-  /// Between end() and begin(): the device to be felt with from then on, null for the fallback. Closes the old one.
+  /// Between end() and begin(): sets the device to be used from then on, null for the fallback. Closes the old one.
   void setDevice(std::unique_ptr<Device> device);
-  /// Between end() and begin(): records every tick with all that it depends on, from the tick in which the next
-  /// interaction is handed over, until false.
+  /// Between end() and begin(): records every tick with all its inputs, from the tick in which the next interaction is
+  /// handed over, until false.
   void record(bool on);
 
-  // For who ticks, one at a time.
+  // For the caller that ticks, one at a time.
 
-  /// One tick that began at `began_ns` and was due at `due_ns`; without it a period after the last, as a device's own
-  /// clock counts. `now` is the clock that it began by: how long the tick takes is told to the next one; null where
-  /// ticks take no time. A second tick at once, from two clocks of which one takes over from the other, is passed over.
+  /// Performs one tick that began at `began_ns` and was due at `due_ns`; without a due time it was due a period after
+  /// the last, as a device's own clock counts. `now` is the clock that measures how long the tick takes, which the next
+  /// tick uses; null where ticks take no time. A second tick at the same time, from two clocks of which one takes over
+  /// from the other, is ignored.
   void tick(std::int64_t began_ns, std::optional<std::int64_t> due_ns, std::int64_t (*now)()) noexcept;
 
  private:
   ServoSettings watchedSettings(double dt_s) noexcept;
+  MotionPhase nextMotion() noexcept;
+  void putDownMotion() noexcept;
   void collect();
 
   Device& fallback_;
@@ -124,14 +136,25 @@ class ServoLoop {
   std::atomic<bool> expects_{false};
   TripleBuffer<ServoSample> latest_;
   SampleRing<ServoSample, 4096> samples_;
-  // What is felt on its way, with its scene's number; nothing in it: nothing is to be felt.
-  struct Handed {
-    std::unique_ptr<Interaction> felt;
+  // An interaction that crosses, with its scene's number; null inside: nothing is to be felt.
+  struct HandedInteraction {
+    std::unique_ptr<Interaction> interaction;
     std::uint32_t scene = 0;
   };
-  std::atomic<Handed*> arriving_{nullptr};  // the next
-  std::atomic<Handed*> leaving_{nullptr};   // one that a tick has put down
-  Handed* current_ = nullptr;               // the ticks'
+  std::atomic<HandedInteraction*> pending_{nullptr};  // the next
+  std::atomic<HandedInteraction*> retired_{nullptr};  // one that a tick has put down
+  HandedInteraction* current_ = nullptr;              // the ticks'
+  // A frame that crosses, with its scene's number.
+  struct HandedMotion {
+    std::shared_ptr<const SphereMotion> motion;
+    std::uint32_t scene = 0;
+  };
+  std::atomic<HandedMotion*> pending_motion_{nullptr}, retired_motion_{nullptr};  // as above
+  std::uint32_t pending_motions_scene_ = 0;                                       // the owner's
+  HandedMotion* motion_ = nullptr;                                                // the ticks': the one in force
+  HandedMotion* next_motion_ = nullptr;                                           // the ticks': waits for its scene
+  HandedMotion* last_motion_ = nullptr;  // the ticks': put down in this tick, in which what is felt may still ask it
+  int motion_tick_ = 0;                  // of the one in force
   struct Recording {
     SampleRing<RecordedTick, 4096> ring;
     ServoStep start;       // written before the first tick is pushed
@@ -141,8 +164,8 @@ class ServoLoop {
   std::unique_ptr<Recording> recording_;
   bool records_ = false;  // changed only while nobody ticks
   std::atomic<bool> fallen_back_{false};
-  std::atomic<bool> let_go_{false};
-  bool for_good_ = false;
+  std::atomic<bool> ramp_down_force_{false};
+  bool ramp_down_for_good_ = false, has_orientation_ = false;  // the owner's
   std::atomic<bool> gives_{false};
   // A tick's own, taken by whoever ticks.
   std::atomic_flag ticking_ = ATOMIC_FLAG_INIT;

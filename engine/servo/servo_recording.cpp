@@ -28,7 +28,7 @@ constexpr std::uint32_t kTicksInBlock = 256;
 constexpr std::size_t kLeastTickBytes = 81;  // a tick without settings and device
 constexpr std::size_t kMostBytes = std::size_t{1} << 30;
 constexpr std::uint8_t kSettings = 1, kFresh = 2, kConnected = 4, kOtherDevice = 8, kFaultFlag = 16, kFallenBack = 32,
-                       kOriented = 64;
+                       kOriented = 64, kSpheresMoved = 128;
 
 // What must be the same for the bits to be the same: the state's members and the compiler.
 std::string buildName() { return std::to_string(sizeof(ServoStep)) + ' ' + __VERSION__; }
@@ -141,6 +141,7 @@ bool readTick(Getter& get, ServoSettings& settings, RecordedTick& tick, bool pla
   tick.pose.connected = flags & kConnected;
   tick.pose.fault = flags & kFaultFlag;
   tick.fallen_back = flags & kFallenBack;
+  tick.spheres_moved = flags & kSpheresMoved;
   tick.settings = settings;
   return get.ok;
 }
@@ -179,7 +180,8 @@ std::optional<Problem> ServoRecordingWriter::add(const RecordedTick& tick) {
   Putter put{block_};
   put(std::uint8_t((other_settings ? kSettings : 0) | (pose.fresh ? kFresh : 0) | (pose.connected ? kConnected : 0) |
                    (pose.fault ? kFaultFlag : 0) | (tick.other_device ? kOtherDevice : 0) |
-                   (tick.fallen_back ? kFallenBack : 0) | (oriented ? kOriented : 0)));
+                   (tick.fallen_back ? kFallenBack : 0) | (oriented ? kOriented : 0) |
+                   (tick.spheres_moved ? kSpheresMoved : 0)));
   if (other_settings) block_ += bytesOf(tick.settings);
   if (tick.other_device) {
     figuresFields(put, tick.device);
@@ -291,17 +293,24 @@ Expected<ServoRecording> readServoRecording(const std::filesystem::path& file) {
   return recording;
 }
 
-ReplayResult replay(const ServoRecording& recording, Interaction* felt) {
+TouchSetup touchOf(const ServoRecording& recording) {
+  TouchSetup out = labelledTouch(recording.labels);
+  recording.ticks.front().settings.giveTo(out);
+  return out;
+}
+
+ReplayResult replay(const ServoRecording& recording, Interaction* interaction) {
   ServoStep step = recording.start.value_or(ServoStep());
   ReplayResult out;
   for (const RecordedTick& tick : recording.ticks) {
     if (tick.other_device) step.setDevice(tick.device);
-    const ForceN force = step.tick(tick.settings, felt, tick.pose, tick.time).force;
+    const ForceN force = step.tick(tick.settings, interaction, tick.pose, tick.time).force;
     if (!sameBits(force.N, tick.force.N)) {
       if (!out.first_difference) out.first_difference = out.ticks;
       out.greatest_difference_N = std::max(out.greatest_difference_N, glm::distance(force.N, tick.force.N));
     }
     ++out.ticks;
+    out.moving += tick.spheres_moved;
   }
   return out;
 }

@@ -1,7 +1,7 @@
 // A recording of the servo loop's ticks: each tick's inputs and its force, and the state from which the first began, so
 // that a replay on the same build with the same scene gives the same forces to the last bit. Nothing in memory is a
-// copy of the file's bytes: values are read by name, type and range. What the file holds: docs/devices.md. Not for the
-// haptic thread but RecordedTick. Units: millimetre, newton, second.
+// copy of the file's bytes: values are read by name, type and range. docs/devices.md describes the file. Not for the
+// haptic thread, except RecordedTick. Units: millimetre, newton, second.
 #pragma once
 
 #include <cstdint>
@@ -18,37 +18,39 @@
 
 namespace moltact {
 
-/// One tick with all that its force depended on but the interaction.
+/// One tick with all inputs of its force except the interaction.
 struct RecordedTick {
   ServoSettings settings;
   DevicePose pose;
   TickTime time;
-  DeviceSpecs device;         ///< of the one that leads
-  bool other_device = false;  ///< that is another than in the last tick
+  DeviceSpecs device;         ///< of the device that leads
+  bool other_device = false;  ///< another device than in the last tick leads
   ForceN force;
-  // What came of it, for who watches a recording grow; the file holds the first of these only.
-  bool fallen_back = false;  ///< the fallback led, for the chosen device was gone
+  // Results, for watching a recording grow; the file holds only the first and the last of these.
+  bool fallen_back = false;  ///< the fallback led because the chosen device was gone
   bool touching = false;
   LimitFlags limits = {};
+  bool spheres_moved =
+      false;  ///< the scene's spheres moved; their frames are not recorded, so no replay gives these forces
 };
 
 struct ServoRecording {
-  std::map<std::string, std::string> labels;  ///< what the recorder wrote about it: "molecule", "method", "device"
-  std::optional<ServoStep> start;  ///< none where another build or version made the file: the forces may then differ
+  std::map<std::string, std::string> labels;  ///< the recorder's description: "molecule", "method", "device"
+  std::optional<ServoStep> start;  ///< none where another build or version made the file; then the forces may differ
   std::vector<RecordedTick> ticks;
-  std::string torn;  ///< why the rest could not be read; empty: it is whole
+  std::string torn;  ///< the reason why the rest could not be read; empty: the file is complete
 };
 
 /// Longer ones are neither written nor read (66 minutes and 40 s; a tick takes 416 bytes of memory).
 inline constexpr std::size_t kMostRecordedTicks = 4'000'000;
 
-/// Writes a recording as it comes. Each block of 256 ticks is handed to the system whole before the next is begun, so
-/// that a crash of the program costs no more than one. After a Problem nothing more is written; what was kept stays
-/// readable.
+/// Writes a recording while it is made. Each block of 256 ticks is handed to the system whole before the next is begun,
+/// so that a crash of the program costs at most one block. After a Problem nothing more is written; the blocks written
+/// before stay readable.
 class ServoRecordingWriter {
  public:
-  /// Opens the file, so that what stands in its way is known before anybody holds a device. What is there already is a
-  /// Problem unless it may be replaced; it then stays until begin() has written. A file that was never begun goes.
+  /// Opens the file, so that any obstacle is known before anybody holds a device. An existing file is a Problem unless
+  /// it may be replaced; it then stays until begin() has written. A file that was never begun is removed.
   static Expected<ServoRecordingWriter> create(const std::filesystem::path& file, bool replace = false);
   /// Before the first tick. Labels: no line ends in keys or values, no '=' in keys.
   std::optional<Problem> begin(const std::map<std::string, std::string>& labels, const ServoStep& start);
@@ -69,23 +71,26 @@ class ServoRecordingWriter {
   std::optional<ServoSettings> last_;
 };
 
-/// Reads a recording. What no recording is gives a Problem, and so does one whose labels or state cannot be; one that
-/// breaks off, or whose rest is damaged, gives the ticks before that and says so in `torn`.
+/// Reads a recording. A file that is no recording gives a Problem, and so do labels or a state that are invalid. A file
+/// that is cut off or damaged gives the ticks before the damage, and `torn` says so.
 Expected<ServoRecording> readServoRecording(const std::filesystem::path& file);
+
+/// What a recording's hand felt with at its first tick, of which it must have one.
+TouchSetup touchOf(const ServoRecording& recording);
 
 struct ReplayResult {
   std::uint64_t ticks = 0;
-  std::optional<std::uint64_t>
-      first_difference;  ///< the first tick whose force is not the recorded one to the last bit
+  std::uint64_t moving = 0;  ///< those whose spheres moved during the recording and are at rest here
+  /// The first tick whose force differs from the recorded one in any bit.
+  std::optional<std::uint64_t> first_difference;
   double greatest_difference_N = 0;
 };
 
-/// Steps the recorded ticks with an interaction as it was newly made for the recording (null: none), and compares the
-/// forces.
-ReplayResult replay(const ServoRecording& recording, Interaction* felt);
+/// Steps the recorded ticks with an interaction made as for the recording (null: none), and compares the forces.
+ReplayResult replay(const ServoRecording& recording, Interaction* interaction);
 
-/// How many balls and all of them in one number (FNV-1a): a recording's label "balls", by which it is told that its
-/// molecule has changed meanwhile.
+/// The number of balls and all their values in one number (FNV-1a): a recording's label "balls", which shows whether
+/// its molecule has changed since.
 std::string fingerprint(const BallScene& scene);
 
 }  // namespace moltact

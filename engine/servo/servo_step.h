@@ -7,33 +7,55 @@
 #include "engine/core/units.h"
 #include "engine/device/device.h"
 #include "engine/haptics/interaction.h"
+#include "engine/haptics/sphere_motion.h"
+#include "engine/haptics/touch_setup.h"
 #include "engine/servo/clutch.h"
 #include "engine/servo/safety_stage.h"
 
 namespace moltact {
 
-/// What the program asks of the servo loop; handed over whole. Values out of range are clamped, non-finite ones
+/// The program's requests to the servo loop, handed over whole. Values out of range are clamped, non-finite ones
 /// ignored.
 struct ServoSettings {
   Workspace workspace;
-  double stiffness_N_per_mm =
-      0.5;  ///< of the spring between HIP and SCP, in the device's space (0 to 5); less where it would buzz
+  /// The stiffness of the spring between HIP and SCP, in the device's space (0 to 5); less is used where the loop would
+  /// vibrate.
+  double stiffness_N_per_mm = 0.5;
   double max_force_N = 3.3;           ///< the force's norm is clamped to this
-  double probe_A = kWaterProbe_A;     ///< reached gradually, kProbeSlew_A_per_s
+  double probe_A = kWaterProbe_A;     ///< reached gradually, by kProbeSlew_A_per_s
   bool force_on = true;               ///< false: contact is followed, but no force is given
   ClutchSettings clutch;              ///< how the hand reaches farther than the device
   bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
-  std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and begin anew where the HIP is
+  std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and restart at the HIP
+
+  /// What the loop itself does of a setup; with the rest the interaction is made.
+  void take(const TouchSetup& touch) noexcept {
+    probe_A = touch.probe_A;
+    stiffness_N_per_mm = touch.stiffness_N_per_mm;
+    force_on = touch.force_on;
+  }
+  /// The same back.
+  void giveTo(TouchSetup& touch) const noexcept {
+    touch.probe_A = probe_A;
+    touch.stiffness_N_per_mm = stiffness_N_per_mm;
+    touch.force_on = force_on;
+  }
+};
+
+/// The state of a scene whose spheres move.
+struct MotionPhase {
+  const SphereMotion* motion = nullptr;  ///< null: they are at rest where the interaction was made with them
+  double fraction = 0.0;                 ///< of the motion, 0 to 1
 };
 
 inline constexpr double kProbeSlew_A_per_s = 8.0;  ///< how fast the surface may swell under the finger
 
-/// What one tick found: whole, for the screen, the lesson and the log.
+/// The complete result of one tick, for the screen, the lesson and the log.
 struct ServoSample {
   std::uint64_t tick = 0;
   double time_s = 0;               ///< since the loop began
-  PointMm hand;                    ///< the device's place, moved on by the clutch
-  PointA hip;                      ///< the same in the molecule's space
+  PointMm hand;                    ///< the device's position, shifted by the clutch
+  PointA hip;                      ///< that position in the molecule's space
   Quat orientation = kNoRotation;  ///< of what is in the hand, in the molecule's space
   Contact contact;
   ForceN force;              ///< as given to the device, after every limit
@@ -44,20 +66,22 @@ struct ServoSample {
   std::uint32_t buttons = 0;
   float work_us = 0;  ///< how long the tick took (0 on a virtual clock)
   float late_us = 0;  ///< how long after its due time it began (0 on a virtual clock)
-  double stiffness_bound_N_per_mm =
-      0;  ///< the stiffest spring that is given, for the device and the delay as measured of late
-  bool has_tracker = false;
-  std::uint32_t scene = 0;            ///< the number that the tracker was handed over with (0 from tick() itself)
+  /// The stiffest spring that is allowed, for the device and the recently measured delay.
+  double stiffness_bound_N_per_mm = 0;
+  bool has_interaction = false;
+  std::uint64_t motion = 0;  ///< SphereMotion::serial() of the motion that the spheres are in; 0: they are at rest
+  double fraction = 0.0;     ///< of that motion
+  std::uint32_t scene = 0;   ///< the number that the interaction was handed over with (0 from tick() itself)
   std::uint32_t discontinuities = 0;  ///< of the settings in force at this tick
-  bool placed =
-      false;  ///< the contact was forgotten before this tick: hand or scene were placed anew, or the hand was lost
+  /// The contact was forgotten before this tick: hand or scene were placed elsewhere, or the hand was lost.
+  bool placed = false;
 };
 
 class ServoStep {
  public:
   explicit ServoStep(const DeviceSpecs& device = {}) : ServoStep(device, true) {}
 
-  /// Another device is read from now on: its figures hold, the contact is forgotten, and the force starts softly.
+  /// From now on another device is read: its figures apply, the contact is forgotten, and the force starts softly.
   void setDevice(const DeviceSpecs& device) noexcept {
     safety_.setDevice(device);
     clutch_.restart();
@@ -65,28 +89,35 @@ class ServoStep {
     other_device_ = true;
   }
 
-  /// One tick. `felt` may be null: no molecule, no force. Pass a changed one freely: it is not reset, and the force
-  /// starts softly.
-  ServoSample tick(const ServoSettings& settings, Interaction* felt, const DevicePose& pose,
-                   const TickTime& time = {}) noexcept;
+  /// One tick. `interaction` may be null: no molecule, no force. It may change between ticks: a new one is not reset,
+  /// and the force starts softly. Frames may follow one another without that: the spheres' own motion changes the
+  /// springs' energy, but this does not count as energy made by the loop.
+  ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
+                   const TickTime& time = {}, const MotionPhase& phase = {}) noexcept;
 
-  /// As if it had met no interaction yet: the next one counts as new.
-  void forgetInteraction() noexcept { last_felt_ = nullptr; }
+  /// Forgets the last interaction: the next one counts as new.
+  void forgetInteraction() noexcept { last_interaction_ = nullptr; }
 
   const SafetyStage& safety() const { return safety_; }
 
  protected:
-  /// Without the guard the safety stage is left out, but for the greatest force: for who judges a method alone, by a
-  /// class of its own. No program with a hand has one.
+  /// Without the guard the safety stage is left out, except for the greatest force: a derived class may so judge a
+  /// method alone. No program with a hand has such a class.
   ServoStep(const DeviceSpecs& device, bool guarded) noexcept
       : guarded_(guarded), workspace_mm_(device.workspace_mm), safety_(device) {}
 
  private:
   friend struct StepState;  // step_state.cpp, which keeps it
-  WantedWrench feel(const ServoSettings& settings, const Response& response) noexcept;
+  bool moveSurface(const ServoSettings& settings, Interaction& interaction, const MotionPhase& phase,
+                   bool changed) noexcept;
+  WantedWrench feel(const ServoSettings& settings, const Response& response, double parallel) noexcept;
 
   std::uint64_t tick_ = 0;
-  const Interaction* last_felt_ = nullptr;
+  const Interaction* last_interaction_ = nullptr;
+  // The last pose asked for, and where the spheres were: the first tick with another interaction depends on neither.
+  PoseA last_at_;
+  std::uint64_t last_motion_ = 0;  // its serial; 0: none
+  double last_fraction_ = 0.0;
   std::uint32_t discontinuities_ = 0, hand_discontinuities_ = 0;
   bool other_device_ = false, guarded_ = true;
   double A_per_mm_ = 0;

@@ -57,7 +57,7 @@ void ServoThread::run() noexcept {
     if (began_ns - device_tick_ns_.load(std::memory_order_acquire) > kOwnClock_ns)
       loop_.tick(began_ns, due_ns, clock_.now_ns);
 
-    // A few missed ticks are caught up one after the other; after a long stall the loop begins anew from now.
+    // A few missed ticks are caught up one after the other; after a long stall the loop restarts from now.
     due_ns += ServoLoop::kPeriod_ns;
     if (const std::int64_t behind = (began_ns - due_ns) / ServoLoop::kPeriod_ns; behind > kCatchUp_ticks) {
       missed_.fetch_add(std::uint64_t(behind), std::memory_order_relaxed);
@@ -66,7 +66,7 @@ void ServoThread::run() noexcept {
   }
 }
 
-void ServoThread::tickOfDevice() noexcept {
+void ServoThread::onDeviceTick() noexcept {
   const std::int64_t now_ns = clock_.now_ns();
   device_tick_ns_.store(now_ns, std::memory_order_release);
   if (!stop_.load(std::memory_order_acquire)) loop_.tick(now_ns, std::nullopt, clock_.now_ns);

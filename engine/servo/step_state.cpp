@@ -11,7 +11,7 @@ namespace moltact {
 
 static_assert(sizeof(void*) != 8 ||  // other machines lay them out otherwise; the names are the same
                   (sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
-                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1592),
+                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1664),
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is
@@ -54,7 +54,7 @@ struct StepState {
 
   template <class Each>
   static void of(Each& each, const std::string& p, ThermalModel& s) {
-    each(p, "heat_N2", s.heat_N2_, 0.0, kAny), each(p, "told", s.told_, -kAny, kAny);
+    each(p, "heat_N2", s.heat_N2_, 0.0, kAny), each(p, "told", s.reported_, -kAny, kAny);
   }
 
   template <class Each>
@@ -80,7 +80,7 @@ struct StepState {
     vector(each, p, "angle_rad", s.angle_rad_), vector(each, p, "turned_rad", s.turned_rad_, 4.0);
     each(p, "placed", s.placed_, false, true),
         each(p, "discontinuities", s.discontinuities_, std::uint32_t{0}, ~std::uint32_t{0});
-    each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kOff_s);
+    each(p, "stale_s", s.stale_s_, 0.0, kAny), each(p, "delay_s", s.delay_s_, 0.0, safety::kContactLost_s);
     each(p, "elapsed_s", s.elapsed_s_, 0.0, safety::kStale_s), each(p, "dt_s", s.dt_s_, 0.0, kTick_s);
     each(p, "off", s.off_, false, true);
     of(each, p + "heat.", s.heat_), of(each, p + "passivity.", s.passivity_);
@@ -89,7 +89,7 @@ struct StepState {
     each(p, "energy_mm2", s.springs_.energy_mm2, -kAny, kAny);
     each(p, "fault", s.fault_, false, true), each(p, "stopped", s.stopped_, false, true);
     vector(each, p, "force_N", s.force_N_), vector(each, p, "torque_N_mm", s.torque_N_mm_);
-    // What acted in the last tick is written anew in the next.
+    // The limits that acted in the last tick are set again in the next.
   }
 
   template <class Each>
@@ -101,7 +101,7 @@ struct StepState {
     each("", "other_device", s.other_device_, false, true), each("", "A_per_mm", s.A_per_mm_, -kAny, kAny);
     vector(each, "", "workspace_mm", s.workspace_mm_), vector(each, "", "push", s.push_, 2.0);
     of(each, "clutch.", s.clutch_), of(each, "safety.", s.safety_);
-    // The last tracker is a place in memory: a step that was read has met none.
+    // The last interaction is an address in memory: a step that was read has met none.
   }
 };
 

@@ -16,7 +16,7 @@ constexpr double kQuietest = 0.35, kLoudFrom_N = 2.0;  // of the tone without fo
 
 double heard_N(double force_N) { return std::isfinite(force_N) ? std::clamp(force_N, 0.0, kMostHeard_N) : 0.0; }
 
-// A share of the way that leaves 1/e of it after `time_s`.
+// The fraction of the way that leaves 1/e of it after `time_s`.
 double pull(double time_s) { return 1.0 - std::exp(-1.0 / (time_s * kSamples_per_s)); }
 
 const double kAttack = pull(0.008), kRelease = pull(0.030), kGlide = pull(0.025), kCross = pull(0.015);

@@ -1,4 +1,4 @@
-// What touching sounds like: a tone whose pitch is the force, as many notes as atoms hold the probe, a knock at
+// Touch as sound: a tone whose pitch is the force, as many notes as atoms hold the probe, a knock at
 // contact, a tick for each new atom that is reached. Arithmetic only: no device, no clock, no allocation; the same
 // samples whatever the size of the blocks. One thread at a time. Units: newton, hertz, second; samples from -1 to 1.
 //
@@ -36,7 +36,7 @@ inline constexpr double kNoteLevel = 0.22, kKnockLevel = 0.30, kTickLevel = 0.20
 /// The pitch of a force; what is negative or not finite counts as none.
 double pitch_Hz(double force_N);
 
-/// What one tick of the servo loop gives the ear.
+/// The audible state of one tick of the servo loop.
 struct TouchMoment {
   Feature feature = Feature::Free;
   std::array<std::int32_t, 3> atoms{-1, -1, -1};
@@ -45,7 +45,7 @@ struct TouchMoment {
 
 class TouchSynth {
  public:
-  /// From now on this is felt.
+  /// Sets the state that is heard from now on.
   void take(const TouchMoment& moment) noexcept;
 
   /// Fills `out` with the next samples at kSamples_per_s.
@@ -66,7 +66,7 @@ class TouchSynth {
 
   TouchMoment felt_;
   double semitones_ = 0, loudness_ = 0;     // smoothed
-  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ is each one's smoothed share
+  std::array<double, 3> phase_{}, note_{};  // of the chord; note_ is each one's smoothed level
   Blip knock_, tick_;
   int since_tick_ = kSamples_per_s;
 };

@@ -2,12 +2,15 @@
 #include "app/ui/panels/actions.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
-#include "tests/app/driver_fixture.h"
+#include "engine/language/units.h"
+#include "engine/workspace/scale.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -81,11 +84,43 @@ TEST_CASE("a whole drag of the probe's slider is undone at once, and redone") {
   CHECK(d->app().scene.servo_settings.probe_A == after_A);
 }
 
+TEST_CASE(
+    "whatever of what is felt is changed, the change is undone and redone; a word that is not known changes nothing") {
+  for (const TouchProperty& p : touchProperties()) {
+    if (!isChoice(p)) continue;
+    CAPTURE(std::string(p.key));
+    auto d = startWith("argon");
+    const TouchSetup before = d->app().scene.touch();
+    TouchSetup after = before;
+    if (std::holds_alternative<double TouchSetup::*>(p.member))
+      setTouchValue(after, p, p.control.range.most);
+    else if (p.words)
+      setTouchValue(after, p, std::string(p.words().back().name));
+    else
+      setTouchValue(after, p, !std::get<bool>(touchValue(before, p)));
+    REQUIRE_FALSE(after == before);
+    d->app().scene.setTouch(after);
+    d->frames(2);
+    CHECK(d->app().scene.touch() == after);
+    d->tap("Ctrl+Z");
+    CHECK(d->app().scene.touch() == before);
+    d->tap("Ctrl+Shift+Z");
+    CHECK(d->app().scene.touch() == after);
+  }
+  // A word that is not known stays as it was.
+  auto d = startWith("argon");
+  TouchSetup wrong;
+  wrong.method = "none";
+  wrong.interaction = "none";
+  d->app().scene.setTouch(wrong);
+  CHECK(d->app().scene.touch() == TouchSetup());
+}
+
 TEST_CASE("method, parts shown and a view that was reset are undone in the order in which they were changed") {
   auto d = startWith("argon-pair");
   d->drag("view", 80, 0, 1);
   const Camera turned = d->app().scene.camera;
-  const ShapeSet shown = d->app().scene.shown;
+  const ViewPartSet shown = d->app().scene.shown;
   CHECK(d->click("show/spheres"));
   d->app().scene.useMethod("mesh80");
   d->frames(2);
@@ -137,6 +172,40 @@ TEST_CASE("with a decimal comma 1.4 Å reads 1,4 Å, and the other way about") {
   d->frames(2);
   CHECK(d->text("probe") == "1.4\u00a0Å");
   CHECK(d->app().settings.decimal_sign == DecimalSign::Point);
+}
+
+TEST_CASE("with nm chosen the probe's slider reads 0.14 nm, and the scale of hand and molecule is told in nm") {
+  auto d = startWith("argon");
+  UnitSet set;
+  REQUIRE(set.choose(Dimension::Length, "nm"));
+  setShownUnits(set);
+  d->frames(2);
+  const std::string probe = d->text("probe"), scale = scaleSentence(d->app().scene.servo_settings.workspace, 0.5);
+  setShownUnits({});
+  CHECK(probe == "0.14\u00a0nm");
+  CHECK(contains(scale, "\u00a0nm there"));
+  CHECK_FALSE(contains(scale, "Å"));
+}
+
+TEST_CASE(
+    "a pressed spring stores half the square of its force over its stiffness, as the touch panel's details tell") {
+  auto d = startWith("argon");
+  d->app().panels.touch_details = true;
+  d->frames(3);
+  CHECK(d->text("energy") == "Energy in the spring: 0.00\u00a0mJ");
+  d->point("view");
+  d->press(0);
+  d->frames(120);
+  const double force_N = d->app().scene.log().force_N();
+  REQUIRE(force_N > 0.3);
+  const double mJ = force_N * force_N / (2.0 * d->app().scene.servo_settings.stiffness_N_per_mm);  // N mm
+  const std::string told = d->text("energy"), before = "Energy in the spring: ";
+  REQUIRE(told.starts_with(before));
+  CHECK(std::strtod(told.c_str() + before.size(), nullptr) == doctest::Approx(mJ).epsilon(0.05));
+  d->app().scene.servo_settings.force_on = false;
+  d->frames(3);
+  CHECK(d->text("energy") == "Energy in the spring: 0.00\u00a0mJ");
+  d->release(0);
 }
 
 TEST_CASE("preferences change the theme, the size and the atoms' colours at once") {
@@ -251,7 +320,7 @@ TEST_CASE("text stands out from its ground: 4.5 to 1 in the light and dark theme
 
 TEST_CASE("Ctrl+Shift+S asks for a name, refuses to overwrite without a click, and writes the picture") {
   Scratch scratch;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.picture_folder = scratch.folder;
   auto d = startWith("argon", options);
   d->tap("Ctrl+Shift+S");

@@ -5,7 +5,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "engine/results/class_summary.h"
 #include "engine/results/progress.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -13,8 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-Driver::Options keeping(const fs::path& folder) {
-  Driver::Options options;
+ScriptedUser::Options keeping(const fs::path& folder) {
+  ScriptedUser::Options options;
   options.width = 900;
   options.height = 560;
   options.application.attempts_folder = folder;
@@ -41,7 +41,7 @@ Attempt only(const fs::path& folder) {
   return *std::move(attempt);
 }
 
-void push(Driver& driver, int frames = 40) {
+void push(ScriptedUser& driver, int frames = 40) {
   driver.point("view", 0.5, 0.5);
   driver.press();
   driver.frames(frames);
@@ -77,7 +77,7 @@ TEST_CASE("a lesson that is only looked at leaves no file; a touch, a hint and a
   CHECK(touches[0]->atoms == std::vector<std::int32_t>{0});
   CHECK(touches[0]->peak_N > 0.05);
   CHECK(touches[0]->peak_N < 3.31);
-  CHECK(all<StageSet>(attempt).front()->atoms == 1);
+  CHECK(all<StageChanged>(attempt).front()->atoms == 1);
   // The trace is the way that was felt: outside the inflated atom always, for the SCP.
   std::size_t held = 0;
   for (const HipChunk* chunk : all<HipChunk>(attempt))
@@ -94,7 +94,7 @@ TEST_CASE("a program that ends in the middle goes on where it was: same file, sa
     driver->frames(10);
   }
   const Attempt before = only(scratch.path);
-  CHECK(std::holds_alternative<Left>(before.events.back().what));
+  CHECK(std::holds_alternative<SessionClosed>(before.events.back().what));
   const std::vector<LessonProgress> progress = readProgress(scratch.path);
   REQUIRE(progress.size() == 1);
   CHECK(progress[0].canResume());

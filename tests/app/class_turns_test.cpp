@@ -2,13 +2,13 @@
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
 namespace {
 
-void touch(Driver& driver) {
+void touch(ScriptedUser& driver) {
   driver.point("view", 0.5, 0.5);
   driver.press();
   driver.frames(40);
@@ -19,7 +19,7 @@ void touch(Driver& driver) {
 TEST_CASE(
     "2 students take turns of 30 s: each is called, what each does is kept under the name, those who wait predict") {
   const ScratchFolder scratch;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.attempts_folder = scratch.path;
   const auto driver = startWith(MOLTACT_SOURCE_DIR "/lessons/first-touch.md", options);
   Application& app = driver->app();

@@ -7,19 +7,19 @@
 
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-Driver::Options keeping(const std::filesystem::path& settings) {
-  Driver::Options options;
+ScriptedUser::Options keeping(const std::filesystem::path& settings) {
+  ScriptedUser::Options options;
   options.application.settings_file = settings;
   return options;
 }
 
 // Whether one of the messages says so.
-bool told(Driver& d, const std::string& part) {
+bool told(ScriptedUser& d, const std::string& part) {
   for (const Message& m : d.app().messages.all())
     if (contains(m.text, part)) return true;
   return false;
@@ -161,10 +161,10 @@ TEST_CASE("the open device page shows within two seconds what was plugged in, an
   auto d = startWith();
   bool there = false;
   d->app().extensions().device.lookBy([&] {
-    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
     if (there)
       found.insert(found.begin(),
-                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .auto_selectable = true});
     return found;
   });
   d->tap("Ctrl+D");
@@ -187,7 +187,7 @@ TEST_CASE(
     "chosen, the offer goes, and so it does when "
     "the device is gone") {
   const LibHd lib(MOLTACT_STAND_IN_LIBHD);
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.devices_unasked = true;
   auto d = startWith("1ubq", options);
   d->frames(10);
@@ -196,10 +196,10 @@ TEST_CASE(
   d->app().settings.device.clear();
   bool there = false;
   d->app().extensions().device.lookBy([&] {
-    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    std::vector<FoundDevice> found{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
     if (there)
       found.insert(found.begin(),
-                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .by_itself = true});
+                   {.name = "omni", .title = "Touch", .usable = true, .gives_force = true, .auto_selectable = true});
     return found;
   });
   d->frames(320);
@@ -225,14 +225,14 @@ TEST_CASE(
 }
 
 TEST_CASE("a look that takes as long as it likes stops no frame") {
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.clock = ServoClock::RealThread;
   auto d = startWith("argon-pair", options);
   std::promise<void> gate;
   const std::shared_future<void> open = gate.get_future().share();
   d->app().extensions().device.lookBy([open] {
     open.wait();
-    return std::vector<FoundDevice>{{.name = "mouse", .title = "Mouse", .usable = true, .by_itself = true}};
+    return std::vector<FoundDevice>{{.name = "mouse", .title = "Mouse", .usable = true, .auto_selectable = true}};
   });
   d->tap("Ctrl+D");
   d->frames(300);  // would never end

@@ -1,34 +1,66 @@
 // A device in the window, on the frames' clock: chosen on the page, felt, unplugged, stopped.
 #include <cmath>
+#include <cstdlib>
+#include <limits>
 
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/device/simulated_device.h"
 #include "engine/servo/safety_stage.h"
-#include "engine/servo/scale.h"
-#include "tests/app/driver_fixture.h"
+#include "engine/workspace/scale.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-SimulatedDevice& stylus(Driver& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
+SimulatedDevice& stylus(ScriptedUser& d) { return dynamic_cast<SimulatedDevice&>(*d.app().scene.servo().chosen()); }
 
 // A device whose hand rests and that asks for the view.
 class Cap final : public Device {
  public:
-  explicit Cap(ViewWish& wish) : wish_(wish) { info_.name = "Cap"; }
+  explicit Cap(ViewMotion& wish) : wish_(wish) { info_.name = "Cap"; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return {.position = {{0, 0, 79}}}; }
   void write(ForceN) noexcept override {}
-  ViewWish viewWish() noexcept override { return wish_; }
+  ViewMotion viewMotion() noexcept override { return wish_; }
 
  private:
   DeviceInfo info_;
-  ViewWish& wish_;
+  ViewMotion& wish_;
 };
 
+// A stylus that tells of any room, and of a hand anywhere, as a recording may.
+class Odd final : public Device {
+ public:
+  Odd(Vec3 room_mm, Vec3 hand_mm) : hand_mm_(hand_mm) {
+    info_.name = "Odd";
+    info_.workspace_mm = room_mm;
+  }
+  const DeviceInfo& info() const noexcept override { return info_; }
+  DevicePose read(double) noexcept override { return {.position = {hand_mm_}}; }
+  void write(ForceN) noexcept override {}
+
+ private:
+  DeviceInfo info_;
+  Vec3 hand_mm_;
+};
+
+// The part of the rectangle at (x, y), 0 to 1 from its upper left corner, shows the hand's dot.
+bool dotAt(ScriptedUser& d, const char* name, float x, float y) {
+  const WidgetRecord* room = widgets().find(name);
+  REQUIRE(room);
+  REQUIRE(room->visible());
+  const glm::vec2 at = glm::mix(room->low, room->high, glm::vec2(x, y));
+  const std::uint8_t* c = d.picture().at(int(at.x), int(at.y));
+  const ImU32 dot = look().palette.accent;
+  const auto off = [&](int k) { return std::abs(int(c[k]) - int(dot >> (8 * k) & 0xFFu)); };
+  return off(0) + off(1) + off(2) < 24;
+}
+
 // The simulated stylus in use and pressing.
-std::unique_ptr<Driver> pressing() {
+std::unique_ptr<ScriptedUser> pressing() {
   auto d = startWith();
   d->tap("Ctrl+D");
   d->frames(3);
@@ -68,6 +100,42 @@ TEST_CASE(
   CHECK(d->click("device/mouse"));
   d->frames(3);
   CHECK(d->text("status/device") == "Mouse");
+}
+
+TEST_CASE(
+    "a hand 1e37 mm and farther off is drawn at its room's edge, one that is no number in the middle, and a room of no "
+    "length, of less than none, of 1e37 mm or NaN is not drawn") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  auto d = startWith();
+  d->tap("Ctrl+D");
+  const auto show = [&](Vec3 room_mm, Vec3 hand_mm) {
+    d->app().scene.servo().setDevice(std::make_unique<Odd>(room_mm, hand_mm));
+    d->frames(3);
+    CHECK(d->text("device/name") == "Odd");
+    CHECK(d->shows("device/live"));
+  };
+  const Vec3 room(160, 120, 70);
+  show(room, {40, 30, 0});
+  CHECK(dotAt(*d, "device/front", 0.75f, 0.25f));
+  CHECK_FALSE(dotAt(*d, "device/front", 0.5f, 0.5f));
+  for (const double far_mm : {1e37, 1e300, kInfinity}) {
+    CAPTURE(far_mm);
+    show(room, {far_mm, -far_mm, 0});
+    CHECK(dotAt(*d, "device/front", 1.0f, 1.0f));
+    show(room, {-far_mm, far_mm, -far_mm});
+    CHECK(dotAt(*d, "device/front", 0.0f, 0.0f));
+  }
+  const double nan = std::nan("");
+  show(room, {nan, nan, nan});
+  CHECK(dotAt(*d, "device/front", 0.5f, 0.5f));
+  CHECK(dotAt(*d, "device/above", 0.5f, 0.5f));
+  for (const double side_mm : {0.0, -120.0, 1e-300, 1e37, 1.7e308, kInfinity, nan})
+    for (int k = 0; k < 3; ++k) {
+      Vec3 odd = room;
+      odd[k] = side_mm;
+      show(odd, {10, 10, 10});
+      CHECK_FALSE(d->shows("device/front"));
+    }
 }
 
 TEST_CASE("unplugging in contact: the mouse leads, a message says so; plugged in again the stylus leads") {
@@ -122,7 +190,7 @@ TEST_CASE(
     "view's height, toward the person it comes "
     "2.2 times as close") {
   auto d = startWith();
-  ViewWish wish;
+  ViewMotion wish;
   d->app().scene.servo().setDevice(std::make_unique<Cap>(wish));
   d->frames(2);
   const Camera before = d->app().scene.camera;

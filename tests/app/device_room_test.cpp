@@ -5,7 +5,7 @@
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/sweep.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -36,7 +36,7 @@ class Held final : public Device {
   DeviceInfo info_;
 };
 
-Held& hold(Driver& d, Vec3 at_mm = Vec3(0)) {
+Held& hold(ScriptedUser& d, Vec3 at_mm = Vec3(0)) {
   auto made = std::make_unique<Held>(at_mm);
   Held& held = *made;
   d.app().scene.servo().setDevice(std::move(made));
@@ -45,10 +45,10 @@ Held& hold(Driver& d, Vec3 at_mm = Vec3(0)) {
   return held;
 }
 
-const ServoSample& now(Driver& d) { return d.app().scene.log().latest(); }
+const ServoSample& now(ScriptedUser& d) { return d.app().scene.log().latest(); }
 
 // The gap between the probe and the nearest ball (unit: angstrom), ball by ball.
-double gap_A(Driver& d) {
+double gap_A(ScriptedUser& d) {
   double least = 1e9;
   for (const Ball& b : d.app().scene.stage().molecule->balls())
     least = std::min(least, glm::distance(b.centre_A, now(d).hip.A) - b.radius_A - now(d).probe_A);
@@ -56,7 +56,7 @@ double gap_A(Driver& d) {
 }
 
 // Moves the hand there and waits.
-void go(Driver& d, Held& stylus, Vec3 to_mm) {
+void go(ScriptedUser& d, Held& stylus, Vec3 to_mm) {
   stylus.goal_mm = to_mm;
   for (int k = 0; k < 200 && stylus.place_mm != to_mm; ++k) d.frames(1);
   d.frames(3);
@@ -183,7 +183,7 @@ TEST_CASE(
   stylus.place_mm = stylus.goal_mm = Vec3(0);
   stylus.connected = true;
   d->frames(10);
-  CHECK(d->app().scene.servo().held());
+  CHECK(d->app().scene.servo().deviceLeads());
   CHECK(now(*d).contact.fault == Fault::None);
   CHECK(gap_A(*d) > 0.0);
 }

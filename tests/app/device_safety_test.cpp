@@ -7,7 +7,7 @@
 #include "app/ui/extensions/device_link.h"
 #include "app/ui/extensions/extensions.h"
 #include "engine/servo/plain_trackers.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -44,7 +44,7 @@ class Led final : public Device {
   double deep_mm_, t_s_ = 0.0;
 };
 
-Led& lead(Driver& d, Led::Path path = {}, double deep_mm = 0.0) {
+Led& lead(ScriptedUser& d, Led::Path path = {}, double deep_mm = 0.0) {
   auto made = std::make_unique<Led>(std::move(path), deep_mm);
   Led& led = *made;
   d.app().scene.servo().setDevice(std::move(made));
@@ -56,7 +56,7 @@ Led& lead(Driver& d, Led::Path path = {}, double deep_mm = 0.0) {
 constexpr double kDeep_mm = 80.0;
 
 // Pulls to the molecule's +x with so many newtons at the scene's own spring.
-std::unique_ptr<Tracker> pull(Driver& d, double N) {
+std::unique_ptr<Tracker> pull(ScriptedUser& d, double N) {
   const ServoSettings& s = d.app().scene.servo_settings;
   return std::make_unique<PullTracker>(N / s.stiffness_N_per_mm * s.workspace.A_per_mm);
 }
@@ -76,13 +76,13 @@ class Told final : public PlainTracker {
 };
 
 // The widget of the message that says so; empty where none does.
-std::string message(Driver& d, const std::string& part) {
+std::string message(ScriptedUser& d, const std::string& part) {
   for (std::size_t k = 0; k < d.app().messages.all().size(); ++k)
     if (contains(d.app().messages.all()[k].text, part)) return "message/" + std::to_string(k);
   return {};
 }
 
-bool told(Driver& d, const std::string& part) { return !message(d, part).empty(); }
+bool told(ScriptedUser& d, const std::string& part) { return !message(d, part).empty(); }
 
 }  // namespace
 
@@ -136,30 +136,30 @@ TEST_CASE(
     "another step, another molecule") {
   struct Case {
     const char* name;
-    std::function<void(Driver&)> begin;
+    std::function<void(ScriptedUser&)> begin;
   };
   const std::vector<Case> cases{
-      {"the scene", [](Driver&) {}},
-      {"a try", [](Driver& d) { d.app().extensions().device.tryForce(d.app()); }},
-      {"a recorded hand", [](Driver& d) { d.app().scene.play(ServoSample()); }},
+      {"the scene", [](ScriptedUser&) {}},
+      {"a try", [](ScriptedUser& d) { d.app().extensions().device.tryForce(d.app()); }},
+      {"a recorded hand", [](ScriptedUser& d) { d.app().scene.play(ServoSample()); }},
       {"turns",
-       [](Driver& d) {
+       [](ScriptedUser& d) {
          d.app().extensions().turns.begin(d.app(), {"K1", "K2"}, 30.0);
        }},
-      {"welcome", [](Driver& d) { d.app().panels.welcome = true; }},
-      {"open page", [](Driver& d) { d.app().panels.open_page = true; }},
-      {"preferences", [](Driver& d) { d.app().panels.preferences_page = true; }},
+      {"welcome", [](ScriptedUser& d) { d.app().panels.welcome = true; }},
+      {"open page", [](ScriptedUser& d) { d.app().panels.open_page = true; }},
+      {"preferences", [](ScriptedUser& d) { d.app().panels.preferences_page = true; }},
       {"a field",
-       [](Driver& d) {
+       [](ScriptedUser& d) {
          d.app().panels.turns_page = true;
          d.frames(3);
          d.click("turns/names");
          d.type("K");
        }},
-      {"a file dialog", [](Driver& d) { d.tap("Ctrl+Shift+S"); }},
-      {"another step", [](Driver& d) { d.app().lesson.next(); }},
-      {"another molecule", [](Driver& d) { d.app().open("1hel"); }},
-      {"another view", [](Driver& d) { d.tap("Home"); }},
+      {"a file dialog", [](ScriptedUser& d) { d.tap("Ctrl+Shift+S"); }},
+      {"another step", [](ScriptedUser& d) { d.app().lesson.next(); }},
+      {"another molecule", [](ScriptedUser& d) { d.app().open("1hel"); }},
+      {"another view", [](ScriptedUser& d) { d.tap("Home"); }},
   };
   for (const Case& c : cases) {
     CAPTURE(std::string(c.name));
@@ -209,14 +209,16 @@ TEST_CASE(
 TEST_CASE("each limit is named on the device page and says its sentence over the view while it acts") {
   struct Case {
     Limit limit;
-    std::function<void(Driver&)> set;  // the settings and the method
-    Led::Path path;                    // the hand
+    std::function<void(ScriptedUser&)> set;  // the settings and the method
+    Led::Path path;                          // the hand
     double for_s = 1.0;
   };
   const double turn = 2 * 3.14159265358979;
-  const auto strong = [](double N) { return [N](Driver& d) { d.app().scene.servo().setInteraction(pull(d, N)); }; };
+  const auto strong = [](double N) {
+    return [N](ScriptedUser& d) { d.app().scene.servo().setInteraction(pull(d, N)); };
+  };
   const auto method = [](std::function<Vec3(Vec3)> scp) {
-    return [scp](Driver& d) { d.app().scene.servo().setInteraction(std::make_unique<Told>(scp)); };
+    return [scp](ScriptedUser& d) { d.app().scene.servo().setInteraction(std::make_unique<Told>(scp)); };
   };
   const Led::Path still = [](double) { return DevicePose{}; };
   // To and fro along x, up to `fast_mm_per_s`.
@@ -232,7 +234,7 @@ TEST_CASE("each limit is named on the device page and says its sentence over the
       {Limit::StalePlace, strong(1.0), [](double t) { return DevicePose{.position = {}, .fresh = t < 0.5}; }},
       {Limit::Speed, strong(0.5), shaken(950, 3)},
       {Limit::Stiffness,
-       [](Driver& d) {
+       [](ScriptedUser& d) {
          d.app().scene.servo_settings.stiffness_N_per_mm = 2.0;
          d.app().scene.servo().setInteraction(pull(d, 1.0));
        },

@@ -12,7 +12,7 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/render/glyphs.h"
 #include "engine/results/attempt_file.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -28,15 +28,15 @@ Vec3 straight(const ServoSample& s) { return s.contact.scp.A - s.hip.A; }
 // A lesson under a hand that presses and slides, felt with shaded forces; every tick of it.
 struct Felt {
   Scratch scratch;
-  std::unique_ptr<Driver> driver;
+  std::unique_ptr<ScriptedUser> driver;
   std::vector<ServoSample> ticks;
   ServoSample shaded;  // one whose force leads aside by two degrees or more
 
   Felt() {
-    Driver::Options options;
+    ScriptedUser::Options options;
     options.application.attempts_folder = scratch.folder / "attempts";
     driver = startWith(MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md", options);
-    Driver& d = *driver;
+    ScriptedUser& d = *driver;
     d.app().scene.useMethod("mesh960-smooth");
     d.point("view", 0.45, 0.55);
     frames(20);
@@ -80,7 +80,7 @@ struct Felt {
 
 TEST_CASE("the arrow, its label and the line of the state tell the force that the servo gave, not SCP - HIP") {
   Felt felt;
-  Driver& d = *felt.driver;
+  ScriptedUser& d = *felt.driver;
   const ServoSample& s = felt.shaded;
   // Seen from the side, where both ways differ most.
   Camera& camera = d.app().scene.camera;
@@ -94,7 +94,7 @@ TEST_CASE("the arrow, its label and the line of the state tell the force that th
 
   ViewScene scene = seenScene(d.app());
   CHECK(scene.force_N == glm::length(s.force.N));
-  scene.shown = {Shape::Force};
+  scene.shown = {ViewPart::Force};
   Glyphs glyphs;
   addGlyphs(scene, nullptr, glyphs);
   REQUIRE(glyphs.cones.size() >= 1);
@@ -128,7 +128,7 @@ TEST_CASE("the arrow, its label and the line of the state tell the force that th
 
 TEST_CASE("in the dark the words and the meter tell the force that the servo gave, not SCP - HIP") {
   Felt felt;
-  Driver& d = *felt.driver;
+  ScriptedUser& d = *felt.driver;
   const ServoSample& s = felt.shaded;
   LessonSession& session = *d.app().lesson.session();
   for (std::size_t k = 0; k < session.lesson().steps.size() && session.step().title != "Find"; ++k)
@@ -154,7 +154,7 @@ TEST_CASE("in the dark the words and the meter tell the force that the servo gav
 
 TEST_CASE("sound, the attempt's samples and `moltact replay` have the force that the servo gave in every tick") {
   Felt felt;
-  Driver& d = *felt.driver;
+  ScriptedUser& d = *felt.driver;
   // As loud and as high as the force was, sample by sample.
   const std::vector<float>& heard = d.app().extensions().touch_sound.heard();
   const std::size_t a_tick = kSamples_per_s / 1000;

@@ -5,7 +5,7 @@
 
 #include "app/ui/files/file_browser.h"
 #include "engine/molecule/reader.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 using namespace moltact;
 

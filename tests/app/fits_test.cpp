@@ -1,14 +1,19 @@
 // Nothing is cut off: every widget of every page lies in the window that it stands in, at each scale and in each theme.
+#include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <set>
+#include <string>
+#include <vector>
 
-#include "app/ui/panels/actions.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/actions.h"
+#include "app/ui/panels/panels.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/folders.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -30,7 +35,7 @@ const std::string kLongTitle = "A lesson of a length that a title may have";
 
 struct Page {
   std::string name;
-  std::function<void(Driver&)> show;
+  std::function<void(ScriptedUser&)> show;
 };
 
 // A lesson with an aside, locks and colours by chain; a copy of it with mistakes; an attempt.
@@ -60,47 +65,55 @@ const std::string& fileOf(std::string Files::*member) {
   return files.*member;
 }
 
-void beginTurns(Driver& d) {
+void beginTurns(ScriptedUser& d) {
   d.app().extensions().turns.begin(d.app(), {"Ana with a long second name", "Bo", "Carla"}, 60.0);
   d.frames(3);
 }
 
-const Page kPages[] = {
-    {"lesson", [](Driver&) {}},
-    {"touch details", [](Driver& d) { d.app().panels.touch_details = true; }},
-    {"methods", [](Driver& d) { d.app().panels.showMethods(true); }},
+// What a flag of its own opens comes from the table of panels.
+const Page kStates[] = {
+    {"lesson", [](ScriptedUser&) {}},
+    {"touch details", [](ScriptedUser& d) { d.app().panels.touch_details = true; }},
+    {"methods", [](ScriptedUser& d) { d.app().panels.showMethods(true); }},
     {"message",
-     [](Driver& d) {
+     [](ScriptedUser& d) {
        d.app().messages.error("benzene.pdb:12:3: this is no number; write one there and open the file again");
      }},
-    {"controls", [](Driver& d) { d.app().panels.controls_page = true; }},
-    {"about", [](Driver& d) { d.app().panels.about_page = true; }},
-    {"preferences", [](Driver& d) { d.app().panels.preferences_page = true; }},
-    {"device", [](Driver& d) { d.app().panels.device_page = true; }},
-    {"open", [](Driver& d) { d.app().panels.open_page = true; }},
-    {"file", [](Driver& d) { d.app().askForPictureAs(); }},
-    {"welcome", [](Driver& d) { d.app().panels.welcome = true; }},
-    {"legend", [](Driver& d) { d.app().settings.colour_blind_safe = true; }},
-    {"all force stopped", [](Driver& d) { d.app().scene.servo_settings.panic = true; }},
-    {"turns page", [](Driver& d) { d.app().panels.turns_page = true; }},
+    {"file", [](ScriptedUser& d) { d.app().askForPictureAs(); }},
+    {"legend", [](ScriptedUser& d) { d.app().settings.colour_blind_safe = true; }},
+    {"all force stopped", [](ScriptedUser& d) { d.app().scene.servo_settings.panic = true; }},
     {"hand over", beginTurns},
-    {"turns strip", [](Driver& d) { beginTurns(d), d.app().extensions().turns.start(d.app()); }},
-    {"playback", [](Driver& d) { d.app().open(fileOf(&Files::attempt)); }},
-    {"locks, touch", [](Driver& d) { d.app().open(fileOf(&Files::lesson)), d.app().panels.lesson_first = false; }},
-    {"aside", [](Driver& d) { d.app().open(fileOf(&Files::lesson)), d.app().lesson.follow("#aside-more"); }},
-    {"mistakes", [](Driver& d) { d.app().open(fileOf(&Files::wrong)), d.app().panels.lesson_problems = true; }},
+    {"turns strip", [](ScriptedUser& d) { beginTurns(d), d.app().extensions().turns.start(d.app()); }},
+    {"playback", [](ScriptedUser& d) { d.app().open(fileOf(&Files::attempt)); }},
+    {"locks, touch",
+     [](ScriptedUser& d) { d.app().open(fileOf(&Files::lesson)), d.app().panels.lesson_first = false; }},
+    {"aside", [](ScriptedUser& d) { d.app().open(fileOf(&Files::lesson)), d.app().lesson.follow("#aside-more"); }},
+    {"mistakes", [](ScriptedUser& d) { d.app().open(fileOf(&Files::wrong)), d.app().panels.lesson_problems = true; }},
 };
 
-void closeAll(Driver& d) {
+void closePages(PanelState& panels) {
+  for (const Panel& panel : allPanels())
+    if (panel.page) panels.*panel.page = false;
+}
+
+std::vector<Page> pages() {
+  std::vector<Page> out(std::begin(kStates), std::end(kStates));
+  for (const Panel& panel : allPanels())
+    if (panel.page)
+      out.push_back({std::string(panel.name), [&panel](ScriptedUser& d) { d.app().panels.*panel.page = true; }});
+  return out;
+}
+
+void closeAll(ScriptedUser& d) {
   PanelState& p = d.app().panels;
   for (int k = 0; k < 2; ++k) {
     d.tap("Escape");
-    p.welcome = p.controls_page = p.about_page = p.preferences_page = p.open_page = p.device_page = p.turns_page =
-        false;
+    closePages(p);
     d.app().file_dialog.close();
     d.frames(2);
   }
-  p.welcome = p.lesson_problems = false;
+  closePages(p);
+  p.lesson_problems = false;
   p.showMethods(false);
   d.app().settings.colour_blind_safe = d.app().scene.servo_settings.panic = false;
   if (d.app().extensions().turns.on()) d.app().extensions().turns.end(d.app());
@@ -110,8 +123,8 @@ void closeAll(Driver& d) {
   d.frames(2);
 }
 
-void checkAllPages(Driver& d, glm::vec2 window) {
-  for (const Page& page : kPages) {
+void checkAllPages(ScriptedUser& d, glm::vec2 window) {
+  for (const Page& page : pages()) {
     page.show(d);
     d.frames(5);
     REQUIRE_FALSE(widgets().all().empty());
@@ -123,9 +136,32 @@ void checkAllPages(Driver& d, glm::vec2 window) {
 
 }  // namespace
 
+TEST_CASE("each page but the file dialog's is opened by a flag of its own, which shows widgets, and Escape closes it") {
+  auto d = startWith("argon");
+  std::vector<bool PanelState::*> flags;
+  for (const Panel& panel : allPanels()) {
+    CAPTURE(panel.name);
+    CHECK(bool(panel.page) == (panel.name.ends_with("Page") && panel.name != "FilePage"));
+    if (!panel.page) continue;
+    CHECK(std::find(flags.begin(), flags.end(), panel.page) == flags.end());
+    flags.push_back(panel.page);
+    std::set<std::string> before;
+    for (const auto& [name, record] : widgets().all()) before.insert(name);
+    d->app().panels.*panel.page = true;
+    d->frames(5);
+    std::size_t fresh = 0;
+    for (const auto& [name, record] : widgets().all()) fresh += !before.contains(name);
+    CHECK(fresh > 0);
+    d->tap("Escape");
+    d->frames(3);
+    CHECK_FALSE(d->app().panels.*panel.page);
+  }
+  CHECK(flags.size() == 7);
+}
+
 TEST_CASE("on every page at 100 % and 200 % of 1280x800, in every theme, every widget lies inside its panel") {
   for (const double scale : {1.0, 2.0}) {
-    Driver::Options options;
+    ScriptedUser::Options options;
     options.content_scale = scale;
     auto d = startWith("", options);
     openFirst(*d);
@@ -140,7 +176,7 @@ TEST_CASE("on every page at 100 % and 200 % of 1280x800, in every theme, every w
 }
 
 TEST_CASE("on every page of a small and of a large window at 150 % every widget lies inside its panel") {
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.content_scale = 1.5;
   auto d = startWith("", options);
   openFirst(*d);
@@ -171,7 +207,7 @@ TEST_CASE("in every language no text of a page at 1280x800 sticks out, nor is on
     d->frames(3);
     REQUIRE(moltact::language() == language.code);
     CAPTURE(language.code);
-    for (const Page& page : kPages) {
+    for (const Page& page : pages()) {
       page.show(*d);
       d->frames(5);
       CAPTURE(page.name);

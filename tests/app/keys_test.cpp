@@ -4,7 +4,7 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/key_focus.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -18,7 +18,7 @@ std::set<std::string> controls() {
 }
 
 // Where Tab leads until the keys are at the molecule again.
-std::vector<std::string> tabbed(Driver& d, const char* key = "Tab") {
+std::vector<std::string> tabbed(ScriptedUser& d, const char* key = "Tab") {
   std::vector<std::string> out;
   for (int k = 0; k < 200; ++k) {
     d.tap(key);

@@ -7,7 +7,7 @@
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -50,7 +50,7 @@ TEST_CASE("German is chosen in the preferences and holds at once, with a decimal
 
 TEST_CASE("a touch is told in German as in English, atom for atom") {
   const EnglishAgain at_end;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.language = "de";
   auto d = startWith("argon", options);
   CHECK(d->text("menu/file") == "Datei");
@@ -67,7 +67,7 @@ TEST_CASE("a touch is told in German as in English, atom for atom") {
 TEST_CASE("what is asked for at the start stands before the settings until another language is chosen") {
   const EnglishAgain at_end;
   Scratch scratch;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.settings_file = scratch.file("settings.json", R"({"language": "de"})");
   ::unsetenv("MOLTACT_LANGUAGE");
   { CHECK(startWith("argon", options)->text("menu/file") == "Datei"); }

@@ -8,7 +8,7 @@
 
 #include "app/ui/extensions/extensions.h"
 #include "engine/results/attempt_file.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 using namespace moltact;
 
@@ -78,7 +78,7 @@ TEST_CASE("what is done before and after a lesson is read again stands in one at
   AuthorFolder scratch;
   const fs::path file = scratch / "mine.md", attempts = scratch / "attempts";
   save(file, kHead + kOne + kTwo);
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.attempts_folder = attempts;
   {
     auto d = startWith(file.string(), options);
@@ -241,7 +241,7 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   app.scene.servo_settings.probe_A = 1.0;
   app.scene.servo_settings.stiffness_N_per_mm = 1.0;
   app.scene.useMethod("penalty");
-  app.scene.shown.set(Shape::Cones, true);
+  app.scene.shown.set(ViewPart::Cones, true);
   app.panels.showMethods(true);
   app.panels.lesson = false;
   d->frames(2);
@@ -249,7 +249,7 @@ TEST_CASE("what a lesson locks stays as it is set, whatever changes it") {
   CHECK(app.scene.servo_settings.probe_A == 2.0);
   CHECK(app.scene.servo_settings.stiffness_N_per_mm == 0.5);
   CHECK(app.scene.method() == "exact");
-  CHECK_FALSE(app.scene.shown.has(Shape::Cones));
+  CHECK_FALSE(app.scene.shown.has(ViewPart::Cones));
   CHECK(app.layout().touch.empty());
   CHECK_FALSE(app.layout().lesson.empty());
   app.lesson.next();

@@ -17,7 +17,7 @@ constexpr double kSeen = 0.5;    // a slide goes on while the surface looks at t
 constexpr double kSame_A = 0.1;  // sideways: nearer than this a plan only pushes deeper
 
 // With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
-void takePicture(Driver& d, const std::string& name) {
+void takePicture(ScriptedUser& d, const std::string& name) {
   const char* folder = std::getenv("MOLTACT_LESSON_PICTURES");
   if (!folder) return;
   d.closeEyes(false);

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "app/ui/shell/driver.h"
+#include "app/ui/shell/scripted_user.h"
 #include "engine/lesson/session.h"
 
 namespace moltact {
@@ -12,7 +12,7 @@ namespace moltact {
 class LessonHand {
  public:
   enum class By { Mouse, Keyboard };
-  LessonHand(Driver& driver, By by) : d_(driver), by_(by) {}
+  LessonHand(ScriptedUser& driver, By by) : d_(driver), by_(by) {}
 
   /// Does every task and answers every question of the lesson that is open. True when it was finished.
   bool finishLesson();
@@ -46,7 +46,7 @@ class LessonHand {
   void holdArrows(glm::ivec2 way);
   double N_per_A() const;
 
-  Driver& d_;
+  ScriptedUser& d_;
   By by_;
   bool pressing_ = false;
   double pushed_N_ = 0.0;

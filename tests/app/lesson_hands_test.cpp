@@ -1,6 +1,6 @@
 // Every shipped lesson in the window, on the frames' clock: once with the mouse alone and once with the keyboard alone.
-#include "tests/app/driver_fixture.h"
 #include "tests/app/lesson_hand.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {

@@ -2,18 +2,18 @@
 #include <cmath>
 
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
 constexpr const char* kLesson = MOLTACT_SOURCE_DIR "/tests/app/keyboard_lesson.md";
 
-LessonSession& session(Driver& d) { return *d.app().lesson.session(); }
+LessonSession& session(ScriptedUser& d) { return *d.app().lesson.session(); }
 
 /// Holds keys until something is so, at most 6 s of the frames' clock. True when it came to be.
 template <class Until>
-bool holdUntil(Driver& d, const char* keys, Until until) {
+bool holdUntil(ScriptedUser& d, const char* keys, Until until) {
   d.hold(keys);
   int frames = 0;
   while (!until() && ++frames < 360) d.frames(1);
@@ -21,18 +21,18 @@ bool holdUntil(Driver& d, const char* keys, Until until) {
   return until();
 }
 template <class Until>
-bool waitUntil(Driver& d, Until until) {
+bool waitUntil(ScriptedUser& d, Until until) {
   int frames = 0;
   while (!until() && ++frames < 360) d.frames(1);
   return until();
 }
 
-auto taskDone(Driver& d, std::size_t task) {
+auto taskDone(ScriptedUser& d, std::size_t task) {
   return [&d, task] { return session(d).task(task).done; };
 }
 
 /// Leaves the surface and goes to the next step.
-void goOn(Driver& d, const char* id) {
+void goOn(ScriptedUser& d, const char* id) {
   REQUIRE_MESSAGE(session(d).stepDone(), session(d).step().id);
   d.tap("Alt+Right");
   d.frames(10);
@@ -40,7 +40,7 @@ void goOn(Driver& d, const char* id) {
 }
 
 /// Finds the task's button under the key and tells it.
-void tell(Driver& d, const char* key) {
+void tell(ScriptedUser& d, const char* key) {
   d.tap(key);
   d.frames(2);
 }

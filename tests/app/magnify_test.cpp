@@ -1,6 +1,6 @@
 // A part of the molecule magnified, by hand and by a lesson, told on the screen.
 #include "engine/device/simulated_device.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -41,10 +41,10 @@ locked: magnify
 All of it.
 )";
 
-double scale(Driver& d) { return d.app().scene.servo_settings.workspace.A_per_mm; }
+double scale(ScriptedUser& d) { return d.app().scene.servo_settings.workspace.A_per_mm; }
 
 // Where the probe is in the picture (unit: pixel of the view).
-glm::dvec2 probePixel(Driver& d) {
+glm::dvec2 probePixel(ScriptedUser& d) {
   const auto size = d.app().layout().view.size();
   const Vec3 px = d.app().scene.camera.project(d.app().scene.log().latest().hip, int(size.x), int(size.y));
   return {px.x, px.y};

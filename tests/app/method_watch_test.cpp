@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace moltact {
 namespace {
@@ -39,13 +40,27 @@ TEST_CASE("of 900 ticks of 0.2 us and 100 of 20 us the median is 0.2 us and the 
   CHECK(h.quantile_us(0.5) > TickHistogram::kMost_us / bin);
 }
 
+TEST_CASE(
+    "tick times of 1e37 us and infinity count at the axis' far end, 1e-37 us at its near end, and NaN and negative "
+    "ones not at all") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  TickHistogram h;
+  for (const double none : {std::nan(""), -1.0, -1e37, -kInfinity, 0.0}) h.add(none);
+  CHECK(h.empty());
+  for (const double long_us : {51.0, 1e37, 1.7e308, kInfinity}) h.add(long_us);
+  CHECK(h.share(TickHistogram::kBins - 1) == 1.0);
+  for (const double short_us : {0.04, 1e-37, 5e-324, 0.04}) h.add(short_us);
+  CHECK(h.share(TickHistogram::kBins - 1) == 0.5);
+  CHECK(h.share(0) == 0.5);
+}
+
 TEST_CASE("the error against the exact SCP is the distance of the two, and 0 where the method is exact") {
   const Stage stage = oneBall();
   MethodWatch watch;
   watch.begin(stage, 1.4);
   ServoSample s;
   s.probe_A = 1.4;
-  s.has_tracker = true;
+  s.has_interaction = true;
   const auto tick = [&](Vec3 hip, Vec3 scp, const char* method) {
     s.hip = {hip};
     s.contact.scp = {scp};
@@ -78,7 +93,7 @@ TEST_CASE("a hand that is placed anew takes the exact tracker with it") {
   const Method& m = *findMethod("paper");
   ServoSample s;
   s.probe_A = 1.4;
-  s.has_tracker = true;
+  s.has_interaction = true;
   const auto tick = [&](Vec3 hip) {
     s.hip = s.contact.scp = {hip};
     return watch.add(s, m);

@@ -1,5 +1,5 @@
 // The panel that compares methods, used as a student would.
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -12,8 +12,8 @@ namespace fs = std::filesystem;
 
 const std::string kLesson = MOLTACT_SOURCE_DIR "/lessons/first-touch.md";
 
-Driver::Options small(const fs::path& folder = {}) {
-  Driver::Options options;
+ScriptedUser::Options small(const fs::path& folder = {}) {
+  ScriptedUser::Options options;
   options.width = 1000;
   options.height = 600;
   options.application.attempts_folder = folder;
@@ -114,7 +114,7 @@ TEST_CASE("files that are no attempts, and a molecule that is not there, are tol
   CHECK(contains(driver->text("message/0"), "it is no attempt at a lesson"));
   AttemptHeader header = sampleHeader();
   std::vector<AttemptEvent> events = sampleEvents();
-  std::get<StageSet>(events[1].what).file = "nowhere.pdb";
+  std::get<StageChanged>(events[1].what).file = "nowhere.pdb";
   std::string bytes = lineOf(header);
   for (const AttemptEvent& e : events) bytes += lineOf(e);
   writeFile(scratch.path / "lost.jsonl", bytes);
@@ -129,7 +129,7 @@ TEST_CASE(
     "molecule is seen as before") {
   const ScratchFolder scratch;
   const fs::path file = scratch.path / "far.jsonl";
-  StageSet stage = std::get<StageSet>(sampleEvents()[1].what);
+  StageChanged stage = std::get<StageChanged>(sampleEvents()[1].what);
   std::string bytes = lineOf(sampleHeader()) + lineOf({0.0, stage});
   HipChunk chunk;
   for (int k = 0; k < 5; ++k) {
@@ -141,8 +141,8 @@ TEST_CASE(
     s.atoms = {k == 2 ? 2147483647 : 5, -1, -1};
     chunk.samples.push_back(s);
   }
-  bytes += lineOf({0.4, chunk}) + lineOf({0.5, ViewRotated{{0.5, 0.5, 0.5, 0.5}, {2e9, -2e9, 2e9}, 1e8}}) +
-           lineOf({3e7, ViewRotated{{1, 0, 0, 0}, {2e9, 0, 0}, 0.1}});
+  bytes += lineOf({0.4, chunk}) + lineOf({0.5, ViewChanged{{0.5, 0.5, 0.5, 0.5}, {2e9, -2e9, 2e9}, 1e8}}) +
+           lineOf({3e7, ViewChanged{{1, 0, 0, 0}, {2e9, 0, 0}, 0.1}});
   bytes +=
       R"({"kind":"trace","t":0.6,"from":0.6,"ms":[0],"feature":"S","hip":[30,29,14],"scp":[30,29,14],"force":[1e37,0,0],"atoms":[[0,5]]})"
       "\n";

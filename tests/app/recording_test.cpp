@@ -5,12 +5,12 @@
 #include "app/ui/extensions/extensions.h"
 #include "engine/haptics/methods.h"
 #include "engine/molecule/reader.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-bool told(Driver& d, const std::string& part) {
+bool told(ScriptedUser& d, const std::string& part) {
   for (const Message& m : d.app().messages.all())
     if (contains(m.text, part)) return true;
   return false;
@@ -58,7 +58,7 @@ TEST_CASE(
     "Record on the device page asks for a file and records into it; the words over the view lead back to the page, "
     "where it is stopped") {
   const Scratch scratch;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.height = 1300;  // the whole page
   options.application.picture_folder = scratch.folder;
   auto d = startWith("1ubq", options);

@@ -2,7 +2,7 @@
 #include "app/ui/extensions/scene_change.h"
 
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/scene/view_controls.h"
+#include "engine/haptics/methods.h"
 #include "engine/servo/plain_trackers.h"
 
 namespace moltact {
@@ -22,7 +24,7 @@ struct Log {
   std::vector<std::string> calls;
   bool plugged = true;
   int reads = 0;
-  TickTarget* clock = nullptr;  // whoever is to be ticked by it
+  ClockListener* clock = nullptr;  // whoever is to be ticked by it
 };
 
 class Logged final : public Device {
@@ -47,7 +49,7 @@ class Logged final : public Device {
     log_.calls.emplace_back(text);
   }
   void stop() noexcept override { log_.calls.push_back("stop"); }
-  bool startClock(TickTarget& target) override {
+  bool startClock(ClockListener& target) override {
     log_.clock = &target;
     return true;
   }
@@ -66,7 +68,7 @@ Log* ticked = nullptr;
 std::int64_t virtualNow() { return now_ns.load(); }
 void pass() {
   now_ns += kPeriod_ns;
-  if (ticked->clock) ticked->clock->tickOfDevice();
+  if (ticked->clock) ticked->clock->onDeviceTick();
 }
 void virtualSleep(std::int64_t due_ns) {
   if (std::this_thread::get_id() != owner) return sleepUntil(monotonic_ns() + kPeriod_ns);  // it only watches
@@ -77,6 +79,7 @@ void virtualSleep(std::int64_t due_ns) {
 struct Loop {
   std::function<void(const ServoSettings&)> settings;
   std::function<void(std::unique_ptr<Interaction>)> feel;
+  std::function<bool(std::shared_ptr<const SphereMotion>)> move;
   std::function<void(std::unique_ptr<Device>)> hold;
   std::function<void(bool)> record;
   std::function<void()> end;
@@ -125,6 +128,18 @@ void play(const Loop& loop, Log& log) {
   ticks(20);
   loop.feel(wall());
   ticks(900);
+  // A ball that rises and sinks under the hand, frame by frame, as they are taken.
+  std::vector<Ball> ball{{{0, 0, -3.0}, 1.6}};
+  loop.feel(findMethod("exact")->make(std::make_shared<BallScene>(ball), kWaterProbe_A));
+  std::shared_ptr<const SphereMotion> next;
+  for (int k = 0, begun = 0; k < 900; ++k) {
+    if (!next) {
+      const std::vector<Ball> from = std::exchange(ball, {{{0, 0, -3.0 + 0.3 * std::sin(0.5 * ++begun)}, 1.6}});
+      next = *SphereMotion::make(from, ball, 33);
+    }
+    if (loop.move(next)) next.reset();
+    ticks(1);
+  }
   loop.end();
   ticks(40);
 }
@@ -141,6 +156,7 @@ std::vector<std::string> ofTheThread() {
     // Until a device brings its clock the thread's own would tick, by the wall's time: there is nothing to be felt yet.
     play({[&](const ServoSettings& s) { thread.loop().setSettings(s); },
           [&](std::unique_ptr<Interaction> felt) { thread.loop().setInteraction(std::move(felt)); },
+          [&](std::shared_ptr<const SphereMotion> frame) { return thread.loop().setMotion(std::move(frame)); },
           [&](std::unique_ptr<Device> device) { thread.setDevice(std::move(device)); },
           [&](bool on) { thread.record(on); }, [&] { thread.endForce(); },
           [&] {
@@ -159,6 +175,7 @@ std::vector<std::string> ofTheFrames() {
     ServoLink link(ServoClock::Frames);
     play({[&](const ServoSettings& s) { link.setSettings(s); },
           [&](std::unique_ptr<Interaction> felt) { link.setInteraction(std::move(felt)); },
+          [&](std::shared_ptr<const SphereMotion> frame) { return link.setMotion(std::move(frame)); },
           [&](std::unique_ptr<Device> device) { link.setDevice(std::move(device)); }, [&](bool on) { link.record(on); },
           [&] { link.endForce(); }, [&] { link.advance(kTick_s); }},
          log);
@@ -169,11 +186,11 @@ std::vector<std::string> ofTheFrames() {
 }  // namespace
 
 TEST_CASE(
-    "F9, a window that stands, a plug that is pulled, another device, another scene, a recording and the end: the "
-    "thread "
-    "and the frames give a device the same in each of 10 000 calls") {
+    "F9, a window that stands, a plug that is pulled, another device, another scene, a recording, spheres that move "
+    "and "
+    "the end: the thread and the frames give a device the same in each of 11 000 calls") {
   const std::vector<std::string> frames = ofTheFrames(), thread = ofTheThread();
-  CHECK(frames.size() > 9'000);
+  CHECK(frames.size() > 10'000);
   CHECK(frames.size() == thread.size());
   std::size_t stops = 0, forces = 0;
   for (std::size_t k = 0; k < std::min(frames.size(), thread.size()); ++k) {
@@ -183,7 +200,51 @@ TEST_CASE(
     forces += frames[k] != "stop" && frames[k] != "closed" && frames[k] != "0x0p+0 0x0p+0 0x0p+0";
   }
   CHECK(stops >= 30);
-  CHECK(forces > 3'000);
+  CHECK(forces > 4'000);
+}
+
+TEST_CASE(
+    "a body in the hand is turned by mouse and keys: 100 px to the right and 0.5 s of an arrow up turn it by 0.8 and "
+    "-0.7 rad; a point and a new scene are not turned") {
+  struct Body final : Tracker {
+    Contact step(PointA hip) noexcept override { return {.scp = hip}; }
+    void reset() noexcept override {}
+    void setProbe(double) noexcept override {}
+    double probe_A() const noexcept override { return kWaterProbe_A; }
+    MemoryUsage memoryUsage() const noexcept override { return {}; }
+    bool hasOrientation() const noexcept override { return true; }
+  };
+  ServoLink link(ServoClock::Frames);
+  link.setInteraction(std::make_unique<WallTracker>(0.0));
+  CHECK_FALSE(link.hasOrientation());
+  link.setInteraction(std::make_unique<Body>());
+  REQUIRE(link.hasOrientation());
+  const BallScene balls({{{0, 0, 0}, 1.6}});
+  ServoSettings settings;
+  // The device's axes are the molecule's turned by a quarter round z; the camera looks as it is made.
+  settings.workspace.rotation = glm::dmat3(Vec3(0, 1, 0), Vec3(-1, 0, 0), Vec3(0, 0, 1));
+  link.setSettings(settings);
+  ViewControls controls;
+  Camera camera;
+  controls.begin(camera, {}, settings.workspace, 10.0, link.mouse());
+  link.advance(0.2);
+  ViewInput drag, key;
+  drag.size_px = key.size_px = {800, 600};
+  drag.hand_px = {100, 0};
+  key.hand_keys = {0, 1};
+  key.dt_s = 0.01;
+  controls.update(drag, camera, &balls, settings, false, 0.0, link.mouse());
+  link.advance(0.5);
+  // Of the pose in the molecule's space: first the device's own quarter, then 0.8 rad round the screen's upright axis.
+  const Quat quarter = glm::quat_cast(settings.workspace.rotation);
+  CHECK(glm::length(rotationBetween(glm::angleAxis(0.8, camera.up()) * quarter, link.newest().orientation)) < 1e-3);
+  for (int k = 0; k < 50; ++k) controls.update(key, camera, &balls, settings, false, 0.0, link.mouse());
+  link.advance(0.5);
+  const Quat both = glm::angleAxis(-0.7, camera.right()) * glm::angleAxis(0.8, camera.up()) * quarter;
+  CHECK(glm::length(rotationBetween(both, link.newest().orientation)) < 1e-3);
+  controls.begin(camera, {}, settings.workspace, 10.0, link.mouse());
+  link.advance(0.8);
+  CHECK(glm::length(rotationBetween(quarter, link.newest().orientation)) < 1e-3);
 }
 
 }  // namespace moltact

@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -47,7 +47,7 @@ TEST_CASE("sound is off at first; switched on, 1 s without touch is silent and a
 
 TEST_CASE("without a sound card sound that is switched on is told once, and once more when it is switched on again") {
   setenv("ALSOFT_DRIVERS", "none", 1);
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.clock = ServoClock::RealThread;
   auto d = startWith("argon-pair", options);
   const auto told = [&] {

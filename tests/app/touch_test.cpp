@@ -1,11 +1,11 @@
 // Touching through the window, on the frames' clock.
 #include "engine/haptics/methods.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-double notch_A(Driver& d) {
+double notch_A(ScriptedUser& d) {
   const ServoSettings& s = d.app().scene.servo_settings;
   return PointerHand::kNotch_N / (s.stiffness_N_per_mm / s.workspace.A_per_mm);
 }
@@ -152,7 +152,7 @@ TEST_CASE("a hand that is placed inside is told to come out once") {
 
 TEST_CASE("a new molecule begins without what was felt of the old one, on the frames' clock and with the real thread") {
   for (const ServoClock clock : {ServoClock::Frames, ServoClock::RealThread}) {
-    Driver::Options options;
+    ScriptedUser::Options options;
     options.application.clock = clock;
     auto d = startWith("1ubq", options);
     d->point("view");
@@ -178,7 +178,7 @@ TEST_CASE("a new molecule begins without what was felt of the old one, on the fr
 }
 
 TEST_CASE("with the real haptic thread a press of 2 s touches") {
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.clock = ServoClock::RealThread;
   auto d = startWith("1ubq", options);
   d->point("view");

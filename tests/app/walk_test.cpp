@@ -6,7 +6,7 @@
 #include <cstdlib>
 
 #include "app/ui/extensions/extensions.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 #include "tests/results/sample_attempt.h"
 
 namespace moltact {
@@ -47,7 +47,7 @@ struct ClassFolder {
   int saves_ = 0;
 };
 
-void runAll(Driver& d, const std::string& script, const char* part) {
+void runAll(ScriptedUser& d, const std::string& script, const char* part) {
   const std::optional<Problem> problem = d.run(script, part);
   REQUIRE_MESSAGE(!problem, problem->text());
 }
@@ -80,7 +80,7 @@ TEST_CASE(
     "a student goes from the welcome page through a step, a wrong and a right answer, a hint and the preferences; his "
     "lesson is reloaded, his class reported") {
   ClassFolder klass;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.attempts_folder = klass.attempts;
   auto d = startWith("", options);
   d->app().settings.lesson_folder = klass.lesson.parent_path().string();

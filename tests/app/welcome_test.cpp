@@ -5,12 +5,12 @@
 #include "app/ui/files/library.h"
 #include "engine/lesson/reader.h"
 #include "engine/results/attempt_lines.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
 
-std::unique_ptr<Driver> startAtWelcome(Driver::Options options = {}) {
+std::unique_ptr<ScriptedUser> startAtWelcome(ScriptedUser::Options options = {}) {
   auto d = startWith("", std::move(options));
   d->app().panels.welcome = true;
   d->frames(60);
@@ -72,7 +72,7 @@ TEST_CASE("while the welcome page is open the hand feels nothing") {
 
 TEST_CASE("pictures of cards are drawn once and found in the cache at the next start; a broken one is drawn anew") {
   Scratch scratch;
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.cache_folder = scratch.folder / "cache";
   std::size_t drawn = 0;
   {
@@ -125,7 +125,7 @@ TEST_CASE("a lesson that was left at its third step is offered first and goes on
   lines += lineOf(AttemptEvent{1.0, StepEntered{reading.lesson->steps[2].id}});
   lines += lineOf(AttemptEvent{2.0, ProgressMade{reading.lesson->steps[2].id, 2, parts}});
   scratch.file("attempt.jsonl", lines);
-  Driver::Options options;
+  ScriptedUser::Options options;
   options.application.attempts_folder = scratch.folder;
   auto d = startAtWelcome(options);
   CHECK(contains(d->text("welcome/next"), "Go on with First touch"));

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The real window under a virtual X server: starts, takes keys and the mouse, shows something, and ends with status 0.
+# The real window under a virtual X server: starts, takes keys and the mouse, shows something, goes by what the keys write
+# on a French keyboard, and ends with status 0.
 # Arguments: the program, a molecule.
 set -eu
 export MOLTACT_LANGUAGE=en
@@ -24,10 +25,23 @@ sleep 1
 xdotool mouseup 1 key --window "$window" F1
 sleep 1
 xdotool key --window "$window" Escape
-import -window "$window" "$3/window.png"
-colours=$(identify -format '%k' "$3/window.png")
+# A busy machine takes its time for the first pictures.
+for attempt in $(seq 30); do
+  import -window "$window" "$3/window.png"
+  colours=$(identify -format '%k' "$3/window.png")
+  [ "$colours" -gt 50 ] && break
+  sleep 1
+done
 [ "$colours" -gt 50 ] || { echo "the window shows only $colours colours"; kill "$pid"; exit 1; }
+# On AZERTY the A stands where a keyboard of the United States has the Q, and the other way round.
+setxkbmap fr
+sleep 1
+xdotool key --window "$window" ctrl+a
+sleep 1
+xdotool search --onlyvisible --name '^Moltact$' > /dev/null || { echo "on a French keyboard Ctrl+A ended the program"; exit 1; }
 xdotool key --window "$window" ctrl+q
-wait "$pid"
+(sleep 60; kill "$pid") >/dev/null 2>&1 & late=$!
+wait "$pid" || { echo "on a French keyboard Ctrl+Q did not end the program with status 0"; exit 1; }
+kill "$late"
 INSIDE
 xvfb-run -a -s '-screen 0 1280x800x24' sh "$work/inside.sh" "$program" "$molecule" "$work"

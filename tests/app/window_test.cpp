@@ -5,7 +5,7 @@
 
 #include "app/ui/files/settings.h"
 #include "app/ui/scene/loader.h"
-#include "tests/app/driver_fixture.h"
+#include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
 namespace {
@@ -204,11 +204,26 @@ TEST_CASE("the probe's slider sets the radius, and the shape switches change the
   CHECK(d->app().scene.servo_settings.probe_A == doctest::Approx(4.0));
   CHECK(d->text("probe") == "4.0\u00a0Å");
   const Picture before = d->picture();
-  const bool spheres = d->app().scene.shown.has(Shape::Spheres);
+  const bool spheres = d->app().scene.shown.has(ViewPart::Spheres);
   CHECK(d->click("show/spheres"));
-  CHECK(d->app().scene.shown.has(Shape::Spheres) != spheres);
+  CHECK(d->app().scene.shown.has(ViewPart::Spheres) != spheres);
   d->frames(20);
   CHECK(difference(before, d->picture()) > 0.002);
+}
+
+TEST_CASE(
+    "a number of a script that is none, or that no window and no patience holds, ends it with its line and range") {
+  auto d = startWith();
+  CHECK_FALSE(d->run("size 400 300\nwheel -2\ndrag view 5 -5 right\nwait 2\npoint view 0.5 0.5\n", "s"));
+  for (const char* act :
+       {"size 1e300 300", "size 400 -1", "size 400 nan", "scale 0", "text-size 1e37", "drag view 1e300 0",
+        "point view inf 0", "wheel -1e37", "wait 1e37", "wait -1", "wait for it", "wait 0x10"}) {
+    CAPTURE(std::string(act));
+    const auto problem = d->run(std::string("wait 1\n") + act + "\n", "s");
+    REQUIRE(problem);
+    CHECK(problem->line == 2);
+    CHECK(contains(problem->message, "is no number from "));
+  }
 }
 
 TEST_CASE("Ctrl+Q leaves") {

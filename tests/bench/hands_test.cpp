@@ -70,7 +70,7 @@ struct Wrong {
   }
 };
 
-Felt feltWith(double turn_deg, double scale) {
+FeltErrors feltWith(double turn_deg, double scale) {
   static constexpr Method kWrong{"wrong", "", &Wrong::make};
   Wrong::turn_deg = turn_deg, Wrong::scale = scale;
   StrokePlan plan;
@@ -132,9 +132,51 @@ TEST_CASE(
   CHECK(refused("# columns: t x y\n1 2 3\n").line == 1);
   CHECK(refused("# unit: inch\n1 2 3\n").message.find("inch") != std::string::npos);
   CHECK(refused("# tick_s: 0\n1 2 3\n").message.find("tick_s") != std::string::npos);
-  CHECK(refused("0 1 2 3\n1e9 1 2 3\n").message.find("day") != std::string::npos);
+  CHECK(refused("0 1 2 3\n25000 1 2 3\n").message.find("25 000 s") != std::string::npos);
+  CHECK(refused("0 1 2 3\n1e300 1 2 3\n").message.find("25 000 s") != std::string::npos);
+  CHECK(refused("-1e308 1 2 3\n1e308 1 2 3\n").message.find("25 000 s") != std::string::npos);
   CHECK(refused("only words\n").message.find("no row") != std::string::npos);
   CHECK_FALSE(readHandPath("/nowhere/at-all.txt"));
+}
+
+TEST_CASE(
+    "what would take much memory or lead nowhere is refused with its line: places beyond 1e9 mm, a line of 65 KiB, "
+    "1001 "
+    "labels; 1e9 mm and 1000 labels are read") {
+  CHECK(read("1 2 3\n1 -1e9 3\n").places.size() == 2);
+  CHECK(refused("1 2 3\n1 -1.1e9 3\n").line == 2);
+  CHECK(refused("# unit: m\n1 2 3\n1 1.7e308 3\n").line == 3);
+  CHECK(refused("1 2 3\n1 2 3" + std::string(65 << 10, ' ') + "4\n").line == 2);
+  std::string labels;
+  for (int k = 0; k < 1000; ++k) labels += "# k" + std::to_string(k) + ": v\n";
+  CHECK(read(labels + "1 2 3\n").labels.size() == 1000);
+  CHECK(refused(labels + "1 2 3\n# one: more\n").line == 1002);
+}
+
+TEST_CASE("a way of 10 rows a second is written a row a tick, and read back it lasts as long") {
+  const HandPath path = read("# tick_s: 0.1\n# time_unit: s\n1 2 3\n2 2 3\n");
+  REQUIRE(path.places.size() == 101);
+  CHECK(read(textOf(path)).places.size() == 101);
+}
+
+TEST_CASE(
+    "of a recording whose hand is first no place, then at 1 A, then NaN, 1e300 A and at 2 A, the way is 1, 1, 1, 2 A, "
+    "and reads back") {
+  ServoRecording recording;
+  for (const double x : {std::nan(""), 1.0, std::nan(""), 1e300, 2.0}) {
+    RecordedTick tick;
+    tick.settings.workspace.A_per_mm = 1.0;
+    tick.settings.probe_A = 1e5;
+    tick.pose.position.mm = {x, 0, 0};
+    recording.ticks.push_back(tick);
+  }
+  const HandPath path = handPathOf(recording, "odd", nullptr);
+  REQUIRE(path.places.size() == 4);
+  CHECK(path.touched.size() == 4);
+  for (const std::size_t k : {0u, 1u, 2u}) CHECK(path.places[k].x == doctest::Approx(1.0));
+  CHECK(path.places[3].x == doctest::Approx(2.0));
+  CHECK(path.probe_A == 20.0);
+  CHECK(read(textOf(path)).places == path.places);
 }
 
 TEST_CASE("a way that was written is read back the same to 0.001 A, with its labels") {
@@ -190,23 +232,23 @@ TEST_CASE(
 TEST_CASE(
     "a force turned by 22 degrees is told beside the picture and not in the dark; one 8 % too large passes 7 "
     "% and not 10 %; neither steps") {
-  const Felt turned = feltWith(22, 1);
+  const FeltErrors turned = feltWith(22, 1);
   CHECK(turned.ticks == 2000);
   CHECK(turned.direction_deg.p50 == doctest::Approx(22).epsilon(1e-6));
   CHECK(turned.direction_seen == 1);
   CHECK(turned.direction_blind == 0);
   CHECK(turned.size == 0);
-  const Felt larger = feltWith(0, 1.08);
+  const FeltErrors larger = feltWith(0, 1.08);
   CHECK(larger.direction_deg.max < 1e-4);
   CHECK(larger.size > 0.9);  // less where the force is under 0.3 N or cut at 3.3 N
   CHECK(larger.size_wide == 0);
   CHECK(larger.steps == 0);
-  const Felt right = feltWith(0, 1);
+  const FeltErrors right = feltWith(0, 1);
   CHECK(right.size + right.off + right.lost + right.steps == 0);
 }
 
 TEST_CASE("two parts of 2000 and 1000 ticks count by their ticks") {
-  Felt a, b;
+  FeltErrors a, b;
   a.ticks = 2000, a.size = 0.3, b.ticks = 1000, b.size = 0;
   CHECK(together("both", {a, b}).size == doctest::Approx(0.2));
   CHECK(together("both", {a, b}).ticks == 3000);

@@ -69,15 +69,15 @@ TEST_CASE("of 1 to 10 000 the mean is 5000.5, p50 5000, p99 9900, p99.99 9999 an
   std::vector<double> values(10'000);
   std::iota(values.begin(), values.end(), 1.0);
   std::reverse(values.begin(), values.end());
-  const Spread s = spreadOf(values);
+  const Statistics s = statisticsOf(values);
   CHECK(s.count == 10'000);
   CHECK(s.mean == doctest::Approx(5000.5));
   CHECK(s.p50 == 5000);
   CHECK(s.p99 == 9900);
   CHECK(s.p9999 == 9999);
   CHECK(s.max == 10'000);
-  CHECK(spreadOf({3, 4}).rms == doctest::Approx(std::sqrt(12.5)));
-  CHECK(spreadOf({}).max == 0);
+  CHECK(statisticsOf({3, 4}).rms == doctest::Approx(std::sqrt(12.5)));
+  CHECK(statisticsOf({}).max == 0);
 }
 
 TEST_CASE(

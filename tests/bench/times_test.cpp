@@ -8,7 +8,7 @@
 #include <random>
 
 #include "engine/bench/clock_step.h"
-#include "engine/bench/cool_ticks.h"
+#include "engine/bench/cold_cache_ticks.h"
 #include "engine/bench/tables.h"
 #include "engine/bench/trade_off_sentences.h"
 
@@ -36,8 +36,8 @@ TradeOff point(const char* method, double tick_ns, double off_A, std::size_t byt
   return p;
 }
 
-CoolTimes cool(const char* method, double sleeping_ns, double thrashed_ns) {
-  CoolTimes c;
+ColdCacheTimes cool(const char* method, double sleeping_ns, double thrashed_ns) {
+  ColdCacheTimes c;
   c.method = findBenchMethod(method);
   c.sleeping_ns.count = c.thrashed_ns.count = 100;
   c.sleeping_ns.p50 = sleeping_ns, c.thrashed_ns.p50 = thrashed_ns;
@@ -81,12 +81,12 @@ TEST_CASE("the sentences name what is faster than exact with its error, and ever
 }
 
 TEST_CASE("what a hand meets is told from the medians, with the share of the millisecond") {
-  const std::string text = coolSentences({cool("exact", 160, 3100), cool("mesh960", 311, 3800)});
+  const std::string text = coldCacheSentences({cool("exact", 160, 3100), cool("mesh960", 311, 3800)});
   CHECK(has(text, "160 ns a tick"));
   CHECK(has(text, "3.10 us"));
   CHECK(has(text, "0.310 % of the millisecond"));
   CHECK(has(text, "`mesh960`, takes 3.80 us"));
-  CHECK(coolSentences({}).empty());
+  CHECK(coldCacheSentences({}).empty());
 }
 
 TEST_CASE("of 3 methods 20 ticks with sleep between and 4 after lost caches are all in contact, and a row each") {
@@ -94,14 +94,15 @@ TEST_CASE("of 3 methods 20 ticks with sleep between and 4 after lost caches are 
   const std::vector<const Method*> methods{findMethod("exact"), findMethod("mesh960"), findBenchMethod("sasmesh05")};
   StrokePlan plan;
   plan.strokes = 2, plan.ticks = 50;
-  const auto times = timeCool(methods, scene, kWaterProbe_A, contactStrokes(scene, kWaterProbe_A, plan), {20, 4}, {});
+  const auto times =
+      timeColdCache(methods, scene, kWaterProbe_A, contactStrokes(scene, kWaterProbe_A, plan), {20, 4}, {});
   REQUIRE(times.size() == 3);
-  for (const CoolTimes& t : times) {
+  for (const ColdCacheTimes& t : times) {
     CHECK(t.sleeping_ns.count == 20);
     CHECK(t.thrashed_ns.count == 4);
     CHECK(t.touching == 1.0);
   }
-  const ReportTable table = coolTable(times, {}, 50);
+  const ReportTable table = coldCacheTable(times, {}, 50);
   CHECK(table.rows.size() == 3);
   CHECK(std::get<double>(table.rows[0][7]) == 1.0);  // exact beside itself
   CHECK(has(table.note, "The clock steps by"));
@@ -109,9 +110,9 @@ TEST_CASE("of 3 methods 20 ticks with sleep between and 4 after lost caches are 
 
 TEST_CASE("a method that prepares the whole scene is left out of scenes larger than it bears") {
   const std::vector<const Method*> methods{findMethod("exact"), findBenchMethod("sasmesh05")};
-  CHECK(thatBear(methods, 20'000).size() == 2);
-  CHECK(thatBear(methods, 20'001).size() == 1);
-  CHECK(thatBear(methods, 50, 13'751).size() == 1);
+  CHECK(methodsForSize(methods, 20'000).size() == 2);
+  CHECK(methodsForSize(methods, 20'001).size() == 1);
+  CHECK(methodsForSize(methods, 50, 13'751).size() == 1);
 }
 
 TEST_CASE("the page of speed has a place for each table and each paragraph that a run writes") {

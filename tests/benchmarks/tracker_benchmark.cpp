@@ -14,7 +14,7 @@
 #include "engine/bench/scenes.h"
 #include "engine/haptics/exact/exact_tracker.h"
 #include "engine/haptics/methods.h"
-#include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/sphere_motion.h"
 #include "engine/servo/servo_step.h"
 
 namespace {
@@ -99,7 +99,7 @@ void ready(benchmark::State& state) {
 }
 
 // Atoms that swing by 0.5 A in directions and at paces of their own, in frames of 33 ticks.
-std::vector<std::unique_ptr<const SphereFrame>> swinging(std::size_t count, int frames) {
+std::vector<std::unique_ptr<const SphereMotion>> swinging(std::size_t count, int frames) {
   const std::vector<Ball> rest = bench::proteinLike(count, 1);
   scenes::Random random(7);
   std::vector<Vec3> way(count);
@@ -114,9 +114,9 @@ std::vector<std::unique_ptr<const SphereFrame>> swinging(std::size_t count, int 
     for (std::size_t i = 0; i < count; ++i) out[i].centre_A += way[i] * std::sin(phase[i] + pace[i] * frame);
     return out;
   };
-  std::vector<std::unique_ptr<const SphereFrame>> out;
-  out.push_back(*SphereFrame::make(at(0), at(1), 33));
-  for (int k = 1; k < frames; ++k) out.push_back(*SphereFrame::after(*out.back(), at(k + 1), 33));
+  std::vector<std::unique_ptr<const SphereMotion>> out;
+  out.push_back(*SphereMotion::make(at(0), at(1), 33));
+  for (int k = 1; k < frames; ++k) out.push_back(*SphereMotion::after(*out.back(), at(k + 1), 33));
   return out;
 }
 
@@ -130,15 +130,15 @@ void moving(benchmark::State& state, const Method* method) {
   int tick = 33;
   const auto begin = [&] {
     tracker->reset();
-    tracker->setFrame(nullptr);
+    tracker->setMotion(nullptr);
     tracker->step({Vec3(1e4)});
     k = frame = 0;
     tick = 33;
   };
   begin();
   for (auto _ : state) {
-    if (tick == 33) tracker->setFrame(frames[frame++].get()), tick = 0;
-    tracker->moveTo(++tick / 33.0);
+    if (tick == 33) tracker->setMotion(frames[frame++].get()), tick = 0;
+    tracker->advanceTo(++tick / 33.0);
     touching += tracker->step({hips[k++]}).touching();
     if (k == hips.size() || (tick == 33 && frame == frames.size())) {
       state.PauseTiming();
@@ -154,7 +154,7 @@ void makeFrame(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const auto frames = swinging(count, 2);
   const std::vector<Ball> to = frames[1]->at(1.0);
-  for (auto _ : state) benchmark::DoNotOptimize(*SphereFrame::after(*frames[0], to, 33));
+  for (auto _ : state) benchmark::DoNotOptimize(*SphereMotion::after(*frames[0], to, 33));
 }
 
 // The exact tracker where most lies in the way: each tick's time, in us.

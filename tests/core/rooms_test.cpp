@@ -52,7 +52,7 @@ std::vector<Room> roomsOfPage() {
   return out;
 }
 
-// The room that a file "engine/servo/scale.h" stands in: the longest one that its path begins with.
+// The room that a file "engine/servo/servo_loop.h" stands in: the longest one that its path begins with.
 std::string roomOf(const std::vector<Room>& rooms, const std::string& file) {
   std::string best;
   for (const Room& r : rooms)
@@ -77,7 +77,7 @@ std::vector<std::string> includesOf(const std::string& file) {
 
 // The engine's libraries as its CMakeLists.txt makes them.
 struct Libraries {
-  std::map<std::string, std::string> of_file;          // "engine/servo/scale.cpp": "moltact_servo"
+  std::map<std::string, std::string> of_file;          // "engine/servo/servo_loop.cpp": "moltact_servo"
   std::map<std::string, std::set<std::string>> links;  // directly
 
   Libraries() {
@@ -102,6 +102,19 @@ struct Libraries {
     return out;
   }
 };
+
+// The .cpp files that a CMakeLists.txt compiles several at a time, by target.
+std::map<std::string, std::vector<std::string>> compiledTogether(const std::string& folder) {
+  static const std::regex light(R"(moltact_light\((\w+) \d+\))"),
+      add(R"(add_(?:library|executable)\((moltact\w*)([^)]*)\))"), cpp(R"(([\w/]+\.cpp))");
+  const std::string text = textOf(kSource / folder / "CMakeLists.txt");
+  std::map<std::string, std::vector<std::string>> out;
+  for (const std::string& target : quotedIn(text, light)) out[target];
+  for (std::sregex_iterator it(text.begin(), text.end(), add), end; it != end; ++it)
+    if (const auto found = out.find((*it)[1]); found != out.end())
+      for (const std::string& file : quotedIn((*it)[2], cpp)) found->second.push_back(folder + "/" + file);
+  return out;
+}
 
 }  // namespace
 
@@ -171,4 +184,32 @@ TEST_CASE("the engine never sees ImGui, and no haptic method uses the inside of 
     for (const std::string& included : includesOf(file))
       if (std::regex_search(included, other, method)) CHECK_MESSAGE(own[1] == other[1], file, " includes ", included);
   }
+}
+
+TEST_CASE("what versions of ImGui do in different ways is asked of imgui_versions.h and key_focus.h by all of app") {
+  static const std::regex differs("IMGUI_VERSION_NUM|SetKeyboardFocusHere *\\(|ImGui::ActivateItem");
+  for (const std::string& file : sourcesIn("app"))
+    if (!file.starts_with("app/ui/widgets/imgui_versions."))
+      CHECK_MESSAGE(!std::regex_search(textOf(kSource / file), differs), file);
+}
+
+TEST_CASE("sources that are compiled together have no constant and no type of their own by the same name") {
+  static const std::regex own(
+      R"((?:^|\n)(?:(?:static |inline )?constexpr [^=({;\n]*?|struct |class |enum class )(\w+)(?:\[\])?(?: final)?(?: = |\{| \{| : ))");
+  std::size_t files = 0, names = 0;
+  for (const char* folder : {"engine", "app", "app/ui"})
+    for (const auto& [target, sources] : compiledTogether(folder)) {
+      std::map<std::string, std::string> first;
+      CHECK_MESSAGE(!sources.empty(), target);
+      for (const std::string& file : sources) {
+        ++files;
+        for (const std::string& name : quotedIn(textOf(kSource / file), own)) {
+          ++names;
+          const auto [at, is_new] = first.emplace(name, file);
+          CHECK_MESSAGE(is_new, target, ": ", name, " in ", at->second, " and ", file);
+        }
+      }
+    }
+  CHECK(files > 150);
+  CHECK(names > 200);
 }

@@ -22,8 +22,8 @@ TEST_CASE(
 
 TEST_CASE("the default is the first device that is usable and may be chosen unasked; without one it is the mouse") {
   const FoundDevice simulated{.name = "simulated", .usable = true, .gives_force = true},
-      mouse{.name = "mouse", .usable = true, .by_itself = true};
-  FoundDevice omni{.name = "omni", .usable = true, .gives_force = true, .by_itself = true};
+      mouse{.name = "mouse", .usable = true, .auto_selectable = true};
+  FoundDevice omni{.name = "omni", .usable = true, .gives_force = true, .auto_selectable = true};
   CHECK(defaultDevice({omni, simulated, mouse}).name == "omni");
   omni.usable = false;
   CHECK(defaultDevice({omni, simulated, mouse}).name == "mouse");

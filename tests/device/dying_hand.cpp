@@ -18,7 +18,7 @@
 
 #include "engine/device/driver.h"
 #include "engine/device/mouse_device.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 #include "engine/platform/realtime.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/servo/servo_thread.h"

@@ -3,8 +3,9 @@
 // mocked devices.
 #include <cstdlib>
 
-#include "engine/device/hid/open_device.h"
+#include "engine/device/hid/open_layout.h"
 #include "engine/device/hid/play_station.h"
+#include "engine/device/packet/report_bytes.h"
 #include "tests/device/dying.h"
 #include "tests/device/hid_testbed.h"
 #include "tests/device/mocked_hids.h"

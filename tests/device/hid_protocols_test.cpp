@@ -4,10 +4,11 @@
 #include <cmath>
 
 #include "engine/bench/scenes.h"
-#include "engine/device/hid/open_device.h"
+#include "engine/device/hid/open_layout.h"
 #include "engine/device/hid/play_station.h"
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
+#include "engine/device/packet/report_bytes.h"
 #include "tests/device/open_firmware.h"
 #include "tests/device/wire_port.h"
 
@@ -20,7 +21,7 @@ TEST_CASE(
   scenes::Random random(1);
   SpaceMouseProtocol mouse;
   WoodenHapticsProtocol wood;
-  OpenProtocol open;
+  OpenLayoutProtocol open;
   PlayStationProtocol pad;
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
@@ -28,13 +29,13 @@ TEST_CASE(
     Report report(std::size_t(random.uniform(0, 65)));
     for (auto& byte : report) byte = std::uint8_t(random.uniform(0, 256));
     if (k % 2 && !report.empty()) report[0] = std::uint8_t(1 + k / 2 % 3);
-    for (HidProtocol* one : {static_cast<HidProtocol*>(&mouse), static_cast<HidProtocol*>(&wood),
-                             static_cast<HidProtocol*>(&open), static_cast<HidProtocol*>(&pad)}) {
-      one->take(report, pose);
-      one->pass(0.001, pose);
+    for (PacketProtocol* one : {static_cast<PacketProtocol*>(&mouse), static_cast<PacketProtocol*>(&wood),
+                                static_cast<PacketProtocol*>(&open), static_cast<PacketProtocol*>(&pad)}) {
+      one->parseReport(report, pose);
+      one->advance(0.001, pose);
       REQUIRE(finite(pose.position.mm));
       REQUIRE(glm::length(pose.position.mm) < 1000);
-      one->give({Vec3(random.uniform(-9, 9), std::nan(""), 0)}, out);
+      one->encode({.force = {Vec3(random.uniform(-9, 9), std::nan(""), 0)}}, out);
     }
   }
 }
@@ -64,13 +65,13 @@ TEST_CASE("WoodenHaptics: 2000 counts turn a motor once, no motor gets more than
   // A quarter of a turn of the second link's body: 12 x 500 counts of its motor, which turns the other way.
   Report report(8);
   putInt16(report, 2, -6000);
-  CHECK(wood.take(report, pose));
+  CHECK(wood.parseReport(report, pose));
   CHECK(pose.position.mm.z == doctest::Approx(205 - 220));
-  CHECK_FALSE(wood.take(Report(7), pose));
+  CHECK_FALSE(wood.parseReport(Report(7), pose));
   std::array<std::uint8_t, 64> out{};
-  CHECK(wood.give({Vec3(0, 100, 0)}, out) == 9);
+  CHECK(wood.encode({.force = {Vec3(0, 100, 0)}}, out) == 9);
   CHECK(int16At(out, 3) == 3000);  // lifts the link: the body's torque is negative, and the motor turns against it
-  wood.give({Vec3(std::nan(""), 0, 0)}, out);
+  wood.encode({.force = {Vec3(std::nan(""), 0, 0)}}, out);
   for (std::size_t k = 1; k < 7; ++k) CHECK(out[k] == 0);
 }
 
@@ -82,7 +83,7 @@ TEST_CASE(
   const auto begin = [&](Report feature, DeviceInfo& info) {
     wire->feature = std::move(feature);
     WirePort port(wire);
-    return OpenProtocol().begin(port, info);
+    return OpenLayoutProtocol().begin(port, info);
   };
   DeviceInfo info;
   CHECK_FALSE(begin(of(firmware.description()), info));
@@ -114,26 +115,26 @@ TEST_CASE(
   const auto wire = std::make_shared<Wire>();
   wire->feature = of(firmware.description());
   WirePort port(wire);
-  OpenProtocol open;
+  OpenLayoutProtocol open;
   DeviceInfo info;
   REQUIRE_FALSE(open.begin(port, info));
   DevicePose pose;
   const Report report = of(firmware.tick({12.345, -7, 0.0049}, 2));
-  CHECK(open.take(report, pose));
-  CHECK_FALSE(open.take(report, pose));  // the same number: nothing new
+  CHECK(open.parseReport(report, pose));
+  CHECK_FALSE(open.parseReport(report, pose));  // the same number: nothing new
   CHECK(glm::distance(pose.position.mm, Vec3(12.345, -7, 0.005)) < 1e-9);
   CHECK(pose.buttons == 2);
   std::array<std::uint8_t, 64> out{};
-  const std::size_t size = open.give({Vec3(1.2344, -0.5, 0)}, out);
+  const std::size_t size = open.encode({.force = {Vec3(1.2344, -0.5, 0)}}, out);
   firmware.take({out.data(), size});
   CHECK(glm::distance(firmware.force_N(), Vec3(1.234, -0.5, 0)) < 1e-9);
   firmware.hot = true;
-  open.take(of(firmware.tick({})), pose);
+  open.parseReport(of(firmware.tick({})), pose);
   CHECK(pose.motor_heat == 1.0f);
   firmware.fault = true;
-  open.take(of(firmware.tick({})), pose);
+  open.parseReport(of(firmware.tick({})), pose);
   CHECK(pose.fault);
-  open.give({Vec3(std::nan(""), 0, 0)}, out);
+  open.encode({.force = {Vec3(std::nan(""), 0, 0)}}, out);
   CHECK(out[9] == 0);
 }
 

@@ -23,16 +23,16 @@ TEST_CASE(
       both{1, 175, 0, 0, 0, 0xA2, 0xFE, 0, 0, 0, 0, 87, 0};
   SpaceMouseProtocol old, newer;
   DevicePose pose;
-  CHECK(old.take(push, pose));
-  CHECK(old.take(turn, pose));
-  CHECK(newer.take(both, pose));
+  CHECK(old.parseReport(push, pose));
+  CHECK(old.parseReport(turn, pose));
+  CHECK(newer.parseReport(both, pose));
   for (const SpaceMouseProtocol* one : {&old, &newer}) {
     CHECK(one->axes().push.x == doctest::Approx(0.5));
     CHECK(one->axes().push.y == doctest::Approx(1.0));
     CHECK(one->axes().push.z == 0.0);
     CHECK(one->axes().rotation.y == doctest::Approx(-87.0 / 350));
   }
-  CHECK(old.take(Report{3, 0x05, 0x01}, pose));
+  CHECK(old.parseReport(Report{3, 0x05, 0x01}, pose));
   CHECK(pose.buttons == 0x0104u);  // the first switches between hand and view
 }
 
@@ -41,16 +41,16 @@ TEST_CASE(
     "way") {
   SpaceMouseProtocol mouse;
   DevicePose pose;
-  mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
-  for (int k = 0; k < 100; ++k) mouse.pass(0.002, pose);
+  mouse.parseReport(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+  for (int k = 0; k < 100; ++k) mouse.advance(0.002, pose);
   CHECK(pose.position.mm.x == doctest::Approx(12.0));
   for (int k = 0; k < 2000; ++k) {
-    mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
-    mouse.pass(0.002, pose);
+    mouse.parseReport(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+    mouse.advance(0.002, pose);
   }
   CHECK(pose.position.mm.x == 80.0);
-  mouse.take(Report{1, 0xEF, 0xFF, 0, 0, 0, 0}, pose);  // -17 of 350
-  mouse.pass(0.1, pose);
+  mouse.parseReport(Report{1, 0xEF, 0xFF, 0, 0, 0, 0}, pose);  // -17 of 350
+  mouse.advance(0.1, pose);
   CHECK(pose.position.mm.x == 80.0);
 }
 
@@ -61,25 +61,53 @@ TEST_CASE(
   DevicePose pose;
   // Pushed right by 100 of 350, turned round the axis that points down by -350: seen from above to the left.
   const Report both{1, 100, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xA2, 0xFE}, push{1, 0x5E, 0x01, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0};
-  mouse.take(both, pose);
-  mouse.pass(0.01, pose);
+  mouse.parseReport(both, pose);
+  mouse.advance(0.01, pose);
   CHECK(pose.position.mm == Vec3(0));
-  CHECK(mouse.viewWish().rotation.y == doctest::Approx(1.0));
-  CHECK(mouse.viewWish().move == Vec3(0));
-  mouse.take(push, pose);
-  mouse.pass(0.01, pose);
+  CHECK(mouse.viewMotion().rotation.y == doctest::Approx(1.0));
+  CHECK(mouse.viewMotion().move == Vec3(0));
+  mouse.parseReport(push, pose);
+  mouse.advance(0.01, pose);
   CHECK(pose.position.mm.x == doctest::Approx(0.6));
-  CHECK(mouse.viewWish().rotation == Vec3(0));
-  mouse.take(Report{3, 1}, pose);
-  mouse.take(Report{3, 0}, pose);
+  CHECK(mouse.viewMotion().rotation == Vec3(0));
+  mouse.parseReport(Report{3, 1}, pose);
+  mouse.parseReport(Report{3, 0}, pose);
   CHECK(pose.buttons == 0);
-  mouse.pass(0.01, pose);
+  mouse.advance(0.01, pose);
   CHECK(pose.position.mm.x == doctest::Approx(0.6));
-  CHECK(mouse.viewWish().move.x == doctest::Approx(1.0));
-  mouse.take(Report{3, 1}, pose);
-  mouse.pass(0.01, pose);
+  CHECK(mouse.viewMotion().move.x == doctest::Approx(1.0));
+  mouse.parseReport(Report{3, 1}, pose);
+  mouse.advance(0.01, pose);
   CHECK(pose.position.mm.x == doctest::Approx(1.2));
-  CHECK(mouse.viewWish().move == Vec3(0));
+  CHECK(mouse.viewMotion().move == Vec3(0));
+}
+
+TEST_CASE(
+    "SpaceMouse and pad: where a body is felt a full turn turns it by 1.5 rad a second and leaves the view; back again "
+    "the view turns") {
+  SpaceMouseProtocol mouse;
+  PlayStationProtocol pad;
+  DevicePose held, padded;
+  Report stick(64);
+  stick[0] = 1, stick[1] = stick[2] = 128, stick[3] = 255, stick[4] = 128,
+  stick[5] = 8;  // the right stick to the right
+  mouse.turnHand(true);
+  pad.turnHand(true);
+  for (int k = 0; k < 100; ++k) {
+    mouse.parseReport(Report{1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0xA2, 0xFE}, held);
+    mouse.advance(0.01, held);
+    pad.parseReport(stick, padded);
+    pad.advance(0.01, padded);
+  }
+  for (const DevicePose* one : {&held, &padded}) {
+    CHECK(rotationBetween(kNoRotation, one->orientation).y == doctest::Approx(1.5).epsilon(0.02));
+    CHECK(one->position.mm == Vec3(0));
+  }
+  CHECK(mouse.viewMotion().rotation == Vec3(0));
+  CHECK(pad.viewMotion().rotation == Vec3(0));
+  mouse.turnHand(false);
+  mouse.advance(0.01, held);
+  CHECK(mouse.viewMotion().rotation.y > 0.9);
 }
 
 TEST_CASE(
@@ -89,30 +117,30 @@ TEST_CASE(
   DevicePose pose;
   Report report(64);
   report[0] = 1, report[1] = 120, report[2] = 133, report[3] = 128, report[4] = 128, report[5] = 8;
-  CHECK(pad.take(report, pose));
-  for (int k = 0; k < 100; ++k) pad.pass(0.01, pose), pad.take(report, pose);
+  CHECK(pad.parseReport(report, pose));
+  for (int k = 0; k < 100; ++k) pad.advance(0.01, pose), pad.parseReport(report, pose);
   CHECK(pose.position.mm == Vec3(0));
   CHECK(pose.buttons == 0);
   report[1] = 255, report[2] = 128, report[5] = 0x20 | 8;  // right, with the cross
-  pad.take(report, pose);
-  pad.pass(0.1, pose);
+  pad.parseReport(report, pose);
+  pad.advance(0.1, pose);
   CHECK(pose.position.mm.x == doctest::Approx(6.0));
   CHECK(pose.buttons == 1);
   report[1] = 128, report[2] = 0, report[5] = 0x40 | 8;  // up, with the circle
-  pad.take(report, pose);
-  pad.pass(0.1, pose);
+  pad.parseReport(report, pose);
+  pad.advance(0.1, pose);
   CHECK(pose.position.mm.y == doctest::Approx(6.0));
   CHECK(pose.buttons == 2);
   report[2] = 128, report[9] = 255, report[3] = 255;
-  pad.take(report, pose);
-  pad.pass(0.1, pose);
+  pad.parseReport(report, pose);
+  pad.advance(0.1, pose);
   CHECK(pose.position.mm.z == doctest::Approx(-6.0));
-  CHECK(pad.viewWish().rotation.y == doctest::Approx(1.0));
-  pad.pass(0.3, pose);  // the report of letting go was lost
-  pad.pass(0.1, pose);
+  CHECK(pad.viewMotion().rotation.y == doctest::Approx(1.0));
+  pad.advance(0.3, pose);  // the report of letting go was lost
+  pad.advance(0.1, pose);
   CHECK(pose.position.mm.z > -30.0);
-  CHECK(pad.viewWish().rotation == Vec3(0));
-  CHECK_FALSE(pad.take(Report(63), pose));
+  CHECK(pad.viewMotion().rotation == Vec3(0));
+  CHECK_FALSE(pad.parseReport(Report(63), pose));
 }
 
 TEST_CASE(
@@ -122,19 +150,19 @@ TEST_CASE(
   Report usb(64), bluetooth(10);
   for (Report* one : {&usb, &bluetooth}) (*one)[0] = 1, (*one)[1] = (*one)[2] = (*one)[3] = (*one)[4] = 128;
   usb[6] = 255, usb[8] = 0x20 | 8;  // right trigger, cross
-  CHECK(pad.take(usb, pose));
-  pad.pass(0.1, pose);
+  CHECK(pad.parseReport(usb, pose));
+  pad.advance(0.1, pose);
   CHECK(pose.position.mm.z == doctest::Approx(-6.0));
   CHECK(pose.buttons == 1);
   std::array<std::uint8_t, 64> out{};
-  CHECK(pad.give({Vec3(0, 3.3, 0)}, out) == 48);
+  CHECK(pad.encode({.force = {Vec3(0, 3.3, 0)}}, out) == 48);
   CHECK((out[0] == 2 && out[1] == 3 && out[2] == 0 && out[3] == 255 && out[4] == 255));
   bluetooth[8] = 255, bluetooth[5] = 0x40 | 8;  // left trigger, circle
-  CHECK(pad.take(bluetooth, pose));
-  pad.pass(0.1, pose);
+  CHECK(pad.parseReport(bluetooth, pose));
+  pad.advance(0.1, pose);
   CHECK(pose.position.mm.z == doctest::Approx(0.0));
   CHECK(pose.buttons == 2);
-  CHECK(pad.give({Vec3(0.1, 0, 0)}, out) == 0);
+  CHECK(pad.encode({.force = {Vec3(0.1, 0, 0)}}, out) == 0);
 }
 
 TEST_CASE(
@@ -145,22 +173,22 @@ TEST_CASE(
   std::array<std::uint8_t, 64> out{};
   Report usb(64), bluetooth(10);
   usb[0] = bluetooth[0] = 1;
-  pad.take(bluetooth, pose);
-  CHECK(pad.give({Vec3(3.3, 0, 0)}, out) == 0);
-  pad.take(usb, pose);
-  CHECK(pad.give({Vec3(0, 3.3, 0)}, out) == 32);
+  pad.parseReport(bluetooth, pose);
+  CHECK(pad.encode({.force = {Vec3(3.3, 0, 0)}}, out) == 0);
+  pad.parseReport(usb, pose);
+  CHECK(pad.encode({.force = {Vec3(0, 3.3, 0)}}, out) == 32);
   CHECK((out[0] == 5 && out[1] == 1 && out[4] == 255 && out[5] == 255));
-  CHECK(pad.give({Vec3(0, 0, 3.3)}, out) == 0);
-  CHECK(pad.give({Vec3(0.5, 0, 0)}, out) == 32);
+  CHECK(pad.encode({.force = {Vec3(0, 0, 3.3)}}, out) == 0);
+  CHECK(pad.encode({.force = {Vec3(0.5, 0, 0)}}, out) == 32);
   CHECK((out[4] > 0 && out[4] < 80 && out[5] == 0));
-  CHECK(pad.give({Vec3(std::nan(""), 0, 0)}, out) == 32);
+  CHECK(pad.encode({.force = {Vec3(std::nan(""), 0, 0)}}, out) == 32);
   CHECK((out[4] == 0 && out[5] == 0));
 }
 
 TEST_CASE("SpaceMouse: when the report of letting go is lost the hand stands after a quarter of a second") {
   SpaceMouseProtocol mouse;
   DevicePose pose;
-  mouse.take(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
-  for (int k = 0; k < 1000; ++k) mouse.pass(0.002, pose);
+  mouse.parseReport(Report{1, 0x5E, 0x01, 0, 0, 0, 0}, pose);
+  for (int k = 0; k < 1000; ++k) mouse.advance(0.002, pose);
   CHECK(pose.position.mm.x < 60 * 0.26);
 }

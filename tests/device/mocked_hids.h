@@ -6,7 +6,8 @@
 #include <thread>
 
 #include "engine/device/driver.h"
-#include "engine/device/hid/hid_device.h"
+#include "engine/device/hid/hid_kind.h"
+#include "engine/device/packet/report_bytes.h"
 #include "tests/device/hid_testbed.h"
 #include "tests/device/open_firmware.h"
 

@@ -52,4 +52,29 @@ TEST_CASE("a lead that is not finite is ignored") {
   for (int k = 0; k < 10; ++k) CHECK(mouse.read(kTick_s).position.mm == Vec3(1, 2, 3));
 }
 
+TEST_CASE(
+    "the hand turns as it glides, 63.2 % of 0.1 rad in 25 ms and no faster than 6 mrad a tick; what is no rotation is "
+    "ignored") {
+  MouseDevice mouse;
+  mouse.place({{0, 0, 0}});
+  mouse.read(kTick_s);
+  mouse.turn(glm::angleAxis(0.1, Vec3(0, 1, 0)));
+  DevicePose pose;
+  for (int k = 0; k < 25; ++k) pose = mouse.read(kTick_s);
+  CHECK(rotationBetween(kNoRotation, pose.orientation).y ==
+        doctest::Approx(0.1 * (1.0 - std::exp(-1.0))).epsilon(1e-6));
+  const Quat far = glm::angleAxis(3.0, Vec3(1, 0, 0));
+  mouse.turn(far);
+  mouse.turn(Quat(std::numeric_limits<double>::quiet_NaN(), 0, 0, 0));
+  mouse.turn(Quat(3, 0, 0, 0));
+  for (int k = 0; k < 400; ++k) {
+    const Quat before = pose.orientation;
+    pose = mouse.read(kTick_s);
+    CHECK(glm::length(rotationBetween(before, pose.orientation)) < 0.006 + 1e-9);
+  }
+  mouse.place({{7, 0, 0}});
+  for (int k = 0; k < 600; ++k) pose = mouse.read(kTick_s);
+  CHECK(glm::length(rotationBetween(pose.orientation, far)) < 1e-6);
+}
+
 }  // namespace moltact

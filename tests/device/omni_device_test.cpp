@@ -93,10 +93,12 @@ TEST_CASE(
     press(omni, loop);
     CHECK(omni.force() >= 0.7);
     // The clock ends with a frame that gives no force.
+    std::atomic<bool> stopped{false};
     std::thread clock([&] {
-      for (int k = 0; k < 200; ++k) omni.step(1), std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      while (!stopped) omni.step(1), std::this_thread::sleep_for(std::chrono::milliseconds(1));
     });
     device->stopClock();
+    stopped = true;
     clock.join();
   }
   CHECK(omni.call<double()>("standInForceAtStop")() == 0.0);

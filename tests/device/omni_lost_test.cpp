@@ -23,7 +23,7 @@ TEST_CASE(
   CHECK_FALSE(device->status().connected);
   CHECK(device->status().text.find("cable") != std::string::npos);
   // The loop's own clock takes over and finds the fallback in its place.
-  for (int k = 0; k < 5; ++k) loop.tickOfDevice();
+  for (int k = 0; k < 5; ++k) loop.onDeviceTick();
   CHECK(loop.devices.fallenBack());
   omni.attach(true);
   untilThere(*device);
@@ -41,7 +41,7 @@ TEST_CASE(
   Loop loop(*device);
   press(omni, loop);
   for (int k = 1; k <= 101; ++k) {
-    loop.tickOfDevice();  // the loop's own clock
+    loop.onDeviceTick();  // the loop's own clock
     CHECK(loop.devices.fallenBack() == (k > 100));
   }
   const DevicePose stale = device->read(kTick_s);
@@ -59,7 +59,7 @@ TEST_CASE("a maker's clock that stands for half a second is told, and the device
   press(omni, loop);
   omni.stopClock(true);
   omni.step(1);
-  for (int k = 0; k < 501; ++k) loop.tickOfDevice();
+  for (int k = 0; k < 501; ++k) loop.onDeviceTick();
   CHECK(loop.devices.fallenBack());
   DeviceStatus status = device->status();
   CHECK_FALSE(status.connected);
@@ -73,11 +73,41 @@ TEST_CASE("a maker's clock that stands for half a second is told, and the device
   press(omni, loop);
 }
 
+TEST_CASE(
+    "where the maker's clock stands for 20 ms in contact the output stays on, after 21 ms the guard switches it off; "
+    "with "
+    "the next ticks it is on again and the force begins below 0.1 N") {
+  const StandIn omni;
+  const auto device = opened();
+  Loop loop(*device);
+  press(omni, loop);
+  CHECK(omni.driven() >= 0.7);
+  StandIn::stand(20);
+  std::this_thread::sleep_for(std::chrono::milliseconds(60));  // the guard has looked some times
+  CHECK(omni.driven() >= 0.7);
+  StandIn::stand(1);
+  const auto until = [&](bool on) {
+    for (int k = 0; k < 10'000 && omni.forcesOn() != on; ++k) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return omni.forcesOn() == on;
+  };
+  REQUIRE(until(false));
+  CHECK(omni.driven() == 0.0);
+  omni.step(1);
+  CHECK_FALSE(omni.forcesOn());
+  CHECK(omni.force() == 0.0);
+  omni.step(1);
+  REQUIRE(until(true));
+  omni.step(1);
+  CHECK(omni.driven() < 0.1);
+  press(omni, loop);
+  CHECK_FALSE(loop.devices.fallenBack());
+}
+
 TEST_CASE("no place is told before the first frame: until then the fallback leads") {
   const StandIn omni;
   const auto device = opened();
   Loop loop(*device);
-  loop.tickOfDevice();
+  loop.onDeviceTick();
   CHECK(loop.devices.fallenBack());
   omni.step(1);
   CHECK_FALSE(loop.devices.fallenBack());
@@ -94,7 +124,7 @@ TEST_CASE("no device, another program's device and no licence are told apart") {
   CHECK(findDevices().front().title == "Stand-in Omni");
   CHECK(findDevices().front().place == "serial number 42");
   CHECK(defaultDevice(findDevices()).name == "omni");
-  OmniDevice::letGo();
+  OmniDevice::closeUnused();
   omni.call<unsigned(const char*)>("hdInitDevice")(nullptr);
   CHECK(OmniDevice::open().problem().text().find("another program uses the device; end that program") !=
         std::string::npos);
@@ -182,7 +212,7 @@ TEST_CASE(
   CHECK_FALSE(device->status().connected);
   int answers = 0;
   for (; !device->status().connected && answers < 100'000; ++answers) {
-    loop.tickOfDevice();
+    loop.onDeviceTick();
     std::this_thread::sleep_for(std::chrono::microseconds(200));
   }
   CHECK(answers > 10);  // it was asked many times meanwhile

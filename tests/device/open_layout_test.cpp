@@ -1,5 +1,7 @@
 // The open layout: what docs/device-protocol.md says, what the reference firmware does and what the driver takes and
 // gives are one and the same.
+#include "engine/device/hid/open_layout.h"
+
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -10,8 +12,9 @@
 #include <thread>
 #include <vector>
 
-#include "engine/device/hid/open_device.h"
 #include "engine/device/mouse_device.h"
+#include "engine/device/packet/packet_device.h"
+#include "engine/device/packet/report_bytes.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/servo/servo_thread.h"
 #include "tests/device/open_firmware.h"
@@ -31,7 +34,7 @@ struct FarEnd {
   Report feature = of(firmware.description()), last;
   bool sends = false;
 };
-class FarEndPort final : public HidPort {
+class FarEndPort final : public PacketPort {
  public:
   explicit FarEndPort(FarEnd& end) : end_(end) {}
   int read(std::span<std::uint8_t> report, int wait_ms) override {
@@ -63,12 +66,12 @@ std::optional<Problem> begun(const std::map<std::size_t, int>& changed, DeviceIn
   FarEnd end;
   for (const auto& [at, value] : changed) putInt16(end.feature, at, value);
   FarEndPort port(end);
-  return OpenProtocol().begin(port, info);
+  return OpenLayoutProtocol().begin(port, info);
 }
-OpenProtocol opened() {
+OpenLayoutProtocol opened() {
   FarEnd end;
   FarEndPort port(end);
-  OpenProtocol open;
+  OpenLayoutProtocol open;
   DeviceInfo info;
   REQUIRE_FALSE(open.begin(port, info));
   return open;
@@ -184,31 +187,31 @@ TEST_CASE(
 TEST_CASE(
     "the motors are on with force and without; off when stopped, with a force that is no number, and while fault, "
     "calibration or watchdog are told") {
-  OpenProtocol open = opened();
+  OpenLayoutProtocol open = opened();
   test::OpenFirmware firmware;
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
-  const auto on = [&] { return open.give({Vec3(1, 0, 0)}, out), out[9] == 1 && int16At(out, 3) == 1000; };
-  const auto off = [&] { return open.give({Vec3(1, 0, 0)}, out), out[9] == 0 && int16At(out, 3) == 0; };
-  CHECK(open.give({}, out) == kForceBytes);
+  const auto on = [&] { return open.encode({.force = {Vec3(1, 0, 0)}}, out), out[9] == 1 && int16At(out, 3) == 1000; };
+  const auto off = [&] { return open.encode({.force = {Vec3(1, 0, 0)}}, out), out[9] == 0 && int16At(out, 3) == 0; };
+  CHECK(open.encode({}, out) == kForceBytes);
   CHECK(out[9] == 1);
   CHECK(on());
-  CHECK(open.stop(out) == kForceBytes);
+  CHECK(open.encodeStop(out) == kForceBytes);
   CHECK((out[9] == 0 && int16At(out, 3) == 0));
-  open.give({Vec3(std::nan(""), 0, 0)}, out);
+  open.encode({.force = {Vec3(std::nan(""), 0, 0)}}, out);
   CHECK(out[9] == 0);
   for (bool* state : {&firmware.fault, &firmware.calibrated}) {
     *state = !*state;
-    open.take(of(firmware.tick({})), pose);
+    open.parseReport(of(firmware.tick({})), pose);
     CHECK(pose.fault);
     CHECK(off());
     *state = !*state;
-    open.take(of(firmware.tick({})), pose);
+    open.parseReport(of(firmware.tick({})), pose);
     CHECK_FALSE(pose.fault);
     CHECK(on());
   }
   firmware.take({out.data(), kForceBytes});
-  for (int k = 0; k < 51; ++k) open.take(of(firmware.tick({})), pose);
+  for (int k = 0; k < 51; ++k) open.parseReport(of(firmware.tick({})), pose);
   CHECK(pose.fault);
   CHECK(off());
 }
@@ -217,7 +220,7 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
   FarEnd end;
   putInt16(end.feature, 28, kMeasuresOrientation);
   FarEndPort port(end);
-  OpenProtocol open;
+  OpenLayoutProtocol open;
   DeviceInfo info;
   REQUIRE_FALSE(open.begin(port, info));
   CHECK(info.dof_in == 6);
@@ -228,7 +231,7 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
     place[1] = number;
     const double parts[] = {x, y, z, w};
     for (std::size_t k = 0; k < 4; ++k) putInt16(place, 13 + 2 * k, int(std::lround(32767 * parts[k])));
-    CHECK(open.take(place, pose));
+    CHECK(open.parseReport(place, pose));
   };
   const double half = std::sqrt(0.5);
   turned(1, 0, half, 0, half);  // a quarter round y: x goes to -z
@@ -238,33 +241,33 @@ TEST_CASE("the quaternion turns the hand where the description says that it is m
   turned(3, 0, 0.5, 0, 0.5);
   CHECK(glm::distance(pose.orientation * Vec3(1, 0, 0), Vec3(0, 0, -1)) < 1e-4);
 
-  OpenProtocol silent = opened();
+  OpenLayoutProtocol silent = opened();
   DevicePose upright;
   turned(4, 0, half, 0, half);
-  CHECK(silent.take(place, upright));
+  CHECK(silent.parseReport(place, upright));
   CHECK(upright.orientation == kNoRotation);
 }
 
 TEST_CASE("a cut by the device's watchdog is told for 20 ms even when the next places come at once, and then no more") {
-  OpenProtocol open = opened();
+  OpenLayoutProtocol open = opened();
   DevicePose pose;
   Report place(kPlaceBytes);
   place[0] = kPlaceReport, place[22] = kWatchdogTripped;
-  open.take(place, pose);
+  open.parseReport(place, pose);
   place[22] = 0;
-  for (std::uint8_t k = 1; k < 64; ++k) place[1] = k, open.take(place, pose);
-  open.pass(0.05, pose);  // the thread had stood
+  for (std::uint8_t k = 1; k < 64; ++k) place[1] = k, open.parseReport(place, pose);
+  open.advance(0.05, pose);  // the thread had stood
   CHECK(pose.fault);
-  for (int k = 0; k < 18; ++k) open.pass(0.001, pose);
+  for (int k = 0; k < 18; ++k) open.advance(0.001, pose);
   CHECK(pose.fault);
-  for (int k = 0; k < 3; ++k) open.pass(0.001, pose);
+  for (int k = 0; k < 3; ++k) open.advance(0.001, pose);
   CHECK_FALSE(pose.fault);
 }
 
 TEST_CASE(
     "60 ms of lost force reports while places go on: the firmware cuts, and afterwards the force of 0.8 N comes back "
     "within half a second, not at once") {
-  OpenProtocol open = opened();
+  OpenLayoutProtocol open = opened();
   test::OpenFirmware firmware;
   DeviceInfo info;
   begun({}, info);
@@ -275,10 +278,10 @@ TEST_CASE(
   DevicePose pose;
   std::array<std::uint8_t, 64> out{};
   const auto tick = [&](bool arrives) {
-    pose.fresh = open.take(of(firmware.tick({})), pose);
-    open.pass(0.001, pose);
+    pose.fresh = open.parseReport(of(firmware.tick({})), pose);
+    open.advance(0.001, pose);
     const ForceN force = step.tick(settings, &pull, pose).force;
-    const std::size_t length = open.give(force, out);
+    const std::size_t length = open.encode({.force = force}, out);
     if (arrives) firmware.take({out.data(), length});
     return glm::length(firmware.force_N());
   };
@@ -302,12 +305,12 @@ TEST_CASE(
   end.sends = true;
   MouseDevice mouse;
   ServoThread servo(mouse);
-  const auto opener = [&](const HidDevice::Accept& accept) -> Expected<std::unique_ptr<HidPort>> {
-    std::unique_ptr<HidPort> port = std::make_unique<FarEndPort>(end);
+  const auto opener = [&](const PacketDevice::Accept& accept) -> Expected<std::unique_ptr<PacketPort>> {
+    std::unique_ptr<PacketPort> port = std::make_unique<FarEndPort>(end);
     if (const auto problem = accept(*port)) return *problem;
     return port;
   };
-  auto device = HidDevice::open(opener, std::make_unique<OpenProtocol>(), {});
+  auto device = PacketDevice::open(opener, std::make_unique<OpenLayoutProtocol>(), {});
   REQUIRE(device);
   servo.setDevice(std::move(*device));
   const auto motors = [&] {
@@ -332,10 +335,10 @@ TEST_CASE(
 TEST_CASE(
     "the reference firmware: a place beyond 16 bits stays at their end, 163.8 mm, and does not come back from the "
     "other side") {
-  OpenProtocol open = opened();
+  OpenLayoutProtocol open = opened();
   test::OpenFirmware firmware;
   DevicePose pose;
-  open.take(of(firmware.tick({200, -200, 0})), pose);
+  open.parseReport(of(firmware.tick({200, -200, 0})), pose);
   CHECK(pose.position.mm.x == doctest::Approx(163.835));
   CHECK(pose.position.mm.y == doctest::Approx(-163.835));
 }

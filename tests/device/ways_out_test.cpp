@@ -7,12 +7,15 @@
 #include <map>
 #include <set>
 
-#include "engine/device/hid/open_device.h"
+#include "engine/device/driver.h"
+#include "engine/device/hid/open_layout.h"
 #include "engine/device/hid/play_station.h"
 #include "engine/device/hid/space_mouse.h"
 #include "engine/device/hid/wooden_haptics.h"
+#include "engine/device/packet/packet_device.h"
+#include "engine/device/packet/report_bytes.h"
 #include "engine/device/simulated_device.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 #include "tests/device/omni/stand_in.h"
 #include "tests/device/open_firmware.h"
 #include "tests/device/wire_port.h"
@@ -44,7 +47,7 @@ class Bench {
   virtual bool doIt(const std::string& way) = 0;
 };
 
-class OmniBench final : public Bench, private TickTarget {
+class OmniBench final : public Bench, private ClockListener {
  public:
   OmniBench() : device_(opened()) { CHECK(device_->startClock(*this)); }
   Device* device() override { return device_.get(); }
@@ -79,7 +82,7 @@ class OmniBench final : public Bench, private TickTarget {
   }
 
  private:
-  void tickOfDevice() noexcept override {
+  void onDeviceTick() noexcept override {
     const DevicePose pose = device_->read(0.001);
     stops_ ? device_->stop() : device_->write(pose.fault || !pose.connected ? ForceN{} : kPush);
   }
@@ -90,11 +93,11 @@ class OmniBench final : public Bench, private TickTarget {
 
 class HidBench final : public Bench {
  public:
-  HidBench(std::unique_ptr<HidProtocol> protocol, DeviceInfo info, Report place, double (*size)(const Report&),
+  HidBench(std::unique_ptr<PacketProtocol> protocol, DeviceInfo info, Report place, double (*size)(const Report&),
            Report feature = {})
       : place_(std::move(place)), size_(size) {
     wire_->feature = std::move(feature);
-    auto opened = HidDevice::open(over(wire_), std::move(protocol), std::move(info));
+    auto opened = PacketDevice::open(over(wire_), std::move(protocol), std::move(info));
     REQUIRE(opened);
     device_ = std::move(*opened);
   }
@@ -194,8 +197,8 @@ const Row kRows[] = {
     {"open", true,
      [] {
        OpenFirmware firmware;
-       return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenProtocol>(), DeviceInfo(), of(firmware.tick({})),
-                                                  openForce, of(firmware.description())));
+       return std::unique_ptr<Bench>(new HidBench(std::make_unique<OpenLayoutProtocol>(), DeviceInfo(),
+                                                  of(firmware.tick({})), openForce, of(firmware.description())));
      }},
     {"gamepad", true,
      [] {
@@ -295,13 +298,13 @@ TEST_CASE(
     CAPTURE(row.driver);
     const auto bench = row.make();
     bench->press();
-    holdForce(Hold::Stopped);
+    inhibitForce(InhibitReason::Stopped);
     const bool hid = dynamic_cast<HidBench*>(bench.get());
     for (int k = 0; k < (hid ? 1000 : 2) && bench->last() > 0.0; ++k) bench->tick();
     CHECK(bench->last() == 0.0);
     for (int k = 0; k < 20; ++k) bench->tick();
     CHECK(bench->last() == 0.0);
-    letForce(Hold::Stopped);
+    permitForce(InhibitReason::Stopped);
     for (int k = 0; k < 1000 && bench->last() == 0.0; ++k) bench->tick();
     CHECK(bench->last() > 0.0);
   }
@@ -360,8 +363,8 @@ TEST_CASE(
     "Omni: where its callback no longer comes, or does not come back, the motors are switched off after 20 ms by "
     "another thread, and on "
     "again, without force, when it does") {
-  struct Slow final : TickTarget {
-    void tickOfDevice() noexcept override {
+  struct Slow final : ClockListener {
+    void onDeviceTick() noexcept override {
       device->write(cut.load() ? ForceN{} : kPush);
       if (const int wait = sleep_ms.exchange(0)) std::this_thread::sleep_for(std::chrono::milliseconds(wait));
       cut.store(cut.load() || device->read(0.001).fault);
@@ -373,7 +376,9 @@ TEST_CASE(
   for (const bool stands : {true, false}) {
     CAPTURE(stands);
     const StandIn omni;
-    const auto device = opened();
+    auto open = OmniDevice::open();  // by the wall's clock
+    REQUIRE(open);
+    const std::unique_ptr<OmniDevice> device = std::move(*open);
     Slow loop;
     loop.device = device.get();
     REQUIRE(device->startClock(loop));

@@ -1,4 +1,4 @@
-// A HID port whose far end a test holds: what the device sends, and what it was sent. Any thread.
+// A port whose far end a test holds: what the device sends, and what it was sent. Any thread.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/device/hid/hid_device.h"
+#include "engine/device/packet/packet_device.h"
 
 namespace moltact::test {
 
@@ -48,7 +48,7 @@ struct Wire {
   }
 };
 
-class WirePort final : public HidPort {
+class WirePort final : public PacketPort {
  public:
   explicit WirePort(std::shared_ptr<Wire> wire) : wire_(std::move(wire)) {}
   int read(std::span<std::uint8_t> report, int wait_ms) override {
@@ -85,13 +85,13 @@ class WirePort final : public HidPort {
   std::shared_ptr<Wire> wire_;
 };
 
-inline HidDevice::Opener over(std::shared_ptr<Wire> wire) {
-  return [wire](const HidDevice::Accept& accept) -> Expected<std::unique_ptr<HidPort>> {
+inline PacketDevice::Opener over(std::shared_ptr<Wire> wire) {
+  return [wire](const PacketDevice::Accept& accept) -> Expected<std::unique_ptr<PacketPort>> {
     {
       const std::lock_guard lock(wire->mutex);
       if (!wire->plugged) return Problem{"", 0, 0, "not there", ""};
     }
-    std::unique_ptr<HidPort> port = std::make_unique<WirePort>(wire);
+    std::unique_ptr<PacketPort> port = std::make_unique<WirePort>(wire);
     if (const auto problem = accept(*port)) return *problem;
     return port;
   };

@@ -14,7 +14,7 @@
 #include <fstream>
 
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/shell/driver.h"
+#include "app/ui/shell/scripted_user.h"
 #include "tests/fuzz/attempt_maker.h"
 #include "tests/fuzz/changed.h"
 #include "tests/fuzz/crash_note.h"
@@ -27,11 +27,11 @@ namespace {
 constexpr unsigned kHang_s = 300;
 constexpr std::size_t kTicks = 200;
 
-std::unique_ptr<Driver> window() {
-  Driver::Options options;
+std::unique_ptr<ScriptedUser> window() {
+  ScriptedUser::Options options;
   options.width = 900;
   options.height = 600;
-  auto made = Driver::create(std::move(options));
+  auto made = ScriptedUser::create(std::move(options));
   if (!made) {
     std::fprintf(stderr, "%s\n", made.problem().text().c_str());
     std::exit(1);
@@ -47,7 +47,7 @@ bool isNumber(const Camera& c) {
          std::isfinite(c.orientation.w + c.orientation.x + c.orientation.y + c.orientation.z);
 }
 
-void lookAt(Driver& driver) {
+void lookAt(ScriptedUser& driver) {
   driver.frames(1);
   const ServoSample& now = driver.app().scene.log().latest();
   mustBe(finite(now.force.N), "a force that is a number");
@@ -55,7 +55,7 @@ void lookAt(Driver& driver) {
 }
 
 // What a person might do meanwhile.
-void doSomething(Driver& driver, Choices& choices) {
+void doSomething(ScriptedUser& driver, Choices& choices) {
   constexpr const char* kKeys[] = {"Ctrl+D", "Ctrl+M", "Ctrl+T", "Ctrl+G", "Left",
                                    "Right",  "Space",  "Ctrl+L", "R",      "F9"};
   driver.tap(kKeys[choices.pick(std::size(kKeys))]);
@@ -64,7 +64,7 @@ void doSomething(Driver& driver, Choices& choices) {
   driver.wheel(double(choices.pick(9)) - 4.0);
 }
 
-bool playAttempt(Driver& driver, const std::filesystem::path& file, Choices& choices) {
+bool playAttempt(ScriptedUser& driver, const std::filesystem::path& file, Choices& choices) {
   Application& app = driver.app();
   app.open(file);
   app.finishLoading();
@@ -95,7 +95,7 @@ bool playAttempt(Driver& driver, const std::filesystem::path& file, Choices& cho
   return true;
 }
 
-bool playRecording(Driver& driver, const std::filesystem::path& file, Choices& choices) {
+bool playRecording(ScriptedUser& driver, const std::filesystem::path& file, Choices& choices) {
   Application& app = driver.app();
   app.open(file);
   app.finishLoading();
@@ -117,7 +117,7 @@ struct Kind {
   const char* name;
   const char* ending;
   std::string (*make)(Choices& choices, std::mt19937_64& random);
-  bool (*play)(Driver& driver, const std::filesystem::path& file, Choices& choices);
+  bool (*play)(ScriptedUser& driver, const std::filesystem::path& file, Choices& choices);
 };
 
 std::string anAttempt(Choices& choices, std::mt19937_64& random) {
@@ -154,7 +154,7 @@ int main(int argc, char** argv) {
     if (argc > 1 && std::strcmp(argv[1], kind.name) != 0) continue;
     found = true;
     const auto began = std::chrono::steady_clock::now();
-    std::unique_ptr<Driver> driver = window();
+    std::unique_ptr<ScriptedUser> driver = window();
     std::size_t played = 0;
     for (unsigned long k = one ? wanted : 0; k < (one ? wanted + 1 : runs); ++k) {
       beginRun(std::string("test_fuzz_window ") + kind.name + ' ' + std::to_string(k) +

@@ -1,8 +1,10 @@
 // Recordings of a hand: as bytes; as blocks of ticks with any numbers and a right checksum; and with the state that the
 // first tick begins from. What can be read is replayed: every force is finite and no greater than the device gives.
+// And hands' ways as rows of numbers: what can be read is written and read back the same.
 #include <cmath>
 #include <limits>
 
+#include "engine/bench/hand_path.h"
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/playback_device.h"
@@ -74,6 +76,22 @@ void recordingState(std::string_view bytes) {
   RecordingParts changed = sample();
   changeState(changed.state, choices);
   replayed(fileOf(changed.file(), "a.recording"));
+}
+
+void handPath(std::string_view bytes) {
+  using namespace bench;
+  const auto path = readHandPath(fileOf(bytes, "a.hand"));
+  if (!path) return mustBe(!path.problem().message.empty(), "a message");
+  mustBe(!path->places.empty(), "a place");
+  mustBe(path->touched.empty() || path->touched.size() == path->places.size(), "a touch a tick, or none");
+  mustBe(path->probe_A >= 0.0 && path->probe_A <= kLargestProbe_A, "a probe in its range");
+  for (const Vec3& p : path->places) mustBe(finite(p), "places that are numbers");
+  if (path->places.size() > 10'000) return;  // some bytes can last for hours
+  const auto again = readHandPath(fileOf(textOf(*path), "b.hand"));
+  mustBe(again && again->places.size() == path->places.size() && again->on_molecule == path->on_molecule,
+         "a way that can be written");
+  for (std::size_t k = 0; k < path->places.size(); ++k)
+    mustBe(glm::distance(again->places[k], path->places[k]) < 1e-3, "the same way");
 }
 
 }  // namespace moltact::fuzz

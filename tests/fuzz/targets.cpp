@@ -16,6 +16,7 @@ constexpr Target kTargets[] = {
     {"attempt-lines", attemptLines},
     {"recording", recording},
     {"recording-state", recordingState},
+    {"hand-path", handPath},
     {"hip-path", hipPath},
     {"gltf", gltf},
     {"catalogue", catalogue},

@@ -10,6 +10,7 @@
 
 #include "engine/bench/scenes.h"
 #include "engine/haptics/methods.h"
+#include "engine/haptics/touch_setup.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -181,8 +182,21 @@ TEST_CASE("what the window and lessons offer bears any scene and probe; what doe
   for (const Method& method : benchMethods()) {
     CAPTURE(std::string(method.name));
     const bool offered = findMethod(method.name) != nullptr;
-    CHECK(offered == (method.most_balls == 0 && !method.one_probe));
+    CHECK(offered == method.offered);
+    if (offered) CHECK((method.most_balls == 0 && !method.one_probe));
+    CHECK(motionSentence(method).empty() == method.follows_motion);
     CHECK(findBenchMethod(method.name) == &method);
   }
   CHECK(findMethod("sasmesh05") == nullptr);
+  CHECK(methods().front().name == TouchSetup().method);
+}
+
+TEST_CASE("one method is the reference, and only a variant that is not plain stands in a title") {
+  int references = 0;
+  for (const Method& method : benchMethods()) references += isReference(method);
+  CHECK(references == 1);
+  CHECK(referenceMethod().name == "exact");
+  CHECK(methodTitle("mesh960") == "Mesh 960");
+  CHECK(methodTitle("mesh960-smooth") == "Mesh 960, Smooth");
+  CHECK(methodTitle("no such method") == "no such method");
 }

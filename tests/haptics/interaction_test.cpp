@@ -5,6 +5,7 @@
 
 #include "engine/bench/scenes.h"
 #include "engine/haptics/interactions.h"
+#include "engine/haptics/methods.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -14,8 +15,10 @@ TEST_CASE("every interaction has a name of its own, is made over a scene and say
   for (const InteractionKind& kind : interactionKinds()) {
     CAPTURE(std::string(kind.name));
     CHECK(names.insert(kind.name).second);
+    CHECK_FALSE(kind.title.empty());
     CHECK_FALSE(kind.sentence.empty());
-    const auto felt = kind.make({test::makeScene({{{0, 0, 0}, 1.6}}), &methods().front(), 1.4});
+    CHECK(findInteractionKind(kind.name) == &kind);
+    const auto felt = kind.make({test::makeScene({{{0, 0, 0}, 1.6}})});
     REQUIRE(felt);
     CHECK(felt->probe_A() == 1.4);
     CHECK_FALSE(felt->respond({{Vec3(0, 0, 9)}, kNoRotation}).felt());
@@ -29,7 +32,11 @@ TEST_CASE(
   const auto balls = test::makeScene(scene.balls);
   for (const Method& method : methods()) {
     CAPTURE(std::string(method.name));
-    const auto felt = interactionKinds().front().make({balls, &method, scene.probe_A});
+    TouchSetup touch;
+    touch.method = method.name;
+    touch.probe_A = scene.probe_A;
+    const auto felt = makeInteraction({balls, touch});
+    REQUIRE(felt);
     const auto tracker = method.make(balls, scene.probe_A);
     int touching = 0, different = 0;
     for (const Vec3& place : scenes::walk(scene, 2000, 5)) {
@@ -43,4 +50,16 @@ TEST_CASE(
     CHECK(touching > 500);
     CHECK(different == 0);
   }
+}
+
+TEST_CASE("what there is not is not made: neither an interaction nor a method of that name") {
+  const auto balls = test::makeScene({{{0, 0, 0}, 1.6}});
+  TouchSetup touch;
+  CHECK(makeInteraction({balls, touch}));
+  touch.method = "none";
+  CHECK_FALSE(makeInteraction({balls, touch}));
+  touch = {};
+  touch.interaction = "none";
+  CHECK_FALSE(makeInteraction({balls, touch}));
+  CHECK(findInteractionKind("none") == nullptr);
 }

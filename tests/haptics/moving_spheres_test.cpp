@@ -10,7 +10,7 @@
 #include "engine/bench/scenes.h"
 #include "engine/haptics/exact/exact_tracker.h"
 #include "engine/haptics/methods.h"
-#include "engine/haptics/sphere_frame.h"
+#include "engine/haptics/sphere_motion.h"
 #include "tests/haptics/walk.h"
 
 using namespace moltact;
@@ -18,10 +18,10 @@ using test::makeScene;
 
 namespace {
 
-using Frames = std::vector<std::unique_ptr<const SphereFrame>>;
+using Frames = std::vector<std::unique_ptr<const SphereMotion>>;
 
-std::unique_ptr<const SphereFrame> frame(const std::vector<Ball>& from, const std::vector<Ball>& to, int ticks = 33) {
-  auto made = SphereFrame::make(from, to, ticks);
+std::unique_ptr<const SphereMotion> frame(const std::vector<Ball>& from, const std::vector<Ball>& to, int ticks = 33) {
+  auto made = SphereMotion::make(from, to, ticks);
   REQUIRE(made);
   return *std::move(made);
 }
@@ -47,7 +47,7 @@ Frames shaken(const std::vector<Ball>& balls, int count, double way_A, std::uint
   Frames out;
   out.push_back(frame(at(0), at(1)));
   for (int k = 1; k < count; ++k) {
-    auto next = SphereFrame::after(*out.back(), at(k + 1), 33);
+    auto next = SphereMotion::after(*out.back(), at(k + 1), 33);
     REQUIRE(next);
     out.push_back(*std::move(next));
   }
@@ -63,9 +63,9 @@ TEST_CASE("a ball that moves evenly by 0.02 A a tick under a still HIP carries t
   tracker.step({Vec3(0, 0, 9)});
   const Vec3 hip(0.2, 0.0, 2.5);
   REQUIRE(tracker.step({hip}).touching());
-  REQUIRE(tracker.setFrame(moves.get()));
+  REQUIRE(tracker.setMotion(moves.get()));
   for (int tick = 1; tick <= 33; ++tick) {
-    tracker.moveTo(tick / 33.0);
+    tracker.advanceTo(tick / 33.0);
     const Contact c = tracker.step({hip});
     const Ball ball = (*moves)[0].at(tick / 33.0);
     REQUIRE(c.feature == Feature::Sphere);
@@ -82,15 +82,15 @@ TEST_CASE(
   };
   Frames frames;
   frames.push_back(frame(pair(4.0), pair(5.0)));
-  for (int k = 2; k <= 4; ++k) frames.push_back(*SphereFrame::after(*frames.back(), pair(4.0 + k), 33));
+  for (int k = 2; k <= 4; ++k) frames.push_back(*SphereMotion::after(*frames.back(), pair(4.0 + k), 33));
   ExactTracker tracker(makeScene(pair(4.0)), 1.4);
   tracker.step({Vec3(0, 0, 9)});
   const Vec3 hip(0.0, 0.0, 0.4);
   tracker.step({hip});
   for (int tick = 0; tick < 4 * 33; ++tick) {
-    const double share = (tick % 33 + 1) / 33.0, apart = 4.0 + (tick + 1) / 33.0;
-    if (tick % 33 == 0) tracker.setFrame(frames[std::size_t(tick / 33)].get());
-    tracker.moveTo(share);
+    const double fraction = (tick % 33 + 1) / 33.0, apart = 4.0 + (tick + 1) / 33.0;
+    if (tick % 33 == 0) tracker.setMotion(frames[std::size_t(tick / 33)].get());
+    tracker.advanceTo(fraction);
     const Contact c = tracker.step({hip});
     CAPTURE(apart);
     if (apart < 6.14) {
@@ -110,9 +110,9 @@ TEST_CASE("a ball that grows over a free HIP by 0.05 A a tick pushes the SCP bef
   ExactTracker tracker(makeScene(from), 1.4);
   const Vec3 hip(0, 0, 3.0);
   REQUIRE(!tracker.step({hip}).touching());
-  tracker.setFrame(grows.get());
+  tracker.setMotion(grows.get());
   for (int tick = 1; tick <= 33; ++tick) {
-    tracker.moveTo(tick / 33.0);
+    tracker.advanceTo(tick / 33.0);
     const Contact c = tracker.step({hip});
     const double radius = 2.4 + 1.65 * tick / 33.0;
     if (radius < 3.0 - 1e-9) CHECK(!c.touching());
@@ -135,7 +135,7 @@ TEST_CASE(
     const Vec3 direction = random.direction();
     ExactTracker tracker(makeScene(frames[0]->at(0.0)), scene.probe_A);
     tracker.step({direction * 30.0});
-    tracker.setFrame(frames[0].get());
+    tracker.setMotion(frames[0].get());
     Vec3 at = direction * 30.0;
     const auto flow = [&](const std::vector<Ball>& balls, const Vec3& hip) {
       oracle::Oracle finer(balls, scene.probe_A, false);
@@ -146,13 +146,13 @@ TEST_CASE(
     };
     bool in_step = true;
     for (std::size_t k = 0; k < frames.size(); ++k) {
-      if (k > 0) tracker.setFrame(frames[k].get());
+      if (k > 0) tracker.setMotion(frames[k].get());
       for (int tick = 1; tick <= 33; ++tick) {
-        const double share = tick / 33.0, deep = 1.6 - 0.2 * double(k);
+        const double fraction = tick / 33.0, deep = 1.6 - 0.2 * double(k);
         const Vec3 hip = direction * deep + 0.2 * Vec3(std::sin(0.05 * tick), std::cos(0.05 * tick), 0.0);
-        tracker.moveTo(share);
+        tracker.advanceTo(fraction);
         const Contact c = tracker.step({hip});
-        const std::vector<Ball> balls = frames[k]->at(share);
+        const std::vector<Ball> balls = frames[k]->at(fraction);
         if (c.fault == Fault::StartedInside) {  // the place has closed over the SCP
           ++closed;
           in_step = false;
@@ -164,7 +164,7 @@ TEST_CASE(
         if (c.touching()) CHECK(oracle::atRest(balls, scene.probe_A, c.scp.A, hip, 1e-6));
         if (!in_step) continue;
         for (int part = 1; part < 100; part += k < 2 ? 1 : 20)
-          flow(frames[k]->at(share - (1.0 - 0.01 * part) / 33.0), hip);
+          flow(frames[k]->at(fraction - (1.0 - 0.01 * part) / 33.0), hip);
         const bool contact = flow(balls, hip);
         // Both rest in the same local minimum of |x - h|, wherever it has gone.
         const bool same = contact == c.touching() && glm::distance(at, c.scp.A) < 1e-6;
@@ -188,12 +188,12 @@ TEST_CASE("a frame that goes on from the last one gives what one made anew gives
   for (ExactTracker* t : {&kept, &anew}) t->step({Vec3(0, 0, 30)});
   int touching = 0;
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    kept.setFrame(frames[k].get());
-    anew.setFrame(copies[k].get());
+    kept.setMotion(frames[k].get());
+    anew.setMotion(copies[k].get());
     for (int tick = 1; tick <= 33; ++tick) {
       const Vec3 hip(0.03 * (33.0 * double(k) + tick) - 6.0, 0.3, 4.0);
-      kept.moveTo(tick / 33.0);
-      anew.moveTo(tick / 33.0);
+      kept.advanceTo(tick / 33.0);
+      anew.advanceTo(tick / 33.0);
       const Contact a = kept.step({hip}), b = anew.step({hip});
       touching += a.touching();
       REQUIRE(a.feature == b.feature);
@@ -212,8 +212,8 @@ TEST_CASE("a ball that leaps by 3 A within a tick over the hand ends in a contac
     tracker->step({Vec3(20, 0, 0)});
     const Vec3 hip(0, 0.5, 3.0);
     tracker->step({hip});
-    REQUIRE(tracker->setFrame(leaps.get()));
-    tracker->moveTo(1.0);
+    REQUIRE(tracker->setMotion(leaps.get()));
+    tracker->advanceTo(1.0);
     const Contact c = tracker->step({hip});
     CHECK(finite(c.scp.A));
     if (c.touching() && name != "penalty") CHECK(test::deepest_A(leaps->at(1.0), 1.4, c.scp.A) < 0.01);
@@ -229,9 +229,9 @@ TEST_CASE(
     CAPTURE(method.name);
     const auto tracker = method.make(makeScene(from), 1.4);
     tracker->step({Vec3(0, 0, 9)});
-    const bool follows = tracker->setFrame(moves.get());
+    const bool follows = tracker->setMotion(moves.get());
     CHECK(follows == method.follows_motion);
-    tracker->moveTo(1.0);
+    tracker->advanceTo(1.0);
     Contact c;
     for (double z = 9.0; z > 3.5; z -= 0.02) c = tracker->step({Vec3(0, 0, z)});
     CHECK(c.touching() == follows);
@@ -240,11 +240,11 @@ TEST_CASE(
 
 TEST_CASE("a frame that cannot be is refused with what is wrong: another count, no number, no radius, no ticks") {
   const std::vector<Ball> one{{Vec3(0.0), 1.7}}, two{{Vec3(0.0), 1.7}, {Vec3(1.0), 1.7}};
-  CHECK(SphereFrame::make(one, two, 33).problem().message == "a frame begins with 1 spheres and ends with 2");
+  CHECK(SphereMotion::make(one, two, 33).problem().message == "a motion begins with 1 spheres and ends with 2");
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK_FALSE(SphereFrame::make(one, std::vector<Ball>{{Vec3(0, nan, 0), 1.7}}, 33));
-  CHECK_FALSE(SphereFrame::make(one, std::vector<Ball>{{Vec3(0.0), -1.0}}, 33));
-  CHECK_FALSE(SphereFrame::make(one, std::vector<Ball>{{Vec3(1e10, 0, 0), 1.0}}, 33));
-  CHECK_FALSE(SphereFrame::make(one, one, 0));
-  CHECK(SphereFrame::make(one, one, 1));
+  CHECK_FALSE(SphereMotion::make(one, std::vector<Ball>{{Vec3(0, nan, 0), 1.7}}, 33));
+  CHECK_FALSE(SphereMotion::make(one, std::vector<Ball>{{Vec3(0.0), -1.0}}, 33));
+  CHECK_FALSE(SphereMotion::make(one, std::vector<Ball>{{Vec3(1e10, 0, 0), 1.0}}, 33));
+  CHECK_FALSE(SphereMotion::make(one, one, 0));
+  CHECK(SphereMotion::make(one, one, 1));
 }

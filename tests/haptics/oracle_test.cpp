@@ -49,7 +49,7 @@ TEST_CASE("a HIP on the centre keeps the last SCP") {
   o.step({0, 0, 4});
   o.step({0, 0.5, 2});
   const Vec3 before = o.step({0, 0, 1}).scp_A;
-  CHECK(glm::distance(o.step({0, 0, 0}).scp_A, before) < 1e-8);  // the companions may call it undecided
+  CHECK(glm::distance(o.step({0, 0, 0}).scp_A, before) < 1e-8);  // the perturbed copies may call it undecided
 }
 
 TEST_CASE(

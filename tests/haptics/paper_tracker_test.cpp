@@ -108,7 +108,7 @@ TEST_CASE(
     "tick") {
   const std::uint64_t seed = 3;
   CAPTURE(seed);
-  for (const auto& scene : {scenes::oneBall(), scenes::bond(), scenes::touching(), scenes::hair()}) {
+  for (const auto& scene : {scenes::oneBall(), scenes::bond(), scenes::touching(), scenes::barelyOverlapping()}) {
     CAPTURE(scene.name);
     const Agreement a = agreement(scene, scenes::walk(scene, 5000, seed));
     CHECK(a.ticks > 4900);

@@ -4,8 +4,10 @@
 
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <random>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 
@@ -16,6 +18,12 @@ namespace {
 struct Sign {
   explicit Sign(DecimalSign sign) { setDecimalSign(sign); }
   ~Sign() { setDecimalSign(DecimalSign::OfLanguage); }
+};
+
+// Shown in these while it lives.
+struct Units {
+  explicit Units(const UnitSet& set) { setShownUnits(set); }
+  ~Units() { setShownUnits({}); }
 };
 
 }  // namespace
@@ -63,6 +71,11 @@ TEST_CASE("digits that count, digits behind the sign, and as many as it takes") 
   CHECK(numberText(std::numeric_limits<double>::quiet_NaN()) == "–");
   CHECK(quantityText(std::numeric_limits<double>::infinity(), Dimension::Force) == "–\u00a0N");
   CHECK(numberText(1e300, decimals(2)).size() == 304);
+  // A number, but none in the unit that is shown.
+  CHECK(quantityText(1e307, Dimension::Share) == "–\u00a0%");
+  CHECK(quantityText(-1e307, Dimension::Share, significant(2)) == "–\u00a0%");
+  CHECK(quantityText(1.7e308, Dimension::Share, plain()) == "–\u00a0%");
+  CHECK(quantityText(5e-324, Dimension::Share, significant(2)) == "0.000000000000\u00a0%");
 }
 
 TEST_CASE("10 000 random numbers are rounded as the C library's printf does it; seed 3") {
@@ -76,7 +89,7 @@ TEST_CASE("10 000 random numbers are rounded as the C library's printf does it; 
     if (expected.starts_with('-') && expected.find_first_not_of("-0.") == std::string::npos) expected.erase(0, 1);
     CHECK(numberText(value, decimals(count)) == expected);
     std::snprintf(text, sizeof text, "%g", value);
-    CHECK(numberText(value) == text);
+    CHECK(std::strtod(numberText(value).c_str(), nullptr) == std::strtod(text, nullptr));
   }
 }
 
@@ -108,13 +121,64 @@ TEST_CASE("in prose a number stays with its unit and not with a word") {
   CHECK(withUnitsKept("5 more, 7 nmr") == "5 more, 7 nmr");
 }
 
-TEST_CASE("every dimension but two has exactly one unit in which it is shown, of 1 in the code's unit or stated so") {
-  for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness,
-                            Dimension::HandLength, Dimension::Angle, Dimension::Share, Dimension::Frequency}) {
-    int shown = 0;
-    for (const Unit& u : units()) shown += u.dimension == d && (u.use & kShown);
-    CHECK(shown == 1);
+TEST_CASE(
+    "every dimension but two is shown in a unit of its own, and the code counts in one of them or in a part of 1") {
+  for (std::size_t k = 0; k < kDimensions; ++k) {
+    const auto d = Dimension(k);
+    const bool plain_number = d == Dimension::None || d == Dimension::Other;
+    REQUIRE(bool(shownUnit(d)) != plain_number);
+    if (plain_number) continue;
+    CHECK(shownUnit(d)->dimension == d);
+    CHECK((shownUnit(d)->use & kShowable) != 0);
+    if (d == Dimension::Share) continue;
+    REQUIRE(unitNamed(codeUnit(d), d));
+    CHECK(unitNamed(codeUnit(d), d)->in_code_units == 1.0);
   }
-  CHECK_FALSE(shownUnit(Dimension::None));
-  CHECK_FALSE(shownUnit(Dimension::Other));
+  CHECK(codeUnit(Dimension::Length) == "Å");
+  CHECK(codeUnit(Dimension::Stiffness) == "N/mm");
+  CHECK(codeUnit(Dimension::Share).empty());
+  CHECK(codeUnit(Dimension::None).empty());
+}
+
+TEST_CASE(
+    "with nm and mN chosen 1.4 Å is 0.14 nm and 0.43 N is 430 mN, with as many digits as before, until others are") {
+  UnitSet set;
+  REQUIRE(set.choose(Dimension::Length, "nm"));
+  REQUIRE(set.choose(Dimension::Force, "mN"));
+  CHECK_FALSE(set.choose(Dimension::Length, "N"));        // no length
+  CHECK_FALSE(set.choose(Dimension::Force, "pN"));        // only in prose
+  CHECK_FALSE(set.choose(Dimension::Length, "furlong"));  // none at all
+  CHECK(set.of(Dimension::Length)->symbol == "nm");
+  CHECK(quantityText(1.4, Dimension::Length, decimals(1)) == "1.4\u00a0Å");  // nothing is shown in them yet
+  {
+    const Units shown(set);
+    CHECK(quantityText(1.4, Dimension::Length, decimals(1)) == "0.14\u00a0nm");
+    CHECK(quantityText(1.4, Dimension::Length) == "0.140\u00a0nm");
+    CHECK(quantityText(0.43, Dimension::Force, decimals(2)) == "430\u00a0mN");
+    CHECK(quantityText(0.43, Dimension::Force, {decimals(2), "N"}) == "0.43\u00a0N");
+    CHECK(quantityIn(3.14159, "Å", decimals(2)) == "0.314\u00a0nm");
+    CHECK(unitText(Dimension::Length) == "nm");
+    CHECK(quantityText(2.0, Dimension::Time) == "2.0\u00a0s");
+  }
+  CHECK(quantityText(1.4, Dimension::Length, decimals(1)) == "1.4\u00a0Å");
+}
+
+TEST_CASE("energies by Avogadro's number: 1 kcal/mol is 4.184 kJ/mol and 6.948 zJ for each contact") {
+  const double one_kcal_per_mol_J = 4184.0 / 6.02214076e23;
+  const std::pair<const char*, const char*> written[] = {
+      {"kcal/mol", "1.00\u00a0kcal/mol"}, {"kJ/mol", "4.18\u00a0kJ/mol"}, {"zJ", "6.95\u00a0zJ"}};
+  for (const auto& [symbol, text] : written) {
+    UnitSet set;
+    REQUIRE(set.choose(Dimension::Energy, symbol));
+    const Units shown(set);
+    CHECK(quantityText(one_kcal_per_mol_J, Dimension::Energy, significant(3)) == text);
+  }
+  CHECK(quantityText(0.0109, Dimension::Energy) == "10.90\u00a0mJ");
+}
+
+TEST_CASE("a power of ten is written without signs and zeros that say nothing") {
+  CHECK(numberText(1e9) == "1e9");
+  CHECK(numberText(1.5e-12) == "1.5e-12");
+  CHECK(numberText(1e-7) == "1e-7");
+  CHECK(numberText(1e300) == "1e300");
 }

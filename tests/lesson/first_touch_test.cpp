@@ -106,7 +106,7 @@ TEST_CASE("every target of first-touch.md has an atom that the probe can touch f
           CAPTURE(value.selection.text());
           int most = 0;
           for (const std::uint32_t atom : value.selection.select(**molecule))
-            most = std::max(most, openDirections(balls, atom, step.scene.probe_A));
+            most = std::max(most, openDirections(balls, atom, step.scene.touch.probe_A));
           CHECK(most >= 20);
           ++targets;
         }

@@ -28,8 +28,8 @@ bool doneAlong(const Step& step, std::size_t task, std::string_view method, cons
   const auto molecule = shipped(step.scene.molecule);
   REQUIRE(molecule);
   const auto balls = std::make_shared<const BallScene>((*molecule)->balls());
-  const auto tracker = findMethod(method)->make(balls, step.scene.probe_A);
-  const auto exact = findMethod("exact")->make(balls, step.scene.probe_A);
+  const auto tracker = findMethod(method)->make(balls, step.scene.touch.probe_A);
+  const auto exact = findMethod("exact")->make(balls, step.scene.touch.probe_A);
   const auto t = makeTask(step.tasks[task], **molecule);
   TouchSample s;
   s.method = method;
@@ -80,7 +80,7 @@ TEST_CASE("on the lesson's atom a slide 1 A deep meets a jerk with 80 triangles 
   REQUIRE(read.lesson);
   const Step& step = read.lesson->steps[0];
   const std::vector<Vec3> slide{{0.1, 0.2, 4}, {0.1, 0.2, 2.2}, {2.0, 0.4, 1.0}, {1.0, 1.8, 1.0}};
-  CHECK(step.scene.method == "mesh80");
+  CHECK(step.scene.touch.method == "mesh80");
   CHECK(doneAlong(step, 0, "mesh80", slide));
   CHECK_FALSE(doneAlong(step, 0, "exact", slide));
 }
@@ -95,8 +95,8 @@ TEST_CASE(
   REQUIRE(molecule);
   const auto balls = std::make_shared<const BallScene>((*molecule)->balls());
   const auto largestTurn = [&](std::string_view method) {
-    const auto tracker = findMethod(method)->make(balls, step.scene.probe_A);
-    const double r = 1.88 + step.scene.probe_A - 0.6;
+    const auto tracker = findMethod(method)->make(balls, step.scene.touch.probe_A);
+    const double r = 1.88 + step.scene.touch.probe_A - 0.6;
     double most_deg = 0;
     // Great circles in many planes, 0.02 A a tick.
     for (int plane = 0; plane < 60; ++plane) {
@@ -129,10 +129,10 @@ TEST_CASE(
   REQUIRE(read.lesson);
   const Step& lost = stepOf(*read.lesson, "the-papers-method-loses-the-surface");
   const Step& thrown = stepOf(*read.lesson, "penalty-throws-you-out-of-the-far-side");
-  CHECK(lost.scene.method == "paper");
-  CHECK(thrown.scene.method == "penalty");
+  CHECK(lost.scene.touch.method == "paper");
+  CHECK(thrown.scene.touch.method == "penalty");
   // The pit lies so high over the plane of the atoms; a mouse pushes 3 A under the surface and no further.
-  const double pit_A = std::sqrt(std::pow(1.88 + lost.scene.probe_A, 2) - std::pow(3.76, 2) / 3.0);
+  const double pit_A = std::sqrt(std::pow(1.88 + lost.scene.touch.probe_A, 2) - std::pow(3.76, 2) / 3.0);
   for (const Vec3& aside : {Vec3(0.02, 0.01, 0), Vec3(0.2, -0.1, 0), Vec3(-0.1, 0.25, 0)}) {
     const std::vector<Vec3> through{aside + Vec3(0, 0, 4), aside + Vec3(0, 0, pit_A), aside + Vec3(0, 0, pit_A - 3.0),
                                     aside + Vec3(0.01, 0, pit_A - 3.0), aside + Vec3(0.3, 0, pit_A - 3.0)};
@@ -148,7 +148,7 @@ TEST_CASE("in the lesson's crease the grid of 0.8 A is off by 0.03 A, the one of
   const LessonReading read = readLesson(kLesson);
   REQUIRE(read.lesson);
   const Step& step = stepOf(*read.lesson, "a-grid-rounds-the-crease");
-  CHECK(step.scene.method == "grid08");
+  CHECK(step.scene.touch.method == "grid08");
   // Radius of the circle where the grown spheres meet; the pair lies along x.
   const double circle_A = std::sqrt(std::pow(1.88 + 1.4, 2) - 1.88 * 1.88);
   const std::vector<Vec3> push{{0.03, 0.02, 5}, {0.03, 0.02, circle_A - 1.0}, {0.1, 0.3, circle_A - 1.0}};

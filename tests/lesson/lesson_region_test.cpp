@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include "engine/lesson/check.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 #include "tests/lesson/small_molecules.h"
 
 using namespace moltact;

@@ -158,14 +158,15 @@ TEST_CASE("a scene without a molecule changes only what it says; one with a mole
   const Lesson l = lesson(
       "## A\n```scene\nmolecule: mix\nprobe: 0.2 nm\nstiffness: 300 N/m\nforce: off\n```\n"
       "## B\n## C\n```scene\nprobe: 1 Å\nview: facing ligand\n```\n## D\n```scene\nmolecule: water\n```\n");
-  CHECK(l.steps[0].scene.probe_A == 2.0);
-  CHECK(l.steps[0].scene.stiffness_N_per_mm == doctest::Approx(0.3));
-  CHECK((l.steps[1].scene.probe_A == 2.0 && !l.steps[1].states_scene));
-  CHECK((l.steps[2].scene.probe_A == 1.0 && !l.steps[2].scene.force && l.steps[2].scene.molecule == "mix"));
+  CHECK(l.steps[0].scene.touch.probe_A == 2.0);
+  CHECK(l.steps[0].scene.touch.stiffness_N_per_mm == doctest::Approx(0.3));
+  CHECK((l.steps[1].scene.touch.probe_A == 2.0 && !l.steps[1].states_scene));
+  CHECK((l.steps[2].scene.touch.probe_A == 1.0 && !l.steps[2].scene.touch.force_on &&
+         l.steps[2].scene.molecule == "mix"));
   CHECK((l.steps[2].scene.view.empty() && l.steps[2].scene.facing.text() == "ligand"));
   const SceneSpec& d = l.steps[3].scene;
-  CHECK((d.probe_A == 1.4 && d.force && d.stiffness_N_per_mm == doctest::Approx(0.5) && d.view == "side" &&
-         !d.facing.given()));
+  CHECK((d.touch.probe_A == 1.4 && d.touch.force_on && d.touch.stiffness_N_per_mm == doctest::Approx(0.5)));
+  CHECK((d.view == "side" && !d.facing.given()));
   CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
 }
 

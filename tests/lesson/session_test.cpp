@@ -45,8 +45,8 @@ TEST_CASE(
              "Å\n```\n[y](#aside-y)\n### Question: Q?\n- [x] a\n- [ ] b\n"
              "## B\n## Aside: Y\nText.\n"));
   CHECK(s.lesson().steps[1].title == "X");
-  CHECK(s.lesson().steps[1].scene.probe_A == 2.0);
-  CHECK(s.lesson().steps[2].scene.probe_A == 1.4);
+  CHECK(s.lesson().steps[1].scene.touch.probe_A == 2.0);
+  CHECK(s.lesson().steps[2].scene.touch.probe_A == 1.4);
   s.next();
   CHECK(s.step().id == "b");
   CHECK_FALSE(s.hasNext());

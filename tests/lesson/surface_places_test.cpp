@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "engine/lesson/hand_plan.h"
 #include "engine/molecule/reader.h"
 
 using namespace moltact;
@@ -41,6 +42,24 @@ TEST_CASE("three balls of 1.88 A that touch one another have two pits 2.456 A ab
     CHECK(std::abs(p.scp_A.z) == doctest::Approx(std::sqrt(3.28 * 3.28 - h * h)));
     CHECK(std::abs(p.outward.z) == doctest::Approx(1.0));
   }
+}
+
+TEST_CASE(
+    "creases of balls as large as a file may have them, 1e9 A, have 20 000 places, all on the crease, and a slide "
+    "along one 20 000 steps at most") {
+  const double radius_A = 1e9, half_A = 0.6e9;
+  const BallScene scene({{{-half_A, 0, 0}, radius_A}, {{half_A, 0, 0}, radius_A}});
+  const auto places = creasePlaces(scene, allOf(scene), 1.4, 0.2);
+  CHECK(places.size() == std::size_t(kMostCreasePlaces));
+  for (const SurfacePlace& p : places) {
+    CHECK(std::abs(p.scp_A.x) < 1.0);
+    CHECK(glm::length(p.scp_A) == doctest::Approx(0.8e9).epsilon(1e-6));
+  }
+  HandPlan plan;
+  slide(plan, {.balls = scene}, places.front(), places[places.size() / 2], 0.1);
+  CHECK(plan.size() == 20'000);
+  REQUIRE(plan.back().to.has_value());
+  CHECK(glm::distance(plan.back().to->A, places[places.size() / 2].scp_A) < 1.0);
 }
 
 TEST_CASE("every face, crease and pit place of ubiquitin lies on its atoms' grown spheres and in no other") {

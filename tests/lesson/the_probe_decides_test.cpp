@@ -14,7 +14,7 @@ TEST_CASE(
   CHECK(tasksOf(lesson, "same") == 1);
   for (const double probe : {0.0, 0.2, 0.4, 1.4, 3.0}) {
     bool met = false;
-    for (const Step& s : lesson.steps) met = met || s.scene.probe_A == probe;
+    for (const Step& s : lesson.steps) met = met || s.scene.touch.probe_A == probe;
     CHECK_MESSAGE(met, probe);
   }
 }

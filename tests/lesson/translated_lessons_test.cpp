@@ -98,10 +98,7 @@ void compareBlocks(const std::vector<Block>& original, const std::vector<Block>&
 
 void compareScenes(const SceneSpec& a, const SceneSpec& b) {
   CHECK(b.molecule == a.molecule);
-  CHECK(b.probe_A == a.probe_A);
-  CHECK(b.stiffness_N_per_mm == a.stiffness_N_per_mm);
-  CHECK(b.method == a.method);
-  CHECK(b.force == a.force);
+  CHECK(b.touch == a.touch);
   CHECK(b.show == a.show);
   CHECK(b.colour == a.colour);
   CHECK(b.panels == a.panels);

@@ -159,13 +159,13 @@ TEST_CASE("a coordinate as 1e9 in a PDB column is refused, and so is one beyond 
   const std::string cif =
       "data_x\nloop_\n_atom_site.type_symbol\n_atom_site.Cartn_x\n_atom_site.Cartn_y\n_atom_site.Cartn_z\n";
   CHECK(problemOf(cif + "C 2e9 0 0\n", "x.cif") ==
-        "x.cif: the atom '' lies farther out than 1e9 A; correct its coordinates");
+        "x.cif: the atom '' lies farther out than 1e9\u00a0Å; correct its coordinates");
   CHECK(problemOf(cif + "C 0 0 0\nC 0 ? 0\n", "x.cif") ==
         "x.cif: row 2 of the _atom_site table: Cartn_y is not a number: '?'; correct the file, or take it "
         "again from its source");
   CHECK(problemOf(cif + "C 0 inf 0\n", "x.cif").find("Cartn_y is not a number: 'inf'") != std::string::npos);
   CHECK(problemOf("2e9 0 0 1\n", "x.xyzr") ==
-        "x.xyzr:1:1: x is '2e9', which is not a finite number up to 1e9 A; correct or remove the line");
+        "x.xyzr:1:1: x is '2e9', which is not a finite number up to 1e9\u00a0Å; correct or remove the line");
 }
 
 TEST_CASE("of 30 000 mmCIF models the first, the last and one whose rows are parted by others are read") {
@@ -197,7 +197,7 @@ TEST_CASE("an .xyzr line with 3 numbers, a word, a NaN, a comma or a negative ra
   CHECK(problemOf("0 0 0 1\n1 2 3\n", "x.xyzr") == "x.xyzr:2:6: expected 4 numbers, found 3; " + kXyzrRemedy);
   CHECK(problemOf("0 zero 0 1\n", "x.xyzr") == "x.xyzr:1:3: expected the number y, found 'zero'; " + kXyzrRemedy);
   CHECK(problemOf("0 0 nan 1\n", "x.xyzr") ==
-        "x.xyzr:1:5: z is 'nan', which is not a finite number up to 1e9 A; correct or remove the line");
+        "x.xyzr:1:5: z is 'nan', which is not a finite number up to 1e9\u00a0Å; correct or remove the line");
   CHECK(problemOf("0,0,0,1\n", "x.xyzr") == "x.xyzr:1:1: expected the number x, found '0,0,0,1'; " + kXyzrRemedy);
   CHECK(problemOf("0 0 0 -1\n", "x.xyzr") == "x.xyzr:1:7: the radius is negative: '-1'; give a radius of 0 A or more");
   CHECK(problemOf("12\ncomment\n", "x.xyzr") == "x.xyzr:1:3: expected 4 numbers, found 1; " + kXyzrRemedy);

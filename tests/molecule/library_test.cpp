@@ -237,8 +237,10 @@ TEST_CASE("a name is found by id in any case, as a fetched entry or as a path; a
   CHECK(*findMolecule(path.string(), folders) == path);
   CHECK(findMolecule(std::string("benzen"), folders).problem().text() ==
         "benzen: there is no such file, and no molecule of this name in the library; did you mean 'benzene'?");
-  CHECK(findMolecule(std::string("5adh"), folders).problem().remedy == "'moltact fetch 5adh' downloads an entry of the PDB");
-  CHECK(findMolecule(std::string("1ubq"), {scratch.folder, {}}).problem().message == "the catalogue of molecules cannot be opened");
+  CHECK(findMolecule(std::string("5adh"), folders).problem().remedy ==
+        "'moltact fetch 5adh' downloads an entry of the PDB");
+  CHECK(findMolecule(std::string("1ubq"), {scratch.folder, {}}).problem().message ==
+        "the catalogue of molecules cannot be opened");
 }
 
 TEST_CASE("a broken catalogue gives a problem: no JSON, a missing field, a file outside the folder, an id twice") {

@@ -32,6 +32,28 @@ TEST_CASE("a recording's labels give back how its molecule was read; missing and
   CHECK(readingText({}).empty());
 }
 
+TEST_CASE(
+    "every option tells molecules apart, by itself, in text, hash and labels; what is not sound changes nothing") {
+  std::set<std::string_view> names;
+  for (const ReadingOption& option : readingOptions()) {
+    CAPTURE(std::string(option.name));
+    CHECK(names.insert(option.name).second);
+    ReadOptions reading;
+    CHECK(isDefault(reading, option));
+    const bool is_text = std::holds_alternative<std::string ReadOptions::*>(option.member);
+    REQUIRE(readText(reading, option, std::holds_alternative<bool ReadOptions::*>(option.member) ? "yes" : "7"));
+    CHECK_FALSE(isDefault(reading, option));
+    for (const ReadingOption& o : readingOptions()) CHECK(isDefault(reading, o) == (&o != &option));
+    CHECK(std::hash<MoleculeKey>()({"a", reading}) != std::hash<MoleculeKey>()({"a", {}}));
+    CHECK_FALSE(readingText(reading).empty());
+    CHECK(labelledMolecule(moleculeLabels({"a", reading})) == NamedMolecule("a", reading));
+    const ReadOptions before = reading;
+    for (const char* unsound : {"", "0", "-1", "perhaps", "100001", "3 "})
+      if (!is_text) CHECK_FALSE(readText(reading, option, unsound));
+    CHECK(reading == before);
+  }
+}
+
 TEST_CASE("a molecule of the library lasts by its id, another by its whole path, each with how it was read") {
   const MoleculeFolders folders{libraryFolder(), {}};
   const ReadOptions waters{.waters = true};

@@ -75,19 +75,19 @@ TEST_CASE("20 000 random bytes, in pieces of any size, give text that holds noth
 
 TEST_CASE("numbers of every size have a whole number and a float") {
   const double inf = std::numeric_limits<double>::infinity(), nan = std::numeric_limits<double>::quiet_NaN();
-  CHECK(wholeOf<int>(1e300) == std::numeric_limits<int>::max());
-  CHECK(wholeOf<int>(-inf) == std::numeric_limits<int>::min());
-  CHECK(wholeOf<int>(nan) == 0);
-  CHECK(wholeOf<int>(-3.9) == -3);
-  CHECK(wholeOf<int>(2147483647.0) == 2147483647);
-  CHECK(wholeOf<int>(2147483648.0) == 2147483647);
-  CHECK(wholeOf<int>(2147483648.0f) == 2147483647);
-  CHECK(wholeOf<std::int64_t>(9.3e18) == std::numeric_limits<std::int64_t>::max());
-  CHECK(wholeOf<std::size_t>(-1.0) == 0);
-  CHECK(floatOf(1e300) == std::numeric_limits<float>::max());
-  CHECK(floatOf(-inf) == -std::numeric_limits<float>::max());
-  CHECK(floatOf(nan) == 0.0f);
-  CHECK(floatOf(0.1) == 0.1f);
+  CHECK(saturateToInteger<int>(1e300) == std::numeric_limits<int>::max());
+  CHECK(saturateToInteger<int>(-inf) == std::numeric_limits<int>::min());
+  CHECK(saturateToInteger<int>(nan) == 0);
+  CHECK(saturateToInteger<int>(-3.9) == -3);
+  CHECK(saturateToInteger<int>(2147483647.0) == 2147483647);
+  CHECK(saturateToInteger<int>(2147483648.0) == 2147483647);
+  CHECK(saturateToInteger<int>(2147483648.0f) == 2147483647);
+  CHECK(saturateToInteger<std::int64_t>(9.3e18) == std::numeric_limits<std::int64_t>::max());
+  CHECK(saturateToInteger<std::size_t>(-1.0) == 0);
+  CHECK(saturateToFloat(1e300) == std::numeric_limits<float>::max());
+  CHECK(saturateToFloat(-inf) == -std::numeric_limits<float>::max());
+  CHECK(saturateToFloat(nan) == 0.0f);
+  CHECK(saturateToFloat(0.1) == 0.1f);
 }
 
 TEST_CASE("a home that is not named from the root counts as none") {

@@ -11,22 +11,22 @@
 using namespace moltact;
 
 TEST_CASE("every shape is switched by its own name, and 'haptic' is the group of the seven haptic ones") {
-  for (const ShapeName& s : shapeNames()) {
-    const auto set = parseShapes(s.name);
+  for (const ViewPartInfo& s : viewParts()) {
+    const auto set = parseViewParts(s.name);
     REQUIRE(bool(set));
-    for (const ShapeName& other : shapeNames()) CHECK(set->has(other.shape) == (other.shape == s.shape));
+    for (const ViewPartInfo& other : viewParts()) CHECK(set->has(other.part) == (other.part == s.part));
   }
-  const auto haptic = parseShapes("haptic");
+  const auto haptic = parseViewParts("haptic");
   int count = 0;
-  for (const ShapeName& s : shapeNames()) {
-    CHECK(haptic->has(s.shape) == s.haptic);
+  for (const ViewPartInfo& s : viewParts()) {
+    CHECK(haptic->has(s.part) == s.haptic);
     count += s.haptic;
   }
   CHECK(count == 7);
 }
 
 TEST_CASE("an unknown shape names the known ones") {
-  const auto set = parseShapes("atoms,conez");
+  const auto set = parseViewParts("atoms,conez");
   REQUIRE_FALSE(bool(set));
   CHECK(set.problem().text().find("conez") != std::string::npos);
   CHECK(set.problem().text().find("circles, points, cones") != std::string::npos);

@@ -18,7 +18,7 @@ ViewScene atomsOnly(std::vector<Atom> atoms, double distance_A) {
   ViewScene scene;
   scene.molecule = molecule(std::move(atoms));
   scene.camera = frontCamera(distance_A);
-  scene.shown = {Shape::Atoms};
+  scene.shown = {ViewPart::Atoms};
   return scene;
 }
 
@@ -143,7 +143,7 @@ TEST_CASE("two samples a pixel's edge give the same mean picture with smoother e
 
 TEST_CASE("a picture is kept while nothing changes, and the atoms are kept while only the HIP moves") {
   ViewScene scene = atomsOnly(crowd(Vec3(0), 7, 50), 70);
-  scene.shown = {Shape::Atoms, Shape::Hip};
+  scene.shown = {ViewPart::Atoms, ViewPart::Hip};
   const Picture before = drawn(scene, 600, 450);
   CHECK(renderer().count().atoms_redrawn);
   scene.hip = PointA{Vec3(0, 0, 20)};

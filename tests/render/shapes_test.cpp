@@ -47,7 +47,7 @@ TEST_CASE("the circle in use passes within 1 pixel of where its closed form is p
   ViewScene scene = crease();
   scene.shown = {};
   const Picture without = drawn(scene, 500, 400);
-  scene.shown = {Shape::Circles};
+  scene.shown = {ViewPart::Circles};
   const Picture with = drawn(scene, 500, 400);
   const auto circle = circleOf({Vec3(-1.6, 0, 0), 3.28}, {Vec3(1.6, 0, 0), 3.28});
   REQUIRE(circle);
@@ -69,7 +69,7 @@ TEST_CASE("the outline of an inflated sphere lies where its perspective image en
   scene.haptic_atoms = {0};
   scene.shown = {};
   const Picture without = drawn(scene, 400, 400);
-  scene.shown = {Shape::Spheres};
+  scene.shown = {ViewPart::Spheres};
   const Picture with = drawn(scene, 400, 400);
   const double r = std::tan(std::asin(3.1 / 20)) / scene.camera.tanHalfY() * 200;
   for (int i = 0; i < 60; ++i) {
@@ -81,7 +81,7 @@ TEST_CASE("the outline of an inflated sphere lies where its perspective image en
 
 TEST_CASE("no line of an inflated sphere runs inside another one, and all lie on their spheres") {
   ViewScene scene = crease();
-  scene.shown = {Shape::Spheres};
+  scene.shown = {ViewPart::Spheres};
   const MoleculeModel model(scene.molecule);
   Strokes strokes;
   std::vector<LooseSphere> dots;
@@ -98,7 +98,7 @@ TEST_CASE("no line of an inflated sphere runs inside another one, and all lie on
 
 TEST_CASE("facets are the mesh's edges, outside the other ball, and few however fine the mesh is") {
   ViewScene scene = crease();
-  scene.shown = {Shape::Facets};
+  scene.shown = {ViewPart::Facets};
   const MoleculeModel model(scene.molecule);
   std::vector<LooseSphere> dots;
   const auto linesOf = [&](std::shared_ptr<const SphereMesh> mesh) {
@@ -122,20 +122,70 @@ TEST_CASE("facets are the mesh's edges, outside the other ball, and few however 
   CHECK(linesOf(SphereMesh::ofTriangles(5120)).lines().size() < 6000);
 }
 
+TEST_CASE("facets of balls as large as a file may have them, 1e9 A, are cut at the other ball to a 24th of an edge") {
+  constexpr double kRadius_A = 1e9;
+  ViewScene scene;
+  scene.molecule = molecule({atom(Vec3(-0.55e9, 0, 0), kRadius_A, 18), atom(Vec3(0.55e9, 0, 0), kRadius_A, 16)});
+  scene.contact.scp.A = Vec3(0, std::sqrt(1.0 - 0.55 * 0.55) * kRadius_A, 0);
+  scene.contact.feature = Feature::Circle;
+  scene.contact.atoms = {0, 1, -1};
+  scene.camera = frontCamera(4e9);
+  scene.shown = {ViewPart::Facets};
+  const auto mesh = SphereMesh::ofTriangles(80);
+  scene.facets = mesh;
+  double longest = 0.0;
+  for (const SphereMesh::Face& f : mesh->faces())
+    for (std::size_t k = 0; k < 3; ++k)
+      longest = std::max(longest, glm::distance(mesh->vertices()[std::size_t(f.corners[k])],
+                                                mesh->vertices()[std::size_t(f.corners[(k + 1) % 3])]));
+  const MoleculeModel model(scene.molecule);
+  Strokes strokes;
+  std::vector<LooseSphere> dots;
+  addHapticShapes(scene, model, strokes, dots);
+  CHECK(strokes.lines().size() > 120);
+  // A piece is drawn where its middle is outside: an end lies no deeper than half of it.
+  const double least = 1.0 - std::max(mesh->sagitta(), longest / 48.0);
+  for (const Strokes::Line& line : strokes.lines())
+    for (std::size_t i = line.begin; i < line.end; ++i) {
+      const Vec3 p = scene.camera.fromView(Vec3(strokes[i])).A;
+      const double near = std::min(glm::length(p - Vec3(-0.55e9, 0, 0)), glm::length(p - Vec3(0.55e9, 0, 0)));
+      CHECK(near / kRadius_A > least - 1e-5);
+      CHECK(near / kRadius_A < 1.0 + 1e-5);
+    }
+}
+
+TEST_CASE("a contact at the ends of what an attempt can tell, 2e9 A, gives lines and dots that are numbers") {
+  ViewScene scene = crease();
+  for (const ViewPartInfo& part : viewParts()) scene.shown.set(part.part);
+  scene.facets = SphereMesh::ofTriangles(80);
+  const MoleculeModel model(scene.molecule);
+  for (const double far_A : {2e9, -2e9}) {
+    scene.contact.scp.A = Vec3(far_A, -far_A, far_A);
+    scene.hip = PointA{Vec3(-far_A, far_A, -far_A)};
+    stretchToScp(scene.contact, *scene.hip);
+    Strokes strokes;
+    std::vector<LooseSphere> dots;
+    addHapticShapes(scene, model, strokes, dots);
+    for (const Strokes::Line& line : strokes.lines())
+      for (std::size_t i = line.begin; i < line.end; ++i) CHECK(finite(Vec3(strokes[i])));
+    for (const LooseSphere& dot : dots) CHECK(finite(Vec3(dot.centre)));
+  }
+}
+
 TEST_CASE("each part that is switched on changes the picture, and only the ones of its own") {
   const ViewScene base = crease();
   ViewScene scene = base;
-  scene.shown = {Shape::Atoms};
+  scene.shown = {ViewPart::Atoms};
   scene.targets.push_back({{Vec3(0, 0, 4)}, 0.8, false});
   scene.facets = SphereMesh::ofTriangles(80);
   const Picture bare = drawn(scene, 300, 240);
-  for (const ShapeName& s : shapeNames()) {
-    if (s.shape == Shape::Atoms || s.shape == Shape::Points) continue;  // two balls meet in no points
-    scene.shown = {Shape::Atoms, s.shape};
+  for (const ViewPartInfo& s : viewParts()) {
+    if (s.part == ViewPart::Atoms || s.part == ViewPart::Points) continue;  // two balls meet in no points
+    scene.shown = {ViewPart::Atoms, s.part};
     CAPTURE(s.name);
     CHECK(compare(drawn(scene, 300, 240), bare, 12).pixels > 8);
   }
-  scene.shown = {Shape::Atoms};
+  scene.shown = {ViewPart::Atoms};
   CHECK(compare(drawn(scene, 300, 240), bare, 0).pixels == 0);
 }
 
@@ -149,7 +199,7 @@ TEST_CASE("a dark screen shows nothing of the scene") {
 
 TEST_CASE("the probe is a water molecule: O at the SCP, two H at 0.9572 A with 104.52 degrees, away from the surface") {
   ViewScene scene = crease();
-  scene.shown = {Shape::Probe};
+  scene.shown = {ViewPart::Probe};
   Glyphs glyphs;
   addGlyphs(scene, nullptr, glyphs);
   REQUIRE(glyphs.solid.size() == 3);
@@ -168,7 +218,7 @@ TEST_CASE("the probe is a water molecule: O at the SCP, two H at 0.9572 A with 1
 
 TEST_CASE("twice the force makes the arrow's shaft twice as long, outward from the SCP") {
   ViewScene scene = crease();
-  scene.shown = {Shape::Force};
+  scene.shown = {ViewPart::Force};
   const auto shaft = [&](double force_N) {
     scene.force_N = force_N;
     Glyphs glyphs;
@@ -185,7 +235,7 @@ TEST_CASE("out-of-range atoms in a scene are passed over") {
   scene.highlighted = {0, 77};
   scene.haptic_atoms = {1, 99};
   scene.contact.atoms = {0, 1, 5000};
-  for (const ShapeName& s : shapeNames()) scene.shown.set(s.shape);
+  for (const ViewPartInfo& s : viewParts()) scene.shown.set(s.part);
   CHECK(drawn(scene, 64, 64).rgb.size() == 64 * 64 * 3);
 }
 
@@ -194,7 +244,7 @@ TEST_CASE(
   ViewScene scene;
   scene.molecule = molecule({atom(Vec3(-2, 0, 0), 1.7, 6), atom(Vec3(2, 0, 0), 1.7, 6)});
   scene.camera = frontCamera(14);
-  scene.shown = {Shape::Atoms, Shape::Target};
+  scene.shown = {ViewPart::Atoms, ViewPart::Target};
   scene.highlighted = {1};
   const Picture picture = drawn(scene, 400, 300, {.samples = 2});
   // Along the line square to the stripes, in the ball's bright upper left half.
@@ -216,7 +266,7 @@ TEST_CASE(
 TEST_CASE(
     "the atoms that hold the probe are drawn over themselves in full light with a ring each; without a touch none is") {
   ViewScene scene = crease();
-  scene.shown = {Shape::Atoms};
+  scene.shown = {ViewPart::Atoms};
   const MoleculeModel model(scene.molecule);
   Glyphs glyphs;
   addGlyphs(scene, &model, glyphs);
@@ -237,7 +287,7 @@ TEST_CASE(
     "a model of 0.1 units stands with its tip at the HIP and is 170 pixels long in a picture 800 high; left-handed it "
     "is mirrored") {
   ViewScene scene = crease();
-  scene.shown = {Shape::Probe};
+  scene.shown = {ViewPart::Probe};
   SolidModel rod;
   rod.corners.resize(3);
   rod.high = {0, 0.1f, 0};
@@ -282,7 +332,7 @@ TEST_CASE("the golden pictures are drawn as they were approved") {
     CHECK(difference.pixels < 320 * 240 * 15 / 1000);
   };
   ViewScene scene = crease();
-  scene.shown = {Shape::Atoms, Shape::Force, Shape::Probe, Shape::Hip};
+  scene.shown = {ViewPart::Atoms, ViewPart::Force, ViewPart::Probe, ViewPart::Hip};
   check("water-in-a-crease", scene);
   for (const char* name : {"stylus", "finger"}) {
     auto model = readGltf(std::filesystem::path(MOLTACT_SOURCE_DIR) / "assets/models" / (std::string(name) + ".glb"));
@@ -292,11 +342,11 @@ TEST_CASE("the golden pictures are drawn as they were approved") {
     check(std::string("hand-") + name, held);
   }
   ViewScene marked = crease();
-  marked.shown = {Shape::Atoms, Shape::Target};
+  marked.shown = {ViewPart::Atoms, ViewPart::Target};
   marked.contact = {};
   marked.highlighted = {1};
   check("striped-highlight", marked);
-  scene.shown = *parseShapes("atoms,haptic,force");
+  scene.shown = *parseViewParts("atoms,haptic,force");
   scene.theme = lightTheme();
   check("haptic-shapes", scene);
   auto protein = readMolecule(std::filesystem::path(MOLTACT_SOURCE_DIR) / "molecules/1ubq.pdb");

@@ -61,17 +61,50 @@ TEST_CASE("a felt curve keeps its forces to 0.001 N and the places where nothing
 }
 
 TEST_CASE("a stage says how its file was read where that is not the default, and no more than that") {
-  auto stage = std::get<StageSet>(sampleEvents()[1].what);
+  auto stage = std::get<StageChanged>(sampleEvents()[1].what);
   CHECK(lineOf({0.0, stage}).find("waters") == std::string::npos);
   for (const ReadOptions& reading :
        {ReadOptions{}, ReadOptions{.waters = true}, ReadOptions{.model = 3, .assembly = "1"}}) {
     stage.reading = reading;
     const auto back = readEventLine(lineOf({0.0, stage}));
     REQUIRE(bool(back));
-    CHECK(std::get<StageSet>((**back).what) == stage);
+    CHECK(std::get<StageChanged>((**back).what) == stage);
   }
   std::string line = lineOf({0.0, stage});
   line.replace(line.find("\"model\":3"), 9, "\"model\":0");
+  CHECK_FALSE(readEventLine(line));
+}
+
+TEST_CASE("a stage keeps every property of what it is felt with; attempts without the newer ones have the defaults") {
+  auto stage = std::get<StageChanged>(sampleEvents()[1].what);
+  CHECK(
+      lineOf({0.0, stage}).find("\"probe_A\":1.4,\"stiffness_N_per_mm\":0.5,\"method\":\"exact\",\"force_on\":true}") !=
+      std::string::npos);
+  for (const TouchProperty& p : touchProperties()) {
+    CAPTURE(std::string(p.field));
+    stage.touch = {};
+    const TouchValue usual = touchValue(stage.touch, p);
+    if (std::holds_alternative<double>(usual))
+      setTouchValue(stage.touch, p, 0.5 * (p.in_files.least + p.in_files.most));
+    else if (const auto* on = std::get_if<bool>(&usual))
+      setTouchValue(stage.touch, p, !*on);
+    else
+      setTouchValue(stage.touch, p, std::string("another"));
+    const std::string line = lineOf({0.0, stage});
+    const auto back = readEventLine(line);
+    REQUIRE(bool(back));
+    CHECK(std::get<StageChanged>((**back).what) == stage);
+    // Without the key.
+    const std::size_t at = line.find("\"" + std::string(p.field) + "\":");
+    REQUIRE(at != std::string::npos);
+    const std::size_t end = line.find_first_of(",}", at);
+    const auto without = readEventLine(line.substr(0, at - 1) + line.substr(end));
+    CHECK(bool(without) == !p.in_old_files);
+    if (without) CHECK(std::get<StageChanged>((**without).what).touch == TouchSetup());
+  }
+  // A number that no Moltact writes.
+  std::string line = lineOf({0.0, stage});
+  line.replace(line.find("\"probe_A\":1.4"), 13, "\"probe_A\":21.");
   CHECK_FALSE(readEventLine(line));
 }
 

@@ -82,13 +82,13 @@ TEST_CASE(
   std::size_t still = 0, touching = 0;
   const Attempt attempt = *readAttempt(window.log.file(), ReadDepth::NoTrace);
   for (const AttemptEvent& e : attempt.events) {
-    still += std::holds_alternative<StillHere>(e.what);
+    still += std::holds_alternative<Heartbeat>(e.what);
     touching += std::holds_alternative<TouchSoFar>(e.what);
   }
   CHECK(touching <= 28);
   CHECK(touching >= 25);
   CHECK(still <= 34);
-  CHECK(lineOf({1234.567, StillHere{}}).size() < 40);
+  CHECK(lineOf({1234.567, Heartbeat{}}).size() < 40);
 }
 
 TEST_CASE(

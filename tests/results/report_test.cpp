@@ -2,8 +2,10 @@
 #include <doctest/doctest.h>
 
 #include <cstdlib>
+#include <regex>
 #include <set>
 
+#include "engine/language/units.h"
 #include "engine/results/class_csv.h"
 #include "engine/results/class_page.h"
 #include "tests/results/sample_attempt.h"
@@ -98,6 +100,29 @@ TEST_CASE("the page shows the first curve that a student drew beside the one fel
   const std::string page = classPage(summary, {}, "");
   CHECK(page.find("<path class=\"felt\" d=\"M24.0 90.0L107.0 58.2L190.0 26.4\"/>") != std::string::npos);
   CHECK(page.find("<path class=\"drawn\" d=\"M24.0 90.0L107.0 51.8L190.0 13.6\"/>") != std::string::npos);
+}
+
+TEST_CASE(
+    "with nm and mN chosen the page has no other unit of length and force: 6.25 Å are 0.6 nm, 1.25 N are 1250 mN") {
+  Attempt again = sampleAttempt();
+  again.events.push_back({9.6, CurveKept{"one", 0, false, "depth", 0.8, 3.3, {3.3, 3.3, 3.3}}});
+  const ClassSummary summary = summarise({again});
+  const std::string before = classPage(summary, {}, "");
+  CHECK(before.find("<th>Path,<br>Å</th>") != std::string::npos);
+  CHECK(before.find("<td>1.25</td><td>0.75</td><td>6</td>") != std::string::npos);
+  UnitSet set;
+  REQUIRE(set.choose(Dimension::Length, "nm"));
+  REQUIRE(set.choose(Dimension::Force, "mN"));
+  setShownUnits(set);
+  std::string page = classPage(summary, {}, "");
+  setShownUnits({});
+  CHECK(page.find("<th>Path,<br>nm</th>") != std::string::npos);
+  CHECK(page.find("<td>1250</td><td>750</td><td>0.6</td>") != std::string::npos);
+  CHECK(page.find("mN against depth") != std::string::npos);
+  // What the student wrote stays as it was written.
+  for (std::size_t at; (at = page.find("2.5 Å")) != std::string::npos;) page.erase(at, std::string("2.5 Å").size());
+  CHECK(page.find("Å") == std::string::npos);
+  CHECK_FALSE(std::regex_search(page, std::regex("[>, \u00a0]N[<, ]")));
 }
 
 TEST_CASE("a second attempt adds its time, keeps the first answers and never lowers the progress") {

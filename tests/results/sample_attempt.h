@@ -70,7 +70,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
     }
     chunk.samples.push_back(s);
   }
-  StageSet stage{"1UBQ", "1ubq.pdb", 602, {}, 1.4, 0.5, "exact", true};
+  StageChanged stage{"1UBQ", "1ubq.pdb", 602};
   stage.workspace.A_per_mm = 0.25;
   stage.workspace.centre_A = {30.5, 29.25, 14.125};
   return {
@@ -78,7 +78,7 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {0.0, stage},
       {0.0, StepEntered{"one"}},
       {0.0, TaskBegun{"one", 0}},
-      {0.5, ViewRotated{{1, 0, 0, 0}, {30.5, 29.25, 14.125}, 60.5}},
+      {0.5, ViewChanged{{1, 0, 0, 0}, {30.5, 29.25, 14.125}, 60.5}},
       {2.0, HintOpened{"one"}},
       {3.0, TouchBegan{{7}}},
       {3.085, chunk},
@@ -95,9 +95,9 @@ inline std::vector<AttemptEvent> sampleEvents() {
       {8.0, StepEntered{"two"}},
       {9.0, Answered{"two", "how-much", 1, {}, "2.5 Å", true, InputWay::Keyboard}},
       {9.0, ProgressMade{"two", 3, 3}},
-      {9.5, Left{"2026-11-21T10:59:00Z"}},
+      {9.5, SessionClosed{"2026-11-21T10:59:00Z"}},
       {9.5, Resumed{"2026-11-21T11:05:00Z", "0.1.0", "Omni", true}},
-      {9.5, StillHere{}},
+      {9.5, Heartbeat{}},
   };
 }
 

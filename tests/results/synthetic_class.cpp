@@ -34,7 +34,7 @@ class Student {
       for (const Question& q : step.questions) answer(log, step, q);
       progress(log, lesson, s);
     }
-    log.add({t_, Left{"2026-11-20T09:00:00Z"}});
+    log.add({t_, SessionClosed{"2026-11-20T09:00:00Z"}});
   }
 
  private:

@@ -69,7 +69,7 @@ TEST_CASE("9.5 s with 7 marks: steps, a task, answers and a hint, each with its 
 TEST_CASE("an attempt without a trace has no hand and no stage, and still its length") {
   Attempt a;
   a.header = sampleHeader();
-  a.events = {{4.0, Left{"2026-11-21T10:59:00Z"}}};
+  a.events = {{4.0, SessionClosed{"2026-11-21T10:59:00Z"}}};
   const Timeline line(a);
   CHECK(line.length_s() == 4.0);
   CHECK_FALSE(line.hand(1.0).has_value());

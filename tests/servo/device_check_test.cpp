@@ -164,9 +164,9 @@ TEST_CASE(
 namespace {
 
 // The loop without its safety stage: what the tracker wants is what the device is given, at once.
-struct Careless final : TickTarget {
+struct Careless final : ClockListener {
   explicit Careless(FaultyDevice& on) : device(on) {}
-  void tickOfDevice() noexcept override {
+  void onDeviceTick() noexcept override {
     const DevicePose pose = device.read(kTick_s);
     const Vec3 wanted = pose.position.mm - at_mm;
     device.write({pose.connected ? Vec3(wanted * stiffness_N_per_mm) : Vec3(0.0)});
@@ -186,12 +186,12 @@ class PutDevice final : public Device {
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return pose; }
   void write(ForceN) noexcept override {}
-  bool startClock(TickTarget& target) override {
+  bool startClock(ClockListener& target) override {
     clock = &target;
     return true;
   }
   DevicePose pose;
-  TickTarget* clock = nullptr;
+  ClockListener* clock = nullptr;
 
  private:
   DeviceInfo info_;
@@ -209,10 +209,11 @@ TEST_CASE(
     double at_mm;
     const char* broken;
   };
-  for (const Case& one : {Case{Fault::None, 0, 2.0, nullptr}, Case{Fault::Leaps, 3, 2.0, "over the greatest force"},
-                          Case{Fault::NotANumber, 1, 2.0, "the force is not finite"},
-                          Case{Fault::Frozen, 60, 2.0, "force at a stale place"},
-                          Case{Fault::Stands, 1, 2.0, "more force than softly after a fault"}}) {
+  for (const Case& one :
+       {Case{Fault::None, 0, 2.0, nullptr}, Case{Fault::PositionJump, 3, 2.0, "over the greatest force"},
+        Case{Fault::NotANumber, 1, 2.0, "the force is not finite"},
+        Case{Fault::Frozen, 60, 2.0, "force at a stale place"},
+        Case{Fault::Stall, 1, 2.0, "more force than softly after a fault"}}) {
     CAPTURE(int(one.fault));
     auto put = std::make_unique<PutDevice>();
     PutDevice& raw = *put;
@@ -222,11 +223,11 @@ TEST_CASE(
     raw.pose.position.mm = {one.at_mm, 0, 0};
     for (int k = 0; k < 600; ++k) {  // slowly to 1 N
       loop.stiffness_N_per_mm = std::min(0.5, 0.001 * k);
-      raw.clock->tickOfDevice();
+      raw.clock->onDeviceTick();
     }
     CHECK(device.given().broken == nullptr);
     device.inject(one.fault, one.ticks);
-    for (int k = 0; k < 100; ++k) raw.clock->tickOfDevice();
+    for (int k = 0; k < 100; ++k) raw.clock->onDeviceTick();
     const char* const broken = device.given().broken;
     if (one.broken) {
       REQUIRE(broken);

@@ -11,8 +11,8 @@
 #include "engine/device/device_model.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/force_monitor.h"
-#include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
+#include "engine/workspace/scale.h"
 #include "tests/haptics/walk.h"
 
 namespace moltact::test {
@@ -52,15 +52,38 @@ enum class Fault : int {
   LessonSwap,
   OrientationLeap,
   OrientationNaN,
+  AtomLeaps,
+  ProteinShakes,
   Count,
 };
-constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{
-    "late",           "stall",           "long stall",      "doubled",     "clock back",
-    "clock ahead",    "clock NaN",       "teleport",        "place NaN",   "stale",
-    "unplug",         "renderer stalls", "scene swap",      "method swap", "bad settings",
-    "probe jump",     "panic",           "force off",       "bad tracker", "rescaled",
-    "fall back",      "weak device",     "panic unplugged", "lesson swap", "orientation leap",
-    "orientation NaN"};
+constexpr std::array<const char*, static_cast<int>(Fault::Count)> kNames{"late",
+                                                                         "stall",
+                                                                         "long stall",
+                                                                         "doubled",
+                                                                         "clock back",
+                                                                         "clock ahead",
+                                                                         "clock NaN",
+                                                                         "teleport",
+                                                                         "place NaN",
+                                                                         "stale",
+                                                                         "unplug",
+                                                                         "renderer stalls",
+                                                                         "scene swap",
+                                                                         "method swap",
+                                                                         "bad settings",
+                                                                         "probe jump",
+                                                                         "panic",
+                                                                         "force off",
+                                                                         "bad tracker",
+                                                                         "rescaled",
+                                                                         "fall back",
+                                                                         "weak device",
+                                                                         "panic unplugged",
+                                                                         "lesson swap",
+                                                                         "orientation leap",
+                                                                         "orientation NaN",
+                                                                         "atom leaps",
+                                                                         "protein shakes"};
 
 // A method that answers with what no place is.
 class BadTracker final : public Tracker {
@@ -115,9 +138,15 @@ class RigidPair final : public Interaction {
     }
     return sum;
   }
+  bool setMotion(const SphereMotion* motion) noexcept override {
+    return ends_[0]->setMotion(motion) && ends_[1]->setMotion(motion);
+  }
+  void advanceTo(double fraction) noexcept override { ends_[0]->advanceTo(fraction), ends_[1]->advanceTo(fraction); }
   void reset() noexcept override { ends_[0]->reset(), ends_[1]->reset(); }
   void setProbe(double probe_A) noexcept override { ends_[0]->setProbe(probe_A), ends_[1]->setProbe(probe_A); }
   double probe_A() const noexcept override { return ends_[0]->probe_A(); }
+  double parallelSprings() const noexcept override { return 2.0; }
+  bool hasOrientation() const noexcept override { return true; }
   MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
@@ -182,6 +211,18 @@ class Run {
     return info;
   }
 
+  // The spheres go to these places within so many ticks.
+  void moveSpheres(const std::vector<Ball>& to, int ticks) {
+    auto frame =
+        frames_.empty() ? SphereMotion::make(scene_.balls, to, ticks) : SphereMotion::after(*frames_.back(), to, ticks);
+    frames_.push_back(*std::move(frame));
+    for (int k = 1; k <= ticks; ++k) {
+      fraction_ = double(k) / ticks;
+      if (follows_) scene_.balls = frames_.back()->at(fraction_);
+      tick({});
+    }
+  }
+
   void newScene() {
     scene_ = scenes::cluster(int(random_.uniform(2, 30)), seed_ + out_.faults);
     newTracker();
@@ -191,6 +232,8 @@ class Run {
     const Method& method =
         random_.uniform(0, 1) < 0.6 ? all.front() : all[std::size_t(random_.uniform(0, double(all.size())) * 0.999)];
     pair_ = nullptr;
+    frames_.clear();
+    follows_ = true;
     if (seed_ % 5 == 4) {  // a rigid body, not a point
       auto pair = std::make_unique<RigidPair>(makeScene(scene_.balls), settings_.probe_A);
       pair_ = pair.get();
@@ -200,6 +243,7 @@ class Run {
     }
     tracker_ = method.make(makeScene(scene_.balls), settings_.probe_A);
     method_ = method.name;
+    follows_ = method.follows_motion;
   }
 
   // The hand goes from outside to some place under the surface, and slides a little.
@@ -253,7 +297,8 @@ class Run {
                           .connected = how.connected,
                           .orientation = how.orientation.value_or(orientation_)};
     sensed_ = pose.position;
-    const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time);
+    const MotionPhase phase{frames_.empty() ? nullptr : frames_.back().get(), fraction_};
+    const ServoSample sample = step_.tick(settings_, bad_ ? bad_.get() : tracker_.get(), pose, how.time, phase);
     ++out_.ticks;
     out_.contact += sample.contact.touching();
     out_.turned += !bad_ && pair_ && sample.contact.touching();
@@ -479,6 +524,29 @@ class Run {
       case Fault::OrientationNaN:
         lasting(some * 4, {.orientation = some % 2 ? Quat(nan, 0, 0, 0) : Quat(3, 0, 0, 0)});
         break;
+      case Fault::AtomLeaps: {  // the ball nearest to the hand, by 3 A at it or across it, at once or within a frame
+        const Vec3 hip = settings_.workspace.toMolecule(sensed_).A;
+        std::vector<Ball> to = scene_.balls;
+        const auto near = std::min_element(to.begin(), to.end(), [&](const Ball& a, const Ball& b) {
+          return glm::distance(a.centre_A, hip) - a.radius_A < glm::distance(b.centre_A, hip) - b.radius_A;
+        });
+        const Vec3 at_it = hip - near->centre_A;
+        near->centre_A += 3.0 * (some % 2 && glm::length(at_it) > 0.1 ? glm::normalize(at_it) : random_.direction());
+        moveSpheres(to, some % 3 == 0 ? 1 : 33);
+        break;
+      }
+      case Fault::ProteinShakes: {  // every ball by up to 1 A and a tenth of its radius, frame after frame
+        const std::vector<Ball> rest = scene_.balls;
+        for (int k = 0; k < 1 + some / 3; ++k) {
+          std::vector<Ball> to = rest;
+          for (Ball& ball : to) {
+            ball.centre_A += random_.direction() * random_.uniform(0, 1.0);
+            ball.radius_A *= random_.uniform(0.9, 1.1);
+          }
+          moveSpheres(to, 33);
+        }
+        break;
+      }
       case Fault::Count:
         break;
     }
@@ -513,6 +581,11 @@ class Run {
     const double stiffened_J = known ? 1e-3 * potential_mm2 * std::max(0.0, stiffest - softest) : 0.0;
     const bool faster = fastest[1] > std::max(fastest[0], kRest_m_per_s),
                grown = energy[1] > energy[0] + (known ? kRounding_J : kMade_J) + stiffened_J;
+    // Of a body that is pressed beyond the greatest force it is not known what its springs store together.
+    if (pair_ && !known) {
+      out_.body_cuts += cuts_ > 0;
+      return judge_.expectAny();
+    }
     out_.cuts += cuts_;
     // What slides off a ball sets out on energy that was there, or goes on while its energy falls by more than the
     // speed is; what buzzes does neither.
@@ -546,7 +619,10 @@ class Run {
   ServoSettings settings_;
   scenes::Scene scene_;
   std::unique_ptr<Interaction> tracker_, bad_;
-  RigidPair* pair_ = nullptr;  // of tracker_, where it is one
+  std::vector<std::unique_ptr<const SphereMotion>> frames_;  // of tracker_; the last is in force
+  double fraction_ = 1.0;                                    // of it
+  bool follows_ = true;                                      // tracker_ goes with the spheres
+  RigidPair* pair_ = nullptr;                                // of tracker_, where it is one
   Quat orientation_ = kNoRotation;
   Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));
   std::string_view method_;

@@ -1,6 +1,5 @@
-// Seeded faults against the whole servo step: 100 seeds here; MOLTACT_FAULT_SEEDS=10000 for more, from the
-// seed MOLTACT_FAULT_FIRST on; MOLTACT_SOAK_S=600 to go on
-// for so many seconds of the wall's clock.
+// Seeded faults against the whole servo step: 100 seeds here; MOLTACT_FAULT_SEEDS=10000 for more, from the seed
+// MOLTACT_FAULT_FIRST on; MOLTACT_SOAK_S=600 to go on for so many seconds of the wall's clock.
 #include <doctest/doctest.h>
 
 #include <chrono>
@@ -33,18 +32,21 @@ TEST_CASE(
     all.turned += one.turned;
     all.faults += one.faults;
     all.cuts += one.cuts;
+    all.body_cuts += one.body_cuts;
     all.greatest_N = std::max(all.greatest_N, one.greatest_N);
     all.restless_m_per_s = std::max(all.restless_m_per_s, one.restless_m_per_s);
   }
   MESSAGE(seeds << " seeds, " << all.faults << " faults, " << all.ticks << " ticks, " << all.contact
                 << " in contact, at most " << all.greatest_N << " N; a second after a fault at most "
-                << all.restless_m_per_s << " m/s, " << all.cuts << " cuts");
+                << all.restless_m_per_s << " m/s, " << all.cuts << " cuts, " << all.body_cuts
+                << " of a body pressed beyond the greatest force");
   // The runs must press, or they prove nothing.
   CHECK(all.contact > all.ticks / 4);
   CHECK(all.turned > all.ticks / 40);
   CHECK(all.greatest_N > 1.5);
   CHECK(all.restless_m_per_s < 0.03);
   CHECK(all.cuts == 0);
+  CHECK(all.body_cuts <= all.faults / 2000);
 }
 
 TEST_CASE("the same seed of faults gives the same run") {

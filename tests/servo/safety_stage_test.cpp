@@ -76,7 +76,7 @@ TEST_CASE("not a number: NaN and infinite forces give none in the very tick, and
     CAPTURE(bad);
     SafetyStage stage = ready();
     REQUIRE(after(stage, 10, push(3)) == doctest::Approx(3.0));
-    const ForceN force = tick(stage, {.force_N = {bad, 0, 0}, .stretch_mm = bad, .energy_mm2 = bad});
+    const ForceN force = tick(stage, {.force_N = {bad, 0, 0}, .springs = {.stretch_mm = bad, .energy_mm2 = bad}});
     if (bad == 1e200) continue;  // a number, though its square is none: what comes is bounded all the same
     CHECK(stage.acted().has(Limit::NotFinite));
     CHECK(glm::length(force.N) == 0.0);
@@ -264,8 +264,9 @@ TEST_CASE(
   CHECK_FALSE(stage.acted().has(Limit::Stiffness));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5));
   CHECK(stage.acted().has(Limit::Stiffness));
-  stage.output(
-      {.force_N = {0, 0, 1}, .stretch_mm = 1.4, .energy_mm2 = 0.98, .stiffness_N_per_mm = 0.733});  // now it is felt
+  stage.output({.force_N = {0, 0, 1},
+                .springs = {.stretch_mm = 1.4, .energy_mm2 = 0.98},
+                .stiffness_N_per_mm = 0.733});  // now it is felt
   stage.beginTick({}, {.delay_s = 0.002});
   CHECK(stage.stiffnessBound_N_per_mm() == doctest::Approx(0.5 * 2.2 / 3.5));
   CHECK(stage.stiffness(2.0) == doctest::Approx(0.5 * 2.2 / 1.5 - 0.001));
@@ -344,8 +345,7 @@ TEST_CASE(
       asked = {0, 0, 0.5 * stretch_mm};
       last = tick(stage,
                   {.force_N = asked,
-                   .stretch_mm = stretch_mm,
-                   .energy_mm2 = 0.5 * stretch_mm * stretch_mm,
+                   .springs = {.stretch_mm = stretch_mm, .energy_mm2 = 0.5 * stretch_mm * stretch_mm},
                    .stiffness_N_per_mm = 0.5},
                   {.position = {{0, 0, z_mm}}})
                  .N;
@@ -368,13 +368,13 @@ TEST_CASE("damping: with 0.5 N allowed, push and braking together are never more
     const double phase = k * 0.01, z_mm = 50 * std::sin(phase), out = std::cos(phase) > 0 ? 0.3 : 0.1;
     stage.beginTick({.position = {{0, 0, z_mm}}}, {});
     const double stretch_mm = std::max(0.0, -z_mm);
-    const ForceN force = stage
-                             .output({.force_N = {0, 0, out * stretch_mm},
-                                      .stretch_mm = stretch_mm,
-                                      .energy_mm2 = 0.5 * stretch_mm * stretch_mm,
-                                      .stiffness_N_per_mm = 0.2,
-                                      .most_N = 0.5})
-                             .force;
+    const ForceN force =
+        stage
+            .output({.force_N = {0, 0, out * stretch_mm},
+                     .springs = {.stretch_mm = stretch_mm, .energy_mm2 = 0.5 * stretch_mm * stretch_mm},
+                     .stiffness_N_per_mm = 0.2,
+                     .most_N = 0.5})
+            .force;
     braked = braked || stage.acted().has(Limit::Damping);
     greatest_N = std::max(greatest_N, glm::length(force.N));
   }

@@ -38,12 +38,12 @@ class ClockedDevice final : public Device {
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return {.position = {{4, 5, 6}}}; }
   void write(ForceN force) noexcept override { last_x_N.store(force.N.x); }
-  bool startClock(TickTarget& target) override {
+  bool startClock(ClockListener& target) override {
     ends_.store(false);
     clock_ = std::thread([this, &target] {
       while (!ends_.load()) {
         if (!stopped.load()) {
-          target.tickOfDevice();
+          target.onDeviceTick();
           own_ticks.fetch_add(1);
         }
         std::this_thread::sleep_for(pause_);
@@ -156,7 +156,7 @@ TEST_CASE("50 trackers handed over one after the other are all destroyed, and by
   }
   CHECK(alive == 0);
   CHECK(destroyed_on == std::this_thread::get_id());
-  CHECK_FALSE(servo.loop().latest().has_tracker);
+  CHECK_FALSE(servo.loop().latest().has_interaction);
 }
 
 TEST_CASE("each of 40 trackers makes the samples that bear its number, and none under settings older than its own") {

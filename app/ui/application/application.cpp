@@ -26,7 +26,7 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
       extensions_(std::move(parts.extensions)),
       keys_(parts.keys),
       panels_(parts.panels) {
-  scene.shown = lesson.shapes();
+  scene.shown = lesson.shownParts();
   std::string fault;
   if (!options_.settings_file.empty()) {
     LoadedSettings loaded = loadSettings(options_.settings_file);
@@ -105,13 +105,10 @@ void Application::enterScene() {
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
   panels.hints = false;
-  scene.servo_settings.probe_A = spec->probe_A;
-  scene.servo_settings.stiffness_N_per_mm = spec->stiffness_N_per_mm;
-  scene.servo_settings.force_on = spec->force;
-  if (findMethod(spec->method) && spec->method != scene.method()) scene.useMethod(spec->method);
-  scene.shown = lesson.shapes();
+  scene.setTouch(spec->touch);
+  scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
-  panels.follow(spec->panels);
+  panels.applyLessonPanels(spec->panels);
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
   const Expected<MoleculeKey> molecule = lesson.molecule();
   if (!molecule) {

@@ -1,6 +1,5 @@
 // The program behind the window: what is touched, the lesson that is open, what the person prefers, and the order of a
-// frame. It draws nothing itself: the panels do (app/ui/panels). What is more than that is an extension
-// (extension.h).
+// frame. It draws nothing itself: the panels do (app/ui/panels). Everything beyond that is an extension (extension.h).
 // It knows neither: both are given to it as its parts (app/ui/shell/application_parts.h). Window's thread.
 #pragma once
 
@@ -38,7 +37,7 @@ struct ApplicationOptions {
   std::filesystem::path picture_folder;   ///< where "Save picture" puts pictures (default: the current folder)
 };
 
-/// What is drawn and extended above the application.
+/// The parts above the application: what it draws and what extends it.
 struct ApplicationParts {
   std::unique_ptr<ExtensionSet> extensions;
   void (*keys)(Application&);    ///< once a frame, before the layout: what the keys of the frame do
@@ -54,8 +53,8 @@ class Application {
   /// destructor does it too.
   void end();
 
-  /// Opens a file by its kind (files/file_kinds.h), or a molecule by its name in the library. What cannot be opened is
-  /// told in a message and changes nothing.
+  /// Opens a file by its kind (files/file_kinds.h), or a molecule by its name in the library. A file that cannot be
+  /// opened gives a message and changes nothing.
   void open(const std::filesystem::path& file);
   /// Files were dropped on the window: the first is opened.
   void drop(const std::vector<std::filesystem::path>& dropped);

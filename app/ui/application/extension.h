@@ -1,7 +1,7 @@
-// What is told to an extension of the window (a recorder, sound, a watcher of files) while the program runs. Each is
-// one class in its own file and one member of Extensions (app/ui/extensions/extensions.h), is given the other
-// extensions that it uses, and overrides the points that it needs. Panels reach it through app.extensions(). Window's
-// thread.
+// The events of the window that an extension (a recorder, sound, a watcher of files) receives while the program runs.
+// Each extension is one class in its own file and one member of Extensions (app/ui/extensions/extensions.h), is given
+// the other extensions that it uses, and overrides the points that it needs. Panels reach it through app.extensions().
+// Window's thread.
 //
 // A frame calls, in this order: beforeTicks, ticks, the panels, afterPanels. lessonChanged, stepChanged and
 // sceneChanged come in between, in this order, as soon as the thing has happened.
@@ -31,14 +31,14 @@ class Extension {
   /// Every panel has been drawn, so every click and key of the frame has done its work. The GL context is current.
   virtual void afterPanels(Application&) {}
 
-  /// A file of this kind is about to be opened; all extensions are told before one of them opens it.
+  /// A file of this kind is about to be opened; this is called on all extensions before one of them opens it.
   virtual void beforeOpening(Application&, FileKind) {}
   /// Opens it where files of this kind are this extension's own: true, whatever comes of it.
   virtual bool open(Application&, FileKind, const std::filesystem::path&) { return false; }
   /// A lesson was to be opened and could not be read.
   virtual void lessonRefused(Application&, const std::filesystem::path&) {}
 
-  /// Another molecule is on the stage, or the same one was placed anew: what was felt before no longer counts.
+  /// Another molecule is on the stage, or the same one was placed again: earlier contacts no longer count.
   virtual void sceneChanged(Application&) {}
   /// Another lesson is open, or the same one was opened or read again.
   virtual void lessonChanged(Application&) {}
@@ -65,7 +65,7 @@ class ExtensionSet {
 
   /// In the order in which they are called; the same in every frame.
   virtual std::span<Extension* const> all() const = 0;
-  /// What stands under the view (unit: pixel at 96 dpi); 0 where nothing does.
+  /// Height of the strip under the view (unit: pixel at 96 dpi); 0 where there is none.
   virtual float stripHeight() const = 0;
 };
 

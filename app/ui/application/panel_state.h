@@ -25,7 +25,7 @@ struct PanelState : KeyFocus {
   bool touch_details = false;           ///< the touch panel's second half
   bool methods = false;                 ///< in the touch panel's place, behind a tab
   bool methods_first = false;           ///< which of the two is in front
-  bool by_step = false;                 ///< the lesson's step set touch and methods, so that another sets them back
+  bool set_by_lesson = false;           ///< the lesson's step set touch and methods, so that another sets them back
   bool hints = false;                   ///< the current step's hints
   bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
   float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)
@@ -42,24 +42,24 @@ struct PanelState : KeyFocus {
   /// Opens the panel that compares methods, or closes it.
   void showMethods(bool on) {
     methods = methods_first = on;
-    by_step = false;
+    set_by_lesson = false;
     if (on) touch = true;
   }
   /// As a scene asks for: "touch", "methods", or "none". Nothing gives back what the student had before.
-  void follow(const std::vector<std::string>& asked) {
+  void applyLessonPanels(const std::vector<std::string>& asked) {
     if (!asked.empty()) {
-      if (!by_step) own_touch = touch, own_methods = methods;
-      by_step = true;
+      if (!set_by_lesson) own_touch = touch, own_methods = methods;
+      set_by_lesson = true;
       set(asked);
-    } else if (std::exchange(by_step, false)) {
+    } else if (std::exchange(set_by_lesson, false)) {
       touch = own_touch;
       methods = methods_first = own_methods;
     }
   }
   /// The same for a scene that locks its panels: whatever the student did is undone.
-  void keep(const std::vector<std::string>& asked) {
+  void enforceLessonPanels(const std::vector<std::string>& asked) {
     lesson = true;
-    by_step = by_step || !asked.empty();
+    set_by_lesson = set_by_lesson || !asked.empty();
     const bool front = methods_first;
     set(asked.empty() ? std::vector<std::string>{"touch"} : asked);
     methods_first = methods && front;

@@ -27,19 +27,12 @@ std::string deviceName(const Application& app) { return app.scene.servo().device
 // The stand-in led by mouse or keyboard, or a device in the hand.
 bool realDevice(Application& app) { return &app.scene.servo().device() != &app.scene.servo().mouse().info(); }
 
-StageSet stageOf(const Application& app) {
+StageChanged stageOf(const Application& app) {
   const TouchScene& scene = app.scene;
   const Molecule& molecule = *scene.stage().molecule;
-  const ServoSettings& s = scene.servo_settings;
-  return {molecule.id,
-          scene.molecule().file.filename().string(),
-          molecule.atoms.size(),
-          s.workspace,
-          s.probe_A,
-          s.stiffness_N_per_mm,
-          scene.method(),
-          s.force_on,
-          scene.molecule().reading};
+  return {molecule.id,           scene.molecule().file.filename().string(),
+          molecule.atoms.size(), scene.servo_settings.workspace,
+          scene.touch(),         scene.molecule().reading};
 }
 
 }  // namespace
@@ -147,7 +140,7 @@ void AttemptRecorder::endAttempt() {
   if (!log_) return;
   touch_watch_.breakOff();
   for (AttemptEvent& e : touch_watch_.take(now_s_)) add(std::move(e));
-  add(Left{now()});
+  add(SessionClosed{now()});
   // Its name is known once the file has been opened.
   log_->flush();
   if (const std::filesystem::path kept = log_->file(); !kept.empty() && !lesson_.empty()) {
@@ -175,7 +168,7 @@ void AttemptRecorder::ticks(Application& app, const FeltTicks& felt) {
   const InputWay way = realDevice(app) ? InputWay::Device : input_.way();
   for (const FeltTick& tick : felt.ticks) {
     const ServoSample& s = tick.sample;
-    if (!s.has_tracker) continue;
+    if (!s.has_interaction) continue;
     const double t_s = std::max({0.0, now_s_ - app.dt_s(), now_s_ - (last_s - s.time_s)});
     touch_watch_.add(touchSampleOf(s), t_s, way);
   }
@@ -192,7 +185,7 @@ void AttemptRecorder::lookAtWay(Application& app) {
 
 void AttemptRecorder::lookAtStage(Application& app) {
   if (!app.scene.stage()) return;
-  StageSet is = stageOf(app);
+  StageChanged is = stageOf(app);
   if (stage_ == is) return;
   add(is);
   stage_ = std::move(is);
@@ -201,7 +194,7 @@ void AttemptRecorder::lookAtStage(Application& app) {
 void AttemptRecorder::lookAtView(Application& app) {
   if ((view_ && *view_ == app.scene.camera) || now_s_ - view_told_s_ < kView_s) return;
   const Camera& c = app.scene.camera;
-  add(ViewRotated{{c.orientation.w, c.orientation.x, c.orientation.y, c.orientation.z}, c.target.A, c.distance_A});
+  add(ViewChanged{{c.orientation.w, c.orientation.x, c.orientation.y, c.orientation.z}, c.target.A, c.distance_A});
   view_ = c;
   view_told_s_ = now_s_;
 }

@@ -1,5 +1,5 @@
 // Keeps what a student does in a lesson: steps, answers, hints, tasks, touches and the way of the hand, as it happens.
-// It only watches; what cannot be kept is told once in a message and the lesson goes on. Window's thread.
+// It only watches; a failure to write is reported once in a message and the lesson goes on. Window's thread.
 //
 // A lesson that is opened begins a new attempt; resume() goes on with an old one:
 //   app.extensions().recorder.resume(app, lesson_file, progress.file);      // progress: engine/results/progress.h
@@ -30,12 +30,12 @@ class AttemptRecorder : public Extension {
   void atEnd(Application& app) override;
 
   /// Opens the lesson where the attempt was left, with what was done; what comes goes into the same file. An attempt
-  /// that cannot be read is told, and the lesson begins anew.
+  /// that cannot be read is reported, and the lesson starts from its beginning.
   void resume(Application& app, const std::filesystem::path& lesson_file, const std::filesystem::path& attempt_file);
 
-  /// From here on another student (a name or code; empty: none is kept) works: the lesson begins anew for him, in an
-  /// attempt of his own, at the step that is shown; what he has done under this name since the program began is taken
-  /// up.
+  /// From here on another student (a name or code; empty: none is kept) works: the lesson starts from its beginning for
+  /// him, in an attempt of his own, at the step that is shown; what he has done under this name since the program began
+  /// is taken up.
   void passTo(Application& app, const std::string& student);
   const std::string& student() const { return student_; }
 
@@ -77,7 +77,7 @@ class AttemptRecorder : public Extension {
   double now_s_ = 0.0;  // of use since log_ began
   double view_told_s_ = -1.0;
   std::optional<InputChanged> way_;
-  std::optional<StageSet> stage_;
+  std::optional<StageChanged> stage_;
   std::optional<Camera> view_;
   bool hints_ = false, paused_ = false, mending_begun_ = false;
   std::future<std::size_t> mended_;

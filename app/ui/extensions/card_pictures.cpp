@@ -37,7 +37,7 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 146959810393466
 std::string sceneKey(const CardSubject& subject) {
   const SceneSpec& s = subject.scene;
   return readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' +
-         s.method + '|' + std::to_string(s.probe_A) + '|' + s.colour;
+         s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -60,17 +60,17 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
   const BallScene balls(read.balls());
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
-  scene.shown = {Shape::Atoms, Shape::Target, Shape::Probe, Shape::Facets};
-  scene.probe_A = spec.probe_A;
+  scene.shown = {ViewPart::Atoms, ViewPart::Target, ViewPart::Probe, ViewPart::Facets};
+  scene.probe_A = spec.touch.probe_A;
   scene.colour_by = colourBy(spec);
-  scene.facets = feltFacets(spec.method);
+  scene.facets = feltFacets(spec.touch.method);
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;
-  const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.probe_A); };
+  const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.touch.probe_A); };
   fit();
   faceScene(scene.camera, *scene.molecule, spec);
   fit();
-  scene.hip = restingPlace(balls, scene.camera, spec.probe_A);
+  scene.hip = restingPlace(balls, scene.camera, spec.touch.probe_A);
   return scene;
 }
 

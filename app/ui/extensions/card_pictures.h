@@ -22,7 +22,7 @@ namespace moltact {
 
 class Renderer;
 
-/// What a picture shows: a molecule as a lesson's scene turns and marks it.
+/// The contents of a picture: a molecule as a lesson's scene turns and marks it.
 struct CardSubject {
   MoleculeKey molecule;
   SceneSpec scene;
@@ -46,7 +46,7 @@ class CardPictures : public Extension {
   std::size_t drawn() const { return drawn_; }
 
  private:
-  // What the background has done for a picture: found it in the cache, or read what is to be drawn.
+  // The background's result for a picture: found in the cache, or the molecule read for drawing.
   struct Job {
     std::string key;
     CardSubject subject;

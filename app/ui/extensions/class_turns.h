@@ -32,13 +32,13 @@ class ClassTurns : public Extension {
   void extend(double by_s) { turns_.extend(by_s); }
   void end(Application& app);
 
-  /// What those who wait are asked: about the task or the question that the class is at.
+  /// The question for those who wait: about the task or the question that the class is at.
   std::string prompt(const LessonGuide& lesson) const;
   /// Keeps what one of them predicts. False, keeping nothing, for an empty text or a name that does not wait.
   bool predict(Application& app, const std::string& name, const std::string& text);
   std::size_t predictionsKept() const { return predictions_; }
 
-  /// What the page and the strip hold while they are being filled in.
+  /// The texts of the page and of the strip while a person fills them in.
   struct Draft {
     std::string names, prediction;
     double minutes = 3.0;

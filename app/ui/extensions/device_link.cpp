@@ -8,7 +8,7 @@
 #include "app/ui/extensions/task_stager.h"
 #include "engine/language/catalogue.h"
 #include "engine/servo/safety_stage.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {
@@ -96,21 +96,21 @@ double DeviceLink::lookEvery_s(const Application& app) const {
 }
 
 void DeviceLink::look(Application& app) {
-  if (std::optional<std::vector<FoundDevice>> seen = looker_.take(); seen && !seen->empty()) {
+  if (std::optional<std::vector<FoundDevice>> seen = lister_.take(); seen && !seen->empty()) {
     found_ = std::move(*seen);
     offer(app);
   }
   const double every_s = lookEvery_s(app);
   if (every_s == 0.0 || (looked_s_ >= 0.0 && app.now_s() - looked_s_ < every_s)) return;
   looked_s_ = app.now_s();
-  looker_.begin(app.scene.servo().clock() == ServoClock::Frames);
+  lister_.begin(app.scene.servo().clock() == ServoClock::Frames);
 }
 
 // The search is not the window's: a driver may take seconds to find that there is no device. A script waits, for its
 // clock is not the search's.
 void DeviceLink::await(Application& app) {
   if (!search_ && !awaited_.empty() && app.now_s() - searched_s_ >= kLook_s)
-    search_ = std::make_unique<DeviceSearch>(awaited_);
+    search_ = std::make_unique<PendingDeviceOpen>(awaited_);
   if (!search_ || (!search_->done() && app.scene.servo().clock() == ServoClock::RealThread)) return;
   auto device = search_->take();
   search_.reset();
@@ -130,8 +130,9 @@ void DeviceLink::offer(Application& app) {
     return;
   }
   if (app.scene.servo().chosen() && app.scene.servo().chosen()->info().gives_force) return;
-  const auto best = std::find_if(found_.begin(), found_.end(),
-                                 [](const FoundDevice& one) { return one.usable && one.by_itself && one.gives_force; });
+  const auto best = std::find_if(found_.begin(), found_.end(), [](const FoundDevice& one) {
+    return one.usable && one.auto_selectable && one.gives_force;
+  });
   const std::string name = best == found_.end() ? "" : best->name;
   if (name == offered_) return;
   offered_ = name;
@@ -155,7 +156,7 @@ void DeviceLink::stopTrying(Application& app) {
 void DeviceLink::leadView(Application& app) {
   Device* device = app.scene.servo().chosen();
   if (!device || !app.scene.stage() || app.scene.servo().fallenBack() || stager_.dark()) return;
-  const ViewWish wish = device->viewWish();
+  const ViewMotion wish = device->viewMotion();
   const double dt = app.dt_s();
   Camera& camera = app.scene.camera;
   if (wish.rotation != Vec3(0.0)) {

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "app/ui/application/extension.h"
-#include "app/ui/extensions/device_looker.h"
+#include "app/ui/extensions/device_lister.h"
 #include "app/ui/widgets/messages.h"
-#include "engine/device/device_search.h"
+#include "engine/device/pending_device_open.h"
 #include "engine/servo/safety_limits.h"
 
 namespace moltact {
@@ -24,27 +24,27 @@ class DeviceLink : public Extension {
   explicit DeviceLink(const TaskStager& stager) : stager_(stager) {}
 
   static constexpr double kShowLimit_s = 1.0;  ///< a limit that acted is shown for so long
-  static constexpr double kLongStart_s = 1.5;  ///< a soft start that lasts longer is told over the view
+  static constexpr double kLongStart_s = 1.5;  ///< a soft start that lasts longer is shown over the view
   static constexpr double kTry_s = 4.0;        ///< the gentle force is tried for so long
   static constexpr double kTry_N = 0.4;
   /// Ticks began no later than so many microseconds after their time, by class; the last class is the rest.
   static constexpr std::array<double, 8> kLate_us{20, 50, 100, 200, 500, 1000, 2000, 5000};
 
-  /// What was there when it was looked for last: every kLook_s while the page is open or a device is waited for, and
-  /// where nobody ever chose one, every kLookForOffer_s.
+  /// The devices found at the last search, which runs every kLook_s while the page is open or a device is waited for,
+  /// and where nobody ever chose one, every kLookForOffer_s.
   const std::vector<FoundDevice>& found() const { return found_; }
   static constexpr double kLook_s = 2.0, kLookForOffer_s = 5.0;
   /// Looks by `find` from now on.
-  void lookBy(DeviceLooker::Find find) { looker_ = DeviceLooker(std::move(find)); }
-  /// Opens it and takes it into use, now and at the next start; "mouse" goes back to the mouse alone. What cannot be
-  /// opened is told in a message and changes nothing.
+  void lookBy(DeviceLister::Find find) { lister_ = DeviceLister(std::move(find)); }
+  /// Opens it and takes it into use, now and at the next start; "mouse" goes back to the mouse alone. A device that
+  /// cannot be opened gives a message and changes nothing.
   void choose(Application& app, const std::string& name);
   const std::string& chosen() const { return chosen_; }
   /// A device that is none of those found leads until another is chosen, or until what led before gets it back. It is
   /// not remembered for the next start.
   void lend(Application& app, std::unique_ptr<Device> device);
   void giveBack(Application& app, const std::string& before);
-  /// What is written on the device that was chosen earlier and is not there; empty: none is waited for.
+  /// The name of the device that was chosen earlier and is not there; empty: none is waited for.
   const std::string& awaited() const { return awaited_title_; }
   const DeviceStatus& status() const { return status_; }
 
@@ -52,8 +52,8 @@ class DeviceLink : public Extension {
   void tryForce(Application& app);
   double tryingLeft_s() const { return trying_s_; }
 
-  /// What a way and a newton of the hand are in the molecule, and what is meant by it. In a task's dark the way alone:
-  /// the surface may be softer or harder there, which is for the hand to find.
+  /// The length and the force in the molecule that a length and a newton at the hand stand for, and the reason. In a
+  /// task's dark the length alone: the surface may be softer or harder there, which is for the hand to find.
   struct ScaleWords {
     std::string sentence, reason;
   };
@@ -64,10 +64,10 @@ class DeviceLink : public Extension {
 
   /// The limits that acted within the last kShowLimit_s, in whatever scene.
   std::vector<const LimitWords*> actingLimits() const;
-  /// What of that is worth words over the view: a soft start, which every touch begins with, only where it does not
+  /// The part of them that is shown over the view: a soft start, which every touch begins with, only where it does not
   /// end; the panic key has words of its own.
   std::vector<std::string> limitNotices(const Messages& messages) const;
-  /// Of the last some thousand ticks, the share in each class of kLate_us and beyond.
+  /// The fraction of the last thousand or so ticks in each class of kLate_us and beyond.
   const std::array<float, kLate_us.size() + 1>& lateness() const { return lateness_; }
 
   void beforeTicks(Application& app) override;
@@ -91,9 +91,9 @@ class DeviceLink : public Extension {
   std::vector<FoundDevice> found_;
   std::string chosen_ = "mouse";
   std::string awaited_, awaited_title_;
-  std::unique_ptr<DeviceSearch> search_;  // for the awaited one
+  std::unique_ptr<PendingDeviceOpen> search_;  // for the awaited one
   double searched_s_ = 0.0;
-  DeviceLooker looker_;
+  DeviceLister lister_;
   bool begun_ = false, takes_default_ = false;
   double looked_s_ = -1.0;                // none yet: negative
   std::string offered_;                   // the device that nobody chose and could

@@ -12,7 +12,7 @@ namespace moltact {
 
 class HandModel : public Extension {
  public:
-  /// Reads another model where another was chosen; one that cannot be read is told once, and no model stands there.
+  /// Reads another model where another was chosen; one that cannot be read is reported once, and no model is shown.
   void beforeTicks(Application& app) override;
 
   /// Null where the probe alone is shown.

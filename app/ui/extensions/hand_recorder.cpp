@@ -44,7 +44,7 @@ void HandRecorder::drain(Application& app) {
     if (ticks_ == 0) {
       auto labels = moleculeLabels(lastingName(app.scene.molecule(), MoleculeFolders::ofThisComputer()));
       labels["balls"] = fingerprint(*app.scene.stage().balls);
-      labels["method"] = app.scene.method();
+      labels.merge(touchLabels(app.scene.touch()));
       labels["device"] = servo.device().name;
       problem = writer_->begin(labels, start);
     }
@@ -122,7 +122,8 @@ void HandRecorder::begin(Application& app) {
   if (const std::string balls = label("balls"); !balls.empty() && balls != fingerprint(*app.scene.stage().balls))
     app.messages.warning(tr(
         "What is on the stage is not what the hand was recorded on: it goes as it went, and may meet something else."));
-  app.scene.useMethod(label("method"));
+  app.scene.endTry();
+  app.scene.setTouch(labelledTouch(waiting_->labels, app.scene.touch()));
   before_ = link_.chosen();
   auto device = std::make_unique<PlaybackDevice>(*std::exchange(waiting_, std::nullopt));
   device_ = device.get();

@@ -27,9 +27,9 @@ class HandRecorder : public Extension {
   bool recording() const { return writer_.has_value(); }
   double recorded_s() const { return double(ticks_) * kTick_s; }
 
-  /// Opens its molecule and leads the hand by it. What is no recording is told and changes nothing.
+  /// Opens its molecule and leads the hand by it. A file that is no recording gives a message and changes nothing.
   void play(Application& app, const std::filesystem::path& file);
-  /// What led before leads again.
+  /// The device that led before leads again.
   void endPlay(Application& app);
   bool playing() const { return playing_; }
   double at_s() const;
@@ -53,12 +53,12 @@ class HandRecorder : public Extension {
   std::string label(const char* key) const;
 
   std::filesystem::path file_;  // the one that is written or played
-  // Of a recording that grows:
+  // For a recording that grows:
   std::optional<ServoRecordingWriter> writer_;
   std::uint64_t ticks_ = 0;
   std::uint32_t tracker_ = 0;  // the scene's, by its number, when it began
   MessageId told_ = 0;         // the message that says so
-  // Of one that is played:
+  // For one that is played:
   std::optional<ServoRecording> waiting_;  // for its molecule
   PlaybackDevice* device_ = nullptr;       // the servo loop's, while that one leads
   bool playing_ = false;

@@ -19,7 +19,7 @@ struct LessonCard {
   std::string id;     ///< the file's name without its ending and language
   std::string title;  ///< the file's name until it has been read
   std::string level;  ///< as the author wrote it; may be empty
-  int minutes = 0;    ///< 0: not told
+  int minutes = 0;    ///< 0: not given
   bool own = false;   ///< from the person's own folder
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can
@@ -35,7 +35,7 @@ class LessonShelf : public Extension {
   /// The lesson to go on with: the one touched last, where it was not finished. Null without one.
   const LessonCard* latest() const;
 
-  /// Reads anew while the welcome page is open, from when it was opened.
+  /// Reads the lessons again while the welcome page is open, starting when it is opened.
   void afterPanels(Application& app) override;
   bool live() const override { return next_ < cards_.size(); }
 

@@ -24,13 +24,13 @@ class LessonWatch : public Extension {
     Problem problem;
   };
 
-  /// What is wrong with the file as it is now, in its order: everything where there are errors, else nothing; with
-  /// warnings too once the file has changed while it was open, for then its author is at work.
+  /// The faults of the file as it is now, in its order: all of them where there are errors, else none; with warnings
+  /// too once the file has changed while it was open, for then its author is at work.
   const std::vector<Fault>& faults() const { return faults_; }
   std::size_t errors() const { return errors_; }
   /// The file that `faults` are of: the open lesson's, or one that could not be opened.
   const std::filesystem::path& file() const { return file_; }
-  /// What is shown is not the file as it is now, but as it was before the errors came.
+  /// The lesson on the screen is not the file as it is now, but as it was before it had errors.
   bool stale() const { return errors_ > 0 && stale_; }
   /// The file is the one of the lesson that is shown.
   bool shown(const LessonGuide& lesson) const;

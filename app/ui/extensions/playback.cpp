@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // An attempt names a molecule by its file without folders.
-NamedMolecule namedOf(const StageSet& stage) { return {stage.file, stage.reading}; }
+NamedMolecule namedOf(const StageChanged& stage) { return {stage.file, stage.reading}; }
 NamedMolecule namedOf(const MoleculeKey& key) { return {key.file.filename().string(), key.reading}; }
 
 }  // namespace
@@ -111,7 +111,7 @@ std::string Playback::lastMark() const {
 }
 
 void Playback::stageFor(Application& app) {
-  const StageSet* stage = timeline_->stage(at_s_);
+  const StageChanged* stage = timeline_->stage(at_s_);
   if (!stage || namedOf(*stage) == shown_stage_) return;
   shown_stage_ = namedOf(*stage);
   if (app.scene.stage() && namedOf(app.scene.molecule()) == shown_stage_) return;
@@ -132,18 +132,18 @@ void Playback::stageFor(Application& app) {
 
 void Playback::showHand(Application& app) {
   ServoSample sample;
-  const StageSet* stage = timeline_->stage(at_s_);
+  const StageChanged* stage = timeline_->stage(at_s_);
   const bool here = stage && app.scene.stage() && namedOf(app.scene.molecule()) == namedOf(*stage) &&
                     app.scene.stage().molecule->atoms.size() == stage->atoms;
   if (const std::optional<HipSample> hand = here ? timeline_->hand(at_s_) : std::nullopt) {
-    sample.has_tracker = true;
+    sample.has_interaction = true;
     sample.hip = hand->hip;
     sample.contact.scp = hand->scp;
     sample.contact.feature = hand->feature;
     sample.contact.atoms = hand->atoms;
     sample.contact.displacement_A = hand->displacement_A;
     sample.force = hand->force;
-    sample.probe_A = stage->probe_A;
+    sample.probe_A = stage->touch.probe_A;
     sample.time_s = at_s_;
   }
   app.scene.play(sample);
@@ -151,7 +151,7 @@ void Playback::showHand(Application& app) {
 
 void Playback::showView(Application& app) {
   if (!follows_view) return;
-  const ViewRotated* view = timeline_->view(at_s_);
+  const ViewChanged* view = timeline_->view(at_s_);
   if (!view || view == shown_view_) return;
   shown_view_ = view;
   const auto& q = view->orientation;

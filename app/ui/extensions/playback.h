@@ -18,7 +18,7 @@ class Playback : public Extension {
  public:
   explicit Playback(AttemptRecorder& recorder) : recorder_(recorder) {}
 
-  /// Begins to play a file; one that cannot be read is told and changes nothing.
+  /// Begins to play a file; one that cannot be read gives a message and changes nothing.
   void open(Application& app, const std::filesystem::path& file);
   /// Back to the lesson or molecule that was there before; with `back` false, something else is about to be opened.
   void close(Application& app, bool back = true);
@@ -29,12 +29,12 @@ class Playback : public Extension {
   double at_s() const { return at_s_; }
   bool running() const { return on() && running_; }
 
-  /// At the end it begins anew.
+  /// At the end it starts from the beginning.
   void setRunning(bool run);
   void seek(double t_s);
   /// The next or the last mark before; nothing where there is none.
   void seekMark(int direction);
-  /// What happened last, for the bar: empty before the first mark.
+  /// The last event, for the bar: empty before the first mark.
   std::string lastMark() const;
 
   double speed = 1.0;        ///< times as fast as it was
@@ -61,8 +61,8 @@ class Playback : public Extension {
   MoleculeKey before_;          // on the stage before
   Camera seen_before_;          // how that was looked at
   NamedMolecule shown_stage_;   // asked for, by its file's name without folders
-  std::string missing_;         // the name of a molecule's file that was told as missing
-  const ViewRotated* shown_view_ = nullptr;
+  std::string missing_;         // the name of a molecule's file that was reported as missing
+  const ViewChanged* shown_view_ = nullptr;
   double at_s_ = 0.0;
   bool running_ = false;
 };

@@ -8,19 +8,13 @@
 namespace moltact {
 
 SceneHistory::Choices SceneHistory::choicesOf(const Application& app) {
-  const ServoSettings& s = app.scene.servo_settings;
-  return {app.scene.method(),          s.probe_A,       s.stiffness_N_per_mm, s.force_on,
-          app.scene.magnifiedByHand(), app.scene.shown, app.scene.colour_by};
+  return {app.scene.touch(), app.scene.magnifiedByHand(), app.scene.shown, app.scene.colour_by};
 }
 
 void SceneHistory::apply(Application& app, const Choices& c, const std::optional<Camera>& camera) {
-  ServoSettings& s = app.scene.servo_settings;
-  s.probe_A = c.probe_A;
-  s.stiffness_N_per_mm = c.stiffness_N_per_mm;
-  s.force_on = c.force_on;
+  app.scene.setTouch(c.touch);
   app.scene.shown = c.shown;
   app.scene.colour_by = c.colour_by;
-  if (c.method != app.scene.method()) app.scene.useMethod(c.method);
   const Camera seen = app.scene.camera;
   app.scene.magnify(c.magnified);
   if (camera) {

@@ -1,5 +1,5 @@
-// Undo and redo of what a person changed about the scene by hand: method, probe, spring, parts shown, what was
-// magnified, the view that was reset. What a lesson's step sets begins anew. Window's thread.
+// Undo and redo of what a person changed about the scene by hand: what it is felt with, parts shown, what was
+// magnified, the view that was reset. A step of a lesson that sets them starts a new history. Window's thread.
 #pragma once
 
 #include <optional>
@@ -32,10 +32,9 @@ class SceneHistory : public Extension {
  private:
   SceneChange& change_;  // leads the camera to what is brought back
   struct Choices {
-    std::string method;
-    double probe_A = 0.0, stiffness_N_per_mm = 0.0;
-    bool force_on = true, magnified = false;
-    ShapeSet shown;
+    TouchSetup touch;
+    bool magnified = false;
+    ViewPartSet shown;
     ColourBy colour_by = ColourBy::Element;
     friend bool operator==(const Choices&, const Choices&) = default;
   };

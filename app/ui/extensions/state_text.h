@@ -20,7 +20,7 @@ class StateText : public Extension {
  public:
   explicit StateText(const TaskStager& stager) : stager_(stager) {}
 
-  /// From now on lines go to this file, which is begun anew, or to standard output for "-": the step, what its task
+  /// From now on lines go to this file, which is emptied first, or to standard output for "-": the step, what its task
   /// asks for, what is touched. Returns what went wrong, or nothing.
   std::optional<Problem> writeTo(const std::filesystem::path& file);
 
@@ -28,7 +28,7 @@ class StateText : public Extension {
   void afterPanels(Application& app) override;
   bool live() const override { return owing_; }
 
-  /// What is touched, renewed at a pace that can be read.
+  /// The contact in words, updated at a pace that can be read.
   const std::string& line() const { return reading_.text(); }
   /// line() tells of a contact, and not that there is none or why.
   bool tellsContact() const { return tells_contact_; }
@@ -41,7 +41,7 @@ class StateText : public Extension {
   std::optional<AppendFile> file_;
   bool to_terminal_ = false;
   bool tells_contact_ = false;
-  bool owing_ = false;  // there is news that has not been told
+  bool owing_ = false;  // a change has not been written yet
 };
 
 }  // namespace moltact

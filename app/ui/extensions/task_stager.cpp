@@ -17,13 +17,8 @@ void TaskStager::beforeTicks(Application& app) {
     stage_ = wanted;
     return;
   }
-  const SceneSpec& spec = session->scene();
-  ServoSettings& settings = app.scene.servo_settings;
-  if (wanted.probe_A != stage_.probe_A) settings.probe_A = wanted.probe_A.value_or(spec.probe_A);
-  if (wanted.stiffness_N_per_mm != stage_.stiffness_N_per_mm)
-    settings.stiffness_N_per_mm = wanted.stiffness_N_per_mm.value_or(spec.stiffness_N_per_mm);
-  if (wanted.method != stage_.method) app.scene.useMethod(wanted.method.empty() ? spec.method : wanted.method);
-  const bool anew = wanted.showing != stage_.showing;
+  change(app, stage_.touch, wanted.touch);
+  const bool anew = wanted.presentation != stage_.presentation;
   stage_ = wanted;
   if (!anew) return;
   app.beginSceneAgain(wanted.facing);
@@ -33,11 +28,13 @@ void TaskStager::beforeTicks(Application& app) {
 void TaskStager::stepChanged(Application& app) {
   const LessonSession* session = app.lesson.session();
   const TaskStage before = std::exchange(stage_, {});
-  if (!session) return;
-  const SceneSpec& spec = session->scene();
-  if (before.probe_A) app.scene.servo_settings.probe_A = spec.probe_A;
-  if (before.stiffness_N_per_mm) app.scene.servo_settings.stiffness_N_per_mm = spec.stiffness_N_per_mm;
-  if (!before.method.empty()) app.scene.useMethod(spec.method);
+  if (session) change(app, before.touch, {});
+}
+
+void TaskStager::change(Application& app, const TouchChange& before, const TouchChange& now) {
+  TouchSetup touch = app.scene.touch();
+  now.replace(before, app.lesson.session()->scene().touch, touch);
+  app.scene.setTouch(touch);
 }
 
 void TaskStager::ticks(Application& app, const FeltTicks& felt) {

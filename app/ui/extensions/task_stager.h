@@ -23,9 +23,11 @@ class TaskStager final : public Extension {
   /// The current task has two answers, and a device's second button gives the second: it is no clutch meanwhile.
   bool takesSecondButton() const { return two_answers_; }
   /// A task has made the surface softer or harder than the lesson's scene.
-  bool changesStiffness() const { return stage_.stiffness_N_per_mm.has_value(); }
+  bool changesStiffness() const { return stage_.touch.has(&TouchSetup::stiffness_N_per_mm); }
 
  private:
+  static void change(Application& app, const TouchChange& before, const TouchChange& now);
+
   TaskStage stage_;
   std::uint32_t buttons_ = 0;
   bool two_answers_ = false;

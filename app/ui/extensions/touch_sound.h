@@ -1,7 +1,7 @@
 // Sound for the touch: switched on at will, fed with every tick, silent where there is no sound card. On the frames'
 // clock nothing is played; what would have been heard is kept, for scripts and tests. It goes on while the screen is
 // dark: the force, the kind of place and the passing from one set of atoms to another are what a hand feels too, and no
-// atom is told by its name or element. Window's thread.
+// atom is said by its name or element. Window's thread.
 #pragma once
 
 #include <memory>
@@ -18,12 +18,12 @@ class TouchSound : public Extension {
   ~TouchSound() override;
 
   void ticks(Application& app, const FeltTicks& felt) override;
-  /// What was felt is over.
+  /// The contact has ended.
   void sceneChanged(Application& app) override;
-  /// Sound is switched on and off; a card that is missing is told once each time that sound is switched on.
+  /// Sound is switched on and off; a missing sound card is reported once each time that sound is switched on.
   void afterPanels(Application& app) override;
 
-  /// What would have been heard since sound was switched on (frames' clock only, at kSamples_per_s).
+  /// The sound since it was switched on (frames' clock only, at kSamples_per_s).
   const std::vector<float>& heard() const { return heard_; }
 
  private:

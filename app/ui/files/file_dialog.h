@@ -28,7 +28,7 @@ class FileDialog {
 
   const FileQuestion& question() const { return *question_; }  ///< only while open()
   bool asksForFolder() const { return open() && question_->name.empty(); }
-  /// What would be chosen now: the name, with its ending, in the folder; empty where no name is written.
+  /// The file that would be chosen now: the name, with its ending, in the folder; empty where no name is written.
   std::filesystem::path answer() const;
   /// Hands the answer over and closes.
   void choose();

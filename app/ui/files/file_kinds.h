@@ -1,4 +1,4 @@
-// The kinds of file that the window opens, told apart by their names: what the file browser lists, and what
+// The kinds of file that the window opens, distinguished by their names: what the file browser lists, and what
 // Application::open hands to whom. Any thread.
 #pragma once
 

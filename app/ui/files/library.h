@@ -1,5 +1,5 @@
-// What comes with the program: its molecules and lessons, as menus list them, read once in each language; and lesson folders. Window's
-// thread.
+// The molecules and lessons that come with the program, as menus list them, read once in each language; and lesson
+// folders. Window's thread.
 #pragma once
 
 #include <filesystem>

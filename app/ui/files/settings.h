@@ -1,5 +1,5 @@
-// What the program remembers of a person between two starts: theme, scale, panels, ways of showing and pointing. One
-// JSON file in the user's configuration folder. Window's thread.
+// The settings of a person that the program keeps between two starts: theme, scale, panels, ways of showing and
+// pointing. One JSON file in the user's configuration folder. Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@
 
 namespace moltact {
 
-/// What stands where the probe and the hand are: the probe as a water molecule or as a plain ball, or a model at the
-/// HIP too.
+/// The figure drawn where the probe and the hand are: the probe as a water molecule or as a plain ball, or a model at
+/// the HIP too.
 enum class ProbeLook { Water, Ball, Stylus, Finger };
 
 /// "water", "ball", "stylus", "finger".

@@ -86,18 +86,18 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
 }
 
 void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
-  if (!on_stage_ || !s.has_tracker) return;
+  if (!on_stage_ || !s.has_interaction) return;
   session_->feed(touchSampleOf(s, method, exact));
 }
 
-ShapeSet LessonGuide::shapes() const {
-  ShapeSet shown = defaultShapes();
-  shown.set(Shape::Facets);  // seen only with a method that feels triangles
-  shown.set(Shape::Hip);     // where the hand is under the surface stands in for the force that a mouse cannot give
+ViewPartSet LessonGuide::shownParts() const {
+  ViewPartSet shown = defaultViewParts();
+  shown.set(ViewPart::Facets);  // seen only with a method that feels triangles
+  shown.set(ViewPart::Hip);     // where the hand is under the surface stands in for the force that a mouse cannot give
   if (!session_ || session_->scene().show.empty()) return shown;
   for (const std::string& name : session_->scene().show)
-    for (const ShapeName& shape : shapeNames())
-      if (shape.name == name) shown.set(shape.shape);
+    for (const ViewPartInfo& part : viewParts())
+      if (part.name == name) shown.set(part.part);
   return shown;
 }
 

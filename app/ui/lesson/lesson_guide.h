@@ -14,8 +14,8 @@
 #include "engine/core/problem.h"
 #include "engine/lesson/session.h"
 #include "engine/render/view_scene.h"
-#include "engine/servo/scale.h"
 #include "engine/servo/servo_step.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 
@@ -26,7 +26,7 @@ struct CurveDraft {
   std::size_t pen = 0;
 };
 
-/// What is being ticked and written at the questions and tasks of a step before it is handed in, by the question's
+/// The student's ticks and texts at the questions and tasks of a step before they are handed in, by the question's
 /// index.
 struct AnswerDrafts {
   std::map<std::size_t, std::vector<std::size_t>> ticked;
@@ -34,7 +34,7 @@ struct AnswerDrafts {
   std::map<std::size_t, CurveDraft> curves;  ///< by the task's index
 };
 
-/// What a scene's colours tell.
+/// The meaning of a scene's colours.
 ColourBy colourBy(const SceneSpec& scene);
 
 class LessonGuide {
@@ -59,7 +59,7 @@ class LessonGuide {
   /// Follows a link to a step ("#step-id"); false where there is no such step.
   bool follow(const std::string& link);
 
-  /// Of the step that is shown; empty when it has just been entered.
+  /// For the step that is shown; empty when it has just been entered.
   AnswerDrafts& drafts();
 
   /// The scene of the step when it has changed since the last call, else null.
@@ -77,7 +77,7 @@ class LessonGuide {
   void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
 
   /// The parts of the picture that the step asks for; the usual ones without a lesson.
-  ShapeSet shapes() const;
+  ViewPartSet shownParts() const;
   /// Whether the lesson keeps the student from changing a scene's key ("force").
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
   /// The part of the molecule that the step magnifies.

@@ -1,5 +1,5 @@
-// What a person can tell the program to do: one row a command. Menus, tool bar, shortcuts and the sheet that lists them
-// are all made from this table. Window's thread.
+// The commands that a person can give the program: one row a command. Menus, tool bar, shortcuts and the sheet that
+// lists them are all made from this table. Window's thread.
 #pragma once
 
 #include <span>

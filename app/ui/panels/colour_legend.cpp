@@ -37,7 +37,8 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   }
   for (std::size_t k = 0; k < of_chain.size(); ++k)
     if (of_chain[k])
-      chains.push_back({chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string()), of_chain[k]});
+      chains.push_back(
+          {chainColour(std::uint32_t(k)), trf("chain {0}", molecule.chains[k].name.string()), of_chain[k]});
   for (std::size_t k = 0; k < of_element.size(); ++k)
     if (of_element[k])
       others.push_back(
@@ -52,7 +53,7 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
 
 void drawColourLegend(Application& app, const Rectangle& view) {
   const bool by_chain = app.scene.colour_by == ColourBy::Chain;
-  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(Shape::Atoms))
+  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(ViewPart::Atoms))
     return;
   const Look& l = look();
   std::vector<LegendEntry> entries =
@@ -60,7 +61,7 @@ void drawColourLegend(Application& app, const Rectangle& view) {
   if (entries.size() > kMostEntries) entries.resize(kMostEntries);
   ViewScene marks;
   app.lesson.decorate(marks);
-  if (!marks.highlighted.empty() && app.scene.shown.has(Shape::Target))
+  if (!marks.highlighted.empty() && app.scene.shown.has(ViewPart::Target))
     entries.push_back({l.viewTheme().target, tr("marked"), marks.highlighted.size()});
   WithFont small(Font::Small);
   const float line = ImGui::GetFontSize() + l.px(5), pad = l.px(10), dot = 0.36f * ImGui::GetFontSize(),

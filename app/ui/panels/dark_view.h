@@ -1,4 +1,4 @@
-// What is seen while the screen is dark: no molecule, only what is felt. Window's thread.
+// The view while the screen is dark: no molecule, only what is felt. Window's thread.
 #pragma once
 
 #include "app/ui/widgets/layout.h"
@@ -7,7 +7,7 @@ namespace moltact {
 
 class Application;
 
-/// In the view's place: where the task shows it a meter of the force and an arrow whereto it pushes, as a
+/// In the view's place: where the task shows it a meter of the force and an arrow in the direction of its push, as a
 /// force-feedback hand would feel both; and what is felt in words that name no atom.
 void drawDarkView(Application& app, const Rectangle& view);
 

@@ -82,8 +82,8 @@ void drawRoom(const char* name, const char* label, ImVec2 low, ImVec2 size, floa
   draw->AddRect(a, b, p.line, l.px(6));
   draw->AddLine({middle.x, a.y}, {middle.x, b.y}, p.line);
   draw->AddLine({a.x, middle.y}, {b.x, middle.y}, p.line);
-  const ImVec2 at{std::clamp(middle.x + scale * floatOf(hand_mm.x), a.x, b.x),
-                  std::clamp(middle.y - scale * floatOf(hand_mm.y), a.y, b.y)};
+  const ImVec2 at{std::clamp(middle.x + scale * saturateToFloat(hand_mm.x), a.x, b.x),
+                  std::clamp(middle.y - scale * saturateToFloat(hand_mm.y), a.y, b.y)};
   const ImVec2 tip{at.x + l.px(kForce_px_per_N) * float(force_N.x), at.y - l.px(kForce_px_per_N) * float(force_N.y)};
   draw->AddLine(at, tip, p.warn, l.px(3));
   draw->AddCircleFilled(at, l.px(5), p.accent, 24);

@@ -11,6 +11,7 @@
 #include "app/ui/panels/lesson_blocks.h"
 #include "app/ui/panels/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
@@ -129,11 +130,12 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   const bool free = answer.kind == AnswerSpec::Kind::Free;
   const float button_w = look().tx(84), gap = ImGui::GetStyle().ItemSpacing.x;
   bool handed_in = false;
-  if (takesWriting(session, index) && lessonKeyPressed('A')) ImGui::SetKeyboardFocusHere();
+  const bool begins = takesWriting(session, index) && lessonKeyPressed('A');
   if (free) {
     handed_in =
         ImGui::InputTextMultiline("##answer", &written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
+    if (begins) writeInLastField();
     tip(tr("A begins to write, Ctrl and Enter keeps it"));
     handed_in = button((name + "/check").c_str(), tr("Keep"), ButtonLook::Plain, button_w) || handed_in;
   } else {
@@ -145,6 +147,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
     recordItem(name + "/field", written);
+    if (begins) writeInLastField();
     ImGui::SameLine();
     handed_in = button((name + "/check").c_str(), tr("Check"), ButtonLook::Primary, button_w) || handed_in;
   }

@@ -1,5 +1,5 @@
-// What a task's card holds beside its text: the buttons by which the student tells something, and the curve that is
-// drawn and felt. Window's thread.
+// The parts of a task's card beside its text: the buttons for the student's answers, and the curve that is drawn and
+// felt. Window's thread.
 #pragma once
 
 #include <cstddef>
@@ -11,7 +11,7 @@ namespace moltact {
 
 class Application;
 
-/// The buttons of the current task, each with its key. True when one was pressed and told to the task.
+/// The buttons of the current task, each with its key. True when one was pressed and its answer given to the task.
 bool drawTaskButtons(Application& app, std::size_t index, const Task& task);
 
 /// The curves of a task; the current one's can be drawn with the mouse or the arrow keys.

@@ -7,7 +7,6 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
 #include "app/ui/panels/actions.h"
-#include "app/ui/scene/shape_label.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_names.h"
@@ -65,10 +64,10 @@ void recentMenu(Application& app) {
 
 void shapesMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/shapes", tr("Shapes"), !app.panels.welcome && !app.lesson.locks("show"))) return;
-  for (const ShapeName& shape : shapeNames()) {
-    const bool on = app.scene.shown.has(shape.shape);
-    if (item("menu/view/shapes/" + std::string(shape.name), shapeLabel(shape).c_str(), nullptr, on))
-      app.scene.shown.set(shape.shape, !on);
+  for (const ViewPartInfo& part : viewParts()) {
+    const bool on = app.scene.shown.has(part.part);
+    if (item("menu/view/shapes/" + std::string(part.name), part.shownLabel(), nullptr, on))
+      app.scene.shown.set(part.part, !on);
   }
   ImGui::EndMenu();
 }

@@ -70,7 +70,10 @@ void drawMethodChooser(Application& app) {
     WithFont small(Font::Small);
     WithText quiet(look().palette.quiet);
     ImGui::PushTextWrapPos(0.0f);
-    const std::string text(tr(now->family.plain));
+    std::string text(tr(now->family.plain));
+    const bool moves = app.scene.log().latest().motion != 0;
+    if (const std::string_view still = motionSentence(*now); moves && !still.empty())
+      text.append(" ").append(tr(still));
     ImGui::TextUnformatted(text.c_str());
     ImGui::PopTextWrapPos();
     recordItem("method/sentence", text);

@@ -23,10 +23,10 @@ void drawMethodsPanel(Application& app) {
   drawMethodChooser(app);
   if (feltFacets(app.scene.method())) {
     const WhileLocked locked(app, "show");
-    bool on = app.scene.shown.has(Shape::Facets);
+    bool on = app.scene.shown.has(ViewPart::Facets);
     if (toggle("show/facets", tr("Draw the triangles"), on,
                tr("The triangles that the method feels, round the probe.")))
-      app.scene.shown.set(Shape::Facets, on);
+      app.scene.shown.set(ViewPart::Facets, on);
   }
   plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
        {.title = tr("Force"), .least_top = 1.0f, .height = 50.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});

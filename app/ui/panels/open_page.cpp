@@ -6,15 +6,18 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
+#include <utility>
 #include <vector>
 
 #include "app/ui/application/application.h"
 #include "app/ui/files/file_list.h"
 #include "app/ui/files/library.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/molecule/reader.h"
 
 namespace moltact {
 namespace {
@@ -56,20 +59,20 @@ void drawOpenPage(Application& app) {
     return;
   }
   FileBrowser& b = app.files;
-  if (!b.open) {
-    b.open = true;
+  const bool newly = !std::exchange(b.open, true);
+  if (newly) {
     std::error_code ignored;
     if (b.folder().empty())
       b.look(fs::current_path(ignored));
     else
       b.look(b.folder());
     b.typed.clear();
-    ImGui::SetKeyboardFocusHere();
   }
   ImGui::SetNextItemWidth(-1.0f);
   const bool entered =
       ImGui::InputTextWithHint("##path", b.folder().string().c_str(), &b.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   recordItem("open/path", b.typed);
+  if (newly) writeInLastField();
   if (entered && !b.typed.empty()) {
     fs::path where = b.typed;
     if (b.typed.starts_with("~/") && std::getenv("HOME")) where = fs::path(std::getenv("HOME")) / b.typed.substr(2);
@@ -98,8 +101,8 @@ void drawOpenPage(Application& app) {
     WithFont strong(Font::Strong);
     ImGui::TextUnformatted(elided(b.folder().string(), ImGui::GetContentRegionAvail().x).c_str());
   }
-  const fs::path file =
-      drawFileList(b, "open", tr("No folders, molecules (.pdb .ent .cif .xyzr, also .gz) or lessons (.md) here."));
+  const fs::path file = drawFileList(
+      b, "open", trf("No folders, molecules ({0}, also .gz) or lessons (.md) here.", moleculeEndingsText()).c_str());
   if (!file.empty()) chooseFile(app, file);
   ImGui::EndChild();
   ImGui::PopStyleVar();

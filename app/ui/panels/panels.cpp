@@ -2,40 +2,45 @@
 
 #include <array>
 
-// One line a panel: its function is draw<Name>(Application&), in its own file.
-#define MOLTACT_PANELS(X) \
-  X(MenuBar)              \
-  X(WelcomePage)          \
-  X(LessonPanel)          \
-  X(ViewPanel)            \
-  X(TouchPanel)           \
-  X(MethodsPanel)         \
-  X(Splitters)            \
-  X(PlaybackBar)          \
-  X(TurnsStrip)           \
-  X(StatusBar)            \
-  X(ToolBar)              \
-  X(LimitNotice)          \
-  X(LessonProblems)       \
-  X(MessageStack)         \
-  X(TurnsPage)            \
-  X(OpenPage)             \
-  X(FilePage)             \
-  X(PreferencesPage)      \
-  X(DevicePage)           \
-  X(ControlsPage)         \
-  X(AboutPage)
+#include "app/ui/application/panel_state.h"
+
+// One line a panel: its function is draw<Name>(Application&), in its own file. A page names the member of PanelState
+// that opens it; FilePage is opened by the dialog that it draws (app/ui/files/file_dialog.h).
+#define MOLTACT_PANELS(PANEL, PAGE)       \
+  PANEL(MenuBar)                          \
+  PAGE(WelcomePage, welcome)              \
+  PANEL(LessonPanel)                      \
+  PANEL(ViewPanel)                        \
+  PANEL(TouchPanel)                       \
+  PANEL(MethodsPanel)                     \
+  PANEL(Splitters)                        \
+  PANEL(PlaybackBar)                      \
+  PANEL(TurnsStrip)                       \
+  PANEL(StatusBar)                        \
+  PANEL(ToolBar)                          \
+  PANEL(LimitNotice)                      \
+  PANEL(LessonProblems)                   \
+  PANEL(MessageStack)                     \
+  PAGE(TurnsPage, turns_page)             \
+  PAGE(OpenPage, open_page)               \
+  PANEL(FilePage)                         \
+  PAGE(PreferencesPage, preferences_page) \
+  PAGE(DevicePage, device_page)           \
+  PAGE(ControlsPage, controls_page)       \
+  PAGE(AboutPage, about_page)
 
 namespace moltact {
 
-#define MOLTACT_DECLARE(Name) void draw##Name(Application& app);
-MOLTACT_PANELS(MOLTACT_DECLARE)
+#define MOLTACT_DECLARE(Name, ...) void draw##Name(Application& app);
+MOLTACT_PANELS(MOLTACT_DECLARE, MOLTACT_DECLARE)
 #undef MOLTACT_DECLARE
 
 std::span<const Panel> allPanels() {
-#define MOLTACT_ROW(Name) Panel{#Name, &draw##Name},
-  static constexpr std::array kPanels{MOLTACT_PANELS(MOLTACT_ROW)};
-#undef MOLTACT_ROW
+#define MOLTACT_PANEL(Name) Panel{#Name, &draw##Name, nullptr},
+#define MOLTACT_PAGE(Name, flag) Panel{#Name, &draw##Name, &PanelState::flag},
+  static constexpr std::array kPanels{MOLTACT_PANELS(MOLTACT_PANEL, MOLTACT_PAGE)};
+#undef MOLTACT_PAGE
+#undef MOLTACT_PANEL
   return kPanels;
 }
 

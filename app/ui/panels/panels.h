@@ -8,10 +8,12 @@
 namespace moltact {
 
 class Application;
+struct PanelState;
 
 struct Panel {
   std::string_view name;
   void (*draw)(Application& app);  ///< draws nothing where it is closed or has no room
+  bool PanelState::*page;          ///< for a page: what opens it; null for what is no page, and for FilePage
 };
 
 /// In the order in which they are drawn.

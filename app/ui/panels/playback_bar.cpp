@@ -7,10 +7,10 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
-#include "app/ui/widgets/clock_text.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/core/saturated.h"
@@ -68,7 +68,9 @@ void drawScrubber(Playback& playback, float width) {
   const ImVec2 low = ImGui::GetItemRectMin(), end = ImGui::GetItemRectMax();
   const double length_s = std::max(1e-9, playback.timeline().length_s());
   const float edge = l.px(6), from = low.x + edge, to = end.x - edge, middle = 0.5f * (low.y + end.y), half = l.px(9);
-  const auto place = [&](double t_s) { return from + (to - from) * std::clamp(floatOf(t_s / length_s), 0.0f, 1.0f); };
+  const auto place = [&](double t_s) {
+    return from + (to - from) * std::clamp(saturateToFloat(t_s / length_s), 0.0f, 1.0f);
+  };
   const float pointer = ImGui::GetIO().MousePos.x;
   const TimelineMark* near = nullptr;
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) {
@@ -80,8 +82,8 @@ void drawScrubber(Playback& playback, float width) {
       }
     const double t_s = length_s * double(std::clamp((pointer - from) / (to - from), 0.0f, 1.0f));
     if (ImGui::IsItemActive()) playback.seek(near && ImGui::IsMouseClicked(0) ? near->t_s : t_s);
-    ImGui::SetTooltip("%s",
-                      ((near ? near->text + "  " : "") + clockText(wholeOf<int>(near ? near->t_s : t_s))).c_str());
+    ImGui::SetTooltip(
+        "%s", ((near ? near->text + "  " : "") + clockText(saturateToInteger<int>(near ? near->t_s : t_s))).c_str());
   }
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const float bar = l.px(3);
@@ -92,7 +94,7 @@ void drawScrubber(Playback& playback, float width) {
   const float x = place(playback.at_s());
   draw->AddCircleFilled({x, middle}, l.px(8), l.palette.accent, 28);
   draw->AddCircleFilled({x, middle}, l.px(3.5f), l.palette.panel, 20);
-  recordRectangle("playback/bar", {low.x, low.y}, {end.x, end.y}, clockText(wholeOf<int>(playback.at_s())));
+  recordRectangle("playback/bar", {low.x, low.y}, {end.x, end.y}, clockText(saturateToInteger<int>(playback.at_s())));
 }
 
 void drawSpeed(Playback& playback) {
@@ -147,8 +149,8 @@ void drawPlaybackBar(Application& app) {
           quantityText(5, Dimension::Time, decimals(0)))
           .c_str());
   ImGui::SameLine();
-  const std::string length = clockText(wholeOf<int>(playback.timeline().length_s())),
-                    time = clockText(wholeOf<int>(playback.at_s())) + " / " + length;
+  const std::string length = clockText(saturateToInteger<int>(playback.timeline().length_s())),
+                    time = clockText(saturateToInteger<int>(playback.at_s())) + " / " + length;
   // Where there is little room the time stands before the words.
   const bool wide = whole > l.tx(430);
   const float time_w = wide ? ImGui::CalcTextSize((length + " / " + length).c_str()).x + l.px(6) + gap : 0.0f;

@@ -1,32 +1,60 @@
 // Right: what is felt and how: force over time, the probe, what is shown; the method and the loop behind "More".
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "app/ui/application/application.h"
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/while_locked.h"
-#include "app/ui/scene/shape_label.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/plot.h"
 #include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kLargestOffered_A = 4.0;  // of the probe's slider
-constexpr double kSoftest_N_per_mm = 0.05, kStiffest_N_per_mm = 2.0;
+// The controls of what the scene is felt with: those at the panel's head, or those among the details.
+void drawTouchControls(Application& app, bool first) {
+  TouchSetup touch = app.scene.touch();
+  for (const TouchProperty& p : touchProperties()) {
+    const TouchControl& c = p.control;
+    if (c.title.empty() || c.first != first || !isChoice(p)) continue;
+    const WhileLocked locked(app, p.key);
+    const std::string name(p.key), title(tr(c.title));
+    const auto tip = [&](const std::string& usual) { return c.tip.empty() ? std::string() : trf(c.tip.data(), usual); };
+    if (const auto* number = std::get_if<double TouchSetup::*>(&p.member)) {
+      const Digits digits = c.decimals < 0 ? Digits{} : decimals(c.decimals);
+      slider(name.c_str(), title.c_str(), touch.**number, c.range.least, c.range.most, c.step,
+             {p.dimension, {digits, {}}}, tip(quantityText(TouchSetup().**number, p.dimension, digits)).c_str());
+    } else if (const auto* on = std::get_if<bool TouchSetup::*>(&p.member)) {
+      toggle(name.c_str(), title.c_str(), touch.**on, tip({}).c_str());
+    } else {
+      std::string& word = touch.*std::get<std::string TouchSetup::*>(p.member);
+      const std::vector<TouchWord> words = p.words();
+      std::vector<std::string> titles;
+      for (const TouchWord& w : words) titles.emplace_back(w.title);
+      auto chosen = std::size_t(
+          std::find_if(words.begin(), words.end(), [&](const TouchWord& w) { return w.name == word; }) - words.begin());
+      ImGui::TextUnformatted(title.c_str());
+      if (segments(name.c_str(), titles, chosen)) word = words[chosen].name;
+    }
+  }
+  if (!(touch == app.scene.touch())) app.scene.setTouch(touch);
+}
 
-void drawShapeSwitches(Application& app) {
+void drawPartSwitches(Application& app) {
   const WhileLocked locked(app, "show");
-  for (const ShapeName& shape : shapeNames()) {
-    if (!shape.haptic) continue;  // the others are in the View menu
-    if (shape.shape == Shape::Facets && !feltFacets(app.scene.method())) continue;
-    bool on = app.scene.shown.has(shape.shape);
-    if (toggle(("show/" + std::string(shape.name)).c_str(), shapeLabel(shape).c_str(), on,
-               std::string(tr(shape.sentence)).c_str()))
-      app.scene.shown.set(shape.shape, on);
+  for (const ViewPartInfo& part : viewParts()) {
+    if (!part.haptic) continue;  // the others are in the View menu
+    if (part.part == ViewPart::Facets && !feltFacets(app.scene.method())) continue;
+    bool on = app.scene.shown.has(part.part);
+    if (toggle(("show/" + std::string(part.name)).c_str(), part.shownLabel(), on, tr(part.sentence)))
+      app.scene.shown.set(part.part, on);
   }
 }
 
@@ -43,33 +71,23 @@ void drawTouchPanel(Application& app) {
   plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
        {.title = tr("Force"), .least_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   ImGui::Spacing();
-  {
-    const WhileLocked locked(app, "probe");
-    slider("probe", tr("Probe radius"), app.scene.servo_settings.probe_A, 0.0, kLargestOffered_A, 0.1,
-           {Dimension::Length, {decimals(1), {}}},
-           trf("The radius of the ball you touch with. {0} is a water molecule.",
-               quantityText(1.4, Dimension::Length, decimals(1)))
-               .c_str());
-  }
+  drawTouchControls(app, true);
   ImGui::Spacing();
   sectionTitle(tr("What the hand feels"));
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
-  drawShapeSwitches(app);
+  drawPartSwitches(app);
   ImGui::PopStyleVar();
   ImGui::Spacing();
   disclosure("more", tr("Spring, tracker and timing"), app.panels.touch_details);
   if (app.panels.touch_details) {
-    {
-      const WhileLocked locked(app, "stiffness");
-      slider("stiffness", tr("Stiffness"), app.scene.servo_settings.stiffness_N_per_mm, kSoftest_N_per_mm,
-             kStiffest_N_per_mm, 0.05, {Dimension::Stiffness},
-             tr("The spring between your hand and the surface: how hard the molecule feels."));
-    }
-    {
-      const WhileLocked locked(app, "force");
-      toggle("force", tr("Force on"), app.scene.servo_settings.force_on,
-             tr("Off: contact is followed, but no force is given."));
-    }
+    drawTouchControls(app, false);
+    const ServoSettings& servo = app.scene.servo_settings;
+    const double energy_J = servo.force_on ? springEnergy_J(app.scene.log().latest().contact.energy_A2,
+                                                            servo.stiffness_N_per_mm, servo.workspace.A_per_mm)
+                                           : 0.0;
+    const std::string energy = trf("Energy in the spring: {0}", quantityText(energy_J, Dimension::Energy));
+    ImGui::TextUnformatted(energy.c_str());
+    recordItem("energy", energy);
     ImGui::TextUnformatted(tr("Tracker"));
     drawMethodChooser(app);
     if (!app.panels.methods && !app.lesson.locks("panels") &&

@@ -9,8 +9,8 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/clock_text.h"
+#include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"

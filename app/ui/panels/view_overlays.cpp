@@ -50,7 +50,7 @@ void scaleBar(const Application& app, const Rectangle& view) {
       break;
     }
   const std::string text = quantityText(length_A, Dimension::Length, plain());
-  const float width = floatOf(length_A / pixel_A), x1 = view.high.x - l.px(18), x0 = x1 - width,
+  const float width = saturateToFloat(length_A / pixel_A), x1 = view.high.x - l.px(18), x0 = x1 - width,
               y = view.high.y - l.px(20);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   const ImU32 colour = l.palette.quiet;
@@ -76,7 +76,7 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const Look& l = look();
   const glm::vec2 size = view.size();
   const double pixel_A = app.scene.camera.pixel_A(app.scene.camera.distance_A, std::max(1, int(size.y)));
-  const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * floatOf(force_N) + l.px(26));
+  const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * saturateToFloat(force_N) + l.px(26));
   const Vec3 foot = app.scene.camera.project(now.contact.scp, int(size.x), int(size.y));
   Vec3 at = app.scene.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
   const std::string text = quantityText(force_N, Dimension::Force, decimals(1));
@@ -84,10 +84,10 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
     at = foot + Vec3(double(l.px(kBeside_px) + 0.5f * extent.x), 0.0, 0.0);
-  const float x =
-      std::clamp(view.low.x + floatOf(at.x) - 0.5f * extent.x, view.low.x + l.px(6), view.high.x - extent.x - l.px(6));
-  const float y =
-      std::clamp(view.low.y + floatOf(at.y) - 0.5f * extent.y, view.low.y + l.px(6), view.high.y - extent.y - l.px(6));
+  const float x = std::clamp(view.low.x + saturateToFloat(at.x) - 0.5f * extent.x, view.low.x + l.px(6),
+                             view.high.x - extent.x - l.px(6));
+  const float y = std::clamp(view.low.y + saturateToFloat(at.y) - 0.5f * extent.y, view.low.y + l.px(6),
+                             view.high.y - extent.y - l.px(6));
   const ImVec2 pad{l.px(5), l.px(2)};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({x - pad.x, y - pad.y}, {x + extent.x + pad.x, y + extent.y + pad.y},
@@ -148,7 +148,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     return;
   }
   drawColourLegend(app, view);
-  if (now.contact.touching() && app.scene.shown.has(Shape::Force)) forceLabel(app, now, view);
+  if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, view);
@@ -165,7 +165,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
                               : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
-             hint > 0.0f && !app.scene.playing() && !app.scene.servo().held()) {
+             hint > 0.0f && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }

@@ -1,4 +1,4 @@
-// What stands over the 3-D view: the state in words, the scale bar, the hint of controls. Window's thread.
+// The overlays of the 3-D view: the state in words, the scale bar, the hint of controls. Window's thread.
 #pragma once
 
 #include "app/ui/widgets/layout.h"
@@ -12,12 +12,12 @@ class Application;
 /// because what the hand gives does not depend on the zoom.
 inline constexpr float kArrow_px_per_N = 70.0f;
 
-/// What the 3-D view shows now.
+/// The scene that the 3-D view shows now.
 ViewScene seenScene(const Application& app);
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 
-/// What the atoms' colours are, where they are not the customary ones.
+/// The legend of the atoms' colours, where they are not the customary ones.
 void drawColourLegend(Application& app, const Rectangle& view);
 
 }  // namespace moltact

@@ -42,7 +42,9 @@ void readKeys(Application& app, ViewInput& in) {
   const ImGuiIO& io = ImGui::GetIO();
   // Keys belong to a text field, an open page or a panel before they belong to the view.
   if (!keysFree()) return;
-  if (io.KeyCtrl && !io.KeyAlt)
+  if (io.KeyCtrl && io.KeyShift && !io.KeyAlt && app.scene.servo().hasOrientation())
+    in.hand_keys = arrows();
+  else if (io.KeyCtrl && !io.KeyAlt)
     in.orbit_keys = arrows();
   else if (app.scene.playing())
     return;  // the keys belong to the bar
@@ -56,9 +58,13 @@ void readKeys(Application& app, ViewInput& in) {
   if (!io.KeyCtrl) {
     if (pressed(ImGuiKey_Equal, true) || pressed(ImGuiKey_KeypadAdd, true)) in.push_notches += 1.0;
     if (pressed(ImGuiKey_Minus, true) || pressed(ImGuiKey_KeypadSubtract, true)) in.push_notches -= 1.0;
-    // Layouts without a plus beside the backspace key write it as a character.
-    for (const ImWchar c : io.InputQueueCharacters)
-      if (c == '+' && !pressed(ImGuiKey_Equal, true) && !pressed(ImGuiKey_KeypadAdd, true)) in.push_notches += 1.0;
+    // Where another key writes the plus or the minus, it comes as a character alone.
+    for (const ImWchar c : io.InputQueueCharacters) {
+      if (c == '+' && !ImGui::IsKeyDown(ImGuiKey_Equal) && !ImGui::IsKeyDown(ImGuiKey_KeypadAdd))
+        in.push_notches += 1.0;
+      if (c == '-' && !ImGui::IsKeyDown(ImGuiKey_Minus) && !ImGui::IsKeyDown(ImGuiKey_KeypadSubtract))
+        in.push_notches -= 1.0;
+    }
   }
   if (!io.KeyCtrl)
     in.zoom_keys = (ImGui::IsKeyDown(ImGuiKey_PageUp) ? 1.0 : 0.0) - (ImGui::IsKeyDown(ImGuiKey_PageDown) ? 1.0 : 0.0);
@@ -80,13 +86,13 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing();
   const glm::dvec2 drag(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
-  if (turning) in.orbit_px = drag;
+  if (turning) (io.KeyCtrl && app.scene.servo().hasOrientation() ? in.hand_px : in.orbit_px) = drag;
   if ((hovered || in.press) && !panning && !turning && ImGui::IsMousePosValid())
     in.pointer_px = glm::dvec2(io.MousePos.x - low.x, io.MousePos.y - low.y);
   readKeys(app, in);
   // A surface that a task makes softer or harder is to be felt as that: the hand presses as deep as before.
   if (app.extensions().task_stager.changesStiffness())
-    in.expected_N_per_mm = app.lesson.session()->scene().stiffness_N_per_mm;
+    in.expected_N_per_mm = app.lesson.session()->scene().touch.stiffness_N_per_mm;
   if (hovered || active) (in.press ? in.push_notches : in.zoom_notches) += double(io.MouseWheel);
   return in;
 }
@@ -102,7 +108,7 @@ ViewScene seenScene(const Application& app) {
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
   scene.colour_by = app.scene.colour_by;
-  if (app.scene.stage() && now.has_tracker) {
+  if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
     scene.contact = now.contact;
     scene.force_N = app.scene.log().force_N();

@@ -1,4 +1,4 @@
-// What the probe touches, in words: for the view, the status bar, those who cannot see it well, and the tests.
+// The contact of the probe in words: for the view, the status bar, those who cannot see it well, and the tests.
 #pragma once
 
 #include <string>
@@ -16,12 +16,12 @@ std::string contactText(const Molecule* molecule, const Contact& contact, double
 /// The same without naming an atom, for a screen that is dark: "touching a crease between two atoms".
 std::string unnamedContactText(const Contact& contact);
 
-/// Whereto the surface pushes the hand as the view shows it, by a unit vector in the camera's axes (x right, y up, z
-/// toward the person): "pushed toward you", "pushed up and to the left".
+/// The direction of the surface's push on the hand as the view shows it, from a unit vector in the camera's axes (x
+/// right, y up, z toward the person): "pushed toward you", "pushed up and to the left".
 std::string pushText(const Vec3& direction);
 
-/// What is touched, without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty when
-/// nothing is.
+/// The touched atoms, without the force: "oxygen O of Asp 52, pit with its carbon C and nitrogen N of Tyr 53"; empty
+/// when nothing is.
 std::string touchedText(const Molecule& molecule, const Contact& contact);
 
 }  // namespace moltact

@@ -8,7 +8,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/background.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 namespace {
@@ -21,7 +21,7 @@ Loaded guarded(const Loader::Read& read, const MoleculeKey& key) {
     return read(key);
   } catch (const std::bad_alloc&) {
     return {key, Problem{file, 0, 0, tr("there is not enough memory to open it"),
-                          tr("close other programs, or open a smaller structure")}};
+                         tr("close other programs, or open a smaller structure")}};
   } catch (const std::exception& e) {
     return {key, Problem{file, 0, 0, trf("it cannot be opened: {0}", e.what()), tr("check the file")}};
   }

@@ -20,14 +20,14 @@ struct Loaded {
 class Loader {
  public:
   using Read = std::function<Loaded(const MoleculeKey&)>;
-  /// Reads by readStage unless told otherwise. An exception that `read` throws becomes a problem.
+  /// Reads by readStage unless another function is given. An exception that `read` throws becomes a problem.
   explicit Loader(Read read = {});
 
   /// Begins to read; what was being read before is no longer wanted.
   void begin(const MoleculeKey& key);
   bool busy() const { return wanted_.valid(); }
 
-  /// What has been read, once; nothing while it is being read.
+  /// The molecule once it has been read, given once; nothing while it is being read.
   std::optional<Loaded> take();
   /// The same, waiting for it.
   std::optional<Loaded> wait();

@@ -19,7 +19,8 @@ constexpr double kPull_A = 0.02;  // a shorter spring has no direction to speak 
 
 void TickHistogram::add(double time_us) {
   if (!(time_us > 0.0)) return;
-  const int bin = std::clamp(wholeOf<int>(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
+  const int bin =
+      std::clamp(saturateToInteger<int>(std::floor(std::log10(time_us / kLeast_us) * kBinsADecade)), 0, kBins - 1);
   counts_[std::size_t(bin)] += 1.0;
   total_ += 1.0;
   if (total_ < 2.0 * kFading) return;
@@ -42,7 +43,7 @@ MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / T
 
 void MethodWatch::begin(const Stage& stage, double probe_A) {
   balls_ = stage.balls;
-  exact_ = stage ? methods().front().make(stage.balls, probe_A) : nullptr;
+  exact_ = stage ? referenceMethod().make(stage.balls, probe_A) : nullptr;
   latest_exact_ = {};
   left_behind_ticks_ = 0;
   tried_.clear();
@@ -84,7 +85,7 @@ double MethodWatch::greatestTurn_deg() const {
 
 Contact MethodWatch::add(const ServoSample& s, const Method& method) {
   noteTurn(s);
-  if (!exact_ || !s.has_tracker) return {.scp = s.hip};
+  if (!exact_ || !s.has_interaction) return {.scp = s.hip};
   if (s.placed) exact_->reset();
   if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
   Contact exact = exact_->step(s.hip);

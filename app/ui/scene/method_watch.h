@@ -1,6 +1,6 @@
-// What each method tried on this molecule has cost and how true it was: tick times, the turn of the force from tick to
-// tick, and the distance of its SCP from that of an exact tracker that is led by the same hand. The exact tracker runs
-// here, on the window's thread, over the ticks that the loop hands back. Units: microsecond, angstrom, degree.
+// The cost and the accuracy of each method tried on this molecule: tick times, the turn of the force from tick to tick,
+// and the distance of its SCP from that of an exact tracker that is led by the same hand. The exact tracker runs here,
+// on the window's thread, over the ticks that the loop hands back. Units: microsecond, angstrom, degree.
 #pragma once
 
 #include <array>
@@ -10,6 +10,7 @@
 
 #include "app/ui/scene/stage.h"
 #include "app/ui/scene/touch_log.h"
+#include "engine/haptics/methods.h"
 #include "engine/servo/servo_step.h"
 
 namespace moltact {

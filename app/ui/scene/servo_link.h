@@ -32,13 +32,15 @@ class ServoLink {
   /// Whether the mouse stands in for a chosen device that is gone.
   bool fallenBack() const { return loop().fallenBack(); }
   /// A chosen device leads.
-  bool held() const { return chosen() && !fallenBack(); }
+  bool deviceLeads() const { return chosen() && !fallenBack(); }
   /// The one that leads.
-  const DeviceInfo& device() const { return held() ? chosen()->info() : mouse_.info(); }
+  const DeviceInfo& device() const { return deviceLeads() ? chosen()->info() : mouse_.info(); }
+  /// It is felt how the hand is turned.
+  bool hasOrientation() const { return loop().hasOrientation(); }
   /// Lets the force go along the slew, for good; there is none when it returns.
   void endForce();
-  /// What is no part of the scene, to try a device with: its ticks are seen in newest() alone. The scene's is taken up
-  /// again by setInteraction().
+  /// An interaction that is no part of the scene, to try a device with: its ticks are seen in newest() alone. The
+  /// scene's is taken up again by setInteraction().
   void tryInteraction(std::unique_ptr<Interaction> felt);
   bool trying() const { return trying_; }
   /// The newest tick of all, of whatever scene.
@@ -47,9 +49,11 @@ class ServoLink {
   void setSettings(const ServoSettings& settings) { loop().setSettings(settings); }
   /// Another interaction, or another method of it, in the same scene.
   void setInteraction(std::unique_ptr<Interaction> felt);
+  /// The next motion of this scene's spheres (ServoLoop::setMotion); false while the one before waits.
+  bool setMotion(std::shared_ptr<const SphereMotion> motion) { return loop().setMotion(std::move(motion), scene_); }
   /// A new scene: what was felt of the one before no longer comes out of advance().
   void begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt);
-  /// The same molecule, placed anew by `settings`: what was felt under earlier discontinuities no longer comes out.
+  /// The same molecule, placed again by `settings`: ticks of earlier discontinuities no longer come out.
   void beginAgain(const ServoSettings& settings);
   std::uint32_t scene() const { return scene_; }
 

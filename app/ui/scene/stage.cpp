@@ -1,7 +1,7 @@
 #include "app/ui/scene/stage.h"
 
 #include "engine/language/catalogue.h"
-#include "engine/servo/fit_workspace.h"
+#include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
 namespace {
@@ -25,10 +25,11 @@ Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) 
   return stage;
 }
 
-std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const Method& method, double probe_A,
-                                             const Contact& contact, const PoseA& hand) {
+std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
+                                             const PoseA& hand) {
   if (!stage) return nullptr;
-  std::unique_ptr<Interaction> felt = stage.interaction->make({stage.balls, &method, probe_A});
+  std::unique_ptr<Interaction> felt = makeInteraction({stage.balls, touch});
+  if (!felt) return nullptr;
   const Vec3 outward = contact.scp.A - hand.place.A;
   const double depth = glm::length(outward);
   if (!contact.touching() || !(depth > 0.0)) return felt;

@@ -1,5 +1,5 @@
-// What is touched: a molecule, its balls, and how large it lies under the hand. Built whole on any thread, then never
-// changed. Units: angstrom.
+// The object that is touched: a molecule, its balls, and how large it lies under the hand. Built whole on any thread,
+// then never changed. Units: angstrom.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +16,6 @@ namespace moltact {
 struct Stage {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const BallScene> balls;
-  const InteractionKind* interaction = &interactionKinds().front();  ///< what it is felt with
   Workspace workspace;
   PointA middle;         ///< of the atoms' centres, before which the probe waits
   double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
@@ -27,9 +26,9 @@ struct Stage {
 /// Puts a molecule on the stage. One without atoms gives a problem that names `file`.
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
 
-/// What the stage is felt with, going on with `contact` where the hand is if there is one, so that a change of method
-/// is not felt as letting go. Null without a stage.
-std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const Method& method, double probe_A,
-                                             const Contact& contact, const PoseA& hand);
+/// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
+/// method is not felt as letting go. Null without a stage, and where the setup names what there is not.
+std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
+                                             const PoseA& hand);
 
 }  // namespace moltact

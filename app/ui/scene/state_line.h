@@ -1,4 +1,4 @@
-// The state text at a pace that can be read or spoken: what is touched is told at once when it has rested for a moment,
+// The state text at a pace that can be read or spoken: a contact is reported at once when it has rested for a moment,
 // the force only when it has changed enough to matter. Arithmetic on text; no clock of its own. Unit: second, newton.
 #pragma once
 
@@ -11,7 +11,7 @@ class StateLine {
   /// The line changes no oftener than every `pace_s`, and for the force alone only by `step_N` or more.
   struct Pace {
     double pace_s = 0.4;
-    double rest_s = 0.1;  ///< what is touched must stay the same for so long before it is told
+    double rest_s = 0.1;  ///< the contact must stay the same for so long before it is reported
     double step_N = 0.1;
   };
   static constexpr Pace reading() { return {}; }
@@ -24,7 +24,7 @@ class StateLine {
   bool update(const std::string& what, const std::string& line, double force_N, double now_s);
 
   const std::string& text() const { return text_; }
-  /// `what` has not been told yet.
+  /// `what` has not been reported yet.
   bool owes(const std::string& what) const { return what != told_; }
 
  private:

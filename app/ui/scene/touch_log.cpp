@@ -16,7 +16,7 @@ TouchLog::TouchLog() : force_(kPoints), work_(kPoints) {}
 void TouchLog::add(const ServoSample& sample) {
   latest_ = sample;
   latest_force_N_ = glm::length(sample.force.N);
-  force_peak_ = std::max(force_peak_, floatOf(latest_force_N_));
+  force_peak_ = std::max(force_peak_, saturateToFloat(latest_force_N_));
   work_peak_ = std::max(work_peak_, sample.work_us);
   if (++in_point_ == kTicksAPoint) {
     force_.add(force_peak_);

@@ -1,5 +1,5 @@
-// What the last ticks found, for the plots, the status bar and the lesson: force over the last seconds, the loop's tick
-// time and lateness. Window's thread. Units: newton, second, microsecond.
+// The results of the last ticks, for the plots, the status bar and the lesson: force over the last seconds, the loop's
+// tick time and lateness. Window's thread. Units: newton, second, microsecond.
 #pragma once
 
 #include <cstddef>

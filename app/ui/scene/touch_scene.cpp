@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "engine/haptics/sweep.h"
-#include "engine/servo/fit_workspace.h"
 #include "engine/servo/plain_trackers.h"
+#include "engine/workspace/fit_workspace.h"
 
 namespace moltact {
 namespace {
@@ -29,7 +29,7 @@ bool sameView(const Camera& a, const Camera& b) {
 
 }  // namespace
 
-TouchScene::TouchScene(ServoClock clock) : servo_(clock), method_(methods().front().name) {}
+TouchScene::TouchScene(ServoClock clock) : servo_(clock) {}
 
 void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& facing) {
   stage_ = std::move(next);
@@ -42,7 +42,7 @@ void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& fac
 }
 
 std::unique_ptr<Interaction> TouchScene::freshInteraction() const {
-  return played_ ? nullptr : makeInteraction(stage_, *findMethod(method_), servo_settings.probe_A, Contact{}, PoseA{});
+  return played_ ? nullptr : makeInteraction(stage_, touch(), Contact{}, PoseA{});
 }
 
 void TouchScene::play(const std::optional<ServoSample>& sample) {
@@ -152,11 +152,12 @@ void TouchScene::fitToDevice() {
 }
 
 void TouchScene::followView() {
-  if (!stage_ || recorded_ || (held_ == servo_.held() && (!held_ || sameView(camera, fitted_)))) return;
+  if (!stage_ || recorded_ || (device_leads_ == servo_.deviceLeads() && (!device_leads_ || sameView(camera, fitted_))))
+    return;
   layBeforeHand(camera.target);
   ++servo_settings.discontinuities;
   // The mouse stays where it is in the molecule.
-  if (!held_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
+  if (!device_leads_) servo_.mouse().place(servo_settings.workspace.toDevice(controls.lead()));
 }
 
 void TouchScene::layBeforeHand(PointA toward) {
@@ -165,8 +166,9 @@ void TouchScene::layBeforeHand(PointA toward) {
     fitted.A_per_mm = byHand_A_per_mm();
     fitted.centre_A = toward.A;
   }
-  held_ = servo_.held();
-  if (held_) fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
+  device_leads_ = servo_.deviceLeads();
+  if (device_leads_)
+    fitted = beforeHand(fitted, *stage_.balls, servo_settings.probe_A, toward, axes(camera), servo_.device());
   servo_settings.workspace = fitted;
   fitted_ = camera;
   fit_left_s_ = kSettle_s;
@@ -176,7 +178,7 @@ void TouchScene::layBeforeHand(PointA toward) {
 void TouchScene::drawBack(double dt_s) {
   const ServoSample& now = log_.latest();
   fit_left_s_ -= dt_s;
-  if (!held_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
+  if (!device_leads_ || recorded_ || fit_left_s_ <= 0.0 || now.discontinuities != servo_settings.discontinuities ||
       now.contact.fault != Fault::StartedInside)
     return;
   servo_settings.workspace = drawnBack(servo_settings.workspace, *stage_.balls, now.probe_A, now.hand);
@@ -193,22 +195,43 @@ void TouchScene::handBegins(PointA before) {
   servo_.setSettings(handed(trying()));
 }
 
+TouchSetup TouchScene::touch() const {
+  TouchSetup out = made_with_;
+  servo_settings.giveTo(out);
+  return out;
+}
+
+void TouchScene::setTouch(const TouchSetup& wanted) {
+  TouchSetup next = wanted;
+  if (!findMethod(next.method)) next.method = made_with_.method;
+  if (!findInteractionKind(next.interaction)) next.interaction = made_with_.interaction;
+  const bool alike = madeAlike(next, made_with_);
+  servo_settings.take(next);
+  made_with_ = std::move(next);
+  if (!alike) feelAnew();
+}
+
 void TouchScene::useMethod(std::string_view name) {
-  const Method* m = findMethod(name);
-  if (!m) return;
-  method_ = m->name;
+  TouchSetup next = touch();
+  next.method = name;
+  setTouch(next);
+}
+
+void TouchScene::feelAnew() {
   if (trying()) return endTry();
   // Each method goes on from the true contact, so that none inherits what another got wrong.
   const Contact& contact = watch_.exact().touching() ? watch_.exact() : log_.latest().contact;
   if (!played_)
-    servo_.setInteraction(
-        makeInteraction(stage_, *m, servo_settings.probe_A, contact, {log_.latest().hip, log_.latest().orientation}));
+    servo_.setInteraction(makeInteraction(stage_, touch(), contact, {log_.latest().hip, log_.latest().orientation}));
 }
 
 void TouchScene::leadBy(const ServoSettings* recorded) {
+  // Whether the force is on stays the choice of who sits there.
   const auto take = [&](const ServoSettings& from) {
-    servo_settings.probe_A = from.probe_A;
-    servo_settings.stiffness_N_per_mm = from.stiffness_N_per_mm;
+    TouchSetup led;
+    from.giveTo(led);
+    led.force_on = servo_settings.force_on;
+    servo_settings.take(led);
   };
   if (recorded && !recorded_) before_recorded_ = servo_settings;
   const bool anew = !recorded || !recorded_ || recorded_->discontinuities != recorded->discontinuities;
@@ -238,7 +261,7 @@ bool TouchScene::beginRecording() {
 }
 
 FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
-  const Method& m = *findMethod(method_);
+  const Method& m = *findMethod(made_with_.method);
   const PointA hand_before = log_.latest().hip;
   felt_.clear();
   const std::vector<ServoSample>& ticks = servo_.advance(dt_s);

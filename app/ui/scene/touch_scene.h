@@ -1,6 +1,6 @@
-// What is touched and seen: the molecule on the stage, the servo loop that follows the hand over it, the method in use,
-// the camera, and what was felt. Panels set the public members; the rest changes through the functions. Window's
-// thread.
+// The scene that is touched and seen: the molecule on the stage, the servo loop that follows the hand over it, the
+// method in use, the camera, and what was felt. Panels set the public members; the rest changes through the functions.
+// Window's thread.
 #pragma once
 
 #include <functional>
@@ -18,7 +18,7 @@
 #include "engine/haptics/methods.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/render/view_scene.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 
@@ -41,9 +41,9 @@ class TouchScene {
 
   explicit TouchScene(ServoClock clock);
 
-  ServoSettings servo_settings;  ///< as the panels set them; handed to the servo loop each frame
+  ServoSettings servo_settings;  ///< as they are handed to the servo loop each frame
   Camera camera;
-  ShapeSet shown;  ///< parts of the picture
+  ViewPartSet shown;  ///< parts of the picture
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
@@ -51,11 +51,13 @@ class TouchScene {
   const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
   ServoLink& servo() { return servo_; }
   const ServoLink& servo() const { return servo_; }
-  const std::string& method() const { return method_; }
+  /// What the scene is felt with.
+  TouchSetup touch() const;
+  const std::string& method() const { return made_with_.method; }
   const TouchLog& log() const { return log_; }
   const MethodWatch& watch() const { return watch_; }
 
-  /// Another molecule; the view is set anew.
+  /// Another molecule; the view is set as for a new scene.
   void show(Stage stage, const MoleculeKey& molecule, const Facing& facing);
   /// The same molecule as if it had just been opened, keeping what was found out about the methods.
   void beginAgain(const Facing& facing);
@@ -72,14 +74,16 @@ class TouchScene {
   /// Another device leads: the molecule, or what is magnified, lies in its room, and the hand begins before it.
   void fitToDevice();
   /// Once a frame. With a device in the hand its axes are the screen's, and what is in the middle of the view lies
-  /// behind the middle of its room; where view or device have changed the hand is placed anew, so that nothing is
+  /// behind the middle of its room; where view or device have changed the hand is placed again, so that nothing is
   /// dragged along.
   void followView();
   /// How many times larger than the whole molecule's scale.
   double magnification() const;
   /// Camera and scale as they are when a scene is opened. Does nothing without a molecule.
   void resetView(const Facing& facing);
-  /// Another haptic method, keeping a contact that there is. Unknown names change nothing.
+  /// Feels the scene with something else, keeping a contact that there is. A word that is not known stays as it was.
+  void setTouch(const TouchSetup& wanted);
+  /// The same with another haptic method.
   void useMethod(std::string_view name);
   /// The view's width over its height: what the camera is fitted to.
   void setViewAspect(double aspect) { view_aspect_ = aspect; }
@@ -100,13 +104,13 @@ class TouchScene {
   void endTry();
   bool trying() const { return servo_.trying(); }
 
-  /// What a recorded hand was led with: workspace, probe, surface and clutch stand in for the scene's own until null;
-  /// the clutch is then its next device's.
+  /// The conditions under which a recorded hand was led: workspace, probe, surface and clutch stand in for the scene's
+  /// own until null; the clutch is then its next device's.
   void leadBy(const ServoSettings* recorded);
   /// Records from a new contact on; false where there is nothing to be felt.
   bool beginRecording();
 
-  /// What is shown in the place of what the hand feels: it stands in the log, no force is given and advance() gives no
+  /// A sample that is shown in the place of the hand's: it stands in the log, no force is given and advance() gives no
   /// ticks. Nothing: the hand again, from outside.
   void play(const std::optional<ServoSample>& sample);
   bool playing() const { return played_.has_value(); }
@@ -122,21 +126,22 @@ class TouchScene {
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
   std::unique_ptr<Interaction> freshInteraction() const;
+  void feelAnew();
   ServoSettings handed(bool trying) const;
 
   Stage stage_;
   MoleculeKey molecule_;
   ServoLink servo_;
-  std::string method_;
+  TouchSetup made_with_;  // what the servo loop does itself of it is in servo_settings only
   TouchLog log_;
   MethodWatch watch_;
   std::vector<FeltTick> felt_;
   std::optional<ServoSample> played_;
   double played_owed_s_ = 0.0;
   std::optional<ServoSettings> recorded_, before_recorded_;
-  bool held_ = false;        // a device in the hand leads, and the workspace is fitted to it
-  Camera fitted_;            // to this view
-  double fit_left_s_ = 0.0;  // so long a hand that turns out to be inside is taken out
+  bool device_leads_ = false;  // a device in the hand leads, and the workspace is fitted to it
+  Camera fitted_;              // to this view
+  double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out
   double view_aspect_ = 1.0;
   std::optional<Region> region_;
   bool hand_moved_ = false, resting_ = false, by_hand_ = false;

@@ -7,6 +7,7 @@ namespace moltact {
 namespace {
 constexpr double kOrbit_rad_per_px = 0.008;
 constexpr double kOrbitKeys_rad_per_s = 1.4;
+constexpr double kHand_rad_per_px = kOrbit_rad_per_px, kHandKeys_rad_per_s = kOrbitKeys_rad_per_s;
 constexpr double kPanKeys_px_per_s = 320.0;
 constexpr double kZoomNotch = 1.12;
 constexpr double kZoomKeysPerS = 2.2;
@@ -43,6 +44,15 @@ void ViewControls::update(const ViewInput& in, Camera& camera, const BallScene* 
   has_pressed_ = has_pressed_ || pressing_;
   if (has_pressed_ && has_turned_) hint_left_s_ -= in.dt_s;
   if (!balls) return;
+
+  // Round the screen's axes: to the right round the upright one, down round the one to the right.
+  const glm::dvec2 turn =
+      in.hand_px * kHand_rad_per_px + glm::dvec2(in.hand_keys.x, -in.hand_keys.y) * (kHandKeys_rad_per_s * in.dt_s);
+  if (const double angle_rad = glm::length(turn); angle_rad > 0.0) {
+    const Vec3 axis = glm::transpose(settings.workspace.rotation) * (camera.up() * turn.x + camera.right() * turn.y);
+    orientation_ = glm::normalize(glm::angleAxis(angle_rad, glm::normalize(axis)) * orientation_);
+    mouse.turn(orientation_);
+  }
 
   PointerInput pointer;
   pointer.rays = viewRays(camera, in.size_px);
@@ -83,6 +93,7 @@ void ViewControls::begin(const Camera& camera, PointA before, const Workspace& w
   pressing_ = let_go_ = false;
   lead_ = {before.A + camera.back() * outside_A};
   mouse.place(workspace.toDevice(lead_));
+  mouse.turn(orientation_ = kNoRotation);
 }
 
 }  // namespace moltact

@@ -1,5 +1,5 @@
-// What a person's mouse and keys do to the view: the hand that pushes and the camera that looks. No ImGui here: the
-// view panel says what was done, once a frame. Window's thread. Units: pixel, angstrom, newton, second.
+// The effect of a person's mouse and keys on the view: the hand that pushes and the camera that looks. No ImGui here:
+// the view panel says what was done, once a frame. Window's thread. Units: pixel, angstrom, newton, second.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace moltact {
 
-/// What was done over the view in one frame.
+/// The input over the view in one frame.
 struct ViewInput {
   glm::dvec2 size_px{1.0};               ///< of the view
   std::optional<glm::dvec2> pointer_px;  ///< in the view; none: elsewhere, or the pointer turns the view
@@ -19,8 +19,9 @@ struct ViewInput {
   bool release = false;                  ///< Escape: lets go even while the button is held
   double push_notches = 0.0;
   double zoom_notches = 0.0;
-  glm::dvec2 orbit_px{0.0}, pan_px{0.0};                       ///< drags since the last frame
+  glm::dvec2 orbit_px{0.0}, pan_px{0.0}, hand_px{0.0};         ///< drags since the last frame; the last turns the hand
   glm::dvec2 probe_keys{0.0}, orbit_keys{0.0}, pan_keys{0.0};  ///< x right, y up: -1, 0 or 1
+  glm::dvec2 hand_keys{0.0};                                   ///< turn the hand
   double zoom_keys = 0.0;                                      ///< positive: closer
   std::optional<double> expected_N_per_mm;  ///< how hard the person expects the surface to push back; none: as it does
   double dt_s = 1.0 / 60.0;
@@ -36,7 +37,7 @@ class ViewControls {
   void update(const ViewInput& input, Camera& camera, const BallScene* balls, const ServoSettings& settings,
               bool touching, double force_N, MouseDevice& mouse);
 
-  /// The hand begins anew, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward
+  /// The hand starts again, outside: at a new scene. It comes from `outside_A` in front of the place `before`, toward
   /// the viewer, and aims at that place until the pointer or the keys lead it.
   void begin(const Camera& camera, PointA before, const Workspace& workspace, double outside_A, MouseDevice& mouse);
 
@@ -51,13 +52,14 @@ class ViewControls {
   /// Whether the person has found out how: the hint of controls fades once both are true.
   bool hasPressed() const { return has_pressed_; }
   bool hasTurned() const { return has_turned_; }
-  /// Of the hint of controls: 1 until the person has found out how, then fading to 0.
+  /// Opacity of the hint of controls: 1 until the person has found out how, then fading to 0.
   double hintStrength() const;
   /// The next frame would look different by itself.
   bool live() const;
 
  private:
   PointerHand hand_;
+  Quat orientation_ = kNoRotation;  // of the hand, from the device's axes
   PointA lead_;
   std::optional<PointA> first_aim_;  // of a scene of which no frame has been led
   double hint_left_s_ = 2.0;

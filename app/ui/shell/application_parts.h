@@ -1,4 +1,4 @@
-// What the application is put together from: the only place that knows all rooms. Window's thread.
+// The parts of the application: the only place that knows all rooms. Window's thread.
 #pragma once
 
 #include "app/ui/application/application.h"

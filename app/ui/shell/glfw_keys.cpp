@@ -77,4 +77,11 @@ ImGuiKey keyOfGlfw(int glfw_key) {
   return known == std::end(kGlfwKeys) ? ImGuiKey(ImGuiKey_None) : known->key;
 }
 
+int glfwKeyOf(ImGuiKey key) {
+  if (!isKey(key)) return GLFW_KEY_UNKNOWN;
+  for (int code = GLFW_KEY_SPACE; code <= GLFW_KEY_LAST; ++code)
+    if (keyOfGlfw(code) == key) return code;
+  return GLFW_KEY_UNKNOWN;
+}
+
 }  // namespace moltact

@@ -4,7 +4,7 @@
 #include <sstream>
 
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/shell/driver.h"
+#include "app/ui/shell/scripted_user.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -18,35 +18,35 @@ int fail(const Problem& problem) {
 }  // namespace
 
 int runOffscreen(const OffscreenOptions& options) {
-  Driver::Options wanted;
+  ScriptedUser::Options wanted;
   wanted.width = options.width;
   wanted.height = options.height;
   wanted.content_scale = options.content_scale;
   wanted.draw_all = options.frame_stats;  // else only what is looked at
   wanted.application.language = options.language;
   wanted.application.attempts_folder = options.attempts;
-  Expected<std::unique_ptr<Driver>> made = Driver::create(std::move(wanted));
+  Expected<std::unique_ptr<ScriptedUser>> made = ScriptedUser::create(std::move(wanted));
   if (!made) return fail(made.problem());
-  Driver& driver = **made;
+  ScriptedUser& user = **made;
   if (!options.state_text.empty())
-    if (const auto problem = driver.app().extensions().state_text.writeTo(options.state_text)) return fail(*problem);
+    if (const auto problem = user.app().extensions().state_text.writeTo(options.state_text)) return fail(*problem);
   if (options.file.empty())
-    driver.app().panels.welcome = true;
+    user.app().panels.welcome = true;
   else
-    driver.app().open(options.file);
+    user.app().open(options.file);
   constexpr int kSettle_frames = 20;  // the hand glides to its place, the picture becomes smooth
-  driver.frames(kSettle_frames);
-  driver.stats() = FrameStats();
+  user.frames(kSettle_frames);
+  user.stats() = FrameStats();
   if (!options.script.empty()) {
     std::ifstream in(options.script);
     std::stringstream text;
     text << in.rdbuf();
     if (!in) return fail({options.script.string(), 0, 0, "the script cannot be read", "check its name"});
-    if (const std::optional<Problem> problem = driver.run(text.str(), options.script.string())) return fail(*problem);
+    if (const std::optional<Problem> problem = user.run(text.str(), options.script.string())) return fail(*problem);
   }
-  if (options.frame_stats) out() << driver.stats().json() << '\n';
+  if (options.frame_stats) out() << user.stats().json() << '\n';
   if (!options.screenshot.empty())
-    if (const std::optional<Problem> problem = writePng(options.screenshot, driver.picture())) return fail(*problem);
+    if (const std::optional<Problem> problem = writePng(options.screenshot, user.picture())) return fail(*problem);
   return 0;
 }
 

@@ -21,7 +21,7 @@ class Shell {
 
   /// Asks for a theme, a scale and a size of letters (1: the scale's own) from the next frame on.
   void setLook(ThemeChoice theme, float scale, float text);
-  /// What could not be loaded, told once; empty when all is well.
+  /// A message about fonts that could not be loaded, given once; empty when all is well.
   const std::string& fault() const { return fault_text_; }
 
   /// One frame: feeds the input, calls `panels`, and draws into the bound framebuffer where `drawn`.

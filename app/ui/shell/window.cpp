@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "app/ui/shell/application_parts.h"
 #include "app/ui/shell/frame_stats.h"
 #include "app/ui/shell/glfw_keys.h"
+#include "app/ui/shell/keyboard_layout.h"
 #include "app/ui/shell/shell.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/folders.h"
@@ -53,6 +55,12 @@ glm::dvec2 pixelsPerUnit(GLFWwindow* w) {
   return {double(px_x) / std::max(1, units_x), double(px_y) / std::max(1, units_y)};
 }
 
+// The display server's, as it is at this moment: a person may change it while the program runs.
+std::string_view layoutInUse(ImGuiKey place) {
+  const char* name = glfwGetKeyName(glfwKeyOf(place), 0);
+  return name ? name : "";
+}
+
 void connect(GLFWwindow* window) {
   glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
     const glm::dvec2 px = pixelsPerUnit(w);
@@ -66,7 +74,7 @@ void connect(GLFWwindow* window) {
   });
   glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) { linkOf(w).shell.input().wheel(x, y); });
   glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int, int action, int) {
-    const ImGuiKey named = keyOfGlfw(key);
+    const ImGuiKey named = keyOnLayout(keyOfGlfw(key), layoutInUse);
     if (isKey(named) && action != GLFW_REPEAT) linkOf(w).shell.input().key(named, action == GLFW_PRESS);
   });
   glfwSetCharCallback(window, [](GLFWwindow* w, unsigned c) { linkOf(w).shell.input().character(c); });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -15,6 +16,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/user_folders.h"
 #include "app/ui/shell/application_parts.h"
+#include "app/ui/shell/keyboard_layout.h"
 #include "app/ui/shell/page_keys.h"
 #include "app/ui/shell/shell.h"
 #include "app/ui/shell/window.h"
@@ -40,6 +42,7 @@ struct Page {
   Application app;
   Fingers fingers{shell.input()};
   std::string clipboard, words;
+  std::map<ImGuiKey, std::string> layout;  // what keys write, as far as the person has pressed them
   std::array<std::int32_t, 3> touched{-1, -1, -1};
   double pen_N = 0.0;  // what the pen's pressure asks for now; 0: it does not press
   int cursor = ImGuiMouseCursor_Arrow;
@@ -129,9 +132,16 @@ EMSCRIPTEN_KEEPALIVE void moltact_button(int button, int down) { page->shell.inp
 EMSCRIPTEN_KEEPALIVE void moltact_wheel(double x, double y) { page->shell.input().wheel(x, y); }
 EMSCRIPTEN_KEEPALIVE void moltact_focus_lost() { page->shell.input().focusLost(); }
 
-// True where the program takes the key, so that the browser is not to.
-EMSCRIPTEN_KEEPALIVE int moltact_key(const char* code, int down) {
-  const ImGuiKey key = moltact::keyOfPage(code);
+// `writes`: the character that the key writes without Shift, Ctrl or Alt; empty where that is not known. True where the
+// program takes the key, so that the browser is not to.
+EMSCRIPTEN_KEEPALIVE int moltact_key(const char* code, const char* writes, int down) {
+  const ImGuiKey place = moltact::keyOfPage(code);
+  if (!moltact::isKey(place)) return 0;
+  if (*writes) page->layout[place] = writes;
+  const ImGuiKey key = moltact::keyOnLayout(place, [](ImGuiKey at) -> std::string_view {
+    const auto known = page->layout.find(at);
+    return known == page->layout.end() ? std::string_view() : std::string_view(known->second);
+  });
   if (!moltact::isKey(key)) return 0;
   page->shell.input().key(key, down != 0);
   return 1;

@@ -63,7 +63,7 @@ bool disclosure(const char* name, const char* label, bool& open);
 void progressBar(const char* name, float part, bool done);
 /// A small heading in a panel.
 void sectionTitle(const char* label);
-/// What is shown while the pointer rests on the last item; does nothing for null.
+/// Shows the text while the pointer rests on the last item; does nothing for null.
 void tip(const char* text);
 /// Draws an icon in a square of `size` about a place.
 void drawIcon(ImDrawList* draw, Icon icon, ImVec2 centre, float size, ImU32 colour);

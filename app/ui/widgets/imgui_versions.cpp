@@ -80,6 +80,8 @@ void activateItem(ImGuiID id) {
 #endif
 }
 
+bool itemAwaitsActivation() { return GImGui->NavNextActivateId != 0; }
+
 void pressByEnter([[maybe_unused]] ImGuiID id) {
 #if IMGUI_VERSION_NUM < 18940
   activateItem(id);

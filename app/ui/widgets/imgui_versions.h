@@ -1,4 +1,4 @@
-// What differs between the versions of Dear ImGui that Debian 12 (1.86) and Debian 13 (1.90.1) have stands here and
+// The differences between the versions of Dear ImGui that Debian 12 (1.86) and Debian 13 (1.90.1) have stand here and
 // nowhere else; everything else uses what they share. Keys are ImGuiKey everywhere. Window's thread. Units: pixel,
 // wheel notch.
 #pragma once
@@ -116,7 +116,7 @@ constexpr bool isModifier(ImGuiKey key) {
   return int(key) >= int(ImGuiKey_LeftCtrl) && int(key) <= int(ImGuiKey_RightSuper);
 }
 
-// What the person does, for the next frame; InputQueue alone calls these.
+// Hands a person's input to ImGui for the next frame; InputQueue alone calls these.
 /// Once a context: what is fed takes effect in the very next frame, all of it. Tab leads where key_focus.h says, not
 /// where ImGui would.
 void prepareInput(ImGuiIO& io);
@@ -133,11 +133,13 @@ struct Modifiers {
 };
 void feedModifiers(ImGuiIO& io, const Modifiers& held);
 
-/// The key was pressed in this frame; whoever asks later in the frame is told that it was not.
+/// The key was pressed in this frame; later callers in the same frame get false.
 bool takeKey(ImGuiKey key);
 
 /// As if it had been pressed, in the next frame.
 void activateItem(ImGuiID id);
+/// Between frames: the next one activates an item.
+bool itemAwaitsActivation();
 /// Enter presses the item that the keys are at. Later versions do that by themselves.
 void pressByEnter(ImGuiID id);
 /// Whether the item that the keys are at is marked; a mouse that moves ends it.

@@ -40,6 +40,8 @@ void InputQueue::tell(ImGuiIO& io, ImGuiKey key, bool down) {
 
 void InputQueue::feed(ImGuiIO& io) {
   keepTab();
+  // The next frame gives the keys to a field; what was done after it was asked for is for that field.
+  if (itemAwaitsActivation()) return;
   // Within a frame nothing changes twice, and nothing that was done after a change takes effect before it.
   std::bitset<kKeyCount> keys_changed;
   std::bitset<kButtons> buttons_changed;

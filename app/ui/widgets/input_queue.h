@@ -1,6 +1,6 @@
-// What the person does, in the order it was done, fed to Dear ImGui no faster than it can see: a key pressed and let go
-// within one frame is spread over two. The one way in for the real window, the off-screen run and the tests.
-// Window's thread. Units: pixel of the framebuffer, wheel notch (positive: away from the person).
+// The person's input in its order, fed to Dear ImGui no faster than it can see: a key pressed and let go within one
+// frame is spread over two. The one way in for the real window, the off-screen run and the tests. Window's thread.
+// Units: pixel of the framebuffer, wheel notch (positive: away from the person).
 #pragma once
 
 #include <bitset>
@@ -43,7 +43,7 @@ class InputQueue {
   void tell(ImGuiIO& io, ImGuiKey key, bool down);
 
   std::deque<InputEvent> events_;
-  std::bitset<kKeyCount> held_;  // keys, as ImGui was told
+  std::bitset<kKeyCount> held_;  // keys, as ImGui was given them
 };
 
 }  // namespace moltact

@@ -175,6 +175,11 @@ unsigned keyStop() {
   return item.ID;
 }
 
+void writeInLastField() {
+  const ImGuiLastItemData& item = GImGui->LastItemData;
+  leadTo({item.ID, GImGui->CurrentWindow, item.Rect, true});
+}
+
 bool keysAtItem() { return keysLeadControls() && keysPlaceShown() && ImGui::IsItemFocused(); }
 
 int arrowsAtItem() {

@@ -31,6 +31,9 @@ bool keysLeadControls();
 /// ImGui's last item can be led to; draws the ring where the keys are at it. Returns its id, 0 where it cannot (text,
 /// greyed out).
 unsigned keyStop();
+/// After a field that can be led to: what is typed from now on is written there. The one way to do this by itself;
+/// ImGui's own SetKeyboardFocusHere finds no field in a window other than the one that the keys were in (1.90).
+void writeInLastField();
 /// The keys are at ImGui's last item.
 bool keysAtItem();
 /// How often the arrows right and left were pressed at the last item, right counted up; the arrows then lead nowhere

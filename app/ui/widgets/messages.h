@@ -10,7 +10,7 @@ namespace moltact {
 
 enum class MessageKind { Notice, Warning, Error };
 
-/// Of a message that was given; 0 is none's.
+/// The id of a message that was given; 0 belongs to none.
 using MessageId = unsigned;
 
 struct Message {
@@ -33,7 +33,7 @@ class Messages {
     add({kind, std::move(text), -1.0, std::move(actions)});
     return all_.back().id;
   }
-  /// What it says is so no more. Sets `id` to none's.
+  /// The message is no longer true: removes it and sets `id` to 0.
   void takeBack(MessageId& id) {
     std::erase_if(all_, [&](const Message& m) { return id != 0 && m.id == id; });
     id = 0;

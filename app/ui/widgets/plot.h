@@ -1,8 +1,8 @@
 // A live plot of the last values of a buffer, on ImGui's draw list. Window's thread.
 #pragma once
 
-#include "app/ui/widgets/plot_buffer.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/plot_buffer.h"
 
 namespace moltact {
 

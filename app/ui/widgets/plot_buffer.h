@@ -1,4 +1,4 @@
-// What a live plot shows: the newest values of something measured at an even pace. Any one thread.
+// The contents of a live plot: the newest values of something measured at an even pace. Any one thread.
 #pragma once
 
 #include <cmath>
@@ -11,7 +11,7 @@ namespace moltact {
 class PlotBuffer {
  public:
   explicit PlotBuffer(std::size_t length) : values_(length, 0.0f) {}
-  /// What is not finite counts as 0.
+  /// A value that is not finite counts as 0.
   void add(float value) {
     values_[next_] = std::isfinite(value) ? value : 0.0f;
     next_ = (next_ + 1) % values_.size();

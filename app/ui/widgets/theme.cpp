@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "engine/fonts/sign_table.h"
+#include "engine/fonts/glyph_coverage.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -247,12 +247,12 @@ Theme Look::viewTheme() const {
   return t;
 }
 
-void wantSigns(std::string_view utf8) {
+void requestGlyphs(std::string_view utf8) {
   // Below U+0200 all is there.
   if (std::none_of(utf8.begin(), utf8.end(), [](char c) { return static_cast<unsigned char>(c) >= 0xC8; })) return;
   for (const char32_t c : charactersOf(utf8)) {
     if (c < 0x180 || c > 0xFFFF || g_pages[c / kPage] || always(c)) continue;
-    if (SignTable::ofWindow().writable(c) != Writable::Yes) continue;
+    if (GlyphCoverage::ofWindow().writable(c) != Writable::Yes) continue;
     g_pages[c / kPage] = g_pages_changed = true;
   }
 }

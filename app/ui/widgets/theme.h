@@ -46,11 +46,11 @@ const Look& look();
 
 /// Has the signs of a text loaded, where the fonts hold them, before the next frame: of other scripts than those that
 /// are always there. Cheap for what is.
-void wantSigns(std::string_view utf8);
+void requestGlyphs(std::string_view utf8);
 /// Whether there are signs that applyLook() is to load.
 bool signsWanted();
 
-/// Sets ImGui's style for a theme, a scale and a size of letters; loads the fonts anew when these have changed.
+/// Sets ImGui's style for a theme, a scale and a size of letters; loads the fonts again when these have changed.
 /// Returns what could not be loaded (empty: all well); the built-in font stands in.
 std::string applyLook(ThemeChoice theme, float scale, float text);
 

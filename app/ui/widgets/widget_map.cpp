@@ -10,7 +10,7 @@ namespace moltact {
 namespace {
 
 void recordAs(std::string_view name, glm::vec2 low, glm::vec2 high, std::string text, unsigned key_stop) {
-  wantSigns(text);
+  requestGlyphs(text);
   WidgetRecord record{low, high, {}, {}, std::move(text)};
   record.key_stop = key_stop;
   if (const ImGuiWindow* window = ImGui::GetCurrentWindowRead()) {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "engine/language/catalogue.h"
-#include "engine/platform/force_hold.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 namespace {
@@ -24,7 +24,7 @@ std::string plain(const wchar_t* text) {
   return out;
 }
 
-class RealPort final : public HidPort {
+class RealPort final : public PacketPort {
  public:
   RealPort(hid_device* device, std::string path) : device_(device), path_(std::move(path)) {}
   ~RealPort() override { hid_close(device_); }
@@ -68,14 +68,14 @@ std::vector<HidEntry> listHid() {
   return out;
 }
 
-Expected<std::unique_ptr<HidPort>> openHid(const HidEntry& entry) {
+Expected<std::unique_ptr<PacketPort>> openHid(const HidEntry& entry) {
   const std::lock_guard lock(globalHid());
   hid_device* const device = hid_open_path(entry.path.c_str());
   if (!device)
     return Problem{
         "", 0, 0, trf("{0} cannot be opened ({1})", entry.path, plain(hid_error(nullptr))),
         tr("give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again")};
-  return std::unique_ptr<HidPort>(std::make_unique<RealPort>(device, entry.path));
+  return std::unique_ptr<PacketPort>(std::make_unique<RealPort>(device, entry.path));
 }
 
 }  // namespace moltact

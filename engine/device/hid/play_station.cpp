@@ -4,6 +4,7 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "engine/device/hid/hid_kind.h"
 #include "engine/device/hid/rate_control.h"
 #include "engine/language/catalogue.h"
 
@@ -30,12 +31,12 @@ double stick(std::uint8_t byte) {
 
 }  // namespace
 
-std::optional<Problem> PlayStationProtocol::begin(HidPort&, DeviceInfo&) {
+std::optional<Problem> PlayStationProtocol::begin(PacketPort&, DeviceInfo&) {
   *this = PlayStationProtocol(usb_);
   return std::nullopt;
 }
 
-bool PlayStationProtocol::take(std::span<const std::uint8_t> r, DevicePose& pose) noexcept {
+bool PlayStationProtocol::parseReport(std::span<const std::uint8_t> r, DevicePose& pose) noexcept {
   if ((r.size() != kUsbBytes && r.size() != kBluetoothBytes) || r[0] != kState) return false;
   by_usb_ = r.size() == kUsbBytes;
   const PadLayout& at = by_usb_ ? usb_ : kDualShock4;
@@ -48,18 +49,22 @@ bool PlayStationProtocol::take(std::span<const std::uint8_t> r, DevicePose& pose
   return true;
 }
 
-void PlayStationProtocol::pass(double dt_s, DevicePose& pose) noexcept {
+void PlayStationProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) push_ = turn_ = Vec3(0.0);
   rate_control::move(pose, push_, dt_s);
-  wish_.rotation = rate_control::shaped(turn_);
+  view_motion_ = {};
+  if (turns_hand_)
+    rate_control::rotate(pose, turn_, dt_s);
+  else
+    view_motion_.rotation = rate_control::shaped(turn_);
 }
 
-std::size_t PlayStationProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
+std::size_t PlayStationProtocol::encode(const Wrench& wrench, ReportBuffer out) noexcept {
   if (!by_usb_) return 0;
-  const double part = finite(force.N) ? std::min(1.0, glm::length(force.N) / kFullRumble_N) : 0.0;
+  const double part = finite(wrench.force.N) ? std::min(1.0, glm::length(wrench.force.N) / kFullRumble_N) : 0.0;
   const int step = static_cast<int>(std::ceil(part * kSteps - 1e-9));
-  if (step == told_) return 0;
-  told_ = step;
+  if (step == sent_step_) return 0;
+  sent_step_ = step;
   std::fill(out.begin(), out.end(), std::uint8_t{0});
   out[0] = usb_.report;
   out[1] = usb_.sets_motors;
@@ -69,10 +74,10 @@ std::size_t PlayStationProtocol::give(ForceN force, std::span<std::uint8_t, 64> 
   return usb_.bytes;
 }
 
-std::size_t PlayStationProtocol::end(std::span<std::uint8_t, 64> out) noexcept {
-  told_ = -1;
-  const std::size_t length = give(ForceN{}, out);
-  told_ = -1;  // whatever comes next is a change
+std::size_t PlayStationProtocol::encodeFinalReport(ReportBuffer out) noexcept {
+  sent_step_ = -1;
+  const std::size_t length = encode(Wrench{}, out);
+  sent_step_ = -1;  // whatever comes next is a change
   return length;
 }
 
@@ -85,22 +90,22 @@ DeviceInfo padInfo() {
 }
 const HidKind& dualShock() {
   static const HidKind kind{N_("Game pad (DualShock 4)"), isDualShock4,
-                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualShock4)); },
+                            [] { return std::unique_ptr<PacketProtocol>(new PlayStationProtocol(kDualShock4)); },
                             padInfo()};
   return kind;
 }
 const HidKind& dualSense() {
   static const HidKind kind{N_("Game pad (DualSense)"), isDualSense,
-                            [] { return std::unique_ptr<HidProtocol>(new PlayStationProtocol(kDualSense)); },
+                            [] { return std::unique_ptr<PacketProtocol>(new PlayStationProtocol(kDualSense)); },
                             padInfo()};
   return kind;
 }
 
 }  // namespace
 
-extern const DeviceDriver kDualShockDriver, kDualSenseDriver;
-const DeviceDriver kDualShockDriver{
-    .name = "gamepad",
+extern const DeviceDriver kDualShock4Driver, kDualSenseDriver;
+const DeviceDriver kDualShock4Driver{
+    .name = "gamepad",  // settings of people name it so
     .sentence = N_("Sony DualShock 4: its sticks lead the hand and turn the view, its rumble stands for the force."),
     .find = [] { return findHid(dualShock()); },
     .open = [](const FoundDevice& found) { return openHid(dualShock(), found); },

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/device/hid/hid_kind.h"
 #include "engine/device/hid/rate_control.h"
+#include "engine/device/packet/report_bytes.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -33,13 +35,13 @@ bool isSpaceMouse(const HidEntry& entry) {
 
 }  // namespace
 
-std::optional<Problem> SpaceMouseProtocol::begin(HidPort&, DeviceInfo&) {
+std::optional<Problem> SpaceMouseProtocol::begin(PacketPort&, DeviceInfo&) {
   axes_ = {};
-  wish_ = {};
+  view_motion_ = {};
   return std::nullopt;
 }
 
-bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
+bool SpaceMouseProtocol::parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.empty()) return false;
   if (report[0] == kPush && (report.size() == 7 || report.size() == 13)) {
     axes_.push = axesAt(report, 1);
@@ -60,14 +62,17 @@ bool SpaceMouseProtocol::take(std::span<const std::uint8_t> report, DevicePose& 
   return true;
 }
 
-void SpaceMouseProtocol::pass(double dt_s, DevicePose& pose) noexcept {
+void SpaceMouseProtocol::advance(double dt_s, DevicePose& pose) noexcept {
   if ((silent_s_ += dt_s) > rate_control::kSilence_s) axes_ = {};
-  wish_ = {};
+  view_motion_ = {};
   // No hand pushes without turning a little, nor the other way round.
-  if (glm::length(axes_.rotation) > glm::length(axes_.push))
-    wish_.rotation = rate_control::shaped(axes_.rotation);
+  const bool turns = glm::length(axes_.rotation) > glm::length(axes_.push);
+  if (turns && turns_hand_ && !leads_view_)
+    rate_control::rotate(pose, axes_.rotation, dt_s);
+  else if (turns)
+    view_motion_.rotation = rate_control::shaped(axes_.rotation);
   else if (leads_view_)
-    wish_.move = rate_control::shaped(axes_.push);
+    view_motion_.move = rate_control::shaped(axes_.push);
   else
     rate_control::move(pose, axes_.push, dt_s);
 }
@@ -79,7 +84,7 @@ const HidKind& spaceMouse() {
   info.dof_in = 6;
   info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
   static const HidKind kind{"3Dconnexion SpaceMouse", isSpaceMouse,
-                            [] { return std::unique_ptr<HidProtocol>(new SpaceMouseProtocol); }, info};
+                            [] { return std::unique_ptr<PacketProtocol>(new SpaceMouseProtocol); }, info};
   return kind;
 }
 

@@ -1,9 +1,10 @@
-// 3Dconnexion SpaceMouse: six axes that tell how far the cap is pushed and turned, no force. A push sets the hand's
-// speed, a turn the view's, whichever is the stronger. The first button switches: the push then moves the view, until
-// it is pressed again.
+// 3Dconnexion SpaceMouse: six axes that report how far the cap is pushed and turned; no force. A push sets the hand's
+// speed, a turn the view's, whichever is the stronger. The first button is a switch: the push then moves the view,
+// until it is pressed again. Where the hand holds a body, a turn turns that body; it turns the view only while the push
+// moves the view.
 #pragma once
 
-#include "engine/device/hid/hid_device.h"
+#include "engine/device/packet/packet_protocol.h"
 
 namespace moltact {
 
@@ -12,22 +13,23 @@ struct SixAxes {
   Vec3 push{0.0}, rotation{0.0};
 };
 
-class SpaceMouseProtocol final : public HidProtocol {
+class SpaceMouseProtocol final : public PacketProtocol {
  public:
-  static constexpr double kFull = 350.0;  ///< what the device tells at its stops
+  static constexpr double kFull = 350.0;  ///< the value that the device reports at its stops
 
-  /// A push from before an unplugging is over.
-  std::optional<Problem> begin(HidPort&, DeviceInfo&) override;
-  bool take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
-  void pass(double dt_s, DevicePose& pose) noexcept override;
-  ViewWish viewWish() const noexcept override { return wish_; }
+  /// Forgets a push from before an unplugging.
+  std::optional<Problem> begin(PacketPort&, DeviceInfo&) override;
+  bool parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept override;
+  void advance(double dt_s, DevicePose& pose) noexcept override;
+  ViewMotion viewMotion() const noexcept override { return view_motion_; }
+  void turnHand(bool on) noexcept override { turns_hand_ = on; }
   const SixAxes& axes() const { return axes_; }
 
  private:
   SixAxes axes_;
-  ViewWish wish_;
+  ViewMotion view_motion_;
   std::uint32_t pressed_ = 0;
-  bool leads_view_ = false;
+  bool leads_view_ = false, turns_hand_ = false;
   double silent_s_ = 0;
 };
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/device/hid/hid_kind.h"
+#include "engine/device/packet/report_bytes.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -33,12 +35,12 @@ Vec3 WoodenHapticsProtocol::torques(const Vec3& a, ForceN force) {
           kFore_m * (std::cos(a.z) * (c * fx + s * fy) + std::sin(a.z) * fz)};
 }
 
-std::optional<Problem> WoodenHapticsProtocol::begin(HidPort&, DeviceInfo&) {
+std::optional<Problem> WoodenHapticsProtocol::begin(PacketPort&, DeviceInfo&) {
   any_seen_ = calibrated_ = false;  // its encoders count from where it was switched on, and nobody knows where that was
   return std::nullopt;
 }
 
-HidGuidance WoodenHapticsProtocol::guidance() const noexcept {
+DeviceGuidance WoodenHapticsProtocol::guidance() const noexcept {
   if (calibrated_) return {};
   return {N_("Hold both links of the device upright: its encoders count from there."), true};
 }
@@ -50,7 +52,7 @@ bool WoodenHapticsProtocol::calibrate() noexcept {
   return calibrated_ = true;
 }
 
-bool WoodenHapticsProtocol::take(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
+bool WoodenHapticsProtocol::parseReport(std::span<const std::uint8_t> report, DevicePose& pose) noexcept {
   if (report.size() != kReport) return false;
   any_seen_ = true;
   for (int k = 0; k < 3; ++k) {
@@ -62,8 +64,8 @@ bool WoodenHapticsProtocol::take(std::span<const std::uint8_t> report, DevicePos
   return true;
 }
 
-std::size_t WoodenHapticsProtocol::give(ForceN force, std::span<std::uint8_t, 64> out) noexcept {
-  const Vec3 joints = torques(angles_, force);
+std::size_t WoodenHapticsProtocol::encode(const Wrench& wrench, ReportBuffer out) noexcept {
+  const Vec3 joints = torques(angles_, wrench.force);
   out[0] = 0;  // hidapi's sign for reports without an id
   // All three are cut alike, so that the force keeps its direction.
   Vec3 mA;
@@ -100,7 +102,7 @@ namespace {
 
 const HidKind& woodenHaptics() {
   static const HidKind kind{"WoodenHaptics", isWoodenHaptics,
-                            [] { return std::unique_ptr<HidProtocol>(new WoodenHapticsProtocol); },
+                            [] { return std::unique_ptr<PacketProtocol>(new WoodenHapticsProtocol); },
                             woodenHapticsInfo()};
   return kind;
 }

@@ -72,7 +72,7 @@ std::string asPart(std::string sentence, bool keeps_capital) {
 }  // namespace
 
 Expected<const Library*> Library::get() {
-  // Once found it stays; until then it is looked for anew, for it may be installed while the program runs.
+  // Once found it stays; until then each call searches again, for it may be installed while the program runs.
   static std::mutex mutex;
   const std::lock_guard lock(mutex);
   static std::optional<Library> found;

@@ -1,6 +1,6 @@
-// The part of OpenHaptics' HD interface that the Omni and Touch are driven by, as its published documentation has it
-// (version 3, Linux, x86-64). The library is the maker's and is not part of this program: it is looked for while the
-// program runs. Which function may be called from which thread: omni_device.h.
+// The functions of OpenHaptics' HD interface that drive the Omni and Touch, as its published documentation has them
+// (version 3, Linux, x86-64). The library is the vendor's and is no part of this program: it is loaded at run time.
+// omni_device.h says which function may be called from which thread.
 #pragma once
 
 #include <cmath>
@@ -30,7 +30,7 @@ inline constexpr CallbackCode kDone = 0, kContinue = 1;
 inline constexpr std::uint16_t kHighestPriority = 0xFFFF;
 
 enum Name : std::uint32_t {
-  // what can be switched on
+  // capabilities that can be enabled
   kForceOutput = 0x4000,
   kMaxForceClamping = 0x4001,
   kForceRamping = 0x4002,
@@ -40,7 +40,7 @@ enum Name : std::uint32_t {
   kPosition = 0x2050,
   kTransform = 0x2052,
   kCurrentForce = 0x2700,
-  // what it is
+  // description
   kModel = 0x2501,
   kDriverVersion = 0x2502,
   kVendor = 0x2503,
@@ -87,17 +87,17 @@ enum Error : std::uint32_t {
   kInvalidLicense = 0x0600,
 };
 
-/// An error in words for the person who holds the device, and what would mend it.
+/// An error in words for the person who holds the device, and what would help.
 struct ErrorWords {
   std::string message, remedy;
-  bool begins_with_name = false;  ///< the message does, so that it keeps its capital within another sentence
+  bool begins_with_name = false;  ///< the message begins with a name and keeps its capital within another sentence
 };
 ErrorWords errorWords(std::uint32_t code);
-/// The same where it stood in the way of `what`: one sentence.
+/// A Problem in one sentence: the error kept us from doing `what`.
 Problem problemOf(const std::string& what, const ErrorWords& words);
 
-/// How much an error matters, where only one can be told: 0 none, then what was asked wrongly, licence, force, and at
-/// the top what ends the connection.
+/// The severity of an error, where only one can be shown: 0 none, then wrong calls, licence, force, and at the top
+/// errors that end the connection.
 int errorWeight(std::uint32_t code) noexcept;
 /// True where the device or its clock is lost.
 inline bool endsConnection(std::uint32_t code) noexcept { return errorWeight(code) == 4; }
@@ -112,7 +112,7 @@ struct Library {
   void (*endFrame)(Handle);
   ErrorInfo (*getError)();
   void (*enable)(std::uint32_t);
-  void (*disable)(std::uint32_t);  ///< null where a library has none; then a force of nothing is all that ends one
+  void (*disable)(std::uint32_t);  ///< null where the library lacks it; then only writing zero force ends a force
   void (*getBooleanv)(std::uint32_t, Boolean*);
   void (*getIntegerv)(std::uint32_t, int*);
   void (*getDoublev)(std::uint32_t, double*);
@@ -126,12 +126,12 @@ struct Library {
   SchedulerHandle (*scheduleAsynchronous)(Callback, void*, std::uint16_t);
   void (*unschedule)(SchedulerHandle);
 
-  /// The library, loaded at the first call and never let go; $MOLTACT_LIBHD names another file. A Problem that says how
-  /// to get it, or what is missing in it.
+  /// The library, loaded at the first call and never unloaded; $MOLTACT_LIBHD names another file. A Problem says how to
+  /// get the library, or what it lacks.
   static Expected<const Library*> get();
 };
 
-/// How the stylus is turned, of kTransform's 16 numbers (by columns, its gimbal included); `otherwise` where they are
+/// The stylus's orientation from kTransform's 16 numbers (by columns, its gimbal included); `otherwise` where they are
 /// no rotation. Haptic thread.
 inline Quat orientationOf(const double (&t)[16], const Quat& otherwise) noexcept {
   const glm::dmat3 axes(Vec3(t[0], t[1], t[2]), Vec3(t[4], t[5], t[6]), Vec3(t[8], t[9], t[10]));
@@ -140,7 +140,7 @@ inline Quat orientationOf(const double (&t)[16], const Quat& otherwise) noexcept
   return rotates(q) ? q : otherwise;
 }
 
-/// The motors on or off, whatever force was written last. Any thread, in a frame or outside.
+/// Switches the motors on or off, whatever force was written last. Any thread, inside a frame or outside.
 inline void switchForce(const Library& hd, bool on) noexcept {
   if (on)
     hd.enable(kForceOutput);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/device/omni/omni_kept.h"
+#include "engine/device/omni/omni_connection.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -12,14 +12,14 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr int kStaleReads = 100;    // reads from outside the callback until the device counts as gone
-constexpr int kTellStanding = 250;  // until it is told, and opened anew
-constexpr int kTellNoFrame = 2000;  // the same where the clock was started and has not ticked yet
-constexpr int kFaultTicks = 500;    // without force after the driver cut one
-constexpr int kWarmTicks = 5000;    // with small force after the driver found the motors warm
-constexpr int kLookTicks = 100;     // between two looks at the temperature
-constexpr int kUpdateTicks = 10;    // between two updates of the calibration while there is none
-constexpr int kResetTicks = 3000;   // so long the encoders' reset is tried
+constexpr int kStaleReads = 100;      // reads from outside the callback until the device counts as gone
+constexpr int kReportStall = 250;     // until the stall is reported and the device reopened
+constexpr int kReportNoFrame = 2000;  // the same where the clock was started and has not ticked yet
+constexpr int kFaultTicks = 500;      // without force after the driver cut one
+constexpr int kWarmTicks = 5000;      // with small force after the driver found the motors warm
+constexpr int kLookTicks = 100;       // between two looks at the temperature
+constexpr int kUpdateTicks = 10;      // between two updates of the calibration while there is none
+constexpr int kResetTicks = 3000;     // so long the encoders' reset is tried
 constexpr auto kShowError = std::chrono::seconds(5);
 constexpr auto kTryAgain = std::chrono::seconds(2);
 constexpr auto kLastFrame = std::chrono::milliseconds(100);
@@ -40,39 +40,39 @@ void keepWorst(std::atomic<std::uint32_t>& worst, std::uint32_t code) noexcept {
 }  // namespace
 
 std::optional<OmniDevice::Seen> OmniDevice::taken() {
-  const auto session = KeptOmni::get().taken();
+  const auto session = OmniConnection::get().taken();
   if (!session) return std::nullopt;
   return Seen{session->model, session->serial};
 }
-void OmniDevice::letGo() { KeptOmni::get().letGo(); }
+void OmniDevice::closeUnused() { OmniConnection::get().closeUnused(); }
 
-Expected<std::unique_ptr<OmniDevice>> OmniDevice::open() {
+Expected<std::unique_ptr<OmniDevice>> OmniDevice::open(std::int64_t (*now_ns)() noexcept) {
   const auto library = hd::Library::get();
   if (!library) return library.problem();
-  auto session = KeptOmni::get().take(**library);
+  auto session = OmniConnection::get().take(**library);
   if (!session) return session.problem();
-  return std::unique_ptr<OmniDevice>(new OmniDevice(**library, std::move(*session)));
+  return std::unique_ptr<OmniDevice>(new OmniDevice(**library, std::move(*session), now_ns));
 }
 
 Expected<OmniDevice::Seen> OmniDevice::look() {
   const auto library = hd::Library::get();
   if (!library) return library.problem();
-  const auto seen = KeptOmni::get().look(**library);
+  const auto seen = OmniConnection::get().look(**library);
   if (!seen) return seen.problem();
   return Seen{seen->model, seen->serial};
 }
 
-OmniDevice::OmniDevice(const hd::Library& library, OmniSession session)
-    : hd_(library), info_(session.info), session_(std::move(session)), guard_(library) {}
+OmniDevice::OmniDevice(const hd::Library& library, OmniSession session, std::int64_t (*now_ns)() noexcept)
+    : hd_(library), info_(session.info), session_(std::move(session)), guard_(library, now_ns) {}
 
 OmniDevice::~OmniDevice() {
   stopClock();
   closeOmni(hd_, session_);
-  KeptOmni::get().giveBack();
+  OmniConnection::get().giveBack();
 }
 
-bool OmniDevice::startClock(TickTarget& target) {
-  settle();
+bool OmniDevice::startClock(ClockListener& target) {
+  finishRevival();
   target_.store(&target);
   schedule();
   return true;
@@ -82,10 +82,10 @@ void OmniDevice::schedule() {
   if (session_.device == hd::kInvalidHandle) return;
   handle_.store(session_.device);
   calibration_style_.store(session_.calibration_style);
-  room_middle_mm_ = session_.room_middle_mm;
+  workspace_middle_mm_ = session_.workspace_middle_mm;
   calibrate_.store(false);
   framed_.store(false);
-  stood_reads_.store(0);
+  stalled_reads_.store(0);
   ends_.store(false);
   anew_.store(true);
   none_given_.store(true);
@@ -118,7 +118,7 @@ void OmniDevice::unschedule() {
 }
 
 void OmniDevice::stopClock() {
-  settle();
+  finishRevival();
   unschedule();
   target_.store(nullptr);
 }
@@ -141,12 +141,12 @@ void OmniDevice::takeRevived() {
   why_not_.clear();
   session_ = std::move(*session);
   info_.set(session_.info);
-  KeptOmni::get().renewed(session_);
+  OmniConnection::get().renewed(session_);
   gone_.store(false);
 }
 
 // Waits for a revival that is under way.
-void OmniDevice::settle() {
+void OmniDevice::finishRevival() {
   if (revival_.valid()) takeRevived();
 }
 
@@ -211,7 +211,7 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   // Asked before the force is written: what is wrong by now ends it in this frame.
   bool broken = drain();
   DevicePose& pose = own_.pose;
-  pose.position.mm = Vec3(position[0], position[1], position[2]) - room_middle_mm_;
+  pose.position.mm = Vec3(position[0], position[1], position[2]) - workspace_middle_mm_;
   pose.orientation = hd::orientationOf(transform, pose.orientation);
   pose.buttons = std::uint32_t(buttons);
   pose.connected = !gone_.load(std::memory_order_relaxed);
@@ -220,17 +220,17 @@ void OmniDevice::tickFrame(bool ends) noexcept {
   pose.fault = own_.fault_ticks > 0 || guard_.cut() || calibration_.load(std::memory_order_relaxed) != hd::kCalibrated;
   own_.fault_ticks = std::max(0, own_.fault_ticks - 1);
   own_.warm_ticks = std::max(0, own_.warm_ticks - 1);
-  told_.write(pose);
+  last_pose_.write(pose);
   framed_.store(true, std::memory_order_release);
-  stood_reads_.store(0, std::memory_order_relaxed);
+  stalled_reads_.store(0, std::memory_order_relaxed);
 
   own_.force_N = Vec3(0.0);
-  if (TickTarget* const target = target_.load(std::memory_order_acquire); target && !ends && !broken) {
+  if (ClockListener* const target = target_.load(std::memory_order_acquire); target && !ends && !broken) {
     frame_thread_.store(std::this_thread::get_id(), std::memory_order_release);
-    target->tickOfDevice();
+    target->onDeviceTick();
     frame_thread_.store(std::thread::id(), std::memory_order_release);
   }
-  if (forceHeld()) own_.force_N = Vec3(0.0);
+  if (forceInhibited()) own_.force_N = Vec3(0.0);
   const double force[3] = {own_.force_N.x, own_.force_N.y, own_.force_N.z};
   hd_.setDoublev(hd::kCurrentForce, force);
   hd_.endFrame(device);
@@ -279,9 +279,9 @@ void OmniDevice::checkCalibration(bool may_update) noexcept {
   std::uint32_t state = hd_.checkCalibration();
   // The reset of the encoders takes the stylus's present place for the resting one: only when the person says so, and
   // then until the driver has taken it.
-  const bool by_itself = style & (hd::kInkwell | hd::kAuto);
+  const bool automatic = style & (hd::kInkwell | hd::kAuto);
   const bool update =
-      may_update && (by_itself ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
+      may_update && (automatic ? state == hd::kNeedsUpdate : state != hd::kCalibrated && own_.resetting_ticks > 0);
   if (update) {
     hd_.updateCalibration(style & hd::kInkwell ? hd::kInkwell : style & hd::kAuto ? hd::kAuto : hd::kEncoderReset);
     state = hd_.checkCalibration();
@@ -305,9 +305,9 @@ bool OmniDevice::note(std::uint32_t worst) noexcept {
 
 DevicePose OmniDevice::read(double) noexcept {
   if (frame_thread_.load(std::memory_order_relaxed) == std::this_thread::get_id()) return own_.pose;
-  // The maker's clock stands and the loop's own has taken over.
-  DevicePose stale = told_.read();
-  const int stood = stood_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
+  // The vendor's clock is stalled and the loop's own has taken over.
+  DevicePose stale = last_pose_.read();
+  const int stood = stalled_reads_.fetch_add(1, std::memory_order_relaxed) + 1;
   stale.fresh = false;
   stale.age_s = 0.001f * float(stood);
   stale.connected =
@@ -320,7 +320,8 @@ void OmniDevice::write(ForceN force) noexcept {
 }
 
 bool OmniDevice::lost() const noexcept {
-  return gone_.load(std::memory_order_acquire) || stood_reads_.load() > (framed_.load() ? kTellStanding : kTellNoFrame);
+  return gone_.load(std::memory_order_acquire) ||
+         stalled_reads_.load() > (framed_.load() ? kReportStall : kReportNoFrame);
 }
 
 DeviceStatus OmniDevice::status() {

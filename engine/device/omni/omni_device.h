@@ -1,9 +1,9 @@
-// Phantom Omni, Geomagic Touch and 3D Systems Touch through OpenHaptics' HD interface (hd_library.h). The maker's
-// scheduler is the servo loop's clock: read() and write() run inside its callback, between the frame's begin and end;
-// whenever that clock stands, a read from elsewhere gives the last place as stale, and after 100 of them a device that
-// is gone. A device that is lost, or whose clock stands, is opened anew on a thread of its own. Its last frames give no
-// force, whatever ends them: an error, the clock's end, a signal; where no frame comes a guard switches the output off
-// (omni_guard.h). Units: millimetre, newton; the device's axes are the program's.
+// Phantom Omni, Geomagic Touch and 3D Systems Touch through OpenHaptics' HD interface (hd_library.h). The vendor's
+// scheduler is the servo loop's clock: read() and write() run inside its callback, between the frame's begin and end.
+// While that clock is stalled, a read from elsewhere returns the last position as stale, and after 100 of them a device
+// that is gone. A device that is lost, or whose clock is stalled, is reopened on a thread of its own. Its last frames
+// give no force, whatever ends them: an error, the end of the clock, a signal. Where no frame comes, a guard switches
+// the output off (omni_guard.h). Units: millimetre, newton; the device's axes are the program's.
 #pragma once
 
 #include <atomic>
@@ -16,25 +16,26 @@
 
 #include "engine/core/triple_buffer.h"
 #include "engine/device/device.h"
-#include "engine/device/kept_info.h"
 #include "engine/device/omni/omni_guard.h"
 #include "engine/device/omni/omni_session.h"
-#include "engine/platform/force_hold.h"
+#include "engine/device/versioned_device_info.h"
+#include "engine/platform/force_inhibit.h"
+#include "engine/platform/realtime.h"
 
 namespace moltact {
 
 class OmniDevice final : public Device {
  public:
-  /// Initialises the default device, or takes the one that look() has just opened. A Problem in words where there is
-  /// none or it is in use. Not for the haptic thread; may take a while.
-  static Expected<std::unique_ptr<OmniDevice>> open();
-  /// What is written on the device that open() would give. It shows only once it is open, and so stays open for a
-  /// moment.
+  /// Initialises the default device, or takes the one that look() has just opened. A Problem where there is none or it
+  /// is in use. Not for the haptic thread; may take a while.
+  static Expected<std::unique_ptr<OmniDevice>> open(std::int64_t (*now_ns)() noexcept = &monotonic_ns);
+  /// The identity of the device that open() would give. Only an open device reports it, so look() keeps the device open
+  /// for a moment.
   struct Seen {
     std::string model, serial;
   };
   static Expected<Seen> look();
-  /// The same of the one that is open and taken in this process, if any.
+  /// The identity of the device that is open in this process, if any.
   static std::optional<Seen> taken();
   ~OmniDevice() override;
 
@@ -42,25 +43,25 @@ class OmniDevice final : public Device {
   DevicePose read(double dt_s) noexcept override;
   void write(ForceN force) noexcept override;
 
-  /// Says what calibration asks of the person and what the driver reported; begins to open a device anew that was lost.
-  /// Never waits.
+  /// Says what the calibration asks of the person and what the driver reported; starts to reopen a device that was
+  /// lost. Never waits.
   DeviceStatus status() override;
   void calibrate() override { calibrate_.store(true, std::memory_order_release); }
-  bool startClock(TickTarget& target) override;
+  bool startClock(ClockListener& target) override;
   void stopClock() override;
 
   const std::string& model() const { return session_.model; }
   const std::string& serial() const { return session_.serial; }
   /// Closes at once what look() has opened, for another program.
-  static void letGo();
+  static void closeUnused();
 
  private:
-  OmniDevice(const hd::Library& library, OmniSession session);
+  OmniDevice(const hd::Library& library, OmniSession session, std::int64_t (*now_ns)() noexcept);
   void schedule();
   void unschedule();
   void revive();
   void takeRevived();
-  void settle();
+  void finishRevival();
   bool lost() const noexcept;
   std::string guidance(DeviceStatus& status) const;
   static hd::CallbackCode callback(void* self);
@@ -75,7 +76,7 @@ class OmniDevice final : public Device {
   bool note(std::uint32_t worst) noexcept;
 
   const hd::Library& hd_;
-  KeptInfo info_;
+  VersionedDeviceInfo info_;
   // The window's thread; while revival_ is there its thread has them, and nobody else.
   OmniSession session_;
   hd::SchedulerHandle scheduled_ = 0;
@@ -83,10 +84,10 @@ class OmniDevice final : public Device {
   std::future<Expected<OmniSession>> revival_;
 
   // From the window to the callback. The style and the handle change only while there is no callback.
-  std::atomic<TickTarget*> target_{nullptr};
+  std::atomic<ClockListener*> target_{nullptr};
   std::atomic<hd::Handle> handle_{hd::kInvalidHandle};
   std::atomic<std::uint32_t> calibration_style_{0};
-  Vec3 room_middle_mm_{0.0};  // written while no frame runs
+  Vec3 workspace_middle_mm_{0.0};  // written while no frame runs
   std::atomic<bool> anew_{false}, ends_{false}, ended_{true}, calibrate_{false};
 
   // The callback's alone.
@@ -98,10 +99,10 @@ class OmniDevice final : public Device {
   } own_;
 
   // From the callback to the loop's own clock.
-  TripleBuffer<DevicePose> told_;
+  TripleBuffer<DevicePose> last_pose_;
   std::atomic<std::thread::id> frame_thread_{};
-  std::atomic<int> stood_reads_{0};  // reads from elsewhere since the last frame
-  std::atomic<bool> framed_{false};  // a frame has come since the clock was started
+  std::atomic<int> stalled_reads_{0};  // reads from elsewhere since the last frame
+  std::atomic<bool> framed_{false};    // a frame has come since the clock was started
 
   // From the callback to the window.
   std::atomic<std::uint32_t> calibration_{hd::kNeedsManualInput}, worst_error_{hd::kNoError}, lost_by_{hd::kNoError};

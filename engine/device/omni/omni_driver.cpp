@@ -12,7 +12,7 @@ void describe(FoundDevice& one, const OmniDevice::Seen& seen) {
 }
 
 std::vector<FoundDevice> find() {
-  FoundDevice one{.title = N_("Phantom Omni or Touch"), .gives_force = true, .by_itself = true};
+  FoundDevice one{.title = N_("Phantom Omni or Touch"), .gives_force = true, .auto_selectable = true};
   if (const auto taken = OmniDevice::taken()) {
     describe(one, *taken);
     one.place = one.place.empty() ? tr("in use here") : trf("{0}, in use here", one.place);

@@ -2,8 +2,7 @@
 
 #include <chrono>
 
-#include "engine/platform/force_hold.h"
-#include "engine/platform/realtime.h"
+#include "engine/platform/force_inhibit.h"
 
 namespace moltact {
 namespace {
@@ -15,7 +14,7 @@ constexpr std::int64_t kMs_ns = 1'000'000;
 
 void OmniGuard::start() {
   stop();
-  last_ns_.store(monotonic_ns());
+  last_ns_.store(now_ns_());
   cut_.store(false);
   ends_.store(false);
   thread_ = std::thread([this] { run(); });
@@ -27,7 +26,7 @@ void OmniGuard::stop() {
 }
 
 void OmniGuard::frame() noexcept {
-  last_ns_.store(monotonic_ns(), std::memory_order_relaxed);
+  last_ns_.store(now_ns_(), std::memory_order_release);
   frames_.fetch_add(1, std::memory_order_release);
 }
 
@@ -40,13 +39,14 @@ void OmniGuard::run() noexcept {
 
 void OmniGuard::look() noexcept {
   const std::uint32_t frames = frames_.load(std::memory_order_acquire);
-  const std::int64_t stood_ns = monotonic_ns() - last_ns_.load(std::memory_order_relaxed);
-  const bool stands = stood_ns > kMs_ns * (forceHeld() ? kStandsHeld_ms : kStands_ms);
-  if (!cut_.load() && stands) {
+  // In this order: a guard that is itself held up in between finds a newer frame, not an older one.
+  const std::int64_t now_ns = now_ns_(), silent_ns = now_ns - last_ns_.load(std::memory_order_acquire);
+  const bool stalled = silent_ns > kMs_ns * (forceInhibited() ? kStalledInhibited_ms : kStalled_ms);
+  if (!cut_.load() && stalled) {
     hd::switchForce(hd_, false);
     frames_at_cut_ = frames;
     cut_.store(true, std::memory_order_release);
-  } else if (cut_.load() && !stands && frames - frames_at_cut_ >= 2) {
+  } else if (cut_.load() && !stalled && frames - frames_at_cut_ >= 2) {
     // Two frames have known that it is off, and have written no force.
     hd::switchForce(hd_, true);
     cut_.store(false, std::memory_order_release);

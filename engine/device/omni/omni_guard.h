@@ -1,6 +1,6 @@
-// Ends the force of an Omni where its callback cannot: a thread of its own, awake 250 times a second, sees whether
-// frames come, and switches the driver's force output off where none has come for kStands_ms, and on again, to begin
-// softly, when they do. While all force is held (platform/force_hold.h) it waits for kStandsHeld_ms only.
+// Ends the force of an Omni where its callback cannot. Its own thread wakes 250 times a second and checks whether
+// frames come. It switches the driver's force output off when none has come for kStalled_ms, and on again, with a soft
+// start, when they do. While all force is inhibited (platform/force_inhibit.h) it waits for kStalledInhibited_ms only.
 #pragma once
 
 #include <atomic>
@@ -8,15 +8,17 @@
 #include <thread>
 
 #include "engine/device/omni/hd_library.h"
+#include "engine/platform/realtime.h"
 
 namespace moltact {
 
 class OmniGuard {
  public:
-  static constexpr int kStands_ms = 20;  ///< as late as the safety stage lets a tick be
-  static constexpr int kStandsHeld_ms = 5;
+  static constexpr int kStalled_ms = 20;  ///< as late as the safety stage lets a tick be
+  static constexpr int kStalledInhibited_ms = 5;
 
-  explicit OmniGuard(const hd::Library& library) : hd_(library) {}
+  /// `now_ns`: the clock that frames are late by; any thread.
+  OmniGuard(const hd::Library& library, std::int64_t (*now_ns)() noexcept) : hd_(library), now_ns_(now_ns) {}
   ~OmniGuard() { stop(); }
 
   /// The thread that schedules. Frames may come from now on.
@@ -33,6 +35,7 @@ class OmniGuard {
   void look() noexcept;
 
   const hd::Library& hd_;
+  std::int64_t (*const now_ns_)() noexcept;
   std::atomic<std::int64_t> last_ns_{0};
   std::atomic<std::uint32_t> frames_{0};
   std::atomic<bool> cut_{false}, ends_{false};

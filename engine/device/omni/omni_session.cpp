@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-// What the driver does not tell, or tells as 0, stays as it is.
+// A figure that the driver does not report, or reports as 0, keeps its default.
 void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale = 1.0) {
   double value = 0;
   hd.getDoublev(name, &value);
@@ -24,7 +24,7 @@ void readFigures(const hd::Library& hd, OmniSession& session) {
   figure(hd, hd::kMaxForce, info.max_force_N);
   figure(hd, hd::kMaxContinuousForce, info.continuous_force_N);
   figure(hd, hd::kMaxStiffness, info.max_stiffness_N_per_mm);
-  figure(hd, hd::kMaxDamping, info.max_damping_N_s_per_m, 1e3);         // the driver tells N s/mm
+  figure(hd, hd::kMaxDamping, info.max_damping_N_s_per_m, 1e3);         // the driver reports N s/mm
   figure(hd, hd::kVelocityLimit, info.speed_limit_m_per_s, 1e-3);       // mm/s
   figure(hd, hd::kForceImpulseLimit, info.slew_limit_N_per_s, 1000.0);  // N from tick to tick, at 1 kHz
   double box[6] = {};
@@ -32,7 +32,7 @@ void readFigures(const hd::Library& hd, OmniSession& session) {
   const Vec3 size(box[3] - box[0], box[4] - box[1], box[5] - box[2]);
   if (finite(size) && size.x > 0 && size.y > 0 && size.z > 0) {
     info.workspace_mm = size;
-    session.room_middle_mm = Vec3(box[0], box[1], box[2]) + 0.5 * size;
+    session.workspace_middle_mm = Vec3(box[0], box[1], box[2]) + 0.5 * size;
   }
 }
 

@@ -1,5 +1,5 @@
-// The opening of an Omni or Touch and what it then tells of itself. Slow: the driver may look for a device on a
-// network. Any thread but the haptic one, one at a time.
+// Opens an Omni or Touch and reads its description. Slow: the driver may search a network. Any thread but the haptic
+// one, one at a time.
 #pragma once
 
 #include "engine/device/device.h"
@@ -12,16 +12,15 @@ struct OmniSession {
   DeviceInfo info;
   std::string model, serial;
   std::uint32_t calibration_style = 0;
-  Vec3 room_middle_mm{0.0};  ///< of the usable room, from the driver's own origin
+  Vec3 workspace_middle_mm{0.0};  ///< of the usable workspace, from the driver's own origin
 };
 
-/// Initialises the maker's default device. A Problem in words where there is none or it is in use; nothing stays open
-/// then.
+/// Initialises the vendor's default device. A Problem where there is none or it is in use; then nothing stays open.
 Expected<OmniSession> openOmni(const hd::Library& hd);
 void closeOmni(const hd::Library& hd, OmniSession& session);
 
-/// Empties the driver's stack of errors, newest first, each to `each`; tells the one that matters most, of several
-/// alike the newest. Any thread, also the haptic one.
+/// Empties the driver's stack of errors, newest first, and calls `each` for each; returns the most severe, the newest
+/// of equal ones. Any thread, also the haptic one.
 template <class Each>
 std::uint32_t drainErrors(const hd::Library& hd, Each&& each) noexcept {
   constexpr int kMostErrors = 64;  // taken at once; the stack is short

@@ -50,19 +50,6 @@ void ExactTracker::reset() noexcept {
 
 MemoryUsage ExactTracker::memoryUsage() const noexcept { return {near_.held(), sizeof(*this) + near_.scene().bytes()}; }
 
-Contact ExactTracker::contact(const Vec3& hip) const noexcept {
-  if (feature_ == Feature::Free) return {.scp = {behind_ ? near_.origin() + scp_ : hip}, .atoms = holders_};
-  // Put together at once, without a branch on how many hold: this is most of what a tick in contact adds to its way.
-  const Vec3 scp = near_.origin() + scp_, displacement = scp - hip;
-  const auto normal = [&](std::size_t k) { return (scp_ - held_[k].centre) * held_[k].inverse_radius; };
-  return {.scp = {scp},
-          .atoms = holders_,
-          .feature = feature_,
-          .displacement_A = displacement,
-          .energy_A2 = 0.5 * glm::dot(displacement, displacement),
-          .normals = {normal(0), normal(1), normal(2)}};
-}
-
 // The balls that hold the SCP, in ascending order.
 void ExactTracker::holdBy(std::int32_t a, std::int32_t b, std::int32_t c) noexcept {
   if (b >= 0 && b < a) std::swap(a, b);
@@ -72,32 +59,22 @@ void ExactTracker::holdBy(std::int32_t a, std::int32_t b, std::int32_t c) noexce
   lookAtHolders();
 }
 
-// What the normals are made from; of none there is a normal of nothing.
+// What an ordinary tick and the normals are made from.
 void ExactTracker::lookAtHolders() noexcept {
   for (std::size_t k = 0; k < 3; ++k) {
-    held_[k] = {};
-    if (holders_[k] < 0) continue;
-    const NearBall on = near_.ball(holders_[k]);
-    held_[k] = {on.centre, on.radius > 0.0 ? 1.0 / on.radius : 0.0};
-  }
-}
-
-Contact ExactTracker::step(PointA hip) noexcept {
-  const Vec3& h = hip.A;
-  // Most ticks of all: free, and nothing can be met yet. A HIP that is not a number fails the comparison.
-  if (feature_ == Feature::Free && armed_) {
-    const Vec3& o = near_.origin();
-    const double x = h.x - o.x, y = h.y - o.y, z = h.z - o.z;  // one by one: as a vector they would go through memory
-    const double way_x = x - free_from_.x, way_y = y - free_from_.y, way_z = z - free_from_.z;
-    if (way_x * way_x + way_y * way_y + way_z * way_z < free_gap2_) {
-      scp_.x = x, scp_.y = y, scp_.z = z;
-      return {.scp = hip};
+    if (holders_[k] < 0) {
+      held_[k] = {};
+      continue;
     }
+    const NearBall on = near_.ball(holders_[k]);
+    Held& held = held_[k];  // one by one: as a vector they would go through memory once more
+    held.centre.x = on.centre.x, held.centre.y = on.centre.y, held.centre.z = on.centre.z;
+    held.radius = on.radius;
+    held.inverse_radius = on.radius > 0.0 ? 1.0 / on.radius : 0.0;
   }
-  return lookRound(h.x, h.y, h.z);
 }
 
-// A tick that is not plainly free; apart, so that those need not save its registers.
+// A tick that must look round.
 Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
   const Vec3 h(x, y, z);
   const PointA hip{h};
@@ -118,10 +95,8 @@ Contact ExactTracker::lookRound(double x, double y, double z) noexcept {
     scp_ = free_from_ = local;
     return contact(h);
   }
-  if (!holdsQuickly(local)) {
-    near_.countFromZero();
-    flow(local);
-  }
+  near_.countFromZero();
+  flow(local);
   return contact(h);
 }
 

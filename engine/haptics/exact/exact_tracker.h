@@ -28,8 +28,8 @@ class ExactTracker final : public Tracker {
   void reset() noexcept override;
   /// A growing surface carries the SCP in steps, as many as kMostLooked allows; the rest follows in the next ticks.
   void setProbe(double probe_A) noexcept override;
-  bool setFrame(const SphereFrame* frame) noexcept override;  // moving_spheres.cpp
-  void moveTo(double share) noexcept override;
+  bool setMotion(const SphereMotion* motion) noexcept override;  // moving_spheres.cpp
+  void advanceTo(double fraction) noexcept override;
   /// What the balls are inflated by now: where a large change is carried on over several ticks it lags behind
   /// setProbe().
   double probe_A() const noexcept override { return near_.probe_A(); }
@@ -78,7 +78,7 @@ class ExactTracker final : public Tracker {
 
   [[gnu::noinline]] Contact lookRound(double x, double y, double z) noexcept;
   [[gnu::noinline]] Contact whileItSwells(const Vec3& hip) noexcept;
-  bool holdsQuickly(const Vec3& hip) noexcept;  // ordinary_tick.cpp
+  [[gnu::noinline]] Contact stay(double x, double y, double z) noexcept;  // ordinary_tick.cpp
   void flow(const Vec3& hip) noexcept;
   SlideResult piece(const Vec3& hip, Admitted admitted) noexcept;
   SlideResult fly(const Vec3& hip) noexcept;
@@ -102,19 +102,21 @@ class ExactTracker final : public Tracker {
   double contactAt(const Vec3& place) const noexcept;
   void holdBy(std::int32_t a, std::int32_t b = -1, std::int32_t c = -1) noexcept;
   void lookAtHolders() noexcept;
-  Contact contact(const Vec3& hip) const noexcept;
+  Contact contact(const Vec3& hip) const noexcept;                           // ordinary_tick.cpp
+  Contact contactHeldBy(std::size_t count, const Vec3& hip) const noexcept;  // ordinary_tick.cpp
 
   NearbyBalls near_;
   Vec3 scp_{0.0};           // this and every place inside the tracker is relative to near_.origin()
   double contact_A_ = 0.0;  // a ball whose surface is no farther than this from the SCP is touched
   bool armed_ = false;      // has the HIP been outside since the start?
   bool behind_ = false;     // the last flow was cut short
-  bool moved_ = false;  // the spheres have moved on from `seen_share_` of the frame, where the SCP was last brought out
-  double seen_share_ = 0.0;
-  // While spheres move: when the share was clear_share_, no ball but the holders was nearer to this place than
+  bool moved_ =
+      false;  // the spheres have moved on from `seen_fraction_` of the motion, where the SCP was last brought out
+  double seen_fraction_ = 0.0;
+  // While spheres move: when the fraction was clear_fraction_, no ball but the holders was nearer to this place than
   // clear_gap_.
   Vec3 clear_from_{0.0};
-  double clear_gap_ = 0.0, clear_share_ = 0.0;
+  double clear_gap_ = 0.0, clear_fraction_ = 0.0;
   bool swells_ = false;   // the surface is on its way to probe goal_A_
   bool swelled_ = false;  // and has gone on since the last tick
   double goal_A_ = 0.0, step_A_ = 0.0;
@@ -123,9 +125,9 @@ class ExactTracker final : public Tracker {
   std::array<std::int32_t, 3> holders_{-1, -1, -1};  // as Contact::atoms has them
   struct Held {
     Vec3 centre{0.0};
-    double inverse_radius = 0.0;
+    double radius = 0.0, inverse_radius = 0.0;
   };
-  std::array<Held, 3> held_{};                 // the same balls
+  std::array<Held, 3> held_{};                 // the same balls, as they are now; nothing where there is none
   std::array<Touch, kMostTouching> touching_;  // what the SCP touches, while it flows
   std::size_t touching_count_ = 0;
 

@@ -1,4 +1,4 @@
-// The SCP among spheres that move (sphere_frame.h). Each tick the listed spheres go to their new places; then the SCP
+// The SCP among spheres that move (sphere_motion.h). Each tick the listed spheres go to their new places; then the SCP
 // is on its feature where that is now, if nothing else can have come in the way; otherwise it is brought out of what
 // has closed in on it, piece by piece, and flows as always. Part of ExactTracker; haptic thread.
 #include <algorithm>
@@ -18,18 +18,19 @@ constexpr double kArcOfChord = 1.5708;  // an arc of up to half a turn is at mos
 
 }  // namespace
 
-bool ExactTracker::setFrame(const SphereFrame* frame) noexcept {
+bool ExactTracker::setMotion(const SphereMotion* motion) noexcept {
+  if (near_.has(motion)) return true;
   // The SCP stays where it is; the next tick finds what it touches there.
-  near_.setFrame(frame);
+  near_.setMotion(motion);
   forgetSurroundings();
-  seen_share_ = clear_gap_ = 0.0;
+  seen_fraction_ = clear_gap_ = 0.0;
   moved_ = true;
   return true;
 }
 
-void ExactTracker::moveTo(double share) noexcept {
-  if (share == near_.share() || !std::isfinite(share)) return;
-  near_.moveTo(std::clamp(share, 0.0, 1.0));
+void ExactTracker::advanceTo(double fraction) noexcept {
+  if (fraction == near_.fraction() || !std::isfinite(fraction)) return;
+  near_.advanceTo(std::clamp(fraction, 0.0, 1.0));
   forgetSurroundings();
   moved_ = true;
 }
@@ -37,10 +38,10 @@ void ExactTracker::moveTo(double share) noexcept {
 // Brings the SCP with the surface, and to its place for this HIP where that is plain: then moved_ is false. Otherwise
 // the tick goes on as always.
 void ExactTracker::trackSurface(const Vec3& hip) noexcept {
-  const double share = near_.share(), from = std::exchange(seen_share_, share);
+  const double fraction = near_.fraction(), from = std::exchange(seen_fraction_, fraction);
   if (!armed_) return;
   if (!near_.covers(scp_, 0.0)) near_.each(scp_, 0.0, [](const NearBall&) {});
-  const double moved_A = std::abs(share - from) * near_.mostMoved_A();
+  const double moved_A = std::abs(fraction - from) * near_.mostMoved_A();
   if (moved_A <= kPiece_A && followsQuickly(hip, moved_A)) {
     moved_ = false;
     return;
@@ -48,9 +49,9 @@ void ExactTracker::trackSurface(const Vec3& hip) noexcept {
   clear_gap_ = 0.0;
   const int pieces = moved_A > kPiece_A ? int(std::ceil(std::min(moved_A / kPiece_A, kMostMoves))) : 1;
   for (int k = 1; k <= pieces; ++k) {
-    if (pieces > 1) near_.moveTo(k == pieces ? share : from + (share - from) * k / pieces);
+    if (pieces > 1) near_.advanceTo(k == pieces ? fraction : from + (fraction - from) * k / pieces);
     if (toFreePlace() == Freed::Yes) continue;
-    near_.moveTo(share);  // the place closed over the SCP: there is no surface left to be held by
+    near_.advanceTo(fraction);  // the place closed over the SCP: there is no surface left to be held by
     reset();
     return;
   }
@@ -100,12 +101,12 @@ bool ExactTracker::followsQuickly(const Vec3& hip, double moved_A) noexcept {
   // Every other sphere is farther off than the way there, and than it has come itself.
   const double way = kArcOfChord * (glm::distance(scp_, place) + moved_A) + moved_A;
   const auto clear = [&] {
-    const double come_A = std::abs(near_.share() - clear_share_) * near_.mostMoved_A();
+    const double come_A = std::abs(near_.fraction() - clear_fraction_) * near_.mostMoved_A();
     return near_.covers(scp_, way) && clear_gap_ > way + come_A + glm::distance(scp_, clear_from_);
   };
   if (!clear()) {
     clear_from_ = scp_;
-    clear_share_ = near_.share();
+    clear_fraction_ = near_.fraction();
     clear_gap_ = kFarthest_A;
     const double known = near_.each(scp_, way, [&](const NearBall& b) {
       if (b.index != holders_[0] && b.index != holders_[1] && b.index != holders_[2])

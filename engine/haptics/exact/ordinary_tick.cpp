@@ -4,6 +4,7 @@
 
 #include "engine/haptics/exact/entry_angle.h"
 #include "engine/haptics/exact/exact_tracker.h"
+#include "engine/haptics/hip_input.h"
 
 namespace moltact {
 namespace {
@@ -13,62 +14,105 @@ constexpr double kArcOfChord2 =
 
 }  // namespace
 
-// Leads the SCP to the place on its feature nearest to the HIP; false, with nothing changed, where that may not be all.
-bool ExactTracker::holdsQuickly(const Vec3& hip) noexcept {
+// What is felt where the first `count` balls of held_ hold the SCP. Each number is written where it is handed over: a
+// contact put together from vectors that are copied costs a tick 2 ns more.
+inline Contact ExactTracker::contactHeldBy(std::size_t count, const Vec3& hip) const noexcept {
+  const auto normal = [&](std::size_t k) {
+    return k < count ? (scp_ - held_[k].centre) * held_[k].inverse_radius : Vec3(0.0);
+  };
+  Contact out{.scp = {near_.origin() + scp_},
+              .atoms = holders_,
+              .feature = feature_,
+              .normals = {normal(0), normal(1), normal(2)}};
+  stretchToScp(out, {hip});
+  return out;
+}
+
+Contact ExactTracker::contact(const Vec3& hip) const noexcept {
+  if (feature_ == Feature::Free) return {.scp = {behind_ ? near_.origin() + scp_ : hip}, .atoms = holders_};
+  return contactHeldBy(3, hip);
+}
+
+Contact ExactTracker::step(PointA hip) noexcept {
+  const Vec3& h = hip.A;
+  // Most ticks of all: free, and nothing can be met yet. A HIP that is not a number fails the comparison.
+  if (feature_ == Feature::Free && armed_) {
+    const Vec3& o = near_.origin();
+    const double x = h.x - o.x, y = h.y - o.y, z = h.z - o.z;  // one by one: as a vector they would go through memory
+    const double way_x = x - free_from_.x, way_y = y - free_from_.y, way_z = z - free_from_.z;
+    if (way_x * way_x + way_y * way_y + way_z * way_z < free_gap2_) {
+      scp_.x = x, scp_.y = y, scp_.z = z;
+      return {.scp = hip};
+    }
+  }
+  return stay(h.x, h.y, h.z);
+}
+
+// A tick of contact, apart, so that the free ones need not save its registers: leads the SCP to the place on its
+// feature nearest to the HIP, and looks round, with nothing changed, where that may not be all. It needs not ask whether
+// spheres move or swell: then nothing is known of the surroundings (forgetSurroundings).
+Contact ExactTracker::stay(double x, double y, double z) noexcept {
+  const Vec3 h(x, y, z);
+  if (!usableHip(h)) return lookRound(x, y, z);
+  const Vec3 hip = h - near_.origin();
   switch (feature_) {
     case Feature::Free:
-      return false;  // step() has looked
+      break;  // step() has looked
     case Feature::Sphere: {
-      const NearBall ball = near_.ball(holders_[0]);
+      const Held& ball = held_[0];
       const Vec3 m = hip - ball.centre;
       const double r = ball.radius, d2 = glm::dot(m, m);
-      if (d2 >= r * r || d2 < r * r * 1e-6) return false;
+      if (d2 >= r * r || d2 < r * r * 1e-6) break;
       const double d = std::sqrt(d2), along = glm::dot(m, patch_.centre);
+      const Vec3 to = m * (r / d);  // from the centre to the place on the sphere nearest to the HIP
       if (along < patch_.clear * d) {
-        if (along < patch_.cosine * d) return false;
+        if (along < patch_.cosine * d) break;
         // From the last place to the nearest cap's rim and on to this one is a longer way than from the one to the
         // other.
-        const Vec3 x = (scp_ - ball.centre) / r, y = m / d, chord = y - x;
-        const double gap = patch_.rim - glm::dot(y, patch_.axis), room = patch_.rim - glm::dot(x, patch_.axis) + gap;
-        if (gap <= 0.0 || room * room <= kArcOfChord2 * glm::dot(chord, chord)) return false;
+        const Vec3 from = scp_ - ball.centre, chord = to - from;
+        const double rim = patch_.rim * r, gap = rim - glm::dot(to, patch_.axis),
+                     room = rim - glm::dot(from, patch_.axis) + gap;
+        if (gap <= 0.0 || room * room <= kArcOfChord2 * glm::dot(chord, chord)) break;
       }
-      scp_ = ball.centre + m * (r / d);
-      return true;
+      scp_ = ball.centre + to;
+      return contactHeldBy(1, h);
     }
     case Feature::Circle: {
       const Circle& c = circle_;
-      if (c.i < 0) return false;
+      if (c.i < 0) break;
       const Vec3 m = hip - c.centre;
       const double along = glm::dot(m, c.axis), y1 = glm::dot(m, c.axis_1), y2 = glm::dot(m, c.axis_2);
       const double out = std::sqrt(y1 * y1 + y2 * y2);
-      if (out < 1e-6 * c.radius) return false;
+      if (out < 1e-6 * c.radius) break;
       // Both balls must hold the SCP from the start of the way to its end: shares mu_i, mu_j >= 0
-      // (docs/exact-tracker.md).
-      const double start = 1.0 - (y1 * c.along_1 + y2 * c.along_2) / c.radius, end = 1.0 - out / c.radius;
-      const double slack_i = std::min(start * c.to_j, end * c.to_j) - along,
-                   slack_j = std::min(start * c.to_i, end * c.to_i) + along;
-      if (slack_i < 0.0 || slack_j < 0.0) return false;
+      // (docs/exact-tracker.md), here times the circle's radius, so that nothing is divided.
+      const double start = c.radius - (y1 * c.along_1 + y2 * c.along_2), end = c.radius - out, lean = along * c.radius;
+      const double slack_i = std::min(start * c.to_j, end * c.to_j) - lean,
+                   slack_j = std::min(start * c.to_i, end * c.to_i) + lean;
+      if (slack_i < 0.0 || slack_j < 0.0) break;
       if (c.narrow) {  // between two ends less than half a turn apart the short way stays between them
-        if (c.low_1 * y2 - c.low_2 * y1 <= 0.0 || y1 * c.high_2 - y2 * c.high_1 <= 0.0) return false;
+        if (c.low_1 * y2 - c.low_2 * y1 <= 0.0 || y1 * c.high_2 - y2 * c.high_1 <= 0.0) break;
       } else {
         double angle = std::atan2(y2, y1);
         angle += kTwoPi * std::round((c.angle - angle) / kTwoPi);  // the short way round
-        if (angle <= c.low || angle >= c.high) return false;
+        if (angle <= c.low || angle >= c.high) break;
         circle_.angle = angle;
       }
       circle_.along_1 = y1 / out;
       circle_.along_2 = y2 / out;
       scp_ = c.centre + (c.axis_1 * y1 + c.axis_2 * y2) * (c.radius / out);
-      return true;
+      return contactHeldBy(2, h);
     }
     case Feature::Point: {
-      if (!holds_known_) return false;
+      if (!holds_known_) break;
       const Vec3 displacement = hip - scp_;
-      return glm::dot(holds_[0], displacement) <= 0.0 && glm::dot(holds_[1], displacement) <= 0.0 &&
-             glm::dot(holds_[2], displacement) <= 0.0;
+      if (glm::dot(holds_[0], displacement) <= 0.0 && glm::dot(holds_[1], displacement) <= 0.0 &&
+          glm::dot(holds_[2], displacement) <= 0.0)
+        return contactHeldBy(3, h);
+      break;
     }
   }
-  return false;
+  return lookRound(x, y, z);
 }
 
 }  // namespace moltact

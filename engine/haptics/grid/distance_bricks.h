@@ -1,14 +1,12 @@
-// The signed distance to the balls' surfaces on a grid, smoothly interpolated, in bricks that are made where
-// they are first asked for. A brick is 4 x 4 x 4 cells; a pool of fixed size keeps kBricks of them and lets
-// the oldest give way.
+// The signed distance to the balls' surfaces on a grid, smoothly interpolated, in bricks that are made when they are
+// first needed. A brick is 4 x 4 x 4 cells; a pool of fixed size keeps kBricks of them and drops the oldest.
 //
-// The field: f(x) = min over balls of |x - centre| - radius, not inflated: a probe of radius p feels the
-// level f = p, so that another probe needs no other bricks. Outside all balls f is the distance; inside it is
-// no more than a bound, which is enough, because the SCP stays outside. The interpolation: quadratic
-// B-splines over coefficients c = f - (1/8) (second differences of f along each axis), which repeat
-// quadratics exactly: the error is of third order in the spacing where f is smooth, its gradient is
-// continuous, and at creases it is rounded over about one spacing. Haptic thread; no allocation after
-// construction. Units: angstrom; places relative to the origin given.
+// The field: f(x) = min over balls of |x - centre| - radius, not inflated. A probe of radius p feels the level f = p,
+// so another probe needs no other bricks. Outside all balls f is the distance; inside it is only a bound, which is
+// enough because the SCP stays outside. The interpolation: quadratic B-splines over coefficients c = f - (1/8) (second
+// differences of f along each axis), which reproduce quadratics exactly. So the error is of third order in the spacing
+// where f is smooth, its gradient is continuous, and creases are rounded over about one spacing. Haptic thread; no
+// allocation after construction. Units: angstrom; places relative to the given origin.
 #pragma once
 
 #include <array>
@@ -22,15 +20,15 @@ namespace moltact {
 class DistanceBricks {
  public:
   static constexpr int kCells = 4;                ///< along an edge of a brick
-  static constexpr std::uint32_t kBricks = 1024;  ///< held, but for prepared()
+  static constexpr std::uint32_t kBricks = 1024;  ///< in the pool, unless prepare() made more
   static constexpr int kLabels = 24;              ///< balls that a brick remembers, to name the nearest
 
-  /// `cap_A`: the field is not asked for beyond this level; farther places may read it instead of their
+  /// `cap_A`: the field is never asked beyond this level; farther places may return this level instead of their
   /// distance.
   DistanceBricks(std::shared_ptr<const BallScene> scene, const Vec3& origin, double spacing_A, double cap_A);
 
-  /// Makes all bricks that the surface at this level passes through or comes near to, with room for twice as many:
-  /// nothing is left to be made while it is touched. Before touching; allocates.
+  /// Makes all bricks that the surface at this level passes through or comes near to, with space for twice as many: no
+  /// brick is made during touch. Before touching; allocates.
   void prepare(double level_A);
 
   struct Sample {
@@ -39,12 +37,11 @@ class DistanceBricks {
     glm::dmat3 hessian;  ///< second derivatives, continuous within a cell only
   };
 
-  /// Reads the field. Makes the brick when it is not there and `fills_left` allows; false (and nothing read)
-  /// otherwise.
+  /// Reads the field. Makes the brick if it is missing and `fills_left` allows it; else false, and nothing is read.
   bool sample(const Vec3& place, Sample& out, int& fills_left) noexcept;
 
-  /// The ball whose surface is nearest to the place, of those that its brick remembers; -1 when the brick is
-  /// not there.
+  /// The ball whose surface is nearest to the place, among those that its brick remembers; -1 where the brick is
+  /// missing.
   std::int32_t nearestBall(const Vec3& place) const noexcept;
 
   /// Changes the cap; forgets all bricks if it grows.
@@ -54,7 +51,7 @@ class DistanceBricks {
   std::uint64_t bricksMade() const noexcept { return made_; }           ///< since the start
   std::size_t ballsRemembered() const noexcept { return remembered_; }  ///< different balls in all bricks held now
   std::size_t bytes() const noexcept;
-  /// What a grid over the whole box of the scene takes at this spacing.
+  /// The memory of a grid over the whole box of the scene at this spacing.
   std::size_t wholeMoleculeBytes() const noexcept;
 
  private:

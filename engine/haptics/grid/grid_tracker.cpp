@@ -30,7 +30,7 @@ GridTracker::GridTracker(std::shared_ptr<const BallScene> scene, double probe_A,
 }
 
 void GridTracker::reset() noexcept {
-  armed_ = touching_ = false;
+  has_been_outside_ = touching_ = false;
   free_gap_ = 0.0;
 }
 
@@ -43,13 +43,13 @@ Contact GridTracker::step(PointA hip) noexcept {
   const Vec3 h = hip.A - origin_;
   fills_left_ = kMostFills;
   steps_left_ = kMostSteps;
-  if (!armed_) {
+  if (!has_been_outside_) {
     const double gap = clearance(*scene_, probe_, hip.A);
     DistanceBricks::Sample here{};
     scp_ = h;
     if (gap < 0.0 || (gap < margin() && (!bricks_.sample(h, here, fills_left_) || here.value < probe_)))
       return {.scp = hip, .fault = Fault::StartedInside};
-    armed_ = true;
+    has_been_outside_ = true;
     free_from_ = h;
     free_gap_ = gap - margin();
     return {.scp = hip};
@@ -203,12 +203,13 @@ void GridTracker::setProbe(double probe_A) noexcept {
   if (capFor(wanted, bricks_.spacing_A()) > capFor(had, bricks_.spacing_A()))
     bricks_.setCap(capFor(wanted, bricks_.spacing_A()));
   // The surface moves by a part of the spacing at once, so that the SCP stays on its side of a wall.
-  const int pieces =
-      !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
+  const int pieces = !has_been_outside_ || wanted < had
+                         ? 1
+                         : static_cast<int>(std::ceil((wanted - had) / (0.25 * bricks_.spacing_A())));
   for (int k = 1; k <= pieces; ++k) {
     probe_ = k == pieces ? wanted : had + (wanted - had) * k / pieces;
     fills_left_ = kMostFills;
-    if (!armed_ || pushOut()) continue;
+    if (!has_been_outside_ || pushOut()) continue;
     probe_ = wanted;  // the place closed over the SCP: there is no surface left to be held by
     reset();
     return;

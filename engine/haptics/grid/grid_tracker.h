@@ -1,17 +1,15 @@
-// The god-object on a signed-distance grid: the SCP lies on the level of the interpolated field
-// (distance_bricks.h) that the probe feels, at the place nearest to the HIP that sliding downhill from its
-// last place leads to.
+// The god-object on a signed-distance grid. The SCP lies on the level of the interpolated field (distance_bricks.h)
+// that the probe feels, at the place nearest to the HIP that it reaches by sliding downhill from its last place.
 //
-// In flight it goes toward the HIP by steps no longer than the field says is free. In contact it solves for
-// the foot of the HIP on the level by Newton steps in the tangent plane (the Lagrangian's second derivatives
-// are the spline's own), none longer than a part of the spacing, so that it slides along the surface and does
-// not jump through a wall. Bricks are made where it comes, at most kMostFills in a tick; where that is too
-// few the SCP waits, outside.
+// In flight it moves toward the HIP by steps no longer than the free distance that the field gives. In contact it
+// solves for the foot of the HIP on the level by Newton steps in the tangent plane (the Lagrangian's second derivatives
+// are the spline's own). No step is longer than a part of the spacing, so the SCP slides along the surface and does not
+// jump through a wall. Bricks are made where it comes, at most kMostFills in a tick; where that is too few the SCP
+// waits, outside.
 //
-// Known failures, pinned by tests: a crease or pit is rounded over about a spacing, so that the SCP floats
-// above it and the force turns there too gently; a gap narrower than about a spacing is closed or opened; a
-// new brick makes a tick long. Feature: Sphere with the nearest ball. Haptic thread; no allocation after
-// construction. Units: angstrom.
+// Known failures, pinned by tests: a crease or pit is rounded over about a spacing, so the SCP floats above it and the
+// force turns there too gently; a gap narrower than about a spacing is closed or opened; a new brick makes a tick long.
+// Feature: Sphere with the nearest ball. Haptic thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <memory>
@@ -54,8 +52,8 @@ class GridTracker final : public Tracker {
   Vec3 origin_;
   DistanceBricks bricks_;
   double probe_;
-  Vec3 scp_{0.0};       // this and every place inside the tracker is relative to origin_
-  bool armed_ = false;  // has the HIP been outside since the start?
+  Vec3 scp_{0.0};                  // this and every place inside the tracker is relative to origin_
+  bool has_been_outside_ = false;  // has the HIP been outside since the start?
   bool touching_ = false;
   Vec3 free_from_{0.0};  // free: the field's surface is not within free_gap_ of this place
   double free_gap_ = 0.0;

@@ -33,7 +33,7 @@ MeshTracker::MeshTracker(std::shared_ptr<const BallScene> scene, double probe_A,
 }
 
 void MeshTracker::reset() noexcept {
-  armed_ = settled_ = false;
+  has_been_outside_ = quick_prepared_ = false;
   touch_count_ = hold_count_ = 0;
   forgetSurroundings();
 }
@@ -74,19 +74,19 @@ Contact MeshTracker::contact(const Vec3& hip) const noexcept {
 Contact MeshTracker::step(PointA hip) noexcept {
   if (!usableHip(hip.A)) return refusedHip(hip, nearby_.origin() + scp_);
   const Vec3 h = hip.A - nearby_.origin();
-  if (touch_count_ == 0 && armed_ && options_.coherent && holdsQuickly(h)) return {.scp = hip};
-  if (!armed_) {
+  if (touch_count_ == 0 && has_been_outside_ && options_.coherent && holdsQuickly(h)) return {.scp = hip};
+  if (!has_been_outside_) {
     free_gap_ = nearby_.clearanceAt(h);
     scp_ = h;
     if (free_gap_ < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
-    armed_ = true;
+    has_been_outside_ = true;
     free_from_ = h;
     return {.scp = hip};
   }
   if (!options_.coherent) forgetSurroundings();
   if (!holdsQuickly(h)) {
     flow(h);
-    settle();
+    prepareQuickTicks();
   }
   return contact(hip.A);
 }
@@ -104,13 +104,13 @@ Contact MeshTracker::step(PointA hip) noexcept {
   const Vec3 from = end - clear_from_;
   const double far2 = glm::dot(from, from), room = clear_gap_ - length;
   if (room > 0.0 && far2 < kNearly * room * room) return true;
-  const double rivals_room = rival_gap_ - length;
-  if (!(rivals_room > 0.0 && far2 < kNearly * rivals_room * rivals_room)) return false;
-  for (int k = 0; k < rival_count_; ++k) {
-    Rival& rival = rivals_[std::size_t(k)];
-    const Vec3 m = end - rival.ball.centre;
-    const double far = rival.ball.radius + length;
-    if (kNearly * glm::dot(m, m) <= far * far && !staysAbove(rival, end)) return false;
+  const double nearby_meshes_room = nearby_mesh_gap_ - length;
+  if (!(nearby_meshes_room > 0.0 && far2 < kNearly * nearby_meshes_room * nearby_meshes_room)) return false;
+  for (int k = 0; k < nearby_mesh_count_; ++k) {
+    NearbyMesh& other = nearby_meshes_[std::size_t(k)];
+    const Vec3 m = end - other.ball.centre;
+    const double far = other.ball.radius + length;
+    if (kNearly * glm::dot(m, m) <= far * far && !staysAbove(other, end)) return false;
   }
   return true;
 }
@@ -125,7 +125,7 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
     scp_ = h;
     return true;
   }
-  if (!settled_) return false;
+  if (!quick_prepared_) return false;
   const Vec3 displacement = h - scp_;
   const double sure = kSure * (std::abs(displacement.x) + std::abs(displacement.y) + std::abs(displacement.z));
   Vec3 s = scp_;
@@ -166,49 +166,49 @@ bool MeshTracker::holdsQuickly(const Vec3& h) noexcept {
   return true;
 }
 
-// Does a plane of the rival's mesh, which is convex, part it from the whole way from the SCP to `end`? The plane that
+// Does a plane of the other's mesh, which is convex, part it from the whole way from the SCP to `end`? The plane that
 // did so last is tried first, then those about it.
-bool MeshTracker::staysAbove(Rival& rival, const Vec3& end) const {
-  if (rival.face < 0) return false;
-  const double r = rival.ball.radius;
-  const Vec3 p = scp_ - rival.ball.centre, q = end - rival.ball.centre;
+bool MeshTracker::staysAbove(NearbyMesh& other, const Vec3& end) const {
+  if (other.face < 0) return false;
+  const double r = other.ball.radius;
+  const Vec3 p = scp_ - other.ball.centre, q = end - other.ball.centre;
   for (int k = 0; k < kMostPlanes; ++k) {
-    const SphereMesh::Face& f = mesh_->faces()[std::size_t(rival.face)];
+    const SphereMesh::Face& f = mesh_->faces()[std::size_t(other.face)];
     const double hp = glm::dot(f.normal, p) - f.height * r, hq = glm::dot(f.normal, q) - f.height * r;
     if (std::min(hp, hq) > kSure * r) return true;
     double highest = hp + hq;
     std::int32_t next = -1;
-    for (const std::int32_t other : f.across) {
-      const SphereMesh::Face& g = mesh_->faces()[std::size_t(other)];
+    for (const std::int32_t neighbour : f.across) {
+      const SphereMesh::Face& g = mesh_->faces()[std::size_t(neighbour)];
       const double height = glm::dot(g.normal, p + q) - 2.0 * g.height * r;
-      if (height > highest) highest = height, next = other;
+      if (height > highest) highest = height, next = neighbour;
     }
     if (next < 0) return false;
-    rival.face = next;
+    other.face = next;
   }
   return false;
 }
 
 // A ball whose mesh the SCP has left: no longer touched, it must be watched again.
-void MeshTracker::watch(const Touch& t) noexcept {
+void MeshTracker::trackNearby(const Touch& t) noexcept {
   clear_gap_ = 0.0;
   for (int k = 0; k < touch_count_; ++k)
     if (&touching_[std::size_t(k)] != &t && touching_[std::size_t(k)].ball == t.ball) return;
-  if (rival_count_ == int(kMostRivals))
-    rival_gap_ = 0.0;
+  if (nearby_mesh_count_ == int(kMostNearbyMeshes))
+    nearby_mesh_gap_ = 0.0;
   else
-    rivals_[std::size_t(rival_count_++)] = {{t.centre, t.radius, t.ball}, t.face};
+    nearby_meshes_[std::size_t(nearby_mesh_count_++)] = {{t.centre, t.radius, t.ball}, t.face};
 }
 
 // After a flow that came to rest held by all that it touches: what the quick ticks need of it.
-void MeshTracker::settle() noexcept {
-  settled_ = hold_count_ > 0 && hold_count_ == touch_count_;
-  if (!settled_ || hold_count_ == 1) return;
+void MeshTracker::prepareQuickTicks() noexcept {
+  quick_prepared_ = hold_count_ > 0 && hold_count_ == touch_count_;
+  if (!quick_prepared_ || hold_count_ == 1) return;
   const Vec3 &n0 = face(touching_[0]).normal, &n1 = face(touching_[1]).normal;
   seam_ = glm::cross(n0, n1);
   seam_cosine_ = glm::dot(n0, n1);
   if (hold_count_ == 2) {
-    settled_ = glm::dot(seam_, seam_) > kSure;
+    quick_prepared_ = glm::dot(seam_, seam_) > kSure;
     return;
   }
   // mu_k |displacement| times the volume squared, negated: more than rounding, and no two of the faces hold the SCP
@@ -228,40 +228,40 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
     if (entry.face >= 0) first = {entry.t, b, entry.face};
   };
   if (options_.coherent && to_go <= kNearWay_A) {
-    const std::array<Rival, kMostRivals> before = rivals_;
-    const int count_before = rival_count_;
-    std::array<double, kRivals + 1> gaps;  // the nearest balls', ascending
+    const std::array<NearbyMesh, kMostNearbyMeshes> before = nearby_meshes_;
+    const int count_before = nearby_mesh_count_;
+    std::array<double, kNearbyMeshes + 1> gaps;  // the nearest balls', ascending
     gaps.fill(1e300);
-    rival_count_ = 0;
+    nearby_mesh_count_ = 0;
     const Vec3 end = scp_ + way * first.t;
     const double visited = nearby_.each(scp_, to_go, [&](const NearBall& b) {
       const Vec3 m = scp_ - b.centre;
-      const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gaps[kRivals];
+      const double far = b.radius + to_go, d2 = glm::dot(m, m), beyond = b.radius + gaps[kNearbyMeshes];
       if (d2 >= far * far && d2 >= beyond * beyond) return;
       if (b.radius <= 0.0 || touches(b.index)) return;
-      Rival rival{b, -1};
+      NearbyMesh other{b, -1};
       if (d2 < far * far) {
         for (int k = 0; k < count_before; ++k)
-          if (before[std::size_t(k)].ball.index == b.index) rival.face = before[std::size_t(k)].face;
-        if (rival.face < 0) rival.face = mesh_->faceAbout(m);
-        if (!staysAbove(rival, end)) look(b);
+          if (before[std::size_t(k)].ball.index == b.index) other.face = before[std::size_t(k)].face;
+        if (other.face < 0) other.face = mesh_->faceAbout(m);
+        if (!staysAbove(other, end)) look(b);
       }
       const double gap = std::sqrt(d2) - b.radius;
-      if (gap >= gaps[kRivals]) return;
-      std::size_t at = kRivals;
+      if (gap >= gaps[kNearbyMeshes]) return;
+      std::size_t at = kNearbyMeshes;
       for (; at > 0 && gaps[at - 1] > gap; --at) {
         gaps[at] = gaps[at - 1];
-        if (at < kRivals) rivals_[at] = rivals_[at - 1];
+        if (at < kNearbyMeshes) nearby_meshes_[at] = nearby_meshes_[at - 1];
       }
       gaps[at] = gap;
-      if (at < kRivals) {
-        rivals_[at] = rival;
-        rival_count_ = std::min(rival_count_ + 1, int(kRivals));
+      if (at < kNearbyMeshes) {
+        nearby_meshes_[at] = other;
+        nearby_mesh_count_ = std::min(nearby_mesh_count_ + 1, int(kNearbyMeshes));
       }
     });
     clear_from_ = scp_;
     clear_gap_ = std::min(gaps[0], visited);
-    rival_gap_ = std::min(gaps[kRivals], visited);
+    nearby_mesh_gap_ = std::min(gaps[kNearbyMeshes], visited);
     return;
   }
   // A long way is looked at piece by piece, from where it enters the scene's box.
@@ -295,7 +295,7 @@ void MeshTracker::meet(const Vec3& way, Meeting& first) noexcept {
 }
 
 // Faces that the SCP has moved off, or out of, are forgotten; meet() finds them again.
-void MeshTracker::dropLeft() noexcept {
+void MeshTracker::removeSeparated() noexcept {
   int kept = 0, left_count = 0;
   std::array<Touch, kMostTouching> left;
   for (int k = 0; k < touch_count_; ++k) {
@@ -306,7 +306,7 @@ void MeshTracker::dropLeft() noexcept {
       left[std::size_t(left_count++)] = t;
   }
   touch_count_ = kept;
-  for (int k = 0; k < left_count; ++k) watch(left[std::size_t(k)]);
+  for (int k = 0; k < left_count; ++k) trackNearby(left[std::size_t(k)]);
 }
 
 void MeshTracker::flow(const Vec3& h) noexcept {
@@ -363,22 +363,22 @@ void MeshTracker::flow(const Vec3& h) noexcept {
       }
     stuck = moved ? 0 : stuck + 1;
     if (first.face >= 0) {
-      if (moved) dropLeft();
+      if (moved) removeSeparated();
       if (touch_count_ == kMostTouching) break;
       const Touch t{first.ball.index, first.face, first.ball.centre, first.ball.radius};
       scp_ -= face(t).normal * heightOver(t, scp_);
       touching_[std::size_t(touch_count_++)] = t;
-      rival_count_ = int(std::remove_if(rivals_.begin(), rivals_.begin() + rival_count_,
-                                        [&](const Rival& r) { return r.ball.index == t.ball; }) -
-                         rivals_.begin());
+      nearby_mesh_count_ = int(std::remove_if(nearby_meshes_.begin(), nearby_meshes_.begin() + nearby_mesh_count_,
+                                              [&](const NearbyMesh& r) { return r.ball.index == t.ball; }) -
+                               nearby_meshes_.begin());
     } else if (over >= 0) {
       touching_[std::size_t(over)].face = face(touching_[std::size_t(over)]).across[edge];
-      if (moved) dropLeft();
+      if (moved) removeSeparated();
     } else {
       if (blocked.count == 0) {
         scp_ = free_from_ = h;
         touch_count_ = 0;
-        clear_gap_ = rival_gap_ = 0.0;
+        clear_gap_ = nearby_mesh_gap_ = 0.0;
         // Between a ball and its mesh the clearance is negative: nothing is known then.
         free_gap_ = options_.coherent ? std::max(0.0, nearby_.clearanceAt(h)) : 0.0;
       } else if (touch_count_ > blocked.count) {  // only what holds is kept, so that the next tick is an ordinary one
@@ -390,7 +390,8 @@ void MeshTracker::flow(const Vec3& h) noexcept {
         std::copy_n(kept.begin(), blocked.count, touching_.begin());
         touch_count_ = blocked.count;
         for (int k = 0; k < count_before; ++k)
-          if (std::find(blocked.by.begin(), blocked.by.end(), k) == blocked.by.end()) watch(before[std::size_t(k)]);
+          if (std::find(blocked.by.begin(), blocked.by.end(), k) == blocked.by.end())
+            trackNearby(before[std::size_t(k)]);
         holding_ = {0, 1, 2};
       }
       return;
@@ -428,7 +429,7 @@ Vec3 MeshTracker::shadedNormal(const Vec3& h) const noexcept {
 void MeshTracker::setProbe(double probe_A) noexcept {
   const double had = nearby_.probe_A(), wanted = usableProbe_A(probe_A, had);
   if (wanted == had) return;
-  const int pieces = !armed_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kSwelling_A));
+  const int pieces = !has_been_outside_ || wanted < had ? 1 : static_cast<int>(std::ceil((wanted - had) / kSwelling_A));
   for (int k = 1; k <= pieces; ++k) {
     nearby_.setProbe(k == pieces ? wanted : had + (wanted - had) * k / pieces);
     if (carry()) continue;
@@ -438,22 +439,25 @@ void MeshTracker::setProbe(double probe_A) noexcept {
   }
 }
 
-bool MeshTracker::setFrame(const SphereFrame* frame) noexcept {
-  nearby_.setFrame(frame);
+bool MeshTracker::setMotion(const SphereMotion* motion) noexcept {
+  if (nearby_.has(motion)) return true;
+  nearby_.setMotion(motion);
   if (!carry()) reset();
   return true;
 }
 
-void MeshTracker::moveTo(double share) noexcept {
-  const double had = nearby_.share();
-  if (armed_) nearby_.each(scp_, 0.0, [](const NearBall&) {});  // so that there is a list
-  const double most_A = std::abs(share - had) * nearby_.mostMoved_A();
-  const int pieces =
-      armed_ && most_A > kSwelling_A ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMostSwellings))) : 1;
+void MeshTracker::advanceTo(double fraction) noexcept {
+  const double had = nearby_.fraction();
+  if (fraction == had) return;
+  if (has_been_outside_) nearby_.each(scp_, 0.0, [](const NearBall&) {});  // so that there is a list
+  const double most_A = std::abs(fraction - had) * nearby_.mostMoved_A();
+  const int pieces = has_been_outside_ && most_A > kSwelling_A
+                         ? static_cast<int>(std::ceil(std::min(most_A / kSwelling_A, kMostSwellings)))
+                         : 1;
   for (int k = 1; k <= pieces; ++k) {
-    nearby_.moveTo(k == pieces ? share : had + (share - had) * k / pieces);
+    nearby_.advanceTo(k == pieces ? fraction : had + (fraction - had) * k / pieces);
     if (carry()) continue;
-    nearby_.moveTo(share);
+    nearby_.advanceTo(fraction);
     reset();
     return;
   }
@@ -464,8 +468,8 @@ void MeshTracker::moveTo(double share) noexcept {
 bool MeshTracker::carry() noexcept {
   forgetSurroundings();
   touch_count_ = hold_count_ = 0;
-  settled_ = false;
-  return !armed_ || pushOut();
+  quick_prepared_ = false;
+  return !has_been_outside_ || pushOut();
 }
 
 // Brings the SCP out of the meshes that have grown over it: out of each through the face it is under, in

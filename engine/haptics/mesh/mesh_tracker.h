@@ -1,35 +1,32 @@
-// The god-object on triangles: every inflated ball is a mesh, the SCP stays outside all of them and goes down
-// |x - h|^2 toward the HIP h, held by up to three faces at once (Zilles & Salisbury 1995); over an edge it
-// goes on to the face that the mesh names beyond it (neighbour tracking, Ho, Basdogan & Srinivasan 1999).
-// Everything within a tick is followed to its end, so that there is no lag: the error is that of the
-// triangles alone.
+// The god-object on triangles. Every inflated ball is a mesh; the SCP stays outside all of them and goes down |x - h|^2
+// toward the HIP h, held by up to three faces at once (Zilles & Salisbury 1995). Over an edge it goes on to the
+// neighbouring face that the mesh names (neighbour tracking, Ho, Basdogan & Srinivasan 1999). Every motion within a
+// tick is followed to its end, so there is no lag: the only error is that of the triangles.
 //
-// The design is the fastest we know that is still triangles:
-// * one mesh for all balls (sphere_mesh.h), scaled and moved to a ball while it is looked at. A tracker with
-// a mesh a
-//   ball, as in the paper, needs SphereMesh::bytes() for each ball of the molecule: wholeMoleculeBytes()
-//   tells how much;
-// * where meshes may be met: the scene's grid of balls, each ball as the bounding sphere of its mesh, then
-// the mesh's tree
-//   of boxes; the balls near the SCP and the distance to the next of them are remembered from tick to tick;
-// * a mesh that the SCP is on is not searched: it is convex, and the SCP's way does not lead under the face
-// it is on;
-// * the ordinary tick, on one face, along the seam of two or at rest on the point of three, does what the whole flow
-// would do
-//   and asks no more than whether anything else is near: a ball near by is parted from the SCP's way by its bounding
-//   sphere or by one plane of its mesh, the last that did so or one about it.
-// `coherent = false` leaves the remembering out: every tick asks the grid and the trees anew, box by box, as published
+// This is the fastest design we know that still uses triangles:
+// * One mesh serves all balls (sphere_mesh.h); it is scaled and moved to a ball while that ball is examined. A tracker
+//   with a mesh for each ball, as in the paper, needs SphereMesh::bytes() for each ball of the molecule;
+//   wholeMoleculeBytes() returns the total.
+// * The scene's grid of balls finds the meshes that may be met, each ball as the bounding sphere of its mesh; then the
+//   mesh's tree of boxes finds the face. The balls near the SCP and the distance to the next ball are remembered from
+//   tick to tick.
+// * A mesh that the SCP is on is not searched: it is convex, and the SCP's path does not lead under the face it is on.
+// * The ordinary tick (on one face, along the seam of two, or at rest on the point of three) does what the whole flow
+//   would do, and asks only whether anything else is near. A ball near by is separated from the SCP's path by its
+//   bounding sphere or by one plane of its mesh: the last plane that did so, or one close to it.
+//
+// `coherent = false` turns the remembering off: every tick asks the grid and the trees again, box by box, as published
 // polygonal trackers do. The places found are the same to the last bit.
 //
-// Force shading: with `smooth`, Contact::normal is made of normals interpolated from the corners' (Ruspini,
-// Kolarov & Khatib 1997), each weighted by its face's share in holding the SCP. Corners on the sphere carry
-// the sphere's own normals, and the interpolation of such normals over a face is the direction from the
-// centre: the best that shading can do.
+// Force shading: with `smooth` the displacement (Contact::displacement_A) keeps its length and is turned to a normal
+// interpolated from the corners' normals (Ruspini, Kolarov & Khatib 1997), each weighted by its face's part in holding
+// the SCP. Corners on the sphere have the sphere's own normals, and the interpolation of such normals over a face is
+// the direction from the centre: no shading can do better.
 //
-// Known failures, pinned by tests: over an edge the SCP leaps by about twice the depth times the tangent of
-// half the angle between the faces, and the flat force turns by that angle; the SCP lies up to a sagitta
-// under the true surface; a gap between balls narrower than two sagittas is open. Feature and atoms: as many
-// balls as hold the SCP. Haptic thread; no allocation after construction. Units: angstrom.
+// Known failures, pinned by tests: over an edge the SCP jumps by about twice the depth times the tangent of half the
+// angle between the faces, and the flat force turns by that angle; the SCP lies up to a sagitta under the true surface;
+// a gap between balls narrower than two sagittas is open. Feature and atoms: the balls that hold the SCP. Haptic
+// thread; no allocation after construction. Units: angstrom.
 #pragma once
 
 #include <array>
@@ -54,19 +51,19 @@ class MeshTracker final : public Tracker {
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
-  bool setFrame(const SphereFrame* frame) noexcept override;
-  void moveTo(double share) noexcept override;
+  bool setMotion(const SphereMotion* motion) noexcept override;
+  void advanceTo(double fraction) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
   /// The shared mesh is counted in full for each tracker. Atoms modelled: those whose meshes the SCP is on.
   MemoryUsage memoryUsage() const noexcept override;
 
-  /// The triangles felt, for one ball of radius 1: what to draw, scaled and moved, round each ball.
+  /// The mesh that is felt, for one ball of radius 1; to draw it, scale and move it to each ball.
   const SphereMesh& mesh() const noexcept { return *mesh_; }
 
-  /// What one mesh a ball takes for that many balls, without the tree over them.
+  /// The memory of one mesh for each of that many balls, without the tree over them.
   std::size_t wholeMoleculeBytes(std::size_t balls) const noexcept { return balls * mesh_->bytes(); }
 
-  /// Ticks whose flow was cut short because it took more pieces than kMostPieces or made no way; the SCP then
+  /// Ticks whose flow was cut short because it took more pieces than kMostPieces or made no progress; the SCP then
   /// lags, outside.
   std::uint64_t cutShort() const noexcept { return cut_short_; }
 
@@ -79,11 +76,11 @@ class MeshTracker final : public Tracker {
     Vec3 centre;
     double radius;
   };
-  struct Rival {
+  struct NearbyMesh {
     NearBall ball;
-    std::int32_t face;  // whose plane may part it from the SCP; -1: none known
+    std::int32_t face;  // whose plane may separate it from the SCP; -1: none known
   };
-  static constexpr std::size_t kRivals = 4, kMostRivals = 8;
+  static constexpr std::size_t kNearbyMeshes = 4, kMostNearbyMeshes = 8;
   struct Meeting {
     double t;
     NearBall ball;
@@ -97,39 +94,39 @@ class MeshTracker final : public Tracker {
   bool touches(std::int32_t ball) const;
   bool holdsQuickly(const Vec3& hip) noexcept;
   bool wellWithin(const Touch& t, const Vec3& place) const;
-  void settle() noexcept;
+  void prepareQuickTicks() noexcept;
   bool isClear(const Vec3& end, double length) noexcept;
-  bool staysAbove(Rival& rival, const Vec3& end) const;
-  void watch(const Touch& t) noexcept;
+  bool staysAbove(NearbyMesh& other, const Vec3& end) const;
+  void trackNearby(const Touch& t) noexcept;
   void flow(const Vec3& hip) noexcept;
   void meet(const Vec3& way, Meeting& first) noexcept;
-  void dropLeft() noexcept;
+  void removeSeparated() noexcept;
   bool pushOut() noexcept;
   bool carry() noexcept;
-  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = rival_gap_ = 0.0; }
+  void forgetSurroundings() noexcept { free_gap_ = clear_gap_ = nearby_mesh_gap_ = 0.0; }
   Vec3 shadedNormal(const Vec3& hip) const noexcept;
   Contact contact(const Vec3& hip) const noexcept;
 
   std::shared_ptr<const SphereMesh> mesh_;
   Options options_;
   NearbyBalls nearby_;
-  Vec3 scp_{0.0};       // this and every place inside the tracker is relative to nearby_.origin()
-  bool armed_ = false;  // has the HIP been outside since the start?
+  Vec3 scp_{0.0};                  // this and every place inside the tracker is relative to nearby_.origin()
+  bool has_been_outside_ = false;  // has the HIP been outside since the start?
   std::array<Touch, kMostTouching> touching_;
   int touch_count_ = 0;
   std::array<int, 3> holding_{};  // places in touching_ of the faces that hold the SCP
   int hold_count_ = 0;
-  bool settled_ = false;  // what holds the SCP is all that it touches, and the next three say how
-  Vec3 seam_{0.0};        // two or three hold: along the seam of the first two
+  bool quick_prepared_ = false;  // the SCP touches only the faces that hold it; the next three describe them
+  Vec3 seam_{0.0};               // two or three hold: along the seam of the first two
   double seam_cosine_ = 0.0;
   std::array<Vec3, 3> holds_{};  // three hold: while the displacement leads against each of these
   Vec3 free_from_{0.0};          // free: no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
   Vec3 clear_from_{0.0};  // in contact: no ball but the ones in touching_ is within clear_gap_ of this place
   double clear_gap_ = 0.0;
-  std::array<Rival, kMostRivals> rivals_;  // the nearest of them; but for these none is within rival_gap_
-  int rival_count_ = 0;
-  double rival_gap_ = 0.0;
+  std::array<NearbyMesh, kMostNearbyMeshes> nearby_meshes_;  // the nearest balls; no other is within nearby_mesh_gap_
+  int nearby_mesh_count_ = 0;
+  double nearby_mesh_gap_ = 0.0;
   std::uint64_t cut_short_ = 0;
 };
 

@@ -177,7 +177,7 @@ std::size_t SphereMesh::bytes() const {
 
 SphereMesh::Entry SphereMesh::enter(const Vec3& from, const Vec3& way, double before) const noexcept {
   Entry best{before, -1};
-  const Vec3 per_way = 1.0 / way;  // infinite where the way has no share in an axis; the comparisons below bear that
+  const Vec3 per_way = 1.0 / way;  // infinite where the path is normal to an axis; the comparisons below allow that
   std::int32_t stack[32];
   int waiting = 0;
   stack[waiting++] = 0;

@@ -1,11 +1,10 @@
-// A unit sphere in triangles, with what a constraint tracker needs of it: planes, the neighbour across each
-// edge, and a tree of bounding boxes. One mesh serves every ball: a ball's triangles are the mesh's, scaled
-// by its radius about its centre, so none need be built or stored for a ball.
+// A unit sphere in triangles, with all that a constraint tracker needs: planes, the neighbour across each edge, and a
+// tree of bounding boxes. One mesh serves every ball: a ball's triangles are the mesh's, scaled by its radius about its
+// centre, so no ball needs triangles of its own.
 //
-// All vertices lie on the sphere, as in the paper's meshes: the mesh is inscribed, its faces lie up to the
-// sagitta (sagitta()) under the true surface. It is convex, so that every edge falls away from both its
-// faces. Made before touching; immutable, so every thread may read it. Lengths are in units of the sphere's
-// radius.
+// All vertices lie on the sphere, as in the paper's meshes: the mesh is inscribed, and its faces lie up to the sagitta
+// (sagitta()) under the true surface. It is convex, so every edge falls away from both its faces. Made before touching;
+// immutable, so every thread may read it. Lengths are in units of the sphere's radius.
 #pragma once
 
 #include <array>
@@ -20,10 +19,10 @@ namespace moltact {
 
 class SphereMesh {
  public:
-  /// 80, 320, 1280 or 5120 triangles: an icosahedron subdivided one to four times. 960, as in the paper: 16
-  /// bands of latitude by 32 of longitude, the poles' bands in triangles, the others in pairs of them; its 2
-  /// x 32 x 15 triangles are nearest to equal in their edges. Any other count is a programmer's mistake
-  /// (asserted). The meshes made are kept: a second call for the same count costs nothing.
+  /// 80, 320, 1280 or 5120 triangles: an icosahedron subdivided one to four times. 960, as in the paper: 16 bands of
+  /// latitude by 32 of longitude, the poles' bands in triangles, the others in pairs of them; its 2 x 32 x 15 triangles
+  /// have the most equal edges. Any other count is a programming error (asserted). Meshes are kept: a second call for
+  /// the same count costs nothing.
   static std::shared_ptr<const SphereMesh> ofTriangles(int count);
 
   struct Face {
@@ -37,7 +36,7 @@ class SphereMesh {
 
   const std::vector<Face>& faces() const { return faces_; }
   const std::vector<Vec3>& vertices() const { return vertices_; }
-  /// 1 - the least height of a face: how far the mesh lies under the sphere at most.
+  /// 1 - the least height of a face: the greatest depth of the mesh under the sphere.
   double sagitta() const { return sagitta_; }
   /// The greatest angle between a face's normal and the sphere's over that face (unit: radian).
   double greatestTilt() const { return tilt_; }
@@ -47,8 +46,8 @@ class SphereMesh {
     double t = 1.0;
     std::int32_t face = -1;
   };
-  /// Where the straight way from `from` to `from + way` first enters through the mesh, with t < `before`;
-  /// face -1 if it does not. A start on a face (within kSkin) enters at t = 0 when the way leads into it.
+  /// The parameter t < `before` and the face at which the straight path from `from` to `from + way` first enters the
+  /// mesh; face -1 if it does not. A start on a face (within kSkin) enters at t = 0 when the path leads into it.
   Entry enter(const Vec3& from, const Vec3& way, double before) const noexcept;
 
   /// The face that the ray from the centre in this direction (any length but zero) passes.

@@ -1,7 +1,6 @@
-// What the paper prepares for every atom of the molecule (sections 4.4 and 4.5): the cones and intersection
-// points of a sphere. Here they are prepared for an atom when it is first touched, in a fixed pool; the atom
-// not touched for the longest time gives up its place. Used by one thread; nothing is allocated after
-// construction. Units: angstrom.
+// The cones and intersection points of a sphere, which the paper prepares for every atom of the molecule (sections 4.4
+// and 4.5). Here they are prepared for an atom when it is first touched, in a fixed pool; the atom that was not touched
+// for the longest time gives up its slot. Used by one thread; nothing is allocated after construction. Units: angstrom.
 #pragma once
 
 #include <cstddef>
@@ -26,15 +25,15 @@ struct AtomModel {
   std::span<const ModelPoint> points;  ///< in the order of their cones, buried ones included
 };
 
-/// Bounds of one model. Atoms as dense as the heavy atoms of a protein (0.057 per cubic angstrom, placed at
-/// random) have with the water probe about 50 cones and 950 points each, twice as dense ones 94 and 3200.
-/// Past a bound the cones that cut least deep, and the points of the later pairs of cones, are left out: the
-/// tracker then does not stop at those circles and points.
+/// Limits of one model. Atoms as dense as the heavy atoms of a protein (0.057 per cubic angstrom, placed at random)
+/// have with the water probe about 50 cones and 950 points each; twice as dense ones have 94 and 3200. Beyond a limit
+/// the shallowest cones, and the points of the later pairs of cones, are left out: the tracker then does not stop at
+/// those circles and points.
 inline constexpr std::size_t kMostCones = 128;
 inline constexpr std::size_t kMostPoints = 4096;
 
-/// So many atoms are held at once: more than usually meet in a pit, so that a HIP that stays in one prepares
-/// nothing new.
+/// The number of atoms held at once: more than usually meet in a pit, so that a HIP that stays in one prepares nothing
+/// new.
 inline constexpr std::size_t kModels = 16;
 
 class AtomModels {

@@ -1,7 +1,6 @@
-// A cone of the paper (section 4.4, Figure 6): apex at a sphere's centre, base an intersection circle. While
-// the HIP is inside one, the SCP is the closest place on the circle (case 2). Each circle is the base of two
-// cones. Plain functions without state, usable on every thread; neither allocates nor throws. Units:
-// angstrom.
+// A cone of the paper (section 4.4, Figure 6): its apex is a sphere's centre, its base an intersection circle. While
+// the HIP is inside one, the SCP is the closest place on the circle (case 2). Each circle is the base of two cones.
+// Plain functions without state, usable on every thread; they neither allocate nor throw. Units: angstrom.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +16,8 @@ struct Cone {
   std::int32_t neighbour = -1;  ///< the other sphere of the circle, whose cone shares the base
 };
 
-/// The test of Figure 6 as the text gives it: the HIP, projected onto the circle's plane, lies less than the
-/// circle's radius from C1, and the angle at the apex between HIP and axis is at most the cone's.
+/// The test of Figure 6 as the text gives it: the HIP, projected onto the circle's plane, lies less than the circle's
+/// radius from C1, and the angle at the apex between HIP and axis is at most the cone's.
 bool insideCone(const Cone& cone, const Vec3& hip);
 
 /// Whether the HIP has crossed the circle's plane and so is in, or nearer to, the cone of the neighbour.

@@ -8,9 +8,8 @@
 
 namespace moltact::paper {
 
-/// Equation 2: how far from the centre of the sphere of radius R, along the line to a sphere of radius r
-/// whose centre is d > 0 away, the plane of their common circle lies. Negative where that plane lies behind
-/// the first centre.
+/// Equation 2: the distance from the centre of the sphere of radius R to the plane of the common circle, along the line
+/// to a sphere of radius r whose centre is d > 0 away. Negative where that plane lies behind the first centre.
 double circleHeight(double R, double r, double d);
 
 struct IntersectionCircle {
@@ -20,12 +19,12 @@ struct IntersectionCircle {
   double height = 0.0;       ///< x, from the first centre to the circle's plane along the axis
 };
 
-/// Equations 2 to 4 for spheres (S0, R) and (S1, r). Empty where there is no circle: spheres apart, one
-/// inside the other, touching in one point, or with one centre.
+/// Equations 2 to 4 for spheres (S0, R) and (S1, r). Empty where there is no circle: spheres apart, one inside the
+/// other, touching in one point, or concentric.
 std::optional<IntersectionCircle> intersectionCircle(const Vec3& S0, double R, const Vec3& S1, double r);
 
-/// The place on the circle nearest to `hip`; on the circle's axis, where all are equally near, the one
-/// nearest to `last`, and where that fails too any one.
+/// The place on the circle nearest to `hip`. For a HIP on the circle's axis all are equally near: then the one nearest
+/// to `last`, and where that fails too, any.
 Vec3 closestOnCircle(const IntersectionCircle& circle, const Vec3& hip, const Vec3& last);
 
 }  // namespace moltact::paper

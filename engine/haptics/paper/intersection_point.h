@@ -1,6 +1,6 @@
-// The points in which three spheres meet and the planes that bound a point's volume (paper, section 4.5,
-// Figure 7, equations 5 to 7). Plain functions without state, usable on every thread; neither allocates nor
-// throws. Units: angstrom.
+// The points in which three spheres meet, and the planes that bound a point's volume (paper, section 4.5, Figure 7,
+// equations 5 to 7). Plain functions without state, usable on every thread; they neither allocate nor throw. Units:
+// angstrom.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ struct IntersectionPoints {
   Vec3 P0{0.0}, P1{0.0};
 };
 
-/// Equations 5 and 6: where the circle of two spheres meets a third sphere of centre S2 and radius r. Empty
-/// where it does not, or only touches it, or lies on it all round.
+/// Equations 5 and 6: the points where the circle of two spheres meets a third sphere of centre S2 and radius r. Empty
+/// where it does not meet it, only touches it, or lies on it all round.
 std::optional<IntersectionPoints> intersectionPoints(const IntersectionCircle& circle, const Vec3& S2, double r);
 
 /// One plane of a point (equation 7), through the point and the axis of one of its circles.
@@ -34,8 +34,8 @@ struct PointVolume {
   const PointPlane* crossed(const Vec3& hip) const;
 };
 
-/// The volume of P, where the spheres of `atoms` with these centres meet. Empty where P and the centres lie
-/// in one plane, for then there is no volume.
+/// The volume of P, where the spheres of `atoms` with these centres meet. Empty where P and the centres lie in one
+/// plane: then there is no volume.
 std::optional<PointVolume> pointVolume(const Vec3& P, const std::array<std::int32_t, 3>& atoms,
                                        const std::array<Vec3, 3>& centres);
 

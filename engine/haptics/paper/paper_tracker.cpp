@@ -14,7 +14,7 @@ PaperTracker::PaperTracker(std::shared_ptr<const BallScene> scene, double probe_
 }
 
 void PaperTracker::reset() noexcept {
-  been_outside_ = false;
+  has_been_outside_ = false;
   state_ = Feature::Free;
   atom_ = -1;
   models_.clear();
@@ -34,17 +34,17 @@ Contact PaperTracker::step(PointA hip) noexcept {
     scp_ = h;
     atom_ = deepestAtomAround(h);
     if (atom_ < 0) {
-      been_outside_ = true;
+      has_been_outside_ = true;
       return {.scp = hip};
     }
-    if (!been_outside_) return {.scp = hip, .fault = Fault::StartedInside};
+    if (!has_been_outside_) return {.scp = hip, .fault = Fault::StartedInside};
     state_ = Feature::Sphere;
   }
 
   if (state_ == Feature::Point) leavePoint(h);
 
   // Section 4.3: "If the HIP moves out of the current sphere it is assumed to be no longer in collision."
-  // The test of all atoms comes with the next tick, as Algorithm 1's if and else part them.
+  // The test of all atoms comes with the next tick, as the if and else of Algorithm 1 have it.
   if (!insideSphere(atom_, h)) {
     state_ = Feature::Free;
     scp_ = h;

@@ -10,7 +10,7 @@ PenaltyTracker::PenaltyTracker(std::shared_ptr<const BallScene> scene, double pr
 }
 
 void PenaltyTracker::reset() noexcept {
-  armed_ = false;
+  has_been_outside_ = false;
   free_gap_ = 0.0;
 }
 
@@ -19,14 +19,16 @@ void PenaltyTracker::setProbe(double probe_A) noexcept {
   free_gap_ = 0.0;
 }
 
-bool PenaltyTracker::setFrame(const SphereFrame* frame) noexcept {
-  nearby_.setFrame(frame);
+bool PenaltyTracker::setMotion(const SphereMotion* motion) noexcept {
+  if (nearby_.has(motion)) return true;
+  nearby_.setMotion(motion);
   free_gap_ = 0.0;
   return true;
 }
 
-void PenaltyTracker::moveTo(double share) noexcept {
-  nearby_.moveTo(share);
+void PenaltyTracker::advanceTo(double fraction) noexcept {
+  if (fraction == nearby_.fraction()) return;
+  nearby_.advanceTo(fraction);
   free_gap_ = 0.0;
 }
 
@@ -60,12 +62,12 @@ Contact PenaltyTracker::step(PointA hip) noexcept {
       if (push.depth > p.depth) std::swap(push, p);
   });
   if (count == 0) {
-    armed_ = true;
+    has_been_outside_ = true;
     free_from_ = h;
     free_gap_ = nearby_.clearanceAt(h);
     return {.scp = hip};
   }
-  if (!armed_) return {.scp = hip, .fault = Fault::StartedInside};
+  if (!has_been_outside_) return {.scp = hip, .fault = Fault::StartedInside};
   last_ = hip.A + sum;
   Contact out{
       .scp = {last_}, .feature = Feature(std::min(count, 3)), .displacement_A = last_ - hip.A, .energy_A2 = energy_A2};

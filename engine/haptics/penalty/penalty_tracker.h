@@ -1,15 +1,14 @@
-// The penalty method: the sum of each ball's push, what a beginner writes first. A ball that the HIP is in
-// pushes it out along its radius by the depth; the pushes of all balls are added. There is no proxy and no
-// memory: the reported SCP is the HIP plus the sum, so that k (SCP - HIP) is the force, and it lies on the
-// surface only where a single ball pushes. What is stored is the sum over the balls, k depth^2 / 2 each, whose slope
-// the force is.
+// The penalty method: the sum of each ball's push, which a beginner writes first. A ball that contains the HIP pushes
+// it out along its radius by the depth; the pushes of all balls are added. There is no proxy and no memory: the
+// reported SCP is the HIP plus the sum, so that k (SCP - HIP) is the force, and it lies on the surface only where a
+// single ball pushes. The stored energy is the sum over the balls of k depth^2 / 2, whose gradient is the force.
 //
-// Known failures, pinned by tests: where balls overlap the pushes add up (a crease feels too stiff, and the
-// SCP jumps by nothing but its slope does); past a centre the push leads out on the far side, so that a HIP
-// pressed deep enough or moved fast enough passes through; deep inside a molecule pushes from all sides
-// cancel. A HIP on a centre gets no push from that ball: no direction is better than another. Feature:
-// Sphere, Circle or Point for one, two, three or more balls that push; `atoms` are the three that push most.
-// Haptic thread; no allocation after construction. Units: angstrom.
+// Known failures, pinned by tests: where balls overlap the pushes add up (a crease feels too stiff, and the SCP's path
+// has a kink there but no jump); past a centre the push leads out on the far side, so that a HIP pressed deep enough or
+// moved fast enough passes through; deep inside a molecule pushes from all sides cancel. A HIP on a centre gets no push
+// from that ball: no direction is better than another. Feature: Sphere, Circle or Point for one, two, three or more
+// balls that push; `atoms` are the three that push most. Haptic thread; no allocation after construction. Units:
+// angstrom.
 #pragma once
 
 #include "engine/haptics/nearby_balls.h"
@@ -24,16 +23,16 @@ class PenaltyTracker final : public Tracker {
   Contact step(PointA hip) noexcept override;
   void reset() noexcept override;
   void setProbe(double probe_A) noexcept override;
-  bool setFrame(const SphereFrame* frame) noexcept override;
-  void moveTo(double share) noexcept override;
+  bool setMotion(const SphereMotion* motion) noexcept override;
+  void advanceTo(double fraction) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
   MemoryUsage memoryUsage() const noexcept override;
 
  private:
   NearbyBalls nearby_;
-  Vec3 last_{0.0};       // the last SCP, for an answer to a HIP that is no place
-  bool armed_ = false;   // has the HIP been outside since the start?
-  Vec3 free_from_{0.0};  // no ball is within free_gap_ of this place
+  Vec3 last_{0.0};                 // the last SCP, for the answer to a non-finite HIP
+  bool has_been_outside_ = false;  // has the HIP been outside since the start?
+  Vec3 free_from_{0.0};            // no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
 };
 

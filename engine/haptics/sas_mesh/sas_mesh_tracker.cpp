@@ -25,7 +25,7 @@ SasMeshTracker::SasMeshTracker(std::shared_ptr<const BallScene> scene, double pr
       mesh_(SurfaceMesh::of(scene_, probe_, spacing_A, origin_)) {}
 
 void SasMeshTracker::reset() noexcept {
-  armed_ = false;
+  has_been_outside_ = false;
   on_ = On::Nothing;
   free_gap_ = 0.0;
 }
@@ -37,11 +37,11 @@ MemoryUsage SasMeshTracker::memoryUsage() const noexcept {
 Contact SasMeshTracker::step(PointA hip) noexcept {
   if (!usableHip(hip.A)) return refusedHip(hip, origin_ + scp_);
   const Vec3 h = hip.A - origin_;
-  if (!armed_) {
+  if (!has_been_outside_) {
     const double gap = clearance(*scene_, probe_, hip.A);
     scp_ = h;
     if (gap < 0.0) return {.scp = hip, .fault = Fault::StartedInside};
-    armed_ = true;
+    has_been_outside_ = true;
     free_from_ = h;
     free_gap_ = gap - margin_;
     return {.scp = hip};

@@ -1,12 +1,12 @@
-// The god-object on one manifold mesh of the solvent-accessible surface (surface_mesh.h): what a polygonal tracker can
-// do at its best, with everything prepared. In flight the SCP goes straight to the HIP, and the mesh's tree of boxes
-// tells which triangle it meets. In contact it goes down |x - h|^2 over the mesh from triangle to triangle (neighbour
-// tracking, Ho, Basdogan & Srinivasan 1999): on a triangle, along an edge in a crease, or in a corner, always the
-// steepest way that stays outside. The mesh has no inner faces and crosses itself nowhere, so in contact nothing is
-// searched.
+// The god-object on one manifold mesh of the solvent-accessible surface (surface_mesh.h): the best that a polygonal
+// tracker can do, with everything prepared. In flight the SCP goes straight to the HIP, and the mesh's tree of boxes
+// finds the triangle that it meets. In contact it goes down |x - h|^2 over the mesh from triangle to triangle
+// (neighbour tracking, Ho, Basdogan & Srinivasan 1999): on a triangle, along an edge in a crease, or in a corner,
+// always along the steepest path that stays outside. The mesh has no inner faces and nowhere intersects itself, so in
+// contact nothing is searched.
 //
-// Only for the probe that it was made for: the whole mesh would have to be made anew for another, so setProbe() changes
-// nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then leaps, and the
+// It works only for the probe that it was made for: another probe would need another mesh, so setProbe() changes
+// nothing. Known failures, pinned by tests: as for any triangles the SCP lags at a facet's edge and then jumps, and the
 // force turns by the angle between facets; a gap narrower than a cell of the mesh's grid may be closed, and a ball
 // smaller than one missed. Feature: Sphere with the triangle's ball. Haptic thread; no allocation after construction.
 // Units: angstrom.
@@ -60,8 +60,8 @@ class SasMeshTracker final : public Tracker {
   double probe_, margin_;
   Vec3 origin_;
   std::shared_ptr<const SurfaceMesh> mesh_;
-  Vec3 scp_{0.0};       // this and every place inside the tracker is relative to origin_
-  bool armed_ = false;  // has the HIP been outside since the start?
+  Vec3 scp_{0.0};                  // this and every place inside the tracker is relative to origin_
+  bool has_been_outside_ = false;  // has the HIP been outside since the start?
   On on_ = On::Nothing;
   std::int32_t triangle_ = -1, edge_ = 0;
   SurfaceMesh::Plane plane_;   // the triangle's

@@ -182,7 +182,7 @@ SurfaceMesh::Plane SurfaceMesh::plane(std::int32_t triangle) const noexcept {
 SurfaceMesh::Hit SurfaceMesh::cast(const Vec3& from, const Vec3& way) const noexcept {
   Hit best;
   if (nodes_.empty()) return best;
-  const Vec3 per_way = 1.0 / way;  // infinite where the way has no share in an axis; the comparisons below bear that
+  const Vec3 per_way = 1.0 / way;  // infinite where the path is normal to an axis; the comparisons below allow that
   const double length = glm::length(way);
   std::int32_t stack[64];
   int waiting = 0;

@@ -1,17 +1,17 @@
-// One closed mesh of the solvent-accessible surface: the border of the union of all balls, inflated by the probe,
-// without the triangles that lie buried in other balls. With what a constraint tracker needs of it: the neighbour
+// One closed mesh of the solvent-accessible surface: the boundary of the union of all balls, inflated by the probe,
+// without the triangles that lie buried in other balls. It has all that a constraint tracker needs: the neighbour
 // across each edge and a tree of bounding boxes.
 //
-// How it is made: the union is sampled at the nodes of a grid; every cell whose corners differ gets a vertex for each
+// How it is made: the union is sampled at the nodes of a grid. Every cell whose corners differ gets a vertex for each
 // sheet of the surface that passes through it, and every grid edge whose ends differ gets a polygon of the vertices
 // round it (dual marching cubes: Ju and others 2002, Nielson 2004). A vertex is put on the sphere that its sheet
-// belongs to, and where a crease or pit of two or three balls passes through the cell, on their circle or point: so the
-// triangles end at the creases, and no corner is cut. Where a face of the grid has four crossings, their two segments
-// get a vertex each, so that the mesh is a manifold: every edge has two triangles. A gap or a bridge narrower than a
-// cell may be missed or closed.
+// belongs to; where a crease or pit of two or three balls passes through the cell, it is put on their circle or point.
+// So the triangles end at the creases, and no corner is cut. Where a face of the grid has four crossings, their two
+// segments get a vertex each, so that the mesh is a manifold: every edge has two triangles. A gap or a bridge narrower
+// than a cell may be missed or closed.
 //
 // Made before touching, for one probe; immutable, so every thread may read it. Units: angstrom; places relative to the
-// origin given.
+// given origin.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ class SurfaceMesh {
     std::array<double, 3> reach{};  ///< inside: dot(out[k], x) <= reach[k]
   };
 
-  /// The last mesh of each spacing is kept: made again for the same scene and probe it costs nothing.
+  /// The last mesh of each spacing is kept: asking again for the same scene and probe costs nothing.
   static std::shared_ptr<const SurfaceMesh> of(const std::shared_ptr<const BallScene>& scene, double probe_A,
                                                double spacing_A, const Vec3& origin);
 
@@ -47,14 +47,14 @@ class SurfaceMesh {
   const std::vector<Vec3>& vertices() const { return vertices_; }
   const std::vector<Triangle>& triangles() const { return triangles_; }
   Plane plane(std::int32_t triangle) const noexcept;
-  std::size_t balls() const { return balls_; }  ///< that have a part in the surface
+  std::size_t balls() const { return balls_; }  ///< the balls that have a part in the surface
   std::size_t bytes() const;
 
   struct Hit {
     double t = 1.0;
     std::int32_t triangle = -1;
   };
-  /// The first triangle that the straight way from `from` to `from + way` enters from outside; triangle -1 if there is
+  /// The first triangle that the straight path from `from` to `from + way` enters from outside; triangle -1 if there is
   /// none.
   Hit cast(const Vec3& from, const Vec3& way) const noexcept;
 

@@ -1,5 +1,5 @@
-// The border of a union of balls as vertices and triangles: the making of SurfaceMesh. Before touching; allocates.
-// Units: angstrom; places relative to the origin given.
+// The boundary of a union of balls as vertices and triangles, from which SurfaceMesh is made. Before touching;
+// allocates. Units: angstrom; places relative to the given origin.
 #pragma once
 
 #include <array>
@@ -19,7 +19,8 @@ struct UnionSurface {
   std::vector<Triangle> triangles;
 };
 
-/// `spacing_A`: of the grid that the union is sampled on; more for a scene wider than half a million of them.
+/// `spacing_A`: the spacing of the grid on which the union is sampled; a scene wider than half a million of them gets a
+/// larger one.
 UnionSurface unionSurface(const BallScene& scene, double probe_A, double spacing_A, const Vec3& origin);
 
 }  // namespace moltact

@@ -189,7 +189,7 @@ class Performer {
 
   std::optional<SurfacePlace> find(const LearnerAct& act) {
     const LessonSession& session = learner_.session();
-    const HandView view = learner_.view();
+    const HandPlanInput view = learner_.view();
     const Molecule* molecule = session.molecule();
     if (!molecule) return std::nullopt;
     const AtomSet atoms(act.place, *molecule);
@@ -204,7 +204,7 @@ class Performer {
   }
 
   void perform(const LearnerAct& act) {
-    const HandView view = learner_.view();
+    const HandPlanInput view = learner_.view();
     HandPlan plan;
     switch (act.kind) {
       case Kind::Do:

@@ -1,4 +1,4 @@
-// What a scripted learner is to do in a lesson, as a text file says it: one act a line, "#" begins a comment. Places
+// The acts of a scripted learner in a lesson, as a text file lists them: one act a line, "#" begins a comment. Places
 // are selections, or crease, pit, sphere or anywhere.
 //
 //   do                            carries out the current task as its kind shows how
@@ -11,8 +11,7 @@
 //   say WORD                      presses a button of the task: here, next, same, different, light, dark
 //   draw 0 N, 0.5 N, 1 N          draws a force curve: values at even distances over the whole axis
 //   answer QUESTION: ANSWER       answers a question of the step, by the number of its place in the step or its id;
-//   choices by
-//                                 number or text, several parted by ";"; else the text itself
+//                                 choices by number or text, several separated by ";"; else the text itself
 //   next   back   go STEP-ID      to another step
 //
 // Any thread but the haptic one.
@@ -38,15 +37,15 @@ struct LearnerAct {
   std::size_t line = 0, column = 0;
 };
 
-/// The acts of a file. Every problem of the text is told, each at its line.
+/// The acts of a file. Every problem of the text is reported, each at its line.
 struct AnswersReading {
   std::vector<LearnerAct> acts;
   std::vector<Problem> problems;
 };
 AnswersReading readAnswers(const std::string& file, std::string_view text);
 
-/// Carries out the acts from the student's step on. What cannot be done in the lesson as it is (a question that is not
-/// in the step, a place that has no atoms) is a problem; the acts after it are still carried out.
+/// Carries out the acts from the student's step on. An act that cannot be done in the lesson as it is (a question that
+/// is not in the step, a place that has no atoms) is a problem; the acts after it are still carried out.
 std::vector<Problem> carryOut(ScriptedLearner& learner, const std::vector<LearnerAct>& acts, const std::string& file);
 
 }  // namespace moltact

@@ -71,8 +71,8 @@ class ScriptedLearner {
 
   /// Follows a plan; stops early where the task was done. The step must have been entered.
   void follow(const HandPlan& plan);
-  /// What plans can be made from now.
-  HandView view(int attempt = 0) const { return touch_.view(attempt); }
+  /// The input from which plans are made now.
+  HandPlanInput view(int attempt = 0) const { return touch_.view(attempt); }
   /// Tells the current task something.
   void tell(const TaskAnswer& answer);
 

@@ -1,8 +1,8 @@
 #include "engine/lesson/scripted_learner/virtual_touch.h"
 
 #include "engine/lesson/lesson_region.h"
-#include "engine/servo/fit_workspace.h"
-#include "engine/servo/scale.h"
+#include "engine/workspace/fit_workspace.h"
+#include "engine/workspace/scale.h"
 
 namespace moltact {
 
@@ -16,29 +16,39 @@ void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSp
     settings_.workspace = magnified(settings_.workspace, *region, DeviceSpecs{});
   scene_ = scene;
   stage_ = {};
-  settings_.probe_A = scene.probe_A;
-  settings_.stiffness_N_per_mm = scene.stiffness_N_per_mm;
-  settings_.force_on = scene.force;
-  exact_ = methods().front().make(balls_, scene.probe_A);
-  method_ = {};
-  useMethod(scene.method);
-  place({balls_->high_A() + Vec3(2.0 * scene.probe_A + 5.0)});
+  exact_ = referenceMethod().make(balls_, scene.touch.probe_A);
+  felt_ = nullptr;
+  feelWith(scene.touch);
+  place({balls_->high_A() + Vec3(2.0 * scene.touch.probe_A + 5.0)});
 }
 
 void VirtualTouch::setStage(const TaskStage& stage) {
   if (stage == stage_) return;
-  settings_.probe_A = stage.probe_A.value_or(scene_.probe_A);
-  settings_.stiffness_N_per_mm = stage.stiffness_N_per_mm.value_or(scene_.stiffness_N_per_mm);
-  if (stage.method != stage_.method) useMethod(stage.method.empty() ? scene_.method : stage.method);
+  TouchSetup touch = touch_;
+  stage.touch.replace(stage_.touch, scene_.touch, touch);
+  feelWith(touch);
   stage_ = stage;
 }
 
 void VirtualTouch::useMethod(std::string_view name) {
-  const Method* method = findMethod(name);
-  if (!method || method->name == method_) return;
-  method_ = method->name;
-  felt_ = interactionKinds().front().make({balls_, method, settings_.probe_A});
-  ++settings_.discontinuities;
+  TouchSetup touch = touch_;
+  touch.method = name;
+  feelWith(touch);
+}
+
+void VirtualTouch::feelWith(const TouchSetup& touch) {
+  if (!felt_ || !madeAlike(touch, touch_)) {
+    std::unique_ptr<Interaction> made = makeInteraction({balls_, touch});
+    if (!made) return;
+    felt_ = std::move(made);
+    ++settings_.discontinuities;
+  }
+  touch_ = touch;
+  settings_.take(touch);
+  method_ = findMethod(touch.method)->name;
+  TouchSetup reference;
+  reference.method = referenceMethod().name;
+  is_reference_ = madeAlike(touch, reference);
 }
 
 void VirtualTouch::place(PointA hip) {
@@ -54,13 +64,12 @@ TouchSample VirtualTouch::tick(PointA hip) {
   ++ticks_;
   if (s.placed) exact_->reset();
   exact_->setProbe(s.probe_A);
-  const bool is_exact = method_ == methods().front().name;
-  TouchSample sample = touchSampleOf(s, method_, is_exact ? s.contact : exact_->step(s.hip));
+  TouchSample sample = touchSampleOf(s, method_, is_reference_ ? s.contact : exact_->step(s.hip));
   sample.time_s = time_s();  // of this clock, which goes on from scene to scene
   return sample;
 }
 
-HandView VirtualTouch::view(int attempt) const {
+HandPlanInput VirtualTouch::view(int attempt) const {
   return {.balls = *balls_,
           .probe_A = settings_.probe_A,
           .N_per_A = settings_.stiffness_N_per_mm / settings_.workspace.A_per_mm,

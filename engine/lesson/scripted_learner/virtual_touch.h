@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/haptics/interactions.h"
+#include "engine/haptics/methods.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
 #include "engine/lesson/tasks/task.h"
@@ -20,7 +21,7 @@ class VirtualTouch {
  public:
   /// Sets the scene of a step with its molecule; the hand begins outside. The clock goes on from scene to scene.
   void begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene);
-  /// What a task asks of the scene, or a default one for the scene as the lesson has it.
+  /// The changes of the scene that a task asks for; a default value for the scene as the lesson has it.
   void setStage(const TaskStage& stage);
   /// Another method, from a fresh start. Unknown names change nothing.
   void useMethod(std::string_view name);
@@ -31,16 +32,20 @@ class VirtualTouch {
   TouchSample tick(PointA hip);
 
   const BallScene& balls() const { return *balls_; }
-  HandView view(int attempt) const;
+  HandPlanInput view(int attempt) const;
   PointA hip() const { return hip_; }
   double time_s() const { return double(ticks_) * kTick_s; }
 
  private:
+  void feelWith(const TouchSetup& touch);
+
   std::shared_ptr<const Molecule> molecule_;
   std::shared_ptr<const BallScene> balls_;
   std::unique_ptr<Interaction> felt_;
   std::unique_ptr<Tracker> exact_;
-  std::string_view method_;
+  TouchSetup touch_;
+  std::string_view method_;    // its name in the table of methods
+  bool is_reference_ = false;  // what is felt is what exact_ would give
   SceneSpec scene_;
   TaskStage stage_;
   ServoSettings settings_;

@@ -21,7 +21,7 @@ class Avoid : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     const bool before = on_region_;
     on_region_ = region_.touchedBy(s.contact);
     touches_ += on_region_ && !before;
@@ -35,7 +35,7 @@ class Avoid : public Task {
     if (touched_s_ >= time_s_) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<std::uint32_t> others;
     for (const std::uint32_t a : everyAtom(view.balls))
       if (!region_.has(static_cast<std::int32_t>(a))) others.push_back(a);

@@ -29,7 +29,7 @@ class CompareMethods : public Task {
     double felt_s = 0.0;
   };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     in_use_ = nullptr;
     double sum_s = 0.0;
@@ -46,7 +46,7 @@ class CompareMethods : public Task {
     if (all) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::vector<SurfacePlace> places = openPlaces(view, everyAtom(view.balls), Feature::Sphere);
     for (const Part& p : parts_) {
@@ -97,7 +97,7 @@ class ComparePlaces : public Task {
     double mean_N() const { return felt_s > 0.0 ? impulse_Ns / felt_s : 0.0; }
   };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     here_ = nullptr;
     double sum_s = 0.0;
@@ -115,7 +115,7 @@ class ComparePlaces : public Task {
     if (all) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     for (const Place& p : places_)
       if (p.felt_s < time_s_)

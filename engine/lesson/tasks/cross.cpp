@@ -27,7 +27,7 @@ class Cross : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     if (!touching_) {
       // A hand that hops for an instant at the crease has not let go.
@@ -59,7 +59,7 @@ class Cross : public Task {
     if (crossed_ >= times_) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<std::uint32_t> both = from_.atoms();
     for (const std::uint32_t a : to_.atoms()) both.push_back(a);
     const auto between = [&](const SurfacePlace& p) {
@@ -83,7 +83,8 @@ class Cross : public Task {
   }
 
   // On the face of one atom, a little away from its crease with another.
-  static SurfacePlace beside(const HandView& view, const SurfacePlace& crease, std::int32_t atom, std::int32_t other) {
+  static SurfacePlace beside(const HandPlanInput& view, const SurfacePlace& crease, std::int32_t atom,
+                             std::int32_t other) {
     constexpr double kBeside_A = 0.6;
     const Ball &on = view.balls[static_cast<std::size_t>(atom)], &from = view.balls[static_cast<std::size_t>(other)];
     const Vec3 up = crease.scp_A - on.centre_A, away = glm::normalize(on.centre_A - from.centre_A);

@@ -30,7 +30,7 @@ class FeelPlaces : public Task {
     bool felt() const { return watch.elapsed_s() >= kTouch_s; }
   };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     on_wanted_ = false;
     std::size_t felt = 0;
@@ -46,7 +46,7 @@ class FeelPlaces : public Task {
     if (felt == places_.size()) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     for (const Wanted& w : places_)
       if (!w.felt())
@@ -87,7 +87,7 @@ class FeelAtoms : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     for (const std::int32_t atom : s.contact.atoms) {
       if (!touching_ || !where_.has(atom) || static_cast<std::size_t>(atom) >= watches_.size()) continue;
@@ -100,7 +100,7 @@ class FeelAtoms : public Task {
     if (felt_ >= wanted_) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     std::vector<std::uint32_t> left;
     for (const std::uint32_t a : where_.atoms())

@@ -43,7 +43,7 @@ class Find : public Task {
     Heat heat = Heat::None;
   };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     now_.touching = s.contact.touching();
     if (!now_.touching || now_.lit) {
       now_.still_s = 0.0;
@@ -72,7 +72,7 @@ class Find : public Task {
     }
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const auto place = placeFor(view, placesToTouch(view, target_));
     if (!place) return plan;
@@ -95,7 +95,7 @@ class Find : public Task {
     if (now_.right) finish();
   }
 
-  void hear(const TaskAnswer& answer) override {
+  void onAnswer(const TaskAnswer& answer) override {
     if (answer.word == "here") {
       here();
       return;
@@ -105,7 +105,7 @@ class Find : public Task {
     if (now_.lit) ++now_.looks;
   }
 
-  std::vector<TaskButton> offered() const override {
+  std::vector<TaskButton> currentButtons() const override {
     if (now_.lit) return {{"dark", N_("Make it dark again"), 'L'}};
     std::vector<TaskButton> out;
     // A mouse lets go before it clicks: the place that was touched last is meant.
@@ -114,7 +114,7 @@ class Find : public Task {
     return out;
   }
 
-  TaskStage wanted() const override { return {.dark = !now_.lit, .force_meter = meter_}; }
+  TaskStage requestedStage() const override { return {.dark = !now_.lit, .force_meter = meter_}; }
 
   std::string guidance() const override {
     const std::string name = name_.text();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
 
@@ -39,7 +40,7 @@ class Hold : public Task {
  private:
   enum class State { Away, Elsewhere, TooLight, TooHard, Good };
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     state_ = stateOf(s);
     if (watch_.tick(state_ == State::Good, dt_s, kSlip_s)) {
       slipped_ = true;
@@ -50,14 +51,14 @@ class Hold : public Task {
     if (watch_.elapsed_s() >= time_s_) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     const double wanted_N = high_N_ < 1e6 ? std::sqrt(std::max(low_N_, 0.05) * high_N_) : std::max(0.3, 1.5 * low_N_);
     HandPlan plan;
     const std::string kind = feature_ == "anywhere" ? "" : feature_;
     if (const auto place = placeFor(view, placesToTouch(view, target_, kind))) {
       comeTo(plan, *place, depthFor(view, wanted_N), time_s_ + 0.5);
       // A method that loses the surface is given up for one that does not.
-      if (view.attempt >= 3) plan.front().method = "exact";
+      if (view.attempt >= 3) plan.front().method = referenceMethod().name;
     }
     return plan;
   }

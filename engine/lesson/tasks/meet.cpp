@@ -32,7 +32,7 @@ class Meet : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     const bool judged = s.exact.touching() && s.contact.fault == Fault::None;
     const Vec3& now = s.contact.displacement_A;
@@ -58,7 +58,7 @@ class Meet : public Task {
     if (watch_.elapsed_s() >= enough_s) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::vector<std::uint32_t> all = everyAtom(view.balls);
     if (what_ == "lost" || what_ == "wrong-side") {

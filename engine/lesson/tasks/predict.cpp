@@ -75,7 +75,7 @@ class Predict : public Task {
     sums_.assign(kPoints, 0.0);
   }
 
-  void hear(const TaskAnswer& answer) override {
+  void onAnswer(const TaskAnswer& answer) override {
     forgetFelt();
     curves_.drawn = answer.curve;
     curves_.drawing = missed_ = false;
@@ -83,7 +83,7 @@ class Predict : public Task {
     setProgress(0.5);
   }
 
-  void take(const TouchSample& s, double) override {
+  void onSample(const TouchSample& s, double) override {
     touching_ = s.contact.touching();
     on_place_ = touching_ && (slides_ || from_.touchedBy(s.contact));
     if (curves_.drawing || !on_place_) return;
@@ -99,7 +99,7 @@ class Predict : public Task {
     if (felt >= kFeltEnough) compare();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const double depth_A = depthFor(view, 0.5);
     const auto start = placeFor(view, placesToTouch(view, from_));

@@ -22,7 +22,7 @@ class Press : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     here_ = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact)
                                                        : isFeature(feature_, s.contact.feature);
@@ -33,7 +33,7 @@ class Press : public Task {
     if (watch_.elapsed_s() >= kTouch_s) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const std::string kind = feature_ == "anywhere" ? "" : feature_;
     if (const auto place = placeFor(view, placesToTouch(view, target_, kind)))

@@ -25,14 +25,14 @@ class Reach : public Task {
   }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     touching_ = s.contact.touching();
     watch_.tick(reached(s.contact), dt_s, 0.0);
     setProgress(watch_.elapsed_s() / kTouch_s);
     if (watch_.elapsed_s() >= kTouch_s) finish();
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<SurfacePlace> places = placesToTouch(view, target_);
     if (places.empty() && near_A_ > 0.0)
       for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), Feature::Sphere, 4000))

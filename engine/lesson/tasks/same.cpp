@@ -1,17 +1,26 @@
 // same: feel two things one after the other in the dark and say whether they are the same; in seeded random order.
 #include <algorithm>
-#include <array>
+#include <iterator>
 #include <random>
 
-#include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
+#include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/tasks/sensitivity.h"
+#include "engine/lesson/touch_keys.h"
 
 namespace moltact {
 namespace {
 
-constexpr std::array<std::string_view, 4> kDiffers{"probe", "stiffness", "method", "place"};
+constexpr std::string_view kPlace = "place";
+
+// In one of these the second thing differs.
+std::vector<std::string_view> differences() {
+  std::vector<std::string_view> out;
+  for (const KeySpec& key : comparedTouchKeys()) out.push_back(key.name);
+  out.push_back(kPlace);
+  return out;
+}
 
 class Same : public Task {
  public:
@@ -27,9 +36,8 @@ class Same : public Task {
         by_place_(spec.values["place"].selection.given()) {
     needed_ = spec.values.has("right") ? std::min(trials_, static_cast<std::size_t>(spec.values["right"].number))
                                        : (3 * trials_ + 3) / 4;
-    if (spec.values.has("probe")) other_.probe_A = spec.values["probe"].number;
-    if (spec.values.has("stiffness")) other_.stiffness_N_per_mm = spec.values["stiffness"].number;
-    if (spec.values.has("method")) other_.method = spec.values["method"].text;
+    for (const TouchProperty& p : touchProperties())
+      if (spec.values.has(p.key)) other_.touch.set(p, touchValueOf(p, spec.values[p.key]));
     if (spec.values["same"].selection.given()) one_.facing = middle(spec.values["same"].selection, molecule);
     other_.facing = by_place_ ? middle(spec.values["place"].selection, molecule) : one_.facing;
     shuffle();
@@ -37,7 +45,7 @@ class Same : public Task {
 
   void reset() override {
     Task::reset();
-    round_ = showing_ = 0;
+    round_ = presentation_ = 0;
     begin();
   }
 
@@ -77,14 +85,14 @@ class Same : public Task {
     return t.second_first != (second_ && t.differ);
   }
 
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     const AtomSet& wanted = by_place_ && showsOther() ? there_ : here_;
     touching_ = s.contact.touching();
     beside_ = touching_ && !wanted.touchedBy(s.contact);
     if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
   }
 
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const auto place = placeFor(view, placesToTouch(view, by_place_ && showsOther() ? there_ : here_));
     if (!place) return plan;
@@ -93,24 +101,24 @@ class Same : public Task {
     return plan;
   }
 
-  std::vector<TaskButton> offered() const override {
+  std::vector<TaskButton> currentButtons() const override {
     if (felt_s_ < time_s_) return {};
     if (!second_) return {{"next", N_("Feel the second")}};
     return {{"same", N_("The same"), 'S'}, {"different", N_("Different"), 'D'}};
   }
 
-  TaskStage wanted() const override {
+  TaskStage requestedStage() const override {
     TaskStage stage = showsOther() ? other_ : one_;
     stage.dark = true;
     stage.force_meter = meter_;
-    stage.showing = showing_ + 1;
+    stage.presentation = presentation_ + 1;
     return stage;
   }
 
-  void hear(const TaskAnswer& answer) override {
+  void onAnswer(const TaskAnswer& answer) override {
     felt_s_ = 0.0;
     touching_ = beside_ = false;
-    ++showing_;
+    ++presentation_;
     if (!second_) {
       second_ = true;
       return;
@@ -183,14 +191,14 @@ class Same : public Task {
   bool tell_ = true, meter_ = true, by_place_ = false;
   TaskStage one_, other_;
   std::vector<Trial> order_;
-  int round_ = 0, showing_ = 0, hits_ = 0, alarms_ = 0;
+  int round_ = 0, presentation_ = 0, hits_ = 0, alarms_ = 0;
   bool second_ = false, touching_ = false, beside_ = false, answered_ = false, failed_ = false, last_right_ = false,
        last_differed_ = false;
 };
 
 void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
   std::size_t given = 0;
-  for (const std::string_view key : kDiffers) {
+  for (const std::string_view key : differences()) {
     const Value& value = spec.values[key];
     if (!value.place.line) continue;
     if (++given > 1)
@@ -206,7 +214,7 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
                         same.place.line,
                         same.place.column,
                         tr("nothing says how the second thing differs from the scene"),
-                        tr("add one of 'probe', 'stiffness', 'method' and 'place'")});
+                        trf("add a line that starts with {0} and a colon", joined(differences(), tr(" or ")))});
   if (place.place.line && !same.selection.given())
     problems.push_back({{},
                         same.place.line,
@@ -224,63 +232,51 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
 }  // namespace
 
 TaskKind sameKind() {
-  return {"same",
-          "Feel two things in the dark and say whether they are the same, several times.",
-          {{.name = "same",
-            .type = ValueType::Target,
-            .meaning = "Where to touch: atoms, or anywhere on the surface. The first thing is the scene as it is.",
-            .required = true,
-            .words = {"anywhere"}},
-           {.name = "probe",
-            .type = ValueType::Quantity,
-            .meaning = "The second thing has a probe of this radius.",
-            .dimension = Dimension::Length,
-            .most = kLargestProbe_A},
-           {.name = "stiffness",
-            .type = ValueType::Quantity,
-            .meaning = "The second thing pushes back so hard.",
-            .dimension = Dimension::Stiffness,
-            .least = 0.01,
-            .most = 5.0},
-           {.name = "method",
-            .type = ValueType::Word,
-            .meaning = "The second thing is felt with this haptic method.",
-            .words = methodNames()},
-           {.name = "place", .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
-           {.name = "trials",
-            .type = ValueType::Count,
-            .meaning = "How many pairs are felt; half of them differ.",
-            .fallback = "8",
-            .least = 2,
-            .most = 100},
-           {.name = "right",
-            .type = ValueType::Count,
-            .meaning = "How many answers must be right; without it three of four.",
-            .least = 1,
-            .most = 100},
-           {.name = "for",
-            .type = ValueType::Quantity,
-            .meaning = "How long each thing is touched at least.",
-            .fallback = "1 s",
-            .dimension = Dimension::Time,
-            .least = 0.1,
-            .most = 60.0},
-           {.name = "tell",
-            .type = ValueType::Word,
-            .meaning = "Whether each answer is judged at once.",
-            .fallback = "yes",
-            .words = {"yes", "no"}},
-           {.name = "meter",
-            .type = ValueType::Word,
-            .meaning = "Whether the force is shown, how great and whereto; without a force-feedback device it is all "
-                       "there is to feel.",
-            .fallback = "on",
-            .words = {"on", "off"}},
-           {.name = "seed",
-            .type = ValueType::Count,
-            .meaning = "Another number gives another order of the pairs.",
-            .fallback = "1",
-            .most = 1e6}},
+  std::vector<KeySpec> keys{
+      {.name = "same",
+       .type = ValueType::Target,
+       .meaning = "Where to touch: atoms, or anywhere on the surface. The first thing is the scene as it is.",
+       .required = true,
+       .words = {"anywhere"}}};
+  for (KeySpec& key : comparedTouchKeys()) keys.push_back(std::move(key));
+  const KeySpec others[]{
+      {.name = kPlace, .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
+      {.name = "trials",
+       .type = ValueType::Count,
+       .meaning = "How many pairs are felt; half of them differ.",
+       .fallback = "8",
+       .least = 2,
+       .most = 100},
+      {.name = "right",
+       .type = ValueType::Count,
+       .meaning = "How many answers must be right; without it three of four.",
+       .least = 1,
+       .most = 100},
+      {.name = "for",
+       .type = ValueType::Quantity,
+       .meaning = "How long each thing is touched at least.",
+       .fallback = "1 s",
+       .dimension = Dimension::Time,
+       .least = 0.1,
+       .most = 60.0},
+      {.name = "tell",
+       .type = ValueType::Word,
+       .meaning = "Whether each answer is judged at once.",
+       .fallback = "yes",
+       .words = {"yes", "no"}},
+      {.name = "meter",
+       .type = ValueType::Word,
+       .meaning = "Whether the force is shown, how great and whereto; without a force-feedback device it is all "
+                  "there is to feel.",
+       .fallback = "on",
+       .words = {"on", "off"}},
+      {.name = "seed",
+       .type = ValueType::Count,
+       .meaning = "Another number gives another order of the pairs.",
+       .fallback = "1",
+       .most = 1e6}};
+  keys.insert(keys.end(), std::begin(others), std::end(others));
+  return {"same", "Feel two things in the dark and say whether they are the same, several times.", std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
           &checkSame};
 }

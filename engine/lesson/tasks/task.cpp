@@ -23,7 +23,7 @@ void Task::feed(const TouchSample& sample) {
   last_time_s_ = sample.time_s;
   inside_ = sample.contact.fault == Fault::StartedInside;
   measureTouch(sample, dt);
-  take(sample, dt);
+  onSample(sample, dt);
 }
 
 void Task::measureTouch(const TouchSample& sample, double dt_s) {
@@ -45,11 +45,12 @@ void Task::answer(const TaskAnswer& given) {
   if (const TaskCurves* asked = curves();
       asked && asked->drawing && given.curve.size() == asked->drawn.size() && !given.curve.empty()) {
     if (std::all_of(given.curve.begin(), given.curve.end(), [](double v) { return std::isfinite(v) && v >= 0.0; }))
-      hear(given);
+      onAnswer(given);
     return;
   }
-  const std::vector<TaskButton> there = offered();
-  if (std::any_of(there.begin(), there.end(), [&](const TaskButton& b) { return b.word == given.word; })) hear(given);
+  const std::vector<TaskButton> there = currentButtons();
+  if (std::any_of(there.begin(), there.end(), [&](const TaskButton& b) { return b.word == given.word; }))
+    onAnswer(given);
 }
 
 std::vector<TaskFigure> Task::figures() const {
@@ -98,7 +99,7 @@ std::vector<std::uint32_t> AtomSet::atoms() const {
   return out;
 }
 
-std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& atoms, std::string_view feature) {
+std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet& atoms, std::string_view feature) {
   if (feature == "crease") return openPlaces(view, atoms.atoms(), Feature::Circle);
   if (feature == "pit") return openPlaces(view, atoms.atoms(), Feature::Point);
   std::vector<SurfacePlace> places = openPlaces(view, atoms.atoms(), Feature::Sphere);

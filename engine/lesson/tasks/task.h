@@ -33,21 +33,22 @@ struct TaskFigure {
   std::string_view unit;  ///< "s", "N", "Å", "%"; empty for a count
 };
 
-/// Something that the student can tell the task now.
+/// An answer that the student can give the task now.
 struct TaskButton {
   std::string_view word;   ///< for TaskAnswer
   std::string_view label;  ///< as the button says it
   char key = '\n';         ///< that presses it: a capital letter, or '\n' for Enter
 };
 
-/// What a task asks of the scene while it is under way. What is not given stays as the lesson's scene has it.
+/// The changes of the scene that a task asks for while it is under way. Values that are not given stay as the lesson's
+/// scene has them.
 struct TaskStage {
   bool dark = false;         ///< the molecule is not drawn and no atom is named: the way is found by touch alone
   bool force_meter = false;  ///< in the dark the force is shown
-  std::optional<double> probe_A = {}, stiffness_N_per_mm = {};
-  std::string method = {};
+  TouchChange touch = {};    ///< felt with something else
   std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
-  int showing = 0;  ///< another number: the hand lets go and begins anew outside, so that nothing else tells a change
+  int presentation = 0;  ///< another number begins a new presentation: the hand lets go and starts outside again, so
+                         ///< that nothing but the touch shows whether something has changed
 
   friend bool operator==(const TaskStage&, const TaskStage&) = default;
 };
@@ -77,28 +78,28 @@ class Task {
   /// One sentence for the student: what is going on and what to do next. The author's praise when done.
   std::string sentence() const;
 
-  /// What the student can tell now; none once done. In the order in which they are shown.
-  std::vector<TaskButton> buttons() const { return done_ ? std::vector<TaskButton>() : offered(); }
-  /// Takes what the student tells. Words that are not offered and curves that are not asked for are passed over.
+  /// The answers that the student can give now, in the order in which they are shown; none once done.
+  std::vector<TaskButton> buttons() const { return done_ ? std::vector<TaskButton>() : currentButtons(); }
+  /// Takes an answer of the student. Words that are not offered and curves that are not asked for are passed over.
   void answer(const TaskAnswer& answer);
   /// Null for a task without a curve to draw.
   virtual const TaskCurves* curves() const { return nullptr; }
-  /// What it asks of the scene; the lesson's own scene once done.
-  TaskStage stage() const { return done_ ? TaskStage() : wanted(); }
+  /// The changes of the scene that it asks for; none once done.
+  TaskStage stage() const { return done_ ? TaskStage() : requestedStage(); }
 
-  /// What was measured, from the start until now or until done: time, time in contact, mean and greatest force in
-  /// contact, the way of the contact point over the surface; then what the kind itself measures.
+  /// The figures measured from the start until now or until done: time, time in contact, mean and greatest force in
+  /// contact, the way of the contact point over the surface; then those of the kind itself.
   std::vector<TaskFigure> figures() const;
-  /// Of these, what the kind itself measures.
+  /// Those of the kind itself alone.
   std::vector<TaskFigure> ownFigures() const {
     std::vector<TaskFigure> out;
     measure(out);
     return out;
   }
 
-  /// What a hand should do next to carry it out; empty where no place for it is open to a probe from outside. Asked for
-  /// anew when the plan has been followed and the task is not done.
-  virtual HandPlan demonstrate(const HandView& view) const = 0;
+  /// The plan by which a hand carries it out from here; empty where no place for it is open to a probe from outside. It
+  /// is asked for again when the plan has been followed and the task is not done.
+  virtual HandPlan demonstrate(const HandPlanInput& view) const = 0;
 
   /// Forgets everything, as at the start.
   virtual void reset();
@@ -107,15 +108,15 @@ class Task {
   explicit Task(const TaskSpec& spec) : praise_(spec.values["praise"]) {}
 
   /// One good tick; `dt_s` is the time since the last one, 0 for the first and after a gap.
-  virtual void take(const TouchSample& sample, double dt_s) = 0;
+  virtual void onSample(const TouchSample& sample, double dt_s) = 0;
   /// The sentence while the task is under way.
   virtual std::string guidance() const = 0;
-  /// What is told before the author's praise once it is done; may be empty.
+  /// The text before the author's praise once it is done; may be empty.
   virtual std::string afterwards() const { return {}; }
   /// A good answer while the task is under way: its word is offered, or its curve is of the right length and finite.
-  virtual void hear(const TaskAnswer&) {}
-  virtual std::vector<TaskButton> offered() const { return {}; }
-  virtual TaskStage wanted() const { return {}; }
+  virtual void onAnswer(const TaskAnswer&) {}
+  virtual std::vector<TaskButton> currentButtons() const { return {}; }
+  virtual TaskStage requestedStage() const { return {}; }
   /// The kind's own figures.
   virtual void measure(std::vector<TaskFigure>&) const {}
 
@@ -177,8 +178,8 @@ struct PathPlace {
 /// The places of a path: one part stands for its atoms in the order of the file, each of several parts for one place.
 std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule);
 
-/// What a task's target is called in the middle of a sentence: as the author called it, or made from the selection or
-/// the kind of place in a key, in the language in use when it is asked for.
+/// The name of a task's target in the middle of a sentence: as the author called it, or made from the selection or the
+/// kind of place in a key, in the language in use when it is asked for.
 class TargetName {
  public:
   /// `called`: the key with which the author may name it.
@@ -197,7 +198,7 @@ const char* placeName(std::string_view word);
 
 /// Places that a hand can take to touch these atoms, or a kind of place where `feature` names one ("sphere", "crease",
 /// "pit") that these atoms make.
-std::vector<SurfacePlace> placesToTouch(const HandView& view, const AtomSet& atoms, std::string_view feature = {});
+std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet& atoms, std::string_view feature = {});
 
 /// "sphere" -> a single atom's sphere, "crease" -> a circle, "pit" -> a point.
 bool isFeature(std::string_view word, Feature feature);

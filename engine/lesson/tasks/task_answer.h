@@ -1,4 +1,4 @@
-// What the student tells a task otherwise than by touch. Plain data.
+// A student's answer to a task, given otherwise than by touch. Plain data.
 #pragma once
 
 #include <string>

@@ -55,7 +55,7 @@ class Trace : public Task {
   virtual const char* unnamed() const { return tr("the way"); }
 
  private:
-  void take(const TouchSample& s, double dt_s) override {
+  void onSample(const TouchSample& s, double dt_s) override {
     if (!s.contact.touching()) {
       away_s_ += dt_s;
       if (away_s_ > kSlip_s && begun() && state_ != State::Lifted && state_ != State::Again) letGo();
@@ -245,7 +245,7 @@ class TraceAtoms : public Trace {
   }
 
   // Over the faces of the path's atoms that are open, one after the other, each the one nearest to the last.
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     std::vector<SurfacePlace> way;
     for (const Stop& stop : stops_) {
       const std::vector<SurfacePlace> open = openPlaces(view, stop.place.atoms, Feature::Sphere);
@@ -309,7 +309,7 @@ class TraceCrease : public Trace {
   }
 
   // Along each stretch of crease; where the next place is far, the hand comes down anew.
-  HandPlan demonstrate(const HandView& view) const override {
+  HandPlan demonstrate(const HandPlanInput& view) const override {
     constexpr double kNext_A = 0.8;
     HandPlan plan;
     const SurfacePlace* last = nullptr;

@@ -1,11 +1,13 @@
 // The stand-in libHD.so for the tests of the Omni's driver, and the servo loop over it whose clock a test steps by
-// hand.
+// hand: a tick is a millisecond, also for the guard, however long the machine takes over it.
 #pragma once
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <cstdlib>
 #include <memory>
 #include <string>
@@ -28,18 +30,26 @@ struct StandIn {
     const auto opened = SharedLibrary::open({&name, 1});
     REQUIRE(opened);
     library = new SharedLibrary(*opened);
-    OmniDevice::letGo();
+    OmniDevice::closeUnused();
     call<void(bool)>("standInReset")(manual);
   }
   ~StandIn() {
-    OmniDevice::letGo();
+    OmniDevice::closeUnused();
     delete library;
   }
   template <class F>
   F* call(const char* name) const {
     return reinterpret_cast<F*>(library->symbol(name));
   }
-  void step(int ticks) const { call<void(int)>("standInStep")(ticks); }
+  /// Time since the program's start, by the ticks that were stepped.
+  static inline std::atomic<std::int64_t> stepped_ns{0};
+  static std::int64_t now_ns() noexcept { return stepped_ns; }
+  /// Time goes on and no tick comes.
+  static void stand(int ms) { stepped_ns += std::int64_t(ms) * 1'000'000; }
+  void step(int ticks) const {
+    const auto step_stand_in = call<void(int)>("standInStep");
+    for (int k = 0; k < ticks; ++k) stand(1), step_stand_in(1);
+  }
   void attach(bool on) const { call<void(bool)>("standInAttach")(on); }
   void error(std::uint32_t code) const { call<void(std::uint32_t)>("standInError")(code); }
   void calibration(std::uint32_t state, std::uint32_t style) const {
@@ -54,6 +64,7 @@ struct StandIn {
   int errorsLeft() const { return call<int()>("standInErrorsLeft")(); }
   bool initialised() const { return call<bool()>("standInInitialised")(); }
   double force() const { return call<double()>("standInForce")(); }
+  bool forcesOn() const { return call<bool()>("standInForcesOn")(); }
   double driven() const { return call<double()>("standInDriven")(); }
   void errorAtEnd(std::uint32_t code) const { call<void(std::uint32_t)>("standInErrorAtEnd")(code); }
   std::uint32_t updates() const { return call<std::uint32_t()>("standInUpdates")(); }
@@ -61,7 +72,7 @@ struct StandIn {
 };
 
 // What the haptic thread does with a device that brings its clock, without the thread.
-struct Loop final : TickTarget {
+struct Loop final : ClockListener {
   explicit Loop(Device& device) : stylus(device), devices(mouse, &device) {
     std::vector<Ball> balls;
     for (int k = 0; k < 27; ++k) balls.push_back({Vec3(k % 3 - 1, k / 3 % 3 - 1, k / 9 - 1) * 1.7, 1.6});
@@ -69,7 +80,7 @@ struct Loop final : TickTarget {
     CHECK(stylus.startClock(*this));
   }
   ~Loop() { stylus.stopClock(); }
-  void tickOfDevice() noexcept override {
+  void onDeviceTick() noexcept override {
     const DevicePose pose = devices.read(kTick_s, step);
     last = step.tick(settings, tracker.get(), pose);
     devices.write({last.force});
@@ -88,7 +99,7 @@ struct Loop final : TickTarget {
 };
 
 inline std::unique_ptr<OmniDevice> opened() {
-  auto device = OmniDevice::open();
+  auto device = OmniDevice::open(&StandIn::now_ns);
   REQUIRE(device);
   return std::move(*device);
 }

@@ -20,7 +20,7 @@ Pair feelPair(Task& task, Hand& hand, Say say) {
   bool other[2] = {};
   for (int k = 0; k < 2; ++k) {
     REQUIRE(task.stage().dark);
-    other[k] = task.stage().probe_A.has_value();
+    other[k] = task.stage().touch.has(&TouchSetup::probe_A);
     pair.order += other[k] ? 'B' : 'A';
     hand.away(0.01);
     CHECK(task.buttons().empty());

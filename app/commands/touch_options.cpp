@@ -1,0 +1,39 @@
+#include "app/commands/touch_options.h"
+
+#include <variant>
+
+#include "app/commands/number_range.h"
+#include "engine/haptics/contact.h"
+
+namespace moltact {
+
+void addTouchOptions(CLI::App& command, TouchSetup& touch) {
+  for (const TouchProperty& p : touchProperties()) {
+    if (!p.made_with || !isChoice(p)) continue;
+    const std::string name = "--" + std::string(p.key);
+    std::string help(p.meaning);
+    std::vector<std::string> words;
+    if (p.words)
+      for (const TouchWord& w : p.words()) {
+        words.emplace_back(w.name);
+        help += "\n  " + words.back() + ": " + std::string(w.sentence);
+      }
+    std::visit(
+        [&](const auto member) {
+          CLI::Option* option = command.add_option(name, touch.*member, help)->capture_default_str();
+          if (!words.empty())
+            option->check(CLI::IsMember(words));
+          else if (std::holds_alternative<double TouchSetup::*>(p.member))
+            option->check(numberFrom(p.in_scenes.least, p.in_scenes.most));
+        },
+        p.member);
+  }
+}
+
+void addProbeOption(CLI::App& command, TouchSetup& touch) {
+  command.add_option("--probe", touch.probe_A, "the probe's radius, added to every atom's (angstrom)")
+      ->check(numberFrom(0.0, kLargestProbe_A))
+      ->capture_default_str();
+}
+
+}  // namespace moltact

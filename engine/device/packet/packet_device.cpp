@@ -1,0 +1,193 @@
+#include "engine/device/packet/packet_device.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "engine/language/catalogue.h"
+#include "engine/platform/force_inhibit.h"
+
+namespace moltact {
+namespace {
+
+constexpr int kWait_ms = 1;       // for a report, before the force is given all the same
+constexpr int kMostReports = 64;  // read at once: the newest is what counts
+constexpr auto kLookAgain = std::chrono::milliseconds(500);
+constexpr auto kNap = std::chrono::milliseconds(20);
+
+}  // namespace
+
+Expected<std::unique_ptr<Device>> PacketDevice::open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
+                                                     DeviceInfo known) {
+  std::unique_ptr<PacketDevice> device(new PacketDevice(std::move(known)));
+  device->opener_ = std::move(opener);
+  device->protocol_ = std::move(protocol);
+  if (auto problem = device->openPort()) return *problem;
+  const DeviceGuidance guidance = device->protocol_->guidance();
+  State first;
+  first.pose.fresh = false;
+  first.pose.fault = guidance.text != nullptr;
+  device->state_.write(first);
+  device->guidance_.write(guidance);
+  device->thread_ = std::thread([raw = device.get()] { raw->run(); });
+  return std::unique_ptr<Device>(std::move(device));
+}
+
+PacketDevice::~PacketDevice() {
+  ends_.store(true);
+  if (thread_.joinable()) thread_.join();
+}
+
+// Another device of the kind may have come than the one that was: its own figures are asked for each time.
+std::optional<Problem> PacketDevice::openPort() {
+  DeviceInfo info = known_;
+  auto port = opener_([&](PacketPort& candidate) {
+    info = known_;
+    return protocol_->begin(candidate, info);
+  });
+  if (!port) return port.problem();
+  port_ = std::move(*port);
+  info_.set(std::move(info));
+  return std::nullopt;
+}
+
+bool PacketDevice::reopen(State& state) {
+  if (openPort()) return false;
+  state.pose.connected = true;
+  state.pose.buttons = 0;
+  ++state.pose.discontinuities;  // nobody knows where it was meanwhile
+  state.received = Clock::now();
+  guidance_.write(protocol_->guidance());
+  gone_.store(false);
+  return true;
+}
+
+// Everything that has come, the newest counts; -1: the device is gone.
+int PacketDevice::receive(State& state) {
+  std::array<std::uint8_t, kMostReportBytes> in{};
+  int size = port_->read(in, kWait_ms);
+  for (int k = 0; k < kMostReports && size > 0; ++k) {
+    if (protocol_->parseReport({in.data(), std::min<std::size_t>(std::size_t(size), in.size())}, state.pose)) {
+      ++state.count;
+      state.received = Clock::now();
+    }
+    size = port_->read(in, 0);
+  }
+  if (calibrate_.exchange(false, std::memory_order_acq_rel) && protocol_->calibrate()) ++state.pose.discontinuities;
+  const DeviceGuidance guidance = protocol_->guidance();
+  state.pose.fault = guidance.text != nullptr;
+  guidance_.write(guidance);
+  return size;
+}
+
+// The newest force, or none; false: the device took nothing.
+bool PacketDevice::sendNewest(State& state) {
+  std::array<std::uint8_t, kMostReportBytes> out{};
+  if (!last_report_kept_) {
+    if (const std::size_t length = protocol_->encodeFinalReport(out)) {
+      port_->lastReport({out.data(), length});
+      last_report_kept_ = true;
+    }
+  }
+  const Command newest = command_.read();
+  const bool is_new = newest.count != newest_command_.count;
+  if (is_new) newest_command_ = newest;
+  const bool timed_out = std::chrono::duration<double>(Clock::now() - newest_command_.at).count() > kCommandTimeout_s;
+  const bool none = timed_out || !newest_command_.motors_on || forceInhibited();
+  const std::size_t length = none ? protocol_->encodeStop(out) : protocol_->encode(newest_command_.wrench, out);
+  if (length == 0) return true;
+  if (!port_->write({out.data(), length})) return false;
+  if (is_new) state.wait_s = std::chrono::duration<double>(Clock::now() - newest_command_.at).count();
+  return true;
+}
+
+// A device that can no longer be read or written may still listen: the last thing tried is to end its force.
+void PacketDevice::lose(State& state) noexcept {
+  sendFinalReport();
+  port_.reset();
+  last_report_kept_ = false;
+  gone_.store(true);
+  state.pose.connected = false;
+  state_.write(state);
+  view_motion_.write({});
+  look_again_ = Clock::now() + kLookAgain;
+}
+
+void PacketDevice::sendFinalReport() noexcept {
+  if (!port_) return;
+  std::array<std::uint8_t, kMostReportBytes> out{};
+  try {
+    if (const std::size_t length = protocol_->encodeFinalReport(out)) port_->write({out.data(), length});
+  } catch (...) {  // the port fails altogether
+  }
+}
+
+void PacketDevice::run() {
+  State state;
+  state.pose.fresh = false;
+  Clock::time_point last = Clock::now();
+  look_again_ = newest_command_.at = last;
+  while (!ends_.load()) {
+    try {
+      if (!port_) {
+        std::this_thread::sleep_for(kNap);
+        if (Clock::now() < look_again_) continue;
+        if (!reopen(state)) {
+          look_again_ = Clock::now() + kLookAgain;
+          continue;
+        }
+        last = Clock::now();
+      }
+      if (receive(state) < 0) {
+        lose(state);
+        continue;
+      }
+      const Clock::time_point now = Clock::now();
+      protocol_->turnHand(turns_hand_.load(std::memory_order_relaxed));
+      protocol_->advance(std::min(0.05, std::chrono::duration<double>(now - last).count()), state.pose);
+      last = now;
+      state_.write(state);
+      view_motion_.write(protocol_->viewMotion());
+      if (!sendNewest(state)) lose(state);
+    } catch (...) {  // memory is out, or a port throws: the device is reopened
+      lose(state);
+    }
+  }
+  sendFinalReport();
+}
+
+DevicePose PacketDevice::read(double) noexcept {
+  const State& state = state_.read();
+  DevicePose pose = state.pose;
+  // A device without force may be silent while nobody moves it.
+  const bool gives_force = info().gives_force;
+  pose.fresh = !gives_force || state.count != last_read_;
+  if (gives_force && state.count > 0)
+    pose.age_s = float(std::chrono::duration<double>(Clock::now() - state.received).count() + state.wait_s);
+  last_read_ = state.count;
+  return pose;
+}
+
+void PacketDevice::command(const Wrench& wrench, bool motors_on) noexcept {
+  next_command_.wrench = wrench;
+  next_command_.motors_on = motors_on;
+  next_command_.at = Clock::now();
+  ++next_command_.count;
+  command_.write(next_command_);
+}
+
+DeviceStatus PacketDevice::status() {
+  DeviceStatus status;
+  status.connected = !gone_.load();
+  if (!status.connected) {
+    status.ready = false;
+    status.text = trf("{0} is unplugged: plug it in again.", tr(info().name.c_str()));
+  } else if (const DeviceGuidance guidance = guidance_.read(); guidance.text) {
+    status.ready = false;
+    status.text = tr(guidance.text);
+    status.asks_calibrate = guidance.asks_calibrate;
+  }
+  return status;
+}
+
+}  // namespace moltact

@@ -1,0 +1,79 @@
+#include "engine/haptics/sphere_motion.h"
+
+#include <algorithm>
+#include <atomic>
+#include <string>
+
+#include "engine/haptics/tracker.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+
+namespace moltact {
+namespace {
+
+bool usable(const Ball& b) {
+  return finite(b.centre_A) && glm::length(b.centre_A) <= kFarthest_A && std::isfinite(b.radius_A) &&
+         b.radius_A >= 0.0 && b.radius_A <= kFarthest_A;
+}
+
+// Tells motions apart also where one lies where another was.
+std::uint64_t nextSerial() {
+  static std::atomic<std::uint64_t> serial{0};
+  return ++serial;
+}
+
+}  // namespace
+
+SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Ball> bounds, int ticks, double most_moved_A)
+    : spheres_(std::move(spheres)),
+      bounds_(std::move(bounds), BallScene::Duplicates::VisitEach),
+      ticks_(ticks),
+      most_moved_(most_moved_A),
+      serial_(nextSerial()) {}
+
+Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMotion& before, std::span<const Ball> to,
+                                                                  int ticks) {
+  auto made = make(before.at(1.0), to, ticks);
+  // Not yet shared with anybody, so it may still be changed.
+  if (made) const_cast<SphereMotion&>(**made).continues_ = before.serial_;
+  return made;
+}
+
+Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const Ball> from, std::span<const Ball> to,
+                                                                 int ticks) {
+  const auto problem = [](std::string what, std::string remedy) {
+    return Problem{"", 0, 0, std::move(what), std::move(remedy)};
+  };
+  if (ticks < 1 || ticks > kMostTicks)
+    return problem(trf("a motion of spheres cannot take {0} ticks", ticks), trf("give it 1 to {0}", kMostTicks));
+  if (from.size() != to.size())
+    return problem(trf("a motion begins with {0} spheres and ends with {1}", from.size(), to.size()),
+                   tr("give as many places as there are spheres"));
+  std::vector<Moving> spheres(from.size());
+  std::vector<Ball> bounds(from.size());
+  double most_A = 0.0;
+  for (std::size_t i = 0; i < from.size(); ++i) {
+    if (!usable(from[i]) || !usable(to[i]))
+      return problem(trf("sphere {0} of a motion is at no place, or has no radius", i + 1),
+                     trf("give finite coordinates within {0} and radii that are not negative",
+                         quantityText(kFarthest_A, Dimension::Length, plain())));
+    const Vec3 way = to[i].centre_A - from[i].centre_A;
+    const double growth = to[i].radius_A - from[i].radius_A;
+    spheres[i] = {from[i], way, growth};
+    most_A = std::max(most_A, spheres[i].moved_A());
+    // Rounding of a place on the way is far below the spare part.
+    const double spare = 1e-12 * (glm::length(from[i].centre_A) + glm::length(to[i].centre_A));
+    bounds[i] = {from[i].centre_A + 0.5 * way,
+                 std::max(from[i].radius_A, to[i].radius_A) + 0.5 * glm::length(way) + spare};
+    if (way == Vec3(0.0) && growth == 0.0) bounds[i] = from[i];
+  }
+  return std::unique_ptr<const SphereMotion>(new SphereMotion(std::move(spheres), std::move(bounds), ticks, most_A));
+}
+
+std::vector<Ball> SphereMotion::at(double fraction) const {
+  std::vector<Ball> out(spheres_.size());
+  std::transform(spheres_.begin(), spheres_.end(), out.begin(), [&](const Moving& s) { return s.at(fraction); });
+  return out;
+}
+
+}  // namespace moltact

@@ -1,0 +1,173 @@
+#include "engine/haptics/touch_setup.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <type_traits>
+
+#include "engine/haptics/interactions.h"
+#include "engine/haptics/methods.h"
+#include "engine/language/catalogue.h"
+
+namespace moltact {
+namespace {
+
+std::vector<TouchWord> methodWords() {
+  std::vector<TouchWord> out;
+  for (const Method& m : methods()) out.push_back({m.name, m.family.name, m.sentence});
+  return out;
+}
+
+std::vector<TouchWord> interactionWords() {
+  std::vector<TouchWord> out;
+  for (const InteractionKind& k : interactionKinds()) out.push_back({k.name, k.title, k.sentence});
+  return out;
+}
+
+constexpr std::array kProperties{
+    TouchProperty{.member = &TouchSetup::probe_A,
+                  .key = "probe",
+                  .field = "probe_A",
+                  .in_old_files = true,
+                  .made_with = false,
+                  .dimension = Dimension::Length,
+                  .in_scenes = {0.0, kLargestProbe_A},
+                  .in_files = {0.0, kLargestProbe_A},
+                  .control = {.title = N_("Probe radius"),
+                              .tip = N_("The radius of the ball you touch with. {0} is a water molecule."),
+                              .range = {0.0, 4.0},
+                              .step = 0.1,
+                              .decimals = 1,
+                              .first = true},
+                  .fallback = "1.4 Å",
+                  .meaning = "The probe's radius, by which every atom grows.",
+                  .compared = "The second thing has a probe of this radius."},
+    TouchProperty{.member = &TouchSetup::stiffness_N_per_mm,
+                  .key = "stiffness",
+                  .field = "stiffness_N_per_mm",
+                  .in_old_files = true,
+                  .made_with = false,
+                  .dimension = Dimension::Stiffness,
+                  .in_scenes = {0.01, 5.0},
+                  .in_files = {0.0, 1000.0},
+                  .control = {.title = N_("Stiffness"),
+                              .tip = N_("The spring between your hand and the surface: how hard the molecule feels."),
+                              .range = {0.05, 2.0},
+                              .step = 0.05},
+                  .fallback = "500 N/m",
+                  .meaning = "How hard the surface pushes back for the way pushed in.",
+                  .compared = "The second thing pushes back so hard."},
+    TouchProperty{.member = &TouchSetup::method,
+                  .key = "method",
+                  .field = "method",
+                  .label = "method",
+                  .in_old_files = true,
+                  .words = &methodWords,
+                  .fallback = "exact",
+                  .meaning = "The haptic method that finds the contact point.",
+                  .compared = "The second thing is felt with this haptic method."},
+    TouchProperty{.member = &TouchSetup::force_on,
+                  .key = "force",
+                  .field = "force_on",
+                  .in_old_files = true,
+                  .made_with = false,
+                  .control = {.title = N_("Force on"), .tip = N_("Off: contact is followed, but no force is given.")},
+                  .fallback = "on",
+                  .meaning = "Whether the hand feels the force."},
+    TouchProperty{.member = &TouchSetup::interaction,
+                  .key = "hand",
+                  .field = "interaction",
+                  .label = "interaction",
+                  .words = &interactionWords,
+                  .control = {.title = N_("In the hand")},
+                  .fallback = "probe",
+                  .meaning = "What the hand feels the molecule with.",
+                  .compared = "The second thing is felt with this in the hand."},
+};
+
+std::string textOf(const TouchValue& value) {
+  if (const auto* on = std::get_if<bool>(&value)) return *on ? "on" : "off";
+  if (const auto* text = std::get_if<std::string>(&value)) return *text;
+  char digits[40];
+  return {digits, std::to_chars(digits, digits + sizeof digits, std::get<double>(value)).ptr};
+}
+
+void takeText(TouchSetup& setup, const TouchProperty& property, const std::string& text) {
+  if (std::holds_alternative<std::string TouchSetup::*>(property.member)) return setTouchValue(setup, property, text);
+  if (std::holds_alternative<bool TouchSetup::*>(property.member)) {
+    if (text == "on" || text == "off") setTouchValue(setup, property, text == "on");
+    return;
+  }
+  double number = 0.0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, number);
+  if (read.ec == std::errc() && read.ptr == end && number >= property.in_files.least &&
+      number <= property.in_files.most)
+    setTouchValue(setup, property, number);
+}
+
+}  // namespace
+
+std::span<const TouchProperty> touchProperties() { return kProperties; }
+
+TouchValue touchValue(const TouchSetup& setup, const TouchProperty& property) {
+  return std::visit([&](const auto member) { return TouchValue(setup.*member); }, property.member);
+}
+
+void setTouchValue(TouchSetup& setup, const TouchProperty& property, const TouchValue& value) {
+  std::visit(
+      [&](const auto member) {
+        using T = std::remove_reference_t<decltype(setup.*member)>;
+        if (const T* of_its_type = std::get_if<T>(&value)) setup.*member = *of_its_type;
+      },
+      property.member);
+}
+
+bool isChoice(const TouchProperty& property) { return !property.words || property.words().size() > 1; }
+
+bool madeAlike(const TouchSetup& a, const TouchSetup& b) {
+  return std::all_of(
+      std::begin(kProperties), std::end(kProperties), [&](const TouchProperty& p) { return !p.made_with || touchValue(a, p) == touchValue(b, p); });
+}
+
+std::map<std::string, std::string> touchLabels(const TouchSetup& setup) {
+  std::map<std::string, std::string> out;
+  for (const TouchProperty& p : kProperties)
+    if (!p.label.empty() && (p.in_old_files || touchValue(setup, p) != touchValue(TouchSetup(), p)))
+      out.emplace(p.label, textOf(touchValue(setup, p)));
+  return out;
+}
+
+TouchSetup labelledTouch(const std::map<std::string, std::string>& labels, const TouchSetup& otherwise) {
+  TouchSetup out = otherwise;
+  for (const TouchProperty& p : kProperties) {
+    if (p.label.empty()) continue;
+    setTouchValue(out, p, touchValue(TouchSetup(), p));
+    const auto found = labels.find(std::string(p.label));
+    if (found != labels.end() || p.in_old_files)
+      takeText(out, p, found == labels.end() ? std::string() : found->second);
+  }
+  return out;
+}
+
+bool TouchChange::has(const TouchMember& member) const {
+  return std::any_of(std::begin(kProperties), std::end(kProperties),
+                     [&](const TouchProperty& p) { return p.member == member && values_.contains(p.field); });
+}
+
+TouchSetup TouchChange::over(TouchSetup scene) const {
+  for (const TouchProperty& p : kProperties)
+    if (const auto found = values_.find(p.field); found != values_.end()) setTouchValue(scene, p, found->second);
+  return scene;
+}
+
+void TouchChange::replace(const TouchChange& before, const TouchSetup& scene, TouchSetup& now) const {
+  const TouchSetup wanted = over(scene);
+  for (const TouchProperty& p : kProperties) {
+    const auto is = values_.find(p.field), was = before.values_.find(p.field);
+    const bool said = is != values_.end(), said_before = was != before.values_.end();
+    if (said != said_before || (said && is->second != was->second)) setTouchValue(now, p, touchValue(wanted, p));
+  }
+}
+
+}  // namespace moltact

@@ -1,0 +1,201 @@
+#include <fcntl.h>
+#include <time.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
+#include <mutex>
+
+#include "engine/platform/force_inhibit.h"
+
+namespace moltact {
+namespace {
+
+std::atomic<unsigned> inhibited{0};
+static_assert(std::atomic<unsigned>::is_always_lock_free, "a signal's handler sets it");
+
+// A slot is taken when `data` and then `act` are there, so that a handler sees both or none.
+struct Slot {
+  std::atomic<bool> taken{false};
+  std::atomic<void*> data{nullptr};
+  std::atomic<LastAct::Act> act{nullptr};
+  std::atomic<int> inside{0};  // handlers that are in it
+};
+std::array<Slot, LastAct::kMost> slots;
+
+bool doIt(Slot& slot) noexcept {
+  slot.inside.fetch_add(1);
+  const LastAct::Act act = slot.act.load();
+  const bool done = !act || act(slot.data.load());
+  slot.inside.fetch_sub(1);
+  return done;
+}
+
+void rest(long ns) noexcept {
+  const timespec time{0, ns};
+  nanosleep(&time, nullptr);
+}
+
+std::int64_t now_ns() noexcept {
+  timespec t{};
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return std::int64_t{t.tv_sec} * 1'000'000'000 + t.tv_nsec;
+}
+
+// Each act until it is done. A thread that was about to give a force when it was inhibited may still give it after
+// the act: so each act is done once more.
+void doActs() noexcept {
+  constexpr long kLook_ns = 200'000, kOvertaken_ns = 1'000'000;
+  std::array<bool, LastAct::kMost> done{};
+  const auto all = [&] {
+    bool every = true;
+    for (std::size_t k = 0; k < slots.size(); ++k) every = (done[k] = done[k] || doIt(slots[k])) && every;
+    return every;
+  };
+  if (std::none_of(slots.begin(), slots.end(), [](const Slot& p) { return p.act.load(); })) return;
+  for (const std::int64_t until_ns = now_ns() + kPatience_ms * std::int64_t{1'000'000}; !all() && now_ns() < until_ns;)
+    rest(kLook_ns);
+  rest(kOvertaken_ns);
+  for (Slot& slot : slots) doIt(slot);
+}
+
+// What ends a process: its own faults, whoever takes them otherwise; and what others send, where nobody takes it.
+constexpr std::array kFaults{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTRAP, SIGSYS};
+constexpr std::array kSent{SIGHUP,  SIGINT,  SIGQUIT,   SIGTERM, SIGPIPE, SIGALRM, SIGUSR1,  SIGUSR2,
+                           SIGXCPU, SIGXFSZ, SIGVTALRM, SIGPROF, SIGPOLL, SIGPWR,  SIGSTKFLT};
+// What stops it, with all its threads as they are.
+constexpr std::array kStops{SIGTSTP, SIGTTIN, SIGTTOU};
+std::array<struct sigaction, 65> before;
+
+void onEnd(int signal, siginfo_t* info, void*) noexcept {
+  endForce();
+  // Then as if there had been no handler: what faults does so again, what was sent is sent again.
+  sigaction(signal, &before[std::size_t(signal)], nullptr);
+  const bool again =
+      info && info->si_code > 0 && (signal == SIGSEGV || signal == SIGBUS || signal == SIGFPE || signal == SIGILL);
+  if (!again) raise(signal);
+}
+
+void onStop(int) noexcept {
+  const int kept = errno;
+  inhibitForce(InhibitReason::Stopped);
+  doActs();
+  raise(SIGSTOP);
+  permitForce(InhibitReason::Stopped);  // continued: the loop finds that it was stalled, and starts softly
+  errno = kept;
+}
+
+void take(int signal, void (*handler)(int, siginfo_t*, void*), bool though_taken) {
+  struct sigaction now {};
+  sigaction(signal, nullptr, &now);
+  const bool is_default = !(now.sa_flags & SA_SIGINFO) && now.sa_handler == SIG_DFL;
+  const bool ignored = !(now.sa_flags & SA_SIGINFO) && now.sa_handler == SIG_IGN;
+  if (ignored || (!is_default && !though_taken)) return;
+  before[std::size_t(signal)] = now;
+  struct sigaction action {};
+  action.sa_sigaction = handler;
+  action.sa_flags = SA_SIGINFO | SA_ONSTACK | SA_RESTART;
+  sigaction(signal, &action, nullptr);
+}
+
+void install() noexcept {
+  static std::once_flag once;
+  try {
+    std::call_once(once, [] {
+      for (const int signal : kFaults) take(signal, onEnd, true);
+      for (const int signal : kSent) take(signal, onEnd, false);
+      for (const int signal : kStops)
+        take(
+            signal, [](int s, siginfo_t*, void*) { onStop(s); }, false);
+      std::atexit([] { endForce(); });
+      std::at_quick_exit([] { endForce(); });
+    });
+  } catch (...) {  // no lock could be had: then without
+  }
+}
+
+}  // namespace
+
+bool forceInhibited() noexcept { return inhibited.load(std::memory_order_acquire) != 0; }
+void inhibitForce(InhibitReason why) noexcept { inhibited.fetch_or(static_cast<unsigned>(why)); }
+void permitForce(InhibitReason why) noexcept { inhibited.fetch_and(~static_cast<unsigned>(why)); }
+
+void endForce() noexcept {
+  const int kept = errno;
+  inhibitForce(InhibitReason::Dying);
+  doActs();
+  errno = kept;
+}
+
+bool LastAct::arm(Act act, void* data) noexcept {
+  disarm();
+  install();
+  for (int k = 0; k < kMost; ++k) {
+    Slot& slot = slots[std::size_t(k)];
+    if (slot.taken.exchange(true)) continue;
+    slot.data.store(data);
+    slot.act.store(act);
+    slot_ = k;
+    return true;
+  }
+  return false;
+}
+
+void LastAct::disarm() noexcept {
+  if (slot_ < 0) return;
+  Slot& slot = slots[std::size_t(slot_)];
+  slot.act.store(nullptr);
+  while (slot.inside.load() > 0) rest(100'000);  // a handler is at it
+  slot.taken.store(false);
+  slot_ = -1;
+}
+
+LastReport::~LastReport() {
+  act_.disarm();
+  if (file_ >= 0) ::close(file_);
+}
+
+bool LastReport::arm(const char* path, std::span<const std::uint8_t> report) noexcept {
+  act_.disarm();
+  if (file_ < 0) file_ = ::open(path, O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (file_ < 0) return false;
+  size_ = std::min(report.size(), sizeof report_);
+  std::copy_n(report.begin(), size_, report_);
+  return act_.arm(&LastReport::write, this);
+}
+
+bool LastReport::write(void* data) noexcept {
+  const LastReport& self = *static_cast<const LastReport*>(data);
+  // A device that is gone takes nothing and needs nothing: there is nothing to try again.
+  (void)!::write(self.file_, self.report_, self.size_);
+  return true;
+}
+
+CrashStack::CrashStack() noexcept {
+  constexpr std::size_t kBytes = 64 * 1024;
+  stack_t now{};
+  // Where there is one, a sanitizer's, it stays.
+  if (sigaltstack(nullptr, &now) != 0 || !(now.ss_flags & SS_DISABLE)) return;
+  stack_ = std::malloc(kBytes);
+  if (!stack_) return;
+  stack_t mine{};
+  mine.ss_sp = stack_;
+  mine.ss_size = kBytes;
+  if (sigaltstack(&mine, nullptr) == 0) return;
+  std::free(stack_);
+  stack_ = nullptr;
+}
+
+CrashStack::~CrashStack() {
+  if (!stack_) return;
+  stack_t none{};
+  none.ss_flags = SS_DISABLE;
+  sigaltstack(&none, nullptr);
+  std::free(stack_);
+}
+
+}  // namespace moltact

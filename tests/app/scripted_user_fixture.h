@@ -1,0 +1,58 @@
+// The application on EGL without a display, driven as a person would: what the tests of this folder share.
+#pragma once
+
+#include <doctest/doctest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "app/ui/shell/scripted_user.h"
+
+namespace moltact {
+
+/// A driver with ubiquitin on the stage, or whatever else is asked for; fails the test where off-screen OpenGL is
+/// missing.
+inline std::unique_ptr<ScriptedUser> startWith(const std::string& what = "1ubq", ScriptedUser::Options options = {}) {
+  Expected<std::unique_ptr<ScriptedUser>> made = ScriptedUser::create(std::move(options));
+  if (!made) FAIL(made.problem().text());
+  std::unique_ptr<ScriptedUser> driver = std::move(*made);
+  driver->app().settings.reduced_motion = true;  // a camera that glides would move the place under a hand
+  if (!what.empty()) driver->app().open(what);
+  driver->app().finishLoading();
+  driver->frames(20);
+  return driver;
+}
+
+/// The lesson that a newcomer begins with, as it comes with the program.
+inline void openFirst(ScriptedUser& driver) {
+  driver.app().open(std::string(MOLTACT_SOURCE_DIR) + "/lessons/first-touch.md");
+}
+
+/// A folder of its own, gone at the end.
+struct Scratch {
+  std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("moltact-app-test-" + std::to_string(::getpid()));
+  Scratch() { std::filesystem::create_directories(folder); }
+  ~Scratch() { std::filesystem::remove_all(folder); }
+  std::filesystem::path file(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return folder / name;
+  }
+};
+
+inline bool contains(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+/// The share of pixels that differ between two pictures of the same size.
+inline double difference(const Picture& a, const Picture& b) {
+  std::size_t differ = 0;
+  const std::size_t pixels = a.rgb.size() / 3;
+  for (std::size_t k = 0; k < pixels; ++k)
+    differ +=
+        a.rgb[3 * k] != b.rgb[3 * k] || a.rgb[3 * k + 1] != b.rgb[3 * k + 1] || a.rgb[3 * k + 2] != b.rgb[3 * k + 2];
+  return double(differ) / double(pixels);
+}
+
+}  // namespace moltact

@@ -1,0 +1,363 @@
+// What comments and pages name must be there: a file by its ending .h or .cpp, a member by its type and two colons, a
+// name in backticks on a page. A name that was changed in the code and not where it is told would send a reader nowhere.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+const fs::path kSource = MOLTACT_SOURCE_DIR;
+
+bool isWordPart(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+std::string textOf(const fs::path& file) {
+  std::ifstream in(file);
+  REQUIRE_MESSAGE(in, file.string());
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+// A source in two halves of the same length and lines: each holds blanks where the other has text. Literals are in
+// neither.
+struct Halves {
+  std::string code, comments;
+};
+
+Halves halvesOf(const std::string& source) {
+  Halves out{std::string(source.size(), ' '), std::string(source.size(), ' ')};
+  for (std::size_t k = 0; k < source.size(); ++k)
+    if (source[k] == '\n') out.code[k] = out.comments[k] = '\n';
+  const auto copy = [&](std::string& to, std::size_t from, std::size_t end) {
+    for (std::size_t k = from; k < std::min(end, source.size()); ++k) to[k] = source[k];
+  };
+  for (std::size_t at = 0; at < source.size();) {
+    const std::string_view rest = std::string_view(source).substr(at);
+    std::size_t end = at + 1;
+    if (rest.starts_with("//")) {
+      end = std::min(source.find('\n', at), source.size());
+      copy(out.comments, at + 2, end);
+    } else if (rest.starts_with("/*")) {
+      end = std::min(source.find("*/", at + 2), source.size());
+      copy(out.comments, at + 2, end);
+      end += 2;
+    } else if (rest.starts_with("R\"") && (at == 0 || !isWordPart(source[at - 1]))) {
+      const std::size_t open = source.find('(', at);
+      const std::string close = ")" + source.substr(at + 2, open - at - 2) + "\"";
+      end = std::min(source.find(close, open), source.size()) + close.size();
+    } else if (rest[0] == '"' || (rest[0] == '\'' && (at == 0 || !isWordPart(source[at - 1])))) {
+      while (end < source.size() && source[end] != rest[0]) end += source[end] == '\\' ? 2 : 1;
+      ++end;
+    } else {
+      copy(out.code, at, end);
+    }
+    at = end;
+  }
+  return out;
+}
+
+// Words, "::" and single signs.
+std::vector<std::string> tokensOf(const std::string& code) {
+  std::vector<std::string> out;
+  for (std::size_t at = 0; at < code.size();) {
+    if (std::isspace(static_cast<unsigned char>(code[at]))) {
+      ++at;
+      continue;
+    }
+    std::size_t end = at + 1;
+    if (isWordPart(code[at]))
+      while (end < code.size() && isWordPart(code[end])) ++end;
+    else if (code.compare(at, 2, "::") == 0)
+      ++end;
+    out.push_back(code.substr(at, end - at));
+    at = end;
+  }
+  return out;
+}
+
+bool isWord(const std::string& token) {
+  return isWordPart(token[0]) && !std::isdigit(static_cast<unsigned char>(token[0]));
+}
+
+// The types and namespaces of the sources, each with the words in its braces: its members, and more.
+struct Scopes {
+  std::map<std::string, std::set<std::string>> words, bases;
+
+  void read(const std::string& code) {
+    const std::vector<std::string> tokens = tokensOf(code);
+    std::vector<std::string> open;  // the scopes round a token; empty: braces of something else
+    for (std::size_t k = 0; k < tokens.size(); ++k) {
+      const std::string& token = tokens[k];
+      if (token == "{") {
+        open.emplace_back();
+      } else if (token == "}") {
+        if (!open.empty()) open.pop_back();
+      } else if (token == "class" || token == "struct" || token == "union" || token == "enum" || token == "namespace") {
+        if (const std::size_t brace = readHead(tokens, k + 1); brace > 0) {
+          for (std::size_t j = k + 1; j < brace; ++j) {
+            add(open, tokens[j]);
+            if (tokens[j] == "::") words[tokens[j - 1]].insert(tokens[j + 1]);
+          }
+          open.push_back(head_);
+          k = brace;
+        }
+      } else if (token == "::" && k > 0 && k + 1 < tokens.size() && isWord(tokens[k - 1])) {
+        words[tokens[k - 1]].insert(tokens[k + 1]);
+      } else {
+        add(open, token);
+      }
+    }
+  }
+
+  bool knows(const std::string& scope) const { return words.contains(scope); }
+
+  bool has(const std::string& scope, const std::string& member) const {
+    std::set<std::string> seen;
+    std::vector<std::string> next{scope};
+    while (!next.empty()) {
+      const std::string now = next.back();
+      next.pop_back();
+      if (!seen.insert(now).second) continue;
+      if (const auto found = words.find(now); found != words.end() && found->second.contains(member)) return true;
+      if (const auto found = bases.find(now); found != bases.end())
+        next.insert(next.end(), found->second.begin(), found->second.end());
+    }
+    return false;
+  }
+
+ private:
+  void add(const std::vector<std::string>& open, const std::string& token) {
+    if (!isWord(token)) return;
+    for (const std::string& scope : open)
+      if (!scope.empty()) words[scope].insert(token);
+  }
+
+  // The head of a type from its name on: where its brace is, and 0 where it has none.
+  std::size_t readHead(const std::vector<std::string>& tokens, std::size_t from) {
+    head_.clear();
+    bool after_colon = false;
+    for (std::size_t k = from; k < tokens.size(); ++k) {
+      const std::string& token = tokens[k];
+      if (token == "{") {
+        words[head_];
+        return k;
+      }
+      if (token == ";" || token == "(" || token == ")" || token == "=" || token == "}") return 0;
+      if (!after_colon && (token == ">" || token == "," || token == "*" || token == "&")) return 0;
+      if (token == ":")
+        after_colon = true;
+      else if (!isWord(token) || token == "final" || token == "class" || token == "struct")
+        continue;
+      else if (after_colon)
+        bases[head_].insert(token);
+      else
+        head_ = token;
+    }
+    return 0;
+  }
+
+  std::string head_;
+};
+
+std::string lineOf(const std::string& text, std::size_t at) {
+  return std::to_string(1 + std::count(text.begin(), text.begin() + std::ptrdiff_t(at), '\n'));
+}
+
+// Others' types and headers, of which this knows no members.
+const std::set<std::string> kForeignScopes{"std", "glm", "ImGui", "gemmi", "doctest"};
+
+struct Project {
+  std::vector<std::string> files;            // "engine/core/units.h"
+  std::map<std::string, std::string> texts;  // where names are told: comments, and whole pages
+  Scopes scopes;
+  std::set<std::string> words;  // of code and literals
+
+  Project() {
+    for (const char* top : {"app", "engine", "tests", "assets", "molecules"})
+      for (const auto& entry : fs::recursive_directory_iterator(kSource / top)) {
+        const std::string ending = entry.path().extension().string();
+        if (ending != ".h" && ending != ".cpp") continue;
+        const std::string file = fs::relative(entry.path(), kSource).generic_string();
+        std::string source = textOf(entry.path());
+        const Halves halves = halvesOf(source);
+        files.push_back(file);
+        texts[file] = halves.comments;
+        scopes.read(halves.code);
+        for (std::size_t k = 0; k < source.size(); ++k)
+          if (halves.comments[k] != ' ') source[k] = halves.comments[k] == '\n' ? '\n' : ' ';
+        for (const std::string& token : tokensOf(source))
+          if (isWord(token)) words.insert(token);
+      }
+    for (const char* page : {"README.md", "CONTRIBUTING.md"}) texts[page] = textOf(kSource / page);
+    for (const auto& entry : fs::directory_iterator(kSource / "docs"))
+      if (entry.path().extension() == ".md") texts["docs/" + entry.path().filename().string()] = textOf(entry.path());
+  }
+
+  bool hasFile(const std::string& named) const {
+    return std::any_of(files.begin(), files.end(),
+                       [&](const std::string& file) { return file == named || file.ends_with("/" + named); });
+  }
+};
+
+const Project& project() {
+  static const Project all;
+  return all;
+}
+
+// Each file that a text names, with where it does so: "servo/clutch.h", not "*_linux.cpp".
+std::vector<std::pair<std::string, std::size_t>> filesNamedIn(const std::string& text) {
+  std::vector<std::pair<std::string, std::size_t>> out;
+  for (const std::string ending : {".h", ".cpp"})
+    for (std::size_t at = text.find(ending); at != std::string::npos; at = text.find(ending, at + 1)) {
+      if (at + ending.size() < text.size() && isWordPart(text[at + ending.size()])) continue;
+      std::size_t from = at;
+      while (from > 0 && (isWordPart(text[from - 1]) || text[from - 1] == '/' || text[from - 1] == '-')) --from;
+      if (from == at || (from > 0 && (text[from - 1] == '*' || text[from - 1] == '.' || text[from - 1] == '<')))
+        continue;
+      out.emplace_back(text.substr(from, at + ending.size() - from), from);
+    }
+  return out;
+}
+
+// Each member that a text names by its type, with where it does so.
+struct NamedMember {
+  std::string scope, member;
+  std::size_t at = 0;
+};
+std::vector<NamedMember> membersNamedIn(const std::string& text) {
+  std::vector<NamedMember> out;
+  for (std::size_t at = text.find("::"); at != std::string::npos; at = text.find("::", at + 1)) {
+    std::size_t from = at, end = at + 2;
+    while (from > 0 && isWordPart(text[from - 1])) --from;
+    while (end < text.size() && isWordPart(text[end])) ++end;
+    if (from < at && end > at + 2)
+      out.push_back({text.substr(from, at - from), text.substr(at + 2, end - at - 2), from});
+  }
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("what this test reads of a source: comments, types, their members and those of what they derive from") {
+  const Halves halves = halvesOf(
+      "// see Base::first\nstruct Base { int first; /* Base::second */ };\nclass Next final : public Base {\n"
+      "  const char* text = \"// Base::third\"; char c = '\"'; void walk();\n};\nvoid Next::run() {}\n"
+      "enum class Kind : int { One };\nnamespace outer::inner {}\n\ntemplate <class T> struct Box { T held; };\n");
+  CHECK(halves.comments.find("Base::first") != std::string::npos);
+  CHECK(halves.comments.find("Base::second") != std::string::npos);
+  CHECK(halves.comments.find("third") == std::string::npos);
+  Scopes scopes;
+  scopes.read(halves.code);
+  CHECK(scopes.has("Base", "first"));
+  CHECK_FALSE(scopes.has("Base", "second"));
+  CHECK(scopes.has("Next", "first"));
+  CHECK(scopes.has("Next", "walk"));
+  CHECK(scopes.has("Next", "run"));
+  CHECK_FALSE(scopes.has("Base", "walk"));
+  CHECK(scopes.has("Kind", "One"));
+  CHECK(scopes.has("Box", "held"));
+  CHECK(scopes.has("outer", "inner"));
+  CHECK_FALSE(scopes.knows("T"));
+  const auto files = filesNamedIn("in core/units.h, *_linux.cpp, <stdio.h>, page.html and scale.cpp.");
+  REQUIRE(files.size() == 2);
+  CHECK(files[0].first == "core/units.h");
+  CHECK(files[1].first == "scale.cpp");
+}
+
+TEST_CASE("every file that a comment or a page names is there") {
+  std::size_t named = 0;
+  for (const auto& [where, text] : project().texts)
+    for (const auto& [file, at] : filesNamedIn(text)) {
+      ++named;
+      CHECK_MESSAGE(project().hasFile(file), where, ":", lineOf(text, at), " names ", file, ", which is not there");
+    }
+  CHECK(named > 100);
+}
+
+TEST_CASE("every member that a comment or a page names as Type::member is there") {
+  std::size_t named = 0;
+  for (const auto& [where, text] : project().texts)
+    for (const NamedMember& one : membersNamedIn(text)) {
+      if (kForeignScopes.contains(one.scope)) continue;
+      ++named;
+      CHECK_MESSAGE(project().scopes.has(one.scope, one.member), where, ":", lineOf(text, one.at), " names ", one.scope,
+                    "::", one.member, ", which is not there");
+    }
+  CHECK(named > 50);
+}
+
+TEST_CASE("every camelCase name that a page has in backticks, and every kConstant that it names, is in the code") {
+  // The names of the styles themselves.
+  const std::set<std::string> styles{"PascalCase", "camelCase", "kConstant"};
+  const auto isCodeName = [](const std::string& word) {
+    for (std::size_t k = 1; k < word.size(); ++k)
+      if (std::islower(static_cast<unsigned char>(word[k - 1])) && std::isupper(static_cast<unsigned char>(word[k])))
+        return true;
+    return false;
+  };
+  std::size_t named = 0;
+  for (const auto& [where, text] : project().texts) {
+    if (!where.ends_with(".md")) continue;
+    std::istringstream lines(text);
+    std::size_t number = 0;
+    for (std::string line; std::getline(lines, line);) {
+      ++number;
+      bool in_code = false;
+      for (std::size_t at = 0; at < line.size();) {
+        std::size_t end = at;
+        while (end < line.size() && isWordPart(line[end])) ++end;
+        const std::string word = line.substr(at, end - at);
+        const bool constant = word.size() > 1 && word[0] == 'k' && std::isupper(static_cast<unsigned char>(word[1]));
+        if (((in_code && isCodeName(word)) || constant) && !styles.contains(word)) {
+          ++named;
+          CHECK_MESSAGE(project().words.contains(word), where, ":", number, " names ", word,
+                        ", which is not in the code");
+        }
+        if (end < line.size() && line[end] == '`') in_code = !in_code;
+        at = end + 1;
+      }
+    }
+  }
+  CHECK(named > 100);
+}
+
+TEST_CASE("every source of the program that starts a thread is named in docs/architecture.md, under Threads") {
+  const std::string& page = project().texts.at("docs/architecture.md");
+  const std::size_t begin = page.find("\n## Threads\n");
+  REQUIRE(begin != std::string::npos);
+  const std::string section = page.substr(begin, page.find("\n## ", begin + 1) - begin);
+  std::size_t found = 0;
+  for (const std::string& file : project().files) {
+    if (file.starts_with("tests/")) continue;
+    const std::string code = halvesOf(textOf(kSource / file)).code;
+    if (code.find("std::async(") == std::string::npos && code.find("inBackground(") == std::string::npos && code.find("= std::thread(") == std::string::npos &&
+        code.find("std::jthread>") == std::string::npos)
+      continue;
+    ++found;
+    const fs::path path(file);
+    // The class of "engine/servo/servo_thread.cpp" is ServoThread; a file of functions is named itself.
+    std::string name;
+    bool upper = true;
+    for (const char c : path.stem().string()) {
+      if (c != '_') name += upper ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+      upper = c == '_';
+    }
+    // What is the operating system's or a library's own has its name behind the class's.
+    bool named = section.find("`" + path.stem().string() + ".h`") != std::string::npos;
+    for (std::size_t length = name.size(); length >= 6 && !named; --length)
+      named = section.find("`" + name.substr(0, length) + "`") != std::string::npos;
+    CHECK_MESSAGE(named, file, " starts a thread, and ", name, " is not in the table of docs/architecture.md");
+  }
+  CHECK(found >= 15);
+}

@@ -1,0 +1,65 @@
+// What a scene is felt with, as authors write it.
+#include "engine/lesson/touch_keys.h"
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "engine/lesson/tasks/registry.h"
+#include "engine/molecule/molecule_key.h"
+
+using namespace moltact;
+
+namespace {
+
+const KeySpec* keyIn(const std::vector<KeySpec>& keys, std::string_view name) {
+  const auto found = std::ranges::find(keys, name, &KeySpec::name);
+  return found == keys.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+TEST_CASE("every property that leaves a choice is a key of scenes and can be locked; its fallback is the default") {
+  const std::vector<KeySpec>& scene = keysOf(KeyBlock::Scene);
+  const std::vector<std::string_view> lockable = keyIn(scene, "locked")->words;
+  for (const TouchProperty& p : touchProperties()) {
+    CAPTURE(std::string(p.key));
+    const KeySpec* key = keyIn(scene, p.key);
+    CHECK((key != nullptr) == isChoice(p));
+    CHECK((std::ranges::find(lockable, p.key) != lockable.end()) == isChoice(p));
+    if (!key) continue;
+    const Expected<Value> usual = parseValue(*key, key->fallback);
+    REQUIRE(bool(usual));
+    CHECK(touchValueOf(p, *usual) == touchValue(TouchSetup(), p));
+  }
+}
+
+TEST_CASE("a task that compares two things has a key for every property that one can differ in, without a fallback") {
+  const TaskKind* same = findTaskKind("same");
+  REQUIRE(same);
+  std::size_t compared = 0;
+  for (const TouchProperty& p : touchProperties()) {
+    CAPTURE(std::string(p.key));
+    const KeySpec* key = keyIn(same->keys, p.key);
+    const bool differs = !p.compared.empty() && isChoice(p);
+    CHECK((key != nullptr) == differs);
+    if (!key) continue;
+    ++compared;
+    CHECK(key->fallback.empty());
+    CHECK(key->meaning == p.compared);
+  }
+  CHECK(compared >= 3);
+}
+
+TEST_CASE("every way of reading a molecule is a key of scenes whose fallback is the default") {
+  for (const ReadingOption& option : readingOptions()) {
+    CAPTURE(std::string(option.name));
+    const KeySpec* key = keyIn(keysOf(KeyBlock::Scene), option.name);
+    REQUIRE(key);
+    CHECK(bool(parseValue(*key, key->fallback)));
+    if (std::holds_alternative<std::string ReadOptions::*>(option.member)) continue;  // its word stands for none
+    ReadOptions reading;
+    CHECK(readText(reading, option, key->fallback));
+    CHECK(reading == ReadOptions());
+  }
+}
