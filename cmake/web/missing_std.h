@@ -16,7 +16,8 @@
 namespace std {
 
 template <class F, enable_if_t<is_floating_point_v<F>, int> = 0>
-from_chars_result from_chars(const char* first, const char* last, F& value, chars_format format = chars_format::general) {
+from_chars_result from_chars(const char* first, const char* last, F& value,
+                             chars_format format = chars_format::general) {
   if (format == chars_format::hex) {
     // Without "0x", as the standard has it.
     char text[64] = "0x";

@@ -28,7 +28,7 @@ class AudioOutput {
   /// Why nothing is played, in one sentence; empty unless state() is Silent.
   std::string fault() const;
 
- struct Impl;  // the platform's
+  struct Impl;  // the platform's
 
  private:
   std::unique_ptr<Impl> impl_;

@@ -17,6 +17,7 @@ struct AudioOutput::Impl {
 
 }  // namespace moltact
 
+// clang-format off: what follows is JavaScript
 // Blocks of 1024 samples: late by about 40 ms, as the page draws meanwhile. 0 where the browser has no Web Audio.
 EM_JS(int, openSound, (void* output, int samples_per_s), {
   try {
@@ -45,6 +46,7 @@ EM_JS(void, closeSound, (void* output), {
   for (const event of ["pointerdown", "keydown"]) removeEventListener(event, sound.wake);
   sound.context.close();
 })
+// clang-format on
 
 // Fills so many samples and tells where they lie.
 extern "C" EMSCRIPTEN_KEEPALIVE float* moltact_samples(moltact::AudioOutput::Impl* output, int count) {

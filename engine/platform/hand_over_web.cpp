@@ -1,10 +1,11 @@
-#include "engine/platform/hand_over.h"
-
 #include <emscripten.h>
 
 #include <string>
 
-EM_JS(void, giveFile, (const char* path, const char* name), { Module.page.give(UTF8ToString(path), UTF8ToString(name)); })
+#include "engine/platform/hand_over.h"
+
+EM_JS(void, giveFile, (const char* path, const char* name),
+      { Module.page.give(UTF8ToString(path), UTF8ToString(name)); })
 EM_JS(void, chooseFile, (void), { Module.page.choose(); })
 
 namespace moltact {

@@ -42,8 +42,10 @@ std::string takeStorageFault() { return std::exchange(fault, {}); }
 // page.js tells that the browser has refused to keep a file.
 extern "C" EMSCRIPTEN_KEEPALIVE void moltact_storage_fault(int full) {
   moltact::fault =
-      full ? moltact::tr("The browser has no room left: what you do from now on is kept only until this page is closed. "
-                         "Hand in your results before that.")
-           : moltact::tr("This browser keeps nothing for this page (a private window?): what you do is there only until "
-                         "it is closed. Hand in your results before that.");
+      full ? moltact::tr(
+                 "The browser has no room left: what you do from now on is kept only until this page is closed. "
+                 "Hand in your results before that.")
+           : moltact::tr(
+                 "This browser keeps nothing for this page (a private window?): what you do is there only until "
+                 "it is closed. Hand in your results before that.");
 }

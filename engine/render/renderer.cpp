@@ -121,10 +121,9 @@ Renderer::~Renderer() = default;
 
 Expected<std::unique_ptr<Renderer>> Renderer::create() {
   if (const int version = tooOldGl())
-    return Problem{
-        .file = {},
-        .message = trf("the graphics driver offers OpenGL {0}.{1}", version / 10, version % 10),
-        .remedy = tr("OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
+    return Problem{.file = {},
+                   .message = trf("the graphics driver offers OpenGL {0}.{1}", version / 10, version % 10),
+                   .remedy = tr("OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
   auto balls = SphereImpostors::build();
   if (!balls) return balls.problem();
   auto wires = Wireframe::build();

@@ -1,12 +1,12 @@
 // Fingers become what a mouse does: heard as ImGui hears it.
+#include "app/ui/widgets/fingers.h"
+
 #include <doctest/doctest.h>
 #include <imgui.h>
 
 #include <cmath>
 #include <memory>
 #include <vector>
-
-#include "app/ui/widgets/fingers.h"
 
 namespace moltact {
 namespace {
@@ -67,7 +67,8 @@ constexpr bool kView = true, kPanel = false;
 
 }  // namespace
 
-TEST_CASE("one finger on the view pushes from the first moment where it is, follows, and points at nothing when lifted") {
+TEST_CASE(
+    "one finger on the view pushes from the first moment where it is, follows, and points at nothing when lifted") {
   TouchScreen screen;
   screen.fingers->down(7, {300, 400}, kView, 0.0, kLine_px);
   Heard now = screen.last();

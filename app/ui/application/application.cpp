@@ -187,16 +187,15 @@ void Application::askForPictureAs() {
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {
-  layout_ = layOut(
-      {.window = window_px,
-       .scale = look().scale * look().text,
-       .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
-       .touch = panels.touch,
-       .page = panels.welcome,
-       .lesson_width = float(settings.lesson_width),
-       .touch_width = float(settings.touch_width),
-       .strip_height = extensions_->stripHeight()},
-      panels.lesson_first);
+  layout_ = layOut({.window = window_px,
+                    .scale = look().scale * look().text,
+                    .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
+                    .touch = panels.touch,
+                    .page = panels.welcome,
+                    .lesson_width = float(settings.lesson_width),
+                    .touch_width = float(settings.touch_width),
+                    .strip_height = extensions_->stripHeight()},
+                   panels.lesson_first);
   if (panels.welcome) return;
   const glm::vec2 view = layout_.view.size();
   scene.setViewAspect(view.y > 0 ? double(view.x) / double(view.y) : 1.0);

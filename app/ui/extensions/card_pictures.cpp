@@ -140,7 +140,7 @@ void CardPictures::afterPanels(Application& app) {
   auto [key, subject] = std::move(queue_.front());
   queue_.erase(queue_.begin());
   job_ = inBackground([key = std::move(key), subject = std::move(subject), look = look_,
-                                         folder = app.options().cache_folder]() mutable {
+                       folder = app.options().cache_folder]() mutable {
     Job job{std::move(key), std::move(subject), {}, {}, {}};
     const Expected<std::string> bytes = readFile(job.subject.molecule.file, kLargestFile, "");
     if (!bytes) return job;

@@ -105,7 +105,8 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
     return ticks_;
   }
   // A page that was put away comes back with a frame as long as that.
-  for (owed_s_ += std::clamp(dt_s, 0.0, clock_ == ServoClock::Page ? 0.1 : 0.5); owed_s_ >= kTick_s; owed_s_ -= kTick_s) {
+  for (owed_s_ += std::clamp(dt_s, 0.0, clock_ == ServoClock::Page ? 0.1 : 0.5); owed_s_ >= kTick_s;
+       owed_s_ -= kTick_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
     tickOfFrame();

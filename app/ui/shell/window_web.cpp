@@ -63,8 +63,7 @@ std::unique_ptr<Page> page;
 // Where the device can vibrate, a contact and each crossing to other atoms is felt.
 void feel() {
   const Contact& contact = page->app.scene.log().latest().contact;
-  const std::array<std::int32_t, 3> now =
-      contact.touching() ? contact.atoms : std::array<std::int32_t, 3>{-1, -1, -1};
+  const std::array<std::int32_t, 3> now = contact.touching() ? contact.atoms : std::array<std::int32_t, 3>{-1, -1, -1};
   if (now == page->touched) return;
   page->touched = now;
   constexpr int kShort_ms = 12;
@@ -178,9 +177,8 @@ EMSCRIPTEN_KEEPALIVE const char* moltact_words() {
   std::vector<const moltact::WidgetRecord*> seen;
   for (const auto& [name, record] : moltact::widgets().all())
     if (!record.text.empty() && record.visible()) seen.push_back(&record);
-  std::sort(seen.begin(), seen.end(), [](const auto* a, const auto* b) {
-    return std::pair(a->low.y, a->low.x) < std::pair(b->low.y, b->low.x);
-  });
+  std::sort(seen.begin(), seen.end(),
+            [](const auto* a, const auto* b) { return std::pair(a->low.y, a->low.x) < std::pair(b->low.y, b->low.x); });
   nlohmann::json all = nlohmann::json::array();
   for (const moltact::WidgetRecord* r : seen) {
     const glm::vec2 at = r->key_stop ? r->centre() : glm::vec2(-1.0f);
@@ -213,5 +211,4 @@ EMSCRIPTEN_KEEPALIVE void moltact_rest() { page->shell.input().focusLost(); }
 
 // The whole screen was left by the browser's own way.
 EMSCRIPTEN_KEEPALIVE void moltact_full_screen(int on) { page->app.panels.full_screen = on != 0; }
-
 }
