@@ -17,7 +17,8 @@ struct AudioOutput::Impl {
 
 }  // namespace moltact
 
-// clang-format off: what follows is JavaScript
+// What follows is JavaScript.
+// clang-format off
 // Blocks of 1024 samples: late by about 40 ms, as the page draws meanwhile. 0 where the browser has no Web Audio.
 EM_JS(int, openSound, (void* output, int samples_per_s), {
   try {
