@@ -8,6 +8,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "app/ui/shell/glfw_keys.h"
 #include "app/ui/shell/keyboard_layout.h"
@@ -275,18 +277,19 @@ TEST_CASE(
     CAPTURE(lines);
     BareImGui imgui;
     InputQueue input;
-    char written[16] = "";
+    std::string written;
     bool seen = false;
     const auto draw = [&] {
       ImGui::Begin("view");
       ImGui::Button("one");
       ImGui::End();
+      ImGui::SetNextWindowSize({80, 60});
       ImGui::Begin("lesson");
-      ImGui::Button("two");
+      ImGui::Button("two", {40, 400});  // the field is out of sight below
       if (lines)
-        ImGui::InputTextMultiline("##field", written, sizeof written);
+        inputLines("##field", written, {60, 40});
       else
-        ImGui::InputText("##field", written, sizeof written);
+        ImGui::InputText("##field", &written);
       if (!ImGui::GetIO().WantTextInput) {
         seen = seen || ImGui::IsKeyPressed(ImGuiKey_3, false);
         if (takeKey(ImGuiKey_A)) writeInLastField();
@@ -303,7 +306,7 @@ TEST_CASE(
     }
     for (int k = 0; k < 20; ++k) imgui.frame(input, draw);
     CHECK(input.empty());
-    CHECK(std::string(written) == "3.8");
+    CHECK(written == "3.8");
     CHECK_FALSE(seen);
   }
 }

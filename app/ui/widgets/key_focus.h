@@ -3,6 +3,8 @@
 // their letter. Window's thread.
 #pragma once
 
+#include <imgui.h>
+
 #include <string>
 #include <string_view>
 
@@ -31,6 +33,8 @@ bool keysLeadControls();
 /// ImGui's last item can be led to; draws the ring where the keys are at it. Returns its id, 0 where it cannot (text,
 /// greyed out).
 unsigned keyStop();
+/// ImGui's InputTextMultiline, which where it is out of sight leaves no item behind that the keys could be led to.
+bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags = 0);
 /// After a field that can be led to: what is typed from now on is written there. The one way to do this by itself;
 /// ImGui's own SetKeyboardFocusHere finds no field in a window other than the one that the keys were in (1.90).
 void writeInLastField();
