@@ -279,6 +279,7 @@ TEST_CASE(
     InputQueue input;
     std::string written;
     bool seen = false;
+    int led_to = 0;  // frames in which Tab could lead to the field
     const auto draw = [&] {
       ImGui::Begin("view");
       ImGui::Button("one");
@@ -290,14 +291,16 @@ TEST_CASE(
         inputLines("##field", written, {60, 40});
       else
         ImGui::InputText("##field", &written);
+      led_to += lastItemForKeys().usable && lastItemForKeys().field;
       if (!ImGui::GetIO().WantTextInput) {
         seen = seen || ImGui::IsKeyPressed(ImGuiKey_3, false);
-        if (takeKey(ImGuiKey_A)) writeInLastField();
+        if (takeKey(ImGuiKey_A)) writeInLastField("##field");
       }
       if (ImGui::GetFrameCount() == 1) ImGui::SetWindowFocus("view");
       ImGui::End();
     };
     for (int k = 0; k < 3; ++k) imgui.frame(input, draw);
+    led_to = 0;
     for (const char c : {'A', '3', '.', '8'}) {
       const ImGuiKey key = c == '.' ? ImGuiKey_Period : keyOf(c);
       input.key(key, true);
@@ -307,6 +310,7 @@ TEST_CASE(
     for (int k = 0; k < 20; ++k) imgui.frame(input, draw);
     CHECK(input.empty());
     CHECK(written == "3.8");
+    CHECK(led_to == 20);
     CHECK_FALSE(seen);
   }
 }

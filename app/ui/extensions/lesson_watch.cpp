@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <system_error>
 
 #include "app/ui/application/application.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 namespace {
@@ -109,11 +109,7 @@ void LessonWatch::begin(Application& app) {
   const auto work = [name = file_.string(), text = pending_bytes_, molecules = molecules_] {
     return checkNow(name, text, *molecules);
   };
-  try {
-    running_ = std::async(app.options().clock == ServoClock::Frames ? std::launch::deferred : std::launch::async, work);
-  } catch (const std::system_error&) {  // no further thread can be had
-    running_ = std::async(std::launch::deferred, work);
-  }
+  running_ = inBackground(work);
 }
 
 void LessonWatch::takeUp(Application& app, LessonCheck check) {

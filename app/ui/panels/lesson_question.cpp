@@ -134,7 +134,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   if (free) {
     handed_in = inputLines("##answer", written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
-    if (begins) writeInLastField();
+    if (begins) writeInLastField("##answer");
     tip(tr("A begins to write, Ctrl and Enter keeps it"));
     handed_in = button((name + "/check").c_str(), tr("Keep"), ButtonLook::Plain, button_w) || handed_in;
   } else {
@@ -146,7 +146,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
     recordItem(name + "/field", written);
-    if (begins) writeInLastField();
+    if (begins) writeInLastField("##answer");
     ImGui::SameLine();
     handed_in = button((name + "/check").c_str(), tr("Check"), ButtonLook::Primary, button_w) || handed_in;
   }

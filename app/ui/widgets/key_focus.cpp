@@ -179,13 +179,15 @@ unsigned keyStop() {
 bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags) {
   const bool entered = ImGui::InputTextMultiline(label, &text, size, flags);
   if (const ImGuiLastItemData item = GImGui->LastItemData; !item.ID)
-    ImGui::SetLastItemData(ImGui::GetID(label), ImGuiItemFlags_Inputable, item.StatusFlags, item.Rect);
+    ImGui::SetLastItemData(ImGui::GetID(label), GImGui->CurrentItemFlags | ImGuiItemFlags_Inputable, item.StatusFlags,
+                           item.Rect);
   return entered;
 }
 
-void writeInLastField() {
-  const ImGuiLastItemData& item = GImGui->LastItemData;
-  leadTo({item.ID, GImGui->CurrentWindow, item.Rect, true});
+void writeInLastField(const char* label) {
+  // By its label: ImGui 1.86 forgets the identity of a field of several lines, which is a group to it.
+  ImGuiWindow* window = GImGui->CurrentWindow;
+  leadTo({window->GetID(label), window, GImGui->LastItemData.Rect, true});
 }
 
 bool keysAtItem() { return keysLeadControls() && keysPlaceShown() && ImGui::IsItemFocused(); }
