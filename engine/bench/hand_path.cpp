@@ -128,6 +128,7 @@ Expected<HandPath> readHandPath(const std::filesystem::path& file) {
       continue;
     }
     const std::vector<std::string> fields = words(line);
+    if (fields.empty()) continue;  // separators alone
     if (rows.empty() && !number(fields.front())) {
       if (const auto named = columnsNamed(fields)) columns = named;
       ++out.passed_over;

@@ -24,7 +24,7 @@ struct Method {
   std::string_view name;      ///< as in `--method exact`
   std::string_view sentence;  ///< what it is, for the screen and `--help`
   std::unique_ptr<Tracker> (*make)(std::shared_ptr<const BallScene> scene, double probe_A);
-  MethodFamily family;
+  MethodFamily family{};
   std::string_view grade = {};    ///< how finely: "960", "0.4 Å"; empty where a family is one method
   std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
   bool plain_variant = false;     ///< its title leaves the variant out: it is what its grade is without further words

@@ -53,7 +53,8 @@ bool dotAt(ScriptedUser& d, const char* name, float x, float y) {
   REQUIRE(room);
   REQUIRE(room->visible());
   const glm::vec2 at = glm::mix(room->low, room->high, glm::vec2(x, y));
-  const std::uint8_t* c = d.picture().at(int(at.x), int(at.y));
+  const Picture picture = d.picture();
+  const std::uint8_t* c = picture.at(int(at.x), int(at.y));
   const ImU32 dot = look().palette.accent;
   const auto off = [&](int k) { return std::abs(int(c[k]) - int(dot >> (8 * k) & 0xFFu)); };
   return off(0) + off(1) + off(2) < 24;
@@ -121,6 +122,7 @@ TEST_CASE(
   for (const double far_mm : {1e37, 1e300, kInfinity}) {
     CAPTURE(far_mm);
     show(room, {far_mm, -far_mm, 0});
+    CHECK(contains(d->text("device/live"), "Hand at –, –, 0.0\u00a0mm;"));
     CHECK(dotAt(*d, "device/front", 1.0f, 1.0f));
     show(room, {-far_mm, far_mm, -far_mm});
     CHECK(dotAt(*d, "device/front", 0.0f, 0.0f));

@@ -153,6 +153,11 @@ TEST_CASE(
   CHECK(refused(labels + "1 2 3\n# one: more\n").line == 1002);
 }
 
+TEST_CASE("a line of separators alone is passed over like a blank one, before the rows and among them") {
+  CHECK(read(",\n1 2 3\n;, \t;\n4 5 6\n,").places == std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}});
+  CHECK(refused(",\n").message.find("no row") != std::string::npos);
+}
+
 TEST_CASE("a way of 10 rows a second is written a row a tick, and read back it lasts as long") {
   const HandPath path = read("# tick_s: 0.1\n# time_unit: s\n1 2 3\n2 2 3\n");
   REQUIRE(path.places.size() == 101);

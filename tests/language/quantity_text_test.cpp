@@ -181,4 +181,7 @@ TEST_CASE("a power of ten is written without signs and zeros that say nothing") 
   CHECK(numberText(1.5e-12) == "1.5e-12");
   CHECK(numberText(1e-7) == "1e-7");
   CHECK(numberText(1e300) == "1e300");
+  CHECK(numberText(-1e300, decimals(2)) == "-1e300");
+  CHECK(quantityText(1e15, Dimension::Force) == "1e15\u00a0N");
+  CHECK(quantityText(9e14, Dimension::Force, decimals(0)) == "900000000000000\u00a0N");
 }

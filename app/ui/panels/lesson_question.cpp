@@ -132,10 +132,9 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   bool handed_in = false;
   const bool begins = takesWriting(session, index) && lessonKeyPressed('A');
   if (free) {
-    handed_in =
-        ImGui::InputTextMultiline("##answer", &written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
+    handed_in = inputLines("##answer", written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
-    if (begins) writeInLastField();
+    if (begins) writeInLastField("##answer");
     tip(tr("A begins to write, Ctrl and Enter keeps it"));
     handed_in = button((name + "/check").c_str(), tr("Keep"), ButtonLook::Plain, button_w) || handed_in;
   } else {
@@ -147,7 +146,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
     ImGui::PopStyleVar();
     recordItem(name + "/field", written);
-    if (begins) writeInLastField();
+    if (begins) writeInLastField("##answer");
     ImGui::SameLine();
     handed_in = button((name + "/check").c_str(), tr("Check"), ButtonLook::Primary, button_w) || handed_in;
   }

@@ -72,7 +72,7 @@ void drawOpenPage(Application& app) {
   const bool entered =
       ImGui::InputTextWithHint("##path", b.folder().string().c_str(), &b.typed, ImGuiInputTextFlags_EnterReturnsTrue);
   recordItem("open/path", b.typed);
-  if (newly) writeInLastField();
+  if (newly) writeInLastField("##path");
   if (entered && !b.typed.empty()) {
     fs::path where = b.typed;
     if (b.typed.starts_with("~/") && std::getenv("HOME")) where = fs::path(std::getenv("HOME")) / b.typed.substr(2);

@@ -86,7 +86,9 @@ void drawTouchPanel(Application& app) {
                                                             servo.stiffness_N_per_mm, servo.workspace.A_per_mm)
                                            : 0.0;
     const std::string energy = trf("Energy in the spring: {0}", quantityText(energy_J, Dimension::Energy));
+    ImGui::PushTextWrapPos(0.0f);
     ImGui::TextUnformatted(energy.c_str());
+    ImGui::PopTextWrapPos();
     recordItem("energy", energy);
     ImGui::TextUnformatted(tr("Tracker"));
     drawMethodChooser(app);

@@ -1,6 +1,7 @@
 #include "app/ui/widgets/key_focus.h"
 
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
@@ -175,9 +176,18 @@ unsigned keyStop() {
   return item.ID;
 }
 
-void writeInLastField() {
-  const ImGuiLastItemData& item = GImGui->LastItemData;
-  leadTo({item.ID, GImGui->CurrentWindow, item.Rect, true});
+bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags) {
+  const bool entered = ImGui::InputTextMultiline(label, &text, size, flags);
+  if (const ImGuiLastItemData item = GImGui->LastItemData; !item.ID)
+    ImGui::SetLastItemData(ImGui::GetID(label), GImGui->CurrentItemFlags | ImGuiItemFlags_Inputable, item.StatusFlags,
+                           item.Rect);
+  return entered;
+}
+
+void writeInLastField(const char* label) {
+  // By its label: ImGui 1.86 forgets the identity of a field of several lines, which is a group to it.
+  ImGuiWindow* window = GImGui->CurrentWindow;
+  leadTo({window->GetID(label), window, GImGui->LastItemData.Rect, true});
 }
 
 bool keysAtItem() { return keysLeadControls() && keysPlaceShown() && ImGui::IsItemFocused(); }
