@@ -2,12 +2,19 @@
 # Installs what is missing, builds Moltact and starts it; arguments go to the program.
 #   ./run.sh                    opens the window
 #   ./run.sh info 1ubq          a command without a window; ./run.sh --help lists them
+#   ./run.sh web                builds the browser edition, build/web/moltact.html, and says where it is
 set -eu
 here=$PWD
 cd "$(dirname "$0")"
 root=$PWD
 . .ci/setup.sh
 install_missing >&2
+if [ "${1:-}" = web ]; then
+  install_missing .ci/packages-web >&2
+  build_preset web >&2
+  echo "$root/build/web/moltact.html"
+  exit 0
+fi
 [ -x build/release/moltact ] || echo "Building Moltact; the first time this takes a few minutes." >&2
 if [ ! -x build/release/moltact ] && [ -t 2 ]; then
   build_preset release moltact >&2

@@ -2,6 +2,7 @@
 # Installs what is missing, builds Moltact and runs every test.
 #   ./test.sh                   the release build
 #   ./test.sh release asan tsan the builds of CMakePresets.json that are named
+#   ./test.sh web               the browser edition in headless Chromium (tests/web)
 #   ./test.sh fuzz              every reader of files under libFuzzer, 20 s each (tests/fuzz)
 set -eu
 cd "$(dirname "$0")"
@@ -10,6 +11,14 @@ install_missing
 for preset in "${@:-release}"; do
   echo "== $preset"
   [ "$preset" != fuzz ] || install_missing .ci/packages-fuzz
+  if [ "$preset" = web ]; then
+    install_missing .ci/packages-web
+    build_preset web moltact_page
+    build_preset web moltact_trace
+    [ -x build/release/moltact ] || build_preset release moltact
+    timeout 20m python3 tests/web/run.py
+    continue
+  fi
   build_preset "$preset"
   ctest --preset "$preset"
 done

@@ -4,6 +4,11 @@
 #include "engine/language/catalogue.h"
 
 // One line a driver, the default first and the mouse last: it is k<Name>Driver, in its own file.
+#ifdef __EMSCRIPTEN__  // a page reaches no hidraw and no library of a maker's
+#define MOLTACT_DRIVERS(X) \
+  X(Simulated)             \
+  X(Mouse)
+#else
 #define MOLTACT_DRIVERS(X) \
   X(Omni)                  \
   X(WoodenHaptics)         \
@@ -13,6 +18,7 @@
   X(DualSense)             \
   X(Simulated)             \
   X(Mouse)
+#endif
 
 namespace moltact {
 

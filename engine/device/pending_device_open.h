@@ -8,13 +8,14 @@
 #include <string>
 
 #include "engine/device/driver.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 
 class PendingDeviceOpen {
  public:
   explicit PendingDeviceOpen(std::string name)
-      : found_(std::async(std::launch::async, [name = std::move(name)] { return openDevice(name); })) {}
+      : found_(inBackground([name = std::move(name)] { return openDevice(name); })) {}
 
   bool done() const { return found_.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }
   /// Call once, when done(): the device, or the reason why there is none.

@@ -327,7 +327,7 @@ std::optional<Problem> writeGlb(const std::filesystem::path& file, const GltfSce
     return Problem{.file = file.string(),
                    .message = tr("the scene is too large for a glTF file"),
                    .remedy = tr("take a smaller molecule, or a coarser surface")};
-  return writeWhole(file, out.view());
+  return writeWhole(file, out.str());
 }
 
 }  // namespace moltact

@@ -172,8 +172,9 @@ constexpr auto kMethods = [] {
   return out;
 }();
 
-constexpr auto kOffered = std::size_t(std::ranges::count_if(kMethods, &Method::offered));
-static_assert(std::ranges::count_if(kMethods, &Method::reference) == 1);
+constexpr auto kOffered =
+    std::size_t(std::count_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.offered; }));
+static_assert(std::count_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.reference; }) == 1);
 
 }  // namespace
 
@@ -204,7 +205,9 @@ std::shared_ptr<const SphereMesh> feltFacets(std::string_view method) {
   return m && m->triangles > 0 ? SphereMesh::ofTriangles(m->triangles) : nullptr;
 }
 
-const Method& referenceMethod() { return *std::ranges::find_if(kMethods, &Method::reference); }
+const Method& referenceMethod() {
+  return *std::find_if(kMethods.begin(), kMethods.end(), [](const Method& m) { return m.reference; });
+}
 
 std::string_view motionSentence(const Method& method) {
   return method.follows_motion ? std::string_view()

@@ -126,8 +126,8 @@ void setTouchValue(TouchSetup& setup, const TouchProperty& property, const Touch
 bool isChoice(const TouchProperty& property) { return !property.words || property.words().size() > 1; }
 
 bool madeAlike(const TouchSetup& a, const TouchSetup& b) {
-  return std::ranges::all_of(
-      kProperties, [&](const TouchProperty& p) { return !p.made_with || touchValue(a, p) == touchValue(b, p); });
+  return std::all_of(std::begin(kProperties), std::end(kProperties),
+                     [&](const TouchProperty& p) { return !p.made_with || touchValue(a, p) == touchValue(b, p); });
 }
 
 std::map<std::string, std::string> touchLabels(const TouchSetup& setup) {
@@ -151,8 +151,8 @@ TouchSetup labelledTouch(const std::map<std::string, std::string>& labels, const
 }
 
 bool TouchChange::has(const TouchMember& member) const {
-  return std::ranges::any_of(kProperties,
-                             [&](const TouchProperty& p) { return p.member == member && values_.contains(p.field); });
+  return std::any_of(std::begin(kProperties), std::end(kProperties),
+                     [&](const TouchProperty& p) { return p.member == member && values_.contains(p.field); });
 }
 
 TouchSetup TouchChange::over(TouchSetup scene) const {

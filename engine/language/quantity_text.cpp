@@ -48,17 +48,21 @@ std::string shortExponent(std::string text) {
   return text;
 }
 
+constexpr double kEnormous = 1e15;  // written with an exponent from here on
+
 std::string numberIn(double value, Digits digits, const Unit* unit, bool asked_for) {
   const double factor = unit ? 1.0 / unit->in_code_units : 1.0;
   value *= factor;
   if (!std::isfinite(value)) return "–";  // also what is a number in the code's units alone
-  switch (digits.kind) {
+  // Beyond what a double tells to the unit more digits would be noise, and hundreds of them no text.
+  const bool enormous = std::abs(value) >= kEnormous;
+  switch (enormous ? Digits::Kind::Usual : digits.kind) {
     case Digits::Kind::Decimals:
       return withSign(decimalsOf(value, digits.count - (asked_for ? 0 : int(std::lround(std::log10(factor))))));
     case Digits::Kind::Significant:
       return withSign(significantOf(value, digits.count));
     case Digits::Kind::Usual:
-      if (unit && unit->use & kShowable) return withSign(decimalsOf(value, unit->decimals));
+      if (unit && unit->use & kShowable && !enormous) return withSign(decimalsOf(value, unit->decimals));
       break;
     case Digits::Kind::Plain:
       break;

@@ -53,8 +53,9 @@ class Check {
   }
 
   const Expected<std::shared_ptr<const Molecule>>& lookUp(const NamedMolecule& named) {
-    const auto known = found_.find(named);
-    return known != found_.end() ? known->second : found_.emplace(named, by_name_(named)).first->second;
+    std::pair<std::string, std::string> key{named.name, readingText(named.reading)};
+    const auto known = found_.find(key);
+    return known != found_.end() ? known->second : found_.emplace(std::move(key), by_name_(named)).first->second;
   }
 
   /// The molecule, or nullptr and an error at each place where it is named; where only the way of reading is at fault,
@@ -88,7 +89,7 @@ class Check {
   const Lesson& lesson_;
   const MoleculeByName& by_name_;
   Findings& findings_;
-  std::map<NamedMolecule, Expected<std::shared_ptr<const Molecule>>> found_;
+  std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name, reading
   std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
 };
 

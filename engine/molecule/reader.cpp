@@ -122,7 +122,8 @@ std::string moleculeEndingsText() {
 
 bool hasMoleculeName(const std::filesystem::path& file) {
   const std::string ending = lower(innerName(file).extension().string());
-  return std::ranges::any_of(kFormats, [&](const Format& format) { return ending == format.extension; });
+  return std::any_of(std::begin(kFormats), std::end(kFormats),
+                     [&](const Format& format) { return ending == format.extension; });
 }
 
 Expected<Molecule> readMoleculeBytes(std::string bytes, const std::filesystem::path& path, const ReadOptions& options) {

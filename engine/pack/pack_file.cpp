@@ -31,8 +31,6 @@ std::size_t count(std::string_view bytes, std::string_view what) {
 
 }  // namespace
 
-bool hasPackName(const std::filesystem::path& file) { return lower(file.extension().string()) == kPackEnding; }
-
 struct PackFile::Impl {
   std::string name, bytes, hash, lesson;
   zip_t* zip = nullptr;

@@ -6,6 +6,7 @@
 #include "engine/core/printable.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
+#include "engine/pack/pack_file.h"
 
 namespace moltact {
 namespace {
@@ -54,5 +55,7 @@ std::string packNameFault(std::string_view name) {
 }
 
 std::string foldedPackName(std::string_view name) { return lower(std::string(name)); }
+
+bool hasPackName(const std::filesystem::path& file) { return lower(file.extension().string()) == kPackEnding; }
 
 }  // namespace moltact

@@ -28,8 +28,9 @@ class AudioOutput {
   /// Why nothing is played, in one sentence; empty unless state() is Silent.
   std::string fault() const;
 
+  struct Impl;  // the platform's
+
  private:
-  struct Impl;
   std::unique_ptr<Impl> impl_;
 };
 

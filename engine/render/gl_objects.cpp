@@ -28,7 +28,7 @@ Problem shaderProblem(const std::string& name, const std::string& log) {
 
 GLuint compile(GLenum kind, const std::string& text) {
   const GLuint shader = glCreateShader(kind);
-  const std::string whole = "#version 330 core\n" + text;
+  const std::string whole = std::string(kShaderVersion) + "\n" + kShaderPrecision + text;
   const char* source = whole.c_str();
   glShaderSource(shader, 1, &source, nullptr);
   glCompileShader(shader);

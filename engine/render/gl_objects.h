@@ -2,12 +2,11 @@
 // All calls need the context current in which the object was made.
 #pragma once
 
-#include <epoxy/gl.h>
-
 #include <string>
 #include <utility>
 
 #include "engine/core/problem.h"
+#include "engine/render/gl.h"
 
 namespace moltact {
 
@@ -22,7 +21,7 @@ class GlProgram {
     return *this;
   }
 
-  /// Compiles and links; `name` appears in the problem beside the compiler's own words. "#version" is put in front.
+  /// Compiles and links; `name` appears in the problem beside the compiler's own words. "#version" and what goes with it is put in front.
   static Expected<GlProgram> build(const std::string& name, const std::string& vertex, const std::string& fragment);
 
   GLuint id() const { return id_; }

@@ -55,7 +55,6 @@ class CallersState {
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
     glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-    glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
     glBlendEquation(GL_FUNC_ADD);
     glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
   }
@@ -121,11 +120,10 @@ Renderer::Renderer() = default;
 Renderer::~Renderer() = default;
 
 Expected<std::unique_ptr<Renderer>> Renderer::create() {
-  if (epoxy_gl_version() < 33)
-    return Problem{
-        .file = {},
-        .message = trf("the graphics driver offers OpenGL {0}.{1}", epoxy_gl_version() / 10, epoxy_gl_version() % 10),
-        .remedy = tr("OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
+  if (const int version = tooOldGl())
+    return Problem{.file = {},
+                   .message = trf("the graphics driver offers OpenGL {0}.{1}", version / 10, version % 10),
+                   .remedy = tr("OpenGL 3.3 is needed; LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
   auto balls = SphereImpostors::build();
   if (!balls) return balls.problem();
   auto wires = Wireframe::build();
@@ -150,7 +148,6 @@ bool Renderer::Impl::drawLayer(const ViewScene& scene, const Projection& project
     return false;
   (direct ? layer : raw).bind();
   glDepthMask(GL_TRUE);
-  glClearDepth(1.0);
   glClear(GL_DEPTH_BUFFER_BIT);
   resolve.background(lighting);
   count.atoms_drawn = 0;
@@ -180,7 +177,6 @@ void Renderer::Impl::drawGlyphs(const ViewScene& scene, const Projection& projec
   // Ghosts first: they show only behind the atoms, and their own solid bodies must not count as hiding them.
   Lighting near = lighting;
   near.fade_most *= 0.4f;  // what the lesson is about does not drown in the distance
-  glEnable(GL_DEPTH_CLAMP);
   balls.drawLoose(glyphs.ghost, SphereImpostors::Pass::Ghost, projection, near);
   for (const GlyphCone& c : glyphs.cones) mesh.addCone(c.a, c.b, c.radius_a, c.radius_b, c.colour);
   for (const GlyphModel& m : glyphs.models) mesh.addModel(*m.model, m.to_view);
@@ -189,7 +185,6 @@ void Renderer::Impl::drawGlyphs(const ViewScene& scene, const Projection& projec
   balls.drawLoose(dots, SphereImpostors::Pass::Solid, projection, near);
   wires.draw(glyphs.strokes, projection, line_scale);
   balls.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, near);
-  glDisable(GL_DEPTH_CLAMP);
 }
 
 std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int height_px,
@@ -293,13 +288,17 @@ void Renderer::copyTo(int x_px, int y_px) const {
 Picture Renderer::readPixels() const {
   const GlTarget& from = impl_->picture;
   Picture picture{from.width(), from.height(), {}};
-  picture.rgb.resize(std::size_t(3) * from.width() * from.height());
+  // Red, green, blue and opacity are what every driver gives.
+  std::vector<std::uint8_t> rgba(std::size_t(4) * from.width() * from.height());
   GLint read = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadPixels(0, 0, from.width(), from.height(), GL_RGB, GL_UNSIGNED_BYTE, picture.rgb.data());
+  glReadPixels(0, 0, from.width(), from.height(), GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
   glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read));
+  picture.rgb.reserve(rgba.size() / 4 * 3);
+  for (std::size_t k = 0; k < rgba.size(); k += 4)
+    picture.rgb.insert(picture.rgb.end(), {rgba[k], rgba[k + 1], rgba[k + 2]});
   const std::size_t row = std::size_t(3) * from.width();
   for (int y = 0; y < from.height() / 2; ++y)
     std::swap_ranges(picture.rgb.begin() + std::ptrdiff_t(row * y), picture.rgb.begin() + std::ptrdiff_t(row * (y + 1)),
@@ -307,7 +306,19 @@ Picture Renderer::readPixels() const {
   return picture;
 }
 
-void Renderer::finish() const { glFinish(); }
+void Renderer::finish() const {
+#ifdef __EMSCRIPTEN__
+  // WebGL's finish() waits for nothing; what is read has been drawn.
+  GLint read = 0;
+  glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->picture.framebuffer());
+  std::uint8_t pixel[4];
+  glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read));
+#else
+  glFinish();
+#endif
+}
 
 void Renderer::invalidate() { impl_->have_layer = impl_->have_picture = false; }
 

@@ -13,7 +13,7 @@ const char* const kVertexText = R"(
 layout(location = 0) in vec3 a_place;
 layout(location = 1) in vec3 a_normal;
 layout(location = 2) in vec4 a_colour;
-uniform vec2 u_tan, u_depth;
+uniform vec2 u_tan;
 out vec3 v_place, v_normal;
 out vec4 v_colour;
 out float v_y;
@@ -23,17 +23,21 @@ void main() {
   v_colour = a_colour;
   float d = -a_place.z;
   v_y = a_place.y / (max(d, 1e-4) * u_tan.y);
-  gl_Position = vec4(a_place.xy / u_tan, (2.0 * u_depth.x - 1.0) * d - 2.0 * u_depth.y, d);
+  gl_Position = vec4(a_place.xy / u_tan, 0.0, d);
 }
 )";
 
+// The depth is written here and not by the vertices, so that what lies before the nearest or behind the farthest is not
+// cut off.
 const char* const kFragmentText = R"(
 in vec3 v_place, v_normal;
 in vec4 v_colour;
 in float v_y;
 uniform float u_alpha;
+uniform vec2 u_depth;
 out vec4 o_colour;
 void main() {
+  gl_FragDepth = clamp(u_depth.x + u_depth.y / v_place.z, 0.0, 1.0);
   vec3 n = normalize(v_normal);
   float facing = max(-dot(n, normalize(v_place)), 0.0);
   o_colour = vec4(lit(v_colour.rgb * v_colour.rgb, n, facing, -v_place.z, 1.0, clamp(v_y, -1.0, 1.0)), u_alpha);

@@ -15,18 +15,22 @@ layout(location = 3) in float a_hidden;
 uniform float u_hidden;
 out vec4 v_colour;
 out vec2 v_across;
+out float v_depth;
 void main() {
   v_colour = vec4(a_colour.rgb, a_colour.a * mix(1.0, a_hidden, u_hidden));
   v_across = a_across;
-  gl_Position = vec4(a_place.xy, a_place.z * 2.0 - 1.0, 1.0);
+  v_depth = a_place.z;
+  gl_Position = vec4(a_place.xy, 0.0, 1.0);
 }
 )";
 
 const char* const kFragmentText = R"(
 in vec4 v_colour;
 in vec2 v_across;
+in float v_depth;
 out vec4 o_colour;
 void main() {
+  gl_FragDepth = clamp(v_depth, 0.0, 1.0);
   o_colour = vec4(v_colour.rgb, v_colour.a * clamp(v_across.y + 0.5 - abs(v_across.x), 0.0, 1.0));
 }
 )";

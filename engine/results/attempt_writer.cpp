@@ -9,6 +9,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/platform/append_file.h"
+#include "engine/platform/background.h"
 #include "engine/results/attempt_file.h"
 
 namespace moltact {
@@ -29,7 +30,7 @@ struct AttemptWriter::Impl {
   bool recovered = false, stop = false;
   std::uint64_t asked = 0, served = 0;  // rounds that flush() waits for
 
-  // The thread's:
+  // The thread's, or of whoever calls where there is none:
   std::optional<AppendFile> file;
   bool failing = false, unsynced = false;
   Clock::time_point synced{};
@@ -38,7 +39,12 @@ struct AttemptWriter::Impl {
   std::optional<Problem> open();
   std::optional<Problem> write(const std::string& lines);
   void tell(std::optional<Problem> problem);
+  void serve(std::unique_lock<std::mutex>& held);
   void run();
+  void nudge();
+
+  // Without threads:
+  Clock::time_point failed{};
 };
 
 std::optional<Problem> AttemptWriter::Impl::open() {
@@ -90,6 +96,34 @@ void AttemptWriter::Impl::tell(std::optional<Problem> problem) {
   if (!problem && failing) recovered = true;
 }
 
+// What waits, once. The lock is let go while it is written.
+void AttemptWriter::Impl::serve(std::unique_lock<std::mutex>& held) {
+  const bool last = stop;
+  const std::uint64_t serving = asked;
+  std::string lines = std::exchange(waiting, {});
+  held.unlock();
+
+  std::optional<Problem> problem;
+  if (!lines.empty()) problem = write(lines);
+  if (!problem && unsynced && (last || Clock::now() - synced >= std::chrono::duration<double>(kSync_s))) {
+    // The lines are in the file already: a disk that fails now is told, and they are not written twice.
+    problem = file->sync();
+    lines.clear();
+    unsynced = problem.has_value();
+    synced = Clock::now();
+  } else if (!problem) {
+    lines.clear();
+  }
+
+  held.lock();
+  if (!lines.empty()) waiting.insert(0, lines);
+  const bool has_failed = problem.has_value();
+  tell(std::move(problem));
+  failing = has_failed;
+  served = serving;
+  rested.notify_all();
+}
+
 void AttemptWriter::Impl::run() {
   std::unique_lock held(lock);
   for (;;) {
@@ -100,35 +134,23 @@ void AttemptWriter::Impl::run() {
     else
       woken.wait(held, wake);
     const bool last = stop;
-    const std::uint64_t serving = asked;
-    std::string lines = std::exchange(waiting, {});
-    held.unlock();
-
-    std::optional<Problem> problem;
-    if (!lines.empty()) problem = write(lines);
-    if (!problem && unsynced && (last || Clock::now() - synced >= std::chrono::duration<double>(kSync_s))) {
-      // The lines are in the file already: a disk that fails now is told, and they are not written twice.
-      problem = file->sync();
-      lines.clear();
-      unsynced = problem.has_value();
-      synced = Clock::now();
-    } else if (!problem) {
-      lines.clear();
-    }
-
-    held.lock();
-    if (!lines.empty()) waiting.insert(0, lines);
-    const bool failed = problem.has_value();
-    tell(std::move(problem));
-    failing = failed;
-    served = serving;
-    rested.notify_all();
+    serve(held);
     if (last) return;
   }
 }
 
+// Something has come: the thread is woken, or where there is none it is written here and now.
+void AttemptWriter::Impl::nudge() {
+  if (thread.joinable()) return woken.notify_one();
+  std::unique_lock held(lock);
+  const bool retry = Clock::now() - failed >= std::chrono::duration<double>(kRetry_s);
+  if (failing && !retry && !stop && asked == served) return;
+  serve(held);
+  if (failing) failed = Clock::now();
+}
+
 AttemptWriter::AttemptWriter(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {
-  impl_->thread = std::thread([w = impl_.get()] { w->run(); });
+  if (threadsCanBeHad()) impl_->thread = std::thread([w = impl_.get()] { w->run(); });
 }
 AttemptWriter::AttemptWriter(AttemptWriter&&) noexcept = default;
 AttemptWriter& AttemptWriter::operator=(AttemptWriter&& other) noexcept {
@@ -155,8 +177,8 @@ AttemptWriter::~AttemptWriter() {
     const std::lock_guard held(impl_->lock);
     impl_->stop = true;
   }
-  impl_->woken.notify_one();
-  impl_->thread.join();
+  impl_->nudge();
+  if (impl_->thread.joinable()) impl_->thread.join();
 }
 
 void AttemptWriter::append(std::string line) {
@@ -165,7 +187,7 @@ void AttemptWriter::append(std::string line) {
     if (impl_->waiting.size() + line.size() > kMostWaiting) return;
     impl_->waiting += line;
   }
-  impl_->woken.notify_one();
+  impl_->nudge();
 }
 
 std::optional<Problem> AttemptWriter::takeFault() {
@@ -181,7 +203,9 @@ bool AttemptWriter::takeRecovered() {
 bool AttemptWriter::flush() {
   std::unique_lock held(impl_->lock);
   const std::uint64_t mine = ++impl_->asked;
-  impl_->woken.notify_one();
+  held.unlock();
+  impl_->nudge();
+  held.lock();
   impl_->rested.wait(held, [&] { return impl_->served >= mine; });
   return impl_->waiting.empty();
 }

@@ -1,4 +1,5 @@
-// Writes an attempt's lines as they come, on a thread of its own, so that no disk delays a frame. A line is with the
+// Writes an attempt's lines as they come, on a thread of its own, so that no disk delays a frame; in a page, which has
+// neither, at once. A line is with the
 // operating system as soon as that thread runs, and on the disk within kSync_s. Where the disk is full or may not be
 // written, the lines wait in memory and are tried again. Window's thread; no call but the destructor and flush() waits.
 #pragma once

@@ -9,8 +9,9 @@
 
 namespace moltact {
 
-static_assert(sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
-                  sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1664,
+static_assert(sizeof(void*) != 8 ||  // other machines lay them out otherwise; the names are the same
+                  (sizeof(HandSpeed) == 312 && sizeof(PassivityControl) == 400 && sizeof(ThermalModel) == 16 &&
+                   sizeof(Clutch) == 88 && sizeof(SafetyStage) == 1416 && sizeof(ServoStep) == 1664),
               "a member more is to be named below, or a replay is not the same");
 
 // Every member of a step's state with its name and range; a friend of the classes whose members they are. `each` is

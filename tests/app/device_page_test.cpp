@@ -122,6 +122,7 @@ TEST_CASE(
   for (const double far_mm : {1e37, 1e300, kInfinity}) {
     CAPTURE(far_mm);
     show(room, {far_mm, -far_mm, 0});
+    CHECK(contains(d->text("device/live"), "Hand at –, –, 0.0\u00a0mm;"));
     CHECK(dotAt(*d, "device/front", 1.0f, 1.0f));
     show(room, {-far_mm, far_mm, -far_mm});
     CHECK(dotAt(*d, "device/front", 0.0f, 0.0f));

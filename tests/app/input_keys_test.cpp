@@ -8,6 +8,8 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <doctest/doctest.h>
+#include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include "app/ui/shell/glfw_keys.h"
 #include "app/ui/shell/keyboard_layout.h"
@@ -275,18 +277,21 @@ TEST_CASE(
     CAPTURE(lines);
     BareImGui imgui;
     InputQueue input;
-    char written[16] = "";
+    std::string written;
     bool seen = false;
+    int led_to = 0;  // frames in which Tab could lead to the field
     const auto draw = [&] {
       ImGui::Begin("view");
       ImGui::Button("one");
       ImGui::End();
+      ImGui::SetNextWindowSize({80, 60});
       ImGui::Begin("lesson");
-      ImGui::Button("two");
+      ImGui::Button("two", {40, 400});  // the field is out of sight below
       if (lines)
-        ImGui::InputTextMultiline("##field", written, sizeof written);
+        inputLines("##field", written, {60, 40});
       else
-        ImGui::InputText("##field", written, sizeof written);
+        ImGui::InputText("##field", &written);
+      led_to += lastItemForKeys().usable && lastItemForKeys().field;
       if (!ImGui::GetIO().WantTextInput) {
         seen = seen || ImGui::IsKeyPressed(ImGuiKey_3, false);
         if (takeKey(ImGuiKey_A)) writeInLastField("##field");
@@ -295,6 +300,7 @@ TEST_CASE(
       ImGui::End();
     };
     for (int k = 0; k < 3; ++k) imgui.frame(input, draw);
+    led_to = 0;
     for (const char c : {'A', '3', '.', '8'}) {
       const ImGuiKey key = c == '.' ? ImGuiKey_Period : keyOf(c);
       input.key(key, true);
@@ -303,7 +309,8 @@ TEST_CASE(
     }
     for (int k = 0; k < 20; ++k) imgui.frame(input, draw);
     CHECK(input.empty());
-    CHECK(std::string(written) == "3.8");
+    CHECK(written == "3.8");
+    CHECK(led_to == 20);
     CHECK_FALSE(seen);
   }
 }

@@ -11,6 +11,13 @@
 #include "engine/platform/use_language.h"
 
 namespace moltact {
+namespace {
+
+bool anyOf(std::span<Extension* const> all, bool (Extension::*says)() const) {
+  return std::any_of(all.begin(), all.end(), [says](const Extension* e) { return (e->*says)(); });
+}
+
+}  // namespace
 
 Application::Application(ApplicationOptions given, ApplicationParts parts)
     : scene(given.clock),
@@ -180,16 +187,15 @@ void Application::askForPictureAs() {
 }
 
 void Application::layPanelsOut(glm::vec2 window_px) {
-  layout_ = layOut(
-      {.window = window_px,
-       .scale = look().scale * look().text,
-       .lesson = panels.lesson && lesson.session() && std::ranges::none_of(extensions_->all(), &Extension::hidesLesson),
-       .touch = panels.touch,
-       .page = panels.welcome,
-       .lesson_width = float(settings.lesson_width),
-       .touch_width = float(settings.touch_width),
-       .strip_height = extensions_->stripHeight()},
-      panels.lesson_first);
+  layout_ = layOut({.window = window_px,
+                    .scale = look().scale * look().text,
+                    .lesson = panels.lesson && lesson.session() && !anyOf(extensions_->all(), &Extension::hidesLesson),
+                    .touch = panels.touch,
+                    .page = panels.welcome,
+                    .lesson_width = float(settings.lesson_width),
+                    .touch_width = float(settings.touch_width),
+                    .strip_height = extensions_->stripHeight()},
+                   panels.lesson_first);
   if (panels.welcome) return;
   const glm::vec2 view = layout_.view.size();
   scene.setViewAspect(view.y > 0 ? double(view.x) / double(view.y) : 1.0);
@@ -210,7 +216,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
   scene.rest(panels.welcome);
   const FeltTicks felt = scene.advance(dt_s, now_s_, panels.methodsInFront());
   // A recorded hand does nobody's task.
-  if (std::ranges::none_of(extensions, &Extension::leadsHand))
+  if (!anyOf(extensions, &Extension::leadsHand))
     for (const FeltTick& t : felt.ticks) lesson.feed(t.sample, felt.method.name, t.exact);
   if (!felt.ticks.empty())
     for (Extension* e : extensions) e->ticks(*this, felt);
@@ -226,7 +232,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
 
 bool Application::live() const {
   return scene.live() || loader_.busy() || messages.fading() || picture_->unfinished() ||
-         std::ranges::any_of(extensions_->all(), &Extension::live);
+         anyOf(extensions_->all(), &Extension::live);
 }
 
 }  // namespace moltact

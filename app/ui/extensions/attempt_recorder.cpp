@@ -8,6 +8,7 @@
 
 #include "app/ui/application/application.h"
 #include "engine/language/catalogue.h"
+#include "engine/platform/background.h"
 #include "engine/platform/read_file.h"
 #include "engine/results/progress.h"
 
@@ -157,7 +158,7 @@ void AttemptRecorder::beforeTicks(Application& app) {
   const std::filesystem::path& folder = app.options().attempts_folder;
   if (!mending_begun_ && !folder.empty()) {
     mending_begun_ = true;
-    mended_ = std::async(std::launch::async, [folder] { return mendAttempts(folder).size(); });
+    mended_ = inBackground([folder] { return mendAttempts(folder).size(); });
   }
   if (!paused_ && !app.panels.welcome) now_s_ += std::clamp(app.dt_s(), 0.0, kLongestFrame_s);
 }

@@ -1,7 +1,5 @@
 #include "app/ui/extensions/card_pictures.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
@@ -16,7 +14,9 @@
 #include "engine/haptics/methods.h"
 #include "engine/haptics/sweep.h"
 #include "engine/molecule/reader.h"
+#include "engine/platform/background.h"
 #include "engine/platform/read_file.h"
+#include "engine/render/gl.h"
 #include "engine/render/renderer.h"
 
 namespace moltact {
@@ -139,8 +139,8 @@ void CardPictures::afterPanels(Application& app) {
   }
   auto [key, subject] = std::move(queue_.front());
   queue_.erase(queue_.begin());
-  job_ = std::async(std::launch::async, [key = std::move(key), subject = std::move(subject), look = look_,
-                                         folder = app.options().cache_folder]() mutable {
+  job_ = inBackground([key = std::move(key), subject = std::move(subject), look = look_,
+                       folder = app.options().cache_folder]() mutable {
     Job job{std::move(key), std::move(subject), {}, {}, {}};
     const Expected<std::string> bytes = readFile(job.subject.molecule.file, kLargestFile, "");
     if (!bytes) return job;

@@ -2,7 +2,8 @@
 
 #include <chrono>
 #include <exception>
-#include <system_error>
+
+#include "engine/platform/background.h"
 
 namespace moltact {
 
@@ -16,12 +17,7 @@ void DeviceLister::begin(bool waits) {
       return {};
     }
   };
-  try {
-    seen_ = std::async(waits ? std::launch::deferred : std::launch::async, guarded);
-  } catch (const std::system_error&) {  // no further thread can be had
-    seen_ = std::async(std::launch::deferred, guarded);
-    waits = true;
-  }
+  seen_ = inBackground(guarded);
   if (waits) seen_.wait();
 }
 

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <chrono>
-#include <system_error>
 
 #include "app/ui/application/application.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 namespace {
@@ -51,14 +51,14 @@ void LessonWatch::watch(const fs::path& file) {
 void LessonWatch::lessonChanged(Application& app) {
   if (app.lesson.openings() == own_opening_ && app.lesson.file() == file_) return;
   watch(app.lesson.file());
-  begin(app);
+  begin();
 }
 
-void LessonWatch::lessonRefused(Application& app, const fs::path& file) {
+void LessonWatch::lessonRefused(Application&, const fs::path& file) {
   watch(file);
   // What is wrong with a file that a person has just chosen is told at once.
   const Expected<std::string> bytes = readLessonFile(file);
-  if (bytes && !bytes->empty()) return begin(app);
+  if (bytes && !bytes->empty()) return begin();
   list({{}, {bytes ? Problem{file.string(), 0, 0, tr("the file is empty"), tr(kSaveAgain)} : bytes.problem()}, {}});
   read_ = seen_;
 }
@@ -73,10 +73,10 @@ void LessonWatch::beforeTicks(Application& app) {
   since_poll_s_ += app.dt_s();
   if (file_.empty() || running_.valid() || since_poll_s_ < kPoll_s) return;
   since_poll_s_ = 0.0;
-  poll(app);
+  poll();
 }
 
-void LessonWatch::poll(Application& app) {
+void LessonWatch::poll() {
   const Look now = lookAt(file_);
   const bool settled = now == seen_;
   seen_ = now;
@@ -92,10 +92,10 @@ void LessonWatch::poll(Application& app) {
   unreadable_s_ = 0.0;
   // A file that still grows is being written.
   if (!settled) return;
-  if (now != read_ || (errors_ > 0 && since_check_s_ > kLookAgain_s)) begin(app);
+  if (now != read_ || (errors_ > 0 && since_check_s_ > kLookAgain_s)) begin();
 }
 
-void LessonWatch::begin(Application& app) {
+void LessonWatch::begin() {
   // A check that is under way ends first: the next poll begins anew.
   if (running_.valid()) return;
   const Look before = lookAt(file_);
@@ -109,11 +109,7 @@ void LessonWatch::begin(Application& app) {
   const auto work = [name = file_.string(), text = pending_bytes_, molecules = molecules_] {
     return checkNow(name, text, *molecules);
   };
-  try {
-    running_ = std::async(app.options().clock == ServoClock::Frames ? std::launch::deferred : std::launch::async, work);
-  } catch (const std::system_error&) {  // no further thread can be had
-    running_ = std::async(std::launch::deferred, work);
-  }
+  running_ = inBackground(work);
 }
 
 void LessonWatch::takeUp(Application& app, LessonCheck check) {

@@ -58,7 +58,7 @@ void TouchSound::afterPanels(Application& app) {
     heard_.clear();
     synth_ = {};
     // A card that was not there may have been plugged in since.
-    const bool play = app.options().clock == ServoClock::RealThread;
+    const bool play = app.options().clock != ServoClock::Frames;
     if (play && (!playing_ || playing_->output.state() == AudioOutput::State::Silent))
       playing_ = std::make_unique<Playing>();
   } else if (!app.settings.sound && on_) {

@@ -4,12 +4,15 @@
 #include <system_error>
 #include <utility>
 
+#include "engine/platform/hand_over.h"
+
 namespace moltact {
 
 namespace fs = std::filesystem;
 
 void FileDialog::ask(FileQuestion question, const fs::path& folder) {
   std::error_code ignored;
+  if (filesAreHandedOver() && !question.name.empty()) return question.chosen(folder / question.name);
   browser.accept(
       [ending = question.ending](const fs::path& file) { return !ending.empty() && file.extension() == ending; });
   browser.look(fs::is_directory(folder, ignored) ? folder : fs::current_path(ignored));

@@ -20,7 +20,8 @@ struct FileQuestion {
 
 class FileDialog {
  public:
-  /// Opens the dialog in a folder, in place of one that is open.
+  /// Opens the dialog in a folder, in place of one that is open. In a page, where files are handed over
+  /// (engine/platform/hand_over.h), a file that is to be written is chosen at once, and no dialog opens.
   void ask(FileQuestion question, const std::filesystem::path& folder);
   bool open() const { return question_.has_value(); }
   void close() { question_.reset(); }

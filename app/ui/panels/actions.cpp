@@ -8,9 +8,11 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/hand_in.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
 #include "engine/language/catalogue.h"
+#include "engine/platform/hand_over.h"
 #include "engine/render/gltf_export.h"
 
 namespace moltact {
@@ -42,6 +44,7 @@ void saveGltf(App& app, const std::filesystem::path& file) {
       exportMolecule(*app.scene.stage().molecule, {.colours = elementColoursOf(app.settings)});
   if (!scene) return app.messages.error(scene.problem().text());
   if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
+  handOver(file);
   app.messages.notice(trf("Molecule saved as {0}; 1 unit is 1 nm", file.string()));
 }
 
@@ -70,7 +73,10 @@ constexpr std::array kActions{
            .sentence = N_("Open a molecule or a lesson"),
            .icon = Icon::Folder,
            .tool = 2,
-           .run = [](App& a) { a.panels.open_page = true; }},
+           .run =
+               [](App& a) {
+                 if (!askForFile()) a.panels.open_page = true;
+               }},
     Action{.name = "picture",
            .menu = Menu::File,
            .parted = true,
@@ -99,6 +105,7 @@ constexpr std::array kActions{
            .label = N_("Quit"),
            .shortcut = "Ctrl+Q",
            .run = [](App& a) { a.leave(); },
+           .enabled = [](const App& a) { return a.options().clock != ServoClock::Page; },
            .while_writing = true},
 
     Action{.name = "undo",
@@ -258,6 +265,12 @@ constexpr std::array kActions{
            .shortcut = "Alt+Left",
            .run = [](App& a) { a.lesson.back(); },
            .enabled = [](const App& a) { return inLesson(a) && a.lesson.canGoBack(); }},
+    Action{.name = "hand-in",
+           .menu = Menu::Lesson,
+           .label = N_("Hand in my results …"),
+           .sentence = N_("A file of what you have done in this lesson, for your teacher"),
+           .run = [](App& a) { handIn(a); },
+           .enabled = [](const App& a) { return inLesson(a) && canHandIn(a); }},
     Action{.name = "turns",
            .menu = Menu::Lesson,
            .parted = true,

@@ -1,6 +1,7 @@
 // View > Device: which devices there are, the one in use live, its calibration, a gentle force to try it with, the
 // limits in force, how punctual the loop is, and what its scale means.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "app/ui/application/application.h"
@@ -123,10 +124,12 @@ void drawLive(Application& app, DeviceLink& link) {
     words("device/awaited", trf("{0} leads as soon as it is plugged in.", link.awaited()), p.warn);
   if (!link.status().text.empty()) words("device/status", link.status().text, p.warn);
   if (link.wantsCalibration(servo) && button("device/calibrate", tr("Calibrate"))) servo.chosen()->calibrate();
-  const auto place = [](double mm) { return quantityNumber(mm, Dimension::HandLength); };
-  std::string line =
-      trf("Hand at {0}, {1}, {2}; force {3}", place(now.hand.mm.x), place(now.hand.mm.y),
-          quantityText(now.hand.mm.z, Dimension::HandLength), quantityText(glm::length(now.force.N), Dimension::Force));
+  // What is no place in any device's reach has no number here: one of 300 digits would push the rest off the page.
+  const auto shown_mm = [](double mm) { return std::abs(mm) <= 1e6 ? mm : std::nan(""); };
+  const auto place = [&](double mm) { return quantityNumber(shown_mm(mm), Dimension::HandLength); };
+  std::string line = trf("Hand at {0}, {1}, {2}; force {3}", place(now.hand.mm.x), place(now.hand.mm.y),
+                         quantityText(shown_mm(now.hand.mm.z), Dimension::HandLength),
+                         quantityText(glm::length(now.force.N), Dimension::Force));
   for (int k = 0; k < 32; ++k)
     if (now.buttons >> k & 1u) line = trf("{0}; button {1}", line, k + 1);
   words("device/live", line, p.quiet);

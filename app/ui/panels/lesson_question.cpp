@@ -132,8 +132,7 @@ void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) 
   bool handed_in = false;
   const bool begins = takesWriting(session, index) && lessonKeyPressed('A');
   if (free) {
-    handed_in =
-        ImGui::InputTextMultiline("##answer", &written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
+    handed_in = inputLines("##answer", written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
     if (begins) writeInLastField("##answer");
     tip(tr("A begins to write, Ctrl and Enter keeps it"));

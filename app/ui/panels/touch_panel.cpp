@@ -38,7 +38,8 @@ void drawTouchControls(Application& app, bool first) {
       const std::vector<TouchWord> words = p.words();
       std::vector<std::string> titles;
       for (const TouchWord& w : words) titles.emplace_back(w.title);
-      auto chosen = std::size_t(std::ranges::find(words, word, &TouchWord::name) - words.begin());
+      auto chosen = std::size_t(
+          std::find_if(words.begin(), words.end(), [&](const TouchWord& w) { return w.name == word; }) - words.begin());
       ImGui::TextUnformatted(title.c_str());
       if (segments(name.c_str(), titles, chosen)) word = words[chosen].name;
     }

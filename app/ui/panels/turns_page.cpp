@@ -7,6 +7,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
@@ -60,8 +61,7 @@ void drawSetUp(Application& app, ClassTurns& turns) {
     ImGui::TextUnformatted(tr("Names or codes, one a line, in the order of the turns"));
   }
   const float below = l.tx(150);
-  ImGui::InputTextMultiline("##names", &draft.names,
-                            {-1, std::max(l.tx(80), ImGui::GetContentRegionAvail().y - below)});
+  inputLines("##names", draft.names, {-1, std::max(l.tx(80), ImGui::GetContentRegionAvail().y - below)});
   recordItem("turns/names", draft.names);
   slider("turns/minutes", tr("Minutes a turn"), draft.minutes, 0.5, 20.0, 0.5,
          {Dimension::Time, {decimals(1), "min"}, 60.0});

@@ -18,6 +18,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/platform/hand_over.h"
 
 namespace moltact {
 namespace {
@@ -133,6 +134,7 @@ void savePicture(Application& app, std::filesystem::path file) {
     app.messages.error(problem->text());
   else
     app.messages.notice(trf("Picture saved as {0}", file.string()));
+  if (!problem) handOver(file);
 }
 
 }  // namespace

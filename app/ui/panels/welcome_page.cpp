@@ -8,6 +8,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/library.h"
+#include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"
@@ -202,7 +203,7 @@ void drawNext(Application& app, float most) {
     }
     if (most > look().px(560)) ImGui::SameLine();
   }
-  if (button("welcome/open", tr("Open a file …"))) app.panels.open_page = true;
+  if (button("welcome/open", tr("Open a file …"))) findAction("open")->run(app);
   // Beside it where there is room.
   const ImGuiStyle& style = ImGui::GetStyle();
   const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + 2 * style.FramePadding.x +

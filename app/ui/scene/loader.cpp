@@ -4,10 +4,10 @@
 #include <exception>
 #include <new>
 #include <string>
-#include <system_error>
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/reader.h"
+#include "engine/platform/background.h"
 #include "engine/platform/force_inhibit.h"
 
 namespace moltact {
@@ -42,12 +42,7 @@ Loader::Loader(Read read) : read_(read ? std::move(read) : Read(readStage)) {}
 void Loader::begin(const MoleculeKey& key) {
   if (wanted_.valid()) unwanted_.push_back(std::move(wanted_));
   std::erase_if(unwanted_, [](const std::future<Loaded>& f) { return ready(f); });
-  try {
-    wanted_ = std::async(std::launch::async, guarded, read_, key);
-  } catch (const std::system_error&) {  // no further thread can be had
-    wanted_ = std::async(std::launch::deferred, guarded, read_, key);
-    wanted_.wait();
-  }
+  wanted_ = inBackground(guarded, read_, key);
 }
 
 std::optional<Loaded> Loader::take() {

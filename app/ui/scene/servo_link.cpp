@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kNoScene = 0xFFFFFFFF;
 }
 
-ServoLink::ServoLink(ServoClock clock) {
+ServoLink::ServoLink(ServoClock clock) : clock_(clock) {
   ticks_.reserve(4096);
   every_.reserve(4096);
   if (clock == ServoClock::RealThread)
@@ -104,7 +104,9 @@ const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
     loop().drain([this](const ServoSample& sample) { take(sample); });
     return ticks_;
   }
-  for (owed_s_ += std::clamp(dt_s, 0.0, 0.5); owed_s_ >= kTick_s; owed_s_ -= kTick_s) {
+  // A page that was put away comes back with a frame as long as that.
+  for (owed_s_ += std::clamp(dt_s, 0.0, clock_ == ServoClock::Page ? 0.1 : 0.5); owed_s_ >= kTick_s;
+       owed_s_ -= kTick_s) {
     using Clock = std::chrono::steady_clock;
     const Clock::time_point began = timed_ ? Clock::now() : Clock::time_point();
     tickOfFrame();

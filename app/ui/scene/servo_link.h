@@ -13,7 +13,8 @@ namespace moltact {
 
 enum class ServoClock {
   RealThread,  ///< the haptic thread, at the wall's clock
-  Frames,      ///< ticks are stepped in advance(), as many as the frame is long
+  Frames,      ///< a script's: ticks are stepped in advance(), as many as the frame is long, and every run is the same
+  Page,        ///< the same ticks where no thread can be had, by the time that a page's frames really take
 };
 
 class ServoLink {
@@ -80,7 +81,7 @@ class ServoLink {
 
   RealtimeStatus realtime() const { return thread_ ? thread_->realtime() : RealtimeStatus::Ordinary; }
   std::uint64_t missedTicks() const { return thread_ ? thread_->missedTicks() : 0; }
-  ServoClock clock() const { return thread_ ? ServoClock::RealThread : ServoClock::Frames; }
+  ServoClock clock() const { return clock_; }
 
  private:
   ServoLoop& loop() { return thread_ ? thread_->loop() : *frames_; }
@@ -91,6 +92,7 @@ class ServoLink {
   void tickOfFrame();
   void release();
 
+  const ServoClock clock_;
   MouseDevice mouse_;  // outlives the loop, which reads it
   std::vector<ServoSample> ticks_, every_;
   ServoSample newest_;

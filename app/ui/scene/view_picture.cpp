@@ -1,7 +1,5 @@
 #include "app/ui/scene/view_picture.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -60,7 +58,7 @@ void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool
   else
     fault_text_.clear();
   if (renderer_->count().atoms_redrawn) {
-    glFinish();  // what has only been asked for has not been paid yet
+    renderer_->finish();  // what has only been asked for has not been paid yet
     const double ms = std::chrono::duration<double, std::milli>(Clock::now() - begun).count();
     const double whole = ms / (options.samples == 2 ? 4.0 : scale * scale);
     whole_ms_ = whole_ms_ > 0 ? 0.7 * whole_ms_ + 0.3 * whole : whole;

@@ -1,13 +1,13 @@
 #include "app/ui/shell/shell.h"
 
 #include <backends/imgui_impl_opengl3.h>
-#include <epoxy/gl.h>
 #include <imgui.h>
 
 #include <algorithm>
 
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
+#include "engine/render/gl.h"
 
 namespace moltact {
 
@@ -18,7 +18,7 @@ Shell::Shell() {
   ImGui::GetIO().LogFilename = nullptr;
   ImGui::GetIO().ConfigWindowsMoveFromTitleBarOnly = true;
   input_ = std::make_unique<InputQueue>();
-  ImGui_ImplOpenGL3_Init("#version 330 core");
+  ImGui_ImplOpenGL3_Init(kShaderVersion);
 }
 
 Shell::~Shell() {

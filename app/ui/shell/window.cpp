@@ -1,7 +1,5 @@
 #include "app/ui/shell/window.h"
 
-#include <epoxy/gl.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>

@@ -1,6 +1,7 @@
 #include "app/ui/widgets/key_focus.h"
 
 #include <imgui_internal.h>
+#include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <utility>
@@ -173,6 +174,14 @@ unsigned keyStop() {
                               look().px(2));
   }
   return item.ID;
+}
+
+bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags) {
+  const bool entered = ImGui::InputTextMultiline(label, &text, size, flags);
+  if (const ImGuiLastItemData item = GImGui->LastItemData; !item.ID)
+    ImGui::SetLastItemData(ImGui::GetID(label), GImGui->CurrentItemFlags | ImGuiItemFlags_Inputable, item.StatusFlags,
+                           item.Rect);
+  return entered;
 }
 
 void writeInLastField(const char* label) {

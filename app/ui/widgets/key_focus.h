@@ -3,6 +3,8 @@
 // their letter. Window's thread.
 #pragma once
 
+#include <imgui.h>
+
 #include <string>
 #include <string_view>
 
@@ -31,6 +33,9 @@ bool keysLeadControls();
 /// ImGui's last item can be led to; draws the ring where the keys are at it. Returns its id, 0 where it cannot (text,
 /// greyed out).
 unsigned keyStop();
+/// ImGui's InputTextMultiline, which leaves no item behind that Tab could lead to: never in 1.86, in 1.90 where it is out
+/// of sight.
+bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags = 0);
 /// After the field of that label: what is typed from now on is written there. The one way to do this by itself;
 /// ImGui's own SetKeyboardFocusHere finds no field in a window other than the one that the keys were in (1.90).
 void writeInLastField(const char* label);

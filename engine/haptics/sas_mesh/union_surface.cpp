@@ -440,7 +440,8 @@ class Maker {
       for (const std::int32_t c : t.corners)
         middle += out_.vertices[std::size_t(c)] * (std::size_t(c) == v ? 0.0 : 0.5 / double(star.size()));
       const Ball& b = scene_[std::size_t(t.ball)];
-      if (near_.size() < all.size() && std::ranges::find(near_, t.ball, &Inflated::index) == near_.end())
+      if (near_.size() < all.size() &&
+          std::none_of(near_.begin(), near_.end(), [&](const Inflated& there) { return there.index == t.ball; }))
         near_.push_back({b.centre_A - origin_, b.radius_A + probe_, t.ball});
     }
     const auto attempt = [&](std::span<const int> of) {

@@ -1,0 +1,214 @@
+// The window in a page: a canvas with WebGL 2. app/web/page.js hears the mouse, keys, fingers and pens, asks for a frame
+// whenever the browser draws, and calls the functions below; everything is on the page's one thread.
+#include <emscripten.h>
+#include <emscripten/html5.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/files/user_folders.h"
+#include "app/ui/shell/application_parts.h"
+#include "app/ui/shell/keyboard_layout.h"
+#include "app/ui/shell/page_keys.h"
+#include "app/ui/shell/shell.h"
+#include "app/ui/shell/window.h"
+#include "app/ui/widgets/fingers.h"
+#include "app/ui/widgets/widget_map.h"
+#include "engine/fonts/glyph_coverage.h"
+#include "engine/language/catalogue.h"
+#include "engine/platform/storage_web.h"
+#include "engine/render/gl.h"
+#include "engine/results/attempt_file.h"
+
+// What page.js does for the program.
+EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text)); })
+EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
+EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
+EM_JS(void, showFullScreen, (int on), { Module.page.fullScreen(on); })
+
+namespace moltact {
+namespace {
+
+struct Page {
+  Shell shell;
+  Application app;
+  Fingers fingers{shell.input()};
+  std::string clipboard, words;
+  std::map<ImGuiKey, std::string> layout;  // what keys write, as far as the person has pressed them
+  std::array<std::int32_t, 3> touched{-1, -1, -1};
+  double pen_N = 0.0;  // what the pen's pressure asks for now; 0: it does not press
+  int cursor = ImGuiMouseCursor_Arrow;
+
+  explicit Page(const WindowOptions& options)
+      : app({.clock = ServoClock::Page,
+             .devices_unasked = false,
+             .language = options.language,
+             .settings_file = settingsFile(),
+             .attempts_folder = attemptsFolder(),
+             .cache_folder = cacheFolder(),
+             .picture_folder = "/tmp"},
+            applicationParts()) {}
+};
+
+std::unique_ptr<Page> page;
+
+// Where the device can vibrate, a contact and each crossing to other atoms is felt.
+void feel() {
+  const Contact& contact = page->app.scene.log().latest().contact;
+  const std::array<std::int32_t, 3> now = contact.touching() ? contact.atoms : std::array<std::int32_t, 3>{-1, -1, -1};
+  if (now == page->touched) return;
+  page->touched = now;
+  constexpr int kShort_ms = 12;
+  if (contact.touching() && page->app.scene.controls.pressing()) vibrate(kShort_ms);
+}
+
+// On the molecule's picture, and no page or menu over it.
+bool inView(double x, double y) {
+  const Rectangle& r = page->app.layout().view;
+  const bool inside = x >= double(r.low.x) && x < double(r.high.x) && y >= double(r.low.y) && y < double(r.high.y);
+  return inside && !page->app.panels.welcome &&
+         !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+}
+
+bool makeContext() {
+  EmscriptenWebGLContextAttributes wanted;
+  emscripten_webgl_init_context_attributes(&wanted);
+  wanted.majorVersion = 2;
+  wanted.alpha = wanted.depth = wanted.antialias = false;
+  const EMSCRIPTEN_WEBGL_CONTEXT_HANDLE made = emscripten_webgl_create_context("#view", &wanted);
+  return made > 0 && emscripten_webgl_make_context_current(made) == EMSCRIPTEN_RESULT_SUCCESS;
+}
+
+}  // namespace
+
+int runWindow(const WindowOptions& options) {
+  if (!makeContext()) return 1;
+  page = std::make_unique<Page>(options);
+  ImGuiIO& io = ImGui::GetIO();
+  io.SetClipboardTextFn = [](void*, const char* text) {
+    page->clipboard = text;
+    copyText(text);
+  };
+  io.GetClipboardTextFn = [](void*) { return page->clipboard.c_str(); };
+  page->app.extensions().state_text.writeTo("-");
+  if (options.file.empty())
+    page->app.panels.welcome = true;
+  else
+    page->app.open(options.file);
+  return 0;
+}
+
+}  // namespace moltact
+
+using moltact::page;
+
+extern "C" {
+
+// One frame of so many pixels; bits: 1 the next one would look different, 2 text is being written.
+EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_scale, double dt_s) {
+  moltact::Application& app = page->app;
+  if (const std::string fault = moltact::takeStorageFault(); !fault.empty()) app.messages.warning(fault);
+  page->shell.setLook(app.settings.theme, float(content_scale * app.settings.scale), float(app.settings.text_size));
+  page->shell.frame(width, height, dt_s, [&] { app.frame(dt_s, {float(width), float(height)}); });
+  moltact::feel();
+  if (const int cursor = ImGui::GetMouseCursor(); cursor != page->cursor) showCursor(page->cursor = cursor);
+  static bool full_screen = false;
+  if (app.panels.full_screen != full_screen) showFullScreen(full_screen = app.panels.full_screen);
+  return (app.live() || !page->shell.input().empty() ? 1 : 0) | (ImGui::GetIO().WantTextInput ? 2 : 0);
+}
+
+EMSCRIPTEN_KEEPALIVE void moltact_pointer(double x, double y) { page->shell.input().pointer(x, y); }
+EMSCRIPTEN_KEEPALIVE void moltact_pointer_left() { page->shell.input().pointerLeft(); }
+EMSCRIPTEN_KEEPALIVE void moltact_button(int button, int down) { page->shell.input().button(button, down != 0); }
+EMSCRIPTEN_KEEPALIVE void moltact_wheel(double x, double y) { page->shell.input().wheel(x, y); }
+EMSCRIPTEN_KEEPALIVE void moltact_focus_lost() { page->shell.input().focusLost(); }
+
+// `writes`: the character that the key writes without Shift, Ctrl or Alt; empty where that is not known. True where the
+// program takes the key, so that the browser is not to.
+EMSCRIPTEN_KEEPALIVE int moltact_key(const char* code, const char* writes, int down) {
+  const ImGuiKey place = moltact::keyOfPage(code);
+  if (!moltact::isKey(place)) return 0;
+  if (*writes) page->layout[place] = writes;
+  const ImGuiKey key = moltact::keyOnLayout(place, [](ImGuiKey at) -> std::string_view {
+    const auto known = page->layout.find(at);
+    return known == page->layout.end() ? std::string_view() : std::string_view(known->second);
+  });
+  if (!moltact::isKey(key)) return 0;
+  page->shell.input().key(key, down != 0);
+  return 1;
+}
+
+EMSCRIPTEN_KEEPALIVE void moltact_text(const char* utf8) {
+  for (const char32_t c : moltact::charactersOf(utf8)) page->shell.input().character(unsigned(c));
+}
+
+EMSCRIPTEN_KEEPALIVE void moltact_clipboard(const char* utf8) { page->clipboard = utf8; }
+
+// Fingers: place in pixels, time in seconds.
+EMSCRIPTEN_KEEPALIVE void moltact_finger_down(int id, double x, double y, double now_s) {
+  page->fingers.down(id, {x, y}, moltact::inView(x, y), now_s, double(ImGui::GetFontSize()));
+}
+EMSCRIPTEN_KEEPALIVE void moltact_finger_move(int id, double x, double y, double) { page->fingers.move(id, {x, y}); }
+EMSCRIPTEN_KEEPALIVE void moltact_finger_up(int id, double) { page->fingers.up(id); }
+EMSCRIPTEN_KEEPALIVE void moltact_fingers(double now_s) { page->fingers.advance(now_s); }
+
+// A pen's pressure, 0 to 1, while it pushes on the view: the force at which the push comes to rest.
+EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {
+  if (!page->app.scene.controls.pressing()) {
+    page->pen_N = moltact::PointerHand::kRest_N;
+    return;
+  }
+  constexpr double kMost_N = 2.5;
+  const double wanted_N = std::max(moltact::PointerHand::kLightest_N, kMost_N * std::clamp(pressure, 0.0, 1.0));
+  page->shell.input().wheel(0.0, (wanted_N - page->pen_N) / moltact::PointerHand::kNotch_N);
+  page->pen_N = wanted_N;
+}
+
+// What stands on the screen, in the order of reading: JSON of [text, x, y]; x is -1 for what cannot be pressed.
+EMSCRIPTEN_KEEPALIVE const char* moltact_words() {
+  std::vector<const moltact::WidgetRecord*> seen;
+  for (const auto& [name, record] : moltact::widgets().all())
+    if (!record.text.empty() && record.visible()) seen.push_back(&record);
+  std::sort(seen.begin(), seen.end(),
+            [](const auto* a, const auto* b) { return std::pair(a->low.y, a->low.x) < std::pair(b->low.y, b->low.x); });
+  nlohmann::json all = nlohmann::json::array();
+  for (const moltact::WidgetRecord* r : seen) {
+    const glm::vec2 at = r->key_stop ? r->centre() : glm::vec2(-1.0f);
+    all.push_back({r->text, at.x, at.y});
+  }
+  page->words = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return page->words.c_str();
+}
+
+// Where each named widget stands, for scripts that try the page: JSON of {name: [low x, low y, high x, high y, text,
+// visible]}.
+EMSCRIPTEN_KEEPALIVE const char* moltact_widgets() {
+  nlohmann::json all = nlohmann::json::object();
+  for (const auto& [name, r] : moltact::widgets().all())
+    all[name] = {r.low.x, r.low.y, r.high.x, r.high.y, r.text, r.visible()};
+  page->words = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return page->words.c_str();
+}
+
+// What was asked for from a server and did not come.
+EMSCRIPTEN_KEEPALIVE void moltact_fault(const char* url, const char* why) {
+  page->app.messages.error(moltact::trf("{0} cannot be fetched: {1}", url, why));
+}
+
+// A file that the person dropped or chose, which page.js has put there.
+EMSCRIPTEN_KEEPALIVE void moltact_open(const char* file) { page->app.drop({file}); }
+
+// The page is being left or put away.
+EMSCRIPTEN_KEEPALIVE void moltact_rest() { page->shell.input().focusLost(); }
+
+// The whole screen was left by the browser's own way.
+EMSCRIPTEN_KEEPALIVE void moltact_full_screen(int on) { page->app.panels.full_screen = on != 0; }
+}

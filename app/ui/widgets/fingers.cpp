@@ -1,0 +1,96 @@
+#include "app/ui/widgets/fingers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+
+constexpr int kLeft = 0, kRight = 1;
+
+}  // namespace
+
+glm::dvec2 Fingers::middle() const { return 0.5 * (fingers_[0].place + fingers_[1].place); }
+
+double Fingers::spread() const { return glm::distance(fingers_[0].place, fingers_[1].place); }
+
+// Ends what goes on, with the pointer nowhere: a screen without a finger on it points at nothing.
+void Fingers::letGo() {
+  if (way_ == Way::Pushing || way_ == Way::Dragging) to_.button(kLeft, false);
+  if (way_ == Way::Turning) to_.button(kRight, false);
+  if (way_ != Way::Ended && way_ != Way::None) to_.pointerLeft();
+}
+
+void Fingers::down(int id, glm::dvec2 place, bool in_view, double now_s, double line_px) {
+  const auto same = std::find_if(fingers_.begin(), fingers_.end(), [id](const Finger& f) { return f.id == id; });
+  if (same != fingers_.end()) return;
+  fingers_.push_back({id, place});
+  if (fingers_.size() == 1) {
+    begun_ = last_ = place;
+    begun_s_ = now_s;
+    line_px_ = std::max(1.0, line_px);
+    way_ = in_view ? Way::Pushing : Way::Waiting;
+    to_.pointer(place.x, place.y);
+    if (in_view) to_.button(kLeft, true);
+  } else if (fingers_.size() == 2 && way_ == Way::Pushing) {
+    to_.button(kLeft, false);
+    way_ = Way::Turning;
+    last_ = middle();
+    last_spread_ = spread();
+    to_.pointer(last_.x, last_.y);
+    to_.button(kRight, true);
+  } else {
+    letGo();
+    way_ = Way::Ended;
+  }
+}
+
+void Fingers::move(int id, glm::dvec2 place) {
+  const auto at = std::find_if(fingers_.begin(), fingers_.end(), [id](const Finger& f) { return f.id == id; });
+  if (at == fingers_.end()) return;
+  at->place = place;
+  const glm::dvec2 way = place - begun_;
+  const bool moved = glm::length(way) > kStill_lines * line_px_;
+  if ((way_ == Way::Waiting || way_ == Way::Telling) && moved) {
+    way_ = std::abs(way.y) > std::abs(way.x) ? Way::Scrolling : Way::Dragging;
+    if (way_ == Way::Dragging) to_.button(kLeft, true);
+  }
+  switch (way_) {
+    case Way::Scrolling:
+      to_.wheel(0.0, (place.y - last_.y) / (kNotch_lines * line_px_));
+      last_ = place;
+      break;
+    case Way::Dragging:
+    case Way::Pushing:
+      to_.pointer(place.x, place.y);
+      last_ = place;
+      break;
+    case Way::Turning: {
+      last_ = middle();
+      to_.pointer(last_.x, last_.y);
+      const double now = std::max(1.0, spread());
+      to_.wheel(0.0, std::log(now / std::max(1.0, last_spread_)) / std::log(kNotch));
+      last_spread_ = now;
+      break;
+    }
+    default:
+      break;
+  }
+}
+
+void Fingers::up(int id) {
+  if (std::erase_if(fingers_, [id](const Finger& f) { return f.id == id; }) == 0) return;
+  if (way_ == Way::Waiting) {
+    to_.button(kLeft, true);
+    to_.button(kLeft, false);
+  }
+  letGo();
+  way_ = fingers_.empty() ? Way::None : Way::Ended;
+}
+
+// The pointer stands there already, without a button: the panel shows its tool tip by itself.
+void Fingers::advance(double now_s) {
+  if (way_ == Way::Waiting && now_s - begun_s_ > kLong_s) way_ = Way::Telling;
+}
+
+}  // namespace moltact

@@ -1,0 +1,56 @@
+// Fingers on a touch screen, turned into what a mouse does. In the view one finger pushes, two turn and, as they part,
+// magnify. On the panels a finger that stays is a click, one that moves up or down scrolls, one that moves sideways drags,
+// and one that rests for long tells what lies under it, as a mouse does that hovers. Window's thread. Units: pixel of the
+// framebuffer, second.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "app/ui/widgets/input_queue.h"
+
+namespace moltact {
+
+class Fingers {
+ public:
+  explicit Fingers(InputQueue& to) : to_(to) {}
+
+  /// `in_view`: it stands on the molecule's picture and not on a panel. `line_px`: the height of a line of text.
+  void down(int id, glm::dvec2 place_px, bool in_view, double now_s, double line_px);
+  void move(int id, glm::dvec2 place_px);
+  void up(int id);
+  /// Once a frame.
+  void advance(double now_s);
+
+  static constexpr double kStill_lines = 0.6;  ///< a finger that moves less stays where it is
+  static constexpr double kLong_s = 0.5;       ///< so long a finger rests until it tells what lies there
+  static constexpr double kNotch_lines = 5.0;  ///< a notch of the wheel scrolls so far
+  static constexpr double kNotch = 1.12;       ///< and magnifies so much
+
+ private:
+  enum class Way {
+    None,
+    Waiting,  ///< on a panel; what it does is not known yet
+    Scrolling,
+    Dragging,
+    Telling,
+    Pushing,
+    Turning,
+    Ended,  ///< fingers that are still down after a gesture of two do nothing more
+  };
+  struct Finger {
+    int id;
+    glm::dvec2 place;
+  };
+  glm::dvec2 middle() const;
+  double spread() const;
+  void letGo();
+
+  InputQueue& to_;
+  std::vector<Finger> fingers_;
+  Way way_ = Way::None;
+  glm::dvec2 begun_{0.0}, last_{0.0};
+  double begun_s_ = 0.0, line_px_ = 16.0, last_spread_ = 0.0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,396 @@
+// The page round the program: unpacks it, keeps its files, hears the person, asks for frames, and says in words what the
+// canvas shows. The functions _moltact_… are those of app/ui/shell/window_web.cpp.
+(async () => {
+  "use strict";
+  const byId = (id) => document.getElementById(id);
+  const canvas = byId("view"), said = byId("said"), keyboard = byId("keyboard");
+  const german = (navigator.language || "").toLowerCase().startsWith("de");
+  const say = (english, deutsch) => { said.textContent = german ? deutsch : english; said.hidden = false; };
+
+  // ---- what came with the page ------------------------------------------------------------------------------------
+
+  async function unpacked(id) {
+    const text = byId(id).textContent;
+    byId(id).remove();
+    const packed = Uint8Array.fromBase64 ? Uint8Array.fromBase64(text)
+                                         : Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+    const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+    return new Uint8Array(await new Response(stream).arrayBuffer());
+  }
+
+  function folderOf(path) { return path.slice(0, path.lastIndexOf("/")); }
+
+  function put(FS, path, bytes) {
+    FS.mkdirTree(folderOf(path));
+    FS.writeFile(path, bytes);
+  }
+
+  function putFiles(FS, run) {
+    const head = new DataView(run.buffer, run.byteOffset).getUint32(0, true);
+    let at = 4 + head;
+    for (const [path, size] of JSON.parse(new TextDecoder().decode(run.subarray(4, at)))) {
+      put(FS, path, run.subarray(at, at + size));
+      at += size;
+    }
+  }
+
+  // ---- what is kept: the files under the person's folder, in IndexedDB -----------------------------------------------
+
+  const kHome = "/home/web_user", kSoon_ms = 250;
+  const keeper = {
+    base: null, known: new Map(), timer: 0, failing: false, FS: null,
+
+    ask(request) {
+      return new Promise((done, failed) => {
+        request.onsuccess = () => done(request.result);
+        request.onerror = () => failed(request.error);
+      });
+    },
+
+    async load(FS) {
+      this.FS = FS;
+      try {
+        const opening = indexedDB.open("moltact", 1);
+        opening.onupgradeneeded = () => opening.result.createObjectStore("files");
+        this.base = await this.ask(opening);
+        const files = this.base.transaction("files").objectStore("files");
+        const [names, contents] = await Promise.all([this.ask(files.getAllKeys()), this.ask(files.getAll())]);
+        names.forEach((name, k) => {
+          put(FS, name, contents[k]);
+          this.known.set(name, this.mark(name));
+        });
+      } catch (error) {
+        this.failed(error);
+      }
+    },
+
+    mark(name) {
+      const is = this.FS.stat(name);
+      return is.size + " " + Number(is.mtime);
+    },
+
+    all(folder, into) {
+      for (const name of this.FS.readdir(folder)) {
+        if (name === "." || name === "..") continue;
+        const path = folder + "/" + name;
+        if (this.FS.isDir(this.FS.stat(path).mode)) this.all(path, into);
+        else if (!name.startsWith(".moltact-")) into.push(path);
+      }
+      return into;
+    },
+
+    changed() {
+      if (!this.timer) this.timer = setTimeout(() => this.save(), kSoon_ms);
+    },
+
+    save() {
+      clearTimeout(this.timer);
+      this.timer = 0;
+      if (!this.base) return Promise.resolve();
+      const marks = new Map(this.all(kHome, []).map((path) => [path, this.mark(path)]));
+      const fresh = [...marks].filter(([path, mark]) => this.known.get(path) !== mark).map(([path]) => path);
+      const gone = [...this.known.keys()].filter((path) => !marks.has(path));
+      if (!fresh.length && !gone.length) return Promise.resolve();
+      return new Promise((done) => {
+        try {
+          const change = this.base.transaction("files", "readwrite");
+          const files = change.objectStore("files");
+          for (const path of fresh) files.put(this.FS.readFile(path), path);
+          for (const path of gone) files.delete(path);
+          change.oncomplete = () => { this.known = marks; this.failing = false; done(); };
+          change.onabort = () => { this.failed(change.error); done(); };
+        } catch (error) {
+          this.failed(error);
+          done();
+        }
+      });
+    },
+
+    failed(error) {
+      if (this.failing) return;  // said once
+      this.failing = true;
+      const full = error && error.name === "QuotaExceededError";
+      if (program) program._moltact_storage_fault(full ? 1 : 0);
+      else this.early = true;
+    },
+  };
+
+  // ---- words: news for screen readers, and what stands on the screen ---------------------------------------------------
+
+  const kMostNews = 60;
+  function news(line) {
+    const p = document.createElement("p");
+    p.textContent = line;
+    const log = byId("news");
+    log.append(p);
+    while (log.childElementCount > kMostNews) log.firstElementChild.remove();
+  }
+
+  let words_shown = "";
+  function mirror() {
+    const now = program.ccall("moltact_words", "string", [], []);
+    if (now === words_shown) return;
+    words_shown = now;
+    const parts = JSON.parse(now).map(([text, x, y]) => {
+      const part = document.createElement(x < 0 ? "p" : "button");
+      part.textContent = text;
+      if (x >= 0) {
+        part.tabIndex = -1;  // the keys go through the canvas; a screen reader's own way of pressing comes here
+        part.addEventListener("click", () => tap(x, y));
+      }
+      return part;
+    });
+    byId("page").replaceChildren(...parts);
+  }
+
+  // ---- frames --------------------------------------------------------------------------------------------------------
+
+  const kIdle_ms = 200, kSettle = 3, kWords_ms = 500;
+  let program = null, settle = kSettle, drawn_ms = 0, words_ms = 0, state = 1;
+  const stir = () => { settle = kSettle; };
+  const ratio = () => window.devicePixelRatio || 1;
+
+  function frame(now_ms) {
+    requestAnimationFrame(frame);
+    const width = Math.max(1, Math.round(canvas.clientWidth * ratio()));
+    const height = Math.max(1, Math.round(canvas.clientHeight * ratio()));
+    const resized = canvas.width !== width || canvas.height !== height;
+    if (!resized && !(state & 1) && settle <= 0 && now_ms - drawn_ms < kIdle_ms) return;
+    if (resized) { canvas.width = width; canvas.height = height; stir(); }
+    if (settle > 0) --settle;
+    const dt_s = drawn_ms ? (now_ms - drawn_ms) / 1000 : 1 / 60;
+    drawn_ms = now_ms;
+    program._moltact_fingers(performance.now() / 1000);
+    state = program._moltact_frame(width, height, ratio(), dt_s);
+    ++page.frames;
+    if (now_ms - words_ms > kWords_ms) { words_ms = now_ms; mirror(); }
+  }
+
+  // ---- mouse, fingers, pens --------------------------------------------------------------------------------------------
+
+  const kButtons = [0, 2, 1];  // of the page: left, middle, right; of the program: left, right, middle
+  const place = (event) => [event.offsetX * ratio(), event.offsetY * ratio()];
+  const now_s = () => performance.now() / 1000;
+
+  function hearPointers() {
+    canvas.addEventListener("pointerdown", (event) => {
+      stir();
+      canvas.focus({preventScroll: true});
+      canvas.setPointerCapture(event.pointerId);
+      event.preventDefault();
+      if (event.pointerType === "touch") return program._moltact_finger_down(event.pointerId, ...place(event), now_s());
+      program._moltact_pointer(...place(event));
+      program._moltact_button(kButtons[event.button] ?? 0, 1);
+      if (event.pointerType === "pen") program._moltact_pen(event.pressure);
+    });
+    canvas.addEventListener("pointermove", (event) => {
+      stir();
+      if (event.pointerType === "touch") return program._moltact_finger_move(event.pointerId, ...place(event), now_s());
+      program._moltact_pointer(...place(event));
+      if (event.pointerType === "pen" && event.buttons & 1) program._moltact_pen(event.pressure);
+    });
+    canvas.addEventListener("pointerup", (event) => {
+      stir();
+      if (event.pointerType === "touch") program._moltact_finger_up(event.pointerId, now_s());
+      else program._moltact_button(kButtons[event.button] ?? 0, 0);
+      if (state & 2) keyboard.focus({preventScroll: true});
+    });
+    canvas.addEventListener("pointercancel", (event) => {
+      stir();
+      if (event.pointerType === "touch") program._moltact_finger_up(event.pointerId, now_s());
+      else program._moltact_focus_lost();
+    });
+    canvas.addEventListener("pointerleave", (event) => {
+      if (event.pointerType !== "touch" && !event.buttons) { stir(); program._moltact_pointer_left(); }
+    });
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    canvas.addEventListener("wheel", (event) => {
+      stir();
+      event.preventDefault();
+      const notch = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 100 : event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 3 : 1;
+      program._moltact_wheel(-event.deltaX / notch, -event.deltaY / notch);
+    }, {passive: false});
+  }
+
+  async function tap(x, y) {
+    program._moltact_pointer(x, y);
+    stir();
+    program._moltact_button(0, 1);
+    program._moltact_button(0, 0);
+  }
+
+  // ---- keys and text ---------------------------------------------------------------------------------------------------
+
+  const kBrowsers = new Set(["F5", "F12"]);  // stay the browser's
+
+  const tellKey = (code, writes, down) =>
+    program.ccall("moltact_key", "number", ["string", "string", "number"], [code, writes, down]);
+  // What the key writes by itself; a letter is the same with Shift and Ctrl.
+  function written(event) {
+    if ([...event.key].length !== 1 || event.getModifierState("AltGraph") || event.altKey) return "";
+    const small = event.key.toLowerCase();
+    return small !== event.key.toUpperCase() || !event.shiftKey ? small : "";
+  }
+
+  function hearKeys() {
+    // Both the canvas and the field that a screen keyboard writes to.
+    addEventListener("keydown", (event) => {
+      if (event.target instanceof HTMLButtonElement || byId("ask").open || kBrowsers.has(event.code)) return;
+      stir();
+      const command = event.ctrlKey || event.metaKey;
+      if (command && (event.code === "KeyV" || event.code === "KeyR")) return;  // pasting comes as its own event
+      const taken = tellKey(event.code, written(event), 1);
+      if ([...event.key].length === 1 && !(command && !event.getModifierState("AltGraph")) && event.target !== keyboard)
+        program.ccall("moltact_text", null, ["string"], [event.key]);
+      if (taken && event.target !== keyboard) event.preventDefault();
+    });
+    addEventListener("keyup", (event) => {
+      stir();
+      tellKey(event.code, "", 0);
+    });
+    keyboard.addEventListener("input", () => {
+      stir();
+      program.ccall("moltact_text", null, ["string"], [keyboard.value]);
+      keyboard.value = "";
+    });
+    addEventListener("paste", (event) => {
+      stir();
+      program.ccall("moltact_clipboard", null, ["string"], [event.clipboardData.getData("text")]);
+      for (const down of [1, 0]) tellKey("KeyV", "v", down);
+      event.preventDefault();
+    });
+    addEventListener("blur", () => { stir(); program._moltact_focus_lost(); });
+    document.addEventListener("visibilitychange", () => {
+      stir();
+      if (document.hidden) { program._moltact_focus_lost(); keeper.save(); }
+    });
+    addEventListener("pagehide", () => keeper.save());
+    document.addEventListener("fullscreenchange", () => program._moltact_full_screen(document.fullscreenElement ? 1 : 0));
+  }
+
+  // ---- files of the person's own -----------------------------------------------------------------------------------------
+
+  async function take(files) {
+    // The last is opened; lessons may need the molecules beside them.
+    let last = "";
+    for (const file of [...files].sort((a, b) => a.name.endsWith(".md") - b.name.endsWith(".md"))) {
+      last = kHome + "/.local/share/moltact/lessons/" + file.name.replace(/[\\/\0]/g, "_");
+      put(program.FS, last, new Uint8Array(await file.arrayBuffer()));
+    }
+    if (!last) return;
+    keeper.changed();
+    stir();
+    program.ccall("moltact_open", null, ["string"], [last]);
+  }
+
+  function hearFiles() {
+    const mark = byId("drop");
+    addEventListener("dragover", (event) => { event.preventDefault(); mark.hidden = false; });
+    addEventListener("dragleave", (event) => { if (!event.relatedTarget) mark.hidden = true; });
+    addEventListener("drop", (event) => {
+      event.preventDefault();
+      mark.hidden = true;
+      take(event.dataTransfer.files);
+    });
+    byId("chooser").addEventListener("change", (event) => take(event.target.files));
+  }
+
+  // ---- what the address asks for: nothing leaves the page without a yes --------------------------------------------------
+
+  function agreed(english, deutsch) {
+    const ask = byId("ask"), [yes, no] = ask.querySelectorAll("button");
+    ask.querySelector("p").textContent = german ? deutsch : english;
+    yes.textContent = german ? "Laden" : "Fetch it";
+    no.textContent = german ? "Nicht laden" : "Do not";
+    return new Promise((done) => {
+      yes.onclick = () => { ask.close(); done(true); };
+      no.onclick = ask.oncancel = () => { ask.close(); done(false); };
+      ask.showModal();
+    });
+  }
+
+  async function asked() {
+    const query = new URLSearchParams(location.search);
+    const lesson = query.get("lesson"), molecule = query.get("molecule");
+    let url = null, name = "";
+    if (molecule && /^[0-9][0-9A-Za-z]{3}$/.test(molecule)) {
+      // One of those that came with the page needs no fetching.
+      if (program.FS.analyzePath("/moltact/molecules/" + molecule.toLowerCase() + ".pdb").exists)
+        return program.ccall("moltact_open", null, ["string"], [molecule.toLowerCase()]);
+      name = molecule.toLowerCase() + ".cif";
+      url = new URL("https://files.rcsb.org/download/" + molecule.toUpperCase() + ".cif");
+    } else if (lesson) {
+      try { url = new URL(lesson, location.href); } catch { return; }
+      if (!/^https?:$/.test(url.protocol)) return;
+      name = (url.pathname.split("/").pop() || "lesson").replace(/[^\w.-]/g, "_");
+      if (!name.endsWith(".md")) name += ".md";
+    }
+    if (!url) return;
+    if (!await agreed(`This page is asked to fetch ${name} from ${url.host}. That server then sees that you do so.`,
+                      `Diese Seite soll ${name} von ${url.host} laden. Jener Server erfährt dann, dass du das tust.`)) return;
+    try {
+      const reply = await fetch(url, {credentials: "omit", referrerPolicy: "no-referrer"});
+      if (!reply.ok) throw new Error(reply.status + " " + reply.statusText);
+      await take([new File([await reply.blob()], name)]);
+    } catch (error) {
+      program.ccall("moltact_fault", null, ["string", "string"], [url.href, String(error.message || error)]);
+      stir();
+    }
+  }
+
+  // ---- what the program asks of the page ---------------------------------------------------------------------------------
+
+  const kCursors = {"-1": "none", 0: "default", 1: "text", 3: "ns-resize", 4: "ew-resize", 7: "pointer"};
+  const page = {
+    frames: 0,
+    copy(text) { if (navigator.clipboard) navigator.clipboard.writeText(text).catch(() => {}); },
+    cursor(shape) { canvas.style.cursor = kCursors[shape] || "default"; },
+    fullScreen(on) {
+      if (on && !document.fullscreenElement) document.documentElement.requestFullscreen().catch(() => {});
+      if (!on && document.fullscreenElement) document.exitFullscreen();
+    },
+    choose() { byId("chooser").click(); },
+    vibrate(ms) { if (navigator.vibrate) navigator.vibrate(ms); },
+    // Hands a file of the program's to the person, as a download.
+    give(path, name) {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(new Blob([program.FS.readFile(path)], {type: "application/octet-stream"}));
+      link.download = name;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+    },
+  };
+
+  // ---- the start -----------------------------------------------------------------------------------------------------------
+
+  if (typeof WebAssembly !== "object" || typeof DecompressionStream !== "function")
+    return say("This browser is too old for Moltact: it needs one of 2023 or later.",
+               "Dieser Browser ist zu alt für Moltact: nötig ist einer von 2023 oder später.");
+  try {
+    const [bytes, files] = await Promise.all([unpacked("program-bytes"), unpacked("file-bytes")]);
+    const made = await createMoltact({
+      canvas, page, keeper, wasmBinary: bytes, noInitialRun: true, print: news, printErr: (line) => console.warn(line),
+      onAbort: (why) => say("Moltact has stopped: " + why, "Moltact wurde beendet: " + why),
+    });
+    putFiles(made.FS, files);
+    made.FS.mkdirTree(kHome);
+    await keeper.load(made.FS);
+    document.documentElement.lang = german ? "de" : "en";
+    if (made.callMain([]) !== 0)
+      return say("This browser offers no WebGL 2, which Moltact draws with. Another browser, or newer graphics drivers, may.",
+                 "Dieser Browser bietet kein WebGL 2, mit dem Moltact zeichnet. Ein anderer oder neuere Treiber vielleicht.");
+    program = made;
+    if (keeper.early) program._moltact_storage_fault(0);
+    globalThis.moltact = program;  // for whoever looks into the page
+    hearPointers();
+    hearKeys();
+    hearFiles();
+    said.hidden = true;
+    canvas.focus({preventScroll: true});
+    requestAnimationFrame(frame);
+    asked();
+  } catch (error) {
+    console.error(error);
+    say("Moltact could not start: " + error, "Moltact konnte nicht starten: " + error);
+  }
+})();

@@ -1,0 +1,40 @@
+#!/bin/sh
+# Unpacks the sources of Debian packages, as this system's release has them: fetch_sources.sh FOLDER PACKAGE…
+# Each comes into FOLDER/PACKAGE. apt keeps its lists of sources in FOLDER/apt, so the system's own settings stay as
+# they are.
+set -eu
+folder=$1
+shift
+mkdir -p "$folder/apt/lists/partial" "$folder/apt/archives/partial"
+cd "$folder"
+here=$PWD
+. /etc/os-release
+mirror=$(sed -n 's/^URIs: *\([^ ]*\).*/\1/p; s/^deb *\(\[[^]]*\] *\)\{0,1\}\([^ ]*\).*/\2/p' \
+  /etc/apt/sources.list.d/debian.sources /etc/apt/sources.list 2>/dev/null | grep -v security | head -n 1)
+echo "deb-src [signed-by=/usr/share/keyrings/debian-archive-keyring.gpg] ${mirror:-http://deb.debian.org/debian}" \
+  "$VERSION_CODENAME main" > apt/sources.list
+own() {
+  command=$1
+  shift
+  "$command" -q -o Dir::Etc::sourcelist="$here/apt/sources.list" -o Dir::Etc::sourceparts=/dev/null \
+    -o Dir::State::lists="$here/apt/lists" -o Dir::Cache="$here/apt" -o APT::Sandbox::User= "$@"
+}
+own apt-get update
+for package; do
+  [ ! -d "$package" ] || continue
+  rm -rf "apt/$package"
+  mkdir "apt/$package"
+  (
+    cd "apt/$package"
+    # Some mirrors lack Debian's own part of a package; the authors' part is enough then.
+    if own apt-get source --download-only "$package"; then
+      dpkg-source --no-check -x ./*.dsc unpacked
+    else
+      own apt-get source --download-only --tar-only "$package"
+      mkdir unpacked
+      tar -xf ./*.orig.tar.* -C unpacked --strip-components=1
+    fi
+  )
+  mv "apt/$package/unpacked" "$package"
+  rm -rf "apt/$package"
+done

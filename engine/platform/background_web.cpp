@@ -1,0 +1,7 @@
+#include "engine/platform/background.h"
+
+namespace moltact {
+
+bool threadsCanBeHad() noexcept { return false; }
+
+}  // namespace moltact

@@ -1,0 +1,14 @@
+#include <emscripten.h>
+
+#include "engine/platform/realtime.h"
+
+namespace moltact {
+
+RealtimeStatus becomeRealtime() noexcept { return RealtimeStatus::Ordinary; }
+
+std::int64_t monotonic_ns() noexcept { return std::int64_t(emscripten_get_now() * 1e6); }
+
+// A page must not wait; its ticks go by the frames' clock and never come here.
+void sleepUntil(std::int64_t) noexcept {}
+
+}  // namespace moltact

@@ -1,0 +1,17 @@
+// The browser's console, for whoever looks at it.
+#include <iostream>
+
+#include "engine/platform/terminal.h"
+
+namespace moltact {
+
+std::ostream& cleanOut() { return std::cout; }
+std::ostream& cleanErr() { return std::cerr; }
+TerminalText out() { return TerminalText(cleanOut()); }
+TerminalText err() { return TerminalText(cleanErr()); }
+bool terminalWritten() { return true; }
+void showStatus(std::string_view) {}
+bool standardErrorIsTerminal() { return false; }
+Typed typedLine(std::string&, int) { return Typed::End; }
+
+}  // namespace moltact
