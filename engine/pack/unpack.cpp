@@ -73,13 +73,7 @@ Expected<fs::path> unpack(const PackFile& pack, const fs::path& packs) {
   if (error) return folderProblem(fresh, error);
   if (auto fault = writeFiles(pack, fresh)) return *std::move(fault);
   const fs::path place = packs / (lessonName(pack.lesson()).id + '-' + pack.hash());
-  fs::rename(place, old, error);  // fails where there is none
-  fs::rename(fresh, place, error);
-  if (error) {
-    std::error_code ignored;
-    fs::rename(old, place, ignored);
-    return folderProblem(place, error);
-  }
+  if (error = replaceFolder(fresh, place, old); error) return folderProblem(place, error);
   return place / pack.lesson();
 }
 

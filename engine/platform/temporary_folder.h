@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "engine/core/problem.h"
@@ -28,5 +29,10 @@ class TemporaryFolder {
   explicit TemporaryFolder(std::filesystem::path path) : path_(std::move(path)) {}
   std::filesystem::path path_;  // empty: moved from
 };
+
+/// Puts the folder `fresh` at `place`. What was there goes to `old`; it comes back, with the error, where `fresh` cannot
+/// go there. All three are on one disk.
+std::error_code replaceFolder(const std::filesystem::path& fresh, const std::filesystem::path& place,
+                              const std::filesystem::path& old);
 
 }  // namespace moltact
