@@ -5,6 +5,9 @@
 #include <version>
 
 #ifndef __cpp_lib_to_chars
+#ifndef FMT_HEADER_ONLY
+#define FMT_HEADER_ONLY 1
+#endif
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
