@@ -13,6 +13,7 @@ int main(int argc, char** argv) {
   const Expected<Molecule> molecule = readMolecule(MoleculeKey{argv[1], {}});
   const Method* method = findMethod(argv[3]);
   std::ifstream path(argv[2]);
+  if (!molecule) std::fprintf(stderr, "%s\n", molecule.problem().text().c_str());
   if (!molecule || !method || !path) return 1;
   const auto tracker = method->make(std::make_shared<const BallScene>(molecule->balls()), kWaterProbe_A);
   for (Vec3 hip; path >> hip.x >> hip.y >> hip.z;) {
