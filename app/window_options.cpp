@@ -11,7 +11,7 @@ constexpr double kLeastScale = 0.5, kMostScale = 8.0;  // of the monitor
 }
 
 void addWindowArguments(CLI::App& app, WindowArguments& into) {
-  app.add_option("file", into.file, "A molecule or a lesson to open in the window");
+  app.add_option("file", into.file, "A molecule, a lesson (.md) or a pack (.moltact) to open in the window");
   addLanguageOption(app, into.language);
   app.add_option(
       "--state-text", into.state_text,

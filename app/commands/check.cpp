@@ -1,4 +1,4 @@
-// moltact check FILE|FOLDER…: every error of lessons at its place, with its line and a caret under it.
+// moltact check FILE|PACK|FOLDER…: every error of lessons at its place, with its line and a caret under it.
 #include "engine/lesson/check.h"
 
 #include <algorithm>
@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/lesson_argument.h"
 #include "app/commands/print_json.h"
 #include "app/commands/source_excerpt.h"
 #include "engine/language/catalogue.h"
@@ -43,6 +44,22 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
   out.errors = std::move(check.errors);
   out.warnings = std::move(check.warnings);
   return out;
+}
+
+// Every lesson of a pack, told by their names in it.
+void checkPack(const std::string& path, LessonMolecules& molecules, std::vector<Checked>& all) {
+  const Expected<LessonArgument> argument = LessonArgument::open(path);
+  if (!argument) {
+    all.push_back({path, {}, {argument.problem()}, {}});
+    return;
+  }
+  for (const fs::path& file : lessonsIn(argument->pack()->folder()).lessons) {
+    Checked checked = checkFile(file, molecules);
+    checked.file = argument->shown(checked.file);
+    for (std::vector<Problem>* problems : {&checked.errors, &checked.warnings})
+      for (Problem& p : *problems) p = argument->shown(std::move(p));
+    all.push_back(std::move(checked));
+  }
 }
 
 struct Row {
@@ -94,6 +111,10 @@ void run(const CheckArguments& arguments) {
   LessonMolecules molecules;
   for (const std::string& path : arguments.paths) {
     std::error_code error;
+    if (hasPackName(path)) {
+      checkPack(path, molecules, all);
+      continue;
+    }
     if (!fs::is_directory(path, error)) {
       all.push_back(checkFile(path, molecules));
       continue;
@@ -135,7 +156,9 @@ void addCheck(CLI::App& app) {
   auto arguments = std::make_shared<CheckArguments>();
   CLI::App* command =
       app.add_subcommand("check", "Check lessons: tell every error at its place, and what would mend it");
-  command->add_option("paths", arguments->paths, "Lessons (.md), or folders in which lessons are looked for")
+  command
+      ->add_option("paths", arguments->paths,
+                   "Lessons (.md), packs (.moltact), or folders in which lessons are looked for")
       ->required();
   command->add_flag("--json", arguments->json, "Print one JSON document, for editors");
   command->callback([arguments] { run(*arguments); });

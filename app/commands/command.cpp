@@ -16,6 +16,7 @@
   X(Device)                 \
   X(Check)                  \
   X(NewLesson)              \
+  X(Pack)                   \
   X(LessonReference)
 
 namespace moltact {

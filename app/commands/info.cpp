@@ -1,9 +1,10 @@
-// moltact info MOLECULE: what a molecule holds, as text or JSON.
+// moltact info MOLECULE|LESSON|PACK: what it holds, as text or JSON.
 #include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/lesson_info.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/print_json.h"
 #include "engine/molecule/summary.h"
@@ -70,6 +71,7 @@ void printJson(const Molecule& molecule, const MoleculeSummary& s) {
 }
 
 void run(const InfoArguments& arguments) {
+  if (namesLesson(arguments.molecule.named.name)) return printLessonInfo(arguments.molecule.named.name, arguments.json);
   const Molecule molecule = arguments.molecule.load();
   const MoleculeSummary summary = summarise(molecule);
   arguments.json ? printJson(molecule, summary) : printText(molecule, summary);
@@ -79,8 +81,10 @@ void run(const InfoArguments& arguments) {
 
 void addInfo(CLI::App& app) {
   auto arguments = std::make_shared<InfoArguments>();
-  CLI::App* command =
-      app.add_subcommand("info", "Say what a molecule holds: atoms, residues, chains, elements, ligands, size");
+  CLI::App* command = app.add_subcommand(
+      "info",
+      "Say what a molecule holds (atoms, residues, chains, elements, ligands, size), or a lesson (.md) "
+      "or a pack (.moltact)");
   arguments->molecule.addTo(*command);
   command->add_flag("--json", arguments->json, "Print JSON");
   command->callback([arguments] { run(*arguments); });

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands/command.h"
+#include "app/commands/lesson_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
 #include "engine/language/catalogue.h"
@@ -117,8 +118,13 @@ std::vector<LearnerAct> actsOf(const std::string& file) {
 }
 
 void run(const PlayOptions& options) {
-  LessonReading reading = readLesson(options.lesson);
-  if (!reading.lesson) fail(reading.errors);
+  const Expected<LessonArgument> argument = LessonArgument::open(options.lesson);
+  if (!argument) fail({argument.problem()});
+  LessonReading reading = readLesson(argument->file());
+  if (!reading.lesson) {
+    for (Problem& p : reading.errors) p = argument->shown(std::move(p));
+    fail(reading.errors);
+  }
   const auto lesson = std::make_shared<const Lesson>(*std::move(reading.lesson));
   const std::vector<LearnerAct> acts = options.demonstrate ? std::vector<LearnerAct>() : actsOf(options.answers);
   nlohmann::ordered_json events = nlohmann::ordered_json::array();
@@ -128,7 +134,7 @@ void run(const PlayOptions& options) {
     else
       print(*lesson, e);
   };
-  ScriptedLearner learner(lesson, library(options.lesson), watch, {.task_s = options.task_s});
+  ScriptedLearner learner(lesson, library(argument->file()), watch, {.task_s = options.task_s});
   std::vector<Problem> problems;
   if (options.demonstrate)
     learner.demonstrate();
@@ -140,7 +146,7 @@ void run(const PlayOptions& options) {
   for (std::size_t k = 0; k < lesson->steps.size(); ++k)
     if (!session.stepDone(k)) left += (left.empty() ? "" : ", ") + lesson->steps[k].id;
   if (options.json) {
-    nlohmann::ordered_json all{{"lesson", lesson->file},
+    nlohmann::ordered_json all{{"lesson", argument->shown(lesson->file)},
                                {"finished", session.finished()},
                                {"progress", session.progress()},
                                {"time_s", learner.time_s()}};
@@ -164,7 +170,7 @@ void run(const PlayOptions& options) {
 void addPlay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("play", "Let a scripted learner go through a lesson, without a window");
   auto options = std::make_shared<PlayOptions>();
-  command->add_option("lesson", options->lesson, "the lesson's file")->required();
+  command->add_option("lesson", options->lesson, "the lesson's file, or a pack")->required();
   CLI::Option* answers = command->add_option(
       "--answers", options->answers,
       "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"

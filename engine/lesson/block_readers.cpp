@@ -78,6 +78,7 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
   lesson.molecules = values["molecules"].words;
   lesson.molecule_places = values["molecules"].places;
   lesson.locked = values["locked"].words;
+  lesson.ask = values["ask"].text;
   // A goal is a sentence and may hold commas; only a "- " list parts goals.
   if (!values["goals"].text.empty()) lesson.goals = {values["goals"].text};
   return end < source.lineCount() ? source.lineStart(end + 1) : source.bytes().size();

@@ -64,6 +64,11 @@ std::vector<KeySpec> frontMatterKeys() {
        .meaning = "What the student cannot change in menus and panels in the whole lesson, for studies: keys of the "
                   "scenes, or all of them.",
        .words = lockable()},
+      {.name = "ask",
+       .type = ValueType::Word,
+       .meaning = "What the student is asked for when the lesson is opened, and may leave out: a name, or a code that "
+                  "you have given. It is kept with what is done, and the report lists by it.",
+       .words = {"name", "code"}},
   };
 }
 

@@ -162,6 +162,7 @@ struct Lesson {
   std::vector<std::string> goals, molecules;
   std::vector<Place> molecule_places;  ///< of each of `molecules`
   std::vector<std::string> locked;     ///< in every scene
+  std::string ask;                     ///< "name" or "code" that the student is asked for; empty: neither
   std::vector<Block> introduction;     ///< what stands before the first step
   std::vector<Step> steps;             ///< at least one
 

@@ -19,18 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool looksLikeLesson(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::string line;
-  for (bool first = true; std::getline(in, line); first = false) {
-    const std::string_view text = trimmed(line);
-    if (first && (text == "---" || text == "\xEF\xBB\xBF---")) return true;
-    for (const char* fence : {"```scene", "```touch", "```answer"})
-      if (text == fence) return true;
-  }
-  return false;
-}
-
 /// With "%20" and the like as the letters that they stand for.
 std::string decoded(std::string_view text) {
   std::string out;
@@ -83,6 +71,18 @@ Expected<std::string> readLessonFile(const fs::path& file) {
   if (in.bad()) return fail(tr("the file cannot be read to its end"), tr("copy it again"));
   bytes.resize(static_cast<std::size_t>(in.gcount()));
   return bytes;
+}
+
+bool looksLikeLesson(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::string line;
+  for (bool first = true; std::getline(in, line); first = false) {
+    const std::string_view text = trimmed(line);
+    if (first && (text == "---" || text == "\xEF\xBB\xBF---")) return true;
+    for (const char* fence : {"```scene", "```touch", "```answer"})
+      if (text == fence) return true;
+  }
+  return false;
 }
 
 LessonName lessonName(const fs::path& file) {

@@ -40,6 +40,9 @@ LessonName lessonName(const std::filesystem::path& file);
 /// first. The order stays.
 std::vector<std::filesystem::path> inLanguage(std::vector<std::filesystem::path> lessons, std::string_view language);
 
+/// Whether a Markdown file means to be a lesson: it has front matter, or a block scene, touch or answer.
+bool looksLikeLesson(const std::filesystem::path& file);
+
 struct LessonFolder {
   std::vector<std::filesystem::path> lessons;  ///< ascending
   std::vector<std::filesystem::path> others;   ///< Markdown without anything of a lesson, such as README.md

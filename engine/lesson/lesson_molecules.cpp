@@ -32,7 +32,9 @@ Expected<fs::path> fileOf(const fs::path& lesson_file, const std::string& name) 
                    0,
                    trf("there is no file '{0}' beside the lesson", name),
                    tr("check its name; it is looked for in the lesson's folder")};
-  Expected<fs::path> known = findMolecule(name, MoleculeFolders::ofThisComputer());
+  MoleculeFolders folders = MoleculeFolders::ofThisComputer();
+  folders.beside = lesson_file.has_parent_path() ? lesson_file.parent_path() : fs::path(".");
+  Expected<fs::path> known = findMolecule(name, folders);
   if (!known)
     return Problem{
         {}, 0, 0, trf("there is no molecule '{0}' in the library nor beside the lesson", name), known.problem().remedy};

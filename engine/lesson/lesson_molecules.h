@@ -12,8 +12,9 @@
 
 namespace moltact {
 
-/// The molecule that a lesson means by a name: its file is one in the lesson's folder, else of the library, else one
-/// that was fetched. A problem without a place where there is none.
+/// The molecule that a lesson means by a name: its file is one in the lesson's folder, else of the library, else one in
+/// the lesson's folder or one that was fetched, whose name goes on with an ending ("5adh": 5ADH.cif.gz). A problem
+/// without a place where there is none.
 Expected<MoleculeKey> lessonMolecule(const std::filesystem::path& lesson_file, const NamedMolecule& named);
 
 /// Keeps what it has read while it lives, each reading of a file by itself; a file that has changed since is read

@@ -56,7 +56,7 @@ Expected<std::vector<CatalogueEntry>> entriesFrom(const nlohmann::json& json, co
 }
 
 /// A file of `folder` with this name and one of the endings that are read; empty where there is none.
-fs::path fetchedFile(const fs::path& folder, const std::string& name) {
+fs::path fileNamed(const fs::path& folder, const std::string& name) {
   if (folder.empty() || name.find('/') != std::string::npos) return {};
   std::string upper = name;
   for (char& c : upper) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -119,7 +119,8 @@ Expected<fs::path> findMolecule(const std::string& name, const MoleculeFolders& 
   if (entries)
     for (const CatalogueEntry& e : *entries)
       if (e.id == lower(name)) return folders.library / e.file;
-  if (fs::path file = fetchedFile(folders.fetched, name); !file.empty()) return file;
+  for (const fs::path& folder : {folders.beside, folders.fetched})
+    if (fs::path file = fileNamed(folder, name); !file.empty()) return file;
   if (fs::exists(name, error)) return fs::path(name);
   // A name with an ending was meant as a file: the reader says that it is missing.
   const std::string ending = lower(fs::path(name).extension().string());

@@ -29,8 +29,9 @@ Expected<std::vector<CatalogueEntry>> readCatalogue(const std::filesystem::path&
 
 /// The folders that a name is looked up in.
 struct MoleculeFolders {
-  std::filesystem::path library;  ///< with catalogue.json
-  std::filesystem::path fetched;  ///< entries downloaded from the PDB; may not exist
+  std::filesystem::path library;      ///< with catalogue.json
+  std::filesystem::path fetched;      ///< entries downloaded from the PDB; may not exist
+  std::filesystem::path beside = {};  ///< a lesson's folder, where "5adh" may be 5ADH.cif.gz; empty: none
 
   /// Those of this computer (engine/platform/folders.h).
   static MoleculeFolders ofThisComputer();

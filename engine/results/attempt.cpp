@@ -43,14 +43,6 @@ LessonOutline outlineOf(const Lesson& lesson, std::string hash) {
   return out;
 }
 
-std::string contentHash(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325ull;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ull;
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
-
 std::string utcText(std::chrono::system_clock::time_point when) {
   using namespace std::chrono;
   const auto day = floor<days>(when);

@@ -12,6 +12,7 @@
 #include <variant>
 #include <vector>
 
+#include "engine/core/content_hash.h"
 #include "engine/core/units.h"
 #include "engine/haptics/contact.h"
 #include "engine/haptics/touch_setup.h"
@@ -55,9 +56,6 @@ struct LessonOutline {
 };
 
 LessonOutline outlineOf(const Lesson& lesson, std::string hash);
-
-/// The FNV-1a hash of 64 bits, 16 hexadecimal digits: tells two versions of a lesson apart.
-std::string contentHash(std::string_view bytes);
 
 /// "2026-11-21T10:58:14Z".
 std::string utcText(std::chrono::system_clock::time_point when);

@@ -70,14 +70,14 @@ std::vector<LessonProgress> readProgress(const fs::path& folder, const std::opti
   if (folder.empty() || !fs::is_directory(folder, error)) return {};
   const Expected<std::vector<fs::path>> files = attemptFiles(folder);
   if (!files) return {};
-  std::map<std::string, LessonProgress> by_lesson;
+  std::map<std::pair<std::string, std::string>, LessonProgress> by_lesson;  // by file name and title
   for (const fs::path& file : *files) {
     const std::optional<Ends> ends = readEnds(file);
     if (!ends || (student && ends->header.student != *student)) continue;
     const fs::file_time_type touched = fs::last_write_time(file, error);
     if (error) continue;
     const AttemptHeader& h = ends->header;
-    LessonProgress& p = by_lesson[h.lesson.file];
+    LessonProgress& p = by_lesson[{h.lesson.file, h.lesson.title}];
     const bool newest = p.attempts == 0 || touched >= p.touched;
     const std::size_t of = ends->known ? ends->last.of : std::max<std::size_t>(1, h.lesson.parts());
     const bool finished = ends->known && of > 0 && ends->last.done >= of;

@@ -1,7 +1,7 @@
 // How far a student has come, read back from the attempts. Any thread but the haptic one.
 //
 //   for (const LessonProgress& p : readProgress(attemptsFolder()))     // once, when the welcome page opens: cheap
-//     if (p.lesson == file.filename()) card.show(p.share(), p.finished, p.step_title, p.began, p.attempts);
+//     if (p.isOf(file, title)) card.show(p.share(), p.finished, p.step_title, p.began, p.attempts);
 //   Expected<Attempt> a = readAttempt(p.file, ReadDepth::NoTrace);     // the student wants to go on
 //   if (a) session.restore(memoryOf(*a));                              // the step and what was done are as they were
 #pragma once
@@ -29,14 +29,18 @@ struct LessonProgress {
   bool finished = false;                    ///< some attempt was finished, not necessarily the last
   std::size_t attempts = 0;
 
+  /// Whether it is progress in this lesson. Lessons of the same file name in different folders differ in their titles.
+  bool isOf(const std::filesystem::path& lesson_file, const std::string& its_title) const {
+    return lesson == lesson_file.filename().string() && title == its_title;
+  }
   double share() const { return of ? double(done) / double(of) : 0.0; }
   /// The last attempt was begun and not finished: it can be taken up again.
   bool canResume() const { return done < of; }
 };
 
-/// One entry a lesson that was ever begun, the last one touched first. Reads the two ends of each file only, so that
-/// hundreds of attempts take no longer than a frame or two. A file that is no attempt is skipped. `student`: only
-/// attempts under this name (no value: all).
+/// One entry a lesson (a file's name and a title) that was ever begun, the last one touched first. Reads the two ends
+/// of each file only, so that hundreds of attempts take no longer than a frame or two. A file that is no attempt is
+/// skipped. `student`: only attempts under this name (no value: all).
 std::vector<LessonProgress> readProgress(const std::filesystem::path& folder,
                                          const std::optional<std::string>& student = {});
 

@@ -12,6 +12,7 @@ using namespace moltact;
 TEST_CASE("a file's kind follows from its ending, in capitals or small letters; other files have none") {
   CHECK(fileKind("a/first-touch.md") == FileKind::Lesson);
   CHECK(fileKind("FIRST.MD") == FileKind::Lesson);
+  CHECK(fileKind("Haem.moltact") == FileKind::Pack);
   CHECK(fileKind("anna.jsonl") == FileKind::Attempt);
   CHECK(fileKind("1ubq.recording") == FileKind::Recording);
   CHECK(fileKind("1UBQ.PDB.gz") == FileKind::Molecule);
@@ -26,7 +27,7 @@ TEST_CASE("the file browser lists whatever a reader of molecules, a lesson, an a
     scratch.file("m" + std::string(ending) + ".gz", "");
     files += 2;
   }
-  for (const char* name : {"l.md", "a.jsonl", "h.recording"}) scratch.file(name, ""), ++files;
+  for (const char* name : {"l.md", "p.moltact", "a.jsonl", "h.recording"}) scratch.file(name, ""), ++files;
   for (const char* name : {"letter.txt", "picture.png", "m.pdb.bak"}) scratch.file(name, "");
   std::filesystem::create_directory(scratch.folder / "folder");
   FileBrowser browser;

@@ -157,6 +157,11 @@ TEST_CASE(
                                 "new-lesson " + quoted(kText),
                                 "new-lesson name --folder " + file("-lessons"),
                                 "new-lesson name --folder " + file(".md"),
+                                "pack " + evil,
+                                "pack " + file(".md"),
+                                "pack " + file(".md") + " -o " + evil,
+                                "info " + file(".md"),
+                                "info --json " + file(".md"),
                                 "lesson-reference",
                                 "lesson-reference " + evil}) {
     const Run run = place.run(arguments, "env MOLTACT_LIBHD=" + quoted("/none/" + kName + ".so") +

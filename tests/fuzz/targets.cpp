@@ -22,6 +22,7 @@ constexpr Target kTargets[] = {
     {"catalogue", catalogue},
     {"settings", settings},
     {"translations", translations},
+    {"pack", pack},
 };
 
 }  // namespace

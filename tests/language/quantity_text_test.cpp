@@ -70,7 +70,7 @@ TEST_CASE("digits that count, digits behind the sign, and as many as it takes") 
   CHECK(quantityIn(2.0, "", plain()) == "2");
   CHECK(numberText(std::numeric_limits<double>::quiet_NaN()) == "–");
   CHECK(quantityText(std::numeric_limits<double>::infinity(), Dimension::Force) == "–\u00a0N");
-  CHECK(numberText(1e300, decimals(2)).size() == 304);
+  CHECK(numberText(1e300, decimals(2)) == "1e300");
   // A number, but none in the unit that is shown.
   CHECK(quantityText(1e307, Dimension::Share) == "–\u00a0%");
   CHECK(quantityText(-1e307, Dimension::Share, significant(2)) == "–\u00a0%");

@@ -33,6 +33,7 @@ struct ApplicationOptions {
   std::string language;                   ///< at the start, in the place of the settings': "de"; empty: theirs
   std::filesystem::path settings_file;    ///< empty: settings are neither read nor kept
   std::filesystem::path attempts_folder;  ///< where attempts at lessons are kept; empty: nowhere
+  std::filesystem::path packs_folder;     ///< where lessons are put that come in a pack; empty: packsFolder()
   std::filesystem::path cache_folder;     ///< for what can be made again; empty: nothing is kept
   std::filesystem::path picture_folder;   ///< where "Save picture" puts pictures (default: the current folder)
 };

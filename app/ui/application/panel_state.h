@@ -33,7 +33,8 @@ struct PanelState : KeyFocus {
   std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
        turns_page = false;
-  bool welcome = false;  ///< the welcome page stands in the place of view and panels
+  bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf
+  bool welcome = false;    ///< the welcome page stands in the place of view and panels
   CardFocus card;
   float menus_end = 0.0f;    ///< where the menus end (unit: pixel): the tool bar has room from there on
   bool full_screen = false;  ///< as the window is to be

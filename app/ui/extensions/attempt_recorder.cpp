@@ -90,6 +90,7 @@ void AttemptRecorder::resume(Application& app, const std::filesystem::path& less
     app.messages.warning(trf("{0}. The lesson begins anew.", attempt.problem().text()));
     return;
   }
+  if (paused_) return;  // whose work it is will be asked first
   app.lesson.session()->restore(memoryOf(*attempt));
   if (!log_) return;
   student_ = attempt->header.student;

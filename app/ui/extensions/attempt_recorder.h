@@ -38,6 +38,13 @@ class AttemptRecorder : public Extension {
   /// is taken up.
   void passTo(Application& app, const std::string& student);
   const std::string& student() const { return student_; }
+  /// Ends the attempt that goes on; of what is opened from here on no name is kept.
+  void forgetStudent() {
+    endAttempt();
+    student_.clear();
+  }
+  /// Ends the attempt that goes on.
+  void finish() { endAttempt(); }
 
   /// A guess of someone who waits, kept with the attempt that goes on.
   void keepPrediction(Predicted prediction);

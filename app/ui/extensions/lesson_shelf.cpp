@@ -6,10 +6,13 @@
 #include <tuple>
 
 #include "app/ui/application/application.h"
+#include "app/ui/extensions/attempt_recorder.h"
 #include "app/ui/files/library.h"
+#include "app/ui/files/own_lessons.h"
 #include "app/ui/files/user_folders.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/reader.h"
+#include "engine/pack/unpack.h"
 
 namespace moltact {
 namespace {
@@ -43,25 +46,71 @@ fs::path lessonFolderOf(const Settings& settings) {
   return settings.lesson_folder.empty() ? ownLessonsFolder() : fs::path(settings.lesson_folder);
 }
 
+fs::path packsFolderOf(const Application& app) {
+  return app.options().packs_folder.empty() ? packsFolder() : app.options().packs_folder;
+}
+
 void LessonShelf::list(const Application& app) {
   cards_.clear();
   next_ = 0;
   listed_in_ = language();
-  const auto add = [this](const std::vector<LibraryItem>& items, bool own) {
-    for (const LibraryItem& item : items) {
-      LessonCard& card = cards_.emplace_back();
-      card.file = item.file;
-      card.id = item.id;
-      card.title = item.label;
-      card.own = own;
-    }
+  std::vector<LessonProgress> progress;
+  if (!app.options().attempts_folder.empty()) progress = readProgress(app.options().attempts_folder);
+  const auto cardOf = [&](const LibraryItem& item, bool own) {
+    LessonCard card;
+    card.file = item.file;
+    card.id = item.id;
+    card.title = item.label;
+    card.own = own;
+    for (const LessonProgress& p : progress)
+      if (p.isOf(item.file, item.label)) card.progress = p;
+    return card;
   };
-  add(lessons(), false);
-  if (const fs::path own = lessonFolderOf(app.settings); !own.empty()) add(lessonItems(own), true);
-  if (app.options().attempts_folder.empty()) return;
-  for (LessonProgress& p : readProgress(app.options().attempts_folder))
-    for (LessonCard& card : cards_)
-      if (card.file.filename() == p.lesson) card.progress = p;
+  for (const LibraryItem& item : lessons()) cards_.push_back(cardOf(item, false));
+  if (const fs::path own = lessonFolderOf(app.settings); !own.empty())
+    for (const LibraryItem& item : lessonItems(own)) cards_.push_back(cardOf(item, true));
+  for (const LibraryItem& item : packedLessons(packsFolderOf(app))) cards_.push_back(cardOf(item, true));
+  // Opened from anywhere else: once something was done in it, and unless the same lesson is there already.
+  for (const LibraryItem& item : lessonsAmong(app.settings.recent)) {
+    LessonCard card = cardOf(item, true);
+    const bool there = std::any_of(cards_.begin(), cards_.end(), [&](const LessonCard& c) {
+      return c.file.filename() == card.file.filename() && c.title == card.title;
+    });
+    if (card.progress && !there) cards_.push_back(std::move(card));
+  }
+}
+
+void LessonShelf::begin(Application& app, const LessonCard& card) {
+  const fs::path lesson = card.file, attempt = card.progress && card.progress->canResume() ? card.progress->file : "";
+  if (attempt.empty())
+    app.open(lesson);
+  else
+    recorder_.resume(app, lesson, attempt);
+}
+
+fs::path LessonShelf::add(Application& app, const fs::path& file) {
+  const Expected<fs::path> lesson = addLesson(file, packsFolderOf(app));
+  if (!lesson) {
+    app.messages.error(lesson.problem().text());
+    return {};
+  }
+  list(app);
+  app.messages.notice(trf("On the shelf: {0}", lessonItem(*lesson).label));
+  return *lesson;
+}
+
+bool LessonShelf::open(Application& app, FileKind kind, const fs::path& file) {
+  if (kind != FileKind::Pack) return false;
+  recorder_.flush();  // the lesson may be the one that is open
+  const fs::path lesson = add(app, file);
+  const auto card = std::find_if(cards_.begin(), cards_.end(), [&](const LessonCard& c) { return c.file == lesson; });
+  if (card != cards_.end())
+    begin(app, LessonCard(*card));
+  else if (!lesson.empty())
+    app.open(lesson);
+  else
+    app.panels.welcome = app.panels.welcome || !app.hasWork();
+  return true;
 }
 
 const LessonCard* LessonShelf::latest() const {

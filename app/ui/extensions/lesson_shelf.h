@@ -1,5 +1,6 @@
-// The lessons and molecules that can be begun, as the welcome page shows them. Lessons are read one a frame while the
-// page is open, so that a full shelf does not stop it. Window's thread.
+// The lessons that can be begun, as the welcome page shows them: the program's, and the person's own, which are those
+// in a folder of theirs, those of packs that were opened or added, and those that were begun from anywhere else.
+// Lessons are read one a frame while the page is open, so that a full shelf does not stop it. Window's thread.
 #pragma once
 
 #include <filesystem>
@@ -20,7 +21,7 @@ struct LessonCard {
   std::string title;  ///< the file's name until it has been read
   std::string level;  ///< as the author wrote it; may be empty
   int minutes = 0;    ///< 0: not given
-  bool own = false;   ///< from the person's own folder
+  bool own = false;   ///< the person's own
   bool read = false;
   std::string fault;                       ///< why it cannot be opened; empty when it can
   std::optional<SceneSpec> scene;          ///< of its first step
@@ -28,13 +29,25 @@ struct LessonCard {
   std::optional<LessonProgress> progress;  ///< none: never begun
 };
 
+class AttemptRecorder;
+
 class LessonShelf : public Extension {
  public:
+  explicit LessonShelf(AttemptRecorder& recorder) : recorder_(recorder) {}
+
   /// The program's lessons, by level, then the person's own, by title; each in the language in use where it has it.
   const std::vector<LessonCard>& cards() const { return cards_; }
   /// The lesson to go on with: the one touched last, where it was not finished. Null without one.
   const LessonCard* latest() const;
 
+  /// Opens a lesson where it was left, or at its beginning. One that asks for a name goes on when that is given.
+  void begin(Application& app, const LessonCard& card);
+  /// Puts a pack, or a lesson file with all that it needs, on the shelf; tells what came of it. Empty where that cannot
+  /// be.
+  std::filesystem::path add(Application& app, const std::filesystem::path& file);
+
+  /// A pack: put on the shelf and begun.
+  bool open(Application& app, FileKind kind, const std::filesystem::path& file) override;
   /// Reads the lessons again while the welcome page is open, starting when it is opened.
   void afterPanels(Application& app) override;
   bool live() const override { return next_ < cards_.size(); }
@@ -42,6 +55,7 @@ class LessonShelf : public Extension {
  private:
   void list(const Application& app);
 
+  AttemptRecorder& recorder_;
   std::vector<LessonCard> cards_;
   std::size_t next_ = 0;   // the card to be read
   std::string listed_in_;  // the language
@@ -50,5 +64,7 @@ class LessonShelf : public Extension {
 
 /// Where the person's own lessons are looked for: the folder of the settings, else ownLessonsFolder().
 std::filesystem::path lessonFolderOf(const Settings& settings);
+/// Where packs are unpacked: the folder of the options, else packsFolder().
+std::filesystem::path packsFolderOf(const Application& app);
 
 }  // namespace moltact

@@ -73,10 +73,10 @@ void LessonWatch::beforeTicks(Application& app) {
   since_poll_s_ += app.dt_s();
   if (file_.empty() || running_.valid() || since_poll_s_ < kPoll_s) return;
   since_poll_s_ = 0.0;
-  poll(app);
+  poll();
 }
 
-void LessonWatch::poll(Application&) {
+void LessonWatch::poll() {
   const Look now = lookAt(file_);
   const bool settled = now == seen_;
   seen_ = now;

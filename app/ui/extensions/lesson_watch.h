@@ -52,7 +52,7 @@ class LessonWatch : public Extension {
 
   static Look lookAt(const std::filesystem::path& file);
   void watch(const std::filesystem::path& file);
-  void poll(Application& app);
+  void poll();
   void begin();
   void takeUp(Application& app, LessonCheck check);
   void list(const LessonCheck& check);

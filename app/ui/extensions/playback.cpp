@@ -4,6 +4,8 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/attempt_recorder.h"
+#include "app/ui/extensions/lesson_shelf.h"
+#include "app/ui/files/own_lessons.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/folders.h"
@@ -125,6 +127,9 @@ void Playback::stageFor(Application& app) {
   const Expected<MoleculeKey> found = findMoleculeKey(id, MoleculeFolders::ofThisComputer());
   if (found) return app.showMolecule(*found);
   if (missing_ == name) return;
+  const fs::path own =
+      fileBesideLesson(timeline_->header().lesson.file, name, {lessonFolderOf(app.settings), packsFolderOf(app)});
+  if (!own.empty()) return app.showMolecule({own, stage->reading});
   missing_ = name;
   app.messages.warning(trf("The molecule of this attempt, {0}, is not on this computer: put it beside {1}.", name,
                            file_.filename().string()));

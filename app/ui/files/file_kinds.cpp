@@ -4,6 +4,7 @@
 
 #include "engine/core/text.h"
 #include "engine/molecule/reader.h"
+#include "engine/pack/pack_file.h"
 
 namespace moltact {
 namespace {
@@ -14,8 +15,10 @@ struct EndingOfKind {
 };
 
 // A kind of file is added with one line here, and with the one that opens it (Extension::open).
-constexpr EndingOfKind kEndings[] = {
-    {".md", FileKind::Lesson}, {".jsonl", FileKind::Attempt}, {kRecordingEnding, FileKind::Recording}};
+constexpr EndingOfKind kEndings[] = {{".md", FileKind::Lesson},
+                                     {kPackEnding, FileKind::Pack},
+                                     {".jsonl", FileKind::Attempt},
+                                     {kRecordingEnding, FileKind::Recording}};
 
 }  // namespace
 

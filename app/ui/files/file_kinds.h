@@ -10,6 +10,7 @@ namespace moltact {
 enum class FileKind {
   Molecule,   ///< what engine/molecule/reader.cpp has a format for
   Lesson,     ///< ".md"
+  Pack,       ///< ".moltact": a lesson with all that it needs
   Attempt,    ///< ".jsonl": what a student did in a lesson
   Recording,  ///< ".recording": a hand, every tick of it
 };

@@ -41,10 +41,11 @@ std::string titleOf(const fs::path& file) {
 
 std::vector<LibraryItem> lessonItems(const fs::path& folder) {
   std::vector<LibraryItem> items;
-  for (const fs::path& file : inLanguage(lessonsIn(folder).lessons, language()))
-    items.push_back({lessonName(file).id, titleOf(file), file});
+  for (const fs::path& file : inLanguage(lessonsIn(folder).lessons, language())) items.push_back(lessonItem(file));
   return items;
 }
+
+LibraryItem lessonItem(const fs::path& file) { return {lessonName(file).id, titleOf(file), file}; }
 
 const std::vector<LibraryItem>& library() {
   static std::vector<LibraryItem> items;

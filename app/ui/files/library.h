@@ -24,5 +24,7 @@ const std::vector<LibraryItem>& library();
 const std::vector<LibraryItem>& lessons();
 /// The lessons in a folder, by name; each once, in the language in use. Empty where it cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
+/// One lesson, its title as the front matter has it.
+LibraryItem lessonItem(const std::filesystem::path& file);
 
 }  // namespace moltact

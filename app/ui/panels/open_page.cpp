@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/files/file_kinds.h"
 #include "app/ui/files/file_list.h"
 #include "app/ui/files/library.h"
 #include "app/ui/widgets/controls.h"
@@ -25,9 +27,17 @@ namespace {
 namespace fs = std::filesystem;
 
 void chooseFile(Application& app, const fs::path& file) {
-  app.open(file);
+  if (app.panels.open_adds)
+    app.extensions().shelf.add(app, file);
+  else
+    app.open(file);
   app.panels.open_page = false;
   ImGui::CloseCurrentPopup();
+}
+
+bool isLesson(const fs::path& file) {
+  const std::optional<FileKind> kind = fileKind(file);
+  return kind == FileKind::Lesson || kind == FileKind::Pack;
 }
 
 void drawShelf(Application& app) {
@@ -54,13 +64,18 @@ void drawShelf(Application& app) {
 }  // namespace
 
 void drawOpenPage(Application& app) {
-  if (!beginPage("open", tr("Open a molecule or a lesson"), app.panels.open_page, 900, 660)) {
-    app.files.open = false;
+  PanelState& panels = app.panels;
+  FileBrowser& b = app.files;
+  const bool adds = panels.open_adds;
+  if (!beginPage("open", adds ? tr("Add a lesson to your shelf") : tr("Open a molecule or a lesson"), panels.open_page,
+                 900, 660)) {
+    panels.open_adds = panels.open_adds && panels.open_page;
+    b.open = false;
     return;
   }
-  FileBrowser& b = app.files;
   const bool newly = !std::exchange(b.open, true);
   if (newly) {
+    b.accept(adds ? FileBrowser::Accept(isLesson) : FileBrowser::Accept());
     std::error_code ignored;
     if (b.folder().empty())
       b.look(fs::current_path(ignored));
@@ -91,21 +106,26 @@ void drawOpenPage(Application& app) {
   }
   ImGui::Dummy({0, look().px(2)});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(2)});
-  const float shelf = std::min(look().tx(350), 0.45f * ImGui::GetContentRegionAvail().x);
-  ImGui::BeginChild("shelf", {shelf, 0});
-  drawShelf(app);
-  ImGui::EndChild();
-  ImGui::SameLine(0, look().px(18));
+  if (!adds) {
+    const float shelf = std::min(look().tx(350), 0.45f * ImGui::GetContentRegionAvail().x);
+    ImGui::BeginChild("shelf", {shelf, 0});
+    drawShelf(app);
+    ImGui::EndChild();
+    ImGui::SameLine(0, look().px(18));
+  }
   ImGui::BeginChild("folder");
   {
     WithFont strong(Font::Strong);
     ImGui::TextUnformatted(elided(b.folder().string(), ImGui::GetContentRegionAvail().x).c_str());
   }
-  const fs::path file = drawFileList(
-      b, "open", trf("No folders, molecules ({0}, also .gz) or lessons (.md) here.", moleculeEndingsText()).c_str());
+  const std::string nothing =
+      adds ? std::string(tr("No folders or lessons (.moltact .md) here."))
+           : trf("No folders, molecules ({0}, also .gz) or lessons (.moltact .md) here.", moleculeEndingsText());
+  const fs::path file = drawFileList(b, "open", nothing.c_str());
   if (!file.empty()) chooseFile(app, file);
   ImGui::EndChild();
   ImGui::PopStyleVar();
+  panels.open_adds = panels.open_adds && panels.open_page;
   endPage();
 }
 

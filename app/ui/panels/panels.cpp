@@ -23,6 +23,7 @@
   PANEL(MessageStack)                     \
   PAGE(TurnsPage, turns_page)             \
   PAGE(OpenPage, open_page)               \
+  PANEL(NameQuestion)                     \
   PANEL(FilePage)                         \
   PAGE(PreferencesPage, preferences_page) \
   PAGE(DevicePage, device_page)           \

@@ -153,13 +153,6 @@ CardText textOf(const LessonCard& card) {
   return t;
 }
 
-void openLesson(Application& app, const LessonCard& card) {
-  if (card.progress && card.progress->canResume())
-    app.extensions().recorder.resume(app, card.file, card.progress->file);
-  else
-    app.open(card.file);
-}
-
 void drawLessons(Application& app, Grid& grid, bool own) {
   Extensions& e = app.extensions();
   std::vector<const LessonCard*> cards;
@@ -173,7 +166,7 @@ void drawLessons(Application& app, Grid& grid, bool own) {
     const ImTextureID picture = c.scene ? e.card_pictures.find({c.molecule, *c.scene}) : ImTextureID{};
     if (drawCard(grid, textOf(c), picture, width)) chosen = &c;
   });
-  if (chosen) openLesson(app, *chosen);
+  if (chosen) e.shelf.begin(app, *chosen);
 }
 
 void drawMolecules(Application& app, Grid& grid) {
@@ -206,11 +199,18 @@ void drawNext(Application& app, float most) {
       if (app.hasWork())
         app.panels.welcome = false;
       else
-        openLesson(app, *latest);
+        app.extensions().shelf.begin(app, *latest);
     }
     if (most > look().px(560)) ImGui::SameLine();
   }
   if (button("welcome/open", tr("Open a file …"))) findAction("open")->run(app);
+  // Beside it where there is room.
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float end = ImGui::GetItemRectMax().x + style.ItemSpacing.x + 2 * style.FramePadding.x +
+                    ImGui::CalcTextSize(tr("Add a lesson …")).x + look().px(16);
+  if (end <= ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine();
+  if (button("welcome/add", tr("Add a lesson …"))) app.panels.open_page = app.panels.open_adds = true;
+  tip(tr("Puts a lesson that you were given (.moltact) or wrote (.md) on this page"));
 }
 
 void readKeys(Grid& grid, PanelState& panels) {

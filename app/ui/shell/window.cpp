@@ -22,6 +22,7 @@
 #include "app/ui/shell/keyboard_layout.h"
 #include "app/ui/shell/shell.h"
 #include "engine/language/catalogue.h"
+#include "engine/pack/unpack.h"
 #include "engine/platform/folders.h"
 #include "engine/platform/interrupt.h"
 #include "engine/platform/terminal.h"
@@ -222,6 +223,7 @@ int runWindow(const WindowOptions& options) {
     Application app({.language = options.language,
                      .settings_file = settingsFile(),
                      .attempts_folder = attemptsFolder(),
+                     .packs_folder = packsFolder(),
                      .cache_folder = cacheFolder(),
                      .picture_folder = pictureFolder()},
                     applicationParts());

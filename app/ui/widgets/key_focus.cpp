@@ -178,7 +178,8 @@ unsigned keyStop() {
 
 bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags) {
   const bool entered = ImGui::InputTextMultiline(label, &text, size, flags);
-  if (const ImGuiLastItemData item = GImGui->LastItemData; !item.ID)
+  // ImGui 1.86 leaves a group there: without a name, or, while it is written in, with the field's and not its kind.
+  if (const ImGuiLastItemData item = GImGui->LastItemData; !(item.InFlags & ImGuiItemFlags_Inputable))
     ImGui::SetLastItemData(ImGui::GetID(label), GImGui->CurrentItemFlags | ImGuiItemFlags_Inputable, item.StatusFlags,
                            item.Rect);
   return entered;

@@ -1,0 +1,174 @@
+#include "engine/pack/pack_lesson.h"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <set>
+#include <system_error>
+
+#include "engine/core/text.h"
+#include "engine/language/catalogue.h"
+#include "engine/lesson/check.h"
+#include "engine/lesson/lesson_files.h"
+#include "engine/lesson/lesson_molecules.h"
+#include "engine/lesson/lesson_texts.h"
+#include "engine/pack/pack_file.h"
+#include "engine/pack/pack_name.h"
+#include "engine/pack/write_pack.h"
+#include "engine/platform/folders.h"
+#include "engine/platform/read_file.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool isWithin(const fs::path& file, const fs::path& folder) {
+  std::error_code error;
+  const fs::path there = fs::weakly_canonical(file, error).lexically_relative(fs::weakly_canonical(folder, error));
+  return !there.empty() && *there.begin() != "..";
+}
+
+class Gathering {
+ public:
+  explicit Gathering(const fs::path& lesson_file) : first_(lesson_file), top_(lesson_file.parent_path()) {}
+
+  PackedLesson run() {
+    take(first_.filename(), {first_.string()});
+    while (!lessons_.empty() && out_.errors.size() < kEnough) {
+      const fs::path next = std::move(lessons_.front());
+      lessons_.pop_front();
+      lesson(next);
+    }
+    if (out_.errors.empty()) pack();
+    return std::move(out_);
+  }
+
+ private:
+  static constexpr std::size_t kEnough = 500;
+  struct At {
+    std::string file;
+    Place place = {};
+  };
+
+  void error(const At& at, std::string message, std::string remedy) {
+    out_.errors.push_back({at.file, at.place.line, at.place.column, std::move(message), std::move(remedy)});
+  }
+
+  // A file by its name from the first lesson's folder; `at` is where it is named. A lesson is looked into later.
+  void take(const fs::path& named, const At& at) {
+    const fs::path relative = named.lexically_normal();
+    const std::string name = relative.generic_string();
+    if (files_.contains(name)) return;
+    if (const std::string fault = packNameFault(name); !fault.empty())
+      return error(at, trf("'{0}' cannot be packed: its name {1}", name, fault),
+                   tr("put the file into the lesson's folder, under another name where need be"));
+    if (const auto [twin, is_new] = folded_.emplace(foldedPackName(name), name); !is_new)
+      return error(at, trf("'{0}' and '{1}' would be one file on some computers", name, twin->second),
+                   tr("rename one of them"));
+    if (foldedPackName(name) == kPackManifest)
+      return error(at, trf("'{0}' cannot be packed: a pack has a file of its own of this name", name), tr("rename it"));
+    std::error_code ignored;
+    if (fs::is_directory(top_ / relative, ignored))
+      return error(at, trf("'{0}' cannot be packed: it is a folder", name), tr("name a file in it"));
+    Expected<std::string> bytes = readFile(top_ / relative, kMostUnpacked, tr("pack smaller molecules"));
+    if (!bytes) return out_.errors.push_back(bytes.problem());
+    whole_ += bytes->size();
+    if (whole_ > kMostUnpacked || files_.size() >= kMostPackEntries - 1)
+      return error(at, trf("the files are more than {0} MiB, or more than {1}", kMostUnpacked >> 20, kMostPackEntries),
+                   tr("pack fewer or smaller ones"));
+    files_.emplace(name, *std::move(bytes));
+    if (lower(relative.extension().string()) == ".md" &&
+        (relative == first_.filename() || looksLikeLesson(top_ / relative)))
+      lessons_.push_back(relative);
+  }
+
+  void lesson(const fs::path& relative) {
+    const fs::path file = top_ / relative, folder = relative.parent_path();
+    translations(relative);
+    LessonCheck check = checkLesson(file.string(), files_.at(relative.generic_string()),
+                                    [&](const NamedMolecule& named) { return molecules_.find(file, named); });
+    out_.warnings.insert(out_.warnings.end(), check.warnings.begin(), check.warnings.end());
+    if (!check.errors.empty() || !check.lesson) {
+      out_.errors.insert(out_.errors.end(), check.errors.begin(), check.errors.end());
+      return;
+    }
+    // "name" relative to the lesson's folder, as the check has found it there.
+    const auto beside = [&](const std::string& link, Place place) {
+      if (const auto to = fileLink("lesson.md", link)) take(folder / to->file, {file.string(), place});
+    };
+    forEachText(*check.lesson, [&](const RichText& text) {
+      for (const TextRun& run : text)
+        if (!run.link.empty() && !run.link.starts_with('#')) beside(run.link, run.link_place);
+    });
+    forEachImage(*check.lesson, [&](const Image& image) {
+      if (!image.path.empty()) beside(image.path, image.place);
+    });
+    for (const Step& step : check.lesson->steps)
+      if (!step.scene.molecule.name.empty()) molecule(file, folder, step.scene);
+  }
+
+  void translations(const fs::path& relative) {
+    std::error_code error;
+    std::vector<fs::path> same;
+    const std::string id = lessonName(relative).id;
+    const fs::path folder = (top_ / relative).has_parent_path() ? (top_ / relative).parent_path() : fs::path(".");
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+      if (it->path().extension() == ".md" && lessonName(it->path()).id == id) same.push_back(it->path().filename());
+    std::sort(same.begin(), same.end());
+    for (const fs::path& name : same) take(relative.parent_path() / name, {(top_ / relative).string()});
+  }
+
+  void molecule(const fs::path& lesson_file, const fs::path& folder, const SceneSpec& scene) {
+    const Expected<MoleculeKey> key = lessonMolecule(lesson_file, scene.molecule);
+    if (!key) return;  // the check has told
+    const At at{lesson_file.string(), scene.places.molecule};
+    if (isWithin(key->file, moleculesFolder())) {
+      library_.insert(scene.molecule.name);
+    } else if (isWithin(key->file, userMoleculesFolder())) {
+      fetched(key->file, folder, at);
+    } else {
+      const fs::path beside = lesson_file.has_parent_path() ? lesson_file.parent_path() : fs::path(".");
+      take(folder / key->file.lexically_proximate(beside), at);
+    }
+  }
+
+  // Downloaded: it goes beside the lesson, where its name finds it.
+  void fetched(const fs::path& file, const fs::path& folder, const At& at) {
+    const std::string name = (folder / file.filename()).generic_string();
+    if (files_.contains(name)) return;
+    if (const std::string fault = packNameFault(name); !fault.empty())
+      return error(at, trf("'{0}' cannot be packed: its name {1}", name, fault), tr("put the file beside the lesson"));
+    Expected<std::string> bytes = readFile(file, kMostUnpacked, tr("pack smaller molecules"));
+    if (!bytes) return out_.errors.push_back(bytes.problem());
+    whole_ += bytes->size();
+    folded_.emplace(foldedPackName(name), name);
+    files_.emplace(name, *std::move(bytes));
+  }
+
+  void pack() {
+    Expected<std::string> bytes = writePack(first_.filename().string(), files_);
+    if (!bytes) return out_.errors.push_back({first_.string(), 0, 0, bytes.problem().message, bytes.problem().remedy});
+    Packed packed{*std::move(bytes), {}, {library_.begin(), library_.end()}};
+    for (const auto& [name, content] : files_) packed.files.push_back(name);
+    // Whoever is given it must be able to open it.
+    if (const auto opened = PackFile::ofBytes(first_.filename().replace_extension(kPackEnding).string(), packed.bytes);
+        !opened)
+      return out_.errors.push_back(opened.problem());
+    out_.pack = std::move(packed);
+  }
+
+  const fs::path first_, top_;
+  PackedLesson out_;
+  std::map<std::string, std::string> files_, folded_;
+  std::set<std::string> library_;
+  std::deque<fs::path> lessons_;  // to be looked into
+  std::size_t whole_ = 0;
+  LessonMolecules molecules_;
+};
+
+}  // namespace
+
+PackedLesson packLesson(const fs::path& lesson_file) { return Gathering(lesson_file).run(); }
+
+}  // namespace moltact

@@ -1,0 +1,125 @@
+// `moltact pack` as a teacher calls it, and check, play and info on what it makes.
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_place.h"
+
+namespace moltact {
+namespace {
+
+namespace fs = std::filesystem;
+using test::CommandPlace;
+using test::contents;
+using test::Run;
+
+const std::string kLesson =
+    "---\ntitle: Haem\nminutes: 5\ngoals: G\nmolecules: mine.xyzr\nauthor: A. Teacher\nlicence: CC-BY-4.0\nask: "
+    "code\n---\n## One\n```scene\nmolecule: mine.xyzr\n```\n```touch\nreach: all\nsay: Touch it.\n```\n"
+    "### Question: Q?\n- [x] yes → Right.\n- [ ] no → No.\n";
+
+struct Place : CommandPlace {
+  Place() {
+    write("haem.md", kLesson);
+    write("mine.xyzr", "0 0 0 1.5\n3 0 0 1.5\n");
+  }
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name, std::ios::binary) << text;
+  }
+};
+
+bool has(const std::string& text, const std::string& part) { return text.find(part) != std::string::npos; }
+
+}  // namespace
+
+TEST_CASE("a lesson is packed beside itself or where -o says, told file by file, twice to the same bytes") {
+  const Place place;
+  const Run run = place.run("pack haem.md");
+  CHECK(run.status == 0);
+  CHECK(run.err.empty());
+  CHECK(has(run.out, "haem.moltact is written (1 kB):\n  haem.md\n  mine.xyzr\n"));
+  CHECK(place.run("pack haem.md -o again.moltact").status == 0);
+  CHECK(contents(place.folder / "again.moltact") == contents(place.folder / "haem.moltact"));
+  CHECK(contents(place.folder / "haem.moltact").starts_with("PK\3\4"));
+}
+
+TEST_CASE("a lesson with a fault is not packed, its notes are told, and a file that is no lesson is refused") {
+  const Place place;
+  place.write("bad.md", kLesson + "\n![no](gone.png)\n");
+  Run run = place.run("pack bad.md");
+  CHECK(run.status == 1);
+  CHECK(has(run.err, "bad.md:22:1: the picture 'gone.png' leads to no file"));
+  CHECK(has(run.err, "nothing was packed"));
+  CHECK_FALSE(fs::exists(place.folder / "bad.moltact"));
+
+  place.write("note.md", kLesson + "\n```scenes\n```\n");
+  run = place.run("pack note.md");
+  CHECK(run.status == 0);
+  CHECK(has(run.err, "note: note.md:22:4: 'scenes' is no block"));
+
+  CHECK(has(place.run("pack mine.xyzr").err, "is no lesson; name a file that ends in .md"));
+  CHECK(place.run("pack gone.md").status == 1);
+  CHECK(place.run("pack").status == 2);
+  CHECK(place.run("pack haem.md -o no/folder.moltact").status == 1);
+}
+
+TEST_CASE("check, info and play take a pack as they take a lesson, and leave nothing in the temporary folder") {
+  const Place place;
+  REQUIRE(place.run("pack haem.md").status == 0);
+  fs::remove(place.folder / "haem.md");
+  fs::remove(place.folder / "mine.xyzr");
+  fs::create_directory(place.folder / "tmp");
+  const std::string in_tmp = "export TMPDIR='" + (place.folder / "tmp").string() + "';";
+
+  Run run = place.run("check haem.moltact", in_tmp);
+  CHECK(run.status == 0);
+  CHECK(run.out == "1 lesson checked: no errors\n");
+
+  run = place.run("info haem.moltact", in_tmp);
+  CHECK(run.status == 0);
+  for (const char* part :
+       {"Haem\n", "author     A. Teacher\n", "steps      1 (1 tasks, 1 questions)\n", "molecules  mine.xyzr\n",
+        "asks for   a code\n", "file       haem.md, ", "file       mine.xyzr, "})
+    CHECK_MESSAGE(has(run.out, part), run.out);
+  run = place.run("info haem.moltact --json", in_tmp);
+  const auto json = nlohmann::json::parse(run.out);
+  CHECK(json["title"] == "Haem");
+  CHECK(json["asks_for"] == "code");
+  CHECK(json["files"].size() == 2);
+
+  run = place.run("play haem.moltact --demonstrate", in_tmp);
+  CHECK_MESSAGE(run.status == 0, run.err);
+  CHECK(has(run.out, "lesson finished"));
+  run = place.run("play haem.moltact --demonstrate --json", in_tmp);
+  CHECK(nlohmann::json::parse(run.out)["lesson"] == "haem.moltact/haem.md");
+  CHECK(fs::is_empty(place.folder / "tmp"));
+}
+
+TEST_CASE("a fault in a packed lesson is told at its place in the pack; a broken pack with its remedy") {
+  const Place place;
+  REQUIRE(place.run("pack haem.md").status == 0);
+  std::string bytes = contents(place.folder / "haem.moltact");
+  place.write("cut.moltact", bytes.substr(0, bytes.size() - 30));
+  for (const char* command : {"check cut.moltact", "info cut.moltact", "play cut.moltact --demonstrate"}) {
+    const Run run = place.run(command);
+    CAPTURE(command);
+    CHECK(run.status == 1);
+    CHECK(has(run.out + run.err, "cut.moltact: "));
+    CHECK(has(run.out + run.err, "ask for the file again"));
+  }
+  CHECK(has(place.run("check gone.moltact").out, "there is no such file"));
+  // A library that lacks the molecule: a fault in the pack.
+  place.write("lib.md", kLesson);
+  std::string text = kLesson;
+  for (std::size_t at = text.find("mine.xyzr"); at != std::string::npos; at = text.find("mine.xyzr"))
+    text.replace(at, 9, "argon");
+  place.write("lib.md", text);
+  REQUIRE(place.run("pack lib.md").status == 0);
+  fs::create_directories(place.folder / "home/molecules");
+  place.write("home/molecules/catalogue.json", "{\"molecules\": []}");
+  const Run run = place.run("check lib.moltact", "export MOLTACT_HOME='" + (place.folder / "home").string() + "';");
+  CHECK(run.status == 1);
+  CHECK(has(run.out, "lib.moltact/lib.md:5:12: error: "));
+}
+
+}  // namespace moltact
