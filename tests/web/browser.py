@@ -145,7 +145,15 @@ class Browser:
 
     def place(self, name, x=0.5, y=0.5):
         """Of a widget, in the page's own pixels."""
-        low_x, low_y, high_x, high_y = self.wait_for(name, seen=True)[:4]
+        for _ in range(40):
+            low_x, low_y, high_x, high_y, _, visible = self.wait_for(name)
+            if visible:
+                break
+            # Scrolled out of sight: brought into it by the wheel.
+            way = 120 if low_y > self.height / 2 * self.scale else -120
+            self.call("Input.dispatchMouseEvent", type="mouseWheel", x=(low_x + high_x) / 2 / self.scale,
+                      y=self.height / 2, deltaX=0, deltaY=way)
+            self.frames(3)
         return ((low_x + x * (high_x - low_x)) / self.scale, (low_y + y * (high_y - low_y)) / self.scale)
 
     def screenshot(self, file):
@@ -200,8 +208,7 @@ class Browser:
     def tap(self, name):
         at = self.place(name)
         self.touch("touchStart", at)
-        self.frames(2)
-        self.touch("touchEnd")
+        self.touch("touchEnd")  # at once: a finger that rests tells instead
         self.frames(4)
 
     def type(self, text):
