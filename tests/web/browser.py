@@ -190,17 +190,6 @@ class Browser:
         self.mouse("mouseReleased", *at, button="left")
         self.frames(3)
 
-    def bring(self, name, over, most=40):
-        """Turns the wheel over another widget until this one is in sight."""
-        self.wait_for(name)
-        x, y = self.place(over)
-        for _ in range(most):
-            if self.widgets()[name][5]:
-                return
-            self.mouse("mouseWheel", x, y, deltaX=0, deltaY=100)
-            self.frames(4)
-        raise TimeoutError(f"{name!r} does not come in sight")
-
     def touch(self, kind, *places):
         self.call("Input.dispatchTouchEvent", type=kind,
                   touchPoints=[{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(places)])

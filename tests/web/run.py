@@ -171,7 +171,7 @@ class Lesson(PageTest):
         browser = self.browser()
         self.open_lesson(browser)
         browser.click("lesson/next")
-        browser.bring("question/0/1", over="lesson/step")
+        browser.wait_for("question/0/0")
         browser.click("question/0/0")
         browser.frames(5)
         self.assertTrue(any("Go back into the crease" in w[4] for w in browser.widgets().values()))

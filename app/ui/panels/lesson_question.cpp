@@ -181,7 +181,12 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     const ImU32 colour = status.last_right ? l.palette.good : l.palette.bad;
     std::vector<RichText> said = session.feedback(index);
     if (said.empty()) said.push_back({TextRun{.text = status.last_right ? tr("Right.") : tr("Not yet. Try again.")}});
-    for (const RichText& p : said) follow(drawRichText((name + "/feedback").c_str(), p, colour));
+    for (std::size_t k = 0; k < said.size(); ++k) {
+      const ImVec2 from = ImGui::GetCursorScreenPos();
+      follow(drawRichText((name + "/feedback").c_str(), said[k], colour));
+      recordRectangle(name + "/feedback/" + std::to_string(k), {from.x, from.y},
+                      {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y}, plainText(said[k]));
+    }
     for (const std::size_t k : status.chosen)
       if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
     // What is said to an answer is not to be missed below the panel's edge.
