@@ -151,8 +151,10 @@ class Browser:
                 break
             # Scrolled out of sight: brought into it by the wheel.
             way = 120 if low_y > self.height / 2 * self.scale else -120
-            self.call("Input.dispatchMouseEvent", type="mouseWheel", x=(low_x + high_x) / 2 / self.scale,
-                      y=self.height / 2, deltaX=0, deltaY=way)
+            over = ((low_x + high_x) / 2 / self.scale, self.height / 2)
+            self.mouse("mouseMoved", *over)
+            self.frames(1)
+            self.mouse("mouseWheel", *over, deltaX=0, deltaY=way)
             self.frames(3)
         return ((low_x + x * (high_x - low_x)) / self.scale, (low_y + y * (high_y - low_y)) / self.scale)
 
