@@ -9,6 +9,7 @@
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/shell/application_parts.h"
 #include "app/ui/widgets/key_names.h"
+#include "engine/core/utf8.h"
 #include "engine/render/gl_objects.h"
 
 namespace moltact {
@@ -137,15 +138,7 @@ void ScriptedUser::wheel(double notches) {
 }
 
 void ScriptedUser::type(std::string_view utf8) {
-  for (std::size_t at = 0; at < utf8.size();) {
-    const auto byte = static_cast<unsigned char>(utf8[at]);
-    const std::size_t length = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
-    unsigned code = length == 1 ? byte : byte & (0xFFu >> (length + 1));
-    for (std::size_t k = 1; k < length && at + k < utf8.size(); ++k)
-      code = code << 6 | (static_cast<unsigned char>(utf8[at + k]) & 0x3Fu);
-    shell_->input().character(code);
-    at += length;
-  }
+  for (const char32_t c : charactersOf(utf8)) shell_->input().character(unsigned(c));
   frames(2);
 }
 
