@@ -44,7 +44,7 @@ ScriptedUser::~ScriptedUser() {
 }
 
 void ScriptedUser::frame(bool drawn) {
-  drawn = drawn && !eyes_closed_;
+  drawn_ = drawn;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
   target_->gl.resize(options_.width, options_.height);
@@ -64,9 +64,12 @@ void ScriptedUser::frame(bool drawn) {
 }
 
 void ScriptedUser::frames(int n) {
-  do frame(options_.draw_all || n <= 1);
+  const auto drawn = [&](int left) {
+    return options_.draws == Draws::All || (options_.draws == Draws::LastInRow && left <= 1);
+  };
+  do frame(drawn(n));
   while (!shell_->input().empty());
-  for (int k = 1; k < n; ++k) frame(options_.draw_all || k + 1 == n);
+  for (int k = 1; k < n; ++k) frame(drawn(n - k));
 }
 
 void ScriptedUser::resize(int width, int height) {
@@ -176,7 +179,8 @@ bool ScriptedUser::shows(std::string_view widget) const {
   return record && record->visible();
 }
 
-Picture ScriptedUser::picture() const {
+Picture ScriptedUser::picture() {
+  if (!drawn_) frame(true);
   Picture out{options_.width, options_.height,
               std::vector<std::uint8_t>(std::size_t(options_.width) * std::size_t(options_.height) * 3)};
   std::vector<std::uint8_t> rows(out.rgb.size());
