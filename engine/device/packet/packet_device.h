@@ -1,5 +1,6 @@
 // A device that speaks in packets: HID, a serial line, a network. Its own thread waits for reports and hands the newest
-// place over. It gives the newest force after each report, and no force when the haptic thread has not written for
+// place over; where no thread can be had (a page in a browser) each tick takes what has come, and the time from one
+// frame's ticks to the next one's counts as delay. It gives the newest force after each report, and no force when the haptic thread has not written for
 // kCommandTimeout_s. It reopens the device after it was unplugged. The last report that it writes gives no force,
 // whatever ends it: a read or a write that fails, an exception, the destructor, a signal. It measures its own part of
 // the delay: how old a place is when it is read, and how long a force waits for the thread. A PacketProtocol knows what
@@ -19,6 +20,7 @@
 #include "engine/device/packet/packet_port.h"
 #include "engine/device/packet/packet_protocol.h"
 #include "engine/device/versioned_device_info.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 
@@ -66,8 +68,9 @@ class PacketDevice final : public Device {
   explicit PacketDevice(DeviceInfo known) : known_(known), info_(std::move(known)) {}
   std::optional<Problem> openPort();
   void run();
+  void takeTurn(int wait_ms) noexcept;
   bool reopen(State& state);
-  int receive(State& state);
+  int receive(State& state, int wait_ms);
   bool sendNewest(State& state);
   void lose(State& state) noexcept;
   void sendFinalReport() noexcept;
@@ -78,10 +81,11 @@ class PacketDevice final : public Device {
   DeviceInfo known_;
   VersionedDeviceInfo info_;
   std::unique_ptr<PacketPort> port_;
-  // The device's own thread only.
+  // The device's own thread only, or without one the ticks'.
   Command newest_command_;
   bool last_report_kept_ = false;  // by the port, before the first force
-  Clock::time_point look_again_{};
+  Clock::time_point look_again_{}, last_turn_{};
+  State own_state_;
 
   TripleBuffer<State> state_;
   TripleBuffer<Command> command_;
@@ -90,6 +94,7 @@ class PacketDevice final : public Device {
   std::uint32_t last_read_ = 0;  // of the haptic thread: the count of the last place
   Command next_command_;         // of the haptic thread
   std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false}, turns_hand_{false};
+  const bool own_thread_ = threadsCanBeHad();  // else the ticks do its work
   std::thread thread_;
 };
 
