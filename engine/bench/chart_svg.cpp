@@ -6,6 +6,7 @@
 
 #include "engine/bench/log_axis.h"
 #include "engine/core/markup.h"
+#include "engine/core/utf8.h"
 
 namespace moltact::bench {
 namespace {
@@ -19,11 +20,7 @@ std::string num(double v) {
   return text;
 }
 
-double textWidth(const std::string& text) {
-  double n = 0;
-  for (const char c : text) n += (c & 0xC0) != 0x80;
-  return 0.56 * kFont * n;
-}
+double textWidth(const std::string& text) { return 0.56 * kFont * double(characterCount(text)); }
 
 struct Box {
   double x0, y0, x1, y1;
