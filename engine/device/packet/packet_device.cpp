@@ -19,8 +19,8 @@ constexpr double kSameFrame_s = 0.002;  // without a thread: ticks this close be
 }  // namespace
 
 Expected<std::unique_ptr<Device>> PacketDevice::open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
-                                                     DeviceInfo known) {
-  std::unique_ptr<PacketDevice> device(new PacketDevice(std::move(known)));
+                                                     DeviceInfo known, bool own_thread) {
+  std::unique_ptr<PacketDevice> device(new PacketDevice(std::move(known), own_thread));
   device->opener_ = std::move(opener);
   device->protocol_ = std::move(protocol);
   if (auto problem = device->openPort()) return *problem;
@@ -146,10 +146,19 @@ void PacketDevice::takeTurn(int wait_ms) noexcept {
     protocol_->advance(std::min(0.05, since_s), state.pose);
     state_.write(state);
     view_motion_.write(protocol_->viewMotion());
-    if (own_thread_ && !sendNewest(state)) lose(state);
   } catch (...) {  // memory is out, or a port throws: the device is reopened
-    lose(state);
+    return lose(state);
   }
+  if (own_thread_) giveNewest();
+}
+
+void PacketDevice::giveNewest() noexcept {
+  if (!port_) return;
+  try {
+    if (sendNewest(own_state_)) return;
+  } catch (...) {  // as above
+  }
+  lose(own_state_);
 }
 
 void PacketDevice::run() {
@@ -179,7 +188,7 @@ void PacketDevice::command(const Wrench& wrench, bool motors_on) noexcept {
   next_command_.at = Clock::now();
   ++next_command_.count;
   command_.write(next_command_);
-  if (!own_thread_ && port_ && !sendNewest(own_state_)) lose(own_state_);
+  if (!own_thread_) giveNewest();
 }
 
 DeviceStatus PacketDevice::status() {

@@ -35,9 +35,9 @@ class PacketDevice final : public Device {
   using Opener = std::function<Expected<std::unique_ptr<PacketPort>>(const Accept&)>;
 
   /// Opens the device. `known` is its description as far as it is known beforehand; the protocol completes it. `opener`
-  /// is kept and called again after the device was unplugged.
+  /// is kept and called again after the device was unplugged. Without `own_thread` the ticks do the device's work.
   static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
-                                                DeviceInfo known);
+                                                DeviceInfo known, bool own_thread = threadsCanBeHad());
   ~PacketDevice() override;
 
   const DeviceInfo& info() const noexcept override { return info_.get(); }
@@ -65,10 +65,11 @@ class PacketDevice final : public Device {
     Clock::time_point at{};
   };
 
-  explicit PacketDevice(DeviceInfo known) : known_(known), info_(std::move(known)) {}
+  PacketDevice(DeviceInfo known, bool own_thread) : known_(known), info_(std::move(known)), own_thread_(own_thread) {}
   std::optional<Problem> openPort();
   void run();
   void takeTurn(int wait_ms) noexcept;
+  void giveNewest() noexcept;
   bool reopen(State& state);
   int receive(State& state, int wait_ms);
   bool sendNewest(State& state);
@@ -80,6 +81,7 @@ class PacketDevice final : public Device {
   std::unique_ptr<PacketProtocol> protocol_;
   DeviceInfo known_;
   VersionedDeviceInfo info_;
+  const bool own_thread_;
   std::unique_ptr<PacketPort> port_;
   // The device's own thread only, or without one the ticks'.
   Command newest_command_;
@@ -94,7 +96,6 @@ class PacketDevice final : public Device {
   std::uint32_t last_read_ = 0;  // of the haptic thread: the count of the last place
   Command next_command_;         // of the haptic thread
   std::atomic<bool> ends_{false}, gone_{false}, calibrate_{false}, turns_hand_{false};
-  const bool own_thread_ = threadsCanBeHad();  // else the ticks do its work
   std::thread thread_;
 };
 
