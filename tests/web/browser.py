@@ -41,7 +41,7 @@ class Browser:
             close_fds=False, preexec_fn=fds, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
-        self.waiting, self.number, self.events = b"", 0, []
+        self.waiting, self.number, self.events, self.closed = b"", 0, [], False
         self.width, self.height, self.scale = width, height, scale
         target = next(t for t in self.call("Target.getTargets")["targetInfos"] if t["type"] == "page")
         self.session = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
@@ -67,13 +67,16 @@ class Browser:
         message, _, self.waiting = self.waiting.partition(b"\0")
         return json.loads(message)
 
-    def call(self, method, browser_wide=False, patience_s=90, **parameters):
+    def send(self, method, browser_wide=False, **parameters):
         self.number += 1
-        number = self.number
-        message = {"id": number, "method": method, "params": parameters}
+        message = {"id": self.number, "method": method, "params": parameters}
         if not browser_wide and getattr(self, "session", None):
             message["sessionId"] = self.session
         os.write(self.to, json.dumps(message).encode() + b"\0")
+        return self.number
+
+    def call(self, method, browser_wide=False, patience_s=90, **parameters):
+        number = self.send(method, browser_wide, **parameters)
         until = time.monotonic() + patience_s
         while True:
             reply = self.read(until)
@@ -97,11 +100,13 @@ class Browser:
         self.process.wait()
 
     def close(self):
+        if self.closed:
+            return
+        self.closed = True
         try:
-            if self.process.poll() is not None:
-                return
-            self.call("Browser.close", browser_wide=True, patience_s=10)
-            self.process.wait(10)
+            if self.process.poll() is None:
+                self.call("Browser.close", browser_wide=True, patience_s=10)
+                self.process.wait(10)
         except Exception:  # whatever state it is in, it goes
             self.kill()
         finally:
@@ -219,8 +224,9 @@ class Browser:
 
     def tap(self, name):
         at = self.place(name)
-        self.touch("touchStart", at)
-        self.touch("touchEnd")  # at once: a finger that rests tells instead
+        # Without waiting in between, however slow the machine is: a finger that rests tells instead.
+        self.send("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": at[0], "y": at[1], "id": 0}])
+        self.touch("touchEnd")
         self.frames(4)
 
     def type(self, text):

@@ -51,9 +51,14 @@ globalThis.play = () => {
 
 
 class Devices(PageTest):
+    def device_page(self, browser):
+        browser.hold("ControlLeft", True, "Control", 2)
+        browser.key("KeyD", "d", 2)
+        browser.hold("ControlLeft", False, "Control")
+
     def show(self, browser, which, driver):
         browser.evaluate(f"globalThis.shows = '{which}'")
-        browser.key("KeyD", "d", 2)
+        self.device_page(browser)
         browser.wait_for("device/ask")
         browser.click("device/ask")
         browser.wait_for(f"device/{driver}", patience_s=30)
@@ -142,7 +147,7 @@ class Devices(PageTest):
         browser = self.browser(script=FAKE + "description[6] = description[7] = 0; fakes.open.features[3] = description;")
         self.open_lesson(browser)
         browser.evaluate("globalThis.shows = 'open'")
-        browser.key("KeyD", "d", 2)
+        self.device_page(browser)
         browser.wait_for("device/ask")
         browser.click("device/ask")
         browser.wait_for("device/open/why", "its place's unit (byte 6) is 0", patience_s=30)

@@ -133,6 +133,13 @@ class Senses(PageTest):
         self.assertLessEqual(browser.evaluate("heard.peak"), 1.0)
         self.no_errors(browser)
 
+    def next_by_keys(self, browser):
+        kAlt = 1
+        browser.hold("AltLeft", True, "Alt", kAlt)
+        browser.key("ArrowRight", modifiers=kAlt)
+        browser.hold("AltLeft", False, "Alt")
+        browser.frames(3)
+
     def test_by_keys_alone_a_whole_lesson_is_gone_through(self):
         browser = self.browser()
         browser.open(PAGE.as_uri())
@@ -159,8 +166,7 @@ class Senses(PageTest):
         browser.type("3.76")
         browser.key("Enter")
         browser.frames(5)
-        kAlt = 1
-        browser.key("ArrowRight", modifiers=kAlt)
+        self.next_by_keys(browser)
         browser.wait_for("lesson/step", "Slide")
         browser.frames(20)
         # The probe goes over the pair and back while it pushes.
@@ -177,7 +183,7 @@ class Senses(PageTest):
             if "done" in (browser.text("task/0") or ""):
                 break
         browser.wait_for("task/0", "done", patience_s=5)
-        browser.key("ArrowRight", modifiers=kAlt)
+        self.next_by_keys(browser)
         browser.wait_for("lesson/step", "The end")
         browser.until("document.getElementById('news').textContent.includes('step 3 of 3')")
         self.no_errors(browser)
@@ -187,7 +193,9 @@ class Senses(PageTest):
         browser.call("Browser.grantPermissions", browser_wide=True, permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
         self.open_lesson(browser)
         kCtrl = 2
+        browser.hold("ControlLeft", True, "Control", kCtrl)
         browser.key("KeyA", "a", kCtrl)
+        browser.hold("ControlLeft", False, "Control")
         browser.until("document.getElementById('words').classList.contains('read')")
         chosen = browser.evaluate("getSelection().toString()")
         for words in ("van der Waals radius", "Touch the argon atom.", "Next"):
