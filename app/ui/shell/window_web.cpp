@@ -190,16 +190,17 @@ EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {
   page->pen_N = wanted_N;
 }
 
-// What stands on the screen, in the order of reading: JSON of [text, x, y]; x is -1 for what cannot be pressed.
+// What stands on the screen, and what can be scrolled there, in the order of reading: JSON of [text, x, y]; x is -1 for what
+// cannot be pressed.
 EMSCRIPTEN_KEEPALIVE const char* moltact_words() {
   std::vector<const moltact::WidgetRecord*> seen;
   for (const auto& [name, record] : moltact::widgets().all())
-    if (!record.text.empty() && record.visible()) seen.push_back(&record);
+    if (!record.text.empty() && (record.visible() || record.scrolls)) seen.push_back(&record);
   std::sort(seen.begin(), seen.end(),
             [](const auto* a, const auto* b) { return std::pair(a->low.y, a->low.x) < std::pair(b->low.y, b->low.x); });
   nlohmann::json all = nlohmann::json::array();
   for (const moltact::WidgetRecord* r : seen) {
-    const glm::vec2 at = r->key_stop ? r->centre() : glm::vec2(-1.0f);
+    const glm::vec2 at = r->key_stop && r->visible() ? r->centre() : glm::vec2(-1.0f);
     all.push_back({r->text, at.x, at.y});
   }
   page->words = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
