@@ -71,18 +71,15 @@ std::string legend(const std::vector<PersonScore>& people) {
     if (p.way()) used[std::size_t(*p.way())] = true;
     for (std::size_t w = 0; w < kWays; ++w) used[w] = used[w] || p.touch_ways_s[w] > 0;
   }
-  static constexpr std::array kMarks{
-      "<circle cx=\"24\" cy=\"7\" r=\"3.2\" class=\"mark way-device\"/>",
-      "<rect x=\"21.2\" y=\"4.2\" width=\"5.6\" height=\"5.6\" class=\"mark way-mouse\"/>",
-      "<path d=\"M24 3.6l3.4 6h-6.8z\" class=\"mark way-keyboard\"/>"};
   static constexpr std::array kNames{N_("haptic device"), N_("mouse"), N_("keyboard")};
   std::string out = std::string("<div class=\"legend\">") + tr("Way of input:");
   for (std::size_t w = 0; w < kWays; ++w)
-    if (used[w])
-      out +=
-          "<span><svg viewBox=\"0 0 30 14\" aria-hidden=\"true\"><rect x=\"1\" y=\"1\" width=\"14\" height=\"12\" "
-          "class=\"bar " +
-          wayClass(InputWay(w)) + "\"/>" + kMarks[w] + "</svg>" + tr(kNames[w]) + "</span>";
+    if (used[w]) {
+      Svg svg;
+      svg.rect(1, 1, 14, 12, "class=\"bar " + wayClass(InputWay(w)) + "\"");
+      drawMark(svg, InputWay(w), 24, 7);
+      out += "<span>" + std::move(svg).within("viewBox=\"0 0 30 14\" aria-hidden=\"true\"") + tr(kNames[w]) + "</span>";
+    }
   return out + "</div>";
 }
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/ui/application/application.h"
-#include "app/ui/panels/lesson_blocks.h"
-#include "app/ui/panels/lesson_keys.h"
+#include "app/ui/panels/lesson/lesson_blocks.h"
+#include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
