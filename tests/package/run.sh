@@ -34,7 +34,7 @@ desktop-file-validate "$apart"/share/applications/*.desktop
 appstreamcli validate --no-net --explain "$apart"/share/metainfo/*.xml
 mkdir -p "$work/mime/packages"
 cp "$apart"/share/mime/packages/* "$work/mime/packages/"
-PKGSYSTEM_ENABLE_FSYNC=0 update-mime-database "$work/mime" 2>"$work/mime.log"
+XDG_DATA_HOME="$work" PKGSYSTEM_ENABLE_FSYNC=0 update-mime-database "$work/mime" 2>"$work/mime.log"
 [ ! -s "$work/mime.log" ] || fail "update-mime-database: $(cat "$work/mime.log")"
 man --warnings -E UTF-8 -l -Tutf8 -Z "$apart"/share/man/man1/moltact.1.gz >/dev/null 2>"$work/man.log" || fail "man(1) does not take the page"
 [ ! -s "$work/man.log" ] || fail "the manual page: $(cat "$work/man.log")"
@@ -47,7 +47,7 @@ if strings -a "$apart/bin/moltact" | grep -F "$(cd "$here/../.." && pwd)"; then 
 mv "$apart" "$work/elsewhere"
 cd /
 [ "$(env -i "$work/elsewhere/bin/moltact" info 1ubq --json | grep -c '"atoms"')" = 1 ] || fail "info, under another prefix"
-env -i "$work/elsewhere/bin/moltact" info 1ubq --language de | grep -q Atome || fail "German, under another prefix"
+env -i "$work/elsewhere/bin/moltact" info 1ubq --language de | grep -q weggelassen || fail "German, under another prefix"
 
 codename=$(. /etc/os-release && echo "$VERSION_CODENAME")
 if [ "$(id -u)" != 0 ]; then
@@ -79,6 +79,7 @@ if [ -n "$bare" ]; then
   rm -rf "$bare/home/trial"
 fi
 root=${bare:-/}
+chroot=$(command -v chroot)
 home=/home/trial
 [ -n "$bare" ] || home=$work/home
 mkdir -p "$bare$home"
@@ -86,11 +87,11 @@ chown 65534:65534 "$bare$home"
 # Run there, as root and as an ordinary user who may write to the home folder only.
 as_root() {
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive ${http_proxy:+http_proxy="$http_proxy"} \
-    ${https_proxy:+https_proxy="$https_proxy"} chroot "$root" "$@"
+    ${https_proxy:+https_proxy="$https_proxy"} "$chroot" "$root" "$@"
 }
 as_user() {
   env -i PATH=/usr/bin:/bin LANG=C.UTF-8 HOME="$home" ${DISPLAY:+DISPLAY="$DISPLAY"} \
-    chroot --userspec=65534:65534 "$root" sh -c 'cd && exec "$@"' sh "$@"
+    "$chroot" --userspec=65534:65534 "$root" sh -c 'cd && exec "$@"' sh "$@"
 }
 files() { (cd "$root" && find etc usr opt srv home -xdev \( -path "${home#/}" -o -name '*.cache' -o -name ld.so.cache \) -prune -o -print | sort); }
 
@@ -109,7 +110,7 @@ step "without a window"
 as_user moltact --version
 as_user moltact info 1ubq >"$work/info"
 grep -q 'atoms' "$work/info" || fail "info: $(cat "$work/info")"
-as_user moltact info 1ubq --language de | grep -q 'Atome' || fail "info in German"
+as_user moltact info 1ubq --language de | grep -q weggelassen || fail "info in German"
 as_user moltact check /usr/share/moltact/lessons >"$work/check" || fail "check: $(cat "$work/check")"
 as_user moltact render 1ubq --out "$home/render.png" --size 640x400 --hip 30,29,22
 [ "$(identify -format '%wx%h' "$bare$home/render.png")" = 640x400 ] || fail "render: no picture of 640 x 400"
