@@ -70,6 +70,17 @@ fs::path translationsFolder() {
 #endif
 }
 
+fs::path browserEdition() {
+  std::error_code error;
+#ifdef MOLTACT_BUILD_FOLDER
+  for (const fs::path& folder : {homeFolder(), fs::path(MOLTACT_BUILD_FOLDER).parent_path() / "web"})
+#else
+  for (const fs::path& folder : {homeFolder()})
+#endif
+    if (fs::is_regular_file(folder / "moltact.html", error)) return folder / "moltact.html";
+  return {};
+}
+
 fs::path userDataFolder() {
   const fs::path data = folderFromEnvironment("XDG_DATA_HOME");
   if (!data.empty()) return data / "moltact";

@@ -19,6 +19,10 @@ std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 /// `translations` beside the executable, else that of the build (not in a package).
 std::filesystem::path translationsFolder();
 
+/// The browser edition, moltact.html: homeFolder()'s, else that of the preset `web` beside the program's own build. Empty
+/// where it is in neither.
+std::filesystem::path browserEdition();
+
 /// Where an administrator puts what everyone on this computer is to have: `moltact` in each folder of $XDG_DATA_DIRS
 /// (/usr/local/share and /usr/share where that is not set), the most important first. The program's own is not among
 /// them; they may not exist.
