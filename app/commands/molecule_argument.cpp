@@ -22,7 +22,8 @@ void MoleculeArgument::addTo(CLI::App& command) {
     else if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member))
       command.add_flag(name, named.reading.**on, help);
     else
-      command.add_option(name, named.reading.*std::get<std::string ReadOptions::*>(option.member), help);
+      command.add_option_function<std::string>(
+          name, [this, &option](const std::string& text) { readText(named.reading, option, text); }, help);
   }
 }
 
