@@ -44,12 +44,12 @@ std::string markElements(Molecule& molecule, const std::vector<ParsedElement>& e
         ++missing;
         continue;
       }
-      // A strand of two sheets is recorded in each: what goes on in the other begins nothing.
-      bool begins = molecule.residues[first->second].recorded.kind != kind;
+      // A strand of two sheets is recorded in each, perhaps at other lengths: it is one.
+      const RecordedStructure before = molecule.residues[first->second].recorded;
+      bool begins = before.kind != kind || before.begins;
       for (std::uint32_t r = first->second; r <= last->second; ++r) {
         Residue& residue = molecule.residues[r];
         if (residue.kind != ResidueKind::AminoAcid) continue;
-        begins = begins || residue.recorded.begins;
         residue.recorded = element.structure;
         residue.recorded.begins = begins;
         begins = false;

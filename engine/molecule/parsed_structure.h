@@ -173,6 +173,14 @@ Problem tooManyAtoms(const std::string& file, std::size_t line);
 /// "the file has 3 models; there is no model 7".
 Problem noSuchModel(const std::string& file, int asked, int models);
 
+/// "a file of this format describes no biological assembly".
+Problem noAssembly(const std::string& file);
+
+/// True where the text, the beginning of a file, is a CIF of the dictionary for small molecules, which readMmcif() hands
+/// to readSmallCif().
+bool isSmallMoleculeCif(std::string_view text);
+Expected<Molecule> readSmallCif(TextSource& text, const ReadOptions& options);
+
 /// A number of a person's text: the whole of `text` (blanks around it allowed) as a finite double, or false.
 bool parseNumber(std::string_view text, double& value);
 

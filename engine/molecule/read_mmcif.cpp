@@ -497,6 +497,9 @@ class Reader {
 
 }  // namespace
 
-Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options) { return Reader(text, options).run(); }
+Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options) {
+  if (isSmallMoleculeCif(text.ahead())) return readSmallCif(text, options);
+  return Reader(text, options).run();
+}
 
 }  // namespace moltact

@@ -219,18 +219,22 @@ std::optional<std::string> operatorInColumns(std::string_view line) {
     rest.remove_prefix(word.size());
   }
   bool sound = row >= '1' && row <= '3' && !words[0].empty() && isDigits(words[0]);
-  for (int k = 0; k < 4; ++k) sound = sound && parseNumber(words[k + 1], value[k]) && std::abs(value[k]) < 1e7;
+  for (int k = 0; k < 4; ++k)
+    sound = sound && parseNumber(words[k + 1], value[k]) && std::abs(value[k]) < (k < 3 ? 100.0 : 1e7);
   if (!sound) return std::nullopt;
+  char shift[32];  // as many decimals as ten columns hold
+  for (int digits = 5; digits > 0; --digits)
+    if (std::snprintf(shift, sizeof shift, "%.*f", digits, value[3]) <= 10) break;
   char out[kLineWidth + 1];
-  std::snprintf(out, sizeof out, "REMARK 350   BIOMT%c%4.4s%10.6f%10.6f%10.6f     %10.3f", row, "", value[0], value[1],
-                value[2], value[3]);
+  std::snprintf(out, sizeof out, "REMARK 350   BIOMT%c    %10.6f%10.6f%10.6f     %10.10s", row, value[0], value[1],
+                value[2], shift);
   return std::string(out);
 }
 
 /// True for a HELIX or SHEET line that names its first and last residue soundly.
 bool namesResidues(std::string_view line) {
   const std::size_t first = startsWith(line, "HELIX") ? 21 : 22;
-  return line.size() >= 40 && isResidueNumber(line.substr(first, 4)) && isResidueNumber(line.substr(33, 4));
+  return line.size() >= 37 && isResidueNumber(line.substr(first, 4)) && isResidueNumber(line.substr(33, 4));
 }
 
 /// Reads the file line by line: hands the atoms of model `wanted` to the builder and keeps the records that name and
@@ -279,7 +283,7 @@ std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder
                       tr("correct the line, take the mmCIF file, or read it without an assembly")};
         if (!aligned) continue;
         if (!aligned->empty()) kept = *aligned;
-      } else if ((startsWith(line, "HELIX") || startsWith(line, "SHEET")) && !namesResidues(line)) {
+      } else if ((startsWith(line, "HELIX") || startsWith(line, "SHEET")) && !namesResidues(kept)) {
         if (records.warnings.size() < kMostLineWarnings)
           records.warnings.push_back(
               trf("Line {0}: the helix or strand names no residues and was left out.", text.number()));
