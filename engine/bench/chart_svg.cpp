@@ -5,7 +5,8 @@
 #include <numbers>
 
 #include "engine/bench/log_axis.h"
-#include "engine/core/markup.h"
+#include "engine/core/svg.h"
+#include "engine/core/utf8.h"
 
 namespace moltact::bench {
 namespace {
@@ -13,17 +14,7 @@ namespace {
 constexpr double kPanelWidth = 560, kPanelHeight = 430, kLeft = 84, kRight = 20, kTop = 84, kBottom = 66, kFont = 14;
 constexpr double kMark = 6;
 
-std::string num(double v) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.1f", v);
-  return text;
-}
-
-double textWidth(const std::string& text) {
-  double n = 0;
-  for (const char c : text) n += (c & 0xC0) != 0x80;
-  return 0.56 * kFont * n;
-}
+double textWidth(const std::string& text) { return 0.56 * kFont * double(characterCount(text)); }
 
 struct Box {
   double x0, y0, x1, y1;
@@ -33,82 +24,38 @@ struct Box {
   }
 };
 
-class Svg {
- public:
-  void text(double x, double y, const std::string& what, const char* anchor, const std::string& more = "") {
-    out_.append("<text x=\"")
-        .append(num(x))
-        .append("\" y=\"")
-        .append(num(y))
-        .append("\" text-anchor=\"")
-        .append(anchor)
-        .append("\"");
-    if (!more.empty()) out_.append(" ").append(more);
-    out_.append(">").append(escaped(what)).append("</text>\n");
+void drawMark(Svg& svg, Mark kind, double x, double y) {
+  const double r = kMark;
+  const std::string solid = "class=\"mark\" fill=\"#1a1a1a\" stroke=\"white\" stroke-width=\"1\"",
+                    hollow = "class=\"mark\" fill=\"white\" stroke=\"#1a1a1a\" stroke-width=\"2\"";
+  const auto polygon = [&](std::initializer_list<std::array<double, 2>> corners, const std::string& look) {
+    std::string d;
+    for (const auto& c : corners) d += svgPoint(d.empty() ? 'M' : 'L', x + c[0], y + c[1]);
+    svg.path(d + "Z", look);
+  };
+  switch (kind) {
+    case Mark::Disc:
+      svg.circle(x, y, r, solid);
+      break;
+    case Mark::Circle:
+      svg.circle(x, y, r, hollow);
+      break;
+    case Mark::Square:
+      polygon({{-r, -r}, {r, -r}, {r, r}, {-r, r}}, hollow);
+      break;
+    case Mark::Triangle:
+      polygon({{0, -r - 1}, {r + 1, r}, {-r - 1, r}}, hollow);
+      break;
+    case Mark::Diamond:
+      polygon({{0, -r - 2}, {r + 2, 0}, {0, r + 2}, {-r - 2, 0}}, solid);
+      break;
+    case Mark::Cross:
+      svg.path(svgPoint('M', x - r, y - r) + svgPoint('L', x + r, y + r) + svgPoint('M', x - r, y + r) +
+                   svgPoint('L', x + r, y - r),
+               "class=\"mark\" fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"2.5\"");
+      break;
   }
-  void line(double x0, double y0, double x1, double y1, const std::string& style) {
-    out_.append("<line x1=\"")
-        .append(num(x0))
-        .append("\" y1=\"")
-        .append(num(y0))
-        .append("\" x2=\"")
-        .append(num(x1))
-        .append("\" y2=\"")
-        .append(num(y1));
-    out_.append("\" ").append(style).append("/>\n");
-  }
-  void path(const std::string& d, const std::string& style) {
-    out_.append("<path d=\"").append(d).append("\" ").append(style).append("/>\n");
-  }
-  void mark(Mark kind, double x, double y) {
-    const double r = kMark;
-    const std::string solid = "fill=\"#1a1a1a\" stroke=\"white\" stroke-width=\"1\"",
-                      hollow = "fill=\"white\" stroke=\"#1a1a1a\" stroke-width=\"2\"";
-    const auto polygon = [&](std::initializer_list<std::array<double, 2>> corners, const std::string& style) {
-      std::string d;
-      for (const auto& c : corners)
-        d.append(d.empty() ? "M" : "L").append(num(x + c[0])).append(" ").append(num(y + c[1]));
-      path(d + "Z", "class=\"mark\" " + style);
-    };
-    const auto disc = [&](const std::string& style) {
-      out_.append("<circle class=\"mark\" cx=\"")
-          .append(num(x))
-          .append("\" cy=\"")
-          .append(num(y))
-          .append("\" r=\"")
-          .append(num(r))
-          .append("\" ")
-          .append(style)
-          .append("/>\n");
-    };
-    switch (kind) {
-      case Mark::Disc:
-        disc(solid);
-        break;
-      case Mark::Circle:
-        disc(hollow);
-        break;
-      case Mark::Square:
-        polygon({{-r, -r}, {r, -r}, {r, r}, {-r, r}}, hollow);
-        break;
-      case Mark::Triangle:
-        polygon({{0, -r - 1}, {r + 1, r}, {-r - 1, r}}, hollow);
-        break;
-      case Mark::Diamond:
-        polygon({{0, -r - 2}, {r + 2, 0}, {0, r + 2}, {-r - 2, 0}}, solid);
-        break;
-      case Mark::Cross:
-        path("M" + num(x - r) + " " + num(y - r) + "L" + num(x + r) + " " + num(y + r) + "M" + num(x - r) + " " +
-                 num(y + r) + "L" + num(x + r) + " " + num(y - r),
-             "class=\"mark\" fill=\"none\" stroke=\"#1a1a1a\" stroke-width=\"2.5\"");
-        break;
-    }
-  }
-  std::string take() && { return std::move(out_); }
-
- private:
-  std::string out_;
-};
+}
 
 std::string power(int exponent) {
   if (exponent >= 0 && exponent <= 3) return std::to_string(static_cast<int>(std::pow(10, exponent)));
@@ -135,25 +82,26 @@ void drawAxes(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAxis
   for (const int e : x.decades()) {
     const double p = x.at(std::pow(10.0, e));
     svg.line(p, y0, p, y1, grid);
-    svg.text(p, y1 + 20, power(e), "middle");
+    svg.text(p, y1 + 20, "middle", power(e));
   }
   for (const int e : y.decades()) {
     const double p = y.at(std::pow(10.0, e));
     svg.line(x0, p, x1, p, grid);
-    svg.text(x0 - 8, p + 5, power(e), "end");
+    svg.text(x0 - 8, p + 5, "end", power(e));
   }
   svg.line(x0, y1, x1, y1, frame);
   svg.line(x0, y0, x0, y1, frame);
   if (y.cut()) {
     const double p = y.cutMiddle();
-    svg.path("M" + num(x0 - 7) + " " + num(p + 8) + "l14 -6M" + num(x0 - 7) + " " + num(p + 1) + "l14 -6",
+    svg.path(svgPoint('M', x0 - 7, p + 8) + "l14 -6" + svgPoint('M', x0 - 7, p + 1) + "l14 -6",
              "stroke=\"#1a1a1a\" stroke-width=\"1.2\" fill=\"none\"");
     svg.line(x0 + 9, p, x1, p, "stroke=\"#8a8a8a\" stroke-width=\"1\" stroke-dasharray=\"1 5\"");
   }
-  svg.text(x0, y0 - 14, panel.title, "start", "font-weight=\"bold\"");
-  svg.text((x0 + x1) / 2, y1 + 44, panel.x_axis, "middle");
+  svg.text(x0, y0 - 14, "start", panel.title, "font-weight=\"bold\"");
+  svg.text((x0 + x1) / 2, y1 + 44, "middle", panel.x_axis);
   const double mid = (y0 + y1) / 2;
-  svg.text(x0 - 58, mid, panel.y_axis, "middle", "transform=\"rotate(-90 " + num(x0 - 58) + " " + num(mid) + ")\"");
+  svg.text(x0 - 58, mid, "middle", panel.y_axis,
+           "transform=\"rotate(-90 " + svgNumber(x0 - 58) + " " + svgNumber(mid) + ")\"");
 }
 
 // Puts each label where it covers least: beside its mark first, then a little away with a thin line to it.
@@ -191,9 +139,9 @@ void drawLabels(Svg& svg, const ChartPanel& panel, const LogAxis& x, const LogAx
     if (std::hypot(nx - place.x, ny - place.y) > 14)
       svg.line(place.x, place.y, nx, ny, "stroke=\"#8a8a8a\" stroke-width=\"1\"");
     const double middle = (best.x0 + best.x1) / 2;
-    svg.text(middle, best.y1 - 3, *place.label, "middle",
+    svg.text(middle, best.y1 - 3, "middle", *place.label,
              "stroke=\"white\" stroke-width=\"4\" stroke-linejoin=\"round\"");
-    svg.text(middle, best.y1 - 3, *place.label, "middle");
+    svg.text(middle, best.y1 - 3, "middle", *place.label);
   }
 }
 
@@ -209,13 +157,13 @@ void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
     if (!s.joined) continue;
     std::string d;
     for (const ChartPoint& p : s.points)
-      if (p.x > 0 && p.y > 0) d.append(d.empty() ? "M" : "L").append(num(x.at(p.x))).append(" ").append(num(y.at(p.y)));
+      if (p.x > 0 && p.y > 0) d += svgPoint(d.empty() ? 'M' : 'L', x.at(p.x), y.at(p.y));
     svg.path(d, std::string("fill=\"none\" stroke=\"#5a5a5a\" stroke-width=\"1.6\"") +
                     (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
   }
   for (const ChartSeries& s : panel.series)
     for (const ChartPoint& p : s.points)
-      if (s.marked && p.x > 0 && p.y > 0) svg.mark(s.mark, x.at(p.x), y.at(p.y));
+      if (s.marked && p.x > 0 && p.y > 0) drawMark(svg, s.mark, x.at(p.x), y.at(p.y));
   drawLabels(svg, panel, x, y, {x0 + 2, y0, x1, y1 - 2});
 }
 
@@ -223,8 +171,9 @@ void drawPanel(Svg& svg, const ChartPanel& panel, double left) {
 
 std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& panels, const std::string& note) {
   Svg svg;
+  svg.title(title).ground("white");
   const double width = kPanelWidth * double(panels.size()), legend_y = kTop + kPanelHeight + 8;
-  svg.text(kLeft, 34, title, "start", "font-size=\"19\" font-weight=\"bold\"");
+  svg.text(kLeft, 34, "start", title, "font-size=\"19\" font-weight=\"bold\"");
   for (std::size_t k = 0; k < panels.size(); ++k) drawPanel(svg, panels[k], kPanelWidth * double(k));
 
   std::vector<std::string> named;
@@ -237,19 +186,18 @@ std::string chartSvg(const std::string& title, const std::vector<ChartPanel>& pa
         svg.line(
             at - 10, legend_y - 5, at + 14, legend_y - 5,
             std::string("stroke=\"#5a5a5a\" stroke-width=\"1.6\"") + (s.dashed ? " stroke-dasharray=\"7 4\"" : ""));
-      if (s.marked) svg.mark(s.mark, at + 2, legend_y - 5);
-      svg.text(at + 20, legend_y, s.name, "start");
+      if (s.marked) drawMark(svg, s.mark, at + 2, legend_y - 5);
+      svg.text(at + 20, legend_y, "start", s.name);
       at += (s.joined ? 62 : 46) + textWidth(s.name);
     }
   double height = legend_y + 18;
-  if (!note.empty()) svg.text(kLeft, height += 10, note, "start", "font-size=\"12\" fill=\"#4a4a4a\"");
+  if (!note.empty()) svg.text(kLeft, height += 10, "start", note, "font-size=\"12\" fill=\"#4a4a4a\"");
   height += 14;
-  return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + num(width) + "\" height=\"" + num(height) +
-         "\" viewBox=\"0 0 " + num(width) + " " + num(height) +
-         "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" "
-         "fill=\"#1a1a1a\">\n<title>" +
-         escaped(title) + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"white\"/>\n" + std::move(svg).take() +
-         "</svg>\n";
+  return std::move(svg).within("xmlns=\"http://www.w3.org/2000/svg\" width=\"" + svgNumber(width) + "\" height=\"" +
+                               svgNumber(height) + "\" viewBox=\"0 0 " + svgNumber(width) + " " + svgNumber(height) +
+                               "\" font-family=\"Inter, Helvetica, Arial, 'DejaVu Sans', sans-serif\" font-size=\"14\" "
+                               "fill=\"#1a1a1a\"") +
+         "\n";
 }
 
 }  // namespace moltact::bench

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "engine/core/utf8.h"
+
 namespace moltact::bench {
 namespace {
 
@@ -13,11 +15,6 @@ std::string shown(const Cell& cell) {
   return "-";
 }
 
-// Width in characters, not bytes.
-std::size_t width(const std::string& text) {
-  return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
-}
-
 bool isNumbers(const ReportTable& table, std::size_t column) {
   return std::any_of(table.rows.begin(), table.rows.end(),
                      [&](const auto& row) { return std::holds_alternative<double>(row[column]); });
@@ -25,7 +22,7 @@ bool isNumbers(const ReportTable& table, std::size_t column) {
 
 std::string padded(const std::string& text, std::size_t to, bool right) {
   std::string out = text;
-  out.insert(right ? 0 : out.size(), to - std::min(to, width(text)), ' ');
+  out.insert(right ? 0 : out.size(), to - std::min(to, characterCount(text)), ' ');
   return out;
 }
 
@@ -66,8 +63,8 @@ std::string listed(const std::vector<std::string>& names) {
 std::string toConsole(const ReportTable& table) {
   std::vector<std::size_t> widths;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
-    std::size_t most = width(table.columns[c].head);
-    for (const auto& row : table.rows) most = std::max(most, width(shown(row[c])));
+    std::size_t most = characterCount(table.columns[c].head);
+    for (const auto& row : table.rows) most = std::max(most, characterCount(shown(row[c])));
     widths.push_back(most);
   }
   std::string out = table.title + '\n';

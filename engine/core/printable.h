@@ -7,34 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/utf8.h"
+
 namespace moltact {
 
 inline constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  ///< U+FFFD, shown in place of a harmful piece
-
-/// One code point at the front of a text: `bytes` long. Bytes that are no UTF-8 give `valid` false and a length of 1;
-/// `cut`: more bytes could still make a code point of it.
-struct CodePoint {
-  std::uint32_t code = 0;
-  std::size_t bytes = 1;
-  bool valid = false, cut = false;
-};
-
-inline CodePoint firstCodePoint(std::string_view text) {
-  const auto at = [&](std::size_t k) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[k])); };
-  const std::uint32_t first = at(0);
-  if (first < 0x80) return {first, 1, true, false};
-  const std::size_t length = first >> 5 == 6 ? 2 : first >> 4 == 14 ? 3 : first >> 3 == 30 ? 4 : 0;
-  if (length == 0) return {first, 1, false, false};
-  std::uint32_t code = first & (0x7Fu >> length);
-  for (std::size_t k = 1; k < length; ++k) {
-    if (k == text.size()) return {first, 1, false, true};
-    if ((at(k) & 0xC0u) != 0x80u) return {first, 1, false, false};
-    code = code << 6 | (at(k) & 0x3Fu);
-  }
-  constexpr std::uint32_t kSmallest[] = {0, 0, 0x80, 0x800, 0x10000};
-  const bool sound = code >= kSmallest[length] && code <= 0x10FFFF && (code < 0xD800 || code >= 0xE000);
-  return sound ? CodePoint{code, length, true, false} : CodePoint{first, 1, false, false};
-}
 
 /// Whether a code point controls the display: C0 and C1 controls except tab and line end, DEL, and characters that
 /// change the direction of the surrounding text (embeddings, overrides, isolates).

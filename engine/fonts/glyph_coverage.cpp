@@ -72,45 +72,4 @@ Writable GlyphCoverage::writable(char32_t c) const {
   return c <= kMost && within(ranges_, c) ? Writable::Yes : Writable::NoSign;
 }
 
-std::string utf8Of(char32_t c) {
-  std::string out;
-  const auto add = [&](char32_t byte) { out += static_cast<char>(static_cast<unsigned char>(byte)); };
-  if (c < 0x80) {
-    add(c);
-  } else if (c < 0x800) {
-    add(0xC0 | c >> 6), add(0x80 | (c & 0x3F));
-  } else if (c < 0x10000) {
-    add(0xE0 | c >> 12), add(0x80 | (c >> 6 & 0x3F)), add(0x80 | (c & 0x3F));
-  } else {
-    add(0xF0 | c >> 18), add(0x80 | (c >> 12 & 0x3F)), add(0x80 | (c >> 6 & 0x3F)), add(0x80 | (c & 0x3F));
-  }
-  return out;
-}
-
-std::vector<char32_t> charactersOf(std::string_view utf8) {
-  std::vector<char32_t> out;
-  for (std::size_t k = 0; k < utf8.size();) {
-    const auto byte = [&](std::size_t at) { return static_cast<unsigned char>(utf8[at]); };
-    const unsigned char b = byte(k);
-    const std::size_t length = b < 0x80                ? 1
-                               : b >= 0xC2 && b < 0xE0 ? 2
-                               : b >= 0xE0 && b < 0xF0 ? 3
-                               : b >= 0xF0 && b < 0xF5 ? 4
-                                                       : 0;
-    if (length == 0 || k + length > utf8.size()) {
-      ++k;
-      continue;
-    }
-    char32_t c = length == 1 ? b : b & (0xFFu >> (length + 1));
-    bool sound = true;
-    for (std::size_t j = 1; j < length; ++j) {
-      sound = sound && (byte(k + j) & 0xC0) == 0x80;
-      c = c << 6 | (byte(k + j) & 0x3Fu);
-    }
-    if (sound) out.push_back(c);
-    k += sound ? length : 1;
-  }
-  return out;
-}
-
 }  // namespace moltact

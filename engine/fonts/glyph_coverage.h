@@ -42,10 +42,4 @@ class GlyphCoverage {
   std::vector<Range> ranges_;  // ascending, apart
 };
 
-/// A character as UTF-8.
-std::string utf8Of(char32_t c);
-
-/// The characters of a text; what is no UTF-8 is left out.
-std::vector<char32_t> charactersOf(std::string_view utf8);
-
 }  // namespace moltact

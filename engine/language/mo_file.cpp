@@ -7,6 +7,7 @@
 
 #include "engine/core/file_bytes.h"
 #include "engine/core/text.h"
+#include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -40,28 +41,6 @@ std::string_view headerLine(std::string_view header, std::string_view name) {
   return {};
 }
 
-// Whether the bytes are UTF-8 as RFC 3629 has it: no overlong forms, no surrogates, nothing above U+10FFFF.
-bool isUtf8(std::string_view text) {
-  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
-  for (std::size_t k = 0; k < text.size();) {
-    const unsigned char b = byte(k);
-    const std::size_t length = b < 0x80                ? 1
-                               : b >= 0xc2 && b < 0xe0 ? 2
-                               : b >= 0xe0 && b < 0xf0 ? 3
-                               : b >= 0xf0 && b < 0xf5 ? 4
-                                                       : 0;
-    if (length == 0 || k + length > text.size()) return false;
-    for (std::size_t j = 1; j < length; ++j)
-      if ((byte(k + j) & 0xc0) != 0x80) return false;
-    const unsigned char next = length > 1 ? byte(k + 1) : 0;
-    if ((b == 0xe0 && next < 0xa0) || (b == 0xed && next >= 0xa0) || (b == 0xf0 && next < 0x90) ||
-        (b == 0xf4 && next >= 0x90))
-      return false;
-    k += length;
-  }
-  return true;
-}
-
 Problem broken(std::string message) { return {{}, 0, 0, std::move(message), tr("make it anew with msgfmt")}; }
 
 }  // namespace
@@ -89,7 +68,8 @@ Expected<MoFile> MoFile::parse(std::string given) {
   for (std::size_t k = 0; k < count; ++k) {
     const auto original = text(originals, k), translation = text(translations, k);
     if (!original || !translation) return broken(tr("a text leaves the file"));
-    if (!isUtf8(out.view(*original)) || !isUtf8(out.view(*translation))) return broken(tr("a text is not UTF-8"));
+    for (const Text& piece : {*original, *translation})
+      if (firstNotUtf8(out.view(piece)) != std::string_view::npos) return broken(tr("a text is not UTF-8"));
     if (original->size == 0) {
       const std::string_view rule = headerLine(out.view(*translation), "Plural-Forms");
       if (rule.empty()) continue;

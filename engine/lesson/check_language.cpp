@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <string>
 
+#include "engine/core/utf8.h"
 #include "engine/fonts/glyph_coverage.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"

@@ -5,6 +5,7 @@
 #include <charconv>
 #include <functional>
 
+#include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -27,18 +28,7 @@ std::string entityText(std::string_view entity) {
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), code, hex ? 16 : 10);
     const bool whole = error == std::errc{} && end == digits.data() + digits.size();
     if (whole && code > 0 && code < 0x110000 && (code < 0xD800 || code >= 0xE000)) {
-      std::string out;
-      const auto put = [&](unsigned byte) { out.push_back(static_cast<char>(byte)); };
-      if (code < 0x80)
-        put(code);
-      else if (code < 0x800)
-        put(0xC0 | code >> 6), put(0x80 | (code & 0x3F));
-      else if (code < 0x10000)
-        put(0xE0 | code >> 12), put(0x80 | (code >> 6 & 0x3F)), put(0x80 | (code & 0x3F));
-      else
-        put(0xF0 | code >> 18), put(0x80 | (code >> 12 & 0x3F)), put(0x80 | (code >> 6 & 0x3F)),
-            put(0x80 | (code & 0x3F));
-      return out;
+      return utf8Of(code);
     }
   }
   return std::string(entity);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/utf8.h"
+
 namespace moltact {
 
 /// A place in a text file. 0 means that there is no such place.
@@ -35,9 +37,6 @@ class SourceText {
   std::string name_, bytes_;
   std::vector<std::size_t> starts_;
 };
-
-/// The number of code points in UTF-8 text; a stray byte counts as one.
-std::size_t characterCount(std::string_view text);
 
 /// The offset of the first byte that is not valid UTF-8 (or is a zero byte), or npos.
 std::size_t firstBadByte(std::string_view text);

@@ -83,13 +83,6 @@ std::optional<Problem> Draft::commit() {
   return std::nullopt;
 }
 
-std::optional<Problem> writeWhole(const fs::path& file, std::string_view bytes, IfThere there) {
-  Expected<Draft> draft = Draft::begin(file, there);
-  if (!draft) return draft.problem();
-  if (auto problem = draft->append(bytes)) return problem;
-  return draft->commit();
-}
-
 void takeSizeLimitsAsErrors() { std::signal(SIGXFSZ, SIG_IGN); }
 
 }  // namespace moltact

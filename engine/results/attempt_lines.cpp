@@ -3,21 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <type_traits>
 
 #include "engine/language/catalogue.h"
 #include "engine/results/attempt_ranges.h"
+#include "engine/results/line_values.h"
 
 namespace moltact {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-// What a line lacks; caught in this file, so that the readers below can be written one key a line.
-struct LineError {
-  std::string what;
-};
+using namespace line_values;
 
 double rounded(double value) { return std::isfinite(value) ? std::round(value * 1000.0) / 1000.0 : 0.0; }
 
@@ -29,6 +24,8 @@ void append(Json& list, const Vec3& v) {
 
 std::string closed(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
+constexpr std::array<std::string_view, 3> kAnswerKinds{"marked", "prediction", "free"};
+
 Json written(const LessonOutline& lesson) {
   Json steps = Json::array();
   for (const StepOutline& s : lesson.steps) {
@@ -38,6 +35,7 @@ Json written(const LessonOutline& lesson) {
       Json question{{"id", q.id}, {"text", q.text}};
       if (!q.choices.empty()) question["choices"] = q.choices;
       if (!q.right.empty()) question["right"] = q.right;
+      if (q.kind != AnswerKind::Marked) question["kind"] = kAnswerKinds[std::size_t(q.kind)];
       step["questions"].push_back(std::move(question));
     }
     steps.push_back(std::move(step));
@@ -198,84 +196,13 @@ std::string_view kindOf(const AttemptFact& fact) {
 
 // Reading -------------------------------------------------------------------------------------------------------------
 
-const Json& need(const Json& from, const char* key) {
-  const auto it = from.find(key);
-  if (it == from.end()) throw LineError{trf("'{0}' is missing", key)};
-  return *it;
-}
-
-std::string text(const Json& value, const char* key) {
-  if (!value.is_string()) throw LineError{trf("'{0}' is no text", key)};
-  return value.get<std::string>();
-}
-std::string text(const Json& from, const char* key, bool needed) {
-  const auto it = from.find(key);
-  if (it == from.end() && !needed) return {};
-  return text(need(from, key), key);
-}
-
-// Every number of the format has a range (attempt_ranges.h).
-double number(const Json& value, const char* key) {
-  if (!value.is_number()) throw LineError{trf("'{0}' is no number", key)};
-  const double number = value.get<double>();
-  const AttemptRange* range = attemptRange(key);
-  if (range && number >= range->least && number <= range->most && (!range->whole || number == std::floor(number)))
-    return number;
-  if (range && range->whole) throw LineError{trf("'{0}' is no whole number that fits", key)};
-  throw LineError{trf("'{0}' is a number that no Moltact writes", key)};
-}
-double numberAt(const Json& from, const char* key) { return number(need(from, key), key); }
-double numberOr(const Json& from, const char* key, double otherwise) {
-  return from.contains(key) ? numberAt(from, key) : otherwise;
-}
-
-std::size_t count(const Json& value, const char* key) {
-  return static_cast<std::size_t>(std::max(0.0, number(value, key)));
-}
-std::size_t countAt(const Json& from, const char* key) { return count(need(from, key), key); }
-
-const Json& list(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
-  const Json& value = need(from, key);
-  if (!value.is_array()) throw LineError{trf("'{0}' is no list", key)};
-  if (value.size() > most) throw LineError{trf("'{0}' is longer than any that Moltact writes", key)};
-  return value;
-}
-const Json& listOrNone(const Json& from, const char* key, std::size_t most = ~std::size_t{0}) {
-  static const Json kNone = Json::array();
-  return from.contains(key) ? list(from, key, most) : kNone;
-}
-
 std::int32_t atom(const Json& value) { return static_cast<std::int32_t>(number(value, "atoms")); }
-
-bool flag(const Json& from, const char* key) {
-  const Json& value = need(from, key);
-  if (!value.is_boolean()) throw LineError{trf("'{0}' is neither true nor false", key)};
-  return value.get<bool>();
-}
 
 InputWay way(const Json& from) {
   const std::string name = text(from, "by", true);
   for (const InputWay w : {InputWay::Device, InputWay::Mouse, InputWay::Keyboard})
     if (name == nameOf(w)) return w;
   throw LineError{tr("'by' is none of device, mouse and keyboard")};
-}
-
-std::vector<double> numbers(const Json& from, const char* key, std::size_t size) {
-  const Json& values = list(from, key);
-  if (values.size() != size) throw LineError{trf("'{0}' should hold {1} numbers", key, size)};
-  std::vector<double> out;
-  for (const Json& v : values) out.push_back(number(v, key));
-  return out;
-}
-
-Vec3 vector(const Json& from, const char* key) {
-  const std::vector<double> v = numbers(from, key, 3);
-  return {v[0], v[1], v[2]};
-}
-
-const Json& object(const Json& value, const char* what) {
-  if (!value.is_object()) throw LineError{trf("'{0}' is no object", what)};
-  return value;
 }
 
 LessonOutline outline(const Json& from) {
@@ -287,10 +214,15 @@ LessonOutline outline(const Json& from) {
     for (const Json& task : listOrNone(step, "tasks"))
       s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false)});
     for (const Json& question : listOrNone(step, "questions")) {
-      QuestionOutline& q = s.questions.emplace_back(
-          QuestionOutline{text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}});
+      QuestionOutline& q = s.questions.emplace_back(QuestionOutline{
+          text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}, AnswerKind::Marked});
       for (const Json& choice : listOrNone(question, "choices")) q.choices.push_back(text(choice, "choices"));
       for (const Json& right : listOrNone(question, "right")) q.right.push_back(count(right, "right"));
+      if (const std::string kind = text(question, "kind", false); !kind.empty()) {
+        const auto known = std::find(kAnswerKinds.begin(), kAnswerKinds.end(), kind);
+        if (known == kAnswerKinds.end()) throw LineError{trf("'{0}' is no kind of question", kind)};
+        q.kind = AnswerKind(known - kAnswerKinds.begin());
+      }
     }
   }
   return out;

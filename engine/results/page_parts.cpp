@@ -2,9 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
-#include "engine/core/printable.h"
+#include "engine/core/svg.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 
@@ -28,13 +27,6 @@ double roundStep(double least) {
 
 int digitsFor(double step) { return std::clamp(-static_cast<int>(std::floor(std::log10(step) + 1e-9)), 0, 4); }
 
-template <class... Parts>
-std::string format(const char* how, Parts... parts) {
-  char text[400];
-  std::snprintf(text, sizeof text, how, parts...);
-  return text;
-}
-
 std::vector<double> sortedValues(const std::vector<Measured>& values) {
   std::vector<double> out;
   for (const Measured& m : values) out.push_back(onScale(m.value));
@@ -42,16 +34,18 @@ std::vector<double> sortedValues(const std::vector<Measured>& values) {
   return out;
 }
 
-// The mark of a way: disc, square, triangle.
-std::string mark(InputWay way, double x, double y) {
-  const std::string look = " class=\"mark " + wayClass(way) + "\"/>";
-  if (way == InputWay::Device) return format("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"3.2\"", x, y) + look;
-  if (way == InputWay::Mouse)
-    return format("<rect x=\"%.1f\" y=\"%.1f\" width=\"5.6\" height=\"5.6\"", x - 2.8, y - 2.8) + look;
-  return format("<path d=\"M%.1f %.1fl3.4 6h-6.8z\"", x, y - 3.4) + look;
-}
-
 }  // namespace
+
+// Disc, square, triangle.
+void drawMark(Svg& svg, InputWay way, double x, double y) {
+  const std::string look = "class=\"mark " + wayClass(way) + "\"";
+  if (way == InputWay::Device)
+    svg.circle(x, y, 3.2, look);
+  else if (way == InputWay::Mouse)
+    svg.rect(x - 2.8, y - 2.8, 5.6, 5.6, look);
+  else
+    svg.path(svgPoint('M', x, y - 3.4) + "l3.4 6h-6.8z", look);
+}
 
 std::string number(double value, int digits) { return numberText(value, decimals(digits)); }
 
@@ -105,14 +99,12 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
 
   constexpr double kLeft = 26, kTop = 8, kWide = 278, kHigh = 112;
   const double each = kWide / double(bins), unit_high = kHigh / double(most);
-  std::string svg = "<svg viewBox=\"0 0 320 152\" role=\"img\" aria-label=\"" + escaped(title) + "\">";
+  Svg svg;
   const int tick = std::max(1, static_cast<int>(roundStep(std::max(1.0, most / 4.5))));
   for (int n = 0; n <= most; n += tick) {
     const double y = kTop + kHigh - n * unit_high;
-    svg += format(
-        "<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/><text class=\"axis\" x=\"%.0f\" y=\"%.1f\" "
-        "text-anchor=\"end\">%d</text>",
-        kLeft, y, kWide, kLeft - 5, y + 3.5, n);
+    svg.path(svgPoint('M', kLeft, y) + "h" + svgNumber(kWide), "class=\"grid\"");
+    svg.text(kLeft - 5, y + 3.5, "end", std::to_string(n), "class=\"axis\"");
   }
   for (std::size_t b = 0; b < bins; ++b) {
     double y = kTop + kHigh;
@@ -120,25 +112,23 @@ std::string histogram(const std::string& title, const std::string& unit, std::ve
       const double high = counts[b][std::size_t(w)] * unit_high;
       if (high <= 0) continue;
       y -= high;
-      svg += format("<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\"", kLeft + each * double(b) + 1, y,
-                    each - 2, high) +
-             " class=\"bar " + wayClass(w) + "\"/>";
+      svg.rect(kLeft + each * double(b) + 1, y, each - 2, high, "class=\"bar " + wayClass(w) + "\"");
     }
   }
   const int digits = digitsFor(width);
   const std::size_t every = bins > 6 ? 2 : 1;
   for (std::size_t b = 0; b < bins + !counted; b += every)
-    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"%.0f\" text-anchor=\"middle\">%s</text>",
-                  kLeft + each * (double(b) + (counted ? 0.5 : 0.0)), kTop + kHigh + 14,
-                  number(first + width * double(b), digits).c_str());
+    svg.text(kLeft + each * (double(b) + (counted ? 0.5 : 0.0)), kTop + kHigh + 14, "middle",
+             number(first + width * double(b), digits), "class=\"axis\"");
   const double median = quantile(sorted, 0.5), x = kLeft + each * ((median - first) / width + (counted ? 0.5 : 0.0));
-  svg += format("<path class=\"median\" d=\"M%.1f %.0fv%.0f\"/>", x, kTop - 4, kHigh + 4);
-  svg += "</svg>";
+  svg.path(svgPoint('M', x, kTop - 4) + "v" + svgNumber(kHigh + 4), "class=\"median\"");
   std::string middle = number(median, std::min(3, digits + 1));
   if (!unit.empty()) middle += "\u00a0" + escaped(unit);
   return "<figure class=\"histogram\"><figcaption><div><b>" + escaped(title) + "</b>" +
          (unit.empty() ? "" : ", " + escaped(unit)) + "</div><span>" +
-         trf("median {0}, n = {1}", middle, values.size()) + "</span></figcaption>" + svg + "</figure>";
+         trf("median {0}, n = {1}", middle, values.size()) + "</span></figcaption>" +
+         std::move(svg).within("viewBox=\"0 0 320 152\" role=\"img\" aria-label=\"" + escaped(title) + "\"") +
+         "</figure>";
 }
 
 namespace {
@@ -150,14 +140,12 @@ double stripX(double value, double most) {
 }  // namespace
 
 std::string strip(const std::vector<Measured>& values, double most) {
-  std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 22\" role=\"img\" aria-label=\"" +
-                    trnf("{0} value", "{0} values", values.size(), values.size()) +
-                    "\"><path class=\"grid\" d=\"M6 11h408\"/>";
+  Svg svg;
+  svg.path("M6 11h408", "class=\"grid\"");
   const std::vector<double> sorted = sortedValues(values);
   if (sorted.size() >= 4) {
     const double from = stripX(quantile(sorted, 0.25), most), to = stripX(quantile(sorted, 0.75), most);
-    svg += format("<rect class=\"box\" x=\"%.1f\" y=\"3\" width=\"%.1f\" height=\"16\" rx=\"2\"/>", from,
-                  std::max(1.0, to - from));
+    svg.rect(from, 3, std::max(1.0, to - from), 16, "class=\"box\" rx=\"2\"");
   }
   // Marks that would cover each other go up and down by turns.
   std::vector<Measured> by_value = values;
@@ -170,27 +158,25 @@ std::string strip(const std::vector<Measured>& values, double most) {
     const double x = stripX(m.value, most);
     row = x - last < 6.0 ? (row + 1) % kShift.size() : 0;
     last = x;
-    svg += mark(m.by, x, 11 + kShift[row]);
+    drawMark(svg, m.by, x, 11 + kShift[row]);
   }
-  if (!sorted.empty()) svg += format("<path class=\"median\" d=\"M%.1f 1v20\"/>", stripX(quantile(sorted, 0.5), most));
-  return svg + "</svg>";
+  if (!sorted.empty()) svg.path(svgPoint('M', stripX(quantile(sorted, 0.5), most), 1) + "v20", "class=\"median\"");
+  return std::move(svg).within("class=\"strip\" viewBox=\"0 0 420 22\" role=\"img\" aria-label=\"" +
+                               trnf("{0} value", "{0} values", values.size(), values.size()) + "\"");
 }
 
 std::string stripScale(double most, const std::string& unit) {
-  std::string svg = "<svg class=\"strip\" viewBox=\"0 0 420 16\" aria-hidden=\"true\">";
+  Svg svg;
   most = std::clamp(onScale(most), kLeast, kGreatest);
   const double step = roundStep(most / 4.0);
   const int steps = static_cast<int>(most / step + 1e-9);  // 1 to 4
   for (int k = 0; k <= steps; ++k) {
     const double v = step * k;
     const bool last = k == steps;
-    svg += format("<text class=\"axis\" x=\"%.1f\" y=\"12\" text-anchor=\"%s\">%s%s</text>", stripX(v, most),
-                  v == 0             ? "start"
-                  : v > most * 0.999 ? "end"
-                                     : "middle",
-                  number(v, digitsFor(step)).c_str(), last ? (" " + escaped(unit)).c_str() : "");
+    const std::string_view anchor = v == 0 ? "start" : v > most * 0.999 ? "end" : "middle";
+    svg.text(stripX(v, most), 12, anchor, number(v, digitsFor(step)) + (last ? " " + unit : ""), "class=\"axis\"");
   }
-  return svg + "</svg>";
+  return std::move(svg).within("class=\"strip\" viewBox=\"0 0 420 16\" aria-hidden=\"true\"");
 }
 
 namespace {
@@ -203,9 +189,8 @@ std::string linePath(const std::vector<double>& values, double most, double left
   for (std::size_t k = 0; k < values.size(); ++k) {
     const bool there = std::isfinite(values[k]);
     if (there)
-      path += format("%c%.1f %.1f", on ? 'L' : 'M',
-                     left + wide * double(k) / double(std::max<std::size_t>(1, values.size() - 1)),
-                     top + high * (1.0 - std::clamp(values[k] / most, 0.0, 1.0)));
+      path += svgPoint(on ? 'L' : 'M', left + wide * double(k) / double(std::max<std::size_t>(1, values.size() - 1)),
+                       top + high * (1.0 - std::clamp(values[k] / most, 0.0, 1.0)));
     on = there;
   }
   return path;
@@ -216,32 +201,31 @@ std::string linePath(const std::vector<double>& values, double most, double left
 std::string curves(const std::string& title, const CurveKept& drawn, const std::optional<CurveKept>& felt) {
   constexpr double kLeft = 24, kTop = 6, kWide = 166, kHigh = 84;
   const double most = drawn.most_N > 0.0 ? drawn.most_N : 1.0;
-  std::string svg = "<svg viewBox=\"0 0 196 108\" role=\"img\" aria-label=\"" + escaped(title) + "\">";
+  constexpr std::string_view kAxis = "class=\"axis\"";
+  Svg svg;
   for (const double part : {0.0, 0.5, 1.0})
-    svg += format("<path class=\"grid\" d=\"M%.0f %.1fh%.0f\"/>", kLeft, kTop + kHigh * part, kWide);
-  svg += format(
-      "<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%s</text><text class=\"axis\" x=\"%.0f\" "
-      "y=\"%.0f\" text-anchor=\"end\">0</text>",
-      kLeft - 4, kTop + 8, quantityNumber(most, Dimension::Force, significant(2)).c_str(), kLeft - 4, kTop + kHigh + 3);
-  svg += format("<text class=\"axis\" x=\"%.0f\" y=\"%.0f\" text-anchor=\"end\">%s</text>", kLeft + kWide,
-                kTop + kHigh + 14, quantityText(drawn.to_A, Dimension::Length, significant(2)).c_str());
-  svg += "<text class=\"axis\" x=\"" + format("%.0f", kLeft) + "\" y=\"" + format("%.0f", kTop + kHigh + 14) + "\">" +
-         escaped(trf("{0} against {1}", unitText(Dimension::Force),
-                     tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str()))) +
-         "</text>";
-  if (felt) svg += "<path class=\"felt\" d=\"" + linePath(felt->force_N, most, kLeft, kTop, kWide, kHigh) + "\"/>";
-  svg += "<path class=\"drawn\" d=\"" + linePath(drawn.force_N, most, kLeft, kTop, kWide, kHigh) + "\"/></svg>";
+    svg.path(svgPoint('M', kLeft, kTop + kHigh * part) + "h" + svgNumber(kWide), "class=\"grid\"");
+  svg.text(kLeft - 4, kTop + 8, "end", quantityNumber(most, Dimension::Force, significant(2)), kAxis);
+  svg.text(kLeft - 4, kTop + kHigh + 3, "end", "0", kAxis);
+  svg.text(kLeft + kWide, kTop + kHigh + 14, "end", quantityText(drawn.to_A, Dimension::Length, significant(2)), kAxis);
+  svg.text(kLeft, kTop + kHigh + 14, "start",
+           trf("{0} against {1}", unitText(Dimension::Force), tr(drawn.axis.empty() ? "depth" : drawn.axis.c_str())),
+           kAxis);
+  if (felt) svg.path(linePath(felt->force_N, most, kLeft, kTop, kWide, kHigh), "class=\"felt\"");
+  svg.path(linePath(drawn.force_N, most, kLeft, kTop, kWide, kHigh), "class=\"drawn\"");
   return "<figure class=\"curve\"><figcaption>" + escaped(title) +
-         (felt ? "" : std::string(" <span>") + tr("not felt") + "</span>") + "</figcaption>" + svg + "</figure>";
+         (felt ? "" : std::string(" <span>") + tr("not felt") + "</span>") + "</figcaption>" +
+         std::move(svg).within("viewBox=\"0 0 196 108\" role=\"img\" aria-label=\"" + escaped(title) + "\"") +
+         "</figure>";
 }
 
 std::string bar(double share, bool right) {
   const double wide = 198.0 * std::clamp(share, 0.0, 1.0);
-  return format(
-      "<svg class=\"share\" viewBox=\"0 0 200 14\" preserveAspectRatio=\"none\" aria-hidden=\"true\"><rect "
-      "class=\"track\" x=\"0.5\" y=\"0.5\" width=\"199\" height=\"13\" rx=\"3\"/>"
-      "<rect class=\"%s\" x=\"1\" y=\"1\" width=\"%.1f\" height=\"12\" rx=\"2.5\"/></svg>",
-      right ? "full" : "hatched", wide);
+  Svg svg;
+  svg.rect(0.5, 0.5, 199, 13, "class=\"track\" rx=\"3\"");
+  svg.rect(1, 1, wide, 12, std::string("class=\"") + (right ? "full" : "hatched") + "\" rx=\"2.5\"");
+  return std::move(svg).within(
+      "class=\"share\" viewBox=\"0 0 200 14\" preserveAspectRatio=\"none\" aria-hidden=\"true\"");
 }
 
 std::string patterns() {
@@ -285,6 +269,7 @@ figure{margin:0;background:var(--panel);border:1px solid var(--line);border-radi
 figcaption{display:flex;flex-wrap:wrap;justify-content:space-between;gap:2px 12px;font-size:13.5px;margin-bottom:6px}figcaption b{margin-right:0}
 .legend{display:flex;flex-wrap:wrap;gap:4px 18px;margin:8px 0 12px;font-size:13px;color:var(--quiet);align-items:center}.legend span{display:inline-flex;align-items:center;gap:7px}.legend svg{width:30px;height:14px}
 .question{display:grid;grid-template-columns:1.6em minmax(10em,2.2fr) minmax(120px,1.6fr) 5.5em;gap:6px 12px;align-items:center;margin-top:10px}
+.texts{display:grid;grid-template-columns:minmax(6em,max-content) 1fr;gap:6px 14px;margin:10px 0 0}.texts dt{color:var(--quiet)}.texts dd{margin:0;white-space:pre-wrap;overflow-wrap:anywhere}
 .question .n{text-align:right;white-space:nowrap}.right{font-weight:600}.tick{color:var(--good);font-weight:700}
 .head{display:flex;justify-content:space-between;gap:16px;align-items:baseline}.head b{font-size:16px}.head span{color:var(--quiet);white-space:nowrap;font-size:13.5px}
 .given td,.given th{text-align:center}.given td:first-child,.given th:first-child{text-align:left}.given .ok{color:var(--good);font-weight:700}.given .no{color:var(--mouse);font-weight:700}.given .none{color:var(--quiet)}

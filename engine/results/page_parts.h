@@ -8,6 +8,7 @@
 
 #include "engine/core/markup.h"
 #include "engine/core/quantile.h"
+#include "engine/core/svg.h"
 #include "engine/results/class_summary.h"
 
 namespace moltact::page {
@@ -21,6 +22,8 @@ std::string duration(double time_s);
 
 /// The class of a way's fill, "way-mouse".
 std::string wayClass(InputWay way);
+/// The mark of a way, round a place: disc, square, triangle.
+void drawMark(Svg& svg, InputWay way, double x, double y);
 /// "mouse 80 %, keyboard 20 %", the largest first; "–" without touch.
 std::string waysText(const PersonScore& person);
 

@@ -20,11 +20,8 @@ constexpr double kSame_A = 0.1;  // sideways: nearer than this a plan only pushe
 void takePicture(ScriptedUser& d, const std::string& name) {
   const char* folder = std::getenv("MOLTACT_LESSON_PICTURES");
   if (!folder) return;
-  d.closeEyes(false);
-  d.frames(2);
   if (const auto problem = writePng(std::string(folder) + "/" + name + ".png", d.picture()))
     std::fputs(problem->text().c_str(), stderr);
-  d.closeEyes(true);
 }
 
 std::string unitText(const AnswerSpec& answer) {
@@ -45,7 +42,6 @@ double LessonHand::N_per_A() const {
 }
 
 bool LessonHand::finishLesson() {
-  d_.closeEyes(true);
   for (;;) {
     d_.frames(5);
     const std::string step = session().step().id;

@@ -10,6 +10,9 @@ server= pid=
 trap 'kill $pid $server 2>/dev/null || true; [ -n "${KEEP-}" ] || rm -rf "$work"' EXIT
 fail() { echo "$1: $2"; exit 1; }
 
+# The attempt that is kept of the lesson; nothing where none has begun.
+kept() { find "$place/data" "$place/config" \( -name '*.jsonl' -o -name '*.attempt*' \) -size +0 2>/dev/null | head -n 1; }
+
 # What drives the motors at the end, and for how many ms it was not 0 after the time $2 (ns).
 forces() {
   awk -v from="$2" '$2 == "on" { on = 1; next } $2 == "off" { on = 0; last = 0; next }
@@ -28,10 +31,13 @@ for way in INT TERM HUP server SEGV; do
   pressed=
   for attempt in $(seq 600); do
     kill -0 $pid 2>/dev/null || fail "$way" "the program ended before it pressed: $(cat "$place/out")"
-    if [ -s "$place/forces" ] && tail -n 1 "$place/forces" | awk '{ exit !($2 + 0 > 0.3) }'; then pressed=yes; break; fi
+    if [ -s "$place/forces" ] && tail -n 1 "$place/forces" | awk '{ exit !($2 + 0 > 0.3) }' && [ -n "$(kept)" ]; then
+      pressed=yes
+      break
+    fi
     sleep 0.1
   done
-  [ -n "$pressed" ] || fail "$way" "it never pressed"
+  [ -n "$pressed" ] || fail "$way" "it never pressed, or no attempt began: $(find "$place" -type f)"
   began=$(tail -n 1 "$place/forces")
   began=${began%% *}
   case $way in
@@ -54,7 +60,7 @@ for way in INT TERM HUP server SEGV; do
     *) [ $status -eq 0 ] || fail "$way" "exit status $status"
        grep -q ', 0 N at the stop' "$place/closed" || fail "$way" "the device was not closed" ;;
   esac
-  attempt=$(find "$place/data" "$place/config" -name '*.jsonl' -o -name '*.attempt*' | head -n 1)
+  attempt=$(kept)
   [ -n "$attempt" ] || fail "$way" "no attempt was kept: $(find "$place" -type f)"
   tail -n 1 "$attempt" | grep -q left || fail "$way" "the attempt was not closed: $(tail -n 1 "$attempt")"
   [ -n "$(find "$place/config" -name 'settings*')" ] || fail "$way" "no settings were kept"

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <set>
 #include <sstream>
@@ -14,20 +13,15 @@
 #include <utility>
 #include <vector>
 
+#include "tests/core/source_tree.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kSource = MOLTACT_SOURCE_DIR;
+using moltact::test::kSource;
+using moltact::test::textOf;
 
 bool isWordPart(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
-
-std::string textOf(const fs::path& file) {
-  std::ifstream in(file);
-  REQUIRE_MESSAGE(in, file.string());
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 // A source in two halves of the same length and lines: each holds blanks where the other has text. Literals are in
 // neither.

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <optional>
 #include <regex>
@@ -13,24 +12,19 @@
 #include <string>
 #include <vector>
 
+#include "tests/core/source_tree.h"
+
 namespace {
 
 namespace fs = std::filesystem;
-const fs::path kSource = MOLTACT_SOURCE_DIR;
+using moltact::test::kSource;
+using moltact::test::textOf;
 
 struct Room {
   std::string name;  // "engine/servo"
   std::set<std::string> uses;
   bool uses_all = false;  // every room below it
 };
-
-std::string textOf(const fs::path& file) {
-  std::ifstream in(file);
-  REQUIRE_MESSAGE(in, file.string());
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
 
 std::vector<std::string> quotedIn(const std::string& text, const std::regex& what) {
   std::vector<std::string> out;

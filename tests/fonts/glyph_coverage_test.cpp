@@ -27,10 +27,3 @@ TEST_CASE("ranges are ascending and apart, and without a font nothing is complai
   const std::filesystem::path nowhere[]{"/nowhere/at-all.otf"};
   CHECK(GlyphCoverage(nowhere).writable(U'中') == Writable::Yes);
 }
-
-TEST_CASE("a text gives its characters, and what is no UTF-8 in it none") {
-  CHECK(charactersOf("aÅ中\U0001F600") == std::vector<char32_t>{U'a', U'Å', U'中', U'\U0001F600'});
-  CHECK(charactersOf("\xff"
-                     "b\xe4\xb8") == std::vector<char32_t>{U'b'});
-  CHECK(charactersOf("").empty());
-}

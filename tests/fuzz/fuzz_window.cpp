@@ -29,6 +29,7 @@ constexpr std::size_t kTicks = 200;
 
 std::unique_ptr<ScriptedUser> window() {
   ScriptedUser::Options options;
+  options.draws = ScriptedUser::Draws::LastInRow;
   options.width = 900;
   options.height = 600;
   auto made = ScriptedUser::create(std::move(options));

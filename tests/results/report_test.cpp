@@ -98,8 +98,8 @@ TEST_CASE("the page shows the first curve that a student drew beside the one fel
   CHECK(score.drawn->force_N[1] == 1.5);
   CHECK(score.felt->force_N[1] == 1.25);
   const std::string page = classPage(summary, {}, "");
-  CHECK(page.find("<path class=\"felt\" d=\"M24.0 90.0L107.0 58.2L190.0 26.4\"/>") != std::string::npos);
-  CHECK(page.find("<path class=\"drawn\" d=\"M24.0 90.0L107.0 51.8L190.0 13.6\"/>") != std::string::npos);
+  CHECK(page.find("<path class=\"felt\" d=\"M24 90L107 58.2L190 26.4\"/>") != std::string::npos);
+  CHECK(page.find("<path class=\"drawn\" d=\"M24 90L107 51.8L190 13.6\"/>") != std::string::npos);
 }
 
 TEST_CASE(

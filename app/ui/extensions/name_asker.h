@@ -1,5 +1,5 @@
 // Asks a student for a name or code when a lesson is opened that wants one (front matter "ask"), and takes up what was
-// done under it before. Nothing is kept until there is an answer; none is an answer too. app/ui/panels/name_question.cpp
+// done under it before. Nothing is kept until there is an answer; none is an answer too. app/ui/panels/lesson/name_question.cpp
 // draws it. Window's thread.
 #pragma once
 

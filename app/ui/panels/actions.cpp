@@ -8,7 +8,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/panels/hand_in.h"
+#include "app/ui/panels/lesson/hand_in.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
 #include "engine/language/catalogue.h"

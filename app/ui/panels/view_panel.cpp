@@ -7,7 +7,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/dark_view.h"
-#include "app/ui/panels/lesson_keys.h"
+#include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/panels/method_chooser.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/scene/contact_text.h"

@@ -22,7 +22,7 @@ int runOffscreen(const OffscreenOptions& options) {
   wanted.width = options.width;
   wanted.height = options.height;
   wanted.content_scale = options.content_scale;
-  wanted.draw_all = options.frame_stats;  // else only what is looked at
+  wanted.draws = options.frame_stats ? ScriptedUser::Draws::All : ScriptedUser::Draws::LastInRow;
   wanted.application.language = options.language;
   wanted.application.attempts_folder = options.attempts;
   Expected<std::unique_ptr<ScriptedUser>> made = ScriptedUser::create(std::move(wanted));

@@ -9,6 +9,7 @@
 #include "app/ui/scene/view_picture.h"
 #include "app/ui/shell/application_parts.h"
 #include "app/ui/widgets/key_names.h"
+#include "engine/core/utf8.h"
 #include "engine/render/gl_objects.h"
 
 namespace moltact {
@@ -43,7 +44,7 @@ ScriptedUser::~ScriptedUser() {
 }
 
 void ScriptedUser::frame(bool drawn) {
-  drawn = drawn && !eyes_closed_;
+  drawn_ = drawn;
   using Clock = std::chrono::steady_clock;
   const Clock::time_point begun = Clock::now();
   target_->gl.resize(options_.width, options_.height);
@@ -63,9 +64,12 @@ void ScriptedUser::frame(bool drawn) {
 }
 
 void ScriptedUser::frames(int n) {
-  do frame(options_.draw_all || n <= 1);
+  const auto drawn = [&](int left) {
+    return options_.draws == Draws::All || (options_.draws == Draws::LastInRow && left <= 1);
+  };
+  do frame(drawn(n));
   while (!shell_->input().empty());
-  for (int k = 1; k < n; ++k) frame(options_.draw_all || k + 1 == n);
+  for (int k = 1; k < n; ++k) frame(drawn(n - k));
 }
 
 void ScriptedUser::resize(int width, int height) {
@@ -137,15 +141,7 @@ void ScriptedUser::wheel(double notches) {
 }
 
 void ScriptedUser::type(std::string_view utf8) {
-  for (std::size_t at = 0; at < utf8.size();) {
-    const auto byte = static_cast<unsigned char>(utf8[at]);
-    const std::size_t length = byte < 0x80 ? 1 : byte < 0xE0 ? 2 : byte < 0xF0 ? 3 : 4;
-    unsigned code = length == 1 ? byte : byte & (0xFFu >> (length + 1));
-    for (std::size_t k = 1; k < length && at + k < utf8.size(); ++k)
-      code = code << 6 | (static_cast<unsigned char>(utf8[at + k]) & 0x3Fu);
-    shell_->input().character(code);
-    at += length;
-  }
+  for (const char32_t c : charactersOf(utf8)) shell_->input().character(unsigned(c));
   frames(2);
 }
 
@@ -183,7 +179,8 @@ bool ScriptedUser::shows(std::string_view widget) const {
   return record && record->visible();
 }
 
-Picture ScriptedUser::picture() const {
+Picture ScriptedUser::picture() {
+  if (!drawn_) frame(true);
   Picture out{options_.width, options_.height,
               std::vector<std::uint8_t>(std::size_t(options_.width) * std::size_t(options_.height) * 3)};
   std::vector<std::uint8_t> rows(out.rgb.size());

@@ -24,11 +24,18 @@ class ScriptedUser {
   /// The servo loop on the frames' clock, no settings kept.
   static ApplicationOptions framesClock();
 
+  /// Which frames are drawn; drawing is most of a frame's time, and the others do all else.
+  enum class Draws {
+    WhenAsked,  ///< those of which a picture is taken
+    LastInRow,  ///< the last of several
+    All,
+  };
+
   struct Options {
     int width = 1280, height = 800;
     double content_scale = 1.0;
     ApplicationOptions application = framesClock();
-    bool draw_all = false;  ///< false: of several frames in a row only the last is drawn, which saves most of the time
+    Draws draws = Draws::WhenAsked;
   };
 
   /// Fails where off-screen OpenGL is missing.
@@ -39,8 +46,6 @@ class ScriptedUser {
 
   /// Draws frames until the input is used up, and `n` more.
   void frames(int n = 1);
-  /// While nobody looks, frames do everything but draw, which is most of their time.
-  void closeEyes(bool on) { eyes_closed_ = on; }
   void resize(int width, int height);
 
   // Each of these draws the frames it needs. Names are those of the widget map; a name that is not on the screen gives
@@ -63,7 +68,8 @@ class ScriptedUser {
   /// The names that click and others did not find, one a line.
   const std::string& missing() const { return missing_; }
 
-  Picture picture() const;
+  /// What is on the screen; takes a frame more where the last one was not drawn.
+  Picture picture();
   FrameStats& stats() { return stats_; }
 
   /// Runs a script, one act a line: see scripted_user_steps.cpp. Returns the first line that failed, or nothing.
@@ -71,7 +77,7 @@ class ScriptedUser {
 
  private:
   ScriptedUser() = default;
-  void frame(bool drawn = true);
+  void frame(bool drawn);
   const WidgetRecord* seen(std::string_view widget);
 
   Options options_;
@@ -81,7 +87,7 @@ class ScriptedUser {
   std::unique_ptr<Shell> shell_;
   std::unique_ptr<Application> app_;
   FrameStats stats_;
-  bool eyes_closed_ = false;
+  bool drawn_ = false;  // the last frame was
   std::string missing_;
 };
 

@@ -22,7 +22,7 @@
 #include "app/ui/shell/window.h"
 #include "app/ui/widgets/fingers.h"
 #include "app/ui/widgets/widget_map.h"
-#include "engine/fonts/glyph_coverage.h"
+#include "engine/core/utf8.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/storage_web.h"
 #include "engine/render/gl.h"

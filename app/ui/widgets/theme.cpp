@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/utf8.h"
 #include "engine/fonts/glyph_coverage.h"
 #include "engine/language/catalogue.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 
 #include "app/ui/application/application.h"
-#include "app/ui/panels/lesson_keys.h"
-#include "app/ui/panels/lesson_task_parts.h"
+#include "app/ui/panels/lesson/lesson_keys.h"
+#include "app/ui/panels/lesson/lesson_task_parts.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"

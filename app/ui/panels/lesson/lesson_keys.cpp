@@ -1,4 +1,4 @@
-#include "app/ui/panels/lesson_keys.h"
+#include "app/ui/panels/lesson/lesson_keys.h"
 
 #include "app/ui/widgets/imgui_versions.h"
 #include "app/ui/widgets/key_focus.h"

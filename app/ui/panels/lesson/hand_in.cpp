@@ -1,4 +1,4 @@
-#include "app/ui/panels/hand_in.h"
+#include "app/ui/panels/lesson/hand_in.h"
 
 #include <filesystem>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "app/ui/application/application.h"
-#include "app/ui/panels/lesson_blocks.h"
-#include "app/ui/panels/lesson_keys.h"
+#include "app/ui/panels/lesson/lesson_blocks.h"
+#include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"

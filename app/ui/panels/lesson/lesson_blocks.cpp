@@ -1,4 +1,4 @@
-#include "app/ui/panels/lesson_blocks.h"
+#include "app/ui/panels/lesson/lesson_blocks.h"
 
 #include "app/ui/application/application.h"
 #include "app/ui/widgets/controls.h"
