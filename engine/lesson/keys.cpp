@@ -25,6 +25,12 @@ std::vector<std::string_view> viewPartNames() {
   return out;
 }
 
+std::vector<std::string_view> styleNames() {
+  std::vector<std::string_view> out;
+  for (const DrawStyleInfo& style : drawStyles()) out.push_back(style.name);
+  return out;
+}
+
 std::vector<KeySpec> frontMatterKeys() {
   return {
       {.name = "title",
@@ -104,6 +110,23 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "The parts of the picture that are drawn.",
        .fallback = "atoms, probe, force, target",
        .words = viewPartNames()},
+      {.name = "style",
+       .type = ValueType::Styles,
+       .meaning =
+           "How the atoms are drawn. Spheres are what is felt; a surface is drawn for the scene's probe. Several "
+           "are drawn together, as in 'surface 40% for protein, spheres for ligand'.",
+       .fallback = "spheres",
+       .words = styleNames()},
+      {.name = "hide",
+       .type = ValueType::Target,
+       .meaning = "Atoms that are not drawn. They are felt as before. 'none' ends what an earlier scene hid.",
+       .words = {"none"}},
+      {.name = "near",
+       .type = ValueType::Quantity,
+       .meaning = "Where another style hides the spheres: atoms as near to the probe are drawn as spheres too.",
+       .fallback = "4 Å",
+       .dimension = Dimension::Length,
+       .most = 20.0},
       {.name = "colour",
        .type = ValueType::Word,
        .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else "

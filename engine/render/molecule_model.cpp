@@ -3,14 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/ambient_occlusion.h"
-
 namespace moltact {
-namespace {
-
-std::uint32_t packSigned(float v) { return std::uint8_t(std::int8_t(std::lround(std::clamp(v, -1.0f, 1.0f) * 127))); }
-
-}  // namespace
 
 std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom) {
   if (atom.residue == kNoResidue) return std::nullopt;
@@ -19,11 +12,19 @@ std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom&
   return r.chain;
 }
 
+ColourBy usualColourBy(const Molecule& molecule) {
+  std::optional<std::uint32_t> first;
+  for (const Residue& r : molecule.residues) {
+    if (r.kind != ResidueKind::AminoAcid && r.kind != ResidueKind::Nucleotide) continue;
+    if (first && *first != r.chain) return ColourBy::Chain;
+    first = r.chain;
+  }
+  return ColourBy::Element;
+}
+
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(molecule->balls()) {
   paint(elements, colour_by);
-  for (const AmbientOcclusion& e : ambientOcclusion(scene.balls()))
-    ambient_occlusion.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |
-                                packSigned(e.level) << 24);
+  occlusion = occlusionField(scene.balls());
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
 }
@@ -31,11 +32,12 @@ MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::
 void MoleculeModel::paint(ElementColours wanted, ColourBy by) {
   elements = wanted;
   colour_by = by;
+  const ElementColours used = shownColours(wanted, molecule->atoms.size());
   colour.clear();
   colour.reserve(molecule->atoms.size());
   for (const Atom& a : molecule->atoms) {
     const std::optional<std::uint32_t> chain = by == ColourBy::Chain ? colouredChain(*molecule, a) : std::nullopt;
-    colour.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, elements)));
+    colour.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, used)));
   }
 }
 

@@ -9,12 +9,16 @@
 
 #include "engine/haptics/ball_scene.h"
 #include "engine/molecule/molecule.h"
+#include "engine/render/ambient_occlusion.h"
 #include "engine/render/atom_style.h"
 
 namespace moltact {
 
 /// The chain whose colour an atom has in pictures coloured by chain; none for an atom that keeps its element's.
 std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom);
+
+/// How a molecule is coloured where nobody said it: by chain where several chains of protein or nucleic acid are there.
+ColourBy usualColourBy(const Molecule& molecule);
 
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
@@ -25,8 +29,8 @@ struct MoleculeModel {
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
   BallScene scene;
-  std::vector<std::uint32_t> colour;             ///< bytes red, green, blue, 255 from the lowest
-  std::vector<std::uint32_t> ambient_occlusion;  ///< signed bytes slope x, y, z, level from the lowest
+  std::vector<std::uint32_t> colour;  ///< bytes red, green, blue, 255 from the lowest
+  OcclusionField occlusion;
   Vec3 middle_A{0.0};
   double reach_A = 0.0;  ///< all balls lie within this of the middle
 };

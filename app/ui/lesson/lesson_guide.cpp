@@ -11,6 +11,17 @@
 
 namespace moltact {
 
+AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
+  const auto listOf = [&](const Selection& atoms) -> AtomList {
+    return atoms.given() ? std::make_shared<const std::vector<std::uint32_t>>(atoms.select(molecule)) : nullptr;
+  };
+  AtomsLook looks;
+  for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
+  looks.hidden = listOf(scene.hide);
+  looks.spheres_near_A = scene.near_A;
+  return looks;
+}
+
 ColourBy colourBy(const SceneSpec& scene) { return scene.colour == "chain" ? ColourBy::Chain : ColourBy::Element; }
 
 bool LessonGuide::open(const std::filesystem::path& file) {
@@ -76,11 +87,13 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
   region_.reset();
+  looks_ = {.styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt};
   on_stage_ = false;
   if (!session_) return;
   const Expected<MoleculeKey> wanted = this->molecule();
   on_stage_ = wanted && *wanted == key;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
+  if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
 }
