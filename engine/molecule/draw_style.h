@@ -9,7 +9,7 @@
 namespace moltact {
 
 /// A new style is a word here, a row of the table in draw_style.cpp and a drawing in engine/render (`MoleculeLayer`).
-enum class DrawStyle : std::uint8_t { Spheres, Surface };
+enum class DrawStyle : std::uint8_t { Spheres, Cartoon, BallAndStick, Sticks, Lines, Surface };
 
 struct DrawStyleInfo {
   DrawStyle style;

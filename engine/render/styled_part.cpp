@@ -2,9 +2,15 @@
 
 #include <algorithm>
 
+#include "engine/render/cartoon.h"
+#include "engine/render/sticks.h"
+#include "engine/structure/bonds.h"
+
 namespace moltact {
 namespace {
 
+constexpr double kStick_A = 0.22, kThinStick_A = 0.14, kLine_A = 0.05,
+                 kSmallBall = 0.24;    // the last of an atom's radius
 constexpr double kLeastProbe_A = 0.2;  // a surface of no probe would be the spheres themselves
 
 std::uint32_t mixed(std::uint32_t a, std::uint32_t b, float share) {
@@ -12,6 +18,16 @@ std::uint32_t mixed(std::uint32_t a, std::uint32_t b, float share) {
     return glm::mix(float(a >> shift & 255u), float(b >> shift & 255u), share) / 255.0f;
   };
   return packColour({part(0), part(8), part(16)});
+}
+
+void append(MeshPiece& to, const MeshPiece& from) {
+  const auto first = std::uint32_t(to.vertices.size());
+  const glm::vec3 off(from.origin_A - to.origin_A);
+  for (MeshPiece::Vertex v : from.vertices) {
+    v.place += off;
+    to.vertices.push_back(v);
+  }
+  for (const std::uint32_t i : from.indices) to.indices.push_back(first + i);
 }
 
 }  // namespace
@@ -59,12 +75,41 @@ void StyledPart::paint(const MoleculeModel& model) {
 }
 
 void StyledPart::findShapes(const MoleculeModel& model) {
+  const Molecule& m = *molecule_;
   MeshPiece piece;
   std::vector<Ball> shading;  // what stands in the light's way
   balls_.clear();
+  const auto addBonds = [&](std::span<const std::uint8_t> atoms, double stick_A, double ball_A, double ball_share) {
+    append(piece, sticks(m, findBonds(m), atoms, model.colour, stick_A));
+    for (std::uint32_t a = 0; a < atoms.size(); ++a)
+      if (atoms[a]) {
+        const double radius = std::max(ball_A, ball_share * m.atoms[a].radius_A);
+        balls_.push_back({a, float(radius)});
+        shading.push_back({m.atoms[a].position.A, std::max(radius, 0.5)});
+      }
+  };
   switch (what_.style) {
     case DrawStyle::Spheres:
       return;
+    case DrawStyle::BallAndStick:
+      addBonds(shown_, kThinStick_A, 0.0, kSmallBall);
+      break;
+    case DrawStyle::Sticks:
+      addBonds(shown_, kStick_A, kStick_A, 0.0);
+      break;
+    case DrawStyle::Lines:
+      addBonds(shown_, kLine_A, kLine_A, 0.0);
+      break;
+    case DrawStyle::Cartoon: {
+      piece = cartoon(m, shown_, model.colour);
+      for (std::size_t v = 0; v < piece.vertices.size(); v += 14)
+        shading.push_back({piece.origin_A + Vec3(piece.vertices[v].place), 0.7});
+      std::vector<std::uint8_t> others(shown_);
+      for (const Residue& r : m.residues)
+        if (inCartoon(r)) std::fill_n(others.begin() + r.first_atom, r.atom_count, std::uint8_t(0));
+      if (std::find(others.begin(), others.end(), 1) != others.end()) addBonds(others, kStick_A, kStick_A, kSmallBall);
+      break;
+    }
     case DrawStyle::Surface:
       piece = surface_.piece;
       for (std::size_t v = 0; v < piece.vertices.size(); ++v)
