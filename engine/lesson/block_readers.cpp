@@ -211,6 +211,7 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
   AnswerSpec answer;
   answer.right = AuthorsText(values["right"]);
   answer.wrong = AuthorsText(values["wrong"]);
+  answer.model = values["model"].text;
   const int given = values.has("number") + values.has("text") + values.has("free");
   if (given != 1) {
     reading.error(block.place,
@@ -229,6 +230,9 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
                                         : trf("write the tolerance in {0}", answer.unit));
     else if (answer.tolerance < 0.0)
       reading.error(tolerance.place, tr("the tolerance is below zero"), tr("write it without the minus sign"));
+    else if (!values.has("tolerance") && answer.number != std::round(answer.number))
+      reading.warning(number.place, tr("a number with decimals and no tolerance is met by hardly anybody"),
+                      tr("add a line 'tolerance: …' in the same unit"));
   } else if (values.has("text")) {
     answer.kind = AnswerSpec::Kind::Text;
     answer.texts = values["text"].words;
@@ -238,6 +242,9 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
   }
   if (values.has("tolerance") && !values.has("number"))
     reading.error(values["tolerance"].place, tr("'tolerance' goes with 'number'"), tr("take it out"));
+  if (values.has("model") && !values.has("free"))
+    reading.error(values["model"].place, tr("'model' goes with 'free'"),
+                  tr("take it out, or say it in 'right' and 'wrong'"));
   return answer;
 }
 

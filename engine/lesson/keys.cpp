@@ -195,6 +195,10 @@ std::vector<KeySpec> answerKeys() {
        .type = ValueType::Word,
        .meaning = "A free answer that is kept for the teacher and not judged.",
        .words = {"yes"}},
+      {.name = "model",
+       .type = ValueType::Text,
+       .meaning =
+           "Goes with `free`: an answer of the author's, which the student sees beside the own one once that is kept."},
       {.name = "right",
        .type = ValueType::Text,
        .meaning = "What is said to a right answer.",

@@ -127,6 +127,7 @@ struct AnswerSpec {
   std::string unit;                      ///< "Å"; empty for a plain number
   std::vector<std::string> texts;        ///< what counts as right, as written
   AuthorsText right, wrong;              ///< feedback
+  std::string model;                     ///< shown beside a free answer that is kept; may be empty
 };
 
 struct Question {
@@ -135,8 +136,12 @@ struct Question {
   std::vector<RichText> prompt;  ///< paragraphs between the heading and the choices
   std::vector<Choice> choices;   ///< empty where `answer` is given
   std::optional<AnswerSpec> answer;
+  bool prediction = false;  ///< "Prediction:": what is right is told when the step's tasks are done, and never scored
+  bool in_order = false;    ///< its choices stay as they are written
   Place place;
 
+  /// What is given is kept and neither right nor wrong.
+  bool free() const { return answer && answer->kind == AnswerSpec::Kind::Free; }
   std::size_t rightChoices() const {
     std::size_t n = 0;
     for (const Choice& c : choices) n += c.right;

@@ -159,7 +159,15 @@ std::string lessonReference() {
   tasks(out);
   out << "## Answers\n\nA fenced block `answer` below `### Question: …` asks for a number or for words, where a list "
          "of choices would give the answer away. It "
-         "has one of `number`, `text` and `free`.\n\n";
+         "has one of `number`, `text` and `free`. A student who writes what is no number is asked again, which does "
+         "not "
+         "count as a try; the unit stands beside the field.\n\nThe choices of a question stand in another order for "
+         "each attempt; those of "
+         "a numbered list (`1. [ ] …`) stay as they are written. `### Prediction: …` asks before the touch: what is "
+         "chosen can be "
+         "changed until the tasks of the step are done, only then is it told what is right, and a report does not "
+         "score "
+         "it.\n\n";
   table(out, keysOf(KeyBlock::Answer));
   units(out);
   selections(out);
