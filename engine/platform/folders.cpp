@@ -48,6 +48,13 @@ fs::path translationsFolder() {
   return fs::path(MOLTACT_BUILD_FOLDER) / "translations";
 }
 
+fs::path browserEdition() {
+  std::error_code error;
+  for (const fs::path& folder : {homeFolder(), fs::path(MOLTACT_BUILD_FOLDER).parent_path() / "web"})
+    if (fs::is_regular_file(folder / "moltact.html", error)) return folder / "moltact.html";
+  return {};
+}
+
 fs::path userDataFolder() {
   const fs::path data = folderFromEnvironment("XDG_DATA_HOME");
   if (!data.empty()) return data / "moltact";

@@ -18,6 +18,10 @@ std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 /// `translations` beside the executable, else that of the build.
 std::filesystem::path translationsFolder();
 
+/// The browser edition, moltact.html: homeFolder()'s, else that of the preset `web` beside the program's own build. Empty
+/// where it is in neither.
+std::filesystem::path browserEdition();
+
 /// The folder that an environment variable names. Empty where it is not set or names none from the root: the XDG base
 /// directory specification says that a relative path is to be ignored, and a relative home would be another one in
 /// every folder.

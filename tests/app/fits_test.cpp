@@ -190,6 +190,13 @@ TEST_CASE("on every page of a small and of a large window at 150 % every widget 
   }
 }
 
+TEST_CASE("on every page of a telephone's upright window every widget lies inside its panel") {
+  auto d = startWith("");
+  openFirst(*d);
+  d->resize(390, 844);
+  checkAllPages(*d, {390, 844});
+}
+
 TEST_CASE("on every page with letters of 130 % and 150 % every widget lies inside its panel") {
   auto d = startWith("");
   openFirst(*d);

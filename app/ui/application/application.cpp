@@ -198,7 +198,8 @@ void Application::layPanelsOut(glm::vec2 window_px) {
                     .page = panels.welcome,
                     .lesson_width = float(settings.lesson_width),
                     .touch_width = float(settings.touch_width),
-                    .strip_height = extensions_->stripHeight()},
+                    .strip_height = extensions_->stripHeight(),
+                    .below_share = panels.below_share},
                    panels.lesson_first);
   if (panels.welcome) return;
   const glm::vec2 view = layout_.view.size();

@@ -96,7 +96,10 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   recordRectangle("view/force", {x, y}, {x + extent.x, y + extent.y}, text);
 }
 
-const char* hintText(bool has_pressed, bool left_handed) {
+const char* hintText(bool has_pressed, bool left_handed, bool fingers) {
+  if (fingers)
+    return has_pressed ? tr("Two fingers turn the molecule and magnify it")
+                       : tr("Put a finger on the molecule to push against it");
   if (has_pressed)
     return left_handed ? tr("Drag with the left button to turn the molecule, wheel to come closer")
                        : tr("Drag with the right button to turn the molecule, wheel to come closer");
@@ -168,7 +171,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
-    pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed),
+    pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
 }

@@ -9,6 +9,7 @@
 #include "app/ui/panels/dark_view.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/panels/method_chooser.h"
+#include "app/ui/panels/push_pads.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/scene/contact_text.h"
 #include "app/ui/scene/view_picture.h"
@@ -179,6 +180,7 @@ void drawViewPanel(Application& app) {
 
   if (app.extensions().task_stager.dark()) {
     drawDarkView(app, r);
+    drawPushPads(app, r);
     if (app.takePictureRequest()) app.messages.notice(tr("The screen is dark: there is nothing to save as a picture."));
     endPanel();
     return;
@@ -194,6 +196,7 @@ void drawViewPanel(Application& app) {
                                          faded(IM_COL32_WHITE, float(change.oldPicture())));
   if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, size, std::move(*file));
   drawViewOverlays(app, r);
+  drawPushPads(app, r);
   endPanel();
 }
 
