@@ -7,11 +7,9 @@
 #include <vector>
 
 #include "engine/core/ball.h"
+#include "engine/haptics/contact.h"
 
 namespace moltact {
-
-/// A water molecule as a probe (unit: angstrom).
-inline constexpr double kWaterProbe_A = 1.4;
 
 /// One area for each ball, by the points of A. Shrake and J. A. Rupley (J. Mol. Biol. 79, 351, 1973): 2000 on each
 /// ball, so that an area of 10 A2 is known to about 0.1 A2 and the sum of a protein's to less than 0.1 %. Of balls with

@@ -86,7 +86,8 @@ TEST_CASE(
   };
   keepChain(alpha, "A");
   keepChain(beta, "B");
-  for (const auto& [one, other] : {std::pair{&m, &noisy}, std::pair{&alpha, &beta}}) {
+  using Two = std::pair<const Molecule*, const Molecule*>;
+  for (const auto& [one, other] : {Two{&m, &noisy}, Two{&alpha, &beta}}) {
     const auto pairs = matchAtoms(*one, *other);
     const auto fit = superpose(*one, *other, pairs);
     REQUIRE(fit);
