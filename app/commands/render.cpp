@@ -65,6 +65,12 @@ Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArgume
   return contact;
 }
 
+std::vector<std::string> schemeNames() {
+  std::vector<std::string> names;
+  for (const ColouringScheme& scheme : colouringSchemes()) names.emplace_back(scheme.name);
+  return names;
+}
+
 void printTimes(Renderer& renderer, const ViewScene& scene, int width, int height, const RenderArguments& arguments) {
   const auto run = [&](bool turn) {
     std::vector<double> ms;
@@ -111,6 +117,7 @@ AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, co
     look.styles.push_back({s.style, listOf("--style", s.atoms), float(s.opacity)});
   if (!arguments.hide.empty()) look.hidden = listOf("--hide", value("--hide", "hide", arguments.hide).selection);
   look.spheres_near_A = arguments.near_A;
+  if (!arguments.colour.empty()) look.colouring = schemeColouring(molecule, arguments.colour);
   if (arguments.cut) look.cut = CutPlane{camera.back(), glm::dot(camera.back(), camera.target.A) + arguments.cut_A};
   return look;
 }
@@ -194,7 +201,7 @@ void addRender(CLI::App& app) {
   command
       ->add_option("--colour", a.colour,
                    "What the atoms' colours tell; left out, the chain where the molecule has several, else the element")
-      ->check(CLI::IsMember({"element", "chain"}));
+      ->check(CLI::IsMember(schemeNames()));
   command->add_option("--samples", a.samples, "Samples along each pixel's edge")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();

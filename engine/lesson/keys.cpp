@@ -7,6 +7,7 @@
 #include "engine/lesson/touch_keys.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/molecule/view_part.h"
+#include "engine/structure/colouring.h"
 
 namespace moltact {
 namespace {
@@ -28,6 +29,12 @@ std::vector<std::string_view> viewPartNames() {
 std::vector<std::string_view> styleNames() {
   std::vector<std::string_view> out;
   for (const DrawStyleInfo& style : drawStyles()) out.push_back(style.name);
+  return out;
+}
+
+std::vector<std::string_view> colouringNames() {
+  std::vector<std::string_view> out;
+  for (const ColouringScheme& scheme : colouringSchemes()) out.push_back(scheme.name);
   return out;
 }
 
@@ -129,10 +136,10 @@ std::vector<KeySpec> sceneKeys() {
        .most = 20.0},
       {.name = "colour",
        .type = ValueType::Word,
-       .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else "
-                  "has its elements' colours.",
+       .meaning = "What the atoms' colours tell. In 'chain' all that is neither protein nor nucleic acid has its "
+                  "elements' colours.",
        .fallback = "element",
-       .words = {"element", "chain"}},
+       .words = colouringNames()},
       {.name = "panels",
        .type = ValueType::WordList,
        .meaning = "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with "

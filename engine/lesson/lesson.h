@@ -89,7 +89,7 @@ struct SceneSpec {
   std::vector<StyleSpec> styles;    ///< how the atoms are drawn; empty: all as spheres
   Selection hide;                   ///< atoms that are not drawn; may select nothing
   double near_A = 4.0;              ///< beside other styles: so near to the probe atoms are spheres
-  std::string colour = "element";   ///< what the atoms' colours tell: "element" or "chain"
+  std::string colour = "element";   ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
   std::vector<std::string> panels;  ///< "touch", "methods", or "none"; empty: as the student has them
   std::vector<std::string> locked;  ///< keys that the student cannot change, those of the front matter too
   Selection highlight;              ///< may select nothing

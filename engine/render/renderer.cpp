@@ -263,8 +263,9 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
         scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
     if (p.model) p.occlusion.upload(p.model->occlusion);
   }
-  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by))
-    p.model->paint(scene.elements, scene.colour_by);
+  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by ||
+                  p.model->colouring != scene.look.colouring))
+    p.model->paint(scene.elements, scene.colour_by, scene.look.colouring);
   p.count.atoms = p.model ? p.model->scene.size() : 0;
   if (scene.blank) {
     if (!p.picture.resize(width_px, height_px)) return tooLarge();

@@ -37,8 +37,7 @@ StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const Mo
       hidden_(scene.look.hidden),
       molecule_(scene.molecule),
       probe_A_(scene.probe_A),
-      elements_(model.elements),
-      colour_by_(model.colour_by) {
+      painted_(model.painted) {
   shown_.assign(model.scene.size(), what.atoms ? 0 : 1);
   if (what.atoms)
     for (const std::uint32_t a : *what.atoms)
@@ -68,9 +67,8 @@ bool StyledPart::fits(const StyledAtoms& what, const ViewScene& scene) const {
 }
 
 void StyledPart::paint(const MoleculeModel& model) {
-  if (model.elements == elements_ && model.colour_by == colour_by_) return;
-  elements_ = model.elements;
-  colour_by_ = model.colour_by;
+  if (model.painted == painted_) return;
+  painted_ = model.painted;
   findShapes(model);
 }
 

@@ -43,8 +43,7 @@ class StyledPart {
   AtomList hidden_;
   std::shared_ptr<const Molecule> molecule_;
   double probe_A_ = 0.0;
-  ElementColours elements_ = ElementColours::Customary;
-  ColourBy colour_by_ = ColourBy::Element;
+  unsigned painted_ = 0;
   std::vector<std::uint8_t> shown_;
   std::vector<SmallBall> balls_;
   SolventExcluded surface_;  // of a surface, whose owners are the atoms

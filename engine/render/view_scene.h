@@ -14,6 +14,7 @@
 #include "engine/molecule/view_part.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/camera.h"
+#include "engine/structure/colouring.h"
 
 namespace moltact {
 
@@ -70,6 +71,7 @@ struct AtomsLook {
   double spheres_near_A = 0.0;      ///< beside other styles: atoms whose surface is so near to the probe's are drawn as
                                     ///< spheres too (default 0: none)
   std::optional<CutPlane> cut;
+  std::shared_ptr<const Colouring> colouring;  ///< null: as `colour_by` of the scene says
 
   /// Whether all that is felt is seen as it is felt: every atom a sphere.
   bool allSpheres() const {

@@ -8,6 +8,7 @@
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
+#include "engine/render/molecule_model.h"
 
 namespace moltact {
 
@@ -19,6 +20,7 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
   looks.hidden = listOf(scene.hide);
   looks.spheres_near_A = scene.near_A;
+  looks.colouring = schemeColouring(molecule, scene.colour);
   return looks;
 }
 
@@ -87,7 +89,8 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
   region_.reset();
-  looks_ = {.styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt};
+  looks_ = {
+      .styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt, .colouring = nullptr};
   on_stage_ = false;
   if (!session_) return;
   const Expected<MoleculeKey> wanted = this->molecule();

@@ -186,6 +186,7 @@ constexpr std::array kActions{
            .label = N_("Colour by chain"),
            .run =
                [](App& a) {
+                 a.scene.look.colouring = nullptr;
                  a.scene.colour_by = a.scene.colour_by == ColourBy::Chain ? ColourBy::Element : ColourBy::Chain;
                },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
