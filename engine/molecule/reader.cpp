@@ -120,7 +120,7 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
                    trf("those are {0}, each also with .gz", endingsText())};
   Expected<Molecule> molecule = read(text, options);
   if (text.problem()) return *text.problem();
-  if (!molecule && text.blank()) return empty;
+  if (!molecule && text.number() > 0 && text.blank()) return empty;
   if (molecule && molecule->id.empty()) molecule->id = inner.stem().string();
   return molecule;
 }

@@ -12,12 +12,12 @@
 namespace moltact {
 
 /// One area for each ball, by the points of A. Shrake and J. A. Rupley (J. Mol. Biol. 79, 351, 1973): 2000 on each
-/// ball, so that an area of 10 A2 is known to about 0.1 A2 and the sum of a protein's to less than 0.1 %. Of balls with
-/// the same centre and radius the first has the area. 4 600 atoms take about half a second on one core.
+/// ball, so that the area of an atom is known to some tenths of 1 A2 and the sum of a protein's to less than 0.5 %. Of
+/// balls with the same centre and radius the first has the area.
 std::vector<double> accessibleAreas_A2(std::span<const Ball> balls, double probe_radius_A = kWaterProbe_A);
 
-/// Which balls the probe can touch at all, as far as 500 points on each tell (an area of 0.2 A2 and more); quicker than
-/// their areas.
+/// Which balls the probe can touch at all, as far as 500 points on each tell: an area of less than 0.6 A2 may be missed.
+/// Quicker than their areas.
 std::vector<bool> accessibleBalls(std::span<const Ball> balls, double probe_radius_A = kWaterProbe_A);
 
 }  // namespace moltact

@@ -166,7 +166,8 @@ TEST_CASE("GRO is read in angstroms, frame by frame; points without mass are lef
       "    1SOL     MW    4   0.130   1.620   1.680\n"
       "    2NA      NA    5   0.500   0.500   0.500\n"
       "   1.82060   1.82060   1.82060\n"
-      "later\n    1\n    1LIG    CL1    1   1.00001  -2.00000   3.12341\n   1.8 1.8 1.8\n\n";
+      "later\n    2\n    1LIG    CL1    1   1.00001  -2.00000   3.12341\n    1LIG     C2    2   1.10000  -2.00000   "
+      "3.00000\n   1.8 1.8 1.8\n\n";
   const Molecule m = read(frames, "x.gro", {.waters = true});
   CHECK(places(m) == "OW 1.260 16.240 16.790|HW1 1.900 16.610 17.470|HW2 1.770 15.680 16.130|NA 5.000 5.000 5.000");
   CHECK(m.residues[0].kind == ResidueKind::Water);
@@ -175,7 +176,7 @@ TEST_CASE("GRO is read in angstroms, frame by frame; points without mass are lef
   CHECK(m.title == "water t=   0.00000");
   CHECK(m.models_in_file == 2);
   const Molecule later = read(frames, "x.gro", {.model = 2});
-  CHECK(places(later) == "CL1 10.000 -20.000 31.234");
+  CHECK(places(later) == "CL1 10.000 -20.000 31.234|C2 11.000 -20.000 30.000");
   CHECK(later.atoms[0].atomic_number == 17);
   CHECK(later.residues[0].kind == ResidueKind::Ligand);
 }

@@ -113,7 +113,7 @@ TEST_CASE("distances of colours are those of CIE L*a*b*: white to black 100, a c
 
 TEST_CASE("haemoglobin has four chains in the legend, its secondary structure helices and coil") {
   const Molecule m = libraryMolecule("2hhb.pdb");
-  CHECK(names(coloured(m, "chain").legend) == "chain A|chain B|chain C|chain D");
+  CHECK(names(coloured(m, "chain").legend) == "chain A|chain B|chain C|chain D|without a chain");
   const std::string structure = names(coloured(m, "structure").legend);
   CHECK(structure.starts_with("alpha helix|3-10 helix|"));
   CHECK(structure.ends_with("coil|other"));
