@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/value_types.h"
 #include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/pack/pack_file.h"
@@ -64,11 +65,16 @@ void addPack(CLI::App& app) {
   auto arguments = std::make_shared<PackArguments>();
   CLI::App* command = app.add_subcommand(
       "pack", "Pack a lesson with its translations, molecules and pictures into one file to hand out (.moltact)");
-  command->add_option("lesson", arguments->lesson, "The lesson (.md); it is checked first")->required();
-  command->add_option("-o,--out", arguments->out, "Where to write it (default: beside the lesson, LESSON.moltact)");
+  command->add_option("lesson", arguments->lesson, "The lesson (.md); it is checked first")
+      ->type_name(kFileType)
+      ->required();
+  command->add_option("-o,--out", arguments->out, "Where to write it (default: beside the lesson, LESSON.moltact)")
+      ->type_name(kFileType);
   command->add_flag("--html", arguments->html, "Write a page with the program inside, LESSON.html, for any browser");
-  command->add_option("--page", arguments->page,
-                      "The browser edition to write it with (default: the moltact.html that was built or installed)");
+  command
+      ->add_option("--page", arguments->page,
+                   "The browser edition to write it with (default: the moltact.html that was built or installed)")
+      ->type_name(kFileType);
   command->callback([arguments] { run(*arguments); });
 }
 

@@ -9,6 +9,7 @@
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/touch_options.h"
+#include "app/commands/value_types.h"
 #include "engine/haptics/interactions.h"
 #include "engine/lesson/keys.h"
 #include "engine/platform/offscreen_gl.h"
@@ -162,7 +163,7 @@ void addRender(CLI::App& app) {
   const auto arguments = std::make_shared<RenderArguments>();
   RenderArguments& a = *arguments;
   a.molecule.addTo(*command);
-  command->add_option("--out", a.out, "The PNG file to write")->required();
+  command->add_option("--out", a.out, "The PNG file to write")->type_name(kFileType)->required();
   command->add_option("--size", a.size, "Width x height in pixels")->capture_default_str();
   addProbeOption(*command, a.touch);
   command->add_option("--hip", a.hip, "Where the hand is: x,y,z in angstroms; it comes there along the line of sight");

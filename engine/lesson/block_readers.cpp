@@ -111,7 +111,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     const Value& value = values[option.name];
     const bool counts = std::holds_alternative<int ReadOptions::*>(option.member);
     const std::string text = counts ? std::to_string(static_cast<int>(value.number)) : value.text;
-    if (takes(option.name)) readText(scene.molecule.reading, option, text == "none" ? "" : text);
+    if (takes(option.name)) readText(scene.molecule.reading, option, text);
     if (value.place.line > scene.places.reading.line) scene.places.reading = value.place;
   }
   for (const TouchProperty& property : touchProperties())

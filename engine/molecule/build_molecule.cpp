@@ -197,10 +197,12 @@ void MoleculeBuilder::warnOfElements(std::vector<std::string>& warnings) const {
       rest += count;
       continue;
     }
-    warnings.push_back(trf("No van der Waals radius is known for the element {0} ({1}); 1.70 A was taken.",
-                           inQuotes(symbol), countedAtoms(count)));
+    warnings.push_back(trf("No van der Waals radius is known for the element {0} ({1}); {2} was taken.",
+                           inQuotes(symbol), countedAtoms(count), quantityText(kDefaultRadius_A, Dimension::Length)));
   }
-  if (rest) warnings.push_back(trf("1.70 A was also taken for {0} of further unknown elements.", countedAtoms(rest)));
+  if (rest)
+    warnings.push_back(trf("{0} was also taken for {1} of further unknown elements.",
+                           quantityText(kDefaultRadius_A, Dimension::Length), countedAtoms(rest)));
 }
 
 Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {

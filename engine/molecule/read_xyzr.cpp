@@ -62,7 +62,7 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
                        tr("correct or remove the line")};
       if (count == 3 && value[3] < 0)
         return Problem{file, line_number, column, trf("the radius is negative: {0}", inQuotes(word)),
-                       tr("give a radius of 0 A or more")};
+                       tr("give a radius of 0 or more")};
       ++count;
     }
     if (count > 0 && count < 4)

@@ -8,8 +8,6 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/widgets/key_names.h"
 #include "app/ui/widgets/theme.h"
-#include "engine/language/units.h"
-#include "engine/workspace/scale.h"
 #include "tests/app/scripted_user_fixture.h"
 
 namespace moltact {
@@ -172,19 +170,6 @@ TEST_CASE("with a decimal comma 1.4 Å reads 1,4 Å, and the other way about") {
   d->frames(2);
   CHECK(d->text("probe") == "1.4\u00a0Å");
   CHECK(d->app().settings.decimal_sign == DecimalSign::Point);
-}
-
-TEST_CASE("with nm chosen the probe's slider reads 0.14 nm, and the scale of hand and molecule is told in nm") {
-  auto d = startWith("argon");
-  UnitSet set;
-  REQUIRE(set.choose(Dimension::Length, "nm"));
-  setShownUnits(set);
-  d->frames(2);
-  const std::string probe = d->text("probe"), scale = scaleSentence(d->app().scene.servo_settings.workspace, 0.5);
-  setShownUnits({});
-  CHECK(probe == "0.14\u00a0nm");
-  CHECK(contains(scale, "\u00a0nm there"));
-  CHECK_FALSE(contains(scale, "Å"));
 }
 
 TEST_CASE(
@@ -384,6 +369,7 @@ TEST_CASE("a kept preference of every kind comes back") {
   s.theme = ThemeChoice::HighContrast;
   s.colour_blind_safe = s.left_handed = true;
   s.decimal_sign = DecimalSign::Comma;
+  s.length_unit = "nm";
   s.language = "de";
   s.text_size = 1.3;
   s.legend = false;

@@ -1,5 +1,6 @@
-"""A headless Firefox with the page in it, through Marionette (its own protocol, on a socket). Python's standard library
-alone. What it can do of what Browser can: open, evaluate, widgets, mouse, keys."""
+"""A Firefox on a screen of its own (Xvfb: headless it has no WebGL) with the page in it, through Marionette (its own
+protocol, on a socket). Python's standard library alone. What it can do of what Browser can: open, evaluate, widgets,
+mouse."""
 import base64
 import json
 import os
@@ -11,7 +12,7 @@ import time
 
 from browser import Browser
 
-PROGRAM = shutil.which("firefox-esr") or shutil.which("firefox")
+PROGRAM = shutil.which("Xvfb") and (shutil.which("firefox-esr") or shutil.which("firefox"))
 
 
 class Firefox(Browser):
@@ -21,16 +22,22 @@ class Firefox(Browser):
         with socket.socket() as free:
             free.bind(("127.0.0.1", 0))
             port = free.getsockname()[1]
+        numbers, told = os.pipe()
+        self.screen = subprocess.Popen(["Xvfb", "-displayfd", str(told), "-screen", "0", f"{width + 100}x{height + 300}x24"],
+                                       pass_fds=[told], stderr=subprocess.DEVNULL)
+        os.close(told)
+        with os.fdopen(numbers) as said:
+            display = ":" + said.readline().strip()
         preferences = {"marionette.port": port, "webgl.force-enabled": True, "webgl.disabled": False,
                        "datareporting.policy.dataSubmissionEnabled": False, "app.update.auto": False,
                        "toolkit.telemetry.server": "", "browser.shell.checkDefaultBrowser": False,
                        "network.captive-portal-service.enabled": False, "network.connectivity-service.enabled": False}
         with open(os.path.join(self.own, "user.js"), "w") as out:
             out.writelines(f"user_pref({json.dumps(k)}, {json.dumps(v)});\n" for k, v in preferences.items())
-        self.process = subprocess.Popen([PROGRAM, "--headless", "--marionette", "--no-remote", "--profile", self.own,
+        self.process = subprocess.Popen([PROGRAM, "--marionette", "--no-remote", "--profile", self.own,
                                          f"--width={width}", f"--height={height}", "about:blank"],
                                         stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL,
-                                        env={**os.environ, "MOZ_HEADLESS_WIDTH": str(width), "MOZ_HEADLESS_HEIGHT": str(height)})
+                                        env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"})
         end = time.monotonic() + 120
         while True:
             try:
@@ -126,4 +133,6 @@ class Firefox(Browser):
             self.kill()
         finally:
             self.wire.close()
+            self.screen.kill()
+            self.screen.wait()
             shutil.rmtree(self.own, ignore_errors=True)

@@ -1,11 +1,11 @@
-"""The first things that a student does, in Firefox; skipped where Debian's firefox-esr is not installed."""
+"""The first things that a student does, in Firefox; skipped where firefox-esr and xvfb are not installed."""
 import unittest
 
 from firefox import PROGRAM, Firefox
 from page import PAGE, PageTest
 
 
-@unittest.skipUnless(PROGRAM, "firefox-esr is not installed")
+@unittest.skipUnless(PROGRAM, "firefox-esr and xvfb are not installed")
 class InFirefox(PageTest):
     def firefox(self):
         browser = Firefox()

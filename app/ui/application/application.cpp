@@ -34,15 +34,18 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
     settings = std::move(loaded.settings);
     fault = std::move(loaded.fault);
   }
-  speak();
+  useLanguageAndUnits();
   if (!fault.empty()) messages.warning(fault);
   for (Extension* e : extensions_->all()) e->atStart(*this);
 }
 
 Application::~Application() { end(); }
 
-void Application::speak() {
+void Application::useLanguageAndUnits() {
   setDecimalSign(settings.decimal_sign);
+  UnitSet shown;
+  shown.choose(Dimension::Length, settings.length_unit);
+  setShownUnits(shown);
   if (spoken_ == settings.language) return;
   // What was asked for at the start holds until the person chooses another.
   std::string wanted = settings.language;
@@ -227,7 +230,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
     for (Extension* e : extensions) e->ticks(*this, felt);
   messages.age(dt_s);
 
-  speak();
+  useLanguageAndUnits();
   keys_(*this);
   layPanelsOut(window_px);
   panels_(*this);

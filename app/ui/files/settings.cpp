@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/units.h"
 #include "engine/platform/write_file.h"
 
 namespace moltact {
@@ -88,6 +89,8 @@ LoadedSettings loadSettings(const fs::path& file) {
   if (comma) s.decimal_sign = DecimalSign::Comma;
   if (const auto sign = json.find("decimal_sign"); sign != json.end() && sign->is_string())
     s.decimal_sign = decimalSignNamed(sign->get<std::string>()).value_or(s.decimal_sign);
+  if (const auto unit = json.find("length_unit"); unit != json.end() && unit->is_string())
+    if (UnitSet().choose(Dimension::Length, unit->get<std::string>())) s.length_unit = unit->get<std::string>();
   if (const auto folder = json.find("lesson_folder"); folder != json.end() && folder->is_string())
     s.lesson_folder = folder->get<std::string>();
   if (const auto look = json.find("probe_look"); look != json.end() && look->is_string())
@@ -117,6 +120,7 @@ nlohmann::json written(const Settings& s) {
           {"left_handed", s.left_handed},
           {"language", s.language},
           {"decimal_sign", kDecimalSigns[std::size_t(s.decimal_sign)]},
+          {"length_unit", s.length_unit},
           {"lesson_folder", s.lesson_folder},
           {"probe_look", probeLookName(s.probe_look)},
           {"device", s.device},
