@@ -30,8 +30,8 @@ TEST_CASE("the force is the slope of the energy that is stored, also where three
 }
 
 TEST_CASE(
-    "as many springs pull together as the stiffest direction has: 1 + |cos| of the angle between two radii, n round "
-    "one "
+    "as many springs pull together as the stiffest direction has: 1 + |cos| of the angle between two radii, n in a "
+    "row, "
     "1 of three at right angles, and of 2000 random places what a search over directions finds") {
   const auto at = [](std::vector<Ball> balls, const Vec3& hip) {
     PenaltyTracker tracker(makeScene(std::move(balls)), 1.4);
