@@ -2,6 +2,7 @@
 # Installs what is missing, builds Moltact and runs every test.
 #   ./test.sh                   the release build
 #   ./test.sh release asan tsan the builds of CMakePresets.json that are named
+#   ./test.sh package           the Debian package: made, judged, installed on a bare system, used, removed (tests/package)
 #   ./test.sh web               the browser edition in headless Chromium (tests/web)
 #   ./test.sh fuzz              every reader of files under libFuzzer, 20 s each (tests/fuzz)
 set -eu
@@ -11,6 +12,12 @@ install_missing
 for preset in "${@:-release}"; do
   echo "== $preset"
   [ "$preset" != fuzz ] || install_missing .ci/packages-fuzz
+  if [ "$preset" = package ]; then
+    install_missing .ci/packages-package
+    make_package
+    timeout 30m tests/package/run.sh build/package/moltact_*.deb
+    continue
+  fi
   if [ "$preset" = web ]; then
     install_missing .ci/packages-web
     build_preset web moltact_page

@@ -32,3 +32,10 @@ build_preset() {
   [ -e "build/$1/build.ninja" ] || cmake --preset "$1" >/dev/null
   cmake --build --preset "$1" ${2:+--target "$2"}
 }
+
+# make_package: the Debian package build/package/moltact_*.deb, and no older one beside it.
+make_package() {
+  build_preset package
+  rm -rf build/package/moltact_*.deb build/package/_CPack_Packages
+  cpack --preset package >build/package/cpack.log 2>&1 || { cat build/package/cpack.log; return 1; }
+}

@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/commands/language_option.h"
+#include "app/commands/value_types.h"
 #include "engine/platform/terminal.h"
 
 namespace moltact {
@@ -11,12 +12,14 @@ constexpr double kLeastScale = 0.5, kMostScale = 8.0;  // of the monitor
 }
 
 void addWindowArguments(CLI::App& app, WindowArguments& into) {
-  app.add_option("file", into.file, "A molecule, a lesson (.md) or a pack (.moltact) to open in the window");
+  app.add_option("file", into.file, "A molecule, a lesson (.md) or a pack (.moltact) to open in the window")
+      ->type_name(kMoleculeType);
   addLanguageOption(app, into.language);
   app.add_option(
-      "--state-text", into.state_text,
-      "Also write what is touched, and what the lesson asks for, as lines of text to this file, or to the terminal "
-      "for -; to hear them: moltact --state-text - | spd-say -e");
+         "--state-text", into.state_text,
+         "Also write what is touched, and what the lesson asks for, as lines of text to this file, or to the terminal "
+         "for -; to hear them: moltact --state-text - | spd-say -e")
+      ->type_name(kFileType);
   // For the makers of the program and its documentation: not in the help.
   app.add_option("--screenshot", into.screenshot)->group("");
   app.add_option("--script", into.script)->group("");

@@ -4,16 +4,16 @@
 set(web_sources ${CMAKE_BINARY_DIR}/sources)
 set(web_headers ${CMAKE_BINARY_DIR}/headers)
 
-execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/web/fetch_sources.sh ${web_sources} imgui freetype zlib md4c
+execute_process(COMMAND ${CMAKE_CURRENT_LIST_DIR}/web/fetch_sources.sh ${web_sources} imgui freetype zlib md4c libzip
   OUTPUT_FILE ${CMAKE_BINARY_DIR}/fetch_sources.log ERROR_FILE ${CMAKE_BINARY_DIR}/fetch_sources.log
   RESULT_VARIABLE web_fetched)
 if(NOT web_fetched EQUAL 0)
-  message(FATAL_ERROR "The sources of Debian's imgui, freetype, zlib and md4c cannot be had; see ${CMAKE_BINARY_DIR}/fetch_sources.log")
+  message(FATAL_ERROR "The sources of Debian's imgui, freetype, zlib, md4c and libzip cannot be had; see ${CMAKE_BINARY_DIR}/fetch_sources.log")
 endif()
 
 # Of /usr/include only these: the rest is of another machine.
 file(MAKE_DIRECTORY ${web_headers})
-foreach(name glm gemmi tao nlohmann fmt fast_float tiny_gltf.h stb)
+foreach(name glm gemmi tao nlohmann fmt fast_float tiny_gltf.h stb zip.h zipconf.h)
   if(NOT EXISTS /usr/include/${name})
     message(FATAL_ERROR "/usr/include/${name} is missing; ./run.sh web installs what .ci/packages and .ci/packages-web list")
   endif()
@@ -41,6 +41,34 @@ function(web_library name target)
   target_compile_definitions(${name} ${scope} ${web_DEFINE})
   target_link_libraries(${name} ${scope} ${web_LINK})
   add_library(${target} ALIAS ${name})
+endfunction()
+
+# Reading and writing packs in memory: without encryption, without compression but zlib's. Release 1.7 (Debian 12) makes its
+# table of errors at the end of its own CMakeLists.txt, later ones in a file of its own.
+function(web_libzip)
+  set(made ${web_sources}/libzip/web)
+  file(MAKE_DIRECTORY ${made})
+  set(errors ${web_sources}/libzip/cmake/GenerateZipErrorStrings.cmake)
+  if(NOT EXISTS ${errors})
+    file(READ ${web_sources}/libzip/lib/CMakeLists.txt text)
+    string(FIND "${text}" "# create zip_err_str" begins)
+    string(SUBSTRING "${text}" ${begins} -1 text)
+    set(errors ${made}/errors.cmake)
+    file(WRITE ${errors} "${text}")
+  endif()
+  execute_process(COMMAND ${CMAKE_COMMAND} -D PROJECT_SOURCE_DIR=${web_sources}/libzip -P ${errors}
+    WORKING_DIRECTORY ${made} COMMAND_ERROR_IS_FATAL ANY)
+  set(config "#include \"zipconf.h\"\n#define SIZEOF_OFF_T 8\n#define SIZEOF_SIZE_T 4\n#define PACKAGE \"libzip\"\n#define VERSION \"\"\n")
+  foreach(has FCHMOD FILENO FSEEKO FTELLO LOCALTIME_R MKSTEMP SNPRINTF STDBOOL_H STRCASECMP STRDUP STRINGS_H STRTOLL STRTOULL UNISTD_H)
+    string(APPEND config "#define HAVE_${has}\n")
+  endforeach()
+  file(CONFIGURE OUTPUT ${made}/config.h CONTENT "${config}")
+  file(GLOB parts RELATIVE ${web_sources}/libzip ${web_sources}/libzip/lib/*.c)
+  list(FILTER parts EXCLUDE REGEX "win32|uwp|winzip|zip_crypto_|_algorithm_(bzip2|xz|zstd)")
+  web_library(web_zip PkgConfig::LIBZIP FOLDER libzip SOURCES ${parts} web/zip_err_str.c)
+  target_include_directories(web_zip PRIVATE ${made} ${web_sources}/libzip/lib)
+  target_compile_definitions(web_zip PRIVATE HAVE_CONFIG_H)
+  target_link_libraries(web_zip PRIVATE web_zlib)
 endfunction()
 
 macro(web_libraries)
@@ -81,6 +109,7 @@ FT_USE_MODULE( FT_Renderer_Class, ft_smooth_renderer_class )
       DEFINE FT2_BUILD_LIBRARY FT_CONFIG_MODULES_H=<web_modules.h>)
     target_link_libraries(web_freetype PRIVATE web_zlib)
     set_source_files_properties(${web_sources}/freetype/src/gzip/ftgzip.c PROPERTIES COMPILE_DEFINITIONS FT_CONFIG_OPTION_SYSTEM_ZLIB)
+    web_libzip()
     # Vertices are counted in 32 bits: WebGL draws no part of a list from a base of its own.
     web_library(web_imgui PkgConfig::IMGUI FOLDER imgui INCLUDE ${web_sources}/imgui ${web_sources}/imgui/misc/freetype
       ${web_sources}/imgui/misc/cpp

@@ -6,6 +6,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/device_path.h"
+#include "app/commands/value_types.h"
 #include "engine/bench/charts.h"
 #include "engine/bench/cold_cache_ticks.h"
 #include "engine/bench/feel.h"
@@ -355,18 +356,23 @@ void addBench(CLI::App& app) {
   command->add_flag("--quick", arguments->quick, "A minute instead of a quarter of an hour; the figures are rougher");
   command->add_option("--methods", arguments->methods, "Only these, with commas between (exact is always there)")
       ->delimiter(',');
-  command->add_option(
-      "--recording", arguments->recordings,
-      "Recorded hands instead of those that come with the program, with the part hands alone: a .recording, "
-      "or rows of numbers (docs/hands.md)");
-  command->add_option("--molecule", arguments->recording_molecule,
-                      "The molecule that these hands go over, where the file does not say");
+  command
+      ->add_option(
+          "--recording", arguments->recordings,
+          "Recorded hands instead of those that come with the program, with the part hands alone: a .recording, "
+          "or rows of numbers (docs/hands.md)")
+      ->type_name(kFileType);
+  command
+      ->add_option("--molecule", arguments->recording_molecule,
+                   "The molecule that these hands go over, where the file does not say")
+      ->type_name(kMoleculeType);
   command->add_option("--seed", arguments->seed, "Of the scenes and motions")->capture_default_str();
-  command->add_option("--json", arguments->json, "Write all tables to this file");
-  command->add_option("--csv", arguments->csv, "Write each table to a file in this folder");
-  command->add_option("--svg", arguments->svg, "Write the charts to this folder");
-  command->add_option("--markdown", arguments->markdown, "Write all tables to this page");
-  command->add_option("--docs", arguments->docs, "Renew the tables and charts of the pages in this folder");
+  command->add_option("--json", arguments->json, "Write all tables to this file")->type_name(kFileType);
+  command->add_option("--csv", arguments->csv, "Write each table to a file in this folder")->type_name(kFolderType);
+  command->add_option("--svg", arguments->svg, "Write the charts to this folder")->type_name(kFolderType);
+  command->add_option("--markdown", arguments->markdown, "Write all tables to this page")->type_name(kFileType);
+  command->add_option("--docs", arguments->docs, "Renew the tables and charts of the pages in this folder")
+      ->type_name(kFolderType);
   command->callback([arguments] {
     // Other hands are nobody's pages.
     if (!arguments->recordings.empty() && arguments->part == "all") arguments->part = "hands";

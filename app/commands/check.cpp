@@ -9,6 +9,7 @@
 #include "app/commands/lesson_argument.h"
 #include "app/commands/print_json.h"
 #include "app/commands/source_excerpt.h"
+#include "app/commands/value_types.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
@@ -159,6 +160,7 @@ void addCheck(CLI::App& app) {
   command
       ->add_option("paths", arguments->paths,
                    "Lessons (.md), packs (.moltact), or folders in which lessons are looked for")
+      ->type_name(kFilesOrFoldersType)
       ->required();
   command->add_flag("--json", arguments->json, "Print one JSON document, for editors");
   command->callback([arguments] { run(*arguments); });

@@ -17,7 +17,9 @@
   X(Check)                  \
   X(NewLesson)              \
   X(Pack)                   \
-  X(LessonReference)
+  X(LessonReference)        \
+  X(ManualPage)             \
+  X(Completion)
 
 namespace moltact {
 

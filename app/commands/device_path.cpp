@@ -5,6 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/commands/number_range.h"
+#include "app/commands/value_types.h"
 #include "engine/haptics/interactions.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/catalogue.h"
@@ -75,8 +76,8 @@ void addDevicePath(CLI::App& device) {
   const auto options = std::make_shared<PathOptions>();
   CLI::App* command = device.add_subcommand(
       "path", "Write the way of a recorded hand as rows of numbers: x y z (angstrom), a row a tick");
-  command->add_option("FILE", options->file, "a recording")->required();
-  command->add_option("--out", options->out, "the file to write")->required();
+  command->add_option("FILE", options->file, "a recording")->type_name(kFileType)->required();
+  command->add_option("--out", options->out, "the file to write")->type_name(kFileType)->required();
   command->add_option("--label", options->labels, "KEY=VALUE, told in the file's head; may be given several times");
   command
       ->add_option("--touching", options->before_touch_s,

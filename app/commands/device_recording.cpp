@@ -9,6 +9,7 @@
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/touch_options.h"
+#include "app/commands/value_types.h"
 #include "engine/device/driver.h"
 #include "engine/device/mouse_device.h"
 #include "engine/haptics/interactions.h"
@@ -270,7 +271,7 @@ void addDeviceRecording(CLI::App& device) {
   CLI::App* records = device.add_subcommand("record", "Record a hand on a molecule: every place and every force");
   records->add_option("NAME", options->device, "as `moltact devices` lists it")->required();
   options->molecule.addTo(*records);
-  records->add_option("--out", options->file, "the file to write")->required();
+  records->add_option("--out", options->file, "the file to write")->type_name(kFileType)->required();
   records->add_flag("--overwrite", options->overwrite, "replace the file if it is there already");
   addTouchOptions(*records, options->touch);
   records->add_option("--seconds", options->seconds, "how long; a replay takes 1.3 GB of memory for an hour")
@@ -283,7 +284,7 @@ void addDeviceRecording(CLI::App& device) {
 
   const auto file = std::make_shared<std::string>();
   CLI::App* replays = device.add_subcommand("replay", "Step a recording again and compare the forces to the last bit");
-  replays->add_option("FILE", *file, "a recording")->required();
+  replays->add_option("FILE", *file, "a recording")->type_name(kFileType)->required();
   replays->callback([file] { replayHand(*file); });
 }
 

@@ -2,6 +2,7 @@
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
+#include "app/commands/value_types.h"
 #include "engine/haptics/tracker.h"
 #include "engine/platform/terminal.h"
 #include "engine/render/gltf_export.h"
@@ -39,7 +40,7 @@ void addExport(CLI::App& app) {
   const auto arguments = std::make_shared<ExportArguments>();
   ExportArguments& a = *arguments;
   a.molecule.addTo(*command);
-  command->add_option("OUT", a.out, "The .glb file to write")->required();
+  command->add_option("OUT", a.out, "The .glb file to write")->type_name(kFileType)->required();
   command
       ->add_option("--style", a.style,
                    "balls: one ball an atom, grouped by chain, for slides; surface: one closed surface, for printing")

@@ -1,5 +1,6 @@
 #include "app/commands/language_option.h"
 
+#include "app/commands/value_types.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/use_language.h"
 
@@ -19,7 +20,7 @@ void speakAsAsked() {
 }
 
 void addLanguageOption(CLI::App& app) {
-  app.add_option_function<std::string>("--language", follow, kHelp)->trigger_on_parse();
+  app.add_option_function<std::string>("--language", follow, kHelp)->type_name(kLanguageType)->trigger_on_parse();
 }
 
 void addLanguageOption(CLI::App& app, std::string& into) {
@@ -30,6 +31,7 @@ void addLanguageOption(CLI::App& app, std::string& into) {
            into = code;
          },
          kHelp)
+      ->type_name(kLanguageType)
       ->trigger_on_parse();
 }
 

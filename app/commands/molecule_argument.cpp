@@ -1,6 +1,7 @@
 #include "app/commands/molecule_argument.h"
 
 #include "app/commands/command.h"
+#include "app/commands/value_types.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/molecule/reader.h"
 
@@ -10,6 +11,7 @@ void MoleculeArgument::addTo(CLI::App& command) {
   command
       .add_option("molecule", named.name,
                   "A file (" + moleculeEndingsText() + ", also .gz), or a molecule of the library (1ubq)")
+      ->type_name(kMoleculeType)
       ->required();
   for (const ReadingOption& option : readingOptions()) {
     const std::string name = "--" + std::string(option.name), help(option.option_help);
@@ -20,7 +22,8 @@ void MoleculeArgument::addTo(CLI::App& command) {
     else if (const auto* on = std::get_if<bool ReadOptions::*>(&option.member))
       command.add_flag(name, named.reading.**on, help);
     else
-      command.add_option(name, named.reading.*std::get<std::string ReadOptions::*>(option.member), help);
+      command.add_option_function<std::string>(
+          name, [this, &option](const std::string& text) { readText(named.reading, option, text); }, help);
   }
 }
 

@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/value_types.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/source_text.h"
 #include "engine/platform/terminal.h"
@@ -65,7 +66,7 @@ void addNewLesson(CLI::App& app) {
   CLI::App* command = app.add_subcommand("new-lesson", "Write a small working lesson to start from");
   command->add_option("name", arguments->name, "Its name, such as 'Haem pockets'; the file becomes haem-pockets.md")
       ->required();
-  command->add_option("--folder", arguments->folder, "Where to put it")->capture_default_str();
+  command->add_option("--folder", arguments->folder, "Where to put it")->type_name(kFolderType)->capture_default_str();
   command->callback([arguments] { run(*arguments); });
 }
 

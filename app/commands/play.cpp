@@ -6,6 +6,7 @@
 #include "app/commands/lesson_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
+#include "app/commands/value_types.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/reader.h"
@@ -170,11 +171,14 @@ void run(const PlayOptions& options) {
 void addPlay(CLI::App& app) {
   CLI::App* command = app.add_subcommand("play", "Let a scripted learner go through a lesson, without a window");
   auto options = std::make_shared<PlayOptions>();
-  command->add_option("lesson", options->lesson, "the lesson's file, or a pack")->required();
-  CLI::Option* answers = command->add_option(
-      "--answers", options->answers,
-      "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"
-      "  method NAME, say WORD, draw FORCE, FORCE, …, answer QUESTION: ANSWER, next, back, go STEP");
+  command->add_option("lesson", options->lesson, "the lesson's file, or a pack")->type_name(kFileType)->required();
+  CLI::Option* answers =
+      command
+          ->add_option(
+              "--answers", options->answers,
+              "what to do, one act a line:\n  do, touch PLACE, press FORCE [on PLACE], slide PLACE, wait TIME, lift,\n"
+              "  method NAME, say WORD, draw FORCE, FORCE, …, answer QUESTION: ANSWER, next, back, go STEP")
+          ->type_name(kFileType);
   CLI::Option* demonstrate =
       command->add_flag("--demonstrate", options->demonstrate, "do every task and answer every question rightly");
   answers->excludes(demonstrate);

@@ -10,6 +10,7 @@
 #include "app/commands/number_range.h"
 #include "app/commands/print_json.h"
 #include "app/commands/touch_options.h"
+#include "app/commands/value_types.h"
 #include "engine/core/quantile.h"
 #include "engine/haptics/interactions.h"
 #include "engine/platform/terminal.h"
@@ -146,8 +147,11 @@ void addReplay(CLI::App& app) {
       app.add_subcommand("replay", "Lead the HIP along a recorded path and write what a hand would feel");
   auto options = std::make_shared<ReplayOptions>();
   options->molecule.addTo(*command);
-  command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")->required();
-  command->add_option("--out", options->out, "where to write the trace (CSV); may be left out with --time");
+  command->add_option("--path", options->path, "CSV with the header x,y,z (angstrom), a row a tick")
+      ->type_name(kFileType)
+      ->required();
+  command->add_option("--out", options->out, "where to write the trace (CSV); may be left out with --time")
+      ->type_name(kFileType);
   addTouchOptions(*command, options->touch);
   addProbeOption(*command, options->touch);
   command

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "app/commands/command.h"
+#include "app/commands/value_types.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
@@ -61,10 +62,14 @@ void addReport(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "Report on a class: who finished what, answers, time, force and path");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("results", arguments->results, "attempts (.jsonl files) or folders of them")->required();
-  command->add_option("--csv", arguments->csv, "where to write the table: a row for each student and lesson");
-  command->add_option("--html", arguments->html,
-                      "where to write the page: charts, light, dark and print, works offline");
+  command->add_option("results", arguments->results, "attempts (.jsonl files) or folders of them")
+      ->type_name(kFilesOrFoldersType)
+      ->required();
+  command->add_option("--csv", arguments->csv, "where to write the table: a row for each student and lesson")
+      ->type_name(kFileType);
+  command
+      ->add_option("--html", arguments->html, "where to write the page: charts, light, dark and print, works offline")
+      ->type_name(kFileType);
   command->add_flag("--anonymous", arguments->anonymous, "write S01, S02 ... in the place of names");
   command->callback([arguments] {
     if (arguments->csv.empty() && arguments->html.empty()) throw CLI::RequiredError("--csv or --html");

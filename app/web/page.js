@@ -9,11 +9,12 @@
 
   // ---- what came with the page ------------------------------------------------------------------------------------
 
-  async function unpacked(id) {
+  async function unpacked(id, compressed = true) {
     const text = byId(id).textContent;
     byId(id).remove();
     const packed = Uint8Array.fromBase64 ? Uint8Array.fromBase64(text)
                                          : Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+    if (!compressed) return packed;
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
     return new Uint8Array(await new Response(stream).arrayBuffer());
   }
@@ -126,21 +127,38 @@
     while (log.childElementCount > kMostNews) log.firstElementChild.remove();
   }
 
+  // The buttons in the text are no <button>, whose words could not be selected.
   let words_shown = "";
+  const selecting = () => !getSelection().isCollapsed && byId("words").contains(getSelection().anchorNode);
   function mirror() {
     const now = program.ccall("moltact_words", "string", [], []);
-    if (now === words_shown) return;
+    if (now === words_shown || selecting()) return;
     words_shown = now;
     const parts = JSON.parse(now).map(([text, x, y]) => {
-      const part = document.createElement(x < 0 ? "p" : "button");
+      const part = document.createElement("p");
       part.textContent = text;
       if (x >= 0) {
+        part.setAttribute("role", "button");
         part.tabIndex = -1;  // the keys go through the canvas; a screen reader's own way of pressing comes here
-        part.addEventListener("click", () => tap(x, y));
+        part.addEventListener("click", () => { if (!selecting()) tap(x, y); });
       }
       return part;
     });
     byId("page").replaceChildren(...parts);
+  }
+
+  // Ctrl+A shows the text, all of it selected; Escape or the canvas puts it away.
+  const reading = () => byId("words").classList.contains("read");
+  function read(on) {
+    byId("words").classList.toggle("read", on);
+    if (on) {
+      mirror();
+      byId("words").focus({preventScroll: true});
+      getSelection().selectAllChildren(byId("page"));
+    } else {
+      getSelection().removeAllRanges();
+      canvas.focus({preventScroll: true});
+    }
   }
 
   // ---- frames --------------------------------------------------------------------------------------------------------
@@ -175,6 +193,7 @@
   function hearPointers() {
     canvas.addEventListener("pointerdown", (event) => {
       stir();
+      if (reading()) read(false);
       canvas.focus({preventScroll: true});
       canvas.setPointerCapture(event.pointerId);
       event.preventDefault();
@@ -238,6 +257,14 @@
       if (event.target instanceof HTMLButtonElement || byId("ask").open || kBrowsers.has(event.code)) return;
       stir();
       const command = event.ctrlKey || event.metaKey;
+      if (command && event.key.toLowerCase() === "a" && !(state & 2)) {
+        event.preventDefault();
+        return read(true);
+      }
+      if (reading()) {
+        if (event.code === "Escape") read(false);
+        return;
+      }
       if (command && (event.code === "KeyV" || event.code === "KeyR")) return;  // pasting comes as its own event
       const taken = tellKey(event.code, written(event), 1);
       if ([...event.key].length === 1 && !(command && !event.getModifierState("AltGraph")) && event.target !== keyboard)
@@ -270,17 +297,30 @@
 
   // ---- files of the person's own -----------------------------------------------------------------------------------------
 
+  const kOwn = kHome + "/.local/share/moltact/lessons/", kPassing = "/tmp/moltact/";
+  const open = (file) => { stir(); program.ccall("moltact_open", null, ["string"], [file]); };
+
   async function take(files) {
-    // The last is opened; lessons may need the molecules beside them.
+    // The last is opened; lessons may need the molecules beside them. A pack is unpacked, so it is not kept itself.
     let last = "";
     for (const file of [...files].sort((a, b) => a.name.endsWith(".md") - b.name.endsWith(".md"))) {
-      last = kHome + "/.local/share/moltact/lessons/" + file.name.replace(/[\\/\0]/g, "_");
+      const pack = file.name.toLowerCase().endsWith(".moltact");
+      last = (pack ? kPassing : kOwn) + file.name.replace(/[\\/\0]/g, "_");
       put(program.FS, last, new Uint8Array(await file.arrayBuffer()));
     }
     if (!last) return;
     keeper.changed();
-    stir();
-    program.ccall("moltact_open", null, ["string"], [last]);
+    open(last);
+  }
+
+  // A lesson that came within the page (moltact pack --html).
+  async function takeAlong() {
+    const along = byId("pack-bytes");
+    if (!along) return false;
+    const file = kPassing + along.dataset.name;
+    put(program.FS, file, await unpacked("pack-bytes", false));
+    open(file);
+    return true;
   }
 
   function hearFiles() {
@@ -316,14 +356,14 @@
     if (molecule && /^[0-9][0-9A-Za-z]{3}$/.test(molecule)) {
       // One of those that came with the page needs no fetching.
       if (program.FS.analyzePath("/moltact/molecules/" + molecule.toLowerCase() + ".pdb").exists)
-        return program.ccall("moltact_open", null, ["string"], [molecule.toLowerCase()]);
+        return open(molecule.toLowerCase());
       name = molecule.toLowerCase() + ".cif";
       url = new URL("https://files.rcsb.org/download/" + molecule.toUpperCase() + ".cif");
     } else if (lesson) {
       try { url = new URL(lesson, location.href); } catch { return; }
       if (!/^https?:$/.test(url.protocol)) return;
       name = (url.pathname.split("/").pop() || "lesson").replace(/[^\w.-]/g, "_");
-      if (!name.endsWith(".md")) name += ".md";
+      if (!/\.(md|moltact)$/i.test(name)) name += ".md";
     }
     if (!url) return;
     if (!await agreed(`This page is asked to fetch ${name} from ${url.host}. That server then sees that you do so.`,
@@ -350,6 +390,7 @@
       if (!on && document.fullscreenElement) document.exitFullscreen();
     },
     choose() { byId("chooser").click(); },
+    fingers: () => matchMedia("(any-pointer: coarse)").matches,
     vibrate(ms) { if (navigator.vibrate) navigator.vibrate(ms); },
     // Hands a file of the program's to the person, as a download.
     give(path, name) {
@@ -366,15 +407,16 @@
   if (typeof WebAssembly !== "object" || typeof DecompressionStream !== "function")
     return say("This browser is too old for Moltact: it needs one of 2023 or later.",
                "Dieser Browser ist zu alt für Moltact: nötig ist einer von 2023 oder später.");
+  const hid = moltactDevices(stir);
   try {
     const [bytes, files] = await Promise.all([unpacked("program-bytes"), unpacked("file-bytes")]);
     const made = await createMoltact({
-      canvas, page, keeper, wasmBinary: bytes, noInitialRun: true, print: news, printErr: (line) => console.warn(line),
+      canvas, page, keeper, hid, wasmBinary: bytes, noInitialRun: true, print: news, printErr: (line) => console.warn(line),
       onAbort: (why) => say("Moltact has stopped: " + why, "Moltact wurde beendet: " + why),
     });
     putFiles(made.FS, files);
     made.FS.mkdirTree(kHome);
-    await keeper.load(made.FS);
+    await Promise.all([keeper.load(made.FS), hid.begin()]);
     document.documentElement.lang = german ? "de" : "en";
     if (made.callMain([]) !== 0)
       return say("This browser offers no WebGL 2, which Moltact draws with. Another browser, or newer graphics drivers, may.",
@@ -388,7 +430,7 @@
     said.hidden = true;
     canvas.focus({preventScroll: true});
     requestAnimationFrame(frame);
-    asked();
+    if (!await takeAlong()) asked();
   } catch (error) {
     console.error(error);
     say("Moltact could not start: " + error, "Moltact konnte nicht starten: " + error);

@@ -5,6 +5,9 @@
 set -eu
 folder=$1
 shift
+missing=
+for package; do [ -d "$folder/$package" ] || missing="$missing $package"; done
+[ -n "$missing" ] || exit 0
 mkdir -p "$folder/apt/lists/partial" "$folder/apt/archives/partial"
 cd "$folder"
 here=$PWD
@@ -20,8 +23,7 @@ own() {
     -o Dir::State::lists="$here/apt/lists" -o Dir::Cache="$here/apt" -o APT::Sandbox::User= "$@"
 }
 own apt-get update
-for package; do
-  [ ! -d "$package" ] || continue
+for package in $missing; do
   rm -rf "apt/$package"
   mkdir "apt/$package"
   (

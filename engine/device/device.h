@@ -11,32 +11,58 @@
 
 namespace moltact {
 
-/// A device's capabilities. Defaults are the Phantom Omni's, as its vendor published them and as they were measured in
-/// the literature; docs/devices.md says which is which.
+/// A device's capabilities. A driver names each figure that it knows. What it leaves out counts as not known, and the
+/// less force is given: none at all without both of the forces, softer springs without the others
+/// (engine/servo/safety_stage.h).
 struct DeviceSpecs {
+  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+  static constexpr double kUnknownStiffness_N_per_mm = 0.3, kUnknownDelay_s = 0.002, kUnknownResolution_mm = 0.1;
+
   Vec3 workspace_mm{160.0, 120.0, 70.0};  ///< the reach of the hand, edge to edge
   int dof_in = 3;            ///< degrees of freedom that are read and used: 3 position, 6 position and orientation
   int dof_out = 0;           ///< degrees of freedom that are driven: 0 none, 3 force, 6 force and torque
-  double max_force_N = 3.3;  ///< the greatest force for a moment
-  double continuous_force_N = 3.3;        ///< the greatest force for good, by the motors' heat
-  double max_stiffness_N_per_mm = 1.0;    ///< the stiffest wall it can show
-  double max_damping_N_s_per_m = 5.0;     ///< the greatest damping it can show
-  double damping_N_s_per_m = 0.2;         ///< of the mechanism itself
-  double friction_N = 0.26;               ///< of the mechanism itself, Coulomb; 0: not known
-  double resolution_mm = 0.055;           ///< the least step of the position that it reports
-  double delay_s = 0.001;                 ///< from the encoders to the driver plus from there to the motors
+  double max_force_N = 0.0;  ///< the greatest force for a moment
+  double continuous_force_N = 0.0;                             ///< the greatest force for good, by the motors' heat
+  double max_stiffness_N_per_mm = kUnknownStiffness_N_per_mm;  ///< the stiffest wall it can show
+  double max_damping_N_s_per_m = 0.0;                          ///< the greatest damping it can show
+  double damping_N_s_per_m = 0.0;                              ///< of the mechanism itself
+  double friction_N = 0.0;                                     ///< of the mechanism itself, Coulomb; 0: not known
+  double resolution_mm = kUnknownResolution_mm;                ///< the least step of the position that it reports
+  double delay_s = kUnknownDelay_s;       ///< from the encoders to the driver plus from there to the motors
   double speed_limit_m_per_s = kNoLimit;  ///< the device gives no force to a hand faster than this
   double slew_limit_N_per_s = kNoLimit;   ///< the device cuts a force that changes faster
   double max_torque_N_mm = 0.0;           ///< the greatest torque; 0 where it drives none
   bool gives_force = false;               ///< false: the force is shown on the screen only and moves no hand
 
-  static constexpr double kNoLimit = std::numeric_limits<double>::infinity();
   friend bool operator==(const DeviceSpecs&, const DeviceSpecs&) = default;
 };
 
+/// The figures of the Phantom Omni's motors and mechanism, as its vendor published them and as they were measured in
+/// the literature; docs/devices.md says which is which.
+inline DeviceSpecs phantomOmniFigures() noexcept {
+  DeviceSpecs out;
+  out.max_force_N = 3.3;
+  out.continuous_force_N = 0.88;
+  out.max_stiffness_N_per_mm = 1.0;
+  out.max_damping_N_s_per_m = 5.0;
+  out.damping_N_s_per_m = 0.2;
+  out.friction_N = 0.26;
+  out.resolution_mm = 0.055;
+  out.delay_s = 0.001;
+  return out;
+}
+
+/// Of a hand without motors (a mouse, a pad, a script): what is shown is what an Omni would give whose motors never
+/// get warm.
+inline DeviceSpecs shownForceFigures() noexcept {
+  DeviceSpecs out = phantomOmniFigures();
+  out.continuous_force_N = out.max_force_N;
+  return out;
+}
+
 /// A device's description, known before it is used.
 struct DeviceInfo : DeviceSpecs {
-  std::string name;  ///< as the status bar shows it, passed through `tr`: names of our own are in English
+  std::string name{};  ///< as the status bar shows it, passed through `tr`: names of our own are in English
   friend bool operator==(const DeviceInfo&, const DeviceInfo&) = default;
 };
 

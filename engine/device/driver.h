@@ -50,4 +50,9 @@ const FoundDevice& defaultDevice(const std::vector<FoundDevice>& found);
 /// be used, or where opening fails.
 Expected<std::unique_ptr<Device>> openDevice(std::string_view name);
 
+/// A page in a browser sees only the devices that the person has shown it: askForDevice() then opens the browser's own
+/// list of them, within a second of a click. Elsewhere false, and nothing to ask.
+bool devicesAreAskedFor() noexcept;
+void askForDevice();
+
 }  // namespace moltact

@@ -4,8 +4,10 @@
 #include "engine/language/catalogue.h"
 
 // One line a driver, the default first and the mouse last: it is k<Name>Driver, in its own file.
-#ifdef __EMSCRIPTEN__  // a page reaches no hidraw and no library of a maker's
+#ifdef __EMSCRIPTEN__  // a page reaches HID devices that the person shows it, and no library of a maker's
 #define MOLTACT_DRIVERS(X) \
+  X(OpenLayout)            \
+  X(SpaceMouse)            \
   X(Simulated)             \
   X(Mouse)
 #else

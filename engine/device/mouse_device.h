@@ -33,7 +33,7 @@ class MouseDevice final : public Device {
     Quat orientation = kNoRotation;
     std::uint32_t discontinuities = 0;
   };
-  DeviceInfo info_;
+  DeviceInfo info_{shownForceFigures()};
   TripleBuffer<Lead> lead_;
   Lead sent_;        // the window's
   DevicePose pose_;  // the haptic thread's

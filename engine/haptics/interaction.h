@@ -31,7 +31,11 @@ class Interaction {
  public:
   virtual ~Interaction() = default;
 
-  /// One tick. A pose that is no number gives Fault::NotFinite.
+  /// The answer to a pose. Calls are not ticks: ServoStep::tick asks once a tick, but while the surface itself moves
+  /// twice, first with the pose of the tick before, so as to tell the surface's work from the hand's; before a new
+  /// interaction is handed over, makeInteraction (app/ui/scene/stage.h) leads it to the contact by some poses in a row.
+  /// No time goes with a call. What an interaction remembers (where it sticks, how far it has slid) may depend on the
+  /// ways between the poses and never on how often it is asked. A pose that is no number gives Fault::NotFinite.
   virtual Response respond(const PoseA& pose) noexcept = 0;
 
   /// Forgets the contact, as at the start: what begins inside gives no force until it has been outside once.
@@ -43,8 +47,9 @@ class Interaction {
 
   virtual double probe_A() const noexcept = 0;
 
-  /// How many times as stiff as one spring it is at the most, along any direction: the springs that pull together. The
-  /// loop's stability depends on all of them.
+  /// How many times as stiff as one spring it is, along its stiffest direction, as it answered last (1 or more): the
+  /// springs that pull together. The stiffness of each is bounded by it, for the loop's stability depends on all of
+  /// them: several balls that push at once, several places where a body is held.
   virtual double parallelSprings() const noexcept { return 1.0; }
 
   /// Spheres that move: from now on they are the motion's, at its beginning; null: those that it was made with. The

@@ -11,6 +11,7 @@
 #include "engine/haptics/penalty/penalty_tracker.h"
 #include "engine/haptics/sas_mesh/sas_mesh_tracker.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 
 namespace moltact {
 namespace {
@@ -99,6 +100,7 @@ constexpr std::array kTable{
            .grade = "960",
            .variant = N_("Smooth"),
            .triangles = 960,
+           .shaded = true,
            .follows_motion = true},
     Method{.name = "mesh960-tree",
            .sentence = N_("the same on 960 triangles, the trees asked anew in every tick"),
@@ -112,43 +114,44 @@ constexpr std::array kTable{
            .sentence = N_("a signed-distance grid, smoothly interpolated, 0.2 A apart"),
            .make = &makeGrid<2>,
            .family = kGrid,
-           .grade = N_("0.2 Å")},
+           .apart_A = 0.2},
     Method{.name = "grid04",
            .sentence = N_("a signed-distance grid, smoothly interpolated, 0.4 A apart"),
            .make = &makeGrid<4>,
            .family = kGrid,
-           .grade = N_("0.4 Å")},
+           .apart_A = 0.4},
     Method{.name = "grid08",
            .sentence = N_("a signed-distance grid, smoothly interpolated, 0.8 A apart"),
            .make = &makeGrid<8>,
            .family = kGrid,
-           .grade = N_("0.8 Å")},
+           .apart_A = 0.8},
     Method{.name = "penalty",
            .sentence = N_("the sum of each ball's push, without a proxy"),
            .make = &make<PenaltyTracker>,
            .family = kPenalty,
+           .summed = true,
            .follows_motion = true},
     Method{.name = "grid02-ready",
            .sentence = N_("the grid 0.2 A apart, made beforehand wherever the surface is"),
            .make = &makeGrid<2, true>,
            .family = kGrid,
-           .grade = N_("0.2 Å"),
            .variant = N_("Ready"),
+           .apart_A = 0.2,
            .most_balls = kMostPrepared,
            .offered = false},
     Method{.name = "grid04-ready",
            .sentence = N_("the grid 0.4 A apart, made beforehand wherever the surface is"),
            .make = &makeGrid<4, true>,
            .family = kGrid,
-           .grade = N_("0.4 Å"),
            .variant = N_("Ready"),
+           .apart_A = 0.4,
            .most_balls = kMostPrepared,
            .offered = false},
     Method{.name = "sasmesh05",
            .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.5 A apart"),
            .make = &makeSasMesh<50>,
            .family = kSurfaceMesh,
-           .grade = N_("0.5 Å"),
+           .apart_A = 0.5,
            .most_balls = kMostPrepared,
            .one_probe = true,
            .offered = false},
@@ -156,7 +159,7 @@ constexpr std::array kTable{
            .sentence = N_("a god-object on one manifold mesh of the surface, made beforehand on a grid 0.25 A apart"),
            .make = &makeSasMesh<25>,
            .family = kSurfaceMesh,
-           .grade = N_("0.25 Å"),
+           .apart_A = 0.25,
            .most_balls = kMostPrepared,
            .one_probe = true,
            .offered = false},
@@ -214,11 +217,16 @@ std::string_view motionSentence(const Method& method) {
                                : N_("It stays with the atoms as they stood: it cannot follow them while they move.");
 }
 
+std::string gradeText(const Method& method) {
+  if (method.apart_A > 0.0) return quantityText(method.apart_A, Dimension::Length, plain());
+  return method.grade.empty() ? std::string() : std::string(tr(method.grade));
+}
+
 std::string methodTitle(std::string_view name) {
   const Method* m = findBenchMethod(name);
   if (!m) return std::string(name);
   std::string title(tr(m->family.name));
-  if (!m->grade.empty()) title.append(" ").append(tr(m->grade));
+  if (const std::string grade = gradeText(*m); !grade.empty()) title.append(" ").append(grade);
   if (!m->variant.empty() && !m->plain_variant) title.append(", ").append(tr(m->variant));
   return title;
 }

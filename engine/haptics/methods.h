@@ -14,7 +14,7 @@ namespace moltact {
 
 class SphereMesh;
 
-/// Methods that differ only in how finely they work fraction one.
+/// The methods that differ only in how finely they work make one family.
 struct MethodFamily {
   std::string_view name;   ///< "Mesh"
   std::string_view plain;  ///< what it does, in a student's words
@@ -25,12 +25,15 @@ struct Method {
   std::string_view sentence;  ///< what it is, for the screen and `--help`
   std::unique_ptr<Tracker> (*make)(std::shared_ptr<const BallScene> scene, double probe_A);
   MethodFamily family{};
-  std::string_view grade = {};    ///< how finely: "960", "0.4 Å"; empty where a family is one method
+  std::string_view grade = {};    ///< how finely: "960"; empty where a family is one method, or where apart_A says it
   std::string_view variant = {};  ///< tells methods of the same grade apart: "Smooth"; may be empty
-  bool plain_variant = false;     ///< its title leaves the variant out: it is what its grade is without further words
+  bool plain_variant = false;     ///< its title leaves the variant out: "Mesh 960" means this one
   int triangles = 0;              ///< a ball's, for a method that feels triangles; else 0
+  double apart_A = 0.0;           ///< how far the places lie apart at which it has its surface; 0: it has no grid
   std::size_t most_balls = 0;     ///< it prepares the whole scene: the bench leaves it out of larger ones; 0: no limit
   bool one_probe = false;         ///< it feels only the probe that it was made for
+  bool shaded = false;            ///< its force leads another way than to the SCP (Contact::displacement_A)
+  bool summed = false;            ///< its force is the sum of every ball's push; it has no SCP on the surface
   bool follows_motion = false;    ///< it goes with spheres that move (Interaction::setMotion)
   bool offered = true;            ///< to people; else it stands for comparison in the bench only
   bool reference = false;         ///< the others are judged by it; exactly one is
@@ -61,6 +64,9 @@ std::shared_ptr<const SphereMesh> feltFacets(std::string_view method);
 
 /// What a person is told of a method while the spheres of the scene move (N_); empty where it goes with them.
 std::string_view motionSentence(const Method& method);
+
+/// How finely a method works, as a person is told: "960", "0.4 Å"; empty where its family is one method.
+std::string gradeText(const Method& method);
 
 /// What a person is told that it is called: "Mesh 960, Smooth"; the name itself where there is no such method.
 std::string methodTitle(std::string_view name);

@@ -48,7 +48,7 @@ class NearbyBalls {
   /// Balls, and cells and groups of balls, looked at since the counter was set back: what a tick has cost.
   std::uint64_t looked() const noexcept { return looked_; }
   void countFromZero() noexcept { looked_ = 0; }
-  /// A list goes on to serve: it reaches as much less far as the balls have grown.
+  /// The list stays in use: where the balls have grown by a little, the list is sure of as much less room round it.
   void setProbe(double probe_A) noexcept {
     const double grown = probe_A - probe_;
     probe_ = probe_A;

@@ -1,5 +1,5 @@
-// How spheres move from one snapshot (a frame of a trajectory) to the next: where each is at the beginning and at the end; between them it moves and grows
-// evenly. The grid is built over the balls in which the spheres stay during the whole motion, so that it serves every
+// How spheres move from one snapshot (a frame of a trajectory) to the next: where each is at the beginning and at the
+// end; between them it moves and grows evenly. The grid is built over the balls in which the spheres stay during the whole motion, so that it serves every
 // tick of it. Built at a person's pace (14 000 spheres: about 2 ms, build/release/tracker_benchmark
 // --benchmark_filter=frame); immutable afterwards, so every thread may read it. Units: angstrom.
 #pragma once

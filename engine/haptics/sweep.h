@@ -89,7 +89,7 @@ Hit sweepFrom(const BallScene& scene, double probe_A, const Vec3& origin, const 
 double wayToBox(const BallScene& scene, double probe_A, const Vec3& place) noexcept;
 
 /// A lower bound of the distance from `place` to the nearest inflated ball, exact when under one grid cell;
-/// negative or zero inside or on a ball. Frame and fraction as above.
+/// negative or zero inside or on a ball. Motion and fraction as of sweepFrom().
 double clearance(const BallScene& scene, double probe_A, const Vec3& place, const SphereMotion* motion = nullptr,
                  double fraction = 0.0) noexcept;
 

@@ -1,6 +1,7 @@
 // What a scene is felt with: one value, and one table of its properties. The keys and locks of a scene, what a task
 // changes in it, attempts, recordings, undo, the touch panel and the options of commands are all made from the table: a
-// property is added by a member here and a row in touch_setup.cpp. Plain data; any thread but the haptic one.
+// property is added by a member here and a row in touch_setup.cpp, and what it does by the code that uses it. Plain
+// data; any thread but the haptic one.
 #pragma once
 
 #include <map>
@@ -55,8 +56,13 @@ struct TouchProperty {
   std::string_view key;         ///< in a scene, of a lock, of an option: "probe"
   std::string_view field;       ///< in an attempt: "probe_A"
   std::string_view label = {};  ///< in a recording; empty where every tick of a recording holds it
-  bool in_old_files = false;    ///< every attempt and recording there is has it; else one without it has the default
-  bool made_with = true;        ///< the interaction is made with it, so that another value needs another interaction
+  /// Attempts and recordings of every version carry it. Else it came later: it is written where it differs from the
+  /// default, and a file without it means the default.
+  bool in_old_files = false;
+  /// The interaction is made with it, so that another value needs another interaction, which begins softly. False where
+  /// the servo loop itself follows it while it changes: ServoSettings::take and giveTo then hold it, and so does each
+  /// tick of a recording (which needs no label).
+  bool made_with = true;
   Dimension dimension = Dimension::None;     ///< of a number
   TouchRange in_scenes = {}, in_files = {};  ///< of a number: what an author may write; what an attempt or label holds
   std::vector<TouchWord> (*words)() = nullptr;  ///< of a text: what it may be

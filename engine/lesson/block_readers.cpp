@@ -111,12 +111,18 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     const Value& value = values[option.name];
     const bool counts = std::holds_alternative<int ReadOptions::*>(option.member);
     const std::string text = counts ? std::to_string(static_cast<int>(value.number)) : value.text;
-    if (takes(option.name)) readText(scene.molecule.reading, option, text == "none" ? "" : text);
+    if (takes(option.name)) readText(scene.molecule.reading, option, text);
     if (value.place.line > scene.places.reading.line) scene.places.reading = value.place;
   }
   for (const TouchProperty& property : touchProperties())
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
   if (takes("show")) scene.show = values["show"].words;
+  if (takes("style")) scene.styles = values["style"].styles;
+  if (takes("hide")) {
+    scene.hide = values["hide"].selection;
+    scene.places.hide = values["hide"].place;
+  }
+  if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   if (takes("panels")) {
     scene.panels = values["panels"].words;
@@ -205,6 +211,7 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
   AnswerSpec answer;
   answer.right = AuthorsText(values["right"]);
   answer.wrong = AuthorsText(values["wrong"]);
+  answer.model = values["model"].text;
   const int given = values.has("number") + values.has("text") + values.has("free");
   if (given != 1) {
     reading.error(block.place,
@@ -223,6 +230,9 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
                                         : trf("write the tolerance in {0}", answer.unit));
     else if (answer.tolerance < 0.0)
       reading.error(tolerance.place, tr("the tolerance is below zero"), tr("write it without the minus sign"));
+    else if (!values.has("tolerance") && answer.number != std::round(answer.number))
+      reading.warning(number.place, tr("a number with decimals and no tolerance is met by hardly anybody"),
+                      tr("add a line 'tolerance: …' in the same unit"));
   } else if (values.has("text")) {
     answer.kind = AnswerSpec::Kind::Text;
     answer.texts = values["text"].words;
@@ -232,6 +242,9 @@ AnswerSpec readAnswer(Reading& reading, const MarkdownBlock& block) {
   }
   if (values.has("tolerance") && !values.has("number"))
     reading.error(values["tolerance"].place, tr("'tolerance' goes with 'number'"), tr("take it out"));
+  if (values.has("model") && !values.has("free"))
+    reading.error(values["model"].place, tr("'model' goes with 'free'"),
+                  tr("take it out, or say it in 'right' and 'wrong'"));
   return answer;
 }
 

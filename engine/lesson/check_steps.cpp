@@ -54,6 +54,15 @@ void comparesLocked(const Step& step, Findings& findings) {
                      tr("take 'method' out of 'locked', or this task"));
 }
 
+/// What is predicted is told once it has been touched.
+void predictsWithoutTouch(const Step& step, Findings& findings) {
+  if (!step.tasks.empty()) return;
+  for (const Question& q : step.questions)
+    if (q.prediction)
+      findings.warning(q.place, tr("a prediction in a step without a touch task is told at once"),
+                       tr("add the touch that shows what is right, or write '### Question: …'"));
+}
+
 }  // namespace
 
 void steps(const Lesson& lesson, Findings& findings) {
@@ -64,6 +73,7 @@ void steps(const Lesson& lesson, Findings& findings) {
       findings.error(step.place, tr("no link leads to this aside, so no student can come to it"),
                      trf("link to it from another step: [{0}](#{1})", step.title, step.id));
     comparesLocked(step, findings);
+    predictsWithoutTouch(step, findings);
     if (!saysSomething(step))
       findings.error(step.place, tr("this step says nothing to the student"), tr("write a sentence below its heading"));
   }

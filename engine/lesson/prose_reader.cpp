@@ -200,6 +200,9 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
 }
 
 void checkQuestion(Reading& reading, const Question& question) {
+  if (question.prediction && question.free())
+    reading.error(question.place, tr("a prediction that is a free answer, which nothing is told about"),
+                  tr("write '### Question: …', or give it choices"));
   if (question.answer) {
     if (!question.choices.empty())
       reading.error(question.place, tr("this question has both choices and an answer block"),
@@ -213,6 +216,9 @@ void checkQuestion(Reading& reading, const Question& question) {
     reading.error(question.place, tr("this question has only one choice"), tr("add another line '- [ ] …'"));
   else if (question.rightChoices() == 0)
     reading.error(question.place, tr("this question has no right answer"), tr("mark the right choice with '[x]'"));
+  else if (question.rightChoices() == question.choices.size())
+    reading.warning(question.place, tr("every choice of this question is right"),
+                    tr("take the '[x]' from those that are not, or add one that is not"));
 }
 
 void checkLinks(Reading& reading, const Lesson& lesson) {

@@ -15,7 +15,7 @@ namespace {
 using Kind = MarkdownBlock::Kind;
 using reading::Reading;
 
-constexpr std::string_view kQuestion = "Question:";
+constexpr std::string_view kQuestion = "Question:", kPrediction = "Prediction:";
 constexpr std::string_view kAside = "Aside:";
 
 /// Walks the document from top to bottom and puts each block where it belongs.
@@ -61,6 +61,7 @@ class Walk {
             std::any_of(block.children.begin(), block.children.end(),
                         [](const MarkdownBlock& i) { return i.is_task; })) {
           step()->questions.back().choices = reading::readChoices(reading_, block);
+          step()->questions.back().in_order = block.ordered;
           return;
         }
         break;
@@ -79,8 +80,10 @@ class Walk {
 
   void heading(const MarkdownBlock& block) {
     const std::string title(stripped(plainText(block.text)));
-    if (title.starts_with(kQuestion) && block.level != 3)
-      reading_.error(block.place, tr("a question on the wrong level of heading"), tr("write it as '### Question: …'"));
+    const bool question = title.starts_with(kQuestion), prediction = title.starts_with(kPrediction);
+    if ((question || prediction) && block.level != 3)
+      reading_.error(block.place, tr("a question on the wrong level of heading"),
+                     question ? tr("write it as '### Question: …'") : tr("write it as '### Prediction: …'"));
     if (block.level == 1) {
       // Many editors want a first heading; the title in the front matter is the one that is shown.
       if (step())
@@ -90,7 +93,7 @@ class Walk {
     }
     endQuestion();
     if (block.level == 2) return startStep(block, title);
-    if (title.starts_with(kQuestion)) return startQuestion(block, title);
+    if (question || prediction) return startQuestion(block, title, prediction ? kPrediction : kQuestion);
     blocks().push_back(Subheading{block.text});
   }
 
@@ -121,7 +124,7 @@ class Walk {
     lesson_.steps.push_back(std::move(next));
   }
 
-  void startQuestion(const MarkdownBlock& block, const std::string& title) {
+  void startQuestion(const MarkdownBlock& block, const std::string& title, std::string_view opening) {
     if (!step()) {
       reading_.error(block.place, tr("a question before the first step"), tr("put it below a heading '## …'"));
       return;
@@ -129,7 +132,8 @@ class Walk {
     Question question;
     question.place = block.place;
     question.title = block.text;
-    std::size_t left = kQuestion.size();
+    question.prediction = opening == kPrediction;
+    std::size_t left = opening.size();
     for (TextRun& run : question.title) {
       const std::size_t now = std::min(left, run.text.size());
       run.text.erase(0, now);
@@ -138,8 +142,9 @@ class Walk {
     std::erase_if(question.title, [](const TextRun& r) { return r.text.empty(); });
     if (!question.title.empty() && question.title.front().text.starts_with(' '))
       question.title.front().text.erase(0, 1);
-    const std::string_view asked = stripped(std::string_view(title).substr(kQuestion.size()));
-    if (asked.empty()) reading_.error(block.place, tr("a question without words"), tr("write it after 'Question:'"));
+    const std::string_view asked = stripped(std::string_view(title).substr(opening.size()));
+    if (asked.empty())
+      reading_.error(block.place, tr("a question without words"), trf("write it after '{0}'", opening));
     question.id = slug(asked);
     if (const auto [twin, is_new] = question_lines_.emplace(question.id, block.place.line); !is_new && !asked.empty())
       reading_.error(block.place, tr("this question is asked twice in one step"),

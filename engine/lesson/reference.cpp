@@ -76,6 +76,10 @@ std::string valueOf(const KeySpec& key) {
              "[selections](#selections) with `then` between them";
     case ValueType::View:
       return codeList(key.words) + ", or `facing` and a [selection](#selections)";
+    case ValueType::Styles:
+      return someOf(key.words) +
+             ", each with its opacity (`surface 40%`) and, behind `for`, a [selection](#selections) if it is not for "
+             "all";
   }
   return {};
 }
@@ -132,6 +136,7 @@ void selections(std::ostream& out) {
          "the language in small letters.\n\n| words | atoms |\n| --- | --- |\n";
   for (const SelectionWord& w : selectionWords()) out << "| `" << w.word << "` | " << cell(w.meaning) << " |\n";
   out << R"(| `within` | atoms near others, those included: `within 5 Å of (ligand HEM)` |
+| `bonded` | atoms with a bond to a selected atom: `bonded to (element Fe)` |
 | `not` | all others: `not water` |
 | `and` | atoms that are both: `chain A and name CA` |
 | `or` | atoms that are either: `resname ASP or resname GLU` |
@@ -155,7 +160,15 @@ std::string lessonReference() {
   tasks(out);
   out << "## Answers\n\nA fenced block `answer` below `### Question: …` asks for a number or for words, where a list "
          "of choices would give the answer away. It "
-         "has one of `number`, `text` and `free`.\n\n";
+         "has one of `number`, `text` and `free`. A student who writes what is no number is asked again, which does "
+         "not "
+         "count as a try; the unit stands beside the field.\n\nThe choices of a question stand in another order for "
+         "each attempt; those of "
+         "a numbered list (`1. [ ] …`) stay as they are written. `### Prediction: …` asks before the touch: what is "
+         "chosen can be "
+         "changed until the tasks of the step are done, only then is it told what is right, and a report does not "
+         "score "
+         "it.\n\n";
   table(out, keysOf(KeyBlock::Answer));
   units(out);
   selections(out);

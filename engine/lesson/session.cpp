@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <utility>
 
+#include "engine/core/content_hash.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/tasks/registry.h"
@@ -18,14 +21,28 @@ std::string folded(std::string_view text) {
   return out;
 }
 
-bool numberIsRight(const AnswerSpec& answer, const std::string& text) {
+// What was written, in the answer's unit.
+std::optional<double> numberIn(const AnswerSpec& answer, const std::string& text) {
   auto number = parseNumber(text);
   if (!number)
     for (const Dimension d : {Dimension::Length, Dimension::Force, Dimension::Time, Dimension::Stiffness})
       if (answer.unit == codeUnit(d)) number = parseQuantity(text, d);
+  if (!number) return std::nullopt;
+  return *number;
+}
+
+bool isRight(const AnswerSpec& answer, double number) {
   // A tolerance of 0 still forgives the last bit of a decimal fraction.
   const double slack = answer.tolerance + 1e-9 * std::max(1.0, std::abs(answer.number));
-  return number && std::abs(*number - answer.number) <= slack;
+  return std::abs(number - answer.number) <= slack;
+}
+
+// The next of a row of numbers that looks random (SplitMix64; Steele, Lea & Flood 2014).
+std::uint64_t nextRandom(std::uint64_t& state) {
+  std::uint64_t z = state += 0x9E3779B97F4A7C15u;
+  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
+  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
+  return z ^ z >> 31;
 }
 
 bool sameShape(const Step& a, const Step& b) {
@@ -33,7 +50,8 @@ bool sameShape(const Step& a, const Step& b) {
   for (std::size_t i = 0; i < a.tasks.size(); ++i)
     if (a.tasks[i].kind != b.tasks[i].kind) return false;
   for (std::size_t i = 0; i < a.questions.size(); ++i)
-    if (a.questions[i].id != b.questions[i].id || a.questions[i].choices.size() != b.questions[i].choices.size())
+    if (a.questions[i].id != b.questions[i].id || a.questions[i].choices.size() != b.questions[i].choices.size() ||
+        a.questions[i].prediction != b.questions[i].prediction)
       return false;
   return true;
 }
@@ -168,14 +186,37 @@ void LessonSession::restartTask(std::size_t index) {
   if (tasks_[index]) tasks_[index]->reset();
 }
 
+std::vector<std::size_t> LessonSession::choiceOrder(std::size_t question) const {
+  const Question& asked = step().questions[question];
+  std::vector<std::size_t> out(asked.choices.size());
+  std::iota(out.begin(), out.end(), std::size_t{0});
+  if (order_seed_ == 0 || asked.in_order) return out;
+  std::uint64_t state = order_seed_ ^ hash64(step().id + '/' + asked.id);
+  // Fisher & Yates.
+  for (std::size_t k = out.size(); k > 1; --k) std::swap(out[k - 1], out[nextRandom(state) % k]);
+  return out;
+}
+
+bool LessonSession::told(std::size_t question) const {
+  if (this->question(question).attempts == 0) return false;
+  const std::vector<char>& done = state().tasks_done;
+  return !step().questions[question].prediction || std::all_of(done.begin(), done.end(), [](char d) { return d != 0; });
+}
+
+bool LessonSession::takesAnswer(std::size_t question) const {
+  return step().questions[question].prediction ? !told(question) : !this->question(question).answered_right;
+}
+
 void LessonSession::record(std::size_t question, bool right) {
   QuestionStatus& status = state().questions[question];
   ++status.attempts;
   status.last_right = right;
-  status.answered_right = status.answered_right || right;
+  status.answered_right = status.answered_right || right || step().questions[question].prediction;
+  status.again.clear();
 }
 
 bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choices) {
+  if (step().questions[question].prediction && !takesAnswer(question)) return false;
   const std::vector<Choice>& there = step().questions[question].choices;
   std::sort(choices.begin(), choices.end());
   choices.erase(std::unique(choices.begin(), choices.end()), choices.end());
@@ -191,8 +232,19 @@ bool LessonSession::choose(std::size_t question, std::vector<std::size_t> choice
 bool LessonSession::write(std::size_t question, std::string text) {
   const auto& answer = step().questions[question].answer;
   if (!answer || stripped(text).empty()) return false;
+  if (step().questions[question].prediction && !takesAnswer(question)) return false;
   bool right = true;
-  if (answer->kind == AnswerSpec::Kind::Number) right = numberIsRight(*answer, text);
+  if (answer->kind == AnswerSpec::Kind::Number) {
+    const auto number = numberIn(*answer, text);
+    if (!number) {
+      state().questions[question].again =
+          answer->unit.empty()
+              ? trf("'{0}' is no number. Write one, for example 12 or 0.5.", text)
+              : trf("'{0}' is no number in {1}. Write one, for example 12 or 0.5.", text, answer->unit);
+      return false;
+    }
+    right = isRight(*answer, *number);
+  }
   if (answer->kind == AnswerSpec::Kind::Text)
     right = std::any_of(answer->texts.begin(), answer->texts.end(),
                         [&](const std::string& t) { return folded(t) == folded(text); });
@@ -205,10 +257,13 @@ std::vector<RichText> LessonSession::feedback(std::size_t question) const {
   std::vector<RichText> out;
   const QuestionStatus& status = state().questions[question];
   const Question& asked = step().questions[question];
-  if (status.attempts == 0) return out;
+  if (!told(question)) return out;
+  if (asked.free()) {
+    if (!asked.answer->model.empty()) out.push_back({TextRun{.text = asked.answer->model}});
+    return out;
+  }
   if (asked.answer) {
-    if (asked.answer->kind != AnswerSpec::Kind::Free || status.last_right)
-      out.push_back({TextRun{.text = status.last_right ? asked.answer->right.text() : asked.answer->wrong.text()}});
+    out.push_back({TextRun{.text = status.last_right ? asked.answer->right.text() : asked.answer->wrong.text()}});
     return out;
   }
   for (const std::size_t i : status.chosen)
@@ -255,6 +310,7 @@ void LessonSession::restore(const SessionMemory& memory) {
       for (std::size_t q = 0; q < questions.size(); ++q) {
         if (questions[q].id != id) continue;
         s.questions[q] = status;
+        if (questions[q].prediction || questions[q].free()) s.questions[q].answered_right = status.attempts > 0;
         std::erase_if(s.questions[q].chosen, [&](std::size_t c) { return c >= questions[q].choices.size(); });
       }
   }

@@ -1,6 +1,7 @@
 // A student's way through a lesson: the step, the tasks done, the questions answered. Used on the screen's thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -25,11 +26,12 @@ struct TaskStatus {
 
 /// How a question stands.
 struct QuestionStatus {
-  bool answered_right = false;  ///< stays once it is so; a free answer counts as right
+  bool answered_right = false;  ///< stays once it is so; a free answer and a prediction count as right
   int attempts = 0;
   std::vector<std::size_t> chosen;  ///< the choices of the last attempt, ascending
   std::string written;              ///< the text of the last attempt
   bool last_right = false;          ///< of the last attempt
+  std::string again;                ///< why what was written since is no attempt, and what would be one; else empty
 };
 
 /// The work done in a lesson, by the ids of its steps and questions: a session is resumed from it.
@@ -99,13 +101,26 @@ class LessonSession {
   /// Begins a task of the current step again, done or not.
   void restartTask(std::size_t index);
 
+  /// The order in which the choices of a question of the current step stand: as they are written, or another for each
+  /// seed but 0, the same for the same one.
+  std::vector<std::size_t> choiceOrder(std::size_t question) const;
+  void setOrderSeed(std::uint64_t seed) { order_seed_ = seed; }
+
+  /// Whether a question of the current step takes an answer: until one was right, a prediction until it is told.
+  bool takesAnswer(std::size_t question) const;
+  /// Whether it may be said if the last attempt was right: there is one, and for a prediction all tasks of the step are
+  /// done.
+  bool told(std::size_t question) const;
+
   /// Answers a question of the current step with choices. Gives whether it is right: exactly the right ones. An index
-  /// out of range makes the answer wrong.
+  /// out of range makes the answer wrong. False, without an attempt, where it takes none.
   bool choose(std::size_t question, std::vector<std::size_t> choices);
   /// Answers a question that has an answer block. Numbers may have their unit or leave it out; words are compared
-  /// without capitals and outer spaces. An empty text is no attempt and gives false.
+  /// without capitals and outer spaces. A text that is empty, or no number where one is asked for, is no attempt and
+  /// gives false; QuestionStatus::again says why.
   bool write(std::size_t question, std::string text);
-  /// The feedback to the last attempt at a question: the feedback of each chosen choice, or of the answer block.
+  /// The feedback to the last attempt at a question: the feedback of each chosen choice, or of the answer block; to a
+  /// free answer the author's own. Empty where nothing is told yet.
   std::vector<RichText> feedback(std::size_t question) const;
 
   /// The same of any step, whether it is shown or not.
@@ -154,6 +169,7 @@ class LessonSession {
   std::vector<std::shared_ptr<Task>> tasks_;  // of the current step; null while there is no molecule
   std::size_t step_ = 0, scene_number_ = 0;
   std::size_t main_step_ = 0;  // the last one that is no aside
+  std::uint64_t order_seed_ = 0;
 };
 
 }  // namespace moltact

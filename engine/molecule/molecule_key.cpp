@@ -44,7 +44,9 @@ std::string textOf(const ReadOptions& reading, const ReadingOption& option) {
 }
 
 bool readText(ReadOptions& reading, const ReadingOption& option, std::string_view text) {
-  if (const auto* member = std::get_if<int ReadOptions::*>(&option.member)) {
+  if (text == option.fallback) {
+    std::visit([&](const auto member) { reading.*member = ReadOptions().*member; }, option.member);
+  } else if (const auto* member = std::get_if<int ReadOptions::*>(&option.member)) {
     int number = 0;
     const char* const end = text.data() + text.size();
     const auto read = std::from_chars(text.data(), end, number);
@@ -77,12 +79,11 @@ std::map<std::string, std::string> moleculeLabels(const NamedMolecule& molecule)
 }
 
 NamedMolecule labelledMolecule(const std::map<std::string, std::string>& labels) {
-  const auto label = [&](std::string_view key) {
-    const auto found = labels.find(std::string(key));
-    return found == labels.end() ? std::string() : found->second;
-  };
-  NamedMolecule out(label("molecule"));
-  for (const ReadingOption& option : kOptions) readText(out.reading, option, label(option.name));
+  NamedMolecule out;
+  if (const auto name = labels.find("molecule"); name != labels.end()) out.name = name->second;
+  for (const ReadingOption& option : kOptions)
+    if (const auto label = labels.find(std::string(option.name)); label != labels.end())
+      readText(out.reading, option, label->second);
   return out;
 }
 

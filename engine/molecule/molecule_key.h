@@ -30,7 +30,7 @@ struct ReadingOption {
   std::string_view name;  ///< in labels, attempts, scenes and options of commands: "model"
   std::variant<int ReadOptions::*, bool ReadOptions::*, std::string ReadOptions::*> member;
   const char* told;              ///< how a person is told a value other than the default (N_): "model {0}"
-  std::string_view fallback;     ///< the default as an author writes it
+  std::string_view fallback;     ///< the default as an author writes it: "1", "no", "none"
   std::string_view meaning;      ///< one sentence for authors
   std::string_view option_help;  ///< of the commands' option
 };
@@ -43,7 +43,8 @@ std::span<const ReadingOption> readingOptions();
 
 /// As text: "3"; "yes" or "no"; a text as it is.
 std::string textOf(const ReadOptions& reading, const ReadingOption& option);
-/// The same back; false, and nothing changed, where the text is not sound.
+/// The same back, and the default from the option's `fallback`; false, and nothing changed, where the text is not
+/// sound.
 bool readText(ReadOptions& reading, const ReadingOption& option, std::string_view text);
 bool isDefault(const ReadOptions& reading, const ReadingOption& option);
 

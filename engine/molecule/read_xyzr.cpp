@@ -32,9 +32,7 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
   const std::string& file = text.file();
   constexpr const char* kColumn[4] = {"x", "y", "z", "r"};
   if (options.model != 1) return noSuchModel(file, options.model, 1);
-  if (!options.assembly.empty())
-    return Problem{file, 0, 0, tr("an .xyzr file describes no biological assembly"),
-                   tr("read it without one, or take the PDB or mmCIF file")};
+  if (!options.assembly.empty()) return noAssembly(file);
   Molecule out;
   out.atoms.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesABall));
   std::size_t first_extra = 0;
@@ -64,7 +62,7 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
                        tr("correct or remove the line")};
       if (count == 3 && value[3] < 0)
         return Problem{file, line_number, column, trf("the radius is negative: {0}", inQuotes(word)),
-                       tr("give a radius of 0 A or more")};
+                       tr("give a radius of 0 or more")};
       ++count;
     }
     if (count > 0 && count < 4)

@@ -2,7 +2,8 @@
 // Units: angstrom. A file that cannot be read gives a Problem with the file, the line where it is known, and a remedy;
 // nothing throws or hangs.
 //
-// Rules, the same for every format:
+// Rules, the same for every format that names its atoms (PDB, mmCIF); a .xyzr file is balls, each with a radius of its
+// own, and is taken as it stands:
 // * Atoms keep the order of the file; hydrogens are kept as present.
 // * Alternate locations: of the atoms of one residue with the same name the one with the highest occupancy is kept,
 //   the first on a tie. Where the alternatives are different residues (a point mutation), the residue with the
@@ -38,14 +39,14 @@ inline constexpr double kMaxCoordinate_A = 1e9;
 
 /// The endings of the names that are read, in lower case and without .gz: ".pdb", ".cif" and so on.
 std::vector<std::string_view> moleculeEndings();
-/// The same for a sentence: ".pdb .ent .cif .mmcif .xyzr".
+/// The same for a sentence: ".cif .pdb .ent".
 std::string moleculeEndingsText();
 
 /// Whether a reader may know the file, by its name: one of these endings, with or without .gz, in whatever case.
 bool hasMoleculeName(const std::filesystem::path& file);
 
-/// The molecule in the file. The format follows from the name (.pdb .ent .cif .mmcif .xyzr, each also with
-/// .gz) and, where the name does not tell, from the content.
+/// The molecule in the file. The format follows from the name (moleculeEndings(), each also with .gz) and, where the name
+/// does not tell, from the content.
 Expected<Molecule> readMolecule(const std::filesystem::path& file, const ReadOptions& options = {});
 inline Expected<Molecule> readMolecule(const MoleculeKey& key) { return readMolecule(key.file, key.reading); }
 

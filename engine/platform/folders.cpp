@@ -1,6 +1,8 @@
 #include "engine/platform/folders.h"
 
 #include <cstdlib>
+#include <sstream>
+#include <string>
 
 namespace moltact {
 namespace fs = std::filesystem;
@@ -31,10 +33,26 @@ fs::path homeFolder() {
   // Only the program's own data: a relative one is that of the folder in which it was started.
   if (const char* set = std::getenv("MOLTACT_HOME"); set && *set) return fs::absolute(set, ignored);
   const fs::path beside = executablesFolder();
-  if (!beside.empty())
-    for (const fs::path& folder : {beside, beside.parent_path() / "share" / "moltact"})
-      if (holdsMolecules(folder)) return folder;
+  const fs::path installed = beside.empty() ? beside : (beside / MOLTACT_DATA_FROM_PROGRAM).lexically_normal();
+  for (const fs::path& folder : {beside, installed})
+    if (!folder.empty() && holdsMolecules(folder)) return folder;
+#ifdef MOLTACT_SOURCE_FOLDER
   return MOLTACT_SOURCE_FOLDER;
+#else
+  return installed;
+#endif
+}
+
+std::vector<fs::path> sharedDataFolders() {
+  std::vector<fs::path> out;
+  const char* set = std::getenv("XDG_DATA_DIRS");
+  std::istringstream listed(set && *set ? set : "/usr/local/share:/usr/share");
+  for (std::string name; std::getline(listed, name, ':');) {
+    const fs::path folder = (fs::path(name) / "moltact").lexically_normal();
+    std::error_code error;
+    if (folder.is_absolute() && !fs::equivalent(folder, homeFolder(), error)) out.push_back(folder);
+  }
+  return out;
 }
 
 fs::path moleculesFolder() { return homeFolder() / "molecules"; }
@@ -45,7 +63,22 @@ fs::path translationsFolder() {
   std::error_code error;
   for (const fs::path& folder : {homeFolder(), executablesFolder()})
     if (!folder.empty() && fs::is_directory(folder / "translations", error)) return folder / "translations";
+#ifdef MOLTACT_BUILD_FOLDER
   return fs::path(MOLTACT_BUILD_FOLDER) / "translations";
+#else
+  return homeFolder() / "translations";
+#endif
+}
+
+fs::path browserEdition() {
+  std::error_code error;
+#ifdef MOLTACT_BUILD_FOLDER
+  for (const fs::path& folder : {homeFolder(), fs::path(MOLTACT_BUILD_FOLDER).parent_path() / "web"})
+#else
+  for (const fs::path& folder : {homeFolder()})
+#endif
+    if (fs::is_regular_file(folder / "moltact.html", error)) return folder / "moltact.html";
+  return {};
 }
 
 fs::path userDataFolder() {

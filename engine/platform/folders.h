@@ -2,12 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 namespace moltact {
 
 /// The folder that holds `molecules`, `lessons` and `assets`: $MOLTACT_HOME where set; else the folder of the
-/// executable, its parent's share/moltact, or that of the source tree, the first that has
-/// molecules/catalogue.json.
+/// executable, share/moltact of the prefix that the executable is installed in, or that of the source tree (not in a
+/// package), the first that has molecules/catalogue.json.
 std::filesystem::path homeFolder();
 
 std::filesystem::path moleculesFolder();  ///< homeFolder()/molecules
@@ -15,8 +16,17 @@ std::filesystem::path lessonsFolder();    ///< homeFolder()/lessons
 std::filesystem::path assetsFolder();     ///< homeFolder()/assets
 
 /// The folder that holds the catalogues of translations, de.mo and others: homeFolder()/translations, else
-/// `translations` beside the executable, else that of the build.
+/// `translations` beside the executable, else that of the build (not in a package).
 std::filesystem::path translationsFolder();
+
+/// The browser edition, moltact.html: homeFolder()'s, else that of the preset `web` beside the program's own build. Empty
+/// where it is in neither.
+std::filesystem::path browserEdition();
+
+/// Where an administrator puts what everyone on this computer is to have: `moltact` in each folder of $XDG_DATA_DIRS
+/// (/usr/local/share and /usr/share where that is not set), the most important first. The program's own is not among
+/// them; they may not exist.
+std::vector<std::filesystem::path> sharedDataFolders();
 
 /// The folder that an environment variable names. Empty where it is not set or names none from the root: the XDG base
 /// directory specification says that a relative path is to be ignored, and a relative home would be another one in

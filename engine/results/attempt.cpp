@@ -33,7 +33,10 @@ LessonOutline outlineOf(const Lesson& lesson, std::string hash) {
     StepOutline& s = out.steps.emplace_back(StepOutline{step.id, step.title, {}, {}});
     for (const TaskSpec& task : step.tasks) s.tasks.push_back({task.kind, task.values["say"].text});
     for (const Question& question : step.questions) {
-      QuestionOutline& q = s.questions.emplace_back(QuestionOutline{question.id, plainText(question.title), {}, {}});
+      QuestionOutline& q =
+          s.questions.emplace_back(QuestionOutline{question.id, plainText(question.title), {}, {}, AnswerKind::Marked});
+      if (question.prediction) q.kind = AnswerKind::Prediction;
+      if (question.free()) q.kind = AnswerKind::Free;
       for (std::size_t i = 0; i < question.choices.size(); ++i) {
         q.choices.push_back(plainText(question.choices[i].text));
         if (question.choices[i].right) q.right.push_back(i);
@@ -42,6 +45,8 @@ LessonOutline outlineOf(const Lesson& lesson, std::string hash) {
   }
   return out;
 }
+
+std::uint64_t orderSeed(const AttemptHeader& header) { return hash64(header.began + '\n' + header.student) | 1u; }
 
 std::string utcText(std::chrono::system_clock::time_point when) {
   using namespace std::chrono;

@@ -28,10 +28,15 @@ std::string_view nameOf(InputWay way);
 /// The same in the language in use.
 std::string shownName(InputWay way);
 
+/// How answers to a question are taken: as right or wrong, as what was expected before the touch, or as they are. Only
+/// the first kind is scored.
+enum class AnswerKind : std::uint8_t { Marked, Prediction, Free };
+
 struct QuestionOutline {
   std::string id, text;              ///< plain text
   std::vector<std::string> choices;  ///< plain text; empty where an answer is written
   std::vector<std::size_t> right;    ///< indices of the right choices
+  AnswerKind kind = AnswerKind::Marked;
 };
 
 struct TaskOutline {
@@ -72,6 +77,10 @@ struct AttemptHeader {
   bool gives_force = false;
   LessonOutline lesson;
 };
+
+/// What the order of a question's choices follows from (LessonSession::setOrderSeed): another for each student and each
+/// attempt, the same where an attempt goes on. Never 0.
+std::uint64_t orderSeed(const AttemptHeader& header);
 
 /// A number that a task was done with, "peak force 1.32 N".
 struct LoggedFigure {

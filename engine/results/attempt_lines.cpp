@@ -24,6 +24,8 @@ void append(Json& list, const Vec3& v) {
 
 std::string closed(const Json& json) { return json.dump(-1, ' ', false, Json::error_handler_t::replace) + '\n'; }
 
+constexpr std::array<std::string_view, 3> kAnswerKinds{"marked", "prediction", "free"};
+
 Json written(const LessonOutline& lesson) {
   Json steps = Json::array();
   for (const StepOutline& s : lesson.steps) {
@@ -33,6 +35,7 @@ Json written(const LessonOutline& lesson) {
       Json question{{"id", q.id}, {"text", q.text}};
       if (!q.choices.empty()) question["choices"] = q.choices;
       if (!q.right.empty()) question["right"] = q.right;
+      if (q.kind != AnswerKind::Marked) question["kind"] = kAnswerKinds[std::size_t(q.kind)];
       step["questions"].push_back(std::move(question));
     }
     steps.push_back(std::move(step));
@@ -211,10 +214,15 @@ LessonOutline outline(const Json& from) {
     for (const Json& task : listOrNone(step, "tasks"))
       s.tasks.push_back({text(object(task, "tasks"), "kind", true), text(task, "say", false)});
     for (const Json& question : listOrNone(step, "questions")) {
-      QuestionOutline& q = s.questions.emplace_back(
-          QuestionOutline{text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}});
+      QuestionOutline& q = s.questions.emplace_back(QuestionOutline{
+          text(object(question, "questions"), "id", true), text(question, "text", false), {}, {}, AnswerKind::Marked});
       for (const Json& choice : listOrNone(question, "choices")) q.choices.push_back(text(choice, "choices"));
       for (const Json& right : listOrNone(question, "right")) q.right.push_back(count(right, "right"));
+      if (const std::string kind = text(question, "kind", false); !kind.empty()) {
+        const auto known = std::find(kAnswerKinds.begin(), kAnswerKinds.end(), kind);
+        if (known == kAnswerKinds.end()) throw LineError{trf("'{0}' is no kind of question", kind)};
+        q.kind = AnswerKind(known - kAnswerKinds.begin());
+      }
     }
   }
   return out;

@@ -146,7 +146,8 @@ void head(std::string& out, const ClassSummary& summary) {
 void person(std::string& out, const ClassSummary& summary, const LessonSummary& of, const PersonScore& p) {
   Row row(out);
   std::size_t questions = 0;
-  for (const StepOutline& s : of.lesson.steps) questions += s.questions.size();
+  for (const StepOutline& s : of.lesson.steps)
+    for (const QuestionOutline& q : s.questions) questions += q.kind == AnswerKind::Marked;
   row.text(p.person);
   row.text(of.lesson.title);
   row.text(of.lesson.file);
@@ -159,7 +160,7 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
   row.text(p.last_step);
   row.value(p.time_s / 60.0, 2);
   row.whole(questions);
-  row.whole(p.answers.size());
+  row.whole(p.answered());
   row.whole(p.firstRight());
   row.whole(p.hints);
   row.whole(p.touches);

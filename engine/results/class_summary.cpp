@@ -36,6 +36,7 @@ class Counting {
     ++p_.attempts;
     p_.device = attempt.header.device;
     p_.gives_force = attempt.header.gives_force;
+    learnKinds(attempt.header.lesson);
     for (const AttemptEvent& event : attempt.events) {
       t_s_ = event.t_s;
       std::visit(*this, event.what);
@@ -56,7 +57,9 @@ class Counting {
   void operator()(const SessionClosed&) { leaveStep(); }
   void operator()(const Answered& e) {
     AnswerScore& a = p_.answers[{e.step, e.question}];
-    if (a.tries == 0) {
+    const auto kind = kinds_.find({e.step, e.question});
+    if (kind != kinds_.end()) a.kind = kind->second;
+    if (a.tries == 0 || a.kind != AnswerKind::Marked) {
       a.chosen = e.chosen;
       a.written = e.written;
       a.first_right = e.right;
@@ -65,6 +68,7 @@ class Counting {
     if (!a.right) ++a.tries;
     a.right = a.right || e.right;
   }
+  void operator()(const LessonReread& e) { learnKinds(e.lesson); }
   void operator()(const HintOpened&) { ++p_.hints; }
   void operator()(const TaskBegun& e) { p_.tasks[{e.step, e.task}].begun = true; }
   void operator()(const TaskDone& e) {
@@ -103,6 +107,10 @@ class Counting {
   void operator()(const auto&) {}
 
  private:
+  void learnKinds(const LessonOutline& lesson) {
+    for (const StepOutline& s : lesson.steps)
+      for (const QuestionOutline& q : s.questions) kinds_[{s.id, q.id}] = q.kind;
+  }
   template <class TouchTold>
   void count(const TouchTold& e, double until_s) {
     const double lasted_s = std::max(0.0, until_s - e.from_s);
@@ -125,7 +133,8 @@ class Counting {
   }
 
   PersonScore& p_;
-  std::string step_, at_;  // the step whose time runs, and the one met last
+  std::map<std::pair<std::string, std::string>, AnswerKind> kinds_;  // by step and question id
+  std::string step_, at_;                                            // the step whose time runs, and the one met last
   double t_s_ = 0.0, entered_s_ = 0.0;
   std::optional<TouchSoFar> open_;  // the touch whose end has not been met, and when it was told last
   double open_at_s_ = 0.0;
@@ -139,8 +148,15 @@ std::size_t distinctHashes(const std::vector<const Attempt*>& attempts) {
 
 }  // namespace
 
+std::size_t PersonScore::answered() const {
+  return std::size_t(
+      std::count_if(answers.begin(), answers.end(), [](const auto& a) { return a.second.kind == AnswerKind::Marked; }));
+}
+
 std::size_t PersonScore::firstRight() const {
-  return std::size_t(std::count_if(answers.begin(), answers.end(), [](const auto& a) { return a.second.first_right; }));
+  return std::size_t(std::count_if(answers.begin(), answers.end(), [](const auto& a) {
+    return a.second.kind == AnswerKind::Marked && a.second.first_right;
+  }));
 }
 
 std::optional<InputWay> PersonScore::way() const {

@@ -19,8 +19,9 @@ namespace moltact {
 inline constexpr std::size_t kWays = 3;  ///< InputWay's values
 using WayShares = std::array<double, kWays>;
 
-/// The first answer that a person gave to a question, and how it went on.
+/// The first answer that a person gave to a question, and how it went on; of a prediction and a free answer the last.
 struct AnswerScore {
+  AnswerKind kind = AnswerKind::Marked;
   std::vector<std::size_t> chosen;  ///< of the first answer
   std::string written;
   bool first_right = false, right = false;
@@ -57,6 +58,8 @@ struct PersonScore {
 
   double share() const { return of ? double(done) / double(of) : 0.0; }
   bool finished() const { return of > 0 && done >= of; }
+  /// Of the questions that are marked, those answered, and those that the first answer was right to.
+  std::size_t answered() const;
   std::size_t firstRight() const;
   /// The way that most of the touching was done with; of the answers where there was no touch; no value without either.
   std::optional<InputWay> way() const;

@@ -89,7 +89,7 @@ void tiles(std::string& out, const LessonSummary& lesson) {
   for (const PersonScore& p : lesson.people) {
     all.push_back(&p);
     finished += p.finished();
-    answers += p.answers.size();
+    answers += p.answered();
     right += p.firstRight();
   }
   const std::size_t n = lesson.people.size();
@@ -121,8 +121,7 @@ void byWay(std::string& out, const LessonSummary& lesson) {
     const auto& group = groups[w];
     if (group.empty()) continue;
     std::size_t finished = 0, answers = 0, right = 0;
-    for (const PersonScore* p : group)
-      finished += p->finished(), answers += p->answers.size(), right += p->firstRight();
+    for (const PersonScore* p : group) finished += p->finished(), answers += p->answered(), right += p->firstRight();
     const auto median = [&](auto value) { return quantile(sorted(group, value), 0.5); };
     out += "<tr><td class=\"name\">" + shownName(InputWay(w)) + "</td><td>" + std::to_string(group.size()) +
            "</td><td>" + std::to_string(finished) + "</td><td>" +
@@ -161,7 +160,7 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
         "</span></div></td><td class=\"left\">" +
         (p.finished() ? std::string("<span class=\"tick\">✓</span> ") + tr("finished") : escaped(p.last_step)) +
         "</td><td>" + duration(p.time_s) + "</td><td>" +
-        (p.answers.empty() ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answers.size())) +
+        (p.answered() == 0 ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answered())) +
         "</td><td>" + std::to_string(p.hints) + "</td><td>" + quantityNumber(p.touch_s, Dimension::Time, decimals(0)) +
         "</td><td>" + quantityNumber(p.peak_N, Dimension::Force, decimals(2)) + "</td><td>" +
         quantityNumber(p.mean_N, Dimension::Force, decimals(2)) + "</td><td>" +
@@ -171,8 +170,26 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
   out += "</tbody></table></div>";
 }
 
-// What was answered first to one question.
+// What each wrote; nobody marks it but the teacher.
+void freeAnswers(std::string& out, const LessonSummary& lesson, const StepOutline& step, const QuestionOutline& q) {
+  std::string rows;
+  std::size_t answered = 0;
+  for (const PersonScore& p : lesson.people) {
+    const auto given = p.answers.find({step.id, q.id});
+    if (given == p.answers.end()) continue;
+    ++answered;
+    rows += "<dt>" + escaped(p.person) + "</dt><dd>" + escaped(given->second.written) + "</dd>";
+  }
+  out += "<div class=\"card\"><div class=\"head\"><b>" + escaped(q.text) + "</b><span>" +
+         (answered ? tr("for you to read") : tr("not answered yet")) + "</span></div><div class=\"quiet small\">" +
+         trf("{0}. Answered by {1} of {2}.", escaped(step.title), answered, lesson.people.size()) + "</div>" +
+         (rows.empty() ? "" : "<dl class=\"texts\">" + rows + "</dl>") + "</div>";
+}
+
+// What was answered first to one question; of a prediction what it was at last.
 void question(std::string& out, const LessonSummary& lesson, const StepOutline& step, const QuestionOutline& q) {
+  if (q.kind == AnswerKind::Free) return freeAnswers(out, lesson, step, q);
+  const bool marked = q.kind == AnswerKind::Marked;
   std::vector<std::size_t> first(q.choices.size());
   std::map<std::string, std::pair<std::size_t, bool>> written;  // how often, and whether right
   std::size_t answered = 0, right = 0, first_right = 0;
@@ -191,16 +208,19 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
     if (!a.written.empty()) ++written[a.written].first, written[a.written].second = a.first_right;
   }
   out += "<div class=\"card\"><div class=\"head\"><b>" + escaped(q.text) + "</b><span>" +
-         (answered ? trf("{0} right at first try", percent(double(first_right) / double(answered)))
-                   : tr("not answered yet")) +
+         (!answered ? tr("not answered yet")
+          : marked  ? trf("{0} right at first try", percent(double(first_right) / double(answered)))
+                    : trf("{0} expected what is so; not scored", percent(double(first_right) / double(answered)))) +
          "</span></div><div class=\"quiet small\">" +
-         trf("{0}. Answered by {1} of {2}; right in the end: {3}.", escaped(step.title), answered, lesson.people.size(),
-             right);
+         (marked ? trf("{0}. Answered by {1} of {2}; right in the end: {3}.", escaped(step.title), answered,
+                       lesson.people.size(), right)
+                 : trf("{0}. Predicted by {1} of {2}, before the touch.", escaped(step.title), answered,
+                       lesson.people.size()));
   std::string by;
   for (std::size_t w = 0; w < kWays; ++w)
     if (ways[w].second)
       by += (by.empty() ? "" : ", ") + trf("{0} {1} of {2}", shownName(InputWay(w)), ways[w].first, ways[w].second);
-  if (!by.empty()) out += " " + trf("Right at first try by input: {0}.", by);
+  if (marked && !by.empty()) out += " " + trf("Right at first try by input: {0}.", by);
   out += "</div><div class=\"question\">";
   const auto row = [&](bool is_right, const std::string& text, std::size_t n) {
     const double share = answered ? double(n) / double(answered) : 0.0;
@@ -245,6 +265,8 @@ void questions(std::string& out, const LessonSummary& lesson) {
         const auto a = p.answers.find({s.id, q.id});
         if (a == p.answers.end())
           out += "<td class=\"none\">·</td>";
+        else if (q.kind != AnswerKind::Marked)
+          out += "<td>✎</td>";
         else if (a->second.first_right)
           out += "<td class=\"ok\">✓</td>";
         else if (a->second.right)
@@ -255,10 +277,11 @@ void questions(std::string& out, const LessonSummary& lesson) {
       }
     out += "</tr>";
   }
-  out += std::string("</tbody></table><p class=\"quiet small\">") +
-         tr("✓ right at the first try, “2 tries” right in the end, ✗ not right, · not answered. Questions are in the "
-            "order above.") +
-         "</p></div>";
+  out +=
+      std::string("</tbody></table><p class=\"quiet small\">") +
+      tr("✓ right at the first try, “2 tries” right in the end, ✗ not right, ✎ given and not scored, · not answered. "
+         "Questions are in the order above.") +
+      "</p></div>";
 }
 
 void steps(std::string& out, const LessonSummary& lesson) {
@@ -350,7 +373,7 @@ void forces(std::string& out, const LessonSummary& lesson) {
   std::vector<Measured> peak, mean, path, touch, minutes, right;
   for (const PersonScore& p : lesson.people) {
     minutes.push_back({p.time_s / 60.0, wayOf(p)});
-    if (!p.answers.empty()) right.push_back({double(p.firstRight()), wayOf(p)});
+    if (p.answered() > 0) right.push_back({double(p.firstRight()), wayOf(p)});
     if (!p.touches) continue;
     peak.push_back({p.peak_N, wayOf(p)});
     mean.push_back({p.mean_N, wayOf(p)});

@@ -269,6 +269,7 @@ figure{margin:0;background:var(--panel);border:1px solid var(--line);border-radi
 figcaption{display:flex;flex-wrap:wrap;justify-content:space-between;gap:2px 12px;font-size:13.5px;margin-bottom:6px}figcaption b{margin-right:0}
 .legend{display:flex;flex-wrap:wrap;gap:4px 18px;margin:8px 0 12px;font-size:13px;color:var(--quiet);align-items:center}.legend span{display:inline-flex;align-items:center;gap:7px}.legend svg{width:30px;height:14px}
 .question{display:grid;grid-template-columns:1.6em minmax(10em,2.2fr) minmax(120px,1.6fr) 5.5em;gap:6px 12px;align-items:center;margin-top:10px}
+.texts{display:grid;grid-template-columns:minmax(6em,max-content) 1fr;gap:6px 14px;margin:10px 0 0}.texts dt{color:var(--quiet)}.texts dd{margin:0;white-space:pre-wrap;overflow-wrap:anywhere}
 .question .n{text-align:right;white-space:nowrap}.right{font-weight:600}.tick{color:var(--good);font-weight:700}
 .head{display:flex;justify-content:space-between;gap:16px;align-items:baseline}.head b{font-size:16px}.head span{color:var(--quiet);white-space:nowrap;font-size:13.5px}
 .given td,.given th{text-align:center}.given td:first-child,.given th:first-child{text-align:left}.given .ok{color:var(--good);font-weight:700}.given .no{color:var(--mouse);font-weight:700}.given .none{color:var(--quiet)}

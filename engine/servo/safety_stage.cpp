@@ -113,13 +113,15 @@ double SafetyStage::stiffnessBound_N_per_mm() const noexcept {
   return std::min({1e-3 * safety::kStiffnessMargin * bound, max_stiffness_, safety::kHardest_N_per_mm});
 }
 
-double SafetyStage::stiffness(double asked_N_per_mm) noexcept {
+double SafetyStage::stiffness(double asked_N_per_mm, double parallel) noexcept {
   const double asked = std::isfinite(asked_N_per_mm) ? std::clamp(asked_N_per_mm, 0.0, safety::kHardest_N_per_mm) : 0.0;
-  const double bound = stiffnessBound_N_per_mm();
+  const bool share = closes_loop_ && !(parallel <= 1.0);
+  const double bound = share ? usable(stiffnessBound_N_per_mm() / parallel) : stiffnessBound_N_per_mm();
   if (asked > bound) acted_.add(Limit::Stiffness);
   const double goal = std::min(asked, bound), most = safety::kStiffening_N_per_mm_s * dt_s_;
   // Without contact, and while no force is given, nobody feels it change.
   stiffness_ = springs_.none() || gain_ == 0.0 ? goal : stiffness_ + std::clamp(goal - stiffness_, -most, most);
+  if (share) stiffness_ = std::min(stiffness_, bound);
   return stiffness_;
 }
 

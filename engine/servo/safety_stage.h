@@ -53,9 +53,10 @@ class SafetyStage {
   /// device was gone, or nothing was known of it for kContactLost_s; the interaction must be reset.
   bool beginTick(const DevicePose& pose, const TickTime& time) noexcept;
 
-  /// The stiffness to use for the one that is asked (unit: N/mm): bounded so that the loop is stable, and changed
-  /// slowly. Non-finite gives zero.
-  double stiffness(double asked_N_per_mm) noexcept;
+  /// The stiffness to use for the one that is asked (unit: N/mm) of each of the springs that pull together
+  /// (Interaction::parallelSprings): bounded so that the loop is stable, and changed slowly; but where more of them come
+  /// to pull together than the bound allows, each is softer at once. Non-finite gives zero.
+  double stiffness(double asked_N_per_mm, double parallel = 1.0) noexcept;
 
   /// Call last in a tick: the force and the torque to give. The torque is zero for a device that drives none. Always
   /// finite and within the device's greatest; zero in a tick with a fault. The stage does not know what is felt: power

@@ -65,7 +65,7 @@ ServoSample ServoStep::tick(const ServoSettings& settings, Interaction* interact
     const Response response = interaction->respond(at);
     out.contact = response.contact;
     out.memory_usage = interaction->memoryUsage();
-    wanted = feel(settings, response, std::max(1.0, interaction->parallelSprings()));
+    wanted = feel(settings, response, interaction->parallelSprings());
     if (carried) wanted.before = before;
     last_at_ = at;
     if (phase.motion) out.motion = phase.motion->serial(), out.fraction = phase.fraction;
@@ -106,9 +106,8 @@ WantedWrench ServoStep::feel(const ServoSettings& settings, const Response& resp
   WantedWrench wanted{.most_N = settings.max_force_N,
                       .on = settings.force_on && !clutch_.held() && contact.fault == Fault::None};
   if (!response.felt()) return wanted;
-  // The bound holds for all springs together.
   wanted.stiffness_N_per_mm =
-      guarded_ ? safety_.stiffness(settings.stiffness_N_per_mm * parallel) / parallel : settings.stiffness_N_per_mm;
+      guarded_ ? safety_.stiffness(settings.stiffness_N_per_mm, parallel) : settings.stiffness_N_per_mm;
   wanted.force_N = settings.workspace.spring(contact.displacement_A, wanted.stiffness_N_per_mm).N;
   wanted.torque_N_mm = settings.workspace.torque_N_mm(response.torque_A2, wanted.stiffness_N_per_mm);
   if (const double size = glm::length(wanted.force_N); size > 0.0 && std::isfinite(size)) push_ = wanted.force_N / size;

@@ -28,7 +28,7 @@ struct ServoSettings {
   bool panic = false;                 ///< true: no force from the next tick on, whatever else holds
   std::uint32_t discontinuities = 0;  ///< raised by one: forget the contact and restart at the HIP
 
-  /// What the loop itself does of a setup; with the rest the interaction is made.
+  /// Those properties of a setup that the loop itself uses; the others went into the interaction when it was made.
   void take(const TouchSetup& touch) noexcept {
     probe_A = touch.probe_A;
     stiffness_N_per_mm = touch.stiffness_N_per_mm;
@@ -79,7 +79,7 @@ struct ServoSample {
 
 class ServoStep {
  public:
-  explicit ServoStep(const DeviceSpecs& device = {}) : ServoStep(device, true) {}
+  explicit ServoStep(const DeviceSpecs& device = shownForceFigures()) : ServoStep(device, true) {}
 
   /// From now on another device is read: its figures apply, the contact is forgotten, and the force starts softly.
   void setDevice(const DeviceSpecs& device) noexcept {
@@ -90,8 +90,8 @@ class ServoStep {
   }
 
   /// One tick. `interaction` may be null: no molecule, no force. It may change between ticks: a new one is not reset,
-  /// and the force starts softly. Frames may follow one another without that: the spheres' own motion changes the
-  /// springs' energy, but this does not count as energy made by the loop.
+  /// and the force starts softly. One motion of its spheres may follow another under the same interaction, and the force
+  /// goes on as it is: what the springs take up from moving spheres does not count as energy made by the loop.
   ServoSample tick(const ServoSettings& settings, Interaction* interaction, const DevicePose& pose,
                    const TickTime& time = {}, const MotionPhase& phase = {}) noexcept;
 

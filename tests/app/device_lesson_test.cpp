@@ -238,7 +238,7 @@ TEST_CASE("a look that takes as long as it likes stops no frame") {
   d->frames(300);  // would never end
   CHECK(d->text("device/looking") == "Looking …");
   gate.set_value();
-  for (int k = 0; k < 500 && !d->shows("device/mouse"); ++k) {
+  for (int k = 0; k < 12000 && !d->shows("device/mouse"); ++k) {
     std::this_thread::sleep_for(std::chrono::milliseconds(5));
     d->frames(1);
   }

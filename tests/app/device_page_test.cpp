@@ -27,7 +27,7 @@ class Cap final : public Device {
   ViewMotion viewMotion() noexcept override { return wish_; }
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{shownForceFigures()};
   ViewMotion& wish_;
 };
 
@@ -43,7 +43,7 @@ class Odd final : public Device {
   void write(ForceN) noexcept override {}
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{shownForceFigures()};
   Vec3 hand_mm_;
 };
 

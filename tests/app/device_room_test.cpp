@@ -16,7 +16,6 @@ class Held final : public Device {
   explicit Held(Vec3 at_mm) : place_mm(at_mm), goal_mm(at_mm) {
     info_.name = "Held stylus";
     info_.gives_force = true;
-    info_.continuous_force_N = 0.88;
   }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override {
@@ -33,7 +32,7 @@ class Held final : public Device {
   bool connected = true;
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{phantomOmniFigures()};
 };
 
 Held& hold(ScriptedUser& d, Vec3 at_mm = Vec3(0)) {

@@ -20,7 +20,6 @@ class Led final : public Device {
   explicit Led(Path path = {}, double deep_mm = 0.0) : path_(std::move(path)), deep_mm_(deep_mm) {
     info_.name = "Led stylus";
     info_.gives_force = true;
-    info_.continuous_force_N = 0.88;
   }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double dt_s) noexcept override {
@@ -39,7 +38,7 @@ class Led final : public Device {
   bool calibrated = false;
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{phantomOmniFigures()};
   Path path_;
   double deep_mm_, t_s_ = 0.0;
 };

@@ -63,7 +63,7 @@ class TouchScreen {
 };
 
 constexpr double kLine_px = 20.0;
-constexpr bool kView = true, kPanel = false;
+constexpr Fingers::On kView = Fingers::On::View, kPanel = Fingers::On::Panel;
 
 }  // namespace
 
@@ -179,6 +179,41 @@ TEST_CASE("two fingers on the view let go of the push, turn by the way of their 
   screen.fingers->up(2);
   screen.fingers->down(3, {200, 200}, kView, 2.0, kLine_px);
   CHECK(screen.last().left);
+}
+
+TEST_CASE("a pad held for 0.6 s beside the finger that pushes gives three notches, and the push stays where it is") {
+  for (const bool harder : {true, false}) {
+    TouchScreen screen;
+    screen.fingers->down(1, {300, 400}, kView, 0.0, kLine_px);
+    screen.frames();
+    double wheel = 0.0;
+    const auto hear = [&] {
+      for (const Heard& h : screen.frames()) {
+        wheel += h.wheel;
+        CHECK(h.left);
+        CHECK(h.place == glm::dvec2(300, 400));
+      }
+    };
+    screen.fingers->down(2, {900, 700}, harder ? Fingers::On::Harder : Fingers::On::Lighter, 1.0, kLine_px);
+    hear();
+    for (int k = 1; k <= 60; ++k) {
+      screen.fingers->advance(1.0 + 0.01 * k);
+      hear();
+    }
+    screen.fingers->up(2);
+    screen.fingers->advance(9.0);
+    hear();
+    CHECK(wheel == doctest::Approx(harder ? 3.0 : -3.0));
+    // One more turn of the same fingers: the pad alone does nothing.
+    screen.fingers->up(1);
+    screen.frames();
+    screen.fingers->down(3, {900, 700}, Fingers::On::Harder, 10.0, kLine_px);
+    screen.fingers->advance(11.0);
+    for (const Heard& h : screen.frames()) {
+      CHECK(h.wheel == 0.0);
+      CHECK_FALSE(h.left);
+    }
+  }
 }
 
 TEST_CASE("a third finger, one that was never put down and one put down twice leave no button pressed in the end") {

@@ -159,7 +159,7 @@ TEST_CASE("each page but the file dialog's is opened by a flag of its own, which
     d->frames(3);
     CHECK_FALSE(d->app().panels.*panel.page);
   }
-  CHECK(flags.size() == 7);
+  CHECK(flags.size() >= 7);
 }
 
 TEST_CASE("on every page at 100 % and 200 % of 1280x800, in every theme, every widget lies inside its panel") {
@@ -188,6 +188,13 @@ TEST_CASE("on every page of a small and of a large window at 150 % every widget 
     CAPTURE(width);
     checkAllPages(*d, {width, height});
   }
+}
+
+TEST_CASE("on every page of a telephone's upright window every widget lies inside its panel") {
+  auto d = startWith("");
+  openFirst(*d);
+  d->resize(390, 844);
+  checkAllPages(*d, {390, 844});
 }
 
 TEST_CASE("on every page with letters of 130 % and 150 % every widget lies inside its panel") {

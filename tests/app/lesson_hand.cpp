@@ -207,7 +207,7 @@ void LessonHand::useMethod(const std::string& name) {
   d_.click("tab/Methods");
   d_.click("method/" + std::string(m.family.name));
   d_.frames(2);
-  if (!m.grade.empty() && d_.app().scene.method() != name) d_.click("grade/" + std::string(m.grade));
+  if (!gradeText(m).empty() && d_.app().scene.method() != name) d_.click("grade/" + gradeText(m));
   d_.frames(2);
   if (!m.variant.empty() && d_.app().scene.method() != name) d_.click("variant/" + std::string(m.variant));
 }

@@ -38,9 +38,9 @@ TEST_CASE("switching through families and grades while pressing keeps the contac
   REQUIRE(d->app().scene.log().touching());
   const struct {
     const char *family, *grade, *method;
-  } walk[] = {{"Mesh", "80", "mesh80"},    {"Exact", nullptr, "exact"}, {"Mesh", "320", "mesh320"},
-              {"Grid", "0.8 Å", "grid08"}, {"Exact", nullptr, "exact"}, {"Paper", nullptr, "paper"},
-              {"Grid", "0.2 Å", "grid02"}, {"Mesh", "5120", "mesh5120"}};
+  } walk[] = {{"Mesh", "80", "mesh80"},         {"Exact", nullptr, "exact"}, {"Mesh", "320", "mesh320"},
+              {"Grid", "0.8\u00a0Å", "grid08"}, {"Exact", nullptr, "exact"}, {"Paper", nullptr, "paper"},
+              {"Grid", "0.2\u00a0Å", "grid02"}, {"Mesh", "5120", "mesh5120"}};
   for (const auto& [family, grade, method] : walk) {
     CAPTURE(method);
     CHECK(d->click(std::string("method/") + family));

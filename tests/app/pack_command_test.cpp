@@ -43,6 +43,35 @@ TEST_CASE("a lesson is packed beside itself or where -o says, told file by file,
   CHECK(contents(place.folder / "haem.moltact").starts_with("PK\3\4"));
 }
 
+TEST_CASE(
+    "with --html the pack stands in base64 in the page that --page names, which opens it; another page is refused") {
+  const Place place;
+  place.write("edition.html", "<html><!--a lesson comes here--><script>program</script></html>");
+  const Run run = place.run("pack haem.md --html --page edition.html");
+  CHECK(run.status == 0);
+  CHECK(has(run.out, "haem.html is written (1 kB):\n  haem.md\n  mine.xyzr\n"));
+  const std::string page = contents(place.folder / "haem.html");
+  const std::string head = "<html><script type=\"text/plain\" id=\"pack-bytes\" data-name=\"haem.moltact\">";
+  CHECK(page.starts_with(head + "UEsDBBQ"));  // "PK\3\4\24"
+  CHECK(page.ends_with("</script><script>program</script></html>"));
+  // coreutils' base64 reads the same bytes back.
+  REQUIRE(place.run("pack haem.md").status == 0);
+  const std::string code = page.substr(head.size(), page.find("</script>") - head.size());
+  place.write("code.txt", code);
+  const std::string decode = "base64 -d '" + (place.folder / "code.txt").string() + "' > '" +
+                             (place.folder / "decoded.moltact").string() + "'";
+  REQUIRE(std::system(decode.c_str()) == 0);
+  CHECK(contents(place.folder / "decoded.moltact") == contents(place.folder / "haem.moltact"));
+
+  place.write("other.html", "<html></html>");
+  const Run other = place.run("pack haem.md --html --page other.html -o other-out.html");
+  CHECK(other.status == 1);
+  CHECK(has(other.err, "other.html: it is no page of the browser edition"));
+  CHECK_FALSE(fs::exists(place.folder / "other-out.html"));
+  CHECK(has(place.run("pack haem.md --html --page haem.html").err, "holds a lesson already"));
+  CHECK(place.run("pack haem.md --html --page gone.html").status == 1);
+}
+
 TEST_CASE("a lesson with a fault is not packed, its notes are told, and a file that is no lesson is refused") {
   const Place place;
   place.write("bad.md", kLesson + "\n![no](gone.png)\n");

@@ -56,7 +56,7 @@ class Logged final : public Device {
   void stopClock() override { log_.clock = nullptr; }
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{shownForceFigures()};
   Log& log_;
 };
 

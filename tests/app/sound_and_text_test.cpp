@@ -56,7 +56,7 @@ TEST_CASE("without a sound card sound that is switched on is told once, and once
     return n;
   };
   const auto wait = [&] {
-    for (int k = 0; k < 200 && told() == 0; ++k) {
+    for (int k = 0; k < 12000 && told() == 0; ++k) {
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
       d->frames(1);
     }

@@ -1,4 +1,6 @@
 // The welcome page: cards, their pictures, progress, keys.
+#include <filesystem>
+#include <fstream>
 #include <sstream>
 
 #include "app/ui/extensions/extensions.h"
@@ -28,6 +30,24 @@ TEST_CASE("the welcome page has a card with title, minutes and level for every l
   for (const LibraryItem& m : library()) CHECK_FALSE(d->text("welcome/molecule/" + m.id).empty());
   CHECK_FALSE(d->shows("view"));
   CHECK_FALSE(d->shows("touch"));
+}
+
+TEST_CASE(
+    "of lessons with one file name in several folders that of the first counts; all stand in the order of names") {
+  const std::filesystem::path top = std::filesystem::temp_directory_path() / "moltact-shared-lessons";
+  const auto put = [&](const char* file, const char* title) {
+    std::filesystem::create_directories((top / file).parent_path());
+    std::ofstream(top / file) << "---\ntitle: " << title << "\n---\n\n## A step\n\nText.\n";
+  };
+  put("school/enzymes/enzymes.md", "Enzymes");
+  put("school/first-touch.md", "First touch at our school");
+  put("program/first-touch.md", "First touch");
+  put("program/water.md", "Water");
+  std::string listed;
+  for (const LibraryItem& l : lessonsOf({top / "school", top / "absent", top / "program"}))
+    listed += l.id + ": " + l.label + "; ";
+  CHECK(listed == "enzymes: Enzymes; first-touch: First touch at our school; water: Water; ");
+  std::filesystem::remove_all(top);
 }
 
 TEST_CASE("a click on a card opens its lesson; Escape leads back to the page and once more to the lesson") {

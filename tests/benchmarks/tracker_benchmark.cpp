@@ -64,7 +64,7 @@ void servoTicks(benchmark::State& state) {
   const auto count = static_cast<std::size_t>(state.range(0));
   const std::vector<Vec3>& hips = path(count, true);
   const auto tracker = methods().front().make(scene(count), kWaterProbe_A);
-  DeviceInfo info;
+  DeviceInfo info{shownForceFigures()};
   info.gives_force = true;
   const ServoSettings settings;
   std::optional<ServoStep> step;

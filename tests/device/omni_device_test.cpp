@@ -33,6 +33,11 @@ TEST_CASE(
   CHECK(info.max_stiffness_N_per_mm == 0.5);
   CHECK(info.max_damping_N_s_per_m == doctest::Approx(3.0));
   CHECK(info.workspace_mm == Vec3(160, 120, 70));
+  // What the driver cannot tell is the literature's.
+  CHECK(info.friction_N == 0.26);
+  CHECK(info.damping_N_s_per_m == 0.2);
+  CHECK(info.resolution_mm == 0.055);
+  CHECK(info.delay_s == 0.001);
   CHECK(info.speed_limit_m_per_s == doctest::Approx(1.2));
   CHECK(info.slew_limit_N_per_s == doctest::Approx(4000));
   CHECK(info.dof_in == 6);

@@ -265,3 +265,61 @@ TEST_CASE(
   opened->reset();
   CHECK(numbers() == none);
 }
+
+TEST_CASE(
+    "without a thread a tick takes what has come and gives its force at once, the 20 ms between two frames count as "
+    "age, "
+    "and after an unplugging the next ticks open it again") {
+  test::OpenFirmware firmware;
+  const auto wire = std::make_shared<Wire>();
+  wire->feature = of(firmware.description());
+  auto opened = PacketDevice::open(over(wire), std::make_unique<OpenLayoutProtocol>(), DeviceInfo(), false);
+  REQUIRE(opened);
+  Device& device = **opened;
+  const auto force_mN = [&] {
+    const Report report = wire->last();
+    return report.size() == 11 && report[0] == 2 ? int16At(report, 3) : -1;
+  };
+  const auto frame = [&] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  for (const double x_mm : {1.0, 2.0, 3.0}) {
+    frame();
+    wire->send(of(firmware.tick({x_mm, 0, 0})));
+    const DevicePose pose = device.read(0.001);
+    CHECK(pose.position.mm.x == doctest::Approx(x_mm).epsilon(0.01));
+    CHECK(pose.fresh);
+    CHECK(pose.age_s >= 0.020f);
+    const std::size_t before = wire->written();
+    device.write({Vec3(0.25 * x_mm, 0, 0)});
+    CHECK(wire->written() == before + 1);
+    CHECK(force_mN() == int(std::lround(250 * x_mm)));
+    // The frame's next tick: nothing new has come, and the frame's way still counts.
+    const DevicePose again = device.read(0.001);
+    CHECK_FALSE(again.fresh);
+    CHECK(again.age_s >= 0.020f);
+  }
+  device.stop();
+  CHECK(force_mN() == 0);
+  CHECK(wire->last()[9] == 0);  // the motors are off
+
+  device.write({Vec3(1, 0, 0)});
+  CHECK(force_mN() == 1000);
+  const std::uint32_t discontinuities = device.read(0.001).discontinuities;
+  wire->plug(false);
+  CHECK_FALSE(device.read(0.001).connected);
+  device.write({Vec3(1, 0, 0)});  // into nothing
+  CHECK_FALSE(device.status().ready);
+  wire->plug(true);
+  waitFor([&] { return device.read(0.001).connected; });
+  CHECK(device.read(0.001).discontinuities == discontinuities + 1);
+  device.write({Vec3(1, 0, 0)});
+  CHECK(force_mN() == 1000);
+  wire->no_write_once = true;
+  device.write({Vec3(1, 0, 0)});
+  CHECK_FALSE(device.read(0.001).connected);
+  CHECK(force_mN() == 0);  // the last thing tried ends the force
+  waitFor([&] { return device.read(0.001).connected; });
+  device.write({Vec3(1, 0, 0)});
+  opened->reset();
+  CHECK(force_mN() == 0);
+  CHECK(wire->last()[9] == 0);
+}

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "engine/bench/scenes.h"
 #include "tests/haptics/judge.h"
 #include "tests/haptics/walk.h"
 
@@ -26,6 +27,57 @@ TEST_CASE("the force is the slope of the energy that is stored, also where three
       CHECK(c.displacement_A[k] == doctest::Approx((down - up) / (2 * kStep_A)).epsilon(1e-6));
     }
   }
+}
+
+TEST_CASE(
+    "as many springs pull together as the stiffest direction has: 1 + |cos| of the angle between two radii, n round "
+    "one "
+    "centre, 1 of three at right angles, and of 2000 random places what a search over directions finds") {
+  const auto at = [](std::vector<Ball> balls, const Vec3& hip) {
+    PenaltyTracker tracker(makeScene(std::move(balls)), 1.4);
+    tracker.step({{0, 0, 50}});
+    CHECK(tracker.parallelSprings() == 1.0);
+    tracker.step({hip});
+    return tracker.parallelSprings();
+  };
+  for (const double angle : {0.3, 1.0, std::acos(0.0), 2.0, 3.0}) {
+    CAPTURE(angle);
+    const Vec3 one(2, 0, 0), two(2 * std::cos(angle), 2 * std::sin(angle), 0);
+    CHECK(at({{one, 1.6}, {two, 1.6}}, Vec3(0.0)) == doctest::Approx(1 + std::abs(std::cos(angle))).epsilon(1e-6));
+  }
+  for (const int n : {1, 3, 9})
+    CHECK(at(std::vector<Ball>(std::size_t(n), {{0, 0, 0}, 1.6}), {0.3, 0.4, 2}) == doctest::Approx(n).epsilon(1e-6));
+  CHECK(at({{{2, 0, 0}, 1.6}, {{0, 2, 0}, 1.6}, {{0, 0, 2}, 1.6}}, Vec3(0.0)) == doctest::Approx(1.0).epsilon(1e-6));
+  const std::uint64_t seed = 3;
+  CAPTURE(seed);
+  scenes::Random random(seed);
+  const scenes::Scene scene = scenes::cluster(40, seed);
+  PenaltyTracker tracker(makeScene(scene.balls), scene.probe_A);
+  tracker.step({{0, 0, 50}});
+  double most = 0.0;
+  for (int k = 0; k < 2000; ++k) {
+    const Vec3 hip = random.direction() * random.uniform(0.0, 9.0);
+    const Contact c = tracker.step({hip});
+    Vec3 way = glm::normalize(Vec3(1, 0.7, 0.4));
+    double found = 1.0;
+    const auto applied = [&](const Vec3& u) {  // the matrix, to a direction
+      Vec3 out(0.0);
+      for (const Ball& b : scene.balls) {
+        const Vec3 m = hip - b.centre_A;
+        const double d = glm::length(m);
+        if (d < b.radius_A + scene.probe_A) out += m * (glm::dot(m, u) / (d * d));
+      }
+      return out;
+    };
+    for (int turn = 0; turn < 400 && c.touching(); ++turn) {
+      const Vec3 next = applied(way);
+      found = glm::length(next);
+      way = next / found;
+    }
+    CHECK(tracker.parallelSprings() == doctest::Approx(std::max(1.0, found)).epsilon(1e-3));
+    most = std::max(most, found);
+  }
+  CHECK(most > 3.0);
 }
 
 TEST_CASE("in one ball of 3 A the push is the depth along the radius, so that the SCP is exact to 1e-14 A") {

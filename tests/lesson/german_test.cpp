@@ -37,7 +37,7 @@ TEST_CASE("a task that is under way speaks the language that is chosen while it 
   }
 }
 
-TEST_CASE("each of the 12 kinds of task begins with another sentence in German than in English") {
+TEST_CASE("each kind of task begins with another sentence in German than in English") {
   const std::vector<std::pair<std::string, Keys>> kinds{
       {"reach", {{"reach", "element O"}}},
       {"hold", {{"hold", "crease"}}},

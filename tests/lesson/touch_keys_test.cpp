@@ -57,8 +57,9 @@ TEST_CASE("every way of reading a molecule is a key of scenes whose fallback is 
     const KeySpec* key = keyIn(keysOf(KeyBlock::Scene), option.name);
     REQUIRE(key);
     CHECK(bool(parseValue(*key, key->fallback)));
-    if (std::holds_alternative<std::string ReadOptions::*>(option.member)) continue;  // its word stands for none
     ReadOptions reading;
+    REQUIRE(readText(reading, option, std::holds_alternative<bool ReadOptions::*>(option.member) ? "yes" : "7"));
+    REQUIRE(reading != ReadOptions());
     CHECK(readText(reading, option, key->fallback));
     CHECK(reading == ReadOptions());
   }

@@ -189,7 +189,7 @@ TEST_CASE("of 30 000 mmCIF models the first, the last and one whose rows are par
 TEST_CASE("broken mmCIF syntax names the line and column") {
   const std::string text = problemOf("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2 3\n", "x.cif");
   CHECK(text.find("x.cif:") == 0);
-  CHECK(text.find("it is not sound mmCIF") != std::string::npos);
+  CHECK(text.find("it is not sound CIF") != std::string::npos);
   CHECK(problemOf("data_x\n_atom_site.Cartn_x 'open\n", "x.cif").find("x.cif:2:") == 0);
 }
 
@@ -199,7 +199,7 @@ TEST_CASE("an .xyzr line with 3 numbers, a word, a NaN, a comma or a negative ra
   CHECK(problemOf("0 0 nan 1\n", "x.xyzr") ==
         "x.xyzr:1:5: z is 'nan', which is not a finite number up to 1e9\u00a0Å; correct or remove the line");
   CHECK(problemOf("0,0,0,1\n", "x.xyzr") == "x.xyzr:1:1: expected the number x, found '0,0,0,1'; " + kXyzrRemedy);
-  CHECK(problemOf("0 0 0 -1\n", "x.xyzr") == "x.xyzr:1:7: the radius is negative: '-1'; give a radius of 0 A or more");
+  CHECK(problemOf("0 0 0 -1\n", "x.xyzr") == "x.xyzr:1:7: the radius is negative: '-1'; give a radius of 0 or more");
   CHECK(problemOf("12\ncomment\n", "x.xyzr") == "x.xyzr:1:3: expected 4 numbers, found 1; " + kXyzrRemedy);
 }
 

@@ -124,9 +124,9 @@ TEST_CASE("two unknown elements in three atoms give 1.70 A and two warnings") {
                            "HETATM 1 Qq Q1 . LIG A 1 ? 0 0 0 1 1 A\nHETATM 2 Qq Q2 . LIG A 1 ? 4 0 0 1 1 "
                            "A\nHETATM 3 Xy X1 . LIG A 1 ? 8 0 0 1 1 A\n";
   const Molecule m = read(text, "x.cif");
-  CHECK(m.warnings ==
-        std::vector<std::string>{"No van der Waals radius is known for the element 'Qq' (2 atoms); 1.70 A was taken.",
-                                 "No van der Waals radius is known for the element 'Xy' (1 atom); 1.70 A was taken."});
+  CHECK(m.warnings == std::vector<std::string>{
+                          "No van der Waals radius is known for the element 'Qq' (2 atoms); 1.70\u00a0Å was taken.",
+                          "No van der Waals radius is known for the element 'Xy' (1 atom); 1.70\u00a0Å was taken."});
   for (const Atom& atom : m.atoms) CHECK(atom.radius_A == 1.70);
 }
 

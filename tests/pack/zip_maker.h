@@ -42,7 +42,8 @@ inline std::string little(std::uint64_t value, int bytes) {
 inline std::string zipOf(const std::vector<ZipEntry>& entries) {
   std::string body, directory;
   for (const ZipEntry& e : entries) {
-    const std::string packed = e.deflated ? deflated(e.bytes) : e.bytes;
+    // The traditional encryption puts 12 bytes before a file.
+    const std::string packed = std::string(e.encrypted ? 12 : 0, 'k') + (e.deflated ? deflated(e.bytes) : e.bytes);
     const std::uint64_t size = e.told_size >= 0 ? std::uint64_t(e.told_size) : e.bytes.size();
     const auto checksum =
         crc32(0, reinterpret_cast<const Bytef*>(e.bytes.data()), uInt(e.bytes.size())) ^ (e.wrong_checksum ? 1u : 0u);

@@ -113,7 +113,7 @@ TEST_CASE("edge: against a surface that pushes up and to the left the probe goes
 TEST_CASE(
     "a mouse that stands in for a device has no edge: 100 mm from the middle for 2 s its probe stays where it is") {
   MouseDevice mouse;
-  ServoStep step(DeviceSpecs{});
+  ServoStep step;
   step.setDevice(mouse.info());
   ServoSettings settings;
   settings.clutch = {.buttons = 2, .at_edge = true};

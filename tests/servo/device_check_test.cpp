@@ -179,10 +179,7 @@ struct Careless final : ClockListener {
 // A device that is where it was put, whose clock the test is.
 class PutDevice final : public Device {
  public:
-  PutDevice() {
-    info_.gives_force = true;
-    info_.max_force_N = 3.3;
-  }
+  PutDevice() { info_.gives_force = true; }
   const DeviceInfo& info() const noexcept override { return info_; }
   DevicePose read(double) noexcept override { return pose; }
   void write(ForceN) noexcept override {}
@@ -194,7 +191,7 @@ class PutDevice final : public Device {
   ClockListener* clock = nullptr;
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{phantomOmniFigures()};
 };
 
 }  // namespace

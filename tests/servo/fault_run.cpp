@@ -147,7 +147,7 @@ void magnified(FaultWorld& w, int some) {
 
 // The stylus goes, a mouse presses as deep as it likes, the stylus comes back.
 void fallBack(FaultWorld& w, int some) {
-  w.otherDevice(DeviceInfo{});
+  w.otherDevice(DeviceInfo{shownForceFigures()});
   const Vec3 deep = w.sensed().mm * w.random.uniform(0.2, 1.0);
   for (int k = 0; k < some * 20; ++k)
     w.tick({.place_mm = deep + (w.sensed().mm - deep) * std::exp(-0.01 * k), .to_model = false});

@@ -51,9 +51,7 @@ HandParameters FaultWorld::handOf(scenes::Random& random) {
 }
 
 DeviceInfo FaultWorld::info() const {
-  DeviceInfo out;
-  out.name = "model";
-  out.continuous_force_N = 0.88;
+  DeviceInfo out{phantomOmniFigures(), "model"};
   out.gives_force = true;
   out.damping_N_s_per_m = device_.damping_N_s_per_m;
   out.friction_N = device_.friction_N;
@@ -85,6 +83,7 @@ void FaultWorld::newTracker() {
   pair_ = nullptr;
   frames_.clear();
   follows_ = true;
+  summed_ = false;
   if (seed_ % 5 == 4) {  // a rigid body, not a point
     auto pair = std::make_unique<RigidPair>(makeScene(scene_.balls), settings.probe_A);
     pair_ = pair.get();
@@ -95,6 +94,7 @@ void FaultWorld::newTracker() {
   tracker_ = method.make(makeScene(scene_.balls), settings.probe_A);
   method_ = method.name;
   follows_ = method.follows_motion;
+  summed_ = method.summed;
 }
 
 void FaultWorld::approach() {
@@ -149,8 +149,8 @@ void FaultWorld::tick(const TickInput& how) {
   stretch_mm_ = sample.contact.touching() ? glm::distance(sample.contact.scp.A, place.A) / A_per_mm : 0.0;
   potential_mm2_ = pair_ && sample.contact.touching()
                        ? pair_->potential_A2(place, pose.orientation) / (A_per_mm * A_per_mm)
-                   : method_ == "penalty" && sample.contact.touching() ? pushes_A2(place) / (A_per_mm * A_per_mm)
-                                                                       : 0.5 * stretch_mm_ * stretch_mm_;
+                   : summed_ && sample.contact.touching() ? pushes_A2(place) / (A_per_mm * A_per_mm)
+                                                          : 0.5 * stretch_mm_ * stretch_mm_;
   const bool cut = sample.limits.has(Limit::Clamp) || sample.limits.has(Limit::Heat);
   felt_N_per_mm_ = told_mm > 0.0 && !cut ? glm::length(command_.N) / told_mm : -1.0;
   if (!cut) bent_mm_ = stretch_mm_;

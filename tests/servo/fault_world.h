@@ -93,6 +93,7 @@ class FaultWorld {
   std::vector<std::unique_ptr<const SphereMotion>> frames_;  // of tracker_; the last is in force
   double fraction_ = 1.0;                                    // of it
   bool follows_ = true;                                      // tracker_ goes with the spheres
+  bool summed_ = false;                                      // it stores in a spring for each ball
   RigidPair* pair_ = nullptr;                                // of tracker_, where it is one
   Quat orientation_ = kNoRotation;
   Vec3 axis_ = glm::normalize(Vec3(0.3, 0.8, 0.5));

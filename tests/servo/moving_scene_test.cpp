@@ -45,12 +45,8 @@ struct StillHand {
     return last;
   }
   static DeviceInfo deviceInfo() {
-    DeviceInfo info;
+    DeviceInfo info{shownForceFigures()};
     info.gives_force = true;
-    info.continuous_force_N = 3.3;
-    info.damping_N_s_per_m = 0.2;
-    info.friction_N = 0.26;
-    info.max_damping_N_s_per_m = 5.0;
     return info;
   }
 
@@ -172,7 +168,7 @@ TEST_CASE("energy that a method makes is still a debt while the surface moves: a
 
 TEST_CASE("frames handed over as fast as they are taken begin one after the other, and none is left out or cut short") {
   struct Still final : Device {
-    DeviceInfo is;
+    DeviceInfo is{shownForceFigures()};
     const DeviceInfo& info() const noexcept override { return is; }
     DevicePose read(double) noexcept override { return {.position = {{0, 0, 20}}}; }
     void write(ForceN) noexcept override {}
@@ -207,7 +203,7 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
 TEST_CASE(
     "a frame waits for its scene, another method of the scene takes it over, and another scene does not know it") {
   struct Pressing final : Device {
-    DeviceInfo is;
+    DeviceInfo is{shownForceFigures()};
     const DeviceInfo& info() const noexcept override { return is; }
     DevicePose read(double) noexcept override { return {.position = {{0, 0, 20}}}; }
     void write(ForceN) noexcept override {}

@@ -62,9 +62,9 @@ class Torsion final : public WithoutProbe {
   Vec3 last_{0.0};
 };
 
-// An Omni that could also turn the hand.
+// An Omni that could also turn the hand, and whose motors never get warm.
 DeviceSpecs turning() {
-  DeviceSpecs specs;
+  DeviceSpecs specs = shownForceFigures();
   specs.dof_in = specs.dof_out = 6;
   specs.gives_force = true;
   specs.max_torque_N_mm = 400.0;

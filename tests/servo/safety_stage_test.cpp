@@ -11,9 +11,7 @@ using namespace moltact;
 namespace {
 
 DeviceInfo omni() {
-  DeviceInfo info;
-  info.name = "Omni";
-  info.continuous_force_N = 0.88;
+  DeviceInfo info{phantomOmniFigures(), "Omni"};
   info.gives_force = true;
   return info;
 }
@@ -178,7 +176,7 @@ TEST_CASE(
     "forgotten") {
   DeviceInfo weak = omni();
   weak.max_force_N = 1.0;
-  DeviceInfo mouse;
+  const DeviceInfo mouse{shownForceFigures()};
   for (const DeviceInfo* next : std::initializer_list<const DeviceInfo*>{&weak, &mouse}) {
     SafetyStage stage = ready();
     REQUIRE(after(stage, 1000, push(3.3)) == doctest::Approx(3.3));
@@ -280,6 +278,56 @@ TEST_CASE(
   CHECK(ready(coarse).stiffnessBound_N_per_mm() == doctest::Approx(0.13));
   coarse.friction_N = 0.0;  // not known: 2 x 0.01 N / 2 mm
   CHECK(ready(coarse).stiffnessBound_N_per_mm() == doctest::Approx(0.005));
+}
+
+TEST_CASE(
+    "a device of which its driver names too little gets less: no force at all without both forces, with both at most "
+    "0.1 N/mm for an unknown friction and step of the place, and no figure left out gives more than naming it") {
+  DeviceInfo named = omni();
+  for (double DeviceSpecs::*left_out : {&DeviceSpecs::max_force_N, &DeviceSpecs::continuous_force_N}) {
+    DeviceInfo info = named;
+    info.*left_out = DeviceSpecs().*left_out;
+    SafetyStage stage = ready(info);
+    for (int k = 0; k < 2000; ++k) CHECK(tick(stage, push(3)).N == Vec3(0.0));
+  }
+  DeviceInfo bare;
+  bare.gives_force = true;
+  bare.max_force_N = 3.3, bare.continuous_force_N = 0.88;
+  // 2 x 0.01 N / 0.1 mm, half of it.
+  CHECK(ready(bare).stiffnessBound_N_per_mm() == doctest::Approx(0.1));
+  SafetyStage forces = ready(bare);
+  CHECK(after(forces, 10, push(3)) == doctest::Approx(3.0));
+  const double bound = ready(named).stiffnessBound_N_per_mm();
+  for (double DeviceSpecs::*left_out : {&DeviceSpecs::max_stiffness_N_per_mm, &DeviceSpecs::damping_N_s_per_m,
+                                        &DeviceSpecs::friction_N, &DeviceSpecs::resolution_mm, &DeviceSpecs::delay_s}) {
+    DeviceInfo info = named;
+    info.*left_out = DeviceSpecs().*left_out;
+    CHECK(ready(info).stiffnessBound_N_per_mm() < bound);
+  }
+}
+
+TEST_CASE(
+    "springs that pull together share the bound: of 0.73 N/mm four have 0.18 each, at once when they come and no "
+    "faster than 1 N/mm a second when they go; where they need less, and without a loop, each keeps what is asked") {
+  const double bound = 0.5 * 2.2 / 1.5;
+  SafetyStage stage = ready();
+  const auto felt = [&](double stiffness) {
+    stage.beginTick({}, {});
+    stage.output(
+        {.force_N = {0, 0, 1}, .springs = {.stretch_mm = 2.0, .energy_mm2 = 2.0}, .stiffness_N_per_mm = stiffness});
+    stage.beginTick({}, {});
+  };
+  CHECK(stage.stiffness(0.5, 1.0) == 0.5);
+  felt(0.5);
+  CHECK(stage.stiffness(0.5, 1.4) == 0.5);  // 0.7 N/mm together
+  CHECK_FALSE(stage.acted().has(Limit::Stiffness));
+  CHECK(stage.stiffness(0.5, 4.0) == doctest::Approx(bound / 4));
+  CHECK(stage.acted().has(Limit::Stiffness));
+  felt(bound / 4);
+  CHECK(stage.stiffness(0.5, 1.0) == doctest::Approx(bound / 4 + 0.001));
+  CHECK(stage.stiffness(0.5, std::nan("")) == 0.0);
+  SafetyStage mouse = ready(DeviceInfo{shownForceFigures()});
+  CHECK(mouse.stiffness(0.5, 40.0) == 0.5);
 }
 
 TEST_CASE(

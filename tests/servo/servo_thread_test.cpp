@@ -27,7 +27,7 @@ class StillDevice final : public Device {
   std::atomic<long> writes{0};
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{shownForceFigures()};
 };
 
 // A device that ticks the loop by a thread of its own.
@@ -60,7 +60,7 @@ class ClockedDevice final : public Device {
   std::atomic<bool> stopped{false};
 
  private:
-  DeviceInfo info_;
+  DeviceInfo info_{shownForceFigures()};
   const std::chrono::milliseconds pause_;
   std::atomic<bool> ends_{false};
   std::thread clock_;

@@ -15,7 +15,8 @@ import time
 class Browser:
     """One browser process with one profile: what the page keeps lasts as long as `profile`."""
 
-    def __init__(self, profile=None, downloads=None, width=1280, height=800, touch=False, scale=1):
+    def __init__(self, profile=None, downloads=None, width=1280, height=800, touch=False, scale=1, script="", arguments=()):
+        """`script` runs in every page before its own; `arguments` are the browser's."""
         self.own = tempfile.mkdtemp(prefix="moltact-web-")
         self.profile = profile or os.path.join(self.own, "profile")
         self.downloads = downloads or os.path.join(self.own, "downloads")
@@ -34,13 +35,13 @@ class Browser:
             [program, "--headless=new", "--remote-debugging-pipe", "--no-first-run", "--disable-background-networking",
              "--disable-component-update", "--disable-sync", "--no-default-browser-check", "--mute-audio",
              "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader", "--ignore-gpu-blocklist",
-             "--disable-dev-shm-usage", "--autoplay-policy=no-user-gesture-required",
+             "--disable-dev-shm-usage", *arguments,
              f"--user-data-dir={self.profile}", f"--window-size={width},{height}"]
             + (["--no-sandbox"] if os.getuid() == 0 else []) + ["about:blank"],
             close_fds=False, preexec_fn=fds, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_browser)
         os.close(from_browser)
-        self.waiting, self.number, self.events = b"", 0, []
+        self.waiting, self.number, self.events, self.closed = b"", 0, [], False
         self.width, self.height, self.scale = width, height, scale
         target = next(t for t in self.call("Target.getTargets")["targetInfos"] if t["type"] == "page")
         self.session = self.call("Target.attachToTarget", targetId=target["targetId"], flatten=True)["sessionId"]
@@ -49,6 +50,8 @@ class Browser:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=scale, mobile=touch)
         if touch:
             self.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
+        if script:
+            self.call("Page.addScriptToEvaluateOnNewDocument", source=script)
         self.call("Browser.setDownloadBehavior", browser_wide=True, behavior="allow", downloadPath=self.downloads)
 
     # ---- the protocol
@@ -64,13 +67,16 @@ class Browser:
         message, _, self.waiting = self.waiting.partition(b"\0")
         return json.loads(message)
 
-    def call(self, method, browser_wide=False, patience_s=90, **parameters):
+    def send(self, method, browser_wide=False, **parameters):
         self.number += 1
-        number = self.number
-        message = {"id": number, "method": method, "params": parameters}
+        message = {"id": self.number, "method": method, "params": parameters}
         if not browser_wide and getattr(self, "session", None):
             message["sessionId"] = self.session
         os.write(self.to, json.dumps(message).encode() + b"\0")
+        return self.number
+
+    def call(self, method, browser_wide=False, patience_s=90, **parameters):
+        number = self.send(method, browser_wide, **parameters)
         until = time.monotonic() + patience_s
         while True:
             reply = self.read(until)
@@ -88,23 +94,35 @@ class Browser:
             raise RuntimeError(json.dumps(result["exceptionDetails"])[:600])
         return result["result"].get("value")
 
+    def kill(self):
+        """As a computer that is switched off."""
+        self.process.kill()
+        self.process.wait()
+
     def close(self):
+        if self.closed:
+            return
+        self.closed = True
         try:
-            self.call("Browser.close", browser_wide=True, patience_s=10)
-            self.process.wait(10)
+            if self.process.poll() is None:
+                self.call("Browser.close", browser_wide=True, patience_s=10)
+                self.process.wait(10)
         except Exception:  # whatever state it is in, it goes
-            self.process.kill()
-            self.process.wait()
-        os.close(self.to)
-        os.close(self.out)
-        shutil.rmtree(self.own, ignore_errors=True)
+            self.kill()
+        finally:
+            os.close(self.to)
+            os.close(self.out)
+            shutil.rmtree(self.own, ignore_errors=True)
 
     # ---- the page
+
+    def go(self, url):
+        self.call("Page.navigate", url=str(url))
 
     def open(self, url, patience_s=120):
         """Opens the page; the seconds until its welcome page stands, all lessons read."""
         begun = time.monotonic()
-        self.call("Page.navigate", url=str(url))
+        self.go(url)
         self.until("globalThis.moltact && moltact.page.frames > 1 && (() => { const all = Object.entries(JSON.parse("
                    "moltact.ccall('moltact_widgets','string',[],[]))).filter(([n]) => n.startsWith('welcome/lesson/'));"
                    " return all.length > 5 && all.every(([, w]) => w[4].includes('min')); })()", patience_s)
@@ -128,6 +146,10 @@ class Browser:
 
     def widgets(self):
         return json.loads(self.evaluate("moltact.ccall('moltact_widgets','string',[],[])"))
+
+    def said(self):
+        """The messages over the view."""
+        return [w[4] for n, w in self.widgets().items() if n.startswith("message/") and n.count("/") == 1]
 
     def text(self, name):
         found = self.widgets().get(name)
@@ -196,10 +218,15 @@ class Browser:
         self.call("Input.dispatchTouchEvent", type=kind,
                   touchPoints=[{"x": x, "y": y, "id": k} for k, (x, y) in enumerate(places)])
 
+    def pen(self, kind, x, y, pressure, buttons=1):
+        self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left" if buttons else "none", buttons=buttons,
+                  clickCount=1 if kind != "mouseMoved" else 0, pointerType="pen", force=pressure)
+
     def tap(self, name):
         at = self.place(name)
-        self.touch("touchStart", at)
-        self.touch("touchEnd")  # at once: a finger that rests tells instead
+        # Without waiting in between, however slow the machine is: a finger that rests tells instead.
+        self.send("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": at[0], "y": at[1], "id": 0}])
+        self.touch("touchEnd")
         self.frames(4)
 
     def type(self, text):
@@ -210,6 +237,10 @@ class Browser:
         self.frames(3)
 
     def key(self, code, key=None, modifiers=0):
-        for kind in ("rawKeyDown", "keyUp"):
-            self.call("Input.dispatchKeyEvent", type=kind, key=key or code, code=code, modifiers=modifiers)
+        for down in (True, False):
+            self.hold(code, down, key, modifiers)
         self.frames(3)
+
+    def hold(self, code, down, key=None, modifiers=0, **more):
+        self.call("Input.dispatchKeyEvent", type="rawKeyDown" if down else "keyUp", key=key or code, code=code,
+                  modifiers=modifiers, **more)

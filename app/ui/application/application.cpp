@@ -9,6 +9,7 @@
 #include "engine/language/quantity_text.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/use_language.h"
+#include "engine/render/molecule_model.h"
 
 namespace moltact {
 namespace {
@@ -33,15 +34,18 @@ Application::Application(ApplicationOptions given, ApplicationParts parts)
     settings = std::move(loaded.settings);
     fault = std::move(loaded.fault);
   }
-  speak();
+  useLanguageAndUnits();
   if (!fault.empty()) messages.warning(fault);
   for (Extension* e : extensions_->all()) e->atStart(*this);
 }
 
 Application::~Application() { end(); }
 
-void Application::speak() {
+void Application::useLanguageAndUnits() {
   setDecimalSign(settings.decimal_sign);
+  UnitSet shown;
+  shown.choose(Dimension::Length, settings.length_unit);
+  setShownUnits(shown);
   if (spoken_ == settings.language) return;
   // What was asked for at the start holds until the person chooses another.
   std::string wanted = settings.language;
@@ -110,6 +114,7 @@ void Application::enterScene() {
   scene.colour_by = colourBy(*spec);
   panels.applyLessonPanels(spec->panels);
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
+  scene.look = lesson.looks();
   const Expected<MoleculeKey> molecule = lesson.molecule();
   if (!molecule) {
     messages.error(molecule.problem().text());
@@ -158,9 +163,11 @@ void Application::takeUp(Loaded loaded) {
   if (!from_step) {
     for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
     settings.remember(loaded.key.file);
+    scene.colour_by = usualColourBy(*loaded.stage->molecule);
   }
   panels.welcome = false;
   lesson.meet(loaded.stage->molecule, loaded.key);
+  scene.look = lesson.looks();
   scene.setRegion(lesson.region());
   scene.show(*std::move(loaded.stage), loaded.key, facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
@@ -194,7 +201,8 @@ void Application::layPanelsOut(glm::vec2 window_px) {
                     .page = panels.welcome,
                     .lesson_width = float(settings.lesson_width),
                     .touch_width = float(settings.touch_width),
-                    .strip_height = extensions_->stripHeight()},
+                    .strip_height = extensions_->stripHeight(),
+                    .below_share = panels.below_share},
                    panels.lesson_first);
   if (panels.welcome) return;
   const glm::vec2 view = layout_.view.size();
@@ -222,7 +230,7 @@ void Application::frame(double dt_s, glm::vec2 window_px) {
     for (Extension* e : extensions) e->ticks(*this, felt);
   messages.age(dt_s);
 
-  speak();
+  useLanguageAndUnits();
   keys_(*this);
   layPanelsOut(window_px);
   panels_(*this);

@@ -115,7 +115,7 @@ class Application {
   void openLesson(const std::filesystem::path& file);
   void enterScene();  // of the lesson's step, where that has changed
   void tellSteps();
-  void speak();  // the language and the decimal sign of the settings
+  void useLanguageAndUnits();  // those of the settings, and their decimal sign
   void layPanelsOut(glm::vec2 window_px);
 
   const ApplicationOptions options_;

@@ -36,8 +36,10 @@ struct PanelState : KeyFocus {
   bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf
   bool welcome = false;    ///< the welcome page stands in the place of view and panels
   CardFocus card;
-  float menus_end = 0.0f;    ///< where the menus end (unit: pixel): the tool bar has room from there on
-  bool full_screen = false;  ///< as the window is to be
+  float menus_end = 0.0f;     ///< where the menus end (unit: pixel): the tool bar has room from there on
+  bool full_screen = false;   ///< as the window is to be
+  bool fingers = false;       ///< a finger on a touch screen is what points; false: a mouse
+  float below_share = 0.46f;  ///< of the room, for the panel below the view where the window is tall
   std::size_t lesson_step = ~std::size_t{0};  ///< whose text stands in the lesson panel: another begins at its top
 
   /// Opens the panel that compares methods, or closes it.

@@ -62,6 +62,7 @@ void AttemptRecorder::beginNew(Application& app) {
   header.device = deviceName(app);
   header.gives_force = gaveForce(app);
   header.lesson = outlineOf(app.lesson.session()->lesson(), hash_);
+  app.lesson.session()->setOrderSeed(orderSeed(header));
   log_.emplace(app.options().attempts_folder, std::move(header));
   beginParts(app);
   for (Predicted& p : std::exchange(predictions_, {})) keepPrediction(std::move(p));
@@ -92,6 +93,7 @@ void AttemptRecorder::resume(Application& app, const std::filesystem::path& less
   }
   if (paused_) return;  // whose work it is will be asked first
   app.lesson.session()->restore(memoryOf(*attempt));
+  app.lesson.session()->setOrderSeed(orderSeed(attempt->header));
   if (!log_) return;
   student_ = attempt->header.student;
   log_.emplace(attempt_file, attempt->end_s(), Resumed{now(), MOLTACT_VERSION, deviceName(app), gaveForce(app)});

@@ -127,8 +127,9 @@ void Playback::stageFor(Application& app) {
   const Expected<MoleculeKey> found = findMoleculeKey(id, MoleculeFolders::ofThisComputer());
   if (found) return app.showMolecule(*found);
   if (missing_ == name) return;
-  const fs::path own =
-      fileBesideLesson(timeline_->header().lesson.file, name, {lessonFolderOf(app.settings), packsFolderOf(app)});
+  std::vector<fs::path> folders{lessonFolderOf(app.settings), packsFolderOf(app)};
+  for (const fs::path& shared : sharedDataFolders()) folders.push_back(shared / "lessons");
+  const fs::path own = fileBesideLesson(timeline_->header().lesson.file, name, folders);
   if (!own.empty()) return app.showMolecule({own, stage->reading});
   missing_ = name;
   app.messages.warning(trf("The molecule of this attempt, {0}, is not on this computer: put it beside {1}.", name,

@@ -1,7 +1,9 @@
 #include "app/ui/files/library.h"
 
+#include <algorithm>
 #include <fstream>
 #include <optional>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
@@ -45,6 +47,16 @@ std::vector<LibraryItem> lessonItems(const fs::path& folder) {
   return items;
 }
 
+std::vector<LibraryItem> lessonsOf(const std::vector<fs::path>& folders) {
+  std::vector<LibraryItem> items;
+  for (const fs::path& folder : folders)
+    for (LibraryItem& item : lessonItems(folder))
+      if (std::none_of(items.begin(), items.end(), [&](const LibraryItem& other) { return other.id == item.id; }))
+        items.push_back(std::move(item));
+  std::stable_sort(items.begin(), items.end(), [](const LibraryItem& a, const LibraryItem& b) { return a.id < b.id; });
+  return items;
+}
+
 LibraryItem lessonItem(const fs::path& file) { return {lessonName(file).id, titleOf(file), file}; }
 
 const std::vector<LibraryItem>& library() {
@@ -62,7 +74,10 @@ const std::vector<LibraryItem>& lessons() {
   static std::optional<std::string> listed_in;
   if (listed_in != language()) {
     listed_in = language();
-    items = lessonItems(lessonsFolder());
+    std::vector<fs::path> folders;
+    for (const fs::path& shared : sharedDataFolders()) folders.push_back(shared / "lessons");
+    folders.push_back(lessonsFolder());
+    items = lessonsOf(folders);
   }
   return items;
 }

@@ -20,10 +20,14 @@ inline constexpr std::string_view kFirstLesson = "first-touch";
 
 /// The molecules of the catalogue, their titles in the language in use; empty where the program's data are not found.
 const std::vector<LibraryItem>& library();
-/// The lesson files in the program's lessons folder, by name; each lesson once, in the language in use.
+/// The lessons of this computer, by name: those in `lessons` of sharedDataFolders(), and the program's; each once, in the
+/// language in use.
 const std::vector<LibraryItem>& lessons();
 /// The lessons in a folder, by name; each once, in the language in use. Empty where it cannot be read.
 std::vector<LibraryItem> lessonItems(const std::filesystem::path& folder);
+/// The lessons in several folders, by name. Of lessons with the same name that in the first folder counts: a newer
+/// version, or one for this school.
+std::vector<LibraryItem> lessonsOf(const std::vector<std::filesystem::path>& folders);
 /// One lesson, its title as the front matter has it.
 LibraryItem lessonItem(const std::filesystem::path& file);
 

@@ -22,7 +22,7 @@ std::vector<LibraryItem> lessonsAmong(const std::vector<std::string>& files);
 /// languages the one in use; a Problem (of a lesson its first error) where that cannot be, and then nothing is changed.
 Expected<std::filesystem::path> addLesson(const std::filesystem::path& file, const std::filesystem::path& packs);
 
-/// A file of this name in a folder of own lessons or packs that holds a lesson of this file's name, or below it. Empty
+/// A file of this name in a folder of lessons or packs that holds a lesson of this file's name, or below it. Empty
 /// where there is none.
 std::filesystem::path fileBesideLesson(const std::string& lesson_file, const std::string& name,
                                        const std::vector<std::filesystem::path>& folders);

@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "engine/language/catalogue.h"
+#include "engine/language/units.h"
 #include "engine/platform/write_file.h"
 
 namespace moltact {
@@ -23,7 +24,7 @@ void readNumber(const nlohmann::json& from, const char* key, double& to, double 
   }
 }
 
-constexpr std::array<std::string_view, 4> kProbeLooks{"water", "ball", "stylus", "finger"};
+constexpr std::array<std::string_view, 3> kProbeLooks{"water", "ball", "stylus"};
 
 constexpr std::array<std::string_view, 3> kDecimalSigns{"language", "point", "comma"};
 
@@ -77,6 +78,7 @@ LoadedSettings loadSettings(const fs::path& file) {
   readNumber(json, "lesson_width", s.lesson_width, 240.0, 700.0);
   readNumber(json, "touch_width", s.touch_width, 220.0, 600.0);
   readSwitch(json, "legend", s.legend);
+  readSwitch(json, "depth_gauge", s.depth_gauge);
   readSwitch(json, "colour_blind_safe", s.colour_blind_safe);
   readSwitch(json, "left_handed", s.left_handed);
   if (const auto code = json.find("language"); code != json.end() && code->is_string())
@@ -87,6 +89,8 @@ LoadedSettings loadSettings(const fs::path& file) {
   if (comma) s.decimal_sign = DecimalSign::Comma;
   if (const auto sign = json.find("decimal_sign"); sign != json.end() && sign->is_string())
     s.decimal_sign = decimalSignNamed(sign->get<std::string>()).value_or(s.decimal_sign);
+  if (const auto unit = json.find("length_unit"); unit != json.end() && unit->is_string())
+    if (UnitSet().choose(Dimension::Length, unit->get<std::string>())) s.length_unit = unit->get<std::string>();
   if (const auto folder = json.find("lesson_folder"); folder != json.end() && folder->is_string())
     s.lesson_folder = folder->get<std::string>();
   if (const auto look = json.find("probe_look"); look != json.end() && look->is_string())
@@ -111,10 +115,12 @@ nlohmann::json written(const Settings& s) {
           {"lesson_width", s.lesson_width},
           {"touch_width", s.touch_width},
           {"legend", s.legend},
+          {"depth_gauge", s.depth_gauge},
           {"colour_blind_safe", s.colour_blind_safe},
           {"left_handed", s.left_handed},
           {"language", s.language},
           {"decimal_sign", kDecimalSigns[std::size_t(s.decimal_sign)]},
+          {"length_unit", s.length_unit},
           {"lesson_folder", s.lesson_folder},
           {"probe_look", probeLookName(s.probe_look)},
           {"device", s.device},

@@ -15,16 +15,15 @@
 namespace moltact {
 namespace {
 
-using Field = std::string_view (*)(const Method&);
-std::string_view familyOf(const Method& m) { return m.family.name; }
-std::string_view gradeOf(const Method& m) { return m.grade; }
-std::string_view variantOf(const Method& m) { return m.variant; }
+using Field = std::string (*)(const Method&);
+std::string familyOf(const Method& m) { return std::string(m.family.name); }
+std::string variantOf(const Method& m) { return std::string(m.variant); }
 
 // The different values of a field among some methods, in their order.
 std::vector<std::string> valuesOf(const std::vector<const Method*>& among, Field field) {
   std::vector<std::string> values;
   for (const Method* m : among)
-    if (std::find(values.begin(), values.end(), field(*m)) == values.end()) values.emplace_back(field(*m));
+    if (std::find(values.begin(), values.end(), field(*m)) == values.end()) values.push_back(field(*m));
   return values;
 }
 
@@ -47,8 +46,8 @@ bool row(const char* name, std::vector<const Method*>& among, Field field, const
 
 // The middle grade, and of that the first: neither the crudest nor the finest.
 const Method* middleOf(const std::vector<const Method*>& among) {
-  const std::vector<std::string> grades = valuesOf(among, gradeOf);
-  return those(among, gradeOf, grades[grades.size() / 2]).front();
+  const std::vector<std::string> grades = valuesOf(among, gradeText);
+  return those(among, gradeText, grades[grades.size() / 2]).front();
 }
 
 }  // namespace
@@ -62,7 +61,7 @@ void drawMethodChooser(Application& app) {
   const WhileLocked locked(app, "method");
   if (row("method", among, familyOf, *now))
     next = middleOf(among);
-  else if (row("grade", among, gradeOf, *now))
+  else if (row("grade", among, gradeText, *now))
     next = among.front();
   else if (row("variant", among, variantOf, *now))
     next = among.front();

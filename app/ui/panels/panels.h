@@ -13,7 +13,8 @@ struct PanelState;
 struct Panel {
   std::string_view name;
   void (*draw)(Application& app);  ///< draws nothing where it is closed or has no room
-  bool PanelState::*page;          ///< for a page: what opens it; null for what is no page, and for FilePage
+  bool PanelState::*page;          ///< of a page: its flag, which opens it; null for a panel, and for FilePage, which
+                                   ///< FileDialog opens
 };
 
 /// In the order in which they are drawn.

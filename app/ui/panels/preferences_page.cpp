@@ -1,4 +1,5 @@
 // Edit > Preferences: what suits a person and not a scene. Every change takes effect at once and is kept.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string>
@@ -10,6 +11,7 @@
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/units.h"
 #include "engine/platform/folders.h"
 
 namespace moltact {
@@ -33,10 +35,10 @@ void drawColours(Settings& s) {
 
 void drawProbe(Settings& s) {
   sectionTitle(tr("Probe and hand"));
-  static const std::vector<std::string> kLooks{N_("Water"), N_("Ball"), N_("Stylus"), N_("Finger")};
+  static const std::vector<std::string> kLooks{N_("Water"), N_("Ball"), N_("Stylus")};
   std::size_t look = std::size_t(s.probe_look);
   if (segments("preferences/probe", kLooks, look)) s.probe_look = ProbeLook(look);
-  quietText(tr("A stylus or a finger stands where your hand is, beside the water molecule."));
+  quietText(tr("A stylus stands where your hand is, beside the water molecule."));
 }
 
 void drawSize(Settings& s) {
@@ -74,6 +76,23 @@ void drawLanguage(Settings& s) {
     names.push_back(l.name);
   }
   if (segments("preferences/language", names, chosen)) s.language = chosen == 0 ? "" : kLanguages[chosen - 1].code;
+}
+
+void drawNumbers(Settings& s) {
+  sectionTitle(tr("Numbers"));
+  static const std::vector<std::string> kNumbers{N_("As in the language"), "1.4", "1,4"};
+  std::size_t sign = std::size_t(s.decimal_sign);
+  if (segments("preferences/numbers", kNumbers, sign)) s.decimal_sign = DecimalSign(sign);
+  ImGui::Dummy({0, look().px(8)});
+  sectionTitle(tr("Lengths in the molecule"));
+  std::vector<std::string> symbols;
+  for (const Unit& unit : units())
+    if (unit.dimension == Dimension::Length && unit.use & kShowable) symbols.emplace_back(unit.symbol);
+  const std::string own(UnitSet().of(Dimension::Length)->symbol), &now = s.length_unit.empty() ? own : s.length_unit;
+  std::size_t chosen = std::size_t(std::find(symbols.begin(), symbols.end(), now) - symbols.begin());
+  if (segments("preferences/length-unit", symbols, chosen))
+    s.length_unit = symbols[chosen] == own ? "" : symbols[chosen];
+  quietText(tr("The text of a lesson keeps the unit that its author wrote."));
 }
 
 void drawOwnLessons(Application& app) {
@@ -118,10 +137,7 @@ void drawPreferencesPage(Application& app) {
   toggle("preferences/left-handed", tr("Left-handed mouse"), s.left_handed,
          tr("Over the molecule the right button pushes and the left one turns."));
   part();
-  sectionTitle(tr("Numbers"));
-  static const std::vector<std::string> kNumbers{N_("As in the language"), "1.4", "1,4"};
-  std::size_t sign = std::size_t(s.decimal_sign);
-  if (segments("preferences/numbers", kNumbers, sign)) s.decimal_sign = DecimalSign(sign);
+  drawNumbers(s);
   part();
   drawOwnLessons(app);
   ImGui::EndChild();

@@ -1,4 +1,4 @@
-// The edges between the side panels and the view, which can be dragged.
+// The edges between the panels and the view, which can be dragged.
 #include <algorithm>
 
 #include "app/ui/application/application.h"
@@ -28,9 +28,37 @@ void splitter(const char* name, const Rectangle& panel, bool on_its_right, doubl
   endPanel();
 }
 
+// Above a panel that stands below the view.
+void levelSplitter(const char* name, const Layout& layout, const Rectangle& panel, float& share) {
+  constexpr float kLeast = 0.2f, kMost = 0.8f;
+  const Look& l = look();
+  const float half = l.px(6), y = panel.low.y;
+  if (!beginOverlay(name, {{panel.low.x, y - half}, {panel.high.x, y + half}})) return;
+  ImGui::InvisibleButton(name, {panel.size().x, 2 * half});
+  const bool active = ImGui::IsItemActive(), hovered = ImGui::IsItemHovered();
+  if (active || hovered) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+  if (active) {
+    const float room = layout.status.low.y - layout.menu.high.y;
+    share = std::clamp((layout.status.low.y - ImGui::GetIO().MousePos.y) / std::max(1.0f, room), kLeast, kMost);
+  }
+  const ImU32 colour = active || hovered ? l.palette.accent : l.palette.line;
+  const float line = std::max(1.0f, l.scale), middle = 0.5f * (panel.low.x + panel.high.x), grip = l.px(18);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({panel.low.x, y - 0.5f * line}, {panel.high.x, y + 0.5f * line}, colour);
+  draw->AddRectFilled({middle - grip, y - l.px(2)}, {middle + grip, y + l.px(2)}, colour, l.px(2));
+  recordRectangle(name, {panel.low.x, y - half}, {panel.high.x, y + half});
+  endPanel();
+}
+
 }  // namespace
 
 void drawSplitters(Application& app) {
+  const Layout& layout = app.layout();
+  if (layout.tall) {
+    const Rectangle& panel = layout.lesson.empty() ? layout.touch : layout.lesson;
+    if (!panel.empty()) levelSplitter("splitter/below", layout, panel, app.panels.below_share);
+    return;
+  }
   splitter("splitter/lesson", app.layout().lesson, true, app.settings.lesson_width, 240.0, 700.0);
   splitter("splitter/touch", app.layout().touch, false, app.settings.touch_width, 220.0, 600.0);
 }

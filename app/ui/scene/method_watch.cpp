@@ -39,11 +39,16 @@ double TickHistogram::quantile_us(double share) const {
   return kLeast_us * std::pow(10.0, (bin + within) / kBinsADecade);
 }
 
+double clearanceAt(const BallScene& resting, const ServoSample& s, const SphereMotion* motion) {
+  return clearance(motion ? motion->sweptBalls() : resting, s.probe_A, s.hip.A, motion, s.fraction);
+}
+
 MethodWatch::MethodWatch() : turns_(std::size_t(TouchLog::kPlot_s / kTick_s) / TouchLog::kTicksAPoint) {}
 
 void MethodWatch::begin(const Stage& stage, double probe_A) {
   balls_ = stage.balls;
   exact_ = stage ? referenceMethod().make(stage.balls, probe_A) : nullptr;
+  motion_ = nullptr;
   latest_exact_ = {};
   left_behind_ticks_ = 0;
   tried_.clear();
@@ -83,14 +88,21 @@ double MethodWatch::greatestTurn_deg() const {
   return double(most);
 }
 
-Contact MethodWatch::add(const ServoSample& s, const Method& method) {
+Contact MethodWatch::add(const ServoSample& s, const Method& method,
+                         const std::shared_ptr<const SphereMotion>& motion) {
   noteTurn(s);
   if (!exact_ || !s.has_interaction) return {.scp = s.hip};
   if (s.placed) exact_->reset();
   if (s.probe_A != exact_->probe_A()) exact_->setProbe(s.probe_A);
+  // As ServoStep has them: first the spheres, then the hand.
+  if (motion != motion_) {
+    exact_->setMotion(motion.get());
+    motion_ = motion;
+  }
+  if (motion_) exact_->advanceTo(s.fraction);
   Contact exact = exact_->step(s.hip);
   // A method that has lost the surface lets the hand out on the far side; the exact SCP must not wait for it for ever.
-  const bool alone = exact.touching() && !s.contact.touching() && clearance(*balls_, s.probe_A, s.hip.A) > 0.0;
+  const bool alone = exact.touching() && !s.contact.touching() && clearanceAt(*balls_, s, motion_.get()) > 0.0;
   left_behind_ticks_ = alone ? left_behind_ticks_ + 1 : 0;
   if (left_behind_ticks_ > kLeftBehind_ticks) {
     exact_->reset();

@@ -39,6 +39,10 @@ struct MethodRecord {
   std::size_t ticks = 0;  ///< in contact, since the scene was opened
 };
 
+/// How far the tick's HIP is from the nearest ball that its probe inflates, where the balls were in that tick (as
+/// clearance() in engine/haptics/sweep.h; negative inside); the motion is ServoLink::motionOf of the tick.
+double clearanceAt(const BallScene& resting, const ServoSample& sample, const SphereMotion* motion);
+
 class MethodWatch {
  public:
   static constexpr std::size_t kMemory_ticks = 3000;
@@ -47,8 +51,10 @@ class MethodWatch {
   MethodWatch();
   /// A new scene: nothing has been tried.
   void begin(const Stage& stage, double probe_A);
-  /// One tick that `method` made. Gives the exact tracker's contact for the same hand; free before begin().
-  Contact add(const ServoSample& sample, const Method& method);
+  /// One tick that `method` made, in that motion of the spheres (null: they are at rest). Gives the exact tracker's
+  /// contact for the same hand; free before begin(). What is felt as a body, and not as a point, is none of its ticks.
+  Contact add(const ServoSample& sample, const Method& method,
+              const std::shared_ptr<const SphereMotion>& motion = nullptr);
 
   /// The exact tracker's contact at the last tick.
   const Contact& exact() const { return latest_exact_; }
@@ -66,6 +72,7 @@ class MethodWatch {
   void noteTurn(const ServoSample& sample);
 
   std::shared_ptr<const BallScene> balls_;
+  std::shared_ptr<const SphereMotion> motion_;  // outlives exact_, which reads it
   std::unique_ptr<Tracker> exact_;
   Contact latest_exact_;
   std::size_t left_behind_ticks_ = 0;

@@ -75,8 +75,21 @@ void ServoLink::handOver(std::unique_ptr<Interaction> felt, std::uint32_t scene)
   loop().setInteraction(std::move(felt), scene);
 }
 
+bool ServoLink::setMotion(std::shared_ptr<const SphereMotion> motion) {
+  if (!loop().setMotion(motion, scene_)) return false;
+  motions_.push_back(std::move(motion));
+  return true;
+}
+
+std::shared_ptr<const SphereMotion> ServoLink::motionOf(const ServoSample& sample) const {
+  for (const auto& motion : motions_)
+    if (motion->serial() == sample.motion) return motion;
+  return nullptr;
+}
+
 void ServoLink::begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt) {
   ++scene_;
+  motions_.clear();
   // In this order: the new one is never asked with the old settings.
   beginAgain(settings);
   setInteraction(std::move(felt));
@@ -100,6 +113,9 @@ void ServoLink::take(const ServoSample& sample) {
 const std::vector<ServoSample>& ServoLink::advance(double dt_s) {
   ticks_.clear();
   every_.clear();
+  // Motions follow one another: none before the newest tick's comes again.
+  if (motionOf(newest_))
+    while (motions_.front()->serial() != newest_.motion) motions_.pop_front();
   if (thread_) {
     loop().drain([this](const ServoSample& sample) { take(sample); });
     return ticks_;

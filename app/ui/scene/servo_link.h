@@ -2,6 +2,7 @@
 // 1 kHz or the same ticks on the frames' clock, so that a script repeats exactly. Window's thread.
 #pragma once
 
+#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -50,7 +51,10 @@ class ServoLink {
   /// Another interaction, or another method of it, in the same scene.
   void setInteraction(std::unique_ptr<Interaction> felt);
   /// The next motion of this scene's spheres (ServoLoop::setMotion); false while the one before waits.
-  bool setMotion(std::shared_ptr<const SphereMotion> motion) { return loop().setMotion(std::move(motion), scene_); }
+  bool setMotion(std::shared_ptr<const SphereMotion> motion);
+  /// The motion of this scene's spheres in which the tick was made, of the ticks of the last advance() and of newest();
+  /// null: they were at rest.
+  std::shared_ptr<const SphereMotion> motionOf(const ServoSample& sample) const;
   /// A new scene: what was felt of the one before no longer comes out of advance().
   void begin(const ServoSettings& settings, std::unique_ptr<Interaction> felt);
   /// The same molecule, placed again by `settings`: ticks of earlier discontinuities no longer come out.
@@ -96,6 +100,7 @@ class ServoLink {
   MouseDevice mouse_;  // outlives the loop, which reads it
   std::vector<ServoSample> ticks_, every_;
   ServoSample newest_;
+  std::deque<std::shared_ptr<const SphereMotion>> motions_;  // of this scene, from that of the oldest tick held on
   bool trying_ = false;
   std::uint32_t scene_ = 0, first_placement_ = 0, handed_over_ = 0;
   // On the frames' clock:

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "engine/haptics/sweep.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/workspace/fit_workspace.h"
 
@@ -273,7 +272,9 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
   } else {
     for (const ServoSample& sample : ticks) {
       log_.add(sample);
-      felt_.push_back({sample, watch_.add(sample, m)});
+      // A body has no SCP that a sphere's could be held against.
+      felt_.push_back(
+          {sample, servo_.hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
     }
     log_.measure(now_s);
     servo_.timeTicks(timed);
@@ -281,6 +282,7 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
     watchLeftBehind(dt_s);
     drawBack(dt_s);
   }
+  log_.figureForce(now_s);
   // Whatever is shown: the panic key is among the settings.
   servo_.setSettings(handed(trying()));
   return {felt_, m};
@@ -288,7 +290,9 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
 
 void TouchScene::watchLeftBehind(double dt_s) {
   const ServoSample& now = log_.latest();
-  const bool free = stage_ && log_.touching() && clearance(*stage_.balls, now.probe_A, now.hip.A) > 0.0;
+  // A body may touch with its rim while its middle is in the open: of it this says nothing.
+  const bool free = stage_ && log_.touching() && !servo_.hasOrientation() &&
+                    clearanceAt(*stage_.balls, now, servo_.motionOf(now).get()) > 0.0;
   log_.countLeftBehind(free && !controls.pressing(), dt_s);
   if (log_.leftBehind_s() <= kLeftBehind_s) return;
   ++servo_settings.discontinuities;

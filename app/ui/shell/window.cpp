@@ -152,6 +152,9 @@ GLFWwindow* openWindow() {
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "Moltact");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "moltact");
+#ifdef GLFW_WAYLAND_APP_ID  // from GLFW 3.4 on
+  glfwWindowHintString(GLFW_WAYLAND_APP_ID, "org.moltact.Moltact");
+#endif
   GLFWwindow* window = glfwCreateWindow(1280, 800, "Moltact", nullptr, nullptr);
   if (window) glfwSetWindowSizeLimits(window, 480, 360, GLFW_DONT_CARE, GLFW_DONT_CARE);
   return window;

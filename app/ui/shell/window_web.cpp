@@ -15,6 +15,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/user_folders.h"
+#include "app/ui/panels/push_pads.h"
 #include "app/ui/shell/application_parts.h"
 #include "app/ui/shell/keyboard_layout.h"
 #include "app/ui/shell/page_keys.h"
@@ -32,6 +33,7 @@
 EM_JS(void, copyText, (const char* text), { Module.page.copy(UTF8ToString(text)); })
 EM_JS(void, showCursor, (int shape), { Module.page.cursor(shape); })
 EM_JS(void, vibrate, (int ms), { Module.page.vibrate(ms); })
+EM_JS(int, hasTouchScreen, (void), { return Module.page.fingers() ? 1 : 0; })
 EM_JS(void, showFullScreen, (int on), { Module.page.fullScreen(on); })
 
 namespace moltact {
@@ -70,12 +72,22 @@ void feel() {
   if (contact.touching() && page->app.scene.controls.pressing()) vibrate(kShort_ms);
 }
 
-// On the molecule's picture, and no page or menu over it.
-bool inView(double x, double y) {
-  const Rectangle& r = page->app.layout().view;
-  const bool inside = x >= double(r.low.x) && x < double(r.high.x) && y >= double(r.low.y) && y < double(r.high.y);
-  return inside && !page->app.panels.welcome &&
-         !ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+bool within(glm::dvec2 at, const Rectangle& r) {
+  return at.x >= double(r.low.x) && at.x < double(r.high.x) && at.y >= double(r.low.y) && at.y < double(r.high.y);
+}
+
+// On the molecule's picture or a pad in it, and no page or menu over it.
+Fingers::On fingerOn(glm::dvec2 at) {
+  const Application& app = page->app;
+  if (app.panels.welcome || !within(at, app.layout().view) ||
+      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+    return Fingers::On::Panel;
+  const auto& all = widgets().all();
+  const auto on = [&](const char* name) {
+    const auto pad = all.find(name);
+    return pad != all.end() && within(at, {pad->second.low, pad->second.high});
+  };
+  return on(kHarderPad) ? Fingers::On::Harder : on(kLighterPad) ? Fingers::On::Lighter : Fingers::On::View;
 }
 
 bool makeContext() {
@@ -99,6 +111,7 @@ int runWindow(const WindowOptions& options) {
   };
   io.GetClipboardTextFn = [](void*) { return page->clipboard.c_str(); };
   page->app.extensions().state_text.writeTo("-");
+  page->app.panels.fingers = hasTouchScreen() != 0;
   if (options.file.empty())
     page->app.panels.welcome = true;
   else
@@ -125,7 +138,10 @@ EMSCRIPTEN_KEEPALIVE int moltact_frame(int width, int height, double content_sca
   return (app.live() || !page->shell.input().empty() ? 1 : 0) | (ImGui::GetIO().WantTextInput ? 2 : 0);
 }
 
-EMSCRIPTEN_KEEPALIVE void moltact_pointer(double x, double y) { page->shell.input().pointer(x, y); }
+EMSCRIPTEN_KEEPALIVE void moltact_pointer(double x, double y) {
+  page->app.panels.fingers = false;
+  page->shell.input().pointer(x, y);
+}
 EMSCRIPTEN_KEEPALIVE void moltact_pointer_left() { page->shell.input().pointerLeft(); }
 EMSCRIPTEN_KEEPALIVE void moltact_button(int button, int down) { page->shell.input().button(button, down != 0); }
 EMSCRIPTEN_KEEPALIVE void moltact_wheel(double x, double y) { page->shell.input().wheel(x, y); }
@@ -154,7 +170,9 @@ EMSCRIPTEN_KEEPALIVE void moltact_clipboard(const char* utf8) { page->clipboard 
 
 // Fingers: place in pixels, time in seconds.
 EMSCRIPTEN_KEEPALIVE void moltact_finger_down(int id, double x, double y, double now_s) {
-  page->fingers.down(id, {x, y}, moltact::inView(x, y), now_s, double(ImGui::GetFontSize()));
+  const moltact::Fingers::On on = moltact::fingerOn({x, y});
+  page->app.panels.fingers = true;
+  page->fingers.down(id, {x, y}, on, now_s, double(ImGui::GetFontSize()));
 }
 EMSCRIPTEN_KEEPALIVE void moltact_finger_move(int id, double x, double y, double) { page->fingers.move(id, {x, y}); }
 EMSCRIPTEN_KEEPALIVE void moltact_finger_up(int id, double) { page->fingers.up(id); }
@@ -172,16 +190,17 @@ EMSCRIPTEN_KEEPALIVE void moltact_pen(double pressure) {
   page->pen_N = wanted_N;
 }
 
-// What stands on the screen, in the order of reading: JSON of [text, x, y]; x is -1 for what cannot be pressed.
+// What stands on the screen, and what can be scrolled there, in the order of reading: JSON of [text, x, y]; x is -1 for what
+// cannot be pressed.
 EMSCRIPTEN_KEEPALIVE const char* moltact_words() {
   std::vector<const moltact::WidgetRecord*> seen;
   for (const auto& [name, record] : moltact::widgets().all())
-    if (!record.text.empty() && record.visible()) seen.push_back(&record);
+    if (!record.text.empty() && (record.visible() || record.scrolls)) seen.push_back(&record);
   std::sort(seen.begin(), seen.end(),
             [](const auto* a, const auto* b) { return std::pair(a->low.y, a->low.x) < std::pair(b->low.y, b->low.x); });
   nlohmann::json all = nlohmann::json::array();
   for (const moltact::WidgetRecord* r : seen) {
-    const glm::vec2 at = r->key_stop ? r->centre() : glm::vec2(-1.0f);
+    const glm::vec2 at = r->key_stop && r->visible() ? r->centre() : glm::vec2(-1.0f);
     all.push_back({r->text, at.x, at.y});
   }
   page->words = all.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

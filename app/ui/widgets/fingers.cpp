@@ -21,7 +21,21 @@ void Fingers::letGo() {
   if (way_ != Way::Ended && way_ != Way::None) to_.pointerLeft();
 }
 
-void Fingers::down(int id, glm::dvec2 place, bool in_view, double now_s, double line_px) {
+// The wheel pushes where a push is under way.
+void Fingers::pushNotch(double now_s) {
+  if (way_ != Way::Pushing) return;
+  to_.wheel(0.0, pad_->notches);
+  pad_->last_s = now_s;
+}
+
+void Fingers::down(int id, glm::dvec2 place, On on, double now_s, double line_px) {
+  if (on == On::Harder || on == On::Lighter) {
+    if (pad_) return;
+    pad_ = Pad{id, on == On::Harder ? 1.0 : -1.0, now_s};
+    pushNotch(now_s);
+    return;
+  }
+  const bool in_view = on == On::View;
   const auto same = std::find_if(fingers_.begin(), fingers_.end(), [id](const Finger& f) { return f.id == id; });
   if (same != fingers_.end()) return;
   fingers_.push_back({id, place});
@@ -79,6 +93,10 @@ void Fingers::move(int id, glm::dvec2 place) {
 }
 
 void Fingers::up(int id) {
+  if (pad_ && pad_->id == id) {
+    pad_.reset();
+    return;
+  }
   if (std::erase_if(fingers_, [id](const Finger& f) { return f.id == id; }) == 0) return;
   if (way_ == Way::Waiting) {
     to_.button(kLeft, true);
@@ -90,6 +108,7 @@ void Fingers::up(int id) {
 
 // The pointer stands there already, without a button: the panel shows its tool tip by itself.
 void Fingers::advance(double now_s) {
+  if (pad_ && now_s - pad_->last_s >= kRepeat_s) pushNotch(now_s);
   if (way_ == Way::Waiting && now_s - begun_s_ > kLong_s) way_ = Way::Telling;
 }
 

@@ -1,10 +1,11 @@
 // Fingers on a touch screen, turned into what a mouse does. In the view one finger pushes, two turn and, as they part,
-// magnify. On the panels a finger that stays is a click, one that moves up or down scrolls, one that moves sideways drags,
+// magnify; beside the finger that pushes another one on a pad of the view's edge pushes harder or lighter. On the panels a finger that stays is a click, one that moves up or down scrolls, one that moves sideways drags,
 // and one that rests for long tells what lies under it, as a mouse does that hovers. Window's thread. Units: pixel of the
 // framebuffer, second.
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "app/ui/widgets/input_queue.h"
@@ -15,8 +16,15 @@ class Fingers {
  public:
   explicit Fingers(InputQueue& to) : to_(to) {}
 
-  /// `in_view`: it stands on the molecule's picture and not on a panel. `line_px`: the height of a line of text.
-  void down(int id, glm::dvec2 place_px, bool in_view, double now_s, double line_px);
+  enum class On {
+    Panel,
+    View,  ///< the molecule's picture
+    Harder,
+    Lighter,  ///< the pads of the view's edge
+  };
+
+  /// `line_px`: the height of a line of text.
+  void down(int id, glm::dvec2 place_px, On on, double now_s, double line_px);
   void move(int id, glm::dvec2 place_px);
   void up(int id);
   /// Once a frame.
@@ -26,6 +34,7 @@ class Fingers {
   static constexpr double kLong_s = 0.5;       ///< so long a finger rests until it tells what lies there
   static constexpr double kNotch_lines = 5.0;  ///< a notch of the wheel scrolls so far
   static constexpr double kNotch = 1.12;       ///< and magnifies so much
+  static constexpr double kRepeat_s = 0.25;    ///< a pad that is held gives a notch of push each
 
  private:
   enum class Way {
@@ -45,9 +54,16 @@ class Fingers {
   glm::dvec2 middle() const;
   double spread() const;
   void letGo();
+  void pushNotch(double now_s);
 
   InputQueue& to_;
   std::vector<Finger> fingers_;
+  struct Pad {
+    int id;
+    double notches;  ///< of each repeat
+    double last_s;   ///< of the last one
+  };
+  std::optional<Pad> pad_;
   Way way_ = Way::None;
   glm::dvec2 begun_{0.0}, last_{0.0};
   double begun_s_ = 0.0, line_px_ = 16.0, last_spread_ = 0.0;

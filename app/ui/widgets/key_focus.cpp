@@ -176,13 +176,98 @@ unsigned keyStop() {
   return item.ID;
 }
 
-bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags) {
-  const bool entered = ImGui::InputTextMultiline(label, &text, size, flags);
-  // ImGui 1.86 leaves a group there: without a name, or, while it is written in, with the field's and not its kind.
+namespace {
+
+// ImGui 1.86 leaves a group there: without a name, or, while it is written in, with the field's and not its kind.
+void nameLinesItem(const char* label) {
   if (const ImGuiLastItemData item = GImGui->LastItemData; !(item.InFlags & ImGuiItemFlags_Inputable))
     ImGui::SetLastItemData(ImGui::GetID(label), GImGui->CurrentItemFlags | ImGuiItemFlags_Inputable, item.StatusFlags,
                            item.Rect);
+}
+
+}  // namespace
+
+bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags) {
+  const bool entered = ImGui::InputTextMultiline(label, &text, size, flags);
+  nameLinesItem(label);
   return entered;
+}
+
+namespace {
+
+// A line end that breakLines has made stands behind a space.
+bool isBreak(std::string_view text, std::size_t k) { return k > 0 && text[k] == '\n' && text[k - 1] == ' '; }
+
+// Puts a line end behind the last space of each line that is wider than that.
+std::string breakLines(std::string_view text, float width) {
+  std::string out;
+  std::size_t line = 0, space = 0;  // where the line begins, and behind its last space; 0: it has none
+  for (const char c : text) {
+    out += c;
+    if (c == '\n') {
+      line = out.size(), space = 0;
+      continue;
+    }
+    if (space > 0 && ImGui::CalcTextSize(out.data() + line, out.data() + out.size()).x > width) {
+      out.insert(space, 1, '\n');
+      line = space + 1, space = 0;
+    }
+    if (c == ' ') space = out.size();
+  }
+  return out;
+}
+
+struct Wrapping {
+  std::string* text;
+  float width;
+};
+
+int wrapAsTyped(ImGuiInputTextCallbackData* data) {
+  const Wrapping& of = *static_cast<Wrapping*>(data->UserData);
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackResize) {
+    of.text->resize(std::size_t(data->BufTextLen));
+    data->Buf = of.text->data();
+    return 0;
+  }
+  const std::string_view now(data->Buf, std::size_t(data->BufTextLen));
+  // The cursor among the letters alone, and among them again.
+  std::size_t letters = 0;
+  for (std::size_t k = 0; k < std::size_t(data->CursorPos); ++k) letters += !isBreak(now, k);
+  const std::string next = breakLines(unbrokenLines(now), of.width);
+  if (next == now) return 0;
+  std::size_t cursor = 0;
+  for (std::size_t left = letters; cursor < next.size() && (left > 0 || isBreak(next, cursor)); ++cursor)
+    left -= !isBreak(next, cursor);
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, next.data(), next.data() + next.size());
+  data->CursorPos = data->SelectionStart = data->SelectionEnd = int(cursor);
+  return 0;
+}
+
+}  // namespace
+
+std::string unbrokenLines(std::string_view text) {
+  std::string out;
+  for (std::size_t k = 0; k < text.size(); ++k)
+    if (!isBreak(text, k)) out += text[k];
+  return out;
+}
+
+bool inputWrapped(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags) {
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const float all = size.x > 0 ? size.x : ImGui::GetContentRegionAvail().x;
+  Wrapping wrapping{&text, all - 2 * style.FramePadding.x - style.ScrollbarSize};
+  const std::string before = text;
+  flags |= ImGuiInputTextFlags_CallbackResize | ImGuiInputTextFlags_CallbackEdit;
+  const bool entered =
+      ImGui::InputTextMultiline(label, text.data(), text.capacity() + 1, size, flags, wrapAsTyped, &wrapping);
+  nameLinesItem(label);
+  keepOnEscape(text, before);
+  return entered;
+}
+
+void keepOnEscape(std::string& text, const std::string& before) {
+  if (text != before && ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGuiKey_Escape, false)) text = before;
 }
 
 void writeInLastField(const char* label) {

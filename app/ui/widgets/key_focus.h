@@ -36,6 +36,12 @@ unsigned keyStop();
 /// ImGui's InputTextMultiline, which leaves no item behind that Tab could lead to: never in 1.86, in 1.90 where it is out
 /// of sight.
 bool inputLines(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags = 0);
+/// The same with its lines broken at the field's width while they are written, which ImGui before 1.92 cannot. The text
+/// then holds line ends that unbrokenLines takes out again.
+bool inputWrapped(const char* label, std::string& text, ImVec2 size, ImGuiInputTextFlags flags = 0);
+std::string unbrokenLines(std::string_view text);
+/// After a field that held `before`: Escape ends the writing and takes nothing back, as ImGui's own does.
+void keepOnEscape(std::string& text, const std::string& before);
 /// After the field of that label: what is typed from now on is written there. The one way to do this by itself;
 /// ImGui's own SetKeyboardFocusHere finds no field in a window other than the one that the keys were in (1.90).
 void writeInLastField(const char* label);

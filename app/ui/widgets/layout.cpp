@@ -29,6 +29,7 @@ Layout layOut(const LayoutWish& w, bool lesson_first) {
   bool lesson = w.lesson, touch = w.touch;
   if (out.narrow) {
     if (lesson && touch) (lesson_first ? touch : lesson) = false;
+    out.tall = w.window.y > w.window.x;
     const float most = std::max(0.42f * width, std::min(width - kLeastViewNarrow * s, 0.6f * width));
     left = std::min(left, std::round(most));
     right = std::min(right, std::round(most));
@@ -41,9 +42,18 @@ Layout layOut(const LayoutWish& w, bool lesson_first) {
     out.page = {{0, top}, {width, bottom}};
     return out;
   }
+  const float strip = std::min(std::round(w.strip_height * s), 0.5f * (bottom - top));
+  if (out.tall) {
+    const float below = lesson || touch ? std::round(w.below_share * (bottom - top)) : 0.0f, edge = bottom - below;
+    const float under = std::min(strip, 0.5f * (edge - top));
+    out.view = {{0, top}, {width, edge - under}};
+    out.strip = {{0, edge - under}, {width, edge}};
+    if (lesson) out.lesson = {{0, edge}, {width, bottom}};
+    if (touch) out.touch = {{0, edge}, {width, bottom}};
+    return out;
+  }
   out.lesson = {{0, top}, {left, bottom}};
   out.touch = {{width - right, top}, {width, bottom}};
-  const float strip = std::min(std::round(w.strip_height * s), 0.5f * (bottom - top));
   out.view = {{left, top}, {width - right, bottom - strip}};
   out.strip = {{left, bottom - strip}, {width - right, bottom}};
   return out;

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <utility>
 
+#include "engine/device/driver.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/force_inhibit.h"
 
@@ -77,5 +78,8 @@ Expected<std::unique_ptr<PacketPort>> openHid(const HidEntry& entry) {
         tr("give yourself the right to it with the udev rule in docs/devices.md, then plug the device in again")};
   return std::unique_ptr<PacketPort>(std::make_unique<RealPort>(device, entry.path));
 }
+
+bool devicesAreAskedFor() noexcept { return false; }
+void askForDevice() {}
 
 }  // namespace moltact

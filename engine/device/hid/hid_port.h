@@ -1,4 +1,4 @@
-// HID devices through hidapi: a list of them, and a port to one.
+// HID devices through hidapi, or in a page through WebHID: a list of them, and a port to one.
 #pragma once
 
 #include <cstdint>

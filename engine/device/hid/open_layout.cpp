@@ -78,11 +78,11 @@ std::optional<Problem> OpenLayoutProtocol::begin(PacketPort& port, DeviceInfo& i
   info.resolution_mm = step_mm_;
   info.max_force_N = 1e-3 * uint16At(bytes, 8);
   info.continuous_force_N = std::min(info.max_force_N, 1e-3 * uint16At(bytes, 10));
-  info.max_stiffness_N_per_mm = known(18, 1e-3, kUnknownStiffness_N_per_mm);
+  info.max_stiffness_N_per_mm = known(18, 1e-3, DeviceSpecs::kUnknownStiffness_N_per_mm);
   info.damping_N_s_per_m = 1e-3 * uint16At(bytes, 20);
   info.max_damping_N_s_per_m = 1e-3 * uint16At(bytes, 22);
   info.friction_N = 1e-3 * uint16At(bytes, 24);
-  info.delay_s = known(26, 1e-6, kUnknownDelay_s);
+  info.delay_s = known(26, 1e-6, DeviceSpecs::kUnknownDelay_s);
   measures_orientation_ = bytes[28] & kMeasuresOrientation;
   info.dof_in = measures_orientation_ ? 6 : 3;
   info.gives_force = gives_ = info.max_force_N > 0;

@@ -17,8 +17,6 @@ inline constexpr std::uint8_t kWatchdog_ms = 50;  ///< the watchdog time that th
 /// Bits of the status in a place report.
 inline constexpr std::uint8_t kFault = 1, kHot = 2, kUncalibrated = 4, kWatchdogTripped = 8;
 inline constexpr std::uint8_t kMeasuresOrientation = 1;  ///< of byte 28 of the description
-/// Cautious figures for a device that does not know its own and reports 0.
-inline constexpr double kUnknownStiffness_N_per_mm = 0.3, kUnknownDelay_s = 0.002;
 
 }  // namespace open_layout
 

@@ -84,7 +84,7 @@ std::size_t PlayStationProtocol::encodeFinalReport(ReportBuffer out) noexcept {
 namespace {
 
 DeviceInfo padInfo() {
-  DeviceInfo info;
+  DeviceInfo info{shownForceFigures()};
   info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
   return info;
 }

@@ -80,7 +80,7 @@ void SpaceMouseProtocol::advance(double dt_s, DevicePose& pose) noexcept {
 namespace {
 
 const HidKind& spaceMouse() {
-  DeviceInfo info;
+  DeviceInfo info{shownForceFigures()};
   info.dof_in = 6;
   info.workspace_mm = Vec3(2 * rate_control::kReach_mm);
   static const HidKind kind{"3Dconnexion SpaceMouse", isSpaceMouse,

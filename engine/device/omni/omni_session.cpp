@@ -8,7 +8,7 @@
 namespace moltact {
 namespace {
 
-// A figure that the driver does not report, or reports as 0, keeps its default.
+// A figure that the driver does not report, or reports as 0, stays.
 void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale = 1.0) {
   double value = 0;
   hd.getDoublev(name, &value);
@@ -16,11 +16,11 @@ void figure(const hd::Library& hd, std::uint32_t name, double& to, double scale 
 }
 
 void readFigures(const hd::Library& hd, OmniSession& session) {
-  DeviceInfo& info = session.info;  // as made: the Omni's published figures
+  DeviceInfo& info = session.info;
+  static_cast<DeviceSpecs&>(info) = phantomOmniFigures();
   info.gives_force = true;
   info.dof_in = 6;
   info.dof_out = 3;
-  info.continuous_force_N = 0.88;
   figure(hd, hd::kMaxForce, info.max_force_N);
   figure(hd, hd::kMaxContinuousForce, info.continuous_force_N);
   figure(hd, hd::kMaxStiffness, info.max_stiffness_N_per_mm);

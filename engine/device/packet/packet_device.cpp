@@ -14,12 +14,13 @@ constexpr int kWait_ms = 1;       // for a report, before the force is given all
 constexpr int kMostReports = 64;  // read at once: the newest is what counts
 constexpr auto kLookAgain = std::chrono::milliseconds(500);
 constexpr auto kNap = std::chrono::milliseconds(20);
+constexpr double kSameFrame_s = 0.002;  // without a thread: ticks this close belong to one frame
 
 }  // namespace
 
 Expected<std::unique_ptr<Device>> PacketDevice::open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
-                                                     DeviceInfo known) {
-  std::unique_ptr<PacketDevice> device(new PacketDevice(std::move(known)));
+                                                     DeviceInfo known, bool own_thread) {
+  std::unique_ptr<PacketDevice> device(new PacketDevice(std::move(known), own_thread));
   device->opener_ = std::move(opener);
   device->protocol_ = std::move(protocol);
   if (auto problem = device->openPort()) return *problem;
@@ -29,13 +30,16 @@ Expected<std::unique_ptr<Device>> PacketDevice::open(Opener opener, std::unique_
   first.pose.fault = guidance.text != nullptr;
   device->state_.write(first);
   device->guidance_.write(guidance);
-  device->thread_ = std::thread([raw = device.get()] { raw->run(); });
+  device->own_state_.pose.fresh = false;
+  device->last_turn_ = device->look_again_ = device->newest_command_.at = Clock::now();
+  if (device->own_thread_) device->thread_ = std::thread([raw = device.get()] { raw->run(); });
   return std::unique_ptr<Device>(std::move(device));
 }
 
 PacketDevice::~PacketDevice() {
   ends_.store(true);
   if (thread_.joinable()) thread_.join();
+  if (!own_thread_) sendFinalReport();
 }
 
 // Another device of the kind may have come than the one that was: its own figures are asked for each time.
@@ -63,9 +67,9 @@ bool PacketDevice::reopen(State& state) {
 }
 
 // Everything that has come, the newest counts; -1: the device is gone.
-int PacketDevice::receive(State& state) {
+int PacketDevice::receive(State& state, int wait_ms) {
   std::array<std::uint8_t, kMostReportBytes> in{};
-  int size = port_->read(in, kWait_ms);
+  int size = port_->read(in, wait_ms);
   for (int k = 0; k < kMostReports && size > 0; ++k) {
     if (protocol_->parseReport({in.data(), std::min<std::size_t>(std::size_t(size), in.size())}, state.pose)) {
       ++state.count;
@@ -97,7 +101,7 @@ bool PacketDevice::sendNewest(State& state) {
   const std::size_t length = none ? protocol_->encodeStop(out) : protocol_->encode(newest_command_.wrench, out);
   if (length == 0) return true;
   if (!port_->write({out.data(), length})) return false;
-  if (is_new) state.wait_s = std::chrono::duration<double>(Clock::now() - newest_command_.at).count();
+  if (is_new && own_thread_) state.wait_s = std::chrono::duration<double>(Clock::now() - newest_command_.at).count();
   return true;
 }
 
@@ -122,41 +126,51 @@ void PacketDevice::sendFinalReport() noexcept {
   }
 }
 
-void PacketDevice::run() {
-  State state;
-  state.pose.fresh = false;
-  Clock::time_point last = Clock::now();
-  look_again_ = newest_command_.at = last;
-  while (!ends_.load()) {
-    try {
-      if (!port_) {
-        std::this_thread::sleep_for(kNap);
-        if (Clock::now() < look_again_) continue;
-        if (!reopen(state)) {
-          look_again_ = Clock::now() + kLookAgain;
-          continue;
-        }
-        last = Clock::now();
+void PacketDevice::takeTurn(int wait_ms) noexcept {
+  State& state = own_state_;
+  try {
+    if (!port_) {
+      if (Clock::now() < look_again_) return;
+      if (!reopen(state)) {
+        look_again_ = Clock::now() + kLookAgain;
+        return;
       }
-      if (receive(state) < 0) {
-        lose(state);
-        continue;
-      }
-      const Clock::time_point now = Clock::now();
-      protocol_->turnHand(turns_hand_.load(std::memory_order_relaxed));
-      protocol_->advance(std::min(0.05, std::chrono::duration<double>(now - last).count()), state.pose);
-      last = now;
-      state_.write(state);
-      view_motion_.write(protocol_->viewMotion());
-      if (!sendNewest(state)) lose(state);
-    } catch (...) {  // memory is out, or a port throws: the device is reopened
-      lose(state);
+      last_turn_ = Clock::now();
     }
+    if (receive(state, wait_ms) < 0) return lose(state);
+    const Clock::time_point now = Clock::now();
+    const double since_s = std::chrono::duration<double>(now - last_turn_).count();
+    if (!own_thread_ && since_s > kSameFrame_s) state.wait_s = since_s;
+    last_turn_ = now;
+    protocol_->turnHand(turns_hand_.load(std::memory_order_relaxed));
+    protocol_->advance(std::min(0.05, since_s), state.pose);
+    state_.write(state);
+    view_motion_.write(protocol_->viewMotion());
+  } catch (...) {  // memory is out, or a port throws: the device is reopened
+    return lose(state);
+  }
+  if (own_thread_) giveNewest();
+}
+
+void PacketDevice::giveNewest() noexcept {
+  if (!port_) return;
+  try {
+    if (sendNewest(own_state_)) return;
+  } catch (...) {  // as above
+  }
+  lose(own_state_);
+}
+
+void PacketDevice::run() {
+  while (!ends_.load()) {
+    if (!port_) std::this_thread::sleep_for(kNap);
+    takeTurn(kWait_ms);
   }
   sendFinalReport();
 }
 
 DevicePose PacketDevice::read(double) noexcept {
+  if (!own_thread_) takeTurn(0);
   const State& state = state_.read();
   DevicePose pose = state.pose;
   // A device without force may be silent while nobody moves it.
@@ -174,6 +188,7 @@ void PacketDevice::command(const Wrench& wrench, bool motors_on) noexcept {
   next_command_.at = Clock::now();
   ++next_command_.count;
   command_.write(next_command_);
+  if (!own_thread_) giveNewest();
 }
 
 DeviceStatus PacketDevice::status() {

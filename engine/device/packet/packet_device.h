@@ -1,5 +1,6 @@
 // A device that speaks in packets: HID, a serial line, a network. Its own thread waits for reports and hands the newest
-// place over. It gives the newest force after each report, and no force when the haptic thread has not written for
+// place over; where no thread can be had (a page in a browser) each tick takes what has come, and the time from one
+// frame's ticks to the next one's counts as delay. It gives the newest force after each report, and no force when the haptic thread has not written for
 // kCommandTimeout_s. It reopens the device after it was unplugged. The last report that it writes gives no force,
 // whatever ends it: a read or a write that fails, an exception, the destructor, a signal. It measures its own part of
 // the delay: how old a place is when it is read, and how long a force waits for the thread. A PacketProtocol knows what
@@ -19,6 +20,7 @@
 #include "engine/device/packet/packet_port.h"
 #include "engine/device/packet/packet_protocol.h"
 #include "engine/device/versioned_device_info.h"
+#include "engine/platform/background.h"
 
 namespace moltact {
 
@@ -33,9 +35,9 @@ class PacketDevice final : public Device {
   using Opener = std::function<Expected<std::unique_ptr<PacketPort>>(const Accept&)>;
 
   /// Opens the device. `known` is its description as far as it is known beforehand; the protocol completes it. `opener`
-  /// is kept and called again after the device was unplugged.
+  /// is kept and called again after the device was unplugged. Without `own_thread` the ticks do the device's work.
   static Expected<std::unique_ptr<Device>> open(Opener opener, std::unique_ptr<PacketProtocol> protocol,
-                                                DeviceInfo known);
+                                                DeviceInfo known, bool own_thread = threadsCanBeHad());
   ~PacketDevice() override;
 
   const DeviceInfo& info() const noexcept override { return info_.get(); }
@@ -63,11 +65,13 @@ class PacketDevice final : public Device {
     Clock::time_point at{};
   };
 
-  explicit PacketDevice(DeviceInfo known) : known_(known), info_(std::move(known)) {}
+  PacketDevice(DeviceInfo known, bool own_thread) : known_(known), info_(std::move(known)), own_thread_(own_thread) {}
   std::optional<Problem> openPort();
   void run();
+  void takeTurn(int wait_ms) noexcept;
+  void giveNewest() noexcept;
   bool reopen(State& state);
-  int receive(State& state);
+  int receive(State& state, int wait_ms);
   bool sendNewest(State& state);
   void lose(State& state) noexcept;
   void sendFinalReport() noexcept;
@@ -77,11 +81,13 @@ class PacketDevice final : public Device {
   std::unique_ptr<PacketProtocol> protocol_;
   DeviceInfo known_;
   VersionedDeviceInfo info_;
+  const bool own_thread_;
   std::unique_ptr<PacketPort> port_;
-  // The device's own thread only.
+  // The device's own thread only, or without one the ticks'.
   Command newest_command_;
   bool last_report_kept_ = false;  // by the port, before the first force
-  Clock::time_point look_again_{};
+  Clock::time_point look_again_{}, last_turn_{};
+  State own_state_;
 
   TripleBuffer<State> state_;
   TripleBuffer<Command> command_;

@@ -4,7 +4,8 @@
 // single ball pushes. The stored energy is the sum over the balls of k depth^2 / 2, whose gradient is the force.
 //
 // Known failures, pinned by tests: where balls overlap the pushes add up (a crease feels too stiff, and the SCP's path
-// has a kink there but no jump); past a centre the push leads out on the far side, so that a HIP pressed deep enough or
+// has a kink there but no jump; a device that cannot bear so stiff a surface gets softer springs,
+// Interaction::parallelSprings); past a centre the push leads out on the far side, so that a HIP pressed deep enough or
 // moved fast enough passes through; deep inside a molecule pushes from all sides cancel. A HIP on a centre gets no push
 // from that ball: no direction is better than another. Feature: Sphere, Circle or Point for one, two, three or more
 // balls that push; `atoms` are the three that push most. Haptic thread; no allocation after construction. Units:
@@ -26,6 +27,7 @@ class PenaltyTracker final : public Tracker {
   bool setMotion(const SphereMotion* motion) noexcept override;
   void advanceTo(double fraction) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
+  double parallelSprings() const noexcept override { return parallel_; }
   MemoryUsage memoryUsage() const noexcept override;
 
  private:
@@ -34,6 +36,7 @@ class PenaltyTracker final : public Tracker {
   bool has_been_outside_ = false;  // has the HIP been outside since the start?
   Vec3 free_from_{0.0};            // no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
+  double parallel_ = 1.0;  // of the last answer
 };
 
 }  // namespace moltact

@@ -26,8 +26,11 @@ bool holds(const std::vector<std::size_t>& list, std::size_t value) {
   return std::find(list.begin(), list.end(), value) != list.end();
 }
 
+// How a choice stands: what is said of it is not to be seen before it may be.
+enum class Mark { None, Right, Wrong };
+
 // One choice: a card with a mark. True when it was chosen.
-bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, bool told, bool right) {
+bool drawChoice(const std::string& name, const Choice& choice, bool round, bool ticked, Mark told) {
   const Look& l = look();
   const Palette& p = l.palette;
   const float width = ImGui::GetContentRegionAvail().x, pad = l.px(9), mark = l.px(8);
@@ -40,11 +43,14 @@ bool drawChoice(const std::string& name, const Choice& choice, bool round, bool 
   ImGui::PopID();
   const ImVec2 low = ImGui::GetItemRectMin(), high = ImGui::GetItemRectMax();
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  const ImU32 ground = told ? (right ? p.good_soft : p.bad_soft) : ImGui::IsItemHovered() ? p.hovered : p.raised;
+  const ImU32 ground = told == Mark::Right      ? p.good_soft
+                       : told == Mark::Wrong    ? p.bad_soft
+                       : ImGui::IsItemHovered() ? p.hovered
+                                                : p.raised;
   draw->AddRectFilled(low, high, ground, l.px(7));
   if (l.theme == ThemeChoice::HighContrast) draw->AddRect(low, high, p.line, l.px(7), 0, std::max(1.0f, l.scale));
   const ImVec2 centre{low.x + pad + mark, low.y + pad + mark + l.px(1)};
-  const ImU32 colour = told ? (right ? p.good : p.bad) : ticked ? p.accent : p.faint;
+  const ImU32 colour = told == Mark::Right ? p.good : told == Mark::Wrong ? p.bad : ticked ? p.accent : p.faint;
   if (round) {
     draw->AddCircle(centre, mark - 1, colour, 28, l.px(1.6f));
     if (ticked) draw->AddCircleFilled(centre, mark - l.px(4), colour, 28);
@@ -69,7 +75,7 @@ bool digitPressed(std::size_t choice) { return choice < 9 && lessonKeyPressed(ch
 bool takesKeys(const LessonSession& session, std::size_t index) {
   for (std::size_t k = 0; k < index; ++k)
     if (!session.question(k).answered_right && !session.step().questions[k].choices.empty()) return false;
-  return !session.question(index).answered_right;
+  return session.takesAnswer(index);
 }
 
 // Enter belongs to the current task where that waits for it.
@@ -93,16 +99,26 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
   const Question& question = session.step().questions[index];
   const QuestionStatus& status = session.question(index);
   std::vector<std::size_t>& ticked = lesson.drafts().ticked[index];
-  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index);
+  const bool one = question.rightChoices() <= 1, keys = takesKeys(session, index), told = session.told(index),
+             open = session.takesAnswer(index);
   if (ticked.empty() && status.attempts > 0 && status.answered_right) ticked = status.chosen;
+  if (!one)
+    drawRichText((name + "/several").c_str(), {TextRun{.text = tr("More than one is right: tick them all.")}},
+                 look().palette.quiet);
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(6)});
-  for (std::size_t k = 0; k < question.choices.size(); ++k) {
-    const bool told = status.attempts > 0 && holds(status.chosen, k);
-    const bool is_ticked = one ? told : holds(ticked, k);
-    const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked, told,
-                                   question.choices[k].right) ||
-                        (keys && digitPressed(k));
-    if (!chosen || status.answered_right) continue;
+  const std::vector<std::size_t> order = session.choiceOrder(index);
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    const std::size_t k = order[place];
+    const bool given = status.attempts > 0 && holds(status.chosen, k), right = question.choices[k].right;
+    // After a prediction has been told, what was right stands there too.
+    const bool marked = told && (given || (question.prediction && right));
+    const bool is_ticked = one ? given : holds(ticked, k);
+    const bool chosen = drawChoice(name + "/" + std::to_string(k), question.choices[k], one, is_ticked,
+                                   !marked ? Mark::None
+                                   : right ? Mark::Right
+                                           : Mark::Wrong) ||
+                        (keys && digitPressed(place));
+    if (!chosen || !open) continue;
     if (one)
       session.choose(index, {k});
     else if (holds(ticked, k))
@@ -112,7 +128,7 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
   }
   ImGui::PopStyleVar();
   const bool entered = keys && !ticked.empty() && enterIsFree(session) && lessonKeyPressed('\n');
-  if (!one && !status.answered_right &&
+  if (!one && open &&
       (button((name + "/check").c_str(), withKey(tr("Check"), "Enter").c_str(), ButtonLook::Primary, look().tx(132),
               !ticked.empty()) ||
        entered)) {
@@ -123,34 +139,73 @@ void drawChoices(LessonGuide& lesson, std::size_t index, const std::string& name
 
 void drawField(LessonGuide& lesson, std::size_t index, const std::string& name) {
   LessonSession& session = *lesson.session();
-  const AnswerSpec& answer = *session.step().questions[index].answer;
+  const Question& question = session.step().questions[index];
+  const AnswerSpec& answer = *question.answer;
   const QuestionStatus& status = session.question(index);
   std::string& written = lesson.drafts().written[index];
   if (written.empty() && status.attempts > 0) written = status.written;
-  const bool free = answer.kind == AnswerSpec::Kind::Free;
+  const bool free = question.free();
   const float button_w = look().tx(84), gap = ImGui::GetStyle().ItemSpacing.x;
   bool handed_in = false;
   const bool begins = takesWriting(session, index) && lessonKeyPressed('A');
   if (free) {
-    handed_in = inputLines("##answer", written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
+    handed_in = inputWrapped("##answer", written, {-1, look().tx(84)}, ImGuiInputTextFlags_EnterReturnsTrue);
     recordItem(name + "/field", written);
     if (begins) writeInLastField("##answer");
     tip(tr("A begins to write, Ctrl and Enter keeps it"));
     handed_in = button((name + "/check").c_str(), tr("Keep"), ButtonLook::Plain, button_w) || handed_in;
   } else {
-    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_w - gap);
-    const std::string what = answer.unit.empty() ? std::string(tr("your answer")) : trf("in {0}", answer.unit);
+    const float unit_w = answer.unit.empty() ? 0.0f : ImGui::CalcTextSize(answer.unit.c_str()).x + gap;
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - unit_w - button_w - gap);
+    const std::string what = tr("your answer");
     const std::string hint = status.answered_right ? what : withKey(what, "A");
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding,
                         {look().px(10), std::floor(0.5f * (look().tx(34) - ImGui::GetFontSize()))});
+    const std::string before = written;
     handed_in = ImGui::InputTextWithHint("##answer", hint.c_str(), &written, ImGuiInputTextFlags_EnterReturnsTrue);
-    ImGui::PopStyleVar();
+    keepOnEscape(written, before);
     recordItem(name + "/field", written);
     if (begins) writeInLastField("##answer");
+    if (!answer.unit.empty()) {
+      // Beside the field, so that a number without it means what it should.
+      ImGui::SameLine();
+      ImGui::AlignTextToFramePadding();
+      ImGui::TextUnformatted(answer.unit.c_str());
+    }
+    ImGui::PopStyleVar();
     ImGui::SameLine();
     handed_in = button((name + "/check").c_str(), tr("Check"), ButtonLook::Primary, button_w) || handed_in;
   }
-  if (handed_in) session.write(index, answer.kind == AnswerSpec::Kind::Number ? numberAsTyped(written) : written);
+  if (handed_in)
+    session.write(index, answer.kind == AnswerSpec::Kind::Number ? numberAsTyped(written) : unbrokenLines(written));
+}
+
+// What is said to an answer, with its colour; before it may be said whether it was right, that it is kept.
+struct Said {
+  std::vector<RichText> lines;
+  ImU32 colour;
+};
+
+Said saidTo(const LessonSession& session, std::size_t index) {
+  const Palette& p = look().palette;
+  const QuestionStatus& status = session.question(index);
+  const Question& question = session.step().questions[index];
+  const auto line = [](std::string text) { return RichText{TextRun{.text = std::move(text)}}; };
+  if (!status.again.empty()) return {{line(status.again)}, p.text};
+  if (status.attempts == 0) return {{}, p.text};
+  if (!session.told(index)) return {{line(tr("Kept. Now touch, and see whether it is so."))}, p.text};
+  Said out{session.feedback(index), status.last_right ? p.good : p.bad};
+  if (question.free()) {
+    out.colour = p.text;
+    out.lines.insert(out.lines.begin(),
+                     line(out.lines.empty() ? tr("Kept with your results.")
+                                            : tr("Kept with your results. Compare it with this answer:")));
+  } else if (out.lines.empty()) {
+    out.lines.push_back(line(status.last_right     ? tr("Right.")
+                             : question.prediction ? tr("It is otherwise.")
+                                                   : tr("Not yet. Try again.")));
+  }
+  return out;
 }
 
 }  // namespace
@@ -167,30 +222,33 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
   const Question& question = session.step().questions[index];
   ImGui::PushID(int(index));
   ImGui::Dummy({0, l.px(2)});
+  if (question.prediction)
+    drawRichText((name + "/before").c_str(), {TextRun{.text = tr("Before you touch, predict:")}}, l.palette.quiet);
   RichText title = question.title;
   for (TextRun& run : title) run.bold = true;
   follow(drawRichText(name.c_str(), title, l.palette.text));
   for (const RichText& p : question.prompt) follow(drawRichText((name + "/prompt").c_str(), p, l.palette.text));
   const int attempts = session.question(index).attempts;
+  const bool asked_again = !session.question(index).again.empty();
   if (question.choices.empty() && question.answer)
     drawField(app.lesson, index, name);
   else
     drawChoices(app.lesson, index, name);
   const QuestionStatus& status = session.question(index);
-  if (status.attempts > 0) {
-    const ImU32 colour = status.last_right ? l.palette.good : l.palette.bad;
-    std::vector<RichText> said = session.feedback(index);
-    if (said.empty()) said.push_back({TextRun{.text = status.last_right ? tr("Right.") : tr("Not yet. Try again.")}});
-    for (std::size_t k = 0; k < said.size(); ++k) {
+  const Said said = saidTo(session, index);
+  if (!said.lines.empty()) {
+    for (std::size_t k = 0; k < said.lines.size(); ++k) {
       const ImVec2 from = ImGui::GetCursorScreenPos();
-      follow(drawRichText((name + "/feedback").c_str(), said[k], colour));
+      follow(drawRichText((name + "/feedback").c_str(), said.lines[k], said.colour));
       recordRectangle(name + "/feedback/" + std::to_string(k), {from.x, from.y},
-                      {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y}, plainText(said[k]));
+                      {from.x + ImGui::GetContentRegionAvail().x, ImGui::GetCursorScreenPos().y},
+                      plainText(said.lines[k]));
     }
-    for (const std::size_t k : status.chosen)
-      if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
+    if (session.told(index))
+      for (const std::size_t k : status.chosen)
+        if (!question.choices[k].link.empty() && lessonKeyPressed('G')) link = question.choices[k].link;
     // What is said to an answer is not to be missed below the panel's edge.
-    if (status.attempts != attempts &&
+    if ((status.attempts != attempts || asked_again == status.again.empty()) &&
         ImGui::GetCursorScreenPos().y > ImGui::GetWindowPos().y + ImGui::GetWindowHeight())
       ImGui::SetScrollHereY(1.0f);
   }

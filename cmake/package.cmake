@@ -1,0 +1,19 @@
+# What every program of a Debian package is compiled and linked with: the distribution's own flags, hardened, without
+# debug symbols and without this folder's name in the program. The preset's build type adds its own behind them.
+function(package_flags into)
+  set(flags "")
+  foreach(kind ${ARGN})
+    execute_process(COMMAND ${CMAKE_COMMAND} -E env DEB_BUILD_MAINT_OPTIONS=hardening=+all dpkg-buildflags --get ${kind}
+      WORKING_DIRECTORY ${CMAKE_SOURCE_DIR} OUTPUT_VARIABLE got OUTPUT_STRIP_TRAILING_WHITESPACE RESULT_VARIABLE status)
+    if(NOT status EQUAL 0)
+      message(FATAL_ERROR "dpkg-buildflags is missing; ./run.sh package installs what .ci/packages-package lists")
+    endif()
+    string(APPEND flags " ${got}")
+  endforeach()
+  string(REGEX REPLACE " -g( |$)" " " flags "${flags}")
+  set(${into} "${flags}" PARENT_SCOPE)
+endfunction()
+
+package_flags(CMAKE_C_FLAGS_INIT CPPFLAGS CFLAGS)
+package_flags(CMAKE_CXX_FLAGS_INIT CPPFLAGS CXXFLAGS)
+package_flags(CMAKE_EXE_LINKER_FLAGS_INIT LDFLAGS)

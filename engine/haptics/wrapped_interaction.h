@@ -1,0 +1,35 @@
+// An interaction round another, for what changes the force whatever is felt: a friction, a limit in depth. It passes
+// everything on; a class that derives from it overrides what it changes. `respond` runs on the haptic thread.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "engine/haptics/interaction.h"
+
+namespace moltact {
+
+class WrappedInteraction : public Interaction {
+ public:
+  /// `inner` is never null.
+  explicit WrappedInteraction(std::unique_ptr<Interaction> inner) : inner_(std::move(inner)) {}
+
+  Response respond(const PoseA& pose) noexcept override { return inner_->respond(pose); }
+  void reset() noexcept override { inner_->reset(); }
+  void setProbe(double probe_A) noexcept override { inner_->setProbe(probe_A); }
+  double probe_A() const noexcept override { return inner_->probe_A(); }
+  double parallelSprings() const noexcept override { return inner_->parallelSprings(); }
+  bool setMotion(const SphereMotion* motion) noexcept override { return inner_->setMotion(motion); }
+  void advanceTo(double fraction) noexcept override { inner_->advanceTo(fraction); }
+  MemoryUsage memoryUsage() const noexcept override { return inner_->memoryUsage(); }
+  bool hasOrientation() const noexcept override { return inner_->hasOrientation(); }
+
+ protected:
+  Interaction& inner() noexcept { return *inner_; }
+  const Interaction& inner() const noexcept { return *inner_; }
+
+ private:
+  std::unique_ptr<Interaction> inner_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,107 @@
+// A contact that is kept though the hand is in the open is let go after a while; one that has its cause is kept: where
+// the spheres have moved to the hand, and where a body touches with its rim.
+#include <doctest/doctest.h>
+
+#include <memory>
+
+#include "app/ui/scene/touch_scene.h"
+#include "engine/haptics/sphere_motion.h"
+#include "tests/servo/fault_interactions.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 60.0;
+
+struct Touched {
+  Touched() : scene(ServoClock::Frames) {
+    Molecule molecule;
+    Atom atom;
+    atom.radius_A = 1.6;
+    molecule.atoms.push_back(atom);
+    auto made = makeStage(std::move(molecule), "ball.pdb");
+    REQUIRE(made);
+    scene.show(*std::move(made), {"ball.pdb"}, [](Camera&, const Molecule&) {});
+  }
+  /// A second and a half of frames with the hand there.
+  void hold(Vec3 place_A, double s = 1.5) {
+    for (double t = 0.0; t < s; t += kFrame_s) {
+      scene.servo().mouse().lead(scene.servo_settings.workspace.toDevice({place_A}));
+      for (const FeltTick& tick : scene.advance(kFrame_s, now_s += kFrame_s, false).ticks) {
+        touching += tick.sample.contact.touching();
+        apart_A = std::max(apart_A, glm::distance(tick.exact.scp.A, tick.sample.contact.scp.A));
+        differing += tick.exact.touching() != tick.sample.contact.touching();
+      }
+    }
+  }
+  /// The one ball goes to z within 30 ticks.
+  void moveTo(double z_A) {
+    const std::vector<Ball> to{{{0, 0, z_A}, 1.6}};
+    auto next =
+        motion ? SphereMotion::after(*motion, to, 30) : SphereMotion::make(std::vector<Ball>{{{0, 0, 0}, 1.6}}, to, 30);
+    REQUIRE(next);
+    motion = *std::move(next);
+    REQUIRE(scene.servo().setMotion(motion));
+  }
+  const ServoSample& now() const { return scene.log().latest(); }
+
+  TouchScene scene;
+  std::shared_ptr<const SphereMotion> motion;
+  double now_s = 0.0, apart_A = 0.0;
+  long touching = 0, differing = 0;
+};
+
+}  // namespace
+
+TEST_CASE("a hand that has come out on a ball's far side is let go after 0.4 s") {
+  Touched t;
+  t.hold({0, 0, 5});
+  t.hold({0, 0, 2.5}, 0.5);
+  REQUIRE(t.scene.log().touching());
+  t.hold({0, 0, -4}, 0.3);
+  CHECK(t.scene.log().touching());
+  t.hold({0, 0, -4}, 1.0);
+  CHECK_FALSE(t.scene.log().touching());
+}
+
+TEST_CASE(
+    "a ball that has moved 3 A to a hand, who was in the open where it rested, stays felt for 1.5 s, and the exact "
+    "contact beside it is the felt one to 1e-9 A; pulled through to its far side the hand is let go there too") {
+  Touched t;
+  t.hold({0, 0, 4.5});
+  REQUIRE_FALSE(t.scene.log().touching());
+  const std::uint32_t placed = t.now().discontinuities;
+  t.moveTo(3.0);
+  t.hold({0, 0, 4.5});
+  CHECK(t.scene.log().touching());
+  CHECK(t.now().contact.scp.A.z == doctest::Approx(6.0));
+  CHECK(t.now().discontinuities == placed);
+  CHECK(t.touching > 1400);
+  CHECK(t.differing == 0);
+  CHECK(t.apart_A < 1e-9);
+  for (const double z : {2.5, 3.2, 2.8}) {  // and on, motion after motion
+    t.moveTo(z);
+    t.hold({0, 0, 4.5}, 0.2);
+  }
+  CHECK(t.apart_A < 1e-9);
+  CHECK(t.now().contact.scp.A.z == doctest::Approx(5.8));
+  t.hold({0, 0, -1}, 0.3);
+  CHECK(t.scene.log().touching());
+  t.hold({0, 0, -1}, 1.0);
+  CHECK_FALSE(t.scene.log().touching());
+}
+
+TEST_CASE("a body whose one end presses on a ball while its middle is in the open is not let go") {
+  Touched t;
+  t.scene.servo().setInteraction(std::make_unique<test::RigidPair>(t.scene.stage().balls, kWaterProbe_A));
+  t.hold({4.8, 0, 0});
+  REQUIRE_FALSE(t.scene.log().touching());
+  const std::uint32_t placed = t.now().discontinuities;
+  t.hold({4.0, 0, 0});  // an end 1.5 A nearer: 0.5 A inside the inflated ball of 3 A
+  CHECK(t.scene.log().touching());
+  CHECK(glm::length(t.now().contact.displacement_A) == doctest::Approx(0.5).epsilon(0.01));
+  CHECK(t.now().discontinuities == placed);
+  CHECK(t.scene.watch().tried().empty());  // and no method's error is told of it
+}
+
+}  // namespace moltact

@@ -1,0 +1,163 @@
+// A friction as an interaction round a tracker: Coulomb's, at the SCP. It stands here as the example of what changes the
+// force whatever method is felt, and as the test that the servo step bears it: its energy, its calls, its limits.
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "engine/bench/scenes.h"
+#include "engine/device/device_model.h"
+#include "engine/device/simulated_device.h"
+#include "engine/haptics/methods.h"
+#include "engine/haptics/wrapped_interaction.h"
+#include "engine/servo/plain_trackers.h"
+#include "engine/servo/servo_step.h"
+#include "tests/haptics/walk.h"
+
+using namespace moltact;
+
+namespace {
+
+// The SCP sticks until the spring pulls it along the surface with more than `coefficient` times what it presses with;
+// then it slides after the hand, so that the ratio stays. What is kept is a place and no count of calls: the hand's own
+// place, held back along the surface, with which the tracker inside is asked.
+class Friction final : public WrappedInteraction {
+ public:
+  Friction(std::unique_ptr<Interaction> inner, double coefficient)
+      : WrappedInteraction(std::move(inner)), coefficient_(coefficient) {}
+
+  Response respond(const PoseA& pose) noexcept override {
+    Response out;
+    if (!touching_ || !finite(pose.place.A)) return remember(pose.place, inner().respond(pose));
+    Vec3 held = held_;
+    // How far it may lag follows from how deep it presses there, and where that is from how far it lags.
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 away = held - pose.place.A, along = away - outward_ * glm::dot(away, outward_);
+      const double slack = glm::length(along), most = coefficient_ * pressed_A_;
+      const Vec3 next = pose.place.A + (slack > most ? along * (most / slack) : along);
+      if (k > 0 && glm::distance(next, held) < 1e-10) break;
+      held = next;
+      out = remember({held}, inner().respond({{held}, pose.orientation}));
+      if (!touching_) return held == pose.place.A ? out : remember(pose.place, inner().respond(pose));
+    }
+    stretchToScp(out.contact, pose.place);
+    return out;
+  }
+  void reset() noexcept override {
+    touching_ = false;
+    WrappedInteraction::reset();
+  }
+
+ private:
+  const Response& remember(PointA asked, const Response& answer) noexcept {
+    held_ = asked.A;
+    pressed_A_ = glm::length(answer.contact.displacement_A);
+    touching_ = answer.contact.touching() && pressed_A_ > 0.0;
+    if (touching_) outward_ = answer.contact.displacement_A / pressed_A_;
+    return answer;
+  }
+
+  double coefficient_;
+  bool touching_ = false;
+  Vec3 held_{0.0}, outward_{0.0};  // where the tracker was asked last, and the surface's normal there
+  double pressed_A_ = 0.0;         // how far its SCP was from there
+};
+
+constexpr double kCoefficient = 0.4, kStiffness_N_per_mm = 0.3;
+
+struct Slid {
+  double worked_J = 0.0;  // by the hand
+  int limited = 0;        // ticks in which a limit acted
+  ServoSample last;
+};
+
+// A wall at z = 0, pressed 4 mm deep; then the hand goes to and fro along x by `half_way_mm`, `times`, 40 mm/s.
+Slid slide(Interaction& felt, double half_way_mm, int times) {
+  DeviceSpecs device = shownForceFigures();
+  device.gives_force = true;
+  device.delay_s = 0.0;
+  ServoStep step(device);
+  ServoSettings settings;
+  settings.stiffness_N_per_mm = kStiffness_N_per_mm;
+  Slid out;
+  Vec3 at(0, 0, 10), force(0.0);
+  bool counts = false;
+  const auto go = [&](const Vec3& to) {
+    const Vec3 from = at;
+    const int ticks = std::max(1, int(std::ceil(glm::distance(from, to) / 0.04)));
+    for (int k = 1; k <= ticks; ++k) {
+      const Vec3 next = from + (to - from) * (double(k) / ticks);
+      out.last = step.tick(settings, &felt, {.position = {next}});
+      if (counts) out.worked_J -= 0.5e-3 * glm::dot(force + out.last.force.N, next - at);
+      at = next;
+      force = out.last.force.N;
+      if (counts) out.limited += out.last.limits.any();
+    }
+  };
+  go({0, 0, 5});
+  for (int k = 0; k < 600; ++k) go({0, 0, 5});
+  go({0, 0, -4});
+  go({half_way_mm, 0, -4});
+  counts = true;
+  for (int k = 0; k < times; ++k) {
+    go({-half_way_mm, 0, -4});
+    go({half_way_mm, 0, -4});
+  }
+  return out;
+}
+
+std::unique_ptr<Friction> rough(std::unique_ptr<Interaction> inner) {
+  return std::make_unique<Friction>(std::move(inner), kCoefficient);
+}
+
+}  // namespace
+
+TEST_CASE(
+    "friction of 0.4 on a wall pressed 4 mm deep at 0.3 N/mm: 1.2 N of pressing are 0.48 N of drag, and 20 ways to and "
+    "fro of 10 mm take the closed form's energy and no limit acts") {
+  const auto felt = rough(std::make_unique<WallTracker>(0.0));
+  const double half_way_mm = 5.0, depth_mm = 4.0;
+  const int times = 20;
+  const Slid slid = slide(*felt, half_way_mm, times);
+  const double pressed_N = kStiffness_N_per_mm * depth_mm, drag_N = kCoefficient * pressed_N;
+  CHECK(slid.last.force.N.z == doctest::Approx(pressed_N));
+  CHECK(slid.last.force.N.x == doctest::Approx(-drag_N));
+  // A loop of force against way: a parallelogram of height 2 drag, 2 half ways less the 2 stretches of the spring wide.
+  const double stretch_mm = drag_N / kStiffness_N_per_mm;
+  const double loop_J = 1e-3 * 2.0 * drag_N * (2.0 * half_way_mm - 2.0 * stretch_mm);
+  CHECK(slid.worked_J == doctest::Approx(times * loop_J).epsilon(0.02));
+  CHECK(slid.limited == 0);
+}
+
+TEST_CASE(
+    "a hand that moves less than the friction holds, 1.5 of 1.6 mm, gets back all that it gives: the SCP sticks") {
+  const auto felt = rough(std::make_unique<WallTracker>(0.0));
+  const Slid slid = slide(*felt, 1.5, 20);
+  CHECK(std::abs(slid.worked_J) < 1e-9);
+  CHECK(glm::length(slid.last.contact.scp.A) < 1e-9);
+  CHECK(slid.limited == 0);
+}
+
+TEST_CASE("asked five times for each pose of a walk over 20 atoms, the friction answers as asked once") {
+  const scenes::Scene scene = scenes::cluster(20, 5);
+  const auto exact = [&] { return referenceMethod().make(test::makeScene(scene.balls), scene.probe_A); };
+  const auto once = rough(exact()), often = rough(exact());
+  int touching = 0;
+  double apart = 0.0, dragged = 0.0;
+  for (const Vec3& place : scenes::walk(scene, 3000, 5)) {
+    const Response one = once->respond({{place}, kNoRotation});
+    Response last;
+    for (int k = 0; k < 5; ++k) last = often->respond({{place}, kNoRotation});
+    touching += one.contact.touching();
+    apart = std::max(apart, glm::distance(one.contact.displacement_A, last.contact.displacement_A));
+    if (one.contact.feature == Feature::Sphere) {
+      const double along =
+          glm::length(one.contact.displacement_A -
+                      one.contact.normals[0] * glm::dot(one.contact.normals[0], one.contact.displacement_A));
+      dragged = std::max(dragged, along / glm::length(one.contact.displacement_A));
+    }
+  }
+  std::printf("touching %d apart %g dragged %g\n", touching, apart, dragged);
+  CHECK(touching > 500);
+  CHECK(apart < 1e-6);
+}

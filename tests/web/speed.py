@@ -1,0 +1,179 @@
+#!/usr/bin/env python3
+"""Measures the browser edition beside the desktop's program, on this computer without a graphics card:
+python3 tests/web/speed.py [start] [lessons] [frames] [memory] [ticks]. The table stands in docs/browser.md."""
+import http.server
+import json
+import os
+import pathlib
+import statistics
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+
+sys.path.insert(0, os.path.dirname(__file__))
+from browser import Browser  # noqa: E402
+from page import DESKTOP, PAGE, ROOT  # noqa: E402
+
+TIMES = 5
+FRAMES = 300
+LARGE = "haemoglobin-and-haem"  # 4 558 atoms
+
+
+def told(what, values, unit):
+    print(f"{what}: {statistics.median(values):.2f} {unit} (median of {len(values)}, "
+          f"{min(values):.2f} to {max(values):.2f})", flush=True)
+
+
+def start():
+    seconds = []
+    for _ in range(TIMES):
+        browser = Browser()
+        try:
+            seconds.append(browser.open(PAGE.as_uri()))
+        finally:
+            browser.close()
+    told("from the file to the welcome page with all its lessons", seconds, "s")
+    print(f"the file: {PAGE.stat().st_size / 2**20:.2f} MiB")
+
+
+def opening(browser, lesson):
+    """Seconds from the click on the lesson's card to the frame that shows its molecule."""
+    at = browser.place(f"welcome/lesson/{lesson}")
+    for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
+        begun = time.monotonic()
+        browser.mouse(kind, *at, button="left" if kind != "mouseMoved" else "none")
+        browser.frames(1)
+        if kind == "mousePressed":
+            pressed = begun
+    browser.wait_for("view/scale bar")
+    browser.frames(1)
+    return time.monotonic() - pressed
+
+
+def lessons():
+    for lesson in ("first-touch", "bonds-and-creases", "dna-grooves-blind", LARGE):
+        seconds = []
+        for _ in range(TIMES):
+            browser = Browser()
+            try:
+                browser.open(PAGE.as_uri())
+                seconds.append(opening(browser, lesson))
+            finally:
+                browser.close()
+        told(f"from the click to the picture of {lesson}", seconds, "s")
+
+
+def frames():
+    """The same molecule turned by the same keys at 1280 x 800, in the page and in the desktop's window off-screen."""
+    browser = Browser()
+    try:
+        browser.open(PAGE.as_uri())
+        opening(browser, LARGE)
+        browser.frames(30)
+        browser.hold("ControlLeft", True, "Control", 2)
+        browser.hold("ArrowRight", True, None, 2)
+        browser.frames(10)
+        times = browser.evaluate(f"""new Promise((done) => {{
+            const times = []; let before = 0, drawn = moltact.page.frames;
+            const step = (now) => {{
+                if (moltact.page.frames > drawn) {{ if (before) times.push(now - before); before = now; drawn = moltact.page.frames; }}
+                times.length < {FRAMES} ? requestAnimationFrame(step) : done(times);
+            }};
+            requestAnimationFrame(step); }})""", patience_s=300)
+        print(f"page: {1000 / statistics.mean(times):.1f} frames a second ({statistics.median(times):.1f} ms at the median)", flush=True)
+    finally:
+        browser.close()
+    with tempfile.TemporaryDirectory() as folder:
+        script = pathlib.Path(folder) / "turn.script"
+        script.write_text(f"wait 60\nclick welcome/lesson/{LARGE}\nwait 60\nhold Ctrl\nhold Right\nwait {4 * FRAMES}\n")
+        run = subprocess.run([DESKTOP, "--script", script, "--size", "1280x800", "--frame-stats", "--language", "en"],
+                             capture_output=True, text=True,
+                             env={**os.environ, "MOLTACT_HOME": str(ROOT), "HOME": folder})
+        line = next(l for l in run.stdout.splitlines() if l.startswith("{"))
+        stats = json.loads(line)
+        print(f"desktop, off-screen: {stats}", flush=True)
+
+
+def memory():
+    browser = Browser()
+    try:
+        browser.open(PAGE.as_uri())
+        report = []
+        for where in ("welcome page", LARGE):
+            if where == LARGE:
+                opening(browser, LARGE)
+                browser.frames(60)
+            wasm = browser.evaluate("moltact.HEAPU8.length")
+            metrics = {m["name"]: m["value"] for m in browser.call("Performance.getMetrics")["metrics"]}
+            report.append(f"{where}: {wasm / 2**20:.0f} MiB of the program, {metrics['JSHeapUsedSize'] / 2**20:.0f} MiB of JavaScript")
+        print("\n".join(report), flush=True)
+    finally:
+        browser.close()
+
+
+class Isolated(http.server.BaseHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+    def do_GET(self):
+        self.send_response(200)
+        self.send_header("Content-Type", "text/html")
+        self.send_header("Cross-Origin-Opener-Policy", "same-origin")
+        self.send_header("Cross-Origin-Embedder-Policy", "require-corp")
+        self.end_headers()
+        self.wfile.write(b"<canvas></canvas>")
+
+
+# How late a worker of its own wakes for each millisecond, as a touch loop on a thread would.
+WORKER = """
+onmessage = () => {
+  const cell = new Int32Array(new SharedArrayBuffer(4)), late = [];
+  const begun = performance.now();
+  for (let k = 1; k <= 5000; ++k) {
+    const left = begun + k - performance.now();
+    if (left > 0) Atomics.wait(cell, 0, 0, left);
+    late.push(performance.now() - begun - k);
+  }
+  postMessage(late);
+};
+"""
+
+
+def ticks():
+    """How late a millisecond's tick begins: on a worker where the page is cross-origin isolated, and with the frames."""
+    server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), Isolated)
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    browser = Browser()
+    try:
+        browser.go(f"http://127.0.0.1:{server.server_port}/")
+        browser.until("globalThis.crossOriginIsolated")
+        late = browser.evaluate(f"""new Promise((done) => {{
+            const worker = new Worker(URL.createObjectURL(new Blob([{json.dumps(WORKER)}])));
+            worker.onmessage = (e) => done(e.data); worker.postMessage(0); }})""", patience_s=60)
+        late.sort()
+        print(f"worker: ticks late by {late[len(late) // 2]:.2f} ms at the median, {late[int(0.99 * len(late))]:.2f} ms at "
+              f"99 of 100, {late[-1]:.2f} ms at most", flush=True)
+        browser.open(PAGE.as_uri())
+        opening(browser, "first-touch")
+        at = browser.place("view")
+        browser.mouse("mouseMoved", *at)
+        browser.mouse("mousePressed", *at, button="left", buttons=1)
+        gaps = browser.evaluate("""new Promise((done) => { const gaps = []; let before = 0;
+            const step = (now) => { if (before) gaps.push(now - before); before = now;
+                gaps.length < 300 ? requestAnimationFrame(step) : done(gaps); }; requestAnimationFrame(step); })""",
+                                patience_s=120)
+        # The first tick of a frame is late by the whole frame, the last by nothing.
+        ages = sorted(gap - k for gap in gaps for k in range(int(gap) + 1))
+        print(f"with the frames: ticks late by {ages[len(ages) // 2]:.1f} ms at the median, {ages[int(0.99 * len(ages))]:.1f} ms at "
+              f"99 of 100, {ages[-1]:.1f} ms at most", flush=True)
+    finally:
+        browser.close()
+        server.shutdown()
+
+
+if __name__ == "__main__":
+    known = {f.__name__: f for f in (start, lessons, frames, memory, ticks)}
+    for name in sys.argv[1:] or known:
+        known[name]()

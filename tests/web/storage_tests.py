@@ -1,0 +1,85 @@
+"""What the page keeps, and what it does where it cannot."""
+import json
+import os
+import pathlib
+import shutil
+import tempfile
+import time
+
+from page import PAGE, PageTest, Served
+
+# As a private window of some browsers.
+FORBIDDEN = """
+Object.defineProperty(globalThis, "indexedDB", {value: {open() { throw new DOMException("not here", "SecurityError"); }}});
+"""
+
+
+class Storage(PageTest):
+    def goes_on_and_hands_in(self, browser, says):
+        """A student who is told once that nothing is kept, works on, and hands in what was done."""
+        self.press(browser, until=("task/0", "done"))
+        browser.frames(30)
+        self.assertEqual([m for m in browser.said() if says in m], [m for m in browser.said()][:1])
+        browser.click("message/0/dismiss")
+        self.press(browser, notches=3, until=("task/1", "done"))
+        browser.click("lesson/next")
+        browser.wait_for("lesson/step", "Two atoms")
+        browser.evaluate("new Promise((done) => setTimeout(done, 1000))")
+        self.assertEqual(browser.said(), [])
+        browser.click("menu/lesson")
+        browser.click("menu/lesson/hand-in")
+        for _ in range(100):
+            found = list(pathlib.Path(browser.downloads).glob("first-touch-*.jsonl"))
+            if found and not list(pathlib.Path(browser.downloads).glob("*.crdownload")):
+                break
+            browser.frames(5)
+        self.assertTrue(found, "nothing was downloaded")
+        events = [json.loads(line) for line in found[0].read_text().splitlines()]
+        self.assertGreaterEqual(sum('"task"' in json.dumps(e) for e in events), 2)
+
+    def test_where_storage_is_forbidden_it_is_said_once_and_the_lesson_goes_on_to_the_file_that_is_handed_in(self):
+        browser = self.browser(script=FORBIDDEN)
+        self.open_lesson(browser)
+        self.goes_on_and_hands_in(browser, "keeps nothing for this page")
+
+    def test_where_storage_is_full_it_is_said_once_and_the_lesson_goes_on_to_the_file_that_is_handed_in(self):
+        with Served() as url:
+            browser = self.browser()
+            browser.open(url)
+            browser.call("Storage.overrideQuotaForOrigin", origin=url.rpartition("/")[0], quotaSize=1)
+            browser.click("welcome/lesson/first-touch")
+            browser.wait_for("task/0", "current")
+            self.goes_on_and_hands_in(browser, "no room left")
+
+    def test_of_a_browser_that_is_killed_in_the_middle_at_most_the_last_second_is_lost(self):
+        profile = tempfile.mkdtemp(prefix="moltact-profile-")
+        self.addCleanup(shutil.rmtree, profile, True)
+        browser = self.browser(profile=os.path.join(profile, "one"))
+        self.open_lesson(browser)
+        self.press(browser, until=("task/0", "done"))
+        browser.click("lesson/next")
+        browser.wait_for("lesson/step", "Two atoms")
+        time.sleep(1.0)
+        browser.kill()
+        again = self.browser(profile=os.path.join(profile, "one"))
+        again.open(PAGE.as_uri())
+        again.click("welcome/lesson/first-touch")
+        again.wait_for("lesson/step", "Two atoms")
+        again.click("lesson/back")
+        again.wait_for("task/0", "done")
+
+    def test_of_a_tab_that_is_closed_nothing_is_lost(self):
+        profile = tempfile.mkdtemp(prefix="moltact-profile-")
+        self.addCleanup(shutil.rmtree, profile, True)
+        browser = self.browser(profile=os.path.join(profile, "one"))
+        self.open_lesson(browser)
+        self.press(browser, until=("task/0", "done"))
+        browser.click("lesson/next")
+        browser.wait_for("lesson/step", "Two atoms")
+        browser.call("Page.navigate", url="about:blank")  # the tab goes elsewhere: the page hides for good
+        time.sleep(0.5)
+        browser.close()
+        again = self.browser(profile=os.path.join(profile, "one"))
+        again.open(PAGE.as_uri())
+        again.click("welcome/lesson/first-touch")
+        again.wait_for("lesson/step", "Two atoms")
