@@ -1,5 +1,6 @@
 // The shipped lesson on haemoglobin: what it says of the iron's place, and of who can touch it, is so in the entry.
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "tests/lesson/shipped_lesson.h"
@@ -17,7 +18,83 @@ std::size_t fromAbove(const ShippedScene& pocket, double probe_A) {
       std::count_if(places.begin(), places.end(), [&](const SurfacePlace& p) { return glm::dot(p.outward, up) > 0; }));
 }
 
+/// Whether a ball comes from outside to the iron's distal side in the frozen molecule: space is filled on a grid of
+/// 0.2 A from the rim of a box of 36 A round the iron inward.
+bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double ball_A) {
+  const bool alpha = chain == "A" || chain == "C";
+  const auto at = [&](const std::string& text) { return whole.atom("chain " + chain + " and " + text).position.A; };
+  const Vec3 iron = at("element Fe");
+  const Vec3 distal =
+      glm::normalize(iron - at(std::string("resname HIS and name NE2 and residue ") + (alpha ? "87" : "92")));
+  constexpr double kCell_A = 0.2, kHalf_A = 18.0;
+  constexpr int kCells = int(2 * kHalf_A / kCell_A) + 1;
+  const Vec3 corner = iron - Vec3(kHalf_A);
+  const auto index = [](int x, int y, int z) {
+    return (std::size_t(x) * kCells + std::size_t(y)) * kCells + std::size_t(z);
+  };
+  enum : char { Free, Shut, Filled };
+  std::vector<char> cells(std::size_t(kCells) * kCells * kCells, Free);
+  const auto shut = [&](double radius_A, std::vector<char>& out) {
+    for (const Atom& a : whole.molecule->atoms) {
+      const double grown = a.radius_A + radius_A;
+      int low[3], high[3];
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::max(0, int(std::ceil((a.position.A[k] - grown - corner[k]) / kCell_A)));
+        high[k] = std::min(kCells - 1, int(std::floor((a.position.A[k] + grown - corner[k]) / kCell_A)));
+      }
+      for (int x = low[0]; x <= high[0]; ++x)
+        for (int y = low[1]; y <= high[1]; ++y)
+          for (int z = low[2]; z <= high[2]; ++z)
+            if (glm::distance(corner + Vec3(x, y, z) * kCell_A, a.position.A) < grown) out[index(x, y, z)] = Shut;
+    }
+  };
+  shut(ball_A, cells);
+  // Outside is where a ball of 2.9 A has room on the rim of the box; no hollow inside the protein is so large.
+  std::vector<char> large(cells.size(), Free);
+  shut(2.9, large);
+  std::vector<std::array<int, 3>> open;
+  const auto fill = [&](int x, int y, int z) {
+    if (x < 0 || y < 0 || z < 0 || x >= kCells || y >= kCells || z >= kCells || cells[index(x, y, z)] != Free) return;
+    cells[index(x, y, z)] = Filled;
+    open.push_back({x, y, z});
+  };
+  const auto rim = [](int c) { return c == 0 || c == kCells - 1; };
+  for (int x = 0; x < kCells; ++x)
+    for (int y = 0; y < kCells; ++y)
+      for (int z = 0; z < kCells; ++z)
+        if ((rim(x) || rim(y) || rim(z)) && large[index(x, y, z)] == Free) fill(x, y, z);
+  while (!open.empty()) {
+    const auto [x, y, z] = open.back();
+    open.pop_back();
+    const Vec3 from_iron = corner + Vec3(x, y, z) * kCell_A - iron;
+    if (glm::length(from_iron) < 2.44 + ball_A + kCell_A && glm::dot(from_iron, distal) > 0.5) return true;
+    for (const int step : {-1, 1}) {
+      fill(x + step, y, z);
+      fill(x, y + step, z);
+      fill(x, y, z + step);
+    }
+  }
+  return false;
+}
+
 }  // namespace
+
+TEST_CASE(
+    "in the frozen molecule a ball of 0.8 A comes from outside to the distal side of every iron, one of 1.3 A to "
+    "none") {
+  const std::string line =
+      lineSaying("haemoglobin-and-haem", "a ball of 0.8 Å comes from outside to the distal side of every iron");
+  CAPTURE(line);
+  const ShippedScene whole("2hhb");
+  for (const char* chain : {"A", "B", "C", "D"}) {
+    CAPTURE(chain);
+    CHECK(ballComesToIron(whole, chain, 0.8));
+    CHECK_FALSE(ballComesToIron(whole, chain, 1.3));
+  }
+  // By how much the chains differ.
+  CHECK_FALSE(ballComesToIron(whole, "A", 1.0));
+  CHECK(ballComesToIron(whole, "D", 1.05));
+}
 
 TEST_CASE(
     "haemoglobin-and-haem.md has 9 steps in the whole molecule and in two cut-open pockets, with a search in the "
