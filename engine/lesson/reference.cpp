@@ -76,6 +76,10 @@ std::string valueOf(const KeySpec& key) {
              "[selections](#selections) with `then` between them";
     case ValueType::View:
       return codeList(key.words) + ", or `facing` and a [selection](#selections)";
+    case ValueType::Styles:
+      return someOf(key.words) +
+             ", each with its opacity (`surface 40%`) and, behind `for`, a [selection](#selections) if it is not for "
+             "all";
   }
   return {};
 }
@@ -132,6 +136,7 @@ void selections(std::ostream& out) {
          "the language in small letters.\n\n| words | atoms |\n| --- | --- |\n";
   for (const SelectionWord& w : selectionWords()) out << "| `" << w.word << "` | " << cell(w.meaning) << " |\n";
   out << R"(| `within` | atoms near others, those included: `within 5 Å of (ligand HEM)` |
+| `bonded` | atoms with a bond to a selected atom: `bonded to (element Fe)` |
 | `not` | all others: `not water` |
 | `and` | atoms that are both: `chain A and name CA` |
 | `or` | atoms that are either: `resname ASP or resname GLU` |

@@ -7,6 +7,7 @@
 #include "engine/lesson/selection_node.h"
 #include "engine/molecule/elements.h"
 #include "engine/molecule/molecule.h"
+#include "engine/structure/bonds.h"
 
 namespace moltact {
 namespace {
@@ -20,11 +21,6 @@ const Residue* residueOf(const Molecule& m, const Atom& a) {
 
 bool contains(const std::vector<std::string>& names, std::string_view name) {
   return std::find(names.begin(), names.end(), name) != names.end();
-}
-
-std::string_view atomName(const Atom& a) {
-  const auto end = std::find(a.name.begin(), a.name.end(), '\0');
-  return {a.name.data(), static_cast<std::size_t>(end - a.name.begin())};
 }
 
 bool inRanges(const std::vector<NumberRange>& ranges, long number, char insertion) {
@@ -47,22 +43,16 @@ bool matches(const Node& node, const Molecule& m, std::size_t index) {
     case SelectionKind::Resname:
       return r && contains(node.names, r->name);
     case SelectionKind::Name:
-      return contains(node.names, atomName(a));
+      return contains(node.names, a.nameText());
     case SelectionKind::Element:
       return std::find(node.elements.begin(), node.elements.end(), a.atomic_number) != node.elements.end();
     case SelectionKind::AtomIndex:
       return inRanges(node.numbers, static_cast<long>(index), ' ');
     case SelectionKind::Ligand:
       return isKind(ResidueKind::Ligand) && (node.names.empty() || contains(node.names, r->name));
-    case SelectionKind::Protein:
-      return isKind(ResidueKind::AminoAcid);
-    case SelectionKind::Nucleic:
-      return isKind(ResidueKind::Nucleotide);
-    case SelectionKind::Water:
-      return isKind(ResidueKind::Water);
-    case SelectionKind::Ion:
-      return isKind(ResidueKind::Ion);
-    case SelectionKind::Within:  // these are of whole masks: see evaluate()
+    case SelectionKind::Class:  // these are of whole masks: see evaluate()
+    case SelectionKind::Within:
+    case SelectionKind::BondedTo:
     case SelectionKind::Not:
     case SelectionKind::And:
     case SelectionKind::Or:
@@ -91,6 +81,15 @@ Mask within(const Mask& near_what, double distance_A, const Molecule& m) {
   return out;
 }
 
+Mask bondedTo(const Mask& what, const Molecule& m) {
+  Mask out(m.atoms.size(), 0);
+  for (const Bond& b : findBonds(m)) {
+    if (what[b.first]) out[b.second] = 1;
+    if (what[b.second]) out[b.first] = 1;
+  }
+  return out;
+}
+
 Mask evaluate(const Node& node, const Molecule& m) {
   switch (node.kind) {
     case SelectionKind::And:
@@ -108,6 +107,13 @@ Mask evaluate(const Node& node, const Molecule& m) {
     }
     case SelectionKind::Within:
       return within(evaluate(*node.left, m), node.distance_A, m);
+    case SelectionKind::BondedTo:
+      return bondedTo(evaluate(*node.left, m), m);
+    case SelectionKind::Class: {
+      Mask out(m.atoms.size(), 0);
+      node.atom_class->mark(m, out);
+      return out;
+    }
     default:
       break;
   }
@@ -140,14 +146,8 @@ std::string Selection::noun() const {
   switch (n.kind) {
     case SelectionKind::All:
       return tr("the surface");
-    case SelectionKind::Protein:
-      return tr("the protein");
-    case SelectionKind::Nucleic:
-      return tr("the nucleic acid");
-    case SelectionKind::Water:
-      return tr("a water molecule");
-    case SelectionKind::Ion:
-      return tr("an ion");
+    case SelectionKind::Class:
+      return tr(n.atom_class->noun);
     case SelectionKind::Ligand:
       return one_name ? trf("the ligand {0}", n.names[0]) : tr("the ligand");
     case SelectionKind::Chain:
@@ -175,6 +175,7 @@ std::string Selection::noun() const {
       }
       break;
     case SelectionKind::Within:
+    case SelectionKind::BondedTo:
     case SelectionKind::Not:
     case SelectionKind::And:
     case SelectionKind::Or:

@@ -10,7 +10,13 @@
 //   atom 3  atom 0-5            atoms by index, counted from 0 in file order as kept
 //   ligand  ligand HEM          residues that are neither polymer nor water nor ion; of that name
 //   protein nucleic water ion   kinds of residue
+//   helix sheet                 secondary structure, by the file's records, else by hydrogen bonds
+//   backbone sidechain          parts of amino acids and nucleotides
+//   hydrophobic polar charged   amino acids by their side chains
+//   surface                     atoms that a probe of 1.4 Å can touch
+//   heme sugar buffer metal     kinds of ligands and of elements
 //   within 5 Å of (…)           atoms whose centres lie that near to the centre of a selected atom, those included
+//   bonded to (…)               atoms with a bond to a selected atom, selected themselves or not
 //   not … · … and … · … or …    in that order of binding; round brackets group
 //
 // Names are as in the file, in capitals or small; the words of the language are in small letters. A name that is also a

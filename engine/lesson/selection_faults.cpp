@@ -114,16 +114,11 @@ Problem faultOf(const Node& leaf, const Molecule& molecule) {
                               [](const Residue& a, const Residue& b) { return a.number < b.number; });
       return plain(trf("residue {0} is not in {1} (residues: {2} to {3})", number, place, low->number, high->number));
     }
-    case SelectionKind::Protein:
-      return plain(trf("protein is not in {0}", place));
-    case SelectionKind::Nucleic:
-      return plain(trf("nucleic acid is not in {0}", place));
-    case SelectionKind::Water:
-      return plain(trf("water is not in {0}", place));
-    case SelectionKind::Ion:
-      return plain(trf("an ion is not in {0}", place));
+    case SelectionKind::Class:
+      return plain(trf(leaf.atom_class->missing, place));
     case SelectionKind::All:
     case SelectionKind::Within:
+    case SelectionKind::BondedTo:
     case SelectionKind::Not:
     case SelectionKind::And:
     case SelectionKind::Or:

@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace moltact {
+
+struct Molecule;
 
 enum class SelectionKind : std::uint8_t {
   All,
@@ -18,11 +21,9 @@ enum class SelectionKind : std::uint8_t {
   Element,
   AtomIndex,
   Ligand,
-  Protein,
-  Nucleic,
-  Water,
-  Ion,
+  Class,
   Within,
+  BondedTo,
   Not,
   And,
   Or
@@ -37,6 +38,18 @@ struct NumberRange {
 /// "10-20", "52A"
 std::string rangeText(const NumberRange& range);
 
+/// Atoms that a word of the language stands for by itself, as 'helix' does: a row of selection_classes.cpp.
+struct AtomClass {
+  std::string_view word;
+  std::string_view meaning;  ///< for the reference of authors, in English
+  const char* noun;          ///< for a student, in the middle of a sentence: "a helix"; in English
+  const char* missing;       ///< "there is no helix in {0}"; in English
+  /// Sets to 1 what belongs to it; `mask` has a 0 for each atom.
+  void (*mark)(const Molecule& molecule, std::vector<char>& mask);
+};
+
+std::span<const AtomClass> atomClasses();
+
 struct SelectionNode {
   SelectionKind kind = SelectionKind::All;
   std::size_t column = 1;                            ///< where its word stands in the text
@@ -45,7 +58,8 @@ struct SelectionNode {
   std::vector<NumberRange> numbers;                  ///< residues, atom indices
   std::vector<std::uint8_t> elements;                ///< atomic numbers
   double distance_A = 0.0;                           ///< of Within
-  std::shared_ptr<const SelectionNode> left, right;  ///< `left` alone for Within and Not
+  const AtomClass* atom_class = nullptr;             ///< of Class
+  std::shared_ptr<const SelectionNode> left, right;  ///< `left` alone for Within, BondedTo, Not
 };
 
 /// One word of the language and what may follow it.
@@ -55,9 +69,10 @@ struct SelectionWord {
   SelectionKind kind;
   Takes takes;
   std::string_view meaning;  ///< for the reference of authors
+  const AtomClass* atom_class = nullptr;
 };
 
-/// Every word that stands for atoms by itself (not `within`, `and`, `or`, `not`).
+/// Every word that stands for atoms by itself (not `within`, `bonded`, `and`, `or`, `not`).
 const std::vector<SelectionWord>& selectionWords();
 
 }  // namespace moltact

@@ -5,6 +5,7 @@
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/selection_node.h"
+#include "engine/lesson/selection_slips.h"
 #include "engine/lesson/source_text.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/molecule/elements.h"
@@ -16,7 +17,7 @@ using Node = SelectionNode;
 using NodePtr = std::shared_ptr<const Node>;
 using Takes = SelectionWord::Takes;
 
-constexpr std::string_view kJoiners[] = {"and", "or", "not", "within", "of"};
+constexpr std::string_view kJoiners[] = {"and", "or", "not", "within", "of", "bonded", "to"};
 
 struct Token {
   std::string_view text;
@@ -143,6 +144,7 @@ class Parser {
       return inner ? join(SelectionKind::Not, std::move(inner), nullptr) : nullptr;
     }
     if (next_.is("within")) return readWithin(depth);
+    if (next_.is("bonded")) return readBonded(depth);
     if (next_.is("(")) {
       const Token open = next_;
       advance();
@@ -181,6 +183,14 @@ class Parser {
     return std::make_shared<const Node>(std::move(node));
   }
 
+  NodePtr readBonded(int depth) {
+    advance();
+    if (!next_.is("to")) return fail(next_, tr("'bonded' needs 'to'"), tr("write: bonded to (element Fe)"));
+    advance();
+    NodePtr inner = readNot(depth + 1);
+    return inner ? join(SelectionKind::BondedTo, std::move(inner), nullptr) : nullptr;
+  }
+
   NodePtr readWord() {
     const Token token = next_;
     const SelectionWord* word = findWord(token);
@@ -192,13 +202,18 @@ class Parser {
             tr("for example: resname HEM"));
       std::vector<std::string_view> known;
       for (const SelectionWord& w : selectionWords()) known.push_back(w.word);
-      known.insert(known.end(), std::begin(kJoiners), std::end(kJoiners) - 1);
-      return fail(token, trf("'{0}' is no word of a selection", token.text), suggest(token.text, known, tr("words")));
+      for (const std::string_view j : kJoiners)
+        if (j != "of" && j != "to") known.push_back(j);
+      std::string_view rest = stripped(text_.substr(at_));
+      std::string remedy = otherLanguage(token.text, rest.substr(0, rest.find_first_of(" \t,()")));
+      if (remedy.empty()) remedy = suggest(token.text, known, tr("words"));
+      return fail(token, trf("'{0}' is no word of a selection", token.text), std::move(remedy));
     }
     advance();
     Node node;
     node.kind = word->kind;
     node.column = columnOf(token);
+    node.atom_class = word->atom_class;
     if (word->takes == Takes::Nothing) return std::make_shared<const Node>(std::move(node));
     std::size_t count = 0;
     for (; !next_.end() && !isJoiner(next_) && !findWord(next_); ++count) {
@@ -255,7 +270,10 @@ class Parser {
       }
     }
     if (good && word.takes == Takes::Indices && range.first < 0) good = false;
-    if (!good)
+    if (!good && next_.text.find('+') != std::string_view::npos)
+      fail(next_, trf("'{0}' is no {1} number", next_.text, word.word),
+           didYouMean(std::string(word.word) + ' ' + withBlanks(next_.text)));
+    else if (!good)
       fail(next_, trf("'{0}' is no {1} number", next_.text, word.word),
            word.takes == Takes::Residues ? tr("write 52, 10-20 or 52A")
                                          : tr("atoms are counted from 0: write 3 or 0-5"));
@@ -277,20 +295,20 @@ class Parser {
 
 const std::vector<SelectionWord>& selectionWords() {
   using K = SelectionKind;
-  static const std::vector<SelectionWord> words{
-      {"all", K::All, Takes::Nothing, "every atom"},
-      {"chain", K::Chain, Takes::Names, "chains by name: chain A B"},
-      {"residue", K::Residue, Takes::Residues, "residues by number: residue 52, residue 10-20, residue 52A"},
-      {"resname", K::Resname, Takes::Names, "residues by name: resname ASP"},
-      {"name", K::Name, Takes::Names, "atoms by name: name CA"},
-      {"element", K::Element, Takes::Elements, "atoms by element symbol: element O"},
-      {"atom", K::AtomIndex, Takes::Indices, "atoms by index from 0: atom 3, atom 0-5"},
-      {"ligand", K::Ligand, Takes::OptionalNames, "bound small molecules: ligand, ligand HEM"},
-      {"protein", K::Protein, Takes::Nothing, "amino acid residues"},
-      {"nucleic", K::Nucleic, Takes::Nothing, "nucleotides"},
-      {"water", K::Water, Takes::Nothing, "water molecules, where they were kept"},
-      {"ion", K::Ion, Takes::Nothing, "single ions"},
-  };
+  static const std::vector<SelectionWord> words = [] {
+    std::vector<SelectionWord> out{
+        {"all", K::All, Takes::Nothing, "every atom"},
+        {"chain", K::Chain, Takes::Names, "chains by name: chain A B"},
+        {"residue", K::Residue, Takes::Residues, "residues by number: residue 52, residue 10-20, residue 52A"},
+        {"resname", K::Resname, Takes::Names, "residues by name: resname ASP"},
+        {"name", K::Name, Takes::Names, "atoms by name: name CA"},
+        {"element", K::Element, Takes::Elements, "atoms by element symbol: element O"},
+        {"atom", K::AtomIndex, Takes::Indices, "atoms by index from 0: atom 3, atom 0-5"},
+        {"ligand", K::Ligand, Takes::OptionalNames, "bound small molecules: ligand, ligand HEM"},
+    };
+    for (const AtomClass& c : atomClasses()) out.push_back({c.word, K::Class, Takes::Nothing, c.meaning, &c});
+    return out;
+  }();
   return words;
 }
 

@@ -18,6 +18,16 @@ constexpr double kSamePlace_A = 0.2;  // an atom on a symmetry axis is carried o
 
 Vec3 carried(const ParsedOperator& op, const Vec3& place_A) { return op.rotation * place_A + op.shift_A; }
 
+/// True for a turn or a mirroring, which keep distances: anything else is a matrix that was misread or miswritten.
+bool turns(const ParsedOperator& op) {
+  constexpr double kRounding = 0.02;
+  const glm::dmat3 product = op.rotation * glm::transpose(op.rotation);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      if (!(std::abs(product[i][j] - (i == j ? 1.0 : 0.0)) < kRounding)) return false;
+  return true;
+}
+
 /// Places no two of which lie nearer than kSamePlace_A.
 class Places {
  public:
@@ -244,7 +254,8 @@ class Assembler {
       }
       Atom atom = m_.atoms[residue.first_atom + k];
       atom.position.A = carried(op, atom.position.A);
-      out.add(atom, {residue.name, name, label, residue.number, residue.insertion}, grown_.hetero_of[r]);
+      out.add(atom, {residue.name, name, label, residue.number, residue.insertion, residue.recorded},
+              grown_.hetero_of[r]);
     }
     return std::nullopt;
   }
@@ -278,6 +289,14 @@ std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vecto
     return Problem{file, 0, 0, trf("there is no biological assembly {0}", inQuotes(name)),
                    trf("the file describes: {0}", names)};
   }
+  for (const ParsedAssembly::Part& part : found->parts)
+    for (const ParsedOperator& op : part.operators)
+      if (!turns(op))
+        return Problem{
+            file, 0, 0,
+            trf("an operator of the assembly {0} is no turn: its rows are not at right angles and of length 1",
+                inQuotes(name)),
+            tr("take the file again from its source, or read it without an assembly")};
   return Assembler(molecule, *found, file).run();
 }
 

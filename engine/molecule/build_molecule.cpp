@@ -4,6 +4,7 @@
 #include <functional>
 #include <unordered_map>
 
+#include "engine/core/saturated.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
 #include "engine/molecule/elements.h"
@@ -112,11 +113,12 @@ std::optional<Problem> MoleculeBuilder::add(const ParsedAtom& from) {
   Atom& atom = waits.atom;
   atom.position.A = from.position_A;
   atom.atomic_number = static_cast<std::uint8_t>(std::clamp(from.atomic_number, 0, kElementCount));
-  atom.radius_A = element(atom.atomic_number).radius_A;
+  atom.radius_A = from.radius_A >= 0.0 ? from.radius_A : element(atom.atomic_number).radius_A;
+  atom.b_factor_A2 = saturateToFloat(from.b_factor_A2);
   std::copy_n(from.name.data(), std::min(from.name.size(), atom.name.size() - 1), atom.name.data());
   waits.name = std::hash<std::string_view>()(from.name);
   waits.occupancy = from.occupancy;
-  waits.unknown = unknownElement(from);
+  waits.unknown = from.radius_A >= 0.0 ? -1 : unknownElement(from);
   waits.alternate = from.alternate;
   waits.hetero = from.hetero;
   if (residues_.size() > kMostAlternatives) endPlace();
@@ -219,8 +221,12 @@ Expected<Molecule> MoleculeBuilder::finish(ParsedHeader head) {
   std::vector<std::string> warnings;
   warnOfElements(warnings);
   const std::uint32_t waters = out.waters_left_out;
+  if (std::string told = markElements(out, head.elements); !told.empty()) head.warnings.push_back(std::move(told));
+  const bool recorded = std::any_of(out.residues.begin(), out.residues.end(),
+                                    [](const Residue& r) { return r.recorded.kind != SecondaryStructure::Coil; });
   if (!options_.assembly.empty())
     if (auto problem = applyAssembly(out_, head.assemblies, options_.assembly, file_)) return *problem;
+  out.has_recorded_structure = recorded;
   out.id = std::move(head.id);
   out.title = std::move(head.title);
   out.models_in_file = static_cast<std::uint32_t>(head.models);

@@ -21,7 +21,7 @@ bool beginsWith(std::string_view word, std::string_view start) {
 }  // namespace
 
 Problem CifWords::problemHere(const std::string& what) const {
-  return {text_.file(), line_, column_, trf("it is not sound mmCIF: {0}", what),
+  return {text_.file(), line_, column_, trf("it is not sound CIF: {0}", what),
           tr("correct the file, or take it again from its source")};
 }
 

@@ -5,7 +5,8 @@
 // (Dalton Trans. 42, 8617, 2013) for the rest of those up to einsteinium; kDefaultRadius_A for promethium,
 // polonium to radium, and all after einsteinium, which have no published radius in either, and for an element
 // that is not known. Colours: the custom of Jmol and of the wooden CPK models (carbon grey, oxygen red,
-// nitrogen blue, sulfur yellow).
+// nitrogen blue, sulfur yellow); iron, selenium and calcium are darker than there, so that they are not taken for
+// phosphorus and chlorine.
 #pragma once
 
 #include <array>

@@ -88,6 +88,7 @@ void GrowingMolecule::put(std::size_t at, const Atom& atom, const Place& place, 
     text_bytes_ += heapBytes(place.residue);
     residue.number = place.number;
     residue.insertion = place.insertion;
+    residue.recorded = place.recorded;
     residue.chain = static_cast<std::uint32_t>(m.chains.size() - 1);
     residue.first_atom = static_cast<std::uint32_t>(at);
     ++m.chains.back().residue_count;

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/ball.h"
@@ -21,11 +22,27 @@ struct Atom {
   PointA position;                     ///< centre
   double radius_A = 0.0;               ///< van der Waals radius (unit: angstrom)
   std::uint32_t residue = kNoResidue;  ///< index into Molecule::residues, or kNoResidue (an .xyzr file has none)
+  float b_factor_A2 = 0.0f;            ///< isotropic displacement as the file has it (unit: square angstrom); 0: none
   std::uint8_t atomic_number = 0;      ///< 1 = H, 6 = C, …; 0 = not known
   std::array<char, 6> name{};          ///< the atom's name in its residue ("CA", "O5'"), zero-terminated
+
+  std::string_view nameText() const { return name.data(); }
 };
 
 enum class ResidueKind : std::uint8_t { AminoAcid, Nucleotide, Water, Ligand, Ion, Other };
+
+/// The secondary structure that a residue of a protein takes part in.
+enum class SecondaryStructure : std::uint8_t { Coil, Helix, Strand };
+/// By which residue a turn's hydrogen bond goes on: the fourth, the third, the fifth; Other as a file may name it.
+enum class HelixKind : std::uint8_t { Alpha, ThreeTen, Pi, Other };
+
+/// What the depositors' records say of a residue.
+struct RecordedStructure {
+  SecondaryStructure kind = SecondaryStructure::Coil;
+  HelixKind helix = HelixKind::Alpha;
+  bool begins = false;  ///< the first residue of its helix or strand, which may follow upon another
+  friend bool operator==(const RecordedStructure&, const RecordedStructure&) = default;
+};
 
 /// One residue: a run of atoms that belong together.
 struct Residue {
@@ -35,6 +52,16 @@ struct Residue {
   std::uint32_t chain = 0;  ///< index into Molecule::chains
   std::uint32_t first_atom = 0, atom_count = 0;
   ResidueKind kind = ResidueKind::Other;
+  RecordedStructure recorded{};  ///< of no meaning where Molecule::has_recorded_structure is false
+};
+
+enum class BondOrder : std::uint8_t { Unknown, Single, Double, Triple, Aromatic, Coordination };
+
+/// Two atoms that are bonded, by index; first < second.
+struct Bond {
+  std::uint32_t first = 0, second = 0;
+  BondOrder order = BondOrder::Unknown;
+  friend bool operator==(const Bond&, const Bond&) = default;
 };
 
 struct Chain {
@@ -55,6 +82,9 @@ struct Molecule {
   std::vector<Atom> atoms;
   std::vector<Residue> residues;
   std::vector<Chain> chains;
+  std::vector<Bond> listed_bonds;  ///< of a file that lists them all (SDF, MOL), ascending; engine/structure/bonds.h
+                                   ///< finds those of every molecule
+  bool has_recorded_structure = false;    ///< the file says which residues are helices and strands
   std::vector<std::string> warnings;      ///< what the reader left out, replaced or guessed, one sentence each
   std::uint32_t waters_left_out = 0;      ///< water molecules in the file that are not among the atoms
   std::uint32_t alternates_left_out = 0;  ///< atoms at another alternate location than the one kept

@@ -26,8 +26,10 @@ struct ParsedAtom {
   std::string_view element;      ///< as the file writes it, used where atomic_number is 0
   Vec3 position_A{0.0};
   double occupancy = 1.0;
-  std::size_t line = 0;  ///< in the file, from 1; 0 where not known
-  int number = 0;        ///< residue number
+  double b_factor_A2 = 0.0;
+  double radius_A = -1.0;  ///< as the file has it; below zero: the element's
+  std::size_t line = 0;    ///< in the file, from 1; 0 where not known
+  int number = 0;          ///< residue number
   int atomic_number = 0;
   char insertion = ' ';
   char alternate = ' ';  ///< alternate location, a space where there is none
@@ -50,9 +52,21 @@ struct ParsedAssembly {
   std::vector<Part> parts;
 };
 
+/// A helix or a strand as a file records it: from one residue of a chain to another, both included.
+struct ParsedElement {
+  struct End {
+    int number = 0;
+    char insertion = ' ';
+  };
+  RecordedStructure structure;
+  std::string chain;
+  End first, last;
+};
+
 /// The contents of a file other than its atoms.
 struct ParsedHeader {
   std::string id, title;
+  std::vector<ParsedElement> elements;  ///< helices and strands
   std::vector<ParsedAssembly> assemblies;
   std::vector<std::string> warnings;
   int models = 1;  ///< in the file
@@ -66,6 +80,7 @@ class GrowingMolecule {
     std::string_view residue, chain, label_chain;
     int number = 0;
     char insertion = ' ';
+    RecordedStructure recorded{};
   };
   /// `names_label_chains`: their names are needed later, for an assembly; otherwise it is only kept which residues have
   /// the same.
@@ -144,6 +159,10 @@ class MoleculeBuilder {
   std::map<std::string, std::int32_t, std::less<>> unknown_of_;
 };
 
+/// Marks the residues of the elements; a residue of a helix and of a strand belongs to the helix. One sentence where some
+/// name residues that are not there, nothing otherwise.
+std::string markElements(Molecule& molecule, const std::vector<ParsedElement>& elements);
+
 /// Puts the assembly `name` in the place of the molecule. Copies of a chain are named, …
 std::optional<Problem> applyAssembly(GrowingMolecule& molecule, const std::vector<ParsedAssembly>& assemblies,
                                      const std::string& name, const std::string& file);
@@ -153,6 +172,14 @@ Problem tooManyAtoms(const std::string& file, std::size_t line);
 
 /// "the file has 3 models; there is no model 7".
 Problem noSuchModel(const std::string& file, int asked, int models);
+
+/// "a file of this format describes no biological assembly".
+Problem noAssembly(const std::string& file);
+
+/// True where the text, the beginning of a file, is a CIF of the dictionary for small molecules, which readMmcif() hands
+/// to readSmallCif().
+bool isSmallMoleculeCif(std::string_view text);
+Expected<Molecule> readSmallCif(TextSource& text, const ReadOptions& options);
 
 /// A number of a person's text: the whole of `text` (blanks around it allowed) as a finite double, or false.
 bool parseNumber(std::string_view text, double& value);

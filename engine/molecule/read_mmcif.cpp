@@ -33,16 +33,18 @@ enum Column {
   kInsertion,
   kAlternate,
   kOccupancy,
+  kBFactor,
   kGroup,
   kModel
 };
 
 constexpr std::string_view kAtomTags[] = {
-    "_atom_site.Cartn_x",           "_atom_site.Cartn_y",      "_atom_site.Cartn_z",       "_atom_site.type_symbol",
-    "_atom_site.label_atom_id",     "_atom_site.auth_atom_id", "_atom_site.label_comp_id", "_atom_site.auth_comp_id",
-    "_atom_site.label_asym_id",     "_atom_site.auth_asym_id", "_atom_site.label_seq_id",  "_atom_site.auth_seq_id",
-    "_atom_site.pdbx_PDB_ins_code", "_atom_site.label_alt_id", "_atom_site.occupancy",     "_atom_site.group_PDB",
-    "_atom_site.pdbx_PDB_model_num"};
+    "_atom_site.Cartn_x",           "_atom_site.Cartn_y",       "_atom_site.Cartn_z",
+    "_atom_site.type_symbol",       "_atom_site.label_atom_id", "_atom_site.auth_atom_id",
+    "_atom_site.label_comp_id",     "_atom_site.auth_comp_id",  "_atom_site.label_asym_id",
+    "_atom_site.auth_asym_id",      "_atom_site.label_seq_id",  "_atom_site.auth_seq_id",
+    "_atom_site.pdbx_PDB_ins_code", "_atom_site.label_alt_id",  "_atom_site.occupancy",
+    "_atom_site.B_iso_or_equiv",    "_atom_site.group_PDB",     "_atom_site.pdbx_PDB_model_num"};
 constexpr std::string_view kGeneratorTags[] = {"_pdbx_struct_assembly_gen.assembly_id",
                                                "_pdbx_struct_assembly_gen.oper_expression",
                                                "_pdbx_struct_assembly_gen.asym_id_list"};
@@ -54,8 +56,31 @@ constexpr std::string_view kOperatorTags[] = {
     "_pdbx_struct_oper_list.vector[3]"};
 constexpr std::string_view kEntryTags[] = {"_entry.id"};
 constexpr std::string_view kTitleTags[] = {"_struct.title"};
+// The first and the last residue of a helix or a strand: columns of both tables, in one order.
+enum EndColumn {
+  kFirstChain,
+  kFirstAuthChain,
+  kFirstSeq,
+  kFirstAuthSeq,
+  kFirstInsertion,
+  kLastSeq,
+  kLastAuthSeq,
+  kLastInsertion,
+  kType,
+  kHelixClass
+};
+constexpr std::string_view kConformationTags[] = {
+    "_struct_conf.beg_label_asym_id",   "_struct_conf.beg_auth_asym_id",      "_struct_conf.beg_label_seq_id",
+    "_struct_conf.beg_auth_seq_id",     "_struct_conf.pdbx_beg_PDB_ins_code", "_struct_conf.end_label_seq_id",
+    "_struct_conf.end_auth_seq_id",     "_struct_conf.pdbx_end_PDB_ins_code", "_struct_conf.conf_type_id",
+    "_struct_conf.pdbx_PDB_helix_class"};
+constexpr std::string_view kStrandTags[] = {
+    "_struct_sheet_range.beg_label_asym_id",     "_struct_sheet_range.beg_auth_asym_id",
+    "_struct_sheet_range.beg_label_seq_id",      "_struct_sheet_range.beg_auth_seq_id",
+    "_struct_sheet_range.pdbx_beg_PDB_ins_code", "_struct_sheet_range.end_label_seq_id",
+    "_struct_sheet_range.end_auth_seq_id",       "_struct_sheet_range.pdbx_end_PDB_ins_code"};
 
-enum class Table { Atoms, Generators, Operators, Entry, Title };
+enum class Table { Atoms, Generators, Operators, Entry, Title, Conformations, Strands };
 struct TableTags {
   std::string_view category;
   std::span<const std::string_view> tags;
@@ -64,7 +89,9 @@ constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags},
                                  {"_pdbx_struct_assembly_gen.", kGeneratorTags},
                                  {"_pdbx_struct_oper_list.", kOperatorTags},
                                  {"_entry.", kEntryTags},
-                                 {"_struct.", kTitleTags}};
+                                 {"_struct.", kTitleTags},
+                                 {"_struct_conf.", kConformationTags},
+                                 {"_struct_sheet_range.", kStrandTags}};
 
 constexpr const char* kRemedy = N_("correct the file, or take it again from its source");
 constexpr std::size_t kMostModels = 100'000, kMostOperators = 100'000, kMostCopies = 1'000'000;
@@ -276,6 +303,10 @@ class Reader {
       case Table::Title:
         if (head_.title.empty()) head_.title = oneLine(row[0].said());
         return std::nullopt;
+      case Table::Conformations:
+        return conformation(row);
+      case Table::Strands:
+        return element(row, {SecondaryStructure::Strand});
     }
     return std::nullopt;
   }
@@ -343,8 +374,51 @@ class Reader {
                 inQuotes(row[kOccupancy].text)));
       out.occupancy = 1.0;
     }
+    if (row[kBFactor].says() && !cifNumber(row[kBFactor].text, out.b_factor_A2)) {
+      if (head_.warnings.size() < 20)
+        head_.warnings.push_back(
+            trf("Row {0} of the _atom_site table: the B factor {1} is not a number and was taken as 0.", rows_,
+                inQuotes(row[kBFactor].text)));
+      out.b_factor_A2 = 0.0;
+    }
     out.hetero = row[kGroup].said() == "HETATM";
     return builder_.add(out);
+  }
+
+  // A row of the table of helices, turns and, in files that DSSP made, strands.
+  std::optional<Problem> conformation(const Row& row) {
+    const std::string_view type = row[kType].said();
+    if (type == "STRN") return element(row, {SecondaryStructure::Strand});
+    if (!type.starts_with("HELX")) return std::nullopt;
+    const std::string_view number = row[kHelixClass].said();
+    HelixKind kind = HelixKind::Alpha;
+    if (type == "HELX_RH_3T_P" || (type == "HELX_P" && number == "5"))
+      kind = HelixKind::ThreeTen;
+    else if (type == "HELX_RH_PI_P" || (type == "HELX_P" && number == "3"))
+      kind = HelixKind::Pi;
+    else if (type != "HELX_RH_AL_P" && !(type == "HELX_P" && (number.empty() || number == "0" || number == "1")))
+      kind = HelixKind::Other;
+    return element(row, {SecondaryStructure::Helix, kind});
+  }
+
+  std::optional<Problem> element(const Row& row, RecordedStructure structure) {
+    if (!row[kFirstChain].there && !row[kFirstAuthChain].there) return std::nullopt;  // not the whole table
+    ParsedElement out{structure, std::string(firstOf(row[kFirstAuthChain], row[kFirstChain])), {}, {}};
+    const auto end = [&](ParsedElement::End& at, EndColumn author, EndColumn label, EndColumn insertion) {
+      if (const std::string_view code = row[insertion].said(); !code.empty()) at.insertion = code[0];
+      return parseInteger(firstOf(row[author], row[label]), at.number);
+    };
+    if (!end(out.first, kFirstAuthSeq, kFirstSeq, kFirstInsertion) ||
+        !end(out.last, kLastAuthSeq, kLastSeq, kLastInsertion)) {
+      if (head_.warnings.size() < 40)
+        head_.warnings.push_back(
+            trf("A helix or strand of chain {0} names no residues and was left out.", inQuotes(out.chain)));
+      return std::nullopt;
+    }
+    kept_ += sizeof out + out.chain.size();
+    if (kept_ > kMostKept) return Problem{file_, 0, 0, tr("more than 32 MiB of helices and strands"), tr(kRemedy)};
+    head_.elements.push_back(std::move(out));
+    return std::nullopt;
   }
 
   std::optional<Problem> oper(const Row& row) {
@@ -423,6 +497,9 @@ class Reader {
 
 }  // namespace
 
-Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options) { return Reader(text, options).run(); }
+Expected<Molecule> readMmcif(TextSource& text, const ReadOptions& options) {
+  if (isSmallMoleculeCif(text.ahead())) return readSmallCif(text, options);
+  return Reader(text, options).run();
+}
 
 }  // namespace moltact

@@ -1,7 +1,9 @@
 // Reads PDB files line by line. Atoms are read here, so that a number that is none is told and nothing but the molecule
 // grows; gemmi reads the records that name, describe and copy them.
+#include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <gemmi/pdb.hpp>
@@ -34,6 +36,10 @@ struct PdbRecords {
   std::size_t atoms_in_first = 0;   // of model 1
   std::size_t atoms_by_master = 0;  // as the MASTER record counts them; 0 where it does not
   bool ends_in_atom = false;
+  std::optional<Problem> bad_operator;  // the first BIOMT line that cannot be read
+  // Four columns hold residue numbers up to 9999. What programs do with more of them is undone along a chain.
+  std::string chain;
+  int last_number = 0, beyond = 0;  // as written; what is added to it
 };
 
 struct Field {
@@ -43,6 +49,7 @@ struct Field {
 
 constexpr Field kCoordinates[3] = {{30, 8, "x"}, {38, 8, "y"}, {46, 8, "z"}};
 constexpr Field kOccupancy = {54, 6, "occupancy"};
+constexpr Field kBFactor = {60, 6, "B factor"};
 
 std::string columns(const Field& f) { return trf("columns {0}-{1}", f.first + 1, f.first + f.width); }
 
@@ -69,6 +76,36 @@ int residueNumber(std::string_view field) {
     return static_cast<int>(std::strtol(digits.c_str(), nullptr, 36)) - 466560 + 10000;
   }
   return static_cast<int>(std::strtol(std::string(field).c_str(), nullptr, 10));
+}
+
+bool isDigits(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+/// The residue number of an atom's line, and whether column 27 is its last digit: VMD and others write 10000 into
+/// columns 23-27. GROMACS writes 0 after 9999, which goes on as 10000 where the chain does.
+int numberInChain(PdbRecords& records, std::string_view line, std::string_view chain, bool& five_columns) {
+  five_columns = isDigits(line.substr(22, 5));
+  const int written = five_columns ? static_cast<int>(std::strtol(std::string(line.substr(22, 5)).c_str(), nullptr, 10))
+                                   : residueNumber(line.substr(22, 4));
+  if (records.chain != chain) {
+    records.chain = chain;
+    records.beyond = 0;
+  } else if (written == 0 && records.last_number == 9'999) {
+    records.beyond += 10'000;
+  } else if (written == 0 && records.last_number == 99'999) {
+    records.beyond += 100'000;
+  }
+  records.last_number = written;
+  return written + records.beyond;
+}
+
+/// Names of four letters, in columns 18-21, that simulation programs write; in other files column 21 is of the chain.
+bool isLongName(std::string_view name) {
+  static constexpr std::string_view kNames[] = {"TIP3", "TIP4", "POPC", "POPE", "POPG", "POPS", "POPA", "DOPC",
+                                                "DOPE", "DOPG", "DOPS", "DPPC", "DPPE", "DPPG", "DPPS", "DMPC",
+                                                "DMPE", "DMPG", "DLPC", "DLPE", "DSPC", "DSPE", "CHL1", "CHOL"};
+  return std::find(std::begin(kNames), std::end(kNames), name) != std::end(kNames);
 }
 
 /// The element of columns 77-78, else of the atom's name: names such as HG11 and 1HB are hydrogens.
@@ -114,19 +151,28 @@ std::optional<Problem> addAtom(MoleculeBuilder& builder, PdbRecords& records, st
           trf("Line {0}: the occupancy {1} is not a number and was taken as 1.", number, inQuotes(field)));
     atom.occupancy = 1.0;
   }
+  const std::string_view b_factor = clean.substr(kBFactor.first, kBFactor.width);
+  if (const bool blank = trimmed(b_factor).empty(); blank || !parseNumber(b_factor, atom.b_factor_A2)) {
+    if (!blank && records.warnings.size() < kMostLineWarnings)
+      records.warnings.push_back(
+          trf("Line {0}: the B factor {1} is not a number and was taken as 0.", number, inQuotes(b_factor)));
+    atom.b_factor_A2 = 0.0;
+  }
   // Columns 77-80 hold an element and a charge since 1996, a part of the line's number before.
   const bool has_element = (std::isalpha(static_cast<unsigned char>(out[77])) &&
                             (out[76] == ' ' || std::isalpha(static_cast<unsigned char>(out[76])))) ||
                            (std::isalpha(static_cast<unsigned char>(out[76])) && out[77] == ' ');
   const gemmi::Element element = elementOf(out, has_element);
   atom.name = trimmed(clean.substr(12, 4));
-  atom.residue = trimmed(clean.substr(17, 3));
-  atom.chain = trimmed(clean.substr(20, 2));
+  const bool long_name = isLongName(clean.substr(17, 4));
+  atom.residue = trimmed(clean.substr(17, long_name ? 4 : 3));
+  atom.chain = trimmed(long_name ? clean.substr(21, 1) : clean.substr(20, 2));
   atom.element = element.elem == gemmi::El::X ? atom.name : std::string_view(element.name());
   atom.atomic_number = element.atomic_number();
   atom.line = number;
-  atom.number = residueNumber(clean.substr(22, 4));
-  atom.insertion = clean[26];
+  bool five_columns = false;
+  atom.number = numberInChain(records, clean, atom.chain, five_columns);
+  atom.insertion = five_columns ? ' ' : clean[26];
   atom.alternate = clean[16];
   atom.hetero = std::toupper(static_cast<unsigned char>(out[0])) == 'H';
   return builder.add(atom);
@@ -154,6 +200,41 @@ void warnOfCut(PdbRecords& records) {
     records.warnings.push_back(
         trf("The MASTER record counts {0} atoms, but the file has {1}: it may be cut short or edited.",
             records.atoms_by_master, records.atoms_in_file));
+}
+
+/// A line "REMARK 350   BIOMT2  17  …" in the columns in which gemmi reads it. They hold three digits of the operator's
+/// number; from 1000 on the rest of the line is shifted. Empty where it is no such line, nothing where it holds what is
+/// no number.
+std::optional<std::string> operatorInColumns(std::string_view line) {
+  constexpr std::size_t kWord = 13;
+  if (line.size() < kWord + 6 || !startsWith(line.substr(kWord), "BIOMT")) return std::string();
+  std::string_view rest = line.substr(kWord + 5);
+  const char row = rest.front();
+  rest.remove_prefix(1);
+  std::string_view words[5];
+  double value[4] = {};
+  for (std::string_view& word : words) {
+    rest = trimmed(rest);
+    word = rest.substr(0, rest.find(' '));
+    rest.remove_prefix(word.size());
+  }
+  bool sound = row >= '1' && row <= '3' && !words[0].empty() && isDigits(words[0]);
+  for (int k = 0; k < 4; ++k)
+    sound = sound && parseNumber(words[k + 1], value[k]) && std::abs(value[k]) < (k < 3 ? 100.0 : 1e7);
+  if (!sound) return std::nullopt;
+  char shift[32];  // as many decimals as ten columns hold
+  for (int digits = 5; digits > 0; --digits)
+    if (std::snprintf(shift, sizeof shift, "%.*f", digits, value[3]) <= 10) break;
+  char out[kLineWidth + 1];
+  std::snprintf(out, sizeof out, "REMARK 350   BIOMT%c    %10.6f%10.6f%10.6f     %10.10s", row, value[0], value[1],
+                value[2], shift);
+  return std::string(out);
+}
+
+/// True for a HELIX or SHEET line that names its first and last residue soundly.
+bool namesResidues(std::string_view line) {
+  const std::size_t first = startsWith(line, "HELIX") ? 21 : 22;
+  return line.size() >= 37 && isResidueNumber(line.substr(first, 4)) && isResidueNumber(line.substr(33, 4));
 }
 
 /// Reads the file line by line: hands the atoms of model `wanted` to the builder and keeps the records that name and
@@ -187,11 +268,27 @@ std::optional<Problem> scanRecords(PdbRecords& records, MoleculeBuilder& builder
     } else if (startsWith(line, "END") && trimmed(line).size() == 3) {
       // Simulation programs write END between frames; another atom after it would begin another model.
       in_model = false;
-    } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350")) {
+    } else if (startsWith(line, "HEADER") || startsWith(line, "TITLE") || startsWith(line, "REMARK 350") ||
+               startsWith(line, "HELIX ") || startsWith(line, "SHEET ")) {
       if (records.kept.size() > kMostHead)
         return Problem{text.file(), text.number(), 0, tr("more than 32 MiB of titles and descriptions of assemblies"),
                        tr("take the file again from its source")};
       std::string kept(line.substr(0, kLineWidth));
+      if (startsWith(line, "REMARK")) {
+        const auto aligned = operatorInColumns(line);
+        if (!aligned && !records.bad_operator)
+          records.bad_operator =
+              Problem{text.file(), text.number(), 14,
+                      tr("the assembly's operator is not four numbers after its own: a row of a matrix and a shift"),
+                      tr("correct the line, take the mmCIF file, or read it without an assembly")};
+        if (!aligned) continue;
+        if (!aligned->empty()) kept = *aligned;
+      } else if ((startsWith(line, "HELIX") || startsWith(line, "SHEET")) && !namesResidues(kept)) {
+        if (records.warnings.size() < kMostLineWarnings)
+          records.warnings.push_back(
+              trf("Line {0}: the helix or strand names no residues and was left out.", text.number()));
+        continue;
+      }
       for (char& c : kept)
         if (static_cast<unsigned char>(c) < ' ' || static_cast<unsigned char>(c) > '~') c = ' ';
       kept.resize(kLineWidth, ' ');
@@ -217,6 +314,31 @@ ParsedAssembly assemblyFrom(const gemmi::Assembly& from) {
   return out;
 }
 
+ParsedElement elementFrom(const gemmi::AtomAddress& first, const gemmi::AtomAddress& last,
+                          RecordedStructure structure) {
+  const auto end = [](const gemmi::AtomAddress& at) {
+    return ParsedElement::End{at.res_id.seqid.num.has_value() ? *at.res_id.seqid.num : 0, at.res_id.seqid.icode};
+  };
+  return {structure, first.chain_name, end(first), end(last)};
+}
+
+std::vector<ParsedElement> elementsFrom(const gemmi::Structure& st) {
+  using Class = gemmi::Helix::HelixClass;
+  std::vector<ParsedElement> out;
+  for (const gemmi::Helix& helix : st.helices) {
+    const Class c = helix.pdb_helix_class;
+    const HelixKind kind = c == Class::R310                                 ? HelixKind::ThreeTen
+                           : c == Class::RPi                                ? HelixKind::Pi
+                           : c == Class::RAlpha || c == Class::UnknownHelix ? HelixKind::Alpha
+                                                                            : HelixKind::Other;
+    out.push_back(elementFrom(helix.start, helix.end, {SecondaryStructure::Helix, kind}));
+  }
+  for (const gemmi::Sheet& sheet : st.sheets)
+    for (const gemmi::Sheet::Strand& strand : sheet.strands)
+      out.push_back(elementFrom(strand.start, strand.end, {SecondaryStructure::Strand}));
+  return out;
+}
+
 std::string information(const gemmi::Structure& st, const char* key) {
   const auto found = st.info.find(key);
   return found == st.info.end() ? std::string() : std::string(trimmed(found->second));
@@ -233,6 +355,7 @@ Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
     return Problem{file, 0, 0, tr("there is no ATOM or HETATM line in it"),
                    tr("take a coordinate file from the PDB (www.rcsb.org)")};
   if (options.model < 1 || options.model > records.models) return noSuchModel(file, options.model, records.models);
+  if (records.bad_operator && !options.assembly.empty()) return *records.bad_operator;
   warnOfCut(records);
   ParsedHeader head;
   head.warnings = records.warnings;
@@ -242,6 +365,7 @@ Expected<Molecule> readPdb(TextSource& text, const ReadOptions& options) {
     head.id = information(st, "_entry.id");
     head.title = information(st, "_struct.title");
     for (const gemmi::Assembly& assembly : st.assemblies) head.assemblies.push_back(assemblyFrom(assembly));
+    head.elements = elementsFrom(st);
   } catch (const std::bad_alloc&) {
     throw;  // no fault of the file
   } catch (const std::exception& e) {

@@ -32,9 +32,7 @@ Expected<Molecule> readXyzr(TextSource& text, const ReadOptions& options) {
   const std::string& file = text.file();
   constexpr const char* kColumn[4] = {"x", "y", "z", "r"};
   if (options.model != 1) return noSuchModel(file, options.model, 1);
-  if (!options.assembly.empty())
-    return Problem{file, 0, 0, tr("an .xyzr file describes no biological assembly"),
-                   tr("read it without one, or take the PDB or mmCIF file")};
+  if (!options.assembly.empty()) return noAssembly(file);
   Molecule out;
   out.atoms.reserve(std::min(kMaxMoleculeAtoms, text.expectedBytes() / kBytesABall));
   std::size_t first_extra = 0;

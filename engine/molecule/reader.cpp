@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <new>
+#include <optional>
 
 #include "engine/language/catalogue.h"
 #include "engine/molecule/parsed_structure.h"
@@ -15,6 +16,10 @@
   X(".pdb", readPdb)       \
   X(".ent", readPdb)       \
   X(".mmcif", readMmcif)   \
+  X(".sdf", readSdf)       \
+  X(".mol", readSdf)       \
+  X(".pqr", readPqr)       \
+  X(".gro", readGro)       \
   X(".xyzr", readXyzr)
 
 namespace moltact {
@@ -70,9 +75,19 @@ bool looksLikeXyzr(std::string_view text) {
   return false;
 }
 
+/// What a file is that holds molecules in a way that is not read here, and what to do; nothing where it is none of them.
+std::optional<Problem> notRead(std::string_view head, const std::string& extension, const std::string& file) {
+  if (head.starts_with("PK\x03\x04") || head.starts_with("PK\x05\x06"))
+    return Problem{file, 0, 0, tr("it is a zip archive"), tr("unpack it, and open the molecule's file that is in it")};
+  if (extension == ".bcif" || extension == ".mmtf")
+    return Problem{file, 0, 0, tr("binary files of molecules are not read"), tr("take the .cif file of the entry")};
+  return std::nullopt;
+}
+
 /// The reader that the content asks for; null where it is none of ours.
 ReadText readerByContent(std::string_view text) {
   const std::string_view head = text;
+  std::size_t line_number = 0;
   for (std::string_view rest = head; !rest.empty();) {
     const std::size_t newline = rest.find('\n');
     const std::string_view line = rest.substr(0, newline);
@@ -80,6 +95,9 @@ ReadText readerByContent(std::string_view text) {
       if (line.starts_with(record)) return readPdb;
     if (line.starts_with("data_")) return readMmcif;
     rest.remove_prefix(newline == std::string_view::npos ? rest.size() : newline + 1);
+    if (++line_number == 4 &&
+        (line.find("V2000") != std::string_view::npos || line.find("V3000") != std::string_view::npos))
+      return readSdf;
   }
   return looksLikeXyzr(head) ? readXyzr : nullptr;
 }
@@ -90,6 +108,7 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
   if (text.ahead().empty()) return text.problem().value_or(empty);
   const std::filesystem::path inner = innerName(path);
   const std::string extension = lower(inner.extension().string());
+  if (auto problem = notRead(text.ahead(), extension, file)) return *problem;
   ReadText read = nullptr;
   for (const Format& format : kFormats)
     if (extension == format.extension) read = format.read;
@@ -101,7 +120,7 @@ Expected<Molecule> readText(TextSource& text, const std::filesystem::path& path,
                    trf("those are {0}, each also with .gz", endingsText())};
   Expected<Molecule> molecule = read(text, options);
   if (text.problem()) return *text.problem();
-  if (!molecule && text.blank()) return empty;
+  if (!molecule && text.number() > 0 && text.blank()) return empty;
   if (molecule && molecule->id.empty()) molecule->id = inner.stem().string();
   return molecule;
 }

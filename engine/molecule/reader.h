@@ -39,14 +39,14 @@ inline constexpr double kMaxCoordinate_A = 1e9;
 
 /// The endings of the names that are read, in lower case and without .gz: ".pdb", ".cif" and so on.
 std::vector<std::string_view> moleculeEndings();
-/// The same for a sentence: ".pdb .ent .cif .mmcif .xyzr".
+/// The same for a sentence: ".cif .pdb .ent".
 std::string moleculeEndingsText();
 
 /// Whether a reader may know the file, by its name: one of these endings, with or without .gz, in whatever case.
 bool hasMoleculeName(const std::filesystem::path& file);
 
-/// The molecule in the file. The format follows from the name (.pdb .ent .cif .mmcif .xyzr, each also with
-/// .gz) and, where the name does not tell, from the content.
+/// The molecule in the file. The format follows from the name (moleculeEndings(), each also with .gz) and, where the name
+/// does not tell, from the content.
 Expected<Molecule> readMolecule(const std::filesystem::path& file, const ReadOptions& options = {});
 inline Expected<Molecule> readMolecule(const MoleculeKey& key) { return readMolecule(key.file, key.reading); }
 

@@ -29,4 +29,9 @@ Problem noSuchModel(const std::string& file, int asked, int models) {
           models == 1 ? tr("ask for model 1") : trf("ask for a model from 1 to {0}", models)};
 }
 
+Problem noAssembly(const std::string& file) {
+  return {file, 0, 0, tr("a file of this format describes no biological assembly"),
+          tr("read it without one, or take the PDB or mmCIF file")};
+}
+
 }  // namespace moltact

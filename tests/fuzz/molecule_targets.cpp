@@ -6,6 +6,11 @@
 #include "engine/haptics/ball_scene.h"
 #include "engine/molecule/reader.h"
 #include "engine/molecule/summary.h"
+#include "engine/structure/accessible_area.h"
+#include "engine/structure/colouring.h"
+#include "engine/structure/hydrogen_bonds.h"
+#include "engine/structure/secondary_structure.h"
+#include "engine/structure/superposition.h"
 #include "tests/fuzz/target.h"
 
 namespace moltact::fuzz {
@@ -30,6 +35,8 @@ void soundly(const Molecule& m) {
     residue += c.residue_count;
   }
   mustBe(residue == m.residues.size(), "every residue in a chain");
+  for (const Bond& b : m.listed_bonds)
+    mustBe(b.first < b.second && b.second < m.atoms.size(), "bonds between atoms that are there");
   mustBe(summarise(m).atoms == m.atoms.size(), "a summary of them all");
   for (std::size_t i = 0; i < m.atoms.size(); i += 1 + m.atoms.size() / 20)
     mustBe(!m.describe(i).empty(), "a name to be called by");
@@ -44,8 +51,9 @@ void read(std::string_view bytes, const char* name) {
       soundly(*molecule);
     else
       mustBe(!molecule.problem().message.empty(), "a message");
-    if (plain) {
-      options.assembly = "1";
+    for (const char* assembly : {"1", "cell"}) {
+      if (!plain) break;
+      options.assembly = assembly;
       if (const auto whole = readMoleculeBytes(std::string(bytes), name, options)) soundly(*whole);
     }
   }
@@ -69,7 +77,44 @@ std::string packed(std::string_view bytes) {
 
 void pdb(std::string_view bytes) { read(bytes, "x.pdb"); }
 void mmcif(std::string_view bytes) { read(bytes, "x.cif"); }
+// The small-molecule dictionary is told by its first tags.
+void smallCif(std::string_view bytes) {
+  read(bytes, "x.cif");
+  read("data_x\n_cell_length_a 5\n" + std::string(bytes), "x.cif");
+}
+void sdf(std::string_view bytes) { read(bytes, "x.sdf"); }
+void pqr(std::string_view bytes) { read(bytes, "x.pqr"); }
+void gro(std::string_view bytes) { read(bytes, "x.gro"); }
 void xyzr(std::string_view bytes) { read(bytes, "x.xyzr"); }
+
+// What is worked out of a molecule, whatever its atoms.
+void structure(std::string_view bytes) {
+  const auto molecule = readMoleculeBytes(std::string(bytes), "x.pdb", {.waters = true});
+  if (!molecule) return;
+  const Molecule& m = *molecule;
+  const auto bonds = findBonds(m);
+  for (std::size_t i = 0; i < bonds.size(); ++i) {
+    mustBe(bonds[i].first < bonds[i].second && bonds[i].second < m.atoms.size(), "bonds between atoms that are there");
+    mustBe(i == 0 || std::pair(bonds[i - 1].first, bonds[i - 1].second) < std::pair(bonds[i].first, bonds[i].second),
+           "each bond once, in order");
+  }
+  for (const HydrogenBond& h : findHydrogenBonds(m, BondTable(m.atoms.size(), bonds)))
+    mustBe(h.donor < m.atoms.size() && h.acceptor < m.atoms.size() && h.length_A <= 3.5, "hydrogen bonds");
+  for (const MoleculeStructure& s : {secondaryStructure(m), structureByHydrogenBonds(m)}) {
+    mustBe(s.of_residue.size() == m.residues.size(), "a structure of every residue");
+    std::uint32_t next = 0;
+    for (const StructureElement& e : s.elements) {
+      mustBe(e.first_residue >= next && e.first_residue <= e.last_residue && e.last_residue < m.residues.size(),
+             "elements one after the other");
+      next = e.last_residue + 1;
+    }
+  }
+  for (const double area : accessibleAreas_A2(m.balls())) mustBe(std::isfinite(area) && area >= 0.0, "an area");
+  for (const ColouringScheme& scheme : colouringSchemes())
+    mustBe(colourMolecule(m, scheme).of_atom.size() == m.atoms.size(), "a colour of every atom");
+  if (const auto states = twoStates(m, m))
+    for (const Ball& ball : states->at(0.5)) mustBe(finite(ball.centre_A), "a place between");
+}
 void anyMolecule(std::string_view bytes) { read(bytes, "x"); }
 
 // Packed bytes as they are, and soundly packed ones of which some are then cut, changed or doubled.

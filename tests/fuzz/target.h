@@ -54,8 +54,9 @@ std::string_view oddNumber(Choices& choices);
 /// allows.
 std::string fileOf(std::string_view bytes, const char* name);
 
-void pdb(std::string_view), mmcif(std::string_view), xyzr(std::string_view), gzip(std::string_view),
-    anyMolecule(std::string_view);
+void pdb(std::string_view), mmcif(std::string_view), smallCif(std::string_view), sdf(std::string_view);
+void pqr(std::string_view), gro(std::string_view), xyzr(std::string_view), gzip(std::string_view);
+void anyMolecule(std::string_view), structure(std::string_view);
 void lesson(std::string_view), selection(std::string_view), answers(std::string_view);
 void attempt(std::string_view), attemptLines(std::string_view);
 void recording(std::string_view), recordingState(std::string_view), handPath(std::string_view);

@@ -6,7 +6,12 @@ namespace {
 constexpr Target kTargets[] = {
     {"pdb", pdb},
     {"mmcif", mmcif},
+    {"small-cif", smallCif},
+    {"sdf", sdf},
+    {"pqr", pqr},
+    {"gro", gro},
     {"xyzr", xyzr},
+    {"structure", structure},
     {"gzip", gzip},
     {"any-molecule", anyMolecule},
     {"lesson", lesson},

@@ -189,7 +189,7 @@ TEST_CASE("of 30 000 mmCIF models the first, the last and one whose rows are par
 TEST_CASE("broken mmCIF syntax names the line and column") {
   const std::string text = problemOf("data_x\nloop_\n_atom_site.id\n_atom_site.Cartn_x\n1 2 3\n", "x.cif");
   CHECK(text.find("x.cif:") == 0);
-  CHECK(text.find("it is not sound mmCIF") != std::string::npos);
+  CHECK(text.find("it is not sound CIF") != std::string::npos);
   CHECK(problemOf("data_x\n_atom_site.Cartn_x 'open\n", "x.cif").find("x.cif:2:") == 0);
 }
 

@@ -193,7 +193,7 @@ TEST_CASE("a line without an end, a text of CIF without an end and a gzip of gzi
   const std::string line = problemOf(gzipped(std::string(20 << 20, 'x')), "x.xyzr.gz");
   CHECK(line.starts_with("x.xyzr.gz:1: the line is longer than 16 MiB"));
   CHECK(problemOf("data_x\n_a.b\n;text\n", "x.cif")
-            .starts_with("x.cif:3:1: it is not sound mmCIF: a text that begins with ';' has no end"));
+            .starts_with("x.cif:3:1: it is not sound CIF: a text that begins with ';' has no end"));
   CHECK_FALSE(problemOf(gzipped(gzipped("0 0 0 1\n")), "x.xyzr.gz").empty());
   CHECK(readMoleculeBytes(gzipped("0 0 0 1\n") + gzipped("2 0 0 1\n") + std::string(100, '\0'), "x.xyzr.gz")
             ->atoms.size() == 2);

@@ -1,0 +1,285 @@
+// Reads MOL and SDF files, V2000 and V3000, as PubChem and drawing programs give them: atoms with their bonds, one
+// molecule after another, each a model. Places in angstroms.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <gemmi/elem.hpp>
+#include <map>
+
+#include "engine/language/catalogue.h"
+#include "engine/molecule/elements.h"
+#include "engine/molecule/parsed_structure.h"
+
+namespace moltact {
+namespace {
+
+// A residue of its own, by the code that the Protein Data Bank has for an unknown ligand.
+constexpr std::string_view kSdfResidue = "UNL", kSdfChain = "A";
+constexpr std::size_t kMostBondsAnAtom = 8, kMostSdfAtoms = 1'000'000;
+constexpr const char* kSdfRemedy =
+    N_("take the file again from its source, or write it anew with the program that made it");
+
+bool sdfInteger(std::string_view field, long& value) {
+  field = trimmed(field);
+  const auto [end, error] = std::from_chars(field.data(), field.data() + field.size(), value);
+  return error == std::errc{} && end == field.data() + field.size();
+}
+
+BondOrder bondOrder(long type) {
+  switch (type) {
+    case 1:
+      return BondOrder::Single;
+    case 2:
+      return BondOrder::Double;
+    case 3:
+      return BondOrder::Triple;
+    case 4:
+      return BondOrder::Aromatic;
+    case 9:
+      return BondOrder::Coordination;
+    default:
+      return BondOrder::Unknown;
+  }
+}
+
+class SdfReader {
+ public:
+  SdfReader(TextSource& text, const ReadOptions& options)
+      : text_(text), file_(text.file()), options_(options), builder_(text, options) {}
+
+  Expected<Molecule> run() {
+    if (!options_.assembly.empty()) return noAssembly(file_);
+    while (nextRecord()) {
+      ++head_.models;
+      wanted_ = head_.models == options_.model;
+      if (auto problem = record()) return *problem;
+      if (text_.problem()) return *text_.problem();
+    }
+    if (text_.problem()) return *text_.problem();
+    if (head_.models == 0) return Problem{file_, 0, 0, tr("the file holds no atoms"), tr(kSdfRemedy)};
+    if (options_.model < 1 || options_.model > head_.models) return noSuchModel(file_, options_.model, head_.models);
+    if (flat_)
+      head_.warnings.push_back(
+          tr("The file is a flat drawing: its atoms lie in a plane. PubChem gives the molecule in space as '3D "
+             "Conformer'."));
+    Expected<Molecule> out = builder_.finish(std::move(head_));
+    if (out) out->listed_bonds = sortedBonds();
+    return out;
+  }
+
+ private:
+  // The four lines before a molecule's atoms; false at the file's end, where blank lines may stand.
+  bool nextRecord() {
+    bool blank = true;
+    lines_ = 0;
+    for (std::string_view line; lines_ < 4 && next(line); ++lines_) {
+      blank = blank && trimmed(line).empty();
+      if (lines_ == 0) title_ = trimmed(line);
+      if (lines_ == 1) flat_here_ = line.size() >= 22 && line.substr(20, 2) == "2D";
+      counts_ = line;
+    }
+    return !blank;
+  }
+
+  bool next(std::string_view& line) {
+    if (!text_.next(line)) return false;
+    if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+    return true;
+  }
+  Problem bad(std::size_t column, std::string what, const char* remedy = kSdfRemedy) const {
+    return {file_, text_.number(), column, std::move(what), tr(remedy)};
+  }
+  Problem cut() const {
+    return text_.problem() ? *text_.problem()
+                           : Problem{file_, text_.number(), 0, tr("the file ends within a molecule"),
+                                     tr("copy or download it again")};
+  }
+
+  std::optional<Problem> record() {
+    if (lines_ < 4) return cut();
+    const std::string_view line = counts_;
+    if (line.find("V3000") != std::string_view::npos) {
+      if (auto problem = v3000()) return problem;
+    } else {
+      long atoms = 0, bonds = 0;
+      if (line.size() < 6 || !sdfInteger(line.substr(0, 3), atoms) || !sdfInteger(line.substr(3, 3), bonds) ||
+          atoms < 0 || bonds < 0)
+        return bad(
+            1, trf("the fourth line of a molecule says how many atoms and bonds it has, in columns 1-6; this is {0}",
+                   inQuotes(line)));
+      if (auto problem = v2000(atoms, bonds)) return problem;
+    }
+    return dataItems();
+  }
+
+  std::optional<Problem> v2000(long atoms, long bonds) {
+    std::string_view line;
+    for (long k = 0; k < atoms; ++k) {
+      if (!next(line)) return cut();
+      if (!wanted_) continue;
+      if (line.size() < 32) return bad(line.size() + 1, tr("the atom's line ends before its element does"));
+      Vec3 place{0.0};
+      for (int axis = 0; axis < 3; ++axis)
+        if (!parseNumber(line.substr(std::size_t(10 * axis), 10), place[axis]))
+          return bad(std::size_t(10 * axis + 1), trf("{0} is not a number: {1}", std::string(1, "xyz"[axis]),
+                                                     inQuotes(line.substr(std::size_t(10 * axis), 10))));
+      if (auto problem = addAtom(trimmed(line.substr(31, 3)), place)) return problem;
+    }
+    for (long k = 0; k < bonds; ++k) {
+      if (!next(line)) return cut();
+      if (!wanted_) continue;
+      long first = 0, second = 0, type = 0;
+      if (line.size() < 9 || !sdfInteger(line.substr(0, 3), first) || !sdfInteger(line.substr(3, 3), second) ||
+          !sdfInteger(line.substr(6, 3), type))
+        return bad(1,
+                   trf("a bond is three numbers in columns 1-9: two atoms and an order; this is {0}", inQuotes(line)));
+      if (auto problem = addBond(first, second, type)) return problem;
+    }
+    return std::nullopt;
+  }
+
+  // A line of a V3000 block without its "M  V30 "; lines that end in '-' go on in the next.
+  bool nextV30(std::string& out) {
+    constexpr std::string_view kMark = "M  V30 ";
+    out.clear();
+    for (std::string_view line; next(line);) {
+      if (!line.starts_with(kMark)) {
+        out = line;
+        return true;
+      }
+      line.remove_prefix(kMark.size());
+      const bool goes_on = !line.empty() && line.back() == '-';
+      if (goes_on) line.remove_suffix(1);
+      if (out.size() + line.size() > kLongestMoleculeLine) return false;
+      out += line;
+      if (!goes_on) return true;
+    }
+    return false;
+  }
+
+  static std::string_view takeWord(std::string_view& rest) {
+    rest = trimmed(rest);
+    std::size_t end = rest.find(' ');
+    if (!rest.empty() && rest.front() == '"')
+      end = rest.find('"', 1) == std::string_view::npos ? rest.size() : rest.find('"', 1) + 1;
+    const std::string_view word = rest.substr(0, end);
+    rest.remove_prefix(word.size());
+    return word;
+  }
+
+  std::optional<Problem> v3000() {
+    enum class Block { None, Atoms, Bonds, Other } block = Block::None;
+    std::map<long, std::uint32_t> of_number;  // atoms may be numbered as they like
+    for (std::string line; nextV30(line);) {
+      std::string_view rest = line;
+      if (rest.starts_with("M  END")) return std::nullopt;
+      const std::string_view word = takeWord(rest);
+      if (word == "BEGIN") {
+        const std::string_view what = takeWord(rest);
+        block = what == "ATOM"   ? Block::Atoms
+                : what == "BOND" ? Block::Bonds
+                : what == "CTAB" ? Block::None
+                                 : Block::Other;
+      } else if (word == "END") {
+        block = Block::None;
+      } else if (wanted_ && block == Block::Atoms) {
+        long number = 0;
+        const std::string_view element = takeWord(rest);
+        Vec3 place{0.0};
+        bool sound = sdfInteger(word, number);
+        for (int axis = 0; axis < 3; ++axis) sound = parseNumber(takeWord(rest), place[axis]) && sound;
+        if (!sound) return bad(8, trf("an atom is its number, its element and x, y, z; this is {0}", inQuotes(line)));
+        if (!of_number.emplace(number, static_cast<std::uint32_t>(atoms_)).second)
+          return bad(8, trf("two atoms have the number {0}", number));
+        if (auto problem = addAtom(element, place)) return problem;
+      } else if (wanted_ && block == Block::Bonds) {
+        long type = 0, ends[2] = {};
+        bool sound = sdfInteger(takeWord(rest), type);
+        for (long& end : ends) sound = sdfInteger(takeWord(rest), end) && sound;
+        if (!sound) return bad(8, trf("a bond is its number, its order and two atoms; this is {0}", inQuotes(line)));
+        for (long& end : ends) {
+          const auto found = of_number.find(end);
+          if (found == of_number.end()) return bad(8, trf("a bond names the atom {0}, which is not there", end));
+          end = long(found->second) + 1;
+        }
+        if (auto problem = addBond(ends[0], ends[1], type)) return problem;
+      }
+    }
+    return cut();
+  }
+
+  std::optional<Problem> addAtom(std::string_view symbol, const Vec3& place) {
+    ParsedAtom atom;
+    const std::string element = symbol == "T" ? "H" : std::string(symbol);
+    atom.atomic_number = element.size() > 2 ? 0 : gemmi::Element(element).atomic_number();
+    std::string name = lower(std::string(symbol));
+    for (char& c : name)
+      if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+    name += std::to_string(++count_of_[atom.atomic_number]);
+    atom.name = name;
+    atom.residue = kSdfResidue;
+    atom.chain = kSdfChain;
+    atom.element = symbol;
+    atom.position_A = place;
+    atom.line = text_.number();
+    atom.number = 1;
+    atom.hetero = true;
+    if (++atoms_ > kMostSdfAtoms) return bad(0, tr("more than a million atoms"), N_("take a molecule of fewer atoms"));
+    if (atoms_ == 1) {
+      head_.id = title_;
+      flat_ = flat_here_;
+    }
+    return builder_.add(atom);
+  }
+
+  std::optional<Problem> addBond(long first, long second, long type) {
+    constexpr long kHydrogenBond = 10;
+    for (const long end : {first, second})
+      if (end < 1 || std::size_t(end) > atoms_)
+        return bad(1, trf("a bond names the atom {0}, which is not there", end));
+    if (first == second) return bad(1, trf("the atom {0} is bonded to itself", first));
+    if (type == kHydrogenBond) return std::nullopt;
+    if (bonds_.size() >= kMostBondsAnAtom * atoms_) return bad(1, trf("more than {0} bonds an atom", kMostBondsAnAtom));
+    const auto [low, high] = std::minmax(first, second);
+    bonds_.push_back({static_cast<std::uint32_t>(low - 1), static_cast<std::uint32_t>(high - 1), bondOrder(type)});
+    return std::nullopt;
+  }
+
+  std::vector<Bond> sortedBonds() {
+    const auto ends = [](const Bond& b) { return std::pair(b.first, b.second); };
+    std::stable_sort(bonds_.begin(), bonds_.end(), [&](const Bond& a, const Bond& b) { return ends(a) < ends(b); });
+    bonds_.erase(
+        std::unique(bonds_.begin(), bonds_.end(), [&](const Bond& a, const Bond& b) { return ends(a) == ends(b); }),
+        bonds_.end());
+    return std::move(bonds_);
+  }
+
+  // What follows a molecule up to "$$$$": of its data the name, where PubChem gives one.
+  std::optional<Problem> dataItems() {
+    bool name_follows = false;
+    for (std::string_view line; next(line);) {
+      if (line.starts_with("$$$$")) return std::nullopt;
+      if (name_follows && wanted_ && head_.title.empty()) head_.title = std::string(trimmed(line));
+      name_follows = line.starts_with(">") && line.find("<PUBCHEM_IUPAC_NAME>") != std::string_view::npos;
+    }
+    return std::nullopt;
+  }
+
+  TextSource& text_;
+  const std::string& file_;
+  const ReadOptions& options_;
+  MoleculeBuilder builder_;
+  ParsedHeader head_{.id = {}, .title = {}, .elements = {}, .assemblies = {}, .warnings = {}, .models = 0};
+  std::string title_, counts_;  // of this molecule: its first line and its fourth
+  int lines_ = 0;               // that were there of its first four
+  bool wanted_ = false, flat_ = false, flat_here_ = false;
+  std::size_t atoms_ = 0;  // of the wanted molecule
+  std::map<int, int> count_of_;
+  std::vector<Bond> bonds_;
+};
+
+}  // namespace
+
+Expected<Molecule> readSdf(TextSource& text, const ReadOptions& options) { return SdfReader(text, options).run(); }
+
+}  // namespace moltact

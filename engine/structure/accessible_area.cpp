@@ -1,0 +1,115 @@
+#include "engine/structure/accessible_area.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "engine/haptics/ball_scene.h"
+
+namespace moltact {
+namespace {
+
+/// Directions spread evenly over the sphere: a spiral by the golden angle.
+std::vector<Vec3> spiral(int points) {
+  std::vector<Vec3> out;
+  out.reserve(std::size_t(points));
+  const double golden = std::numbers::pi * (3.0 - std::sqrt(5.0));
+  for (int k = 0; k < points; ++k) {
+    const double z = 1.0 - (2.0 * k + 1.0) / points, r = std::sqrt(1.0 - z * z);
+    out.push_back({r * std::cos(golden * k), r * std::sin(golden * k), z});
+  }
+  return out;
+}
+
+/// The cap of a grown ball that lies in another: directions whose part along `towards` is more than `beyond`.
+struct Cap {
+  Vec3 towards;
+  double beyond;
+};
+
+class Area {
+ public:
+  Area(std::span<const Ball> balls, double probe_radius_A, int points)
+      : probe_A_(std::max(probe_radius_A, 0.0)),
+        grid_(grown(balls, probe_A_), BallScene::Duplicates::VisitEach),
+        points_(spiral(points)) {}
+
+  double radius_A(std::uint32_t i) const { return grid_[i].radius_A; }
+  /// How many points of the ball are free; no more than `most` are counted.
+  int freePoints(std::uint32_t i, int most) {
+    if (!findCaps(i)) return 0;
+    int free = 0;
+    std::size_t last = 0;  // what buried the last point most likely buries the next
+    for (const Vec3& p : points_) {
+      if (!caps_.empty() && buries(caps_[last], p)) continue;
+      const auto by = std::find_if(caps_.begin(), caps_.end(), [&](const Cap& c) { return buries(c, p); });
+      if (by != caps_.end())
+        last = std::size_t(by - caps_.begin());
+      else if (++free >= most)
+        break;
+    }
+    return free;
+  }
+
+ private:
+  static std::vector<Ball> grown(std::span<const Ball> balls, double probe_A) {
+    std::vector<Ball> out(balls.begin(), balls.end());
+    for (Ball& b : out) b.radius_A += probe_A;
+    return out;
+  }
+  static bool buries(const Cap& c, const Vec3& p) { return glm::dot(c.towards, p) > c.beyond; }
+
+  /// The caps of its neighbours, the largest first; false where the whole ball lies in another.
+  bool findCaps(std::uint32_t i) {
+    caps_.clear();
+    const Ball own = grid_[i];
+    bool free = own.radius_A > 0.0;
+    grid_.visitNear(own.centre_A, own.radius_A, [&](std::uint32_t j, const Ball& other) {
+      if (j == i) return;
+      const Vec3 way = other.centre_A - own.centre_A;
+      const double apart = glm::length(way);
+      if (apart >= own.radius_A + other.radius_A || apart + other.radius_A <= own.radius_A) {
+        // Apart, or within this one; of two in one place the first is kept.
+        if (apart == 0.0 && other.radius_A == own.radius_A && j < i) free = false;
+        return;
+      }
+      if (apart + own.radius_A <= other.radius_A) {
+        free = false;
+        return;
+      }
+      const double beyond = (own.radius_A * own.radius_A + apart * apart - other.radius_A * other.radius_A) /
+                            (2.0 * own.radius_A * apart);
+      caps_.push_back({way / apart, beyond});
+    });
+    std::sort(caps_.begin(), caps_.end(), [](const Cap& a, const Cap& b) { return a.beyond < b.beyond; });
+    return free;
+  }
+
+  double probe_A_;
+  BallScene grid_;
+  std::vector<Vec3> points_;
+  std::vector<Cap> caps_;  // of the ball that is looked at
+};
+
+}  // namespace
+
+std::vector<double> accessibleAreas_A2(std::span<const Ball> balls, double probe_radius_A) {
+  constexpr int kPoints = 2000;
+  Area area(balls, probe_radius_A, kPoints);
+  std::vector<double> out(balls.size());
+  for (std::uint32_t i = 0; i < out.size(); ++i) {
+    const double r = area.radius_A(i);
+    out[i] = 4.0 * std::numbers::pi * r * r * area.freePoints(i, kPoints) / kPoints;
+  }
+  return out;
+}
+
+std::vector<bool> accessibleBalls(std::span<const Ball> balls, double probe_radius_A) {
+  constexpr int kPoints = 500;
+  Area area(balls, probe_radius_A, kPoints);
+  std::vector<bool> out(balls.size());
+  for (std::uint32_t i = 0; i < out.size(); ++i) out[i] = area.freePoints(i, 1) > 0;
+  return out;
+}
+
+}  // namespace moltact

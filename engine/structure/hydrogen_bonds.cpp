@@ -1,0 +1,139 @@
+#include "engine/structure/hydrogen_bonds.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "engine/haptics/ball_scene.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kLongest_A = 3.5, kShortest_A = 2.2;
+constexpr std::uint8_t kHydrogen = 1, kNitrogen = 7, kOxygen = 8;
+
+struct Role {
+  bool gives = false, takes = false;
+};
+
+// Atoms of residues with a formula, by residue and name; "*" stands for every amino acid or every nucleotide.
+struct RoleRow {
+  std::string_view residues, atom;
+  Role role;
+};
+constexpr Role kGives{true, false}, kTakes{false, true}, kBoth{true, true};
+constexpr RoleRow kAminoRoles[] = {
+    {"*", "N", kGives},     {"*", "O", kTakes},     {"*", "OXT", kTakes},   {"SER", "OG", kBoth},
+    {"THR", "OG1", kBoth},  {"TYR", "OH", kBoth},   {"ASN", "ND2", kGives}, {"ASN", "OD1", kTakes},
+    {"GLN", "NE2", kGives}, {"GLN", "OE1", kTakes}, {"LYS", "NZ", kGives},  {"ARG", "NE", kGives},
+    {"ARG", "NH1", kGives}, {"ARG", "NH2", kGives}, {"HIS", "ND1", kBoth},  {"HIS", "NE2", kBoth},
+    {"TRP", "NE1", kGives}, {"ASP", "OD1", kTakes}, {"ASP", "OD2", kTakes}, {"GLU", "OE1", kTakes},
+    {"GLU", "OE2", kTakes},
+};
+constexpr RoleRow kNucleotideRoles[] = {
+    {"*", "O2'", kBoth},
+    {"*", "O3'", kTakes},
+    {"*", "O4'", kTakes},
+    {"*", "O5'", kTakes},
+    {"*", "OP1", kTakes},
+    {"*", "OP2", kTakes},
+    {"*", "OP3", kTakes},
+    {"A DA", "N6", kGives},
+    {"A DA", "N1", kTakes},
+    {"A DA G DG", "N3", kTakes},
+    {"A DA G DG", "N7", kTakes},
+    {"G DG", "N1", kGives},
+    {"G DG", "N2", kGives},
+    {"G DG", "O6", kTakes},
+    {"C DC", "N4", kGives},
+    {"C DC", "N3", kTakes},
+    {"C DC U DU T DT", "O2", kTakes},
+    {"U DU T DT", "N3", kGives},
+    {"U DU T DT", "O4", kTakes},
+};
+
+bool holdsWord(std::string_view list, std::string_view word) {
+  for (std::size_t at = list.find(word); at != std::string_view::npos; at = list.find(word, at + 1))
+    if ((at == 0 || list[at - 1] == ' ') && (at + word.size() == list.size() || list[at + word.size()] == ' '))
+      return true;
+  return false;
+}
+
+template <std::size_t N>
+const Role* roleIn(const RoleRow (&rows)[N], std::string_view residue, std::string_view atom) {
+  for (const RoleRow& row : rows)
+    if (row.atom == atom && (row.residues == "*" || holdsWord(row.residues, residue))) return &row.role;
+  return nullptr;
+}
+
+/// By its bonds: a hydrogen that is there is given; where none is, as many as the element's valence may leave.
+Role roleByBonds(const Molecule& m, const BondTable& bonds, std::uint32_t atom) {
+  std::size_t heavy = 0;
+  bool hydrogen = false;
+  for (const std::uint32_t n : bonds.neighbours(atom)) {
+    hydrogen = hydrogen || m.atoms[n].atomic_number == kHydrogen;
+    heavy += m.atoms[n].atomic_number != kHydrogen;
+  }
+  const std::size_t most = m.atoms[atom].atomic_number == kOxygen ? 1 : 2;
+  return {hydrogen || heavy <= most, m.atoms[atom].atomic_number == kOxygen || heavy <= most};
+}
+
+Role roleOf(const Molecule& m, const BondTable& bonds, std::uint32_t index) {
+  const Atom& atom = m.atoms[index];
+  if (atom.residue == kNoResidue) return roleByBonds(m, bonds, index);
+  const Residue& r = m.residues[atom.residue];
+  if (formulaBonds(r.name).empty()) return roleByBonds(m, bonds, index);
+  const std::string_view name = formulaName(r.name, atom.nameText());
+  if (r.kind == ResidueKind::AminoAcid) {
+    if (name == "N" && r.name == "PRO") return {};
+    if (const Role* role = roleIn(kAminoRoles, r.name, name)) return *role;
+  } else if (const Role* role = roleIn(kNucleotideRoles, r.name, name)) {
+    return *role;
+  }
+  return {};
+}
+
+/// Whether every angle at `at` between `to` and what `at` is bonded to is 90 degrees or more.
+bool open(const Molecule& m, const BondTable& bonds, std::uint32_t at, std::uint32_t to) {
+  const Vec3 here = m.atoms[at].position.A, way = m.atoms[to].position.A - here;
+  for (const std::uint32_t n : bonds.neighbours(at))
+    if (m.atoms[n].atomic_number != kHydrogen && glm::dot(m.atoms[n].position.A - here, way) > 0.0) return false;
+  return true;
+}
+
+}  // namespace
+
+std::vector<HydrogenBond> findHydrogenBonds(const Molecule& m, const BondTable& bonds) {
+  std::vector<std::uint32_t> polar;
+  std::vector<Role> roles;
+  std::vector<Ball> places;
+  for (std::uint32_t i = 0; i < m.atoms.size(); ++i) {
+    if (m.atoms[i].atomic_number != kNitrogen && m.atoms[i].atomic_number != kOxygen) continue;
+    const Role role = roleOf(m, bonds, i);
+    if (!role.gives && !role.takes) continue;
+    polar.push_back(i);
+    roles.push_back(role);
+    places.push_back({m.atoms[i].position.A, 0.0});
+  }
+  const BallScene grid(std::move(places), BallScene::Duplicates::VisitEach);
+  std::vector<HydrogenBond> out;
+  for (std::uint32_t a = 0; a < polar.size(); ++a)
+    grid.visitCentresNear(grid[a].centre_A, kLongest_A, [&](std::uint32_t b, const Ball& ball) {
+      if (b <= a) return;
+      const std::uint32_t i = polar[a], j = polar[b];
+      const double length = glm::distance(grid[a].centre_A, ball.centre_A);
+      if (length > kLongest_A || length < kShortest_A) return;
+      if (m.atoms[i].residue == m.atoms[j].residue && m.atoms[i].residue != kNoResidue) return;
+      const bool forth = roles[a].gives && roles[b].takes, back = roles[b].gives && roles[a].takes;
+      if ((!forth && !back) || bonds.bonded(i, j) || !open(m, bonds, i, j) || !open(m, bonds, j, i)) return;
+      if (forth)
+        out.push_back({i, j, length});
+      else
+        out.push_back({j, i, length});
+    });
+  std::sort(out.begin(), out.end(), [](const HydrogenBond& x, const HydrogenBond& y) {
+    return std::pair(x.donor, x.acceptor) < std::pair(y.donor, y.acceptor);
+  });
+  return out;
+}
+
+}  // namespace moltact

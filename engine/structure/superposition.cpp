@@ -1,0 +1,170 @@
+#include "engine/structure/superposition.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gemmi/qcp.hpp>
+#include <map>
+#include <string_view>
+#include <tuple>
+
+#include "engine/language/catalogue.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::size_t kFewest = 3;
+
+using ResidueName = std::tuple<std::string_view, int, char>;  // chain, number, insertion code
+
+/// The chain of the other molecule that each chain of this one stands for; its own name where names are common.
+std::map<std::string_view, std::string_view> chainNames(const Molecule& one, const Molecule& other) {
+  std::map<std::string_view, std::string_view> out;
+  std::vector<std::string_view> mine, theirs;
+  const auto collect = [](const Molecule& m, std::vector<std::string_view>& names) {
+    for (const Chain& c : m.chains)
+      if (std::find(names.begin(), names.end(), std::string_view(c.name)) == names.end()) names.push_back(c.name);
+  };
+  collect(one, mine);
+  collect(other, theirs);
+  const bool common = std::any_of(mine.begin(), mine.end(), [&](std::string_view name) {
+    return std::find(theirs.begin(), theirs.end(), name) != theirs.end();
+  });
+  for (std::size_t k = 0; k < mine.size(); ++k)
+    if (common || mine.size() != theirs.size())
+      out[mine[k]] = mine[k];
+    else
+      out[mine[k]] = theirs[k];
+  return out;
+}
+
+bool leads(const Molecule& m, std::uint32_t index) {
+  const Atom& a = m.atoms[index];
+  if (a.residue >= m.residues.size()) return false;
+  const std::string_view name = a.nameText();
+  switch (m.residues[a.residue].kind) {
+    case ResidueKind::AminoAcid:
+      return name == "CA";
+    case ResidueKind::Nucleotide:
+      return name == "P" || name == "C1'" || name == "C1*";
+    default:
+      return false;
+  }
+}
+
+/// True where the places lie on one line, or in one place: their fit is then one of many.
+bool onALine(const std::vector<gemmi::Position>& places) {
+  gemmi::Position middle(0, 0, 0);
+  for (const gemmi::Position& p : places) middle += p;
+  middle /= double(places.size());
+  gemmi::Vec3 far(0, 0, 0);
+  for (const gemmi::Position& p : places)
+    if ((p - middle).length_sq() > far.length_sq()) far = p - middle;
+  double aside = 0.0;
+  for (const gemmi::Position& p : places) aside = std::max(aside, far.cross(p - middle).length_sq());
+  constexpr double kSine = 1e-3;
+  return aside <= kSine * kSine * far.length_sq() * far.length_sq();
+}
+
+}  // namespace
+
+AtomPairs matchAtoms(const Molecule& one, const Molecule& other) {
+  std::map<ResidueName, std::uint32_t> known;
+  for (std::uint32_t r = 0; r < other.residues.size(); ++r) {
+    const Residue& residue = other.residues[r];
+    known.emplace(ResidueName{other.chains[residue.chain].name, residue.number, residue.insertion}, r);
+  }
+  const auto chains = chainNames(one, other);
+  AtomPairs out;
+  std::vector<char> taken(other.atoms.size(), 0);
+  for (const Residue& residue : one.residues) {
+    const auto found = known.find({chains.at(one.chains[residue.chain].name), residue.number, residue.insertion});
+    if (found == known.end()) continue;
+    const Residue& same = other.residues[found->second];
+    for (std::uint32_t i = residue.first_atom; i < residue.first_atom + residue.atom_count; ++i)
+      for (std::uint32_t j = same.first_atom; j < same.first_atom + same.atom_count; ++j) {
+        if (taken[j] || one.atoms[i].name != other.atoms[j].name ||
+            one.atoms[i].atomic_number != other.atoms[j].atomic_number)
+          continue;
+        taken[j] = 1;
+        out.emplace_back(i, j);
+        break;
+      }
+  }
+  return out;
+}
+
+Expected<Superposition> superpose(const Molecule& one, const Molecule& other,
+                                  std::span<const std::pair<std::uint32_t, std::uint32_t>> pairs) {
+  std::vector<gemmi::Position> here, there;
+  const auto collect = [&](bool all) {
+    for (const auto& [i, j] : pairs) {
+      if (!all && !leads(one, i)) continue;
+      const Vec3 &p = one.atoms[i].position.A, &q = other.atoms[j].position.A;
+      here.emplace_back(p.x, p.y, p.z);
+      there.emplace_back(q.x, q.y, q.z);
+    }
+  };
+  collect(false);
+  if (here.size() < kFewest) {
+    here.clear();
+    there.clear();
+    collect(true);
+  }
+  if (here.size() < kFewest)
+    return Problem{
+        {},
+        0,
+        0,
+        trnf("only {0} atom is in both structures", "only {0} atoms are in both structures", here.size(), here.size()),
+        tr("take two structures of one molecule, with the same chains and residue numbers")};
+  if (onALine(here) || onALine(there))
+    return Problem{{},
+                   0,
+                   0,
+                   tr("the atoms that are in both structures lie on a line"),
+                   tr("take two structures with more atoms in common")};
+  const gemmi::SupResult fit = gemmi::superpose_positions(here.data(), there.data(), here.size(), nullptr);
+  Superposition out;
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) out.rotation[j][i] = fit.transform.mat[i][j];
+    out.shift_A[i] = fit.transform.vec.at(i);
+  }
+  out.rmsd_A = fit.rmsd;
+  out.fitted = here.size();
+  return out;
+}
+
+std::vector<Ball> TwoStates::at(double share) const {
+  share = std::clamp(share, 0.0, 1.0);
+  std::vector<Ball> out = first;
+  for (std::size_t i = 0; i < out.size(); ++i) out[i].centre_A += (second[i].centre_A - first[i].centre_A) * share;
+  return out;
+}
+
+Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other) {
+  const AtomPairs pairs = matchAtoms(one, other);
+  auto fit = superpose(one, other, pairs);
+  if (!fit) return fit.problem();
+  TwoStates out;
+  out.fit = *fit;
+  out.matched = pairs.size();
+  out.first = one.balls();
+  out.second = out.first;
+  std::vector<char> matched(one.atoms.size(), 0);
+  std::vector<Vec3> way(one.residues.size(), Vec3(0.0));
+  std::vector<double> count(one.residues.size(), 0.0);
+  for (const auto& [i, j] : pairs) {
+    out.second[i].centre_A = out.fit(other.atoms[j].position.A);
+    matched[i] = 1;
+    const std::uint32_t r = one.atoms[i].residue;
+    way[r] += out.second[i].centre_A - out.first[i].centre_A;
+    ++count[r];
+  }
+  for (std::uint32_t i = 0; i < one.atoms.size(); ++i) {
+    const std::uint32_t r = one.atoms[i].residue;
+    if (!matched[i] && r < one.residues.size() && count[r] > 0.0) out.second[i].centre_A += way[r] / count[r];
+  }
+  return out;
+}
+
+}  // namespace moltact
