@@ -11,8 +11,10 @@
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
 #include "engine/haptics/interactions.h"
+#include "engine/lesson/keys.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
+#include "engine/render/molecule_model.h"
 #include "engine/render/renderer.h"
 
 namespace moltact {
@@ -22,11 +24,12 @@ constexpr double kRadian = std::numbers::pi / 180;
 
 struct RenderArguments {
   MoleculeArgument molecule;
-  std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", colour = "element";
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", colour, style = "spheres", hide;
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
-  bool look_at_hip = false;
+  double near_A = 4.0, cut_A = 0;
+  bool look_at_hip = false, cut = false;
 };
 
 std::pair<int, int> sizeOf(const std::string& text) {
@@ -63,6 +66,12 @@ Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArgume
   return contact;
 }
 
+std::vector<std::string> schemeNames() {
+  std::vector<std::string> names;
+  for (const ColouringScheme& scheme : colouringSchemes()) names.emplace_back(scheme.name);
+  return names;
+}
+
 void printTimes(Renderer& renderer, const ViewScene& scene, int width, int height, const RenderArguments& arguments) {
   const auto run = [&](bool turn) {
     std::vector<double> ms;
@@ -90,6 +99,30 @@ void printTimes(Renderer& renderer, const ViewScene& scene, int width, int heigh
   out() << text << '\n';
 }
 
+AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, const Camera& camera) {
+  const auto listOf = [&](const char* option, const Selection& atoms) -> AtomList {
+    if (!atoms.given()) return nullptr;
+    auto selected = atoms.select(molecule);
+    if (selected.empty()) throw CLI::ValidationError(option, atoms.whyEmpty(molecule).text());
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(selected));
+  };
+  const std::vector<KeySpec>& keys = keysOf(KeyBlock::Scene);
+  const auto value = [&](const char* option, std::string_view key, const std::string& text) {
+    const auto spec = std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
+    Expected<Value> read = parseValue(*spec, text);
+    if (!read) throw CLI::ValidationError(option, read.problem().text());
+    return *std::move(read);
+  };
+  AtomsLook look;
+  for (const StyleSpec& s : value("--style", "style", arguments.style).styles)
+    look.styles.push_back({s.style, listOf("--style", s.atoms), float(s.opacity)});
+  if (!arguments.hide.empty()) look.hidden = listOf("--hide", value("--hide", "hide", arguments.hide).selection);
+  look.spheres_near_A = arguments.near_A;
+  if (!arguments.colour.empty()) look.colouring = schemeColouring(molecule, arguments.colour);
+  if (arguments.cut) look.cut = CutPlane{camera.back(), glm::dot(camera.back(), camera.target.A) + arguments.cut_A};
+  return look;
+}
+
 void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
   ViewScene scene;
@@ -99,10 +132,13 @@ void render(const RenderArguments& arguments) {
   scene.shown = *shown;
   scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
-  scene.colour_by = arguments.colour == "chain" ? ColourBy::Chain : ColourBy::Element;
+  scene.colour_by = arguments.colour.empty()      ? usualColourBy(*scene.molecule)
+                    : arguments.colour == "chain" ? ColourBy::Chain
+                                                  : ColourBy::Element;
   scene.probe_A = arguments.touch.probe_A;
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
   scene.camera.fit(*scene.molecule, double(width) / height);
+  scene.look = looksOf(arguments, *scene.molecule, scene.camera);
   if (scene.hip) {
     scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
     scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.displacement_A);
@@ -115,8 +151,7 @@ void render(const RenderArguments& arguments) {
   auto renderer = Renderer::create();
   if (!renderer) throw CommandError{renderer.problem().text()};
   if (arguments.time > 0) printTimes(**renderer, scene, width, height, arguments);
-  if (const auto problem =
-          (*renderer)->draw(scene, width, height, {.samples = arguments.samples, .smooth_glyphs = true}))
+  if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples}))
     throw CommandError{problem->text()};
   if (const auto problem = writePng(arguments.out, (*renderer)->readPixels())) throw CommandError{problem->text()};
 }
@@ -150,9 +185,24 @@ void addRender(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
-  command->add_option("--colour", a.colour, "What the atoms' colours tell")
-      ->check(CLI::IsMember({"element", "chain"}))
+  std::string styles =
+      "How the atoms are drawn, as the key 'style' of a scene says it: 'surface 40% for chain A, spheres for ligand'; "
+      "the styles are:";
+  for (const DrawStyleInfo& s : drawStyles()) styles += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
+  command->add_option("--style", a.style, styles)->capture_default_str();
+  command->add_option("--hide", a.hide, "Atoms that are not drawn, as a selection: 'water', 'chain B'");
+  command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")
+      ->check(numberFrom(0.0, 20.0))
       ->capture_default_str();
+  command
+      ->add_option("--cut", a.cut_A,
+                   "Cut the molecule open by a plane that faces the viewer, so many angstroms before its middle")
+      ->check(numberFrom(-1e6, 1e6))
+      ->each([arguments](const std::string&) { arguments->cut = true; });
+  command
+      ->add_option("--colour", a.colour,
+                   "What the atoms' colours tell; left out, the chain where the molecule has several, else the element")
+      ->check(CLI::IsMember(schemeNames()));
   command->add_option("--samples", a.samples, "Samples along each pixel's edge")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();

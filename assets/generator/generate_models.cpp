@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const std::filesystem::path folder = argv[1];
-  for (const GltfScene& scene : {generator::makeStylus(), generator::makeFinger()})
+  for (const GltfScene& scene : {generator::makeStylus()})
     if (const auto problem = writeGlb(folder / (scene.title + ".glb"), scene)) {
       std::fprintf(stderr, "%s\n", problem->text().c_str());
       return 1;

@@ -3,8 +3,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "engine/gltf/closed_surface.h"
-
 namespace moltact::generator {
 namespace {
 
@@ -62,44 +60,6 @@ GltfScene makeStylus() {
   addBand(mesh, {110, 2.6f}, {110.6f, 0}, kBarrel);
   scene.meshes.push_back(std::move(mesh));
   scene.nodes.push_back({.name = "stylus", .mesh = 0});
-  return scene;
-}
-
-GltfScene makeFinger() {
-  // A row of balls along the bone (unit: millimetre), then smaller ones for the nail.
-  std::vector<Ball> balls;
-  for (double s = 0; s <= 1; s += 0.015) {
-    const double y = 7.2 + 58 * s, bend = 9.0 * s * s;
-    const double joint = std::exp(-std::pow((y - 27) / 6, 2));
-    balls.push_back({Vec3(0, y, bend), 7.2 + 1.6 * std::min(1.0, 3 * s) + 0.5 * joint});
-  }
-  const std::size_t skin = balls.size();
-  for (double x = -4.2; x <= 4.2; x += 0.35)
-    for (double y = 3.2; y <= 13; y += 0.35) {
-      if (std::pow(x / 4.3, 4) + std::pow((y - 8) / 5.0, 4) > 1) continue;
-      balls.push_back({Vec3(x, y, std::sqrt(std::max(0.0, 7.3 * 7.3 - x * x)) * (0.80 + 0.018 * (y - 3))), 0.9});
-    }
-  const ClosedSurface surface = closedSurface(balls, 1.5);
-  GltfScene scene;
-  scene.title = "finger";
-  scene.notes = {{"unit", "1 m"}};
-  scene.materials = {{"skin", {0.79f, 0.74f, 0.76f}}, {"nail", {0.95f, 0.92f, 0.94f}}};
-  GltfMesh mesh{.name = "finger",
-                .places = {},
-                .normals = std::vector<glm::vec3>(surface.places.size()),
-                .parts = {{.indices = {}, .material = 0}, {.indices = {}, .material = 1}}};
-  for (const glm::vec3& p : surface.places) mesh.places.push_back((p + glm::vec3(surface.middle_A)) * kM_per_mm);
-  for (std::size_t t = 0; t < surface.owners.size(); ++t) {
-    const std::uint32_t* i = &surface.triangles[3 * t];
-    auto& indices = mesh.parts[surface.owners[t] < skin ? 0 : 1].indices;
-    indices.insert(indices.end(), i, i + 3);
-    // Larger triangles weigh more: a smooth skin over the row of balls.
-    const glm::vec3 face = glm::cross(mesh.places[i[1]] - mesh.places[i[0]], mesh.places[i[2]] - mesh.places[i[0]]);
-    for (int k = 0; k < 3; ++k) mesh.normals[i[k]] += face;
-  }
-  for (glm::vec3& n : mesh.normals) n = glm::normalize(n);
-  scene.meshes.push_back(std::move(mesh));
-  scene.nodes.push_back({.name = "finger", .mesh = 0});
   return scene;
 }
 

@@ -117,6 +117,12 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   for (const TouchProperty& property : touchProperties())
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
   if (takes("show")) scene.show = values["show"].words;
+  if (takes("style")) scene.styles = values["style"].styles;
+  if (takes("hide")) {
+    scene.hide = values["hide"].selection;
+    scene.places.hide = values["hide"].place;
+  }
+  if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   if (takes("panels")) {
     scene.panels = values["panels"].words;

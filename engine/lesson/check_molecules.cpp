@@ -29,6 +29,8 @@ class Check {
         selects(step.scene.highlight, places.highlight, *molecule);
         selects(step.scene.facing, places.view, *molecule);
         selects(step.scene.magnify, places.magnify, *molecule);
+        selects(step.scene.hide, places.hide, *molecule);
+        for (const StyleSpec& style : step.scene.styles) selects(style.atoms, style.place, *molecule);
       }
       for (const TaskSpec& task : step.tasks) {
         for (const auto& [key, value] : task.values) {

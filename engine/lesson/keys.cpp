@@ -7,6 +7,7 @@
 #include "engine/lesson/touch_keys.h"
 #include "engine/molecule/molecule_key.h"
 #include "engine/molecule/view_part.h"
+#include "engine/structure/colouring.h"
 
 namespace moltact {
 namespace {
@@ -22,6 +23,18 @@ std::vector<std::string_view> lockable() {
 std::vector<std::string_view> viewPartNames() {
   std::vector<std::string_view> out;
   for (const ViewPartInfo& part : viewParts()) out.push_back(part.name);
+  return out;
+}
+
+std::vector<std::string_view> styleNames() {
+  std::vector<std::string_view> out;
+  for (const DrawStyleInfo& style : drawStyles()) out.push_back(style.name);
+  return out;
+}
+
+std::vector<std::string_view> colouringNames() {
+  std::vector<std::string_view> out;
+  for (const ColouringScheme& scheme : colouringSchemes()) out.push_back(scheme.name);
   return out;
 }
 
@@ -104,12 +117,29 @@ std::vector<KeySpec> sceneKeys() {
        .meaning = "The parts of the picture that are drawn.",
        .fallback = "atoms, probe, force, target",
        .words = viewPartNames()},
+      {.name = "style",
+       .type = ValueType::Styles,
+       .meaning =
+           "How the atoms are drawn. Spheres are what is felt; a surface is drawn for the scene's probe. Several "
+           "are drawn together, as in 'surface 40% for protein, spheres for ligand'.",
+       .fallback = "spheres",
+       .words = styleNames()},
+      {.name = "hide",
+       .type = ValueType::Target,
+       .meaning = "Atoms that are not drawn. They are felt as before. 'none' ends what an earlier scene hid.",
+       .words = {"none"}},
+      {.name = "near",
+       .type = ValueType::Quantity,
+       .meaning = "Where another style hides the spheres: atoms as near to the probe are drawn as spheres too.",
+       .fallback = "4 Å",
+       .dimension = Dimension::Length,
+       .most = 20.0},
       {.name = "colour",
        .type = ValueType::Word,
-       .meaning = "What the colours of protein and nucleic acid tell: the element of each atom, or its chain. All else "
-                  "has its elements' colours.",
+       .meaning = "What the atoms' colours tell. In 'chain' all that is neither protein nor nucleic acid has its "
+                  "elements' colours.",
        .fallback = "element",
-       .words = {"element", "chain"}},
+       .words = colouringNames()},
       {.name = "panels",
        .type = ValueType::WordList,
        .meaning = "Panels beside the molecule: 'touch' shows the force, 'methods' compares the haptic methods (with "

@@ -14,6 +14,7 @@
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/selection.h"
 #include "engine/lesson/source_text.h"
+#include "engine/molecule/draw_style.h"
 
 namespace moltact {
 
@@ -35,6 +36,7 @@ enum class ValueType : std::uint8_t {
   Target,     ///< one of `words`, or a selection
   Path,       ///< selections in order, separated by "then"; or one of `words`
   View,       ///< one of `words`, or "facing" and a selection
+  Styles,     ///< "cartoon, surface 40% for chain A": styles of `words`, each with its opacity and its atoms
 };
 
 /// One key: the whole truth about it.
@@ -54,6 +56,17 @@ struct KeySpec {
 /// The keys of a block; for Touch those that every task kind has.
 const std::vector<KeySpec>& keysOf(KeyBlock block);
 
+/// How some atoms are drawn, as an author wrote it.
+struct StyleSpec {
+  DrawStyle style = DrawStyle::Spheres;
+  double opacity = 1.0;  ///< 0.05 to 1
+  Selection atoms;       ///< not given: all
+  Place place;           ///< of the selection
+  friend bool operator==(const StyleSpec& a, const StyleSpec& b) {
+    return a.style == b.style && a.opacity == b.opacity && a.atoms == b.atoms;
+  }
+};
+
 /// A value as read. Which members are filled follows from the key's type.
 struct Value {
   Place place;                       ///< where the value stands; line 0 for a fallback
@@ -64,6 +77,7 @@ struct Value {
   std::vector<Place> places;         ///< of each of `words`, for WordList and TextList; of each of `path`
   Selection selection;               ///< Selection, Target and View where atoms were given
   std::vector<Selection> path = {};  ///< Path where atoms were given, in order
+  std::vector<StyleSpec> styles = {};
 };
 
 /// Where the selection of a value begins: behind the word "facing" of a View.

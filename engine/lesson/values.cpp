@@ -125,6 +125,49 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
   return value;
 }
 
+// "STYLE", "STYLE 40%", "STYLE for SELECTION", "STYLE 40% for SELECTION"; commas part several. A comma within quotes
+// belongs to a name.
+Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value value) {
+  constexpr double kLeast_percent = 5.0, kMost_percent = 100.0;
+  std::string_view rest = text;
+  for (bool more = true; more;) {
+    bool quoted_name = false;
+    std::size_t end = 0;
+    while (end < rest.size() && (quoted_name || rest[end] != ',')) quoted_name = quoted_name != (rest[end++] == '"');
+    more = end < rest.size();
+    const std::string_view part = stripped(rest.substr(0, end));
+    if (more) rest.remove_prefix(end + 1);
+    if (part.empty()) return at(text, part, tr("a style is missing"), tr("take out the comma"));
+    const std::string_view name = part.substr(0, part.find(' '));
+    const DrawStyleInfo* info = findDrawStyle(name);
+    if (!info)
+      return at(text, name, trf("'{0}' cannot be '{1}'", key.name, name), suggest(name, key.words, tr("known")));
+    StyleSpec spec{.style = info->style, .opacity = 1.0, .atoms = {}, .place = {}};
+    std::string_view after = stripped(part.substr(name.size()));
+    if (const std::size_t percent = after.find('%'); percent != std::string_view::npos && !after.starts_with("for ")) {
+      const std::string_view figure = stripped(after.substr(0, percent));
+      const auto number = parseNumber(figure);
+      if (!number || *number < kLeast_percent || *number > kMost_percent)
+        return at(text, figure, trf("'{0}' is no opacity", figure),
+                  tr("write 5\u00a0% to 100\u00a0%, as in 'surface 40%'"));
+      spec.opacity = *number / 100.0;
+      after = stripped(after.substr(percent + 1));
+    }
+    if (after.starts_with("for ")) {
+      const std::string_view atoms = stripped(after.substr(4));
+      auto read = selectionValue(text, atoms, {});
+      if (!read) return read.problem();
+      spec.atoms = read->selection;
+      spec.place = {0, at(text, atoms, {}).column};
+    } else if (!after.empty()) {
+      return at(text, after, trf("'{0}' is not understood after the style", after),
+                tr("write 'for' and the atoms, as in 'sticks for ligand'"));
+    }
+    value.styles.push_back(std::move(spec));
+  }
+  return value;
+}
+
 }  // namespace
 
 Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
@@ -171,6 +214,8 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::View:
       if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
       return wordsValue(key, text, std::move(value), false);
+    case ValueType::Styles:
+      return stylesValue(key, text, std::move(value));
   }
   return value;
 }

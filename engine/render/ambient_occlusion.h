@@ -1,7 +1,10 @@
-// How open to the sky each atom lies: the cheap ambient occlusion that makes pockets dark and ridges bright.
-// Pure function; memory and time follow the number of atoms and the extent (at most 192 voxels along an axis).
+// How much of the molecule lies about each place: from it the shader takes how open a point of a surface lies to the sky,
+// so that creases, pits and pockets are dark and ridges bright, at every point and not once for an atom. Own method: the
+// volume of the balls in voxels, smoothed at two widths. Pure function; memory and time follow the number of balls and
+// the extent (at most 160 voxels along an axis). Units: angstrom.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -10,15 +13,31 @@
 
 namespace moltact {
 
-/// The light that reaches an atom's surface at the normal n is clamp(level + dot(slope, n), 0, 1).
-struct AmbientOcclusion {
-  glm::vec3 slope{0.0f};
-  float level = 1.0f;
+/// The filled share of space about each place, smoothed, in voxels: x runs fastest, then y.
+struct OcclusionLevel {
+  glm::ivec3 size{1};
+  double voxel_A = 1.0;
+  std::vector<std::uint8_t> filled{0};  ///< 0 empty to 255 filled
+
+  /// Between the voxels' middles, 0 to 1; `place` from the field's low corner. The border's value beyond it.
+  double at(const Vec3& place) const;
 };
 
-/// One AmbientOcclusion for each ball, from the smoothed density of all balls about it (own method: a blurred voxel
-/// field of the balls' volume at two widths, taken to first order about each centre). Balls alone in space get full
-/// light.
-std::vector<AmbientOcclusion> ambientOcclusion(std::span<const Ball> balls);
+struct OcclusionField {
+  Vec3 low_A{0.0};            ///< the corner of both levels
+  OcclusionLevel fine, wide;  ///< smoothed over about 1 A and 4 A; one empty voxel in a scene too wide for it
+
+  /// The light from all sides that reaches a place of a surface with this normal, 0 to 1: what the shaders compute.
+  double open(const Vec3& place_A, const Vec3& normal) const;
+};
+
+/// How far outside the surface the levels are looked up (unit: angstrom), and which filled share is none and all of the
+/// shade there: of the places of a protein that are in sight, a tenth have less than the least, one in fifty more than
+/// the most.
+inline constexpr double kFineOut_A = 0.7, kWideOut_A = 2.5;
+inline constexpr double kFineLeast = 0.12, kFineMost = 0.52, kWideLeast = 0.06, kWideMost = 0.44;
+inline constexpr double kFineShade = 0.74, kWideShade = 0.62;
+
+OcclusionField occlusionField(std::span<const Ball> balls);
 
 }  // namespace moltact

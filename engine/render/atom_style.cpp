@@ -1,6 +1,7 @@
 #include "engine/render/atom_style.h"
 
 #include <array>
+#include <optional>
 
 #include "engine/molecule/elements.h"
 
@@ -36,6 +37,24 @@ Colour safeColour(std::uint8_t atomic_number) {
   }
 }
 
+// The four elements of a protein, chosen by eye; the others keep their hues.
+std::optional<Colour> calmColour(std::uint8_t atomic_number) {
+  switch (atomic_number) {
+    case 1:
+      return rgb(235, 235, 232);
+    case 6:
+      return rgb(178, 180, 178);
+    case 7:
+      return rgb(122, 144, 214);
+    case 8:
+      return rgb(214, 112, 104);
+    case 16:
+      return rgb(226, 204, 104);
+    default:
+      return std::nullopt;
+  }
+}
+
 // Light and shade stay visible on it.
 Colour softened(const Colour& pure) { return pure * 0.88f + 0.05f; }
 
@@ -45,10 +64,18 @@ constexpr std::array kChains{rgb(68, 119, 170),  rgb(34, 136, 51),  rgb(170, 51,
 
 }  // namespace
 
-Colour chainColour(std::uint32_t chain) { return softened(kChains[chain % kChains.size()]); }
+// Paler than the scheme, as element colours of large molecules are.
+Colour chainColour(std::uint32_t chain) { return glm::mix(kChains[chain % kChains.size()], Colour(1.0f), 0.25f); }
+
+ElementColours shownColours(ElementColours wanted, std::size_t atoms) {
+  constexpr std::size_t kMany = 300;
+  return wanted == ElementColours::Customary && atoms >= kMany ? ElementColours::Calm : wanted;
+}
 
 Colour elementColour(std::uint8_t atomic_number, ElementColours colours) {
   if (colours == ElementColours::ColourBlindSafe) return softened(safeColour(atomic_number));
+  if (colours == ElementColours::Calm)
+    if (const auto calm = calmColour(atomic_number)) return *calm;
   const auto& rgb = element(atomic_number).colour;
   const Colour pure = Colour(rgb[0], rgb[1], rgb[2]) / 255.0f;
   const float grey = glm::dot(pure, Colour(0.30f, 0.59f, 0.11f));

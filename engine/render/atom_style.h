@@ -14,6 +14,7 @@ enum class ElementColours : std::uint8_t {
   Customary,        ///< carbon grey, oxygen red, nitrogen blue, as chemists know them
   ColourBlindSafe,  ///< as near to them as the palette of Okabe and Ito (2008) allows, which every kind of colour
                     ///< vision tells apart
+  Calm,             ///< the customary hues, lighter and paler, for molecules of many atoms
 };
 
 /// The meaning of an atom's colour.
@@ -25,6 +26,10 @@ enum class ColourBy : std::uint8_t {
 /// The element's colour (engine/molecule/elements.h), softened so that light and shade stay visible on it.
 /// `atomic_number` 0 or beyond the table gives the colour of the unknown element.
 Colour elementColour(std::uint8_t atomic_number, ElementColours colours = ElementColours::Customary);
+
+/// The colours in which a molecule of so many atoms is shown where these are wanted: hundreds of strong reds and blues
+/// hide the shape.
+ElementColours shownColours(ElementColours wanted, std::size_t atoms);
 
 /// The colour of a molecule's chain, counted from 0: seven that every kind of colour vision tells apart, then again
 /// from the first.

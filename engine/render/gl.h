@@ -14,7 +14,7 @@ namespace moltact {
 #ifdef __EMSCRIPTEN__
 inline constexpr const char* kShaderVersion = "#version 300 es";
 inline constexpr const char* kShaderPrecision =
-    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
+    "precision highp float;\nprecision highp int;\nprecision highp sampler2D;\nprecision highp sampler3D;\n";
 #else
 inline constexpr const char* kShaderVersion = "#version 330 core";
 inline constexpr const char* kShaderPrecision = "";

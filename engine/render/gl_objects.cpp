@@ -95,6 +95,33 @@ void GlTarget::bind() const {
   glViewport(0, 0, width_, height_);
 }
 
+GlVolume::~GlVolume() {
+  if (texture_) glDeleteTextures(1, &texture_);
+}
+
+void GlVolume::upload(int width, int height, int depth, const void* bytes) {
+  if (!texture_) glGenTextures(1, &texture_);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_3D, texture_);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_R8, width, height, depth, 0, GL_RED, GL_UNSIGNED_BYTE, bytes);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+    glTexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
+}
+
+void GlVolume::bind(unsigned unit) {
+  if (!texture_) {
+    const unsigned char empty = 0;
+    upload(1, 1, 1, &empty);
+  }
+  glActiveTexture(GL_TEXTURE0 + unit);
+  glBindTexture(GL_TEXTURE_3D, texture_);
+  glActiveTexture(GL_TEXTURE0);
+}
+
 GlStream::~GlStream() {
   if (!array_) return;
   glDeleteVertexArrays(1, &array_);
@@ -136,10 +163,9 @@ void GlStream::floats(GLuint index, int count, std::size_t stride, std::size_t o
   glVertexAttribPointer(index, count, GL_FLOAT, GL_FALSE, GLsizei(stride), reinterpret_cast<const void*>(offset));
 }
 
-void GlStream::bytes4(GLuint index, std::size_t stride, std::size_t offset, bool is_signed) {
+void GlStream::bytes4(GLuint index, std::size_t stride, std::size_t offset) {
   glEnableVertexAttribArray(index);
-  glVertexAttribPointer(index, 4, is_signed ? GL_BYTE : GL_UNSIGNED_BYTE, GL_TRUE, GLsizei(stride),
-                        reinterpret_cast<const void*>(offset));
+  glVertexAttribPointer(index, 4, GL_UNSIGNED_BYTE, GL_TRUE, GLsizei(stride), reinterpret_cast<const void*>(offset));
 }
 
 }  // namespace moltact

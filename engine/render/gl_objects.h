@@ -58,6 +58,23 @@ class GlTarget {
   int width_ = 0, height_ = 0;
 };
 
+/// A texture of bytes in three dimensions, between whose middles the card interpolates.
+class GlVolume {
+ public:
+  GlVolume() = default;
+  ~GlVolume();
+  GlVolume(const GlVolume&) = delete;
+  GlVolume& operator=(const GlVolume&) = delete;
+
+  /// Replaces what it holds: bytes with x running fastest, then y.
+  void upload(int width, int height, int depth, const void* bytes);
+  /// Binds it to a texture unit (0 for the first); an empty one is made where nothing was uploaded.
+  void bind(unsigned unit);
+
+ private:
+  GLuint texture_ = 0;
+};
+
 /// A vertex array with one vertex buffer that is filled for each picture.
 class GlStream {
  public:
@@ -75,7 +92,7 @@ class GlStream {
 
   /// Names attribute `index` of the bound array.
   static void floats(GLuint index, int count, std::size_t stride, std::size_t offset);
-  static void bytes4(GLuint index, std::size_t stride, std::size_t offset, bool is_signed = false);
+  static void bytes4(GLuint index, std::size_t stride, std::size_t offset);
 
  private:
   GLuint array_ = 0, vertices_ = 0, elements_ = 0;

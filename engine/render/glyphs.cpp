@@ -6,12 +6,12 @@
 
 #include "engine/core/sphere_intersections.h"
 #include "engine/gltf/gltf_file.h"
+#include "engine/render/contact_shadow.h"
 #include "engine/render/haptic_shapes.h"
 
 namespace moltact {
 namespace {
 
-constexpr double kTouchedOver = 1.004;  // a touched atom is drawn over itself, so much larger
 // Bright on a dark edge: seen on atoms of every colour, in every theme.
 const Colour kTouchedRing{1.0f, 0.94f, 0.62f};
 
@@ -26,21 +26,32 @@ class Maker {
     outward_ = touching_ && length > 1e-9 ? way / length : scene.camera.up();
   }
 
+  void shadow() {
+    out_.shadow_centre = view(scp_);
+    out_.shadow_radius = float(std::max(scene_.probe_A, 0.12));
+  }
+
   // The oxygen sits in the middle of the sphere that is felt; the hydrogens point away from the surface, spread in
-  // the plane that the viewer sees best.
+  // the plane that the viewer sees best. No atom of a molecule has the probe's colours, and its rim is bright on a dark
+  // edge, so that it is found before atoms of every colour.
   void probe() {
     const bool water = scene_.water && std::abs(scene_.probe_A - kWaterProbe_A) < 0.35;
-    shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.75f);
-    addCircle(out_.strokes, {.colour = scene_.theme.probe, .alpha = 0.75f, .hidden = 0.25f, .width_px = 1.5f},
-              scene_.camera, silhouetteCentre(scp_, scene_.probe_A), toEye(scp_),
-              silhouetteRadius(scp_, scene_.probe_A));
+    shell(scp_, std::max(scene_.probe_A, 0.12), scene_.theme.probe, 0.9f);
+    const Vec3 centre = silhouetteCentre(scp_, scene_.probe_A);
+    const double radius = silhouetteRadius(scp_, scene_.probe_A);
+    for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.45f, .hidden = 0.35f, .width_px = 4.4f},
+                                 Stroke{.colour = glm::mix(scene_.theme.probe, glm::vec3(1.0f), 0.35f),
+                                 .alpha = 1.0f,
+                                 .hidden = 0.45f,
+                                 .width_px = 2.0f}})
+      addCircle(out_.strokes, stroke, scene_.camera, centre, toEye(scp_), radius);
     if (!water) return;
     Vec3 side = glm::cross(toEye(scp_), outward_);
     side = glm::length(side) > 1e-3 ? glm::normalize(side) : anyNormal(outward_);
     const double half = 0.5 * kWaterAngle_deg * std::numbers::pi / 180;
-    solid(scp_, 0.62, elementColour(8), 0.35f);
+    solid(scp_, 0.62, scene_.theme.probe, 0.35f);
     for (const double sign : {-1.0, 1.0})
-      solid(scp_ + kWaterBond_A * (std::cos(half) * outward_ + sign * std::sin(half) * side), 0.44, elementColour(1),
+      solid(scp_ + kWaterBond_A * (std::cos(half) * outward_ + sign * std::sin(half) * side), 0.44, Colour(0.97f),
             0.35f);
   }
 
@@ -51,9 +62,27 @@ class Maker {
     // Seen along the push the probe stands before the hand: a ring shows through it how far the hand has gone under.
     addCircle(out_.strokes, {.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.9f, .width_px = 2.4f},
               scene_.camera, scene_.hip->A, toEye(scene_.hip->A), 1.5 * r, 48);
-    out_.strokes.begin({.colour = scene_.theme.hip, .alpha = 0.95f, .hidden = 0.7f, .width_px = 2.0f});
-    out_.strokes.point(view(scene_.hip->A));
-    out_.strokes.point(view(scp_));
+    spring();
+  }
+
+  // From the hand to where it would be without the molecule's surface: a coil that thickens and warms with the force.
+  void spring() {
+    const Vec3 way = scp_ - scene_.hip->A;
+    const double length = glm::length(way), thick = sized(0.13, 2.6) * (1.0 + 0.6 * strength());
+    const Colour colour = forceColour(scene_.theme, strength());
+    const Vec3 axis = length > 1e-9 ? way / length : outward_, u = anyNormal(axis), v = glm::cross(axis, u);
+    constexpr int kTurns = 7, kPieces = 16 * kTurns;
+    for (const bool under : {true, false}) {
+      out_.strokes.begin({.colour = under ? Colour(0.0f) : colour,
+                          .alpha = under ? 0.4f : 1.0f,
+                          .hidden = under ? 0.5f : 0.8f,
+                          .width_px = float(under ? 3.8 : 1.8) + float(strength())});
+      for (int i = 0; i <= kPieces; ++i) {
+        const double t = double(i) / kPieces, turn = 2 * std::numbers::pi * kTurns * t;
+        const double wide = thick * std::min(1.0, 8.0 * std::min(t, 1.0 - t));
+        out_.strokes.point(view(scene_.hip->A + way * t + wide * (std::cos(turn) * u + std::sin(turn) * v)));
+      }
+    }
   }
 
   // From below the person's line of sight, as one holds a pen before a screen; at the same size in every molecule.
@@ -80,13 +109,23 @@ class Maker {
               scene_.camera, scp_, toEye(scp_), 2.1 * r, 48);
   }
 
+  // A ring round the probe that swells and warms with the force, and an arrow along it. Toward the eye an arrow would be
+  // a lump: there the ring tells it alone.
   void force() {
     if (!touching_ || !(scene_.force_N > 0) || !std::isfinite(scene_.force_N)) return;
+    const Colour warm = forceColour(scene_.theme, strength());
+    const double round = silhouetteRadius(scp_, scene_.probe_A) + sized(0.06, 4.0) + sized(0.3, 9.0) * strength();
+    for (const Stroke& stroke :
+         {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.35f, .hidden = 0.5f, .width_px = float(4.0 + 5.0 * strength())},
+          Stroke{.colour = warm, .alpha = 1.0f, .hidden = 0.6f, .width_px = float(2.0 + 5.0 * strength())}})
+      addCircle(out_.strokes, stroke, scene_.camera, scp_, toEye(scp_), round);
+    constexpr double kTowardEye = 0.87;  // within 30 degrees
+    if (std::abs(glm::dot(outward_, toEye(scp_))) > kTowardEye) return;
     const double thick = sized(0.13, 2.4), head = 4.2 * thick;
     const double length = std::max(scene_.force_N * scene_.arrow_A_per_N, 0.3 * head);
     const Vec3 tip = scp_ + outward_ * (length + head);
     const Vec3 neck = scp_ + outward_ * length;
-    const std::uint32_t colour = packColour(scene_.theme.force);
+    const std::uint32_t colour = packColour(warm);
     out_.cones.push_back({view(scp_), view(neck), float(thick), float(thick), colour});
     out_.cones.push_back({view(neck), view(tip), float(2.3 * thick), 0.0f, colour});
   }
@@ -104,7 +143,7 @@ class Maker {
     }
   }
 
-  // A ring round each of a few atoms; many are told by their colour and stripes alone, for rings by the hundred hide
+  // A ring round each of a few atoms; many are told by their colour and mark alone, for rings by the hundred hide
   // them and take longer to draw than all else.
   void highlights(const BallScene& balls) {
     constexpr std::size_t kMostRings = 120;
@@ -118,14 +157,12 @@ class Maker {
     }
   }
 
-  // The atoms that hold the probe stand out in full light, each in a ring.
+  // The atoms that hold the probe, each in a ring.
   void touched(const MoleculeModel& model) {
     if (!touching_) return;
     for (const std::int32_t a : scene_.contact.atoms) {
       if (a < 0 || std::size_t(a) >= model.scene.size()) continue;
       const Ball& b = model.scene[std::size_t(a)];
-      const double r = b.radius_A * kTouchedOver;
-      out_.solid.push_back({view(b.centre_A), float(r), model.colour[std::size_t(a)]});
       const double ring = b.radius_A + 0.10;
       for (const Stroke& stroke : {Stroke{.colour = glm::vec3(0.0f), .alpha = 0.55f, .hidden = 0.3f, .width_px = 4.6f},
                                    Stroke{.colour = kTouchedRing, .alpha = 1.0f, .hidden = 0.3f, .width_px = 2.2f}})
@@ -135,6 +172,10 @@ class Maker {
   }
 
   bool hasHip() const { return scene_.hip.has_value(); }
+  // Of the force, 0 to 1.
+  double strength() const {
+    return scene_.force_N > 0 && scene_.strongest_N > 0 ? std::min(1.0, scene_.force_N / scene_.strongest_N) : 0.0;
+  }
 
  private:
   glm::vec3 view(const Vec3& p) const { return glm::vec3(scene_.camera.toView({p})); }
@@ -176,6 +217,37 @@ void Glyphs::clear() {
   cones.clear();
   models.clear();
   strokes.clear();
+  shadow_radius = 0;
+}
+
+void Glyphs::addTo(PixelBoxBuilder& box) const {
+  for (const auto* spheres : {&solid, &ghost, &shell})
+    for (const LooseSphere& s : *spheres) box.add(s.centre, s.radius);
+  for (const GlyphCone& c : cones) {
+    box.add(c.a, c.radius_a);
+    box.add(c.b, c.radius_b);
+  }
+  for (const GlyphModel& m : models) {
+    const glm::vec3 middle = 0.5f * (m.model->low + m.model->high);
+    const float reach = glm::distance(m.model->low, m.model->high) * 0.5f * glm::length(glm::vec3(m.to_view[0]));
+    box.add(glm::vec3(m.to_view * glm::vec4(middle, 1.0f)), reach);
+  }
+  for (const Strokes::Line& line : strokes.lines())
+    for (std::size_t i = line.begin; i < line.end; ++i) box.add(strokes[i], 0.0f);
+  if (shadow_radius > 0) box.add(shadow_centre, shadow_radius * ContactShadow::kReach);
+}
+
+void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres) {
+  if (!scene.hip || !(scene.look.spheres_near_A > 0) || scene.look.allSpheres() || !scene.shown.has(ViewPart::Atoms))
+    return;
+  constexpr std::size_t kMost = 400;
+  const PointA place = scene.contact.touching() ? scene.contact.scp : *scene.hip;
+  const std::vector<std::uint32_t>* hidden = scene.look.hidden.get();
+  for (const std::uint32_t a : nearestAtoms(model.scene, place, scene.probe_A, scene.look.spheres_near_A, kMost)) {
+    if (hidden && std::binary_search(hidden->begin(), hidden->end(), a)) continue;
+    const Ball& b = model.scene[a];
+    spheres.push_back({glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[a]});
+  }
 }
 
 void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs) {
@@ -187,6 +259,7 @@ void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyph
   if (!make.hasHip()) return;
   if (model && scene.shown.has(ViewPart::Atoms)) make.touched(*model);
   if (scene.shown.has(ViewPart::Probe)) make.probe(), make.hand();
+  if (model && scene.shown.has(ViewPart::Probe)) make.shadow();
   if (scene.shown.has(ViewPart::Hip)) make.hip();
   if (scene.shown.has(ViewPart::Scp)) make.scp();
   if (scene.shown.has(ViewPart::Force)) make.force();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "engine/render/molecule_model.h"
+#include "engine/render/pixel_box.h"
 #include "engine/render/sphere_impostors.h"
 #include "engine/render/view_scene.h"
 #include "engine/render/wireframe.h"
@@ -28,8 +29,12 @@ struct Glyphs {
   std::vector<GlyphCone> cones;
   std::vector<GlyphModel> models;
   Strokes strokes;
+  glm::vec3 shadow_centre{0.0f};
+  float shadow_radius = 0;  ///< of the ball whose shadow falls on the molecule; 0: none
 
   void clear();
+  /// Where all of it lies in the picture.
+  void addTo(PixelBoxBuilder& box) const;
 };
 
 /// How long the model at the HIP is drawn, in a picture 800 pixels high.
@@ -38,6 +43,9 @@ inline constexpr double kHandLength_px = 170;
 /// O-H distance (unit: angstrom) and H-O-H angle (unit: degree) of water in the gas phase (Benedict, Gailar & Plyler
 /// 1956).
 inline constexpr double kWaterBond_A = 0.9572, kWaterAngle_deg = 104.52;
+
+/// Adds the atoms round the probe that the scene wants as spheres beside another style.
+void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres);
 
 /// Adds everything but the haptic shapes. `model` may be null.
 void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs);

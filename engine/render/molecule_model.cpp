@@ -3,14 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "engine/render/ambient_occlusion.h"
-
 namespace moltact {
-namespace {
-
-std::uint32_t packSigned(float v) { return std::uint8_t(std::int8_t(std::lround(std::clamp(v, -1.0f, 1.0f) * 127))); }
-
-}  // namespace
 
 std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom) {
   if (atom.residue == kNoResidue) return std::nullopt;
@@ -19,23 +12,44 @@ std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom&
   return r.chain;
 }
 
+ColourBy usualColourBy(const Molecule& molecule) {
+  std::optional<std::uint32_t> first;
+  for (const Residue& r : molecule.residues) {
+    if (r.kind != ResidueKind::AminoAcid && r.kind != ResidueKind::Nucleotide) continue;
+    if (first && *first != r.chain) return ColourBy::Chain;
+    first = r.chain;
+  }
+  return ColourBy::Element;
+}
+
+std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name) {
+  if (name == "element" || name == "chain") return nullptr;
+  const auto scheme = findColouringScheme(name);
+  return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme)) : nullptr;
+}
+
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(molecule->balls()) {
-  paint(elements, colour_by);
-  for (const AmbientOcclusion& e : ambientOcclusion(scene.balls()))
-    ambient_occlusion.push_back(packSigned(e.slope.x) | packSigned(e.slope.y) << 8 | packSigned(e.slope.z) << 16 |
-                                packSigned(e.level) << 24);
+  paint(elements, colour_by, nullptr);
+  occlusion = occlusionField(scene.balls());
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
 }
 
-void MoleculeModel::paint(ElementColours wanted, ColourBy by) {
+void MoleculeModel::paint(ElementColours wanted, ColourBy by, std::shared_ptr<const Colouring> by_scheme) {
   elements = wanted;
   colour_by = by;
+  colouring = std::move(by_scheme);
+  ++painted;
+  const ElementColours used = shownColours(wanted, molecule->atoms.size());
   colour.clear();
   colour.reserve(molecule->atoms.size());
+  if (colouring && colouring->of_atom.size() == molecule->atoms.size()) {
+    for (const Rgb8& c : colouring->of_atom) colour.push_back(packColour(glm::vec3(c[0], c[1], c[2]) / 255.0f));
+    return;
+  }
   for (const Atom& a : molecule->atoms) {
     const std::optional<std::uint32_t> chain = by == ColourBy::Chain ? colouredChain(*molecule, a) : std::nullopt;
-    colour.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, elements)));
+    colour.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, used)));
   }
 }
 

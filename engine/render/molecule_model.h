@@ -5,28 +5,40 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "engine/haptics/ball_scene.h"
 #include "engine/molecule/molecule.h"
+#include "engine/render/ambient_occlusion.h"
 #include "engine/render/atom_style.h"
+#include "engine/structure/colouring.h"
 
 namespace moltact {
 
 /// The chain whose colour an atom has in pictures coloured by chain; none for an atom that keeps its element's.
 std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom);
 
+/// How a molecule is coloured where nobody said it: by chain where several chains of protein or nucleic acid are there.
+ColourBy usualColourBy(const Molecule& molecule);
+
+/// The colours of a scheme by its name (engine/structure/colouring.h); null for "element" and "chain", which the picture
+/// makes itself, and for a name that is not known.
+std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name);
+
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
   /// Colours the atoms.
-  void paint(ElementColours elements, ColourBy by);
+  void paint(ElementColours elements, ColourBy by, std::shared_ptr<const Colouring> by_scheme);
 
   std::shared_ptr<const Molecule> molecule;
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
+  std::shared_ptr<const Colouring> colouring;  ///< stands before both where it is of this molecule
+  unsigned painted = 0;                        ///< grows with every painting
   BallScene scene;
-  std::vector<std::uint32_t> colour;             ///< bytes red, green, blue, 255 from the lowest
-  std::vector<std::uint32_t> ambient_occlusion;  ///< signed bytes slope x, y, z, level from the lowest
+  std::vector<std::uint32_t> colour;  ///< bytes red, green, blue, 255 from the lowest
+  OcclusionField occlusion;
   Vec3 middle_A{0.0};
   double reach_A = 0.0;  ///< all balls lie within this of the middle
 };

@@ -4,8 +4,12 @@
 #include <cmath>
 
 #include "engine/language/catalogue.h"
+#include "engine/render/contact_shadow.h"
+#include "engine/render/edge_filter.h"
 #include "engine/render/glyphs.h"
 #include "engine/render/haptic_shapes.h"
+#include "engine/render/molecule_layer.h"
+#include "engine/render/pixel_box.h"
 #include "engine/render/resolve.h"
 #include "engine/render/solid_mesh.h"
 
@@ -24,11 +28,18 @@ DepthRange depthRange(const Camera& camera, const MoleculeModel* model) {
   return range;
 }
 
-Lighting lightingOf(const ViewScene& scene, const MoleculeModel* model, const DepthRange& range) {
+Lighting lightingOf(const ViewScene& scene, const MoleculeModel* model, OcclusionVolume* occlusion,
+                    const DepthRange& range) {
   Lighting lighting;
+  lighting.occlusion = occlusion;
+  lighting.camera = scene.camera;
   lighting.background_top = scene.theme.background_top;
   lighting.background_bottom = scene.theme.background_bottom;
-  lighting.rotation = glm::mat3(glm::transpose(glm::mat3_cast(scene.camera.orientation)));
+  if (scene.look.cut) {
+    const Vec3 normal = glm::conjugate(scene.camera.orientation) * scene.look.cut->normal;
+    const double beyond = glm::dot(scene.look.cut->normal, scene.camera.eye().A) - scene.look.cut->offset_A;
+    lighting.cut = glm::vec4(glm::vec3(normal), float(beyond));
+  }
   if (model && model->reach_A > 0) {
     const double depth = -scene.camera.toView({model->middle_A}).z;
     const double front = std::max(depth - model->reach_A, range.near_A), back = depth + model->reach_A;
@@ -39,11 +50,6 @@ Lighting lightingOf(const ViewScene& scene, const MoleculeModel* model, const De
   return lighting;
 }
 
-// The width of the dark rims at depth 1: 1.3 pixels of the finished picture.
-float rimOf(int samples, const Projection& inside) {
-  return 1.3f * float(samples) * 2.0f * inside.tan_y / float(inside.height_px);
-}
-
 // Put back at the end of a picture, whatever happens in between.
 class CallersState {
  public:
@@ -51,6 +57,7 @@ class CallersState {
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &draw_);
     glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read_);
     glGetIntegerv(GL_VIEWPORT, viewport_);
+    glGetIntegerv(GL_SCISSOR_BOX, box_);
     scissor_ = glIsEnabled(GL_SCISSOR_TEST);
     glDisable(GL_SCISSOR_TEST);
     glDisable(GL_CULL_FACE);
@@ -62,7 +69,8 @@ class CallersState {
     glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(draw_));
     glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read_));
     glViewport(viewport_[0], viewport_[1], viewport_[2], viewport_[3]);
-    if (scissor_) glEnable(GL_SCISSOR_TEST);
+    glScissor(box_[0], box_[1], box_[2], box_[3]);
+    scissor_ ? glEnable(GL_SCISSOR_TEST) : glDisable(GL_SCISSOR_TEST);
     glDepthMask(GL_TRUE);
     glDepthFunc(GL_LESS);
     glDisable(GL_DEPTH_TEST);
@@ -73,47 +81,51 @@ class CallersState {
   }
 
  private:
-  GLint draw_ = 0, read_ = 0, viewport_[4]{};
+  GLint draw_ = 0, read_ = 0, viewport_[4]{}, box_[4]{};
   GLboolean scissor_ = GL_FALSE;
-};
-
-// All that the layer of atoms depends on.
-struct LayerKey {
-  std::shared_ptr<const Molecule> molecule;
-  ElementColours elements = ElementColours::Customary;
-  ColourBy colour_by = ColourBy::Element;
-  Camera camera;
-  int width = 0, height = 0, samples = 0;
-  bool outlines = false, cull = false, atoms = false, resolved = true;
-  Colour top{0.0f}, bottom{0.0f}, tint{0.0f};
-  std::vector<std::uint32_t> tinted;
-  bool operator==(const LayerKey&) const = default;
 };
 
 }  // namespace
 
 struct Renderer::Impl {
-  Impl(SphereImpostors b, Wireframe w, SolidMesh m, Resolve r)
-      : balls(std::move(b)), wires(std::move(w)), mesh(std::move(m)), resolve(std::move(r)) {}
+  Impl(SphereImpostors b, Wireframe w, SolidMesh m, MeshPass p, Resolve r, ContactShadow c, EdgeFilter e)
+      : balls(std::move(b)),
+        wires(std::move(w)),
+        mesh(std::move(m)),
+        meshes(std::move(p)),
+        resolve(std::move(r)),
+        shadow(std::move(c)),
+        filter(std::move(e)) {}
 
   SphereImpostors balls;
   Wireframe wires;
-  SolidMesh mesh;
+  SolidMesh mesh;   // of the glyphs, made for each picture
+  MeshPass meshes;  // of the molecule, kept
   Resolve resolve;
-  GlTarget raw, layer, picture;  // the atoms with all samples; the same at the picture's size; with everything on top
-  GlTarget large;                // everything with all samples
-  SphereCull cull;
+  ContactShadow shadow;
+  EdgeFilter filter;
+  MoleculeLayer layer;
+  GlTarget flat;     // the layer at the picture's size
+  GlTarget large;    // the part of the layer on which glyphs are drawn, with all samples
+  GlTarget picture;  // with everything on top
+  GlTarget smooth;   // the same with filtered edges, where there is one sample a pixel
+  bool filtered = false;
   std::unique_ptr<MoleculeModel> model;
+  OcclusionVolume occlusion;
   Glyphs glyphs;
-  std::vector<LooseSphere> dots;
-  LayerKey key;
+  std::vector<LooseSphere> dots, near;  // of the haptic shapes; the atoms round the probe
   ViewScene last;
   RenderOptions last_options;
-  bool have_layer = false, have_picture = false;
+  bool have_picture = false;
   RenderCount count;
 
-  bool drawLayer(const ViewScene& scene, const Projection& projection, const Lighting& lighting, LayerKey wanted);
-  void drawGlyphs(const ViewScene& scene, const Projection& projection, const Lighting& lighting, float line_scale);
+  void forget() {
+    layer.forget();
+    have_picture = false;
+  }
+  const GlTarget& shown() const { return filtered ? smooth : picture; }
+  bool drawScene(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options);
+  void drawGlyphs(const GlTarget& on, const Projection& projection, const Lighting& lighting, float line_scale);
 };
 
 Renderer::Renderer() = default;
@@ -130,68 +142,105 @@ Expected<std::unique_ptr<Renderer>> Renderer::create() {
   if (!wires) return wires.problem();
   auto mesh = SolidMesh::build();
   if (!mesh) return mesh.problem();
+  auto meshes = MeshPass::build();
+  if (!meshes) return meshes.problem();
   auto resolve = Resolve::build();
   if (!resolve) return resolve.problem();
+  auto shadow = ContactShadow::build();
+  if (!shadow) return shadow.problem();
+  auto filter = EdgeFilter::build();
+  if (!filter) return filter.problem();
   std::unique_ptr<Renderer> made(new Renderer);
-  made->impl_ = std::make_unique<Impl>(*std::move(balls), *std::move(wires), *std::move(mesh), *std::move(resolve));
+  made->impl_ = std::make_unique<Impl>(*std::move(balls), *std::move(wires), *std::move(mesh), *std::move(meshes),
+                                       *std::move(resolve), *std::move(shadow), *std::move(filter));
   return {std::move(made)};
 }
 
-bool Renderer::Impl::drawLayer(const ViewScene& scene, const Projection& projection, const Lighting& lighting,
-                               LayerKey wanted) {
-  count.atoms_redrawn = !(have_layer && wanted == key);
-  if (!count.atoms_redrawn) return true;
-  have_layer = false;
-  const int width = wanted.width * wanted.samples, height = wanted.height * wanted.samples;
-  const bool direct = wanted.samples == 1;
-  if ((wanted.resolved && !layer.resize(wanted.width, wanted.height)) || (!direct && !raw.resize(width, height)))
-    return false;
-  (direct ? layer : raw).bind();
-  glDepthMask(GL_TRUE);
-  glClear(GL_DEPTH_BUFFER_BIT);
-  resolve.background(lighting);
-  count.atoms_drawn = 0;
-  if (model && wanted.atoms) {
-    const Projection inside(scene.camera, width, height, projection.depth);
-    const float rim = wanted.outlines ? rimOf(wanted.samples, inside) : 0.0f;
-    cull.run(model->scene, scene.camera, inside, rim, wanted.cull);
-    count.atoms_drawn = cull.atomsDrawn();
-    balls.drawMolecule(*model, cull.drawn(), wanted.tinted, packColour(wanted.tint), rim, inside, lighting);
-  }
-  if (wanted.resolved && !direct) {
-    layer.bind();
-    resolve.layer(raw, wanted.samples);
-  }
-  key = std::move(wanted);
-  have_layer = true;
-  return true;
-}
-
-void Renderer::Impl::drawGlyphs(const ViewScene& scene, const Projection& projection, const Lighting& lighting,
+void Renderer::Impl::drawGlyphs(const GlTarget& on, const Projection& projection, const Lighting& lighting,
                                 float line_scale) {
-  glyphs.clear();
-  dots.clear();
-  addGlyphs(scene, model.get(), glyphs);
-  if (model) addHapticShapes(scene, *model, glyphs.strokes, dots);
-
+  balls.drawLoose(near, SphereImpostors::Pass::Solid, projection, lighting);
+  if (glyphs.shadow_radius > 0) shadow.draw(on, glyphs.shadow_centre, glyphs.shadow_radius, projection);
   // Ghosts first: they show only behind the atoms, and their own solid bodies must not count as hiding them.
-  Lighting near = lighting;
-  near.fade_most *= 0.4f;  // what the lesson is about does not drown in the distance
-  balls.drawLoose(glyphs.ghost, SphereImpostors::Pass::Ghost, projection, near);
+  Lighting own = lighting;
+  own.fade_most *= 0.4f;  // what the lesson is about does not drown in the distance
+  own.occlusion = nullptr;
+  own.cut = Lighting().cut;
+  balls.drawLoose(glyphs.ghost, SphereImpostors::Pass::Ghost, projection, own);
   for (const GlyphCone& c : glyphs.cones) mesh.addCone(c.a, c.b, c.radius_a, c.radius_b, c.colour);
   for (const GlyphModel& m : glyphs.models) mesh.addModel(*m.model, m.to_view);
-  mesh.draw(projection, near, 0.35f);
-  balls.drawLoose(glyphs.solid, SphereImpostors::Pass::Solid, projection, near);
-  balls.drawLoose(dots, SphereImpostors::Pass::Solid, projection, near);
+  mesh.draw(projection, own, 0.35f);
+  balls.drawLoose(glyphs.solid, SphereImpostors::Pass::Solid, projection, own);
+  balls.drawLoose(dots, SphereImpostors::Pass::Solid, projection, own);
   wires.draw(glyphs.strokes, projection, line_scale);
-  balls.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, near);
+  balls.drawLoose(glyphs.shell, SphereImpostors::Pass::Shell, projection, own);
+}
+
+// The molecule is drawn with samples x samples for each pixel and kept; the glyphs are drawn on the part of it that they
+// touch, with as many samples, and only that part is made smooth again.
+bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options) {
+  const int samples = std::clamp(options.samples, 1, 4);
+  const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, model.get()));
+  const Projection inside(scene.camera, width_px * samples, height_px * samples, projection.depth);
+  const Lighting lighting = lightingOf(scene, model.get(), model ? &occlusion : nullptr, projection.depth);
+  if (!layer.draw(scene, model.get(), inside, lighting, {samples, options.outlines, options.occlusion_cull},
+                  {resolve, balls, meshes}))
+    return false;
+  count.atoms_redrawn = layer.redrawn();
+  count.atoms_drawn = layer.atomsDrawn();
+  if (!picture.resize(width_px, height_px)) return false;
+  if (samples > 1) {
+    const bool made = flat.width() == width_px && flat.height() == height_px;
+    if (!flat.resize(width_px, height_px)) return false;
+    if (layer.redrawn() || !made) {
+      flat.bind();
+      resolve.layer(layer.target(), samples);
+    }
+  }
+  copyPart(samples > 1 ? flat : layer.target(), picture, {0, 0, width_px, height_px}, GL_COLOR_BUFFER_BIT);
+
+  glyphs.clear();
+  dots.clear();
+  near.clear();
+  if (model) addNearSpheres(scene, *model, near);
+  addGlyphs(scene, model.get(), glyphs);
+  if (model) addHapticShapes(scene, *model, glyphs.strokes, dots);
+  // A large picture is looked at whole: its lines grow with it.
+  const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f);
+  PixelBoxBuilder around(projection);
+  glyphs.addTo(around);
+  for (const auto* spheres : {&dots, &near})
+    for (const LooseSphere& s : *spheres) around.add(s.centre, s.radius);
+  if (const PixelBox box = around.box(4 + int(8.0f * line_scale)); !box.empty()) {
+    const GlTarget& on = samples > 1 ? large : picture;
+    if (samples > 1 && !large.resize(inside.width_px, inside.height_px)) return false;
+    const PixelBox fine = box.times(samples);
+    copyPart(layer.target(), on, fine, GL_COLOR_BUFFER_BIT);
+    copyPart(layer.opaque(), on, fine, GL_DEPTH_BUFFER_BIT);
+    on.bind();
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(fine.x0, fine.y0, fine.width(), fine.height());
+    drawGlyphs(layer.opaque(), inside, lighting, line_scale * float(samples));
+    if (samples > 1) {
+      picture.bind();
+      glScissor(box.x0, box.y0, box.width(), box.height());
+      resolve.layer(large, samples);
+    }
+    glDisable(GL_SCISSOR_TEST);
+  }
+  filtered = samples == 1 && options.smooth_edges;
+  if (filtered) {
+    if (!smooth.resize(width_px, height_px)) return false;
+    smooth.bind();
+    filter.draw(picture);
+  }
+  return true;
 }
 
 std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int height_px,
                                       const RenderOptions& options) {
   Impl& p = *impl_;
   const auto tooLarge = [&] {
-    p.have_layer = p.have_picture = false;
+    p.forget();
     return Problem{
         .file = {},
         .message = trf("a picture of {0} x {1} pixels is refused by the graphics driver", width_px, height_px),
@@ -209,60 +258,26 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
       return Problem{
           .file = {}, .message = tr("the graphics context is lost"), .remedy = tr("start the program again")};
   const CallersState state;
-  if (!p.model || p.model->molecule != scene.molecule)
+  if (!p.model || p.model->molecule != scene.molecule) {
     p.model =
         scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
-  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by))
-    p.model->paint(scene.elements, scene.colour_by);
+    if (p.model) p.occlusion.upload(p.model->occlusion);
+  }
+  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by ||
+                  p.model->colouring != scene.look.colouring))
+    p.model->paint(scene.elements, scene.colour_by, scene.look.colouring);
   p.count.atoms = p.model ? p.model->scene.size() : 0;
-  if (!p.picture.resize(width_px, height_px)) return tooLarge();
-
   if (scene.blank) {
+    if (!p.picture.resize(width_px, height_px)) return tooLarge();
+    p.filtered = false;
     p.picture.bind();
     glClearColor(0.02f, 0.02f, 0.025f, 1.0f);
     glClear(GL_COLOR_BUFFER_BIT);
-  } else {
-    const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, p.model.get()));
-    const Lighting lighting = lightingOf(scene, p.model.get(), projection.depth);
-    LayerKey key{.molecule = scene.molecule,
-                 .elements = scene.elements,
-                 .colour_by = scene.colour_by,
-                 .camera = scene.camera,
-                 .width = width_px,
-                 .height = height_px,
-                 .samples = std::clamp(options.samples, 1, 4),
-                 .outlines = options.outlines,
-                 .cull = options.occlusion_cull,
-                 .atoms = scene.shown.has(ViewPart::Atoms),
-                 .top = scene.theme.background_top,
-                 .bottom = scene.theme.background_bottom,
-                 .tint = scene.theme.target,
-                 .tinted = {}};
-    if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
-    std::sort(key.tinted.begin(), key.tinted.end());
-    const int samples = key.samples;
-    const bool all_smooth = options.smooth_glyphs && samples > 1;
-    key.resolved = !all_smooth;
-    if (!p.drawLayer(scene, projection, lighting, std::move(key))) return tooLarge();
-    const int width = all_smooth ? width_px * samples : width_px, height = all_smooth ? height_px * samples : height_px;
-    if (all_smooth && !p.large.resize(width, height)) return tooLarge();
-    const GlTarget& from = all_smooth ? p.raw : p.layer;
-    const GlTarget& to = all_smooth ? p.large : p.picture;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to.framebuffer());
-    glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-    to.bind();
-    // A large picture is looked at whole: its lines grow with it.
-    const float line_scale =
-        options.line_scale * std::max(1.0f, float(height_px) / 800.0f) * float(height) / float(height_px);
-    p.drawGlyphs(scene, Projection(scene.camera, width, height, projection.depth), lighting, line_scale);
-    if (all_smooth) {
-      p.picture.bind();
-      p.resolve.layer(p.large, samples);
-    }
+  } else if (!p.drawScene(scene, width_px, height_px, options)) {
+    return tooLarge();
   }
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-    p.have_layer = p.have_picture = false;
+    p.forget();
     return Problem{.file = {},
                    .message = trf("the graphics driver reports error {0} while drawing", error),
                    .remedy = tr("LIBGL_ALWAYS_SOFTWARE=1 uses the software driver")};
@@ -273,10 +288,10 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
   return std::nullopt;
 }
 
-unsigned Renderer::textureId() const { return impl_->picture.colour(); }
+unsigned Renderer::textureId() const { return impl_->shown().colour(); }
 
 void Renderer::copyTo(int x_px, int y_px) const {
-  const GlTarget& from = impl_->picture;
+  const GlTarget& from = impl_->shown();
   GLint read = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer());
@@ -286,7 +301,7 @@ void Renderer::copyTo(int x_px, int y_px) const {
 }
 
 Picture Renderer::readPixels() const {
-  const GlTarget& from = impl_->picture;
+  const GlTarget& from = impl_->shown();
   Picture picture{from.width(), from.height(), {}};
   // Red, green, blue and opacity are what every driver gives.
   std::vector<std::uint8_t> rgba(std::size_t(4) * from.width() * from.height());
@@ -311,7 +326,7 @@ void Renderer::finish() const {
   // WebGL's finish() waits for nothing; what is read has been drawn.
   GLint read = 0;
   glGetIntegerv(GL_READ_FRAMEBUFFER_BINDING, &read);
-  glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->picture.framebuffer());
+  glBindFramebuffer(GL_READ_FRAMEBUFFER, impl_->shown().framebuffer());
   std::uint8_t pixel[4];
   glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
   glBindFramebuffer(GL_READ_FRAMEBUFFER, GLuint(read));
@@ -320,7 +335,7 @@ void Renderer::finish() const {
 #endif
 }
 
-void Renderer::invalidate() { impl_->have_layer = impl_->have_picture = false; }
+void Renderer::invalidate() { impl_->forget(); }
 
 const RenderCount& Renderer::count() const { return impl_->count; }
 

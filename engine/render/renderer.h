@@ -12,10 +12,8 @@
 namespace moltact {
 
 struct RenderOptions {
-  int samples = 1;  ///< samples along each pixel's edge for the atoms, 1 to 4: 2 smooths the edges at 4 times the cost
-                    ///< (default 1)
-  bool smooth_glyphs =
-      false;  ///< the samples count for probe, arrow and shapes too: for pictures that are kept (default off)
+  int samples = 1;  ///< samples along each pixel's edge, 1 to 4: 2 smooths the edges at 4 times the cost (default 1)
+  bool smooth_edges = true;    ///< with one sample the edges are filtered (default on)
   bool outlines = true;        ///< dark rims round atoms that stand in front of others (default on)
   float line_scale = 1.0f;     ///< multiplies line widths, for displays with small pixels (default 1)
   bool occlusion_cull = true;  ///< leave out atoms that are hidden by others; the picture is the same (default on)

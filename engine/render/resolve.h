@@ -6,8 +6,15 @@
 
 #include "engine/render/gl_objects.h"
 #include "engine/render/lighting.h"
+#include "engine/render/pixel_box.h"
 
 namespace moltact {
+
+/// GLSL: a vertex shader that covers the whole picture with one triangle; v_uv is 0 to 1 over it.
+extern const char* const kWholePictureText;
+
+/// Copies colour or depth (GL_COLOR_BUFFER_BIT, GL_DEPTH_BUFFER_BIT) between targets of one size.
+void copyPart(const GlTarget& from, const GlTarget& to, const PixelBox& part, GLbitfield what);
 
 class Resolve {
  public:
@@ -15,8 +22,7 @@ class Resolve {
 
   void background(const Lighting& lighting);
 
-  /// Writes colour and depth of `from` into the bound framebuffer: the mean of samples x samples texels with the depth
-  /// of the nearest.
+  /// Draws the mean of each samples x samples texels of `from` into the bound framebuffer.
   void layer(const GlTarget& from, int samples);
 
  private:

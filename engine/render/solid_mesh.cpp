@@ -40,7 +40,7 @@ void main() {
   gl_FragDepth = clamp(u_depth.x + u_depth.y / v_place.z, 0.0, 1.0);
   vec3 n = normalize(v_normal);
   float facing = max(-dot(n, normalize(v_place)), 0.0);
-  o_colour = vec4(lit(v_colour.rgb * v_colour.rgb, n, facing, -v_place.z, 1.0, clamp(v_y, -1.0, 1.0)), u_alpha);
+  o_colour = vec4(lit(v_colour.rgb * v_colour.rgb, v_place, n, facing, clamp(v_y, -1.0, 1.0)), u_alpha);
 }
 )";
 

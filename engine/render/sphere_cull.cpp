@@ -38,7 +38,7 @@ bool projectSphere(const Projection& projection, const glm::vec3& centre, float 
 }
 
 void SphereCull::run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim,
-                     bool occlusion) {
+                     bool occlusion, std::span<const std::uint8_t> shown) {
   seen_.clear();
   drawn_.clear();
   kept_.clear();
@@ -48,6 +48,7 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
   double wide = 0;
   const glm::dmat3 turn = glm::transpose(glm::mat3_cast(camera.orientation));
   for (std::uint32_t i = 0; i < scene.size(); ++i) {
+    if (!shown.empty() && !shown[i]) continue;
     const Ball& b = scene[i];
     const Vec3 view = turn * (b.centre_A - camera.target.A) - Vec3(0, 0, camera.distance_A);
     DrawnSphere sphere;

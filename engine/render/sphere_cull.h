@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "engine/haptics/ball_scene.h"
@@ -29,7 +30,9 @@ class SphereCull {
   /// Fills drawn() with the balls to draw, cut into boxes; a ball may give none or several. A part that is left out is
   /// covered by nearer balls, decided on a coarse grid of cells, so the picture is the same without it. `occlusion`
   /// false keeps every ball whole.
-  void run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim, bool occlusion);
+  /// `shown`, if not empty, says of each ball whether it is there at all.
+  void run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim, bool occlusion,
+           std::span<const std::uint8_t> shown = {});
 
   const std::vector<DrawnSphere>& drawn() const { return drawn_; }
   std::size_t atomsDrawn() const { return atoms_drawn_; }

@@ -9,17 +9,14 @@ const char* const kVertexText = R"(
 layout(location = 0) in vec2 a_corner;
 layout(location = 1) in vec4 a_sphere;
 layout(location = 2) in vec4 a_colour;
-layout(location = 3) in vec4 a_ambient;
 uniform vec2 u_tan;
-uniform mat3 u_turn;
 out vec3 v_ray;      // z is -1; x and y are linear over the picture
-flat out vec4 v_sphere, v_colour, v_ambient;
+flat out vec4 v_sphere, v_colour;
 out float v_y;
 void main() {
   v_ray = vec3(a_corner * u_tan, -1.0);
   v_sphere = a_sphere;
   v_colour = a_colour;
-  v_ambient = vec4(u_turn * a_ambient.xyz, a_ambient.w);
   v_y = a_corner.y;
   gl_Position = vec4(a_corner, 0.0, 1.0);
 }
@@ -28,14 +25,14 @@ void main() {
 // The distance of the ray from the centre is taken at the ray's nearest point and not as |centre|^2 - radius^2, which
 // would lose the radius to rounding when the ball is far. The rim lies behind the ball's middle, so that balls that
 // grow into each other have none between them; its normal is square to the ray, so it is shade.
-const char* const kCutText = R"(
+const char* const kRayText = R"(
 in vec3 v_ray;
-flat in vec4 v_sphere, v_colour, v_ambient;
+flat in vec4 v_sphere, v_colour;
 in float v_y;
 uniform vec2 u_depth;
 uniform float u_rim;
 out vec4 o_colour;
-float cut(out vec3 normal, out float facing) {
+float entry(out vec3 normal, out float facing, out float leave) {
   float shorten = inversesqrt(dot(v_ray, v_ray));
   float nearest = dot(v_ray, v_sphere.xyz) * (shorten * shorten);
   vec3 aside = v_ray * nearest - v_sphere.xyz;
@@ -45,35 +42,43 @@ float cut(out vec3 normal, out float facing) {
   float half_chord = sqrt(max(left, 0.0)), back = half_chord * shorten, by_radius = 1.0 / v_sphere.w;
   normal = (aside - v_ray * back) * by_radius;
   facing = half_chord * by_radius;
-  float depth = left < 0.0 ? nearest + 0.75 * v_sphere.w : nearest - back;
-  gl_FragDepth = clamp(u_depth.x - u_depth.y / depth, 0.0, 1.0);
-  return depth;
+  leave = nearest + back;
+  return left < 0.0 ? nearest + 0.75 * v_sphere.w : nearest - back;
 }
+void writeDepth(float depth) { gl_FragDepth = clamp(u_depth.x - u_depth.y / depth, 0.0, 1.0); }
 )";
 
-// Marked balls are striped, so that they are told from the others without seeing their colour.
+// A ball that the cut goes through shows a flat face. Marked balls have a dark ring toward the viewer, as a target has, so
+// that they are told from the others without seeing their colour.
 const char* const kSolidText = R"(
 void main() {
   vec3 n;
-  float facing, depth = cut(n, facing);
-  float open = clamp(v_ambient.w + dot(v_ambient.xyz, n), 0.0, 1.0);
-  vec3 base = v_colour.rgb * v_colour.rgb;
-  bool striped = v_colour.a > 0.994 && v_colour.a < 0.998;
-  if (striped) {
-    float wave = abs(fract((n.x + n.y) * 1.6) - 0.5), soft = fwidth(n.x + n.y) * 1.6;
-    base *= mix(1.0, 0.13, smoothstep(0.30 - soft, 0.30 + soft, wave));
+  float facing, leave, depth = entry(n, facing, leave);
+  // A ball that the plane goes through has no rim.
+  if (facing == 0.0 && dot(u_cut.xyz, v_sphere.xyz) + u_cut.w > -v_sphere.w) discard;
+  if (cutAway(v_ray * depth)) {
+    float at = -u_cut.w / dot(u_cut.xyz, v_ray);
+    if (!(at > depth && at < leave)) discard;
+    depth = at;
+    n = u_cut.xyz;
+    facing = 1.0;
+    fixed_open = 0.75;
   }
-  o_colour = vec4(lit(base, n, facing, depth, open, v_y), striped ? 1.0 : v_colour.a);
+  writeDepth(depth);
+  vec3 base = v_colour.rgb * v_colour.rgb;
+  bool marked = v_colour.a > 0.994 && v_colour.a < 0.998;
+  if (marked) base *= 1.0 - 0.87 * smoothstep(0.64, 0.68, facing) * (1.0 - smoothstep(0.84, 0.87, facing));
+  o_colour = vec4(lit(base, v_ray * depth, n, facing, v_y), marked ? 1.0 : v_colour.a);
 }
 )";
 
-constexpr float kStriped = 254.0f / 255.0f;  // an opacity that stands for stripes
+constexpr float kMarked = 254.0f / 255.0f;  // an opacity that stands for the ring of a target
 
 const char* const kShellText = R"(
 void main() {
   vec3 n;
-  float facing;
-  cut(n, facing);
+  float facing, leave;
+  writeDepth(entry(n, facing, leave));
   float away = 1.0 - facing;
   float glint = pow(max(dot(n, normalize(vec3(-0.46, 0.62, 1.4))), 0.0), 60.0);
   float rim = away * away;
@@ -85,9 +90,9 @@ void main() {
 
 Expected<SphereImpostors> SphereImpostors::build() {
   SphereImpostors made;
-  auto solid = GlProgram::build("solid balls", kVertexText, std::string(kCutText) + kLightingText + kSolidText);
+  auto solid = GlProgram::build("solid balls", kVertexText, std::string(kRayText) + kLightingText + kSolidText);
   if (!solid) return solid.problem();
-  auto shell = GlProgram::build("bubbles", kVertexText, std::string(kCutText) + kShellText);
+  auto shell = GlProgram::build("bubbles", kVertexText, std::string(kRayText) + kShellText);
   if (!shell) return shell.problem();
   made.solid_ = *std::move(solid);
   made.shell_ = *std::move(shell);
@@ -95,14 +100,13 @@ Expected<SphereImpostors> SphereImpostors::build() {
     GlStream::floats(0, 2, sizeof(Vertex), offsetof(Vertex, x));
     GlStream::floats(1, 4, sizeof(Vertex), offsetof(Vertex, centre_x));
     GlStream::bytes4(2, sizeof(Vertex), offsetof(Vertex, colour));
-    GlStream::bytes4(3, sizeof(Vertex), offsetof(Vertex, ambient_occlusion), true);
   }
   return {std::move(made)};
 }
 
-void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour, std::uint32_t ambient_occlusion) {
+void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour) {
   for (const glm::vec2 corner : {s.low, glm::vec2(s.high.x, s.low.y), glm::vec2(s.low.x, s.high.y), s.high})
-    vertices_.push_back({corner.x, corner.y, s.centre.x, s.centre.y, s.centre.z, s.radius, colour, ambient_occlusion});
+    vertices_.push_back({corner.x, corner.y, s.centre.x, s.centre.y, s.centre.z, s.radius, colour});
 }
 
 void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting) {
@@ -113,7 +117,7 @@ void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, 
   glUniform1f(program.uniform("u_rim"), rim);
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(pass == Pass::Ghost ? GL_GREATER : GL_LESS);
-  glDepthMask(pass == Pass::Solid);
+  glDepthMask(pass == Pass::Solid || pass == Pass::Faint);
   pass == Pass::Solid ? glDisable(GL_BLEND) : glEnable(GL_BLEND);
   stream_->bind();
   stream_->upload(vertices_.data(), vertices_.size() * sizeof(Vertex));
@@ -123,22 +127,22 @@ void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, 
 }
 
 void SphereImpostors::drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
-                                   std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim,
+                                   std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim, float opacity,
                                    const Projection& projection, const Lighting& lighting) {
-  const std::uint32_t striped = (tint & 0x00FFFFFFu) | packColour({}, kStriped);
+  const std::uint32_t marked = (tint & 0x00FFFFFFu) | packColour({}, kMarked);
+  const std::uint32_t alpha = packColour({}, opacity) & 0xFF000000u;
   for (const DrawnSphere& s : spheres) {
     const bool is_tinted = std::binary_search(tinted.begin(), tinted.end(), s.index);
-    push(s, is_tinted ? striped : model.colour[s.index], model.ambient_occlusion[s.index]);
+    push(s, is_tinted ? marked : (model.colour[s.index] & 0x00FFFFFFu) | alpha);
   }
-  flush(Pass::Solid, rim, projection, lighting);
+  flush(opacity < 1.0f ? Pass::Faint : Pass::Solid, rim, projection, lighting);
 }
 
 void SphereImpostors::drawLoose(std::span<const LooseSphere> spheres, Pass pass, const Projection& projection,
                                 const Lighting& lighting) {
-  constexpr std::uint32_t kOpen = 127u << 24;
   for (const LooseSphere& s : spheres) {
     DrawnSphere drawn;
-    if (projectSphere(projection, s.centre, s.radius, drawn)) push(drawn, s.colour, kOpen);
+    if (projectSphere(projection, s.centre, s.radius, drawn)) push(drawn, s.colour);
   }
   flush(pass, 0.0f, projection, lighting);
 }

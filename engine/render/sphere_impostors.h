@@ -26,16 +26,17 @@ class SphereImpostors {
   enum class Pass {
     Solid,  ///< opaque, lit
     Ghost,  ///< only where something nearer hides it, at the colour's opacity
+    Faint,  ///< at the colour's opacity, lit; the nearest of several alone where they come from front to back
     Shell,  ///< a clear bubble: strongest at its rim
   };
 
   static Expected<SphereImpostors> build();
 
-  /// The `tinted` balls (ascending) get the colour `tint`, and stripes. `rim` is the width at depth 1 of a dark edge
-  /// round each ball that stands well in front of what is behind it.
+  /// The `tinted` balls (ascending) get the colour `tint`, and a ring as a target has. `rim` is the width at depth 1 of a dark edge
+  /// round each ball that stands well in front of what is behind it. With an opacity below 1 the balls are a Faint pass.
   void drawMolecule(const MoleculeModel& model, std::span<const DrawnSphere> spheres,
-                    std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim, const Projection& projection,
-                    const Lighting& lighting);
+                    std::span<const std::uint32_t> tinted, std::uint32_t tint, float rim, float opacity,
+                    const Projection& projection, const Lighting& lighting);
   void drawLoose(std::span<const LooseSphere> spheres, Pass pass, const Projection& projection,
                  const Lighting& lighting);
 
@@ -43,10 +44,10 @@ class SphereImpostors {
   struct Vertex {
     float x, y;
     float centre_x, centre_y, centre_z, radius;
-    std::uint32_t colour, ambient_occlusion;
+    std::uint32_t colour;
   };
   SphereImpostors() : stream_(std::make_unique<GlStream>()) {}
-  void push(const DrawnSphere& sphere, std::uint32_t colour, std::uint32_t ambient_occlusion);
+  void push(const DrawnSphere& sphere, std::uint32_t colour);
   void flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting);
 
   GlProgram solid_, shell_;

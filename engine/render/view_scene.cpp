@@ -1,5 +1,7 @@
 #include "engine/render/view_scene.h"
 
+#include <algorithm>
+
 namespace moltact {
 namespace {
 
@@ -9,6 +11,11 @@ constexpr Colour hex(std::uint32_t rgb) {
 
 }  // namespace
 
+Colour forceColour(const Theme& theme, double share) {
+  const auto t = float(2.0 * std::clamp(share, 0.0, 1.0));
+  return t < 1.0f ? glm::mix(theme.force, theme.strong, t) : glm::mix(theme.strong, theme.strongest, t - 1.0f);
+}
+
 Theme darkTheme() {
   return {.background_top = hex(0x232B38),
           .background_bottom = hex(0x0D1117),
@@ -16,8 +23,10 @@ Theme darkTheme() {
           .in_use = hex(0xFFD166),
           .hip = hex(0xFF5D8F),
           .scp = hex(0xFFFFFF),
+          .probe = hex(0x7FE3F0),
           .force = hex(0x3DDC97),
-          .probe = hex(0xA9D6F5),
+          .strong = hex(0xFFE45C),
+          .strongest = hex(0xFF4D4D),
           .target = hex(0xFFB000),
           .wire_strength = 1.0f,
           .fade = 0.6f};
@@ -30,8 +39,10 @@ Theme lightTheme() {
           .in_use = hex(0xC2410C),
           .hip = hex(0xD6246E),
           .scp = hex(0x101820),
+          .probe = hex(0x00A6B8),
           .force = hex(0x0B8457),
-          .probe = hex(0x2F78B4),
+          .strong = hex(0xC9A400),
+          .strongest = hex(0xD11F2D),
           .target = hex(0xE07A00),
           .wire_strength = 1.25f,
           .fade = 0.42f};

@@ -9,10 +9,12 @@
 
 #include "engine/core/units.h"
 #include "engine/haptics/tracker.h"
+#include "engine/molecule/draw_style.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/view_part.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/camera.h"
+#include "engine/structure/colouring.h"
 
 namespace moltact {
 
@@ -24,12 +26,15 @@ struct Theme {
   Colour background_top, background_bottom;
   Colour surface;  ///< wires of the haptic surface
   Colour in_use;   ///< the feature the SCP lies on
-  Colour hip, scp, force, probe;
-  Colour target;               ///< task targets and highlighted atoms
-  float wire_strength = 1.0f;  ///< wires need more weight on a light ground (default 1)
-  float fade = 0.6f;           ///< how much of the background the farthest atom takes on, 0 to 1 (default 0.6)
+  Colour hip, scp, probe;
+  Colour force, strong, strongest;  ///< of the force: none, half and all of it
+  Colour target;                    ///< task targets and highlighted atoms
+  float wire_strength = 1.0f;       ///< wires need more weight on a light ground (default 1)
+  float fade = 0.6f;                ///< how much of the background the farthest atom takes on, 0 to 1 (default 0.6)
   bool operator==(const Theme&) const = default;
 };
+/// The colour of a force that is such a share (0 to 1) of the strongest.
+Colour forceColour(const Theme& theme, double share);
 Theme lightTheme();
 Theme darkTheme();
 
@@ -41,6 +46,40 @@ struct TargetMarker {
   friend bool operator==(const TargetMarker&, const TargetMarker&) = default;
 };
 
+/// Atoms by index, ascending; shared and never changed, so that pictures are compared by its address.
+using AtomList = std::shared_ptr<const std::vector<std::uint32_t>>;
+
+/// How some atoms are drawn.
+struct StyledAtoms {
+  DrawStyle style = DrawStyle::Spheres;
+  AtomList atoms = nullptr;  ///< null: all
+  float opacity = 1.0f;      ///< below 1 what lies behind shines through
+  friend bool operator==(const StyledAtoms&, const StyledAtoms&) = default;
+};
+
+/// Cuts the molecule open: what lies beyond the plane, on the side of the normal, is not drawn.
+struct CutPlane {
+  Vec3 normal{0.0, 0.0, 1.0};  ///< of length 1, in the molecule's axes
+  double offset_A = 0.0;       ///< a place p is cut away where dot(normal, p) > offset_A
+  friend bool operator==(const CutPlane&, const CutPlane&) = default;
+};
+
+/// What of the molecule is drawn, and how.
+struct AtomsLook {
+  std::vector<StyledAtoms> styles;  ///< drawn together; empty: all atoms as spheres
+  AtomList hidden;                  ///< not drawn in any style; null: none
+  double spheres_near_A = 0.0;      ///< beside other styles: atoms whose surface is so near to the probe's are drawn as
+                                    ///< spheres too (default 0: none)
+  std::optional<CutPlane> cut;
+  std::shared_ptr<const Colouring> colouring;  ///< null: as `colour_by` of the scene says
+
+  /// Whether all that is felt is seen as it is felt: every atom a sphere.
+  bool allSpheres() const {
+    return !hidden && !cut && (styles.empty() || (styles.size() == 1 && styles[0] == StyledAtoms{}));
+  }
+  friend bool operator==(const AtomsLook&, const AtomsLook&) = default;
+};
+
 struct ViewScene {
   std::shared_ptr<const Molecule> molecule;  ///< may be null: only the background and the glyphs are drawn
   Camera camera;
@@ -48,11 +87,13 @@ struct ViewScene {
   Theme theme = darkTheme();
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
+  AtomsLook look;
   bool blank = false;  ///< the dark screen of a task done by touch alone: nothing is drawn (default off)
 
   std::optional<PointA> hip;  ///< no probe is drawn without it
   Contact contact;            ///< its SCP, displacement and atoms are used while touching
   double force_N = 0.0;       ///< length of the force, along the contact's displacement
+  double strongest_N = 3.0;   ///< the force that is drawn as the strongest (default 3 N)
   double probe_A = kWaterProbe_A;
   bool water = true;  ///< a probe as large as a water molecule is drawn as one; false: as a ball (default true)
   std::shared_ptr<const SolidModel>

@@ -244,23 +244,60 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "a molecule coloured by chain shows as many colours as it has chains, what is no chain keeps its own, and undo "
-    "brings the elements back") {
+    "a molecule of four chains opens with a colour for each, what is no chain keeps its own; by the menu it has its "
+    "elements' colours, and undo brings the chains back") {
   auto d = startWith("2hhb");
   d->app().messages = {};
   d->frames(10);
-  const Picture elements = d->picture();
+  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+  CHECK(d->text("view/legend").starts_with("chain A, chain B, chain C, chain D, carbon"));
+  CHECK(contains(d->text("view/legend"), "iron"));
+  const Picture chains = d->picture();
   d->click("menu/view");
   d->frames(3);
   CHECK(d->click("menu/view/chains"));
   d->frames(10);
-  CHECK(d->text("view/legend").starts_with("chain A, chain B, chain C, chain D, carbon"));
-  CHECK(contains(d->text("view/legend"), "iron"));
-  CHECK(difference(elements, d->picture()) > 0.1);
+  CHECK_FALSE(d->shows("view/legend"));
+  CHECK(difference(chains, d->picture()) > 0.1);
   CHECK(d->click("tool/undo"));
   d->frames(10);
-  CHECK_FALSE(d->shows("view/legend"));
-  CHECK(d->app().scene.colour_by == ColourBy::Element);
+  CHECK(d->shows("view/legend"));
+  CHECK(d->app().scene.colour_by == ColourBy::Chain);
+}
+
+TEST_CASE(
+    "the menu's styles change the picture one by one, a lesson that locks what is shown keeps its own, and the cut "
+    "opens the molecule") {
+  auto d = startWith("1ubq");
+  d->frames(10);
+  const Picture spheres = d->picture();
+  d->app().scene.look.styles = {{.style = DrawStyle::Surface}};
+  d->frames(10);
+  const Picture surface = d->picture();
+  CHECK(difference(spheres, surface) > 0.02);
+  findAction("cut")->run(d->app());
+  REQUIRE(d->app().scene.look.cut);
+  d->frames(10);
+  CHECK(difference(surface, d->picture()) > 0.02);
+  findAction("cut")->run(d->app());
+  CHECK_FALSE(d->app().scene.look.cut);
+  Scratch scratch;
+  const auto file =
+      scratch.file("mine.md",
+                   "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n"
+                   "## One\n```scene\nmolecule: 1ubq\nstyle: surface 50% for residue 1-40, spheres for residue 41-76\n"
+                   "hide: residue 5\nlocked: show\n```\nText.\n");
+  auto lesson = startWith(file.string());
+  const AtomsLook& look = lesson->app().scene.look;
+  REQUIRE(look.styles.size() == 2);
+  CHECK(look.styles[0].style == DrawStyle::Surface);
+  CHECK(look.styles[0].opacity == 0.5f);
+  CHECK(look.styles[0].atoms->size() + look.styles[1].atoms->size() ==
+        lesson->app().scene.stage().molecule->atoms.size());
+  CHECK(look.hidden->size() == 7);  // the heavy atoms of valine
+  lesson->app().scene.look.styles.clear();
+  lesson->frames(2);
+  CHECK(lesson->app().scene.look.styles.size() == 2);
 }
 
 TEST_CASE("a lesson's scene colours by chain until another scene says otherwise, and locks it with what is shown") {

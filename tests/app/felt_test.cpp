@@ -123,7 +123,7 @@ TEST_CASE("the arrow, its label and the line of the state tell the force that th
   const auto told_N = [](const std::string& text) { return std::stod(text.substr(text.rfind(", ") + 2)); };
   CAPTURE(d.text("view/state"));
   CHECK(std::abs(told_N(d.text("view/state")) - glm::length(s.force.N)) < 0.1 + 0.05);
-  CHECK(std::abs(told_N(d.app().extensions().state_text.line()) - glm::length(s.force.N)) < 0.1 + 0.05);
+  CHECK(std::abs(told_N(d.app().extensions().state_text.line(d.app().scene)) - glm::length(s.force.N)) < 0.1 + 0.05);
 }
 
 TEST_CASE("in the dark the words and the meter tell the force that the servo gave, not SCP - HIP") {

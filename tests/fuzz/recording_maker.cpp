@@ -202,7 +202,7 @@ std::string madeRecording(Choices& choices, std::size_t count, const Workspace& 
   std::vector<RecordedTick> ticks(count);
   ServoSettings settings;
   settings.workspace = workspace;
-  DeviceSpecs device;
+  DeviceSpecs device = shownForceFigures();
   for (std::size_t k = 0; k < count; ++k) {
     const double angle = 6.3 * double(k) / double(count);
     ticks[k].pose.position.mm = {100.0 * std::cos(angle), 20.0 * std::sin(angle), 10.0 * std::sin(2.0 * angle)};

@@ -30,9 +30,9 @@ TEST_CASE("the force is the slope of the energy that is stored, also where three
 }
 
 TEST_CASE(
-    "as many springs pull together as the stiffest direction has: 1 + |cos| of the angle between two radii, n round "
-    "one "
-    "centre, 1 of three at right angles, and of 2000 random places what a search over directions finds") {
+    "as many springs pull together as the stiffest direction has: 1 + |cos| of the angle between two radii, n in a "
+    "row, "
+    "1 of three at right angles, and of 2000 random places what a search over directions finds") {
   const auto at = [](std::vector<Ball> balls, const Vec3& hip) {
     PenaltyTracker tracker(makeScene(std::move(balls)), 1.4);
     tracker.step({{0, 0, 50}});
@@ -45,8 +45,11 @@ TEST_CASE(
     const Vec3 one(2, 0, 0), two(2 * std::cos(angle), 2 * std::sin(angle), 0);
     CHECK(at({{one, 1.6}, {two, 1.6}}, Vec3(0.0)) == doctest::Approx(1 + std::abs(std::cos(angle))).epsilon(1e-6));
   }
-  for (const int n : {1, 3, 9})
-    CHECK(at(std::vector<Ball>(std::size_t(n), {{0, 0, 0}, 1.6}), {0.3, 0.4, 2}) == doctest::Approx(n).epsilon(1e-6));
+  for (const int n : {1, 3, 9}) {  // one behind the other
+    std::vector<Ball> row;
+    for (int k = 0; k < n; ++k) row.push_back({{0, 0, 0.1 * k}, 1.6});
+    CHECK(at(row, {0, 0, 2.5}) == doctest::Approx(n).epsilon(1e-6));
+  }
   CHECK(at({{{2, 0, 0}, 1.6}, {{0, 2, 0}, 1.6}, {{0, 0, 2}, 1.6}}, Vec3(0.0)) == doctest::Approx(1.0).epsilon(1e-6));
   const std::uint64_t seed = 3;
   CAPTURE(seed);

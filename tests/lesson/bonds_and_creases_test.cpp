@@ -1,17 +1,18 @@
 // The shipped lesson on bonds: what it says of turns, depths and distances follows from the molecules' coordinates.
+#include "engine/haptics/methods.h"
 #include "tests/lesson/shipped_lesson.h"
 
 using namespace moltact;
 using namespace moltact::test;
 
 TEST_CASE(
-    "bonds-and-creases.md, and the same in German, has 6 steps in 4 molecules, with crossings, creases to trace and a "
+    "bonds-and-creases.md, and the same in German, has 7 steps in 4 molecules, with crossings, creases to trace and a "
     "pit to rest in") {
   for (const char* file : {"bonds-and-creases", "bonds-and-creases.de"}) {
     CAPTURE(file);
     const Lesson lesson = shippedLesson(file);
     checkCare(lesson);
-    CHECK(lesson.steps.size() == 6);
+    CHECK(lesson.steps.size() == 7);
     CHECK(lesson.molecules.size() == 4);
     CHECK(tasksOf(lesson, "cross") == 4);
     CHECK(tasksOf(lesson, "trace") == 2);
@@ -31,17 +32,79 @@ TEST_CASE(
         doctest::Approx(28).epsilon(0.02));
 }
 
+TEST_CASE("the turns hold for a probe of 1.4 A: for a point CA-CB turns the force by 53 degrees, for 3 A argon by 45") {
+  const std::string point = lineSaying("bonds-and-creases", "between two carbons turns the force by 53°"),
+                    large = lineSaying("bonds-and-creases", "turns it by 45° only");
+  CAPTURE(point);
+  CAPTURE(large);
+  CHECK(ShippedScene("alpha-helix").turn_deg("residue 10 and name CA", "residue 10 and name CB", 0.0) ==
+        doctest::Approx(53).epsilon(0.01));
+  CHECK(ShippedScene("argon-pair").turn_deg("atom 0", "atom 1", 3.0) == doctest::Approx(45).epsilon(0.01));
+}
+
 TEST_CASE(
-    "the probe sinks in by 0.59 A between argon atoms, by 0.08 A at a C-C bond and by 0.33 A in the middle of the "
-    "ring") {
+    "a water-sized probe sinks in by 0.59 A between argon atoms and by 0.08 A at a C-C bond, a point by 0.73 A in the "
+    "middle of the ring, which is shut to it") {
+  const std::string line = lineSaying("bonds-and-creases", "on all six carbons at once, 0.73 Å lower");
+  CAPTURE(line);
   const double grown = 1.88 + 1.4, carbon = 1.70 + 1.4;
   CHECK(grown - std::sqrt(grown * grown - 1.88 * 1.88) == doctest::Approx(0.59).epsilon(0.01));
   CHECK(carbon - std::sqrt(carbon * carbon - 0.6985 * 0.6985) == doctest::Approx(0.08).epsilon(0.02));
-  CHECK(carbon - std::sqrt(carbon * carbon - 1.397 * 1.397) == doctest::Approx(0.33).epsilon(0.02));
+  CHECK(1.70 - std::sqrt(1.70 * 1.70 - 1.397 * 1.397) == doctest::Approx(0.73).epsilon(0.01));
   // The middle of the ring is closed to a probe of any size.
   const ShippedScene benzene("benzene");
   for (int k = 0; k < 6; ++k)
     CHECK(glm::length(benzene.molecule->atoms[static_cast<std::size_t>(k)].position.A) < 1.70);
+  // Every pit of carbons is the one in the middle, where all six hold the point.
+  const auto pits = pitPlaces(benzene.balls, benzene.select("element C"), 0.0);
+  CHECK(pits.size() >= 2);
+  for (const SurfacePlace& p : pits) {
+    CHECK(std::hypot(p.scp_A.x, p.scp_A.y) < 0.01);
+    for (int k = 0; k < 6; ++k)
+      CHECK(glm::distance(p.scp_A, benzene.balls[static_cast<std::size_t>(k)].centre_A) ==
+            doctest::Approx(1.70).epsilon(0.003));
+  }
+}
+
+TEST_CASE(
+    "pushed 0.55 A deep beside the middle of the ring, by up to 0.5 A to any side, the lesson's point settles in the "
+    "pit; a water-sized probe did so within 0.1 A only") {
+  const ShippedScene benzene("benzene");
+  const auto balls = std::make_shared<const BallScene>(benzene.molecule->balls());
+  const auto settles = [&](double probe_A, double aside_A) {
+    const double pit_A = std::sqrt((1.70 + probe_A) * (1.70 + probe_A) - 1.397 * 1.397);
+    int in_pit = 0;
+    for (int k = 0; k < 24; ++k) {
+      const auto exact = findMethod("exact")->make(balls, probe_A);
+      // Off the lines of symmetry: the file's coordinates are rounded to 0.001 A, and so wide is the crease between two
+      // pits that lie there.
+      const double angle = 2 * std::numbers::pi * (k + 0.3) / 24;
+      Contact contact;
+      for (double z = pit_A + 2.0; z > pit_A - 0.55; z -= 0.002)
+        contact = exact->step({Vec3(aside_A * std::cos(angle), aside_A * std::sin(angle), z)});
+      in_pit += contact.feature == Feature::Point;
+    }
+    return in_pit;
+  };
+  CHECK(settles(0.0, 0.1) == 24);
+  CHECK(settles(0.0, 0.5) == 24);
+  CHECK(settles(1.4, 0.35) == 0);
+}
+
+TEST_CASE(
+    "with its hydrogen 1.01 A from the nitrogen the hydrogen bond of the helix is 1.90 A long, 0.82 A shorter than "
+    "two neighbours, and neither as short as a bond nor as long as a contact") {
+  const std::string far = lineSaying("bonds-and-creases", "1.01 Å from the nitrogen and 1.90 Å from the oxygen"),
+                    overlap = lineSaying("bonds-and-creases", "2.72 Å - 1.90 Å = 0.82 Å");
+  CAPTURE(far);
+  CAPTURE(overlap);
+  const ShippedScene helix("alpha-helix");
+  const Vec3 n = helix.atom("residue 14 and name N").position.A;
+  const Vec3 out = -glm::normalize(glm::normalize(helix.atom("residue 13 and name C").position.A - n) +
+                                   glm::normalize(helix.atom("residue 14 and name CA").position.A - n));
+  const double to_oxygen_A = glm::distance(n + out * 1.01, helix.atom("residue 10 and name O").position.A);
+  CHECK(to_oxygen_A == doctest::Approx(1.90).epsilon(0.003));
+  CHECK(1.52 + 1.20 - to_oxygen_A == doctest::Approx(0.82).epsilon(0.006));
 }
 
 TEST_CASE(

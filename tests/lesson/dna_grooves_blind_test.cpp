@@ -16,6 +16,35 @@ double nearestToAxis(const std::vector<SurfacePlace>& places) {
   return least;
 }
 
+/// By how many degrees round the axis a place lies off the middle of the minor groove at its height. Each step of the
+/// model turns by 36 degrees and rises by 3.38 A; the dyad through the minor groove's middle lies at 162 degrees.
+double offMinorGroove_deg(const Vec3& p) {
+  const double angle = std::atan2(p.y, p.x) * 180 / std::numbers::pi - 36.0 * p.z / 3.38 - 162.0;
+  return angle - 360.0 * std::round(angle / 360.0);
+}
+
+/// Every place on these atoms where a probe can rest, on one atom alone or on two or three.
+std::vector<SurfacePlace> everyPlace(const ShippedScene& dna, const std::string& text, double probe_A) {
+  std::vector<SurfacePlace> out = dna.places(text, probe_A);
+  const auto all = dna.select("all"), atoms = dna.select(text);
+  for (const auto& more : {creasePlaces(dna.balls, all, probe_A, 0.3), pitPlaces(dna.balls, all, probe_A)})
+    for (const SurfacePlace& p : more)
+      if (std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) {
+            return a >= 0 && std::binary_search(atoms.begin(), atoms.end(), static_cast<std::uint32_t>(a));
+          }))
+        out.push_back(p);
+  return out;
+}
+
+const TaskSpec& taskOf(const Lesson& lesson, const std::string& step, std::string_view kind) {
+  const auto at = lesson.find(step);
+  REQUIRE(at);
+  for (const TaskSpec& t : lesson.steps[*at].tasks)
+    if (t.kind == kind) return t;
+  FAIL(step << " has no task " << kind);
+  return lesson.steps[*at].tasks[0];
+}
+
 constexpr const char* kMinorFloor = "residue 5-8 and name C2 N3 O2 N2";
 constexpr const char* kMajorFloor = "residue 5-8 and name N6 O4 N7";
 
@@ -34,8 +63,22 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "from phosphorus to phosphorus it is 11.7 A across the minor groove of the model and 17.0 A across the major one") {
+    "from phosphorus to phosphorus it is 11.7 A across the minor groove of the model and 17.0 A across the major one, "
+    "5.9 A and 11.2 A less two phosphates of 2.9 A") {
+  const std::string minor = lineSaying("dna-grooves-blind", "take up 5.8 Å of it: 5.9 Å are open"),
+                    both = lineSaying("dna-grooves-blind", "5.9 Å against 11.2 Å are open");
+  CAPTURE(minor);
+  CAPTURE(both);
   const ShippedScene dna("b-dna");
+  // The narrowest and the widest way between the strands, which is where each groove is measured.
+  double least = 1e9;
+  for (int a = 4; a <= 10; ++a)
+    for (int b = 4; b <= 10; ++b)
+      least = std::min(least, dna.between("chain A and name P and residue " + std::to_string(a),
+                                          "chain B and name P and residue " + std::to_string(b)));
+  CHECK(least - 5.8 == doctest::Approx(5.9).epsilon(0.01));
+  CHECK(dna.between("chain A and residue 5 and name P", "chain B and residue 5 and name P") - 5.8 ==
+        doctest::Approx(11.2).epsilon(0.005));
   CHECK(dna.between("chain A and residue 8 and name P", "chain B and residue 9 and name P") ==
         doctest::Approx(11.7).epsilon(0.003));
   CHECK(dna.between("chain A and residue 5 and name P", "chain B and residue 5 and name P") ==
@@ -62,14 +105,104 @@ TEST_CASE(
   CHECK(dna.openPlaces("residue 6 7 and name N6 O4 N7", 3.0) > 20);
   CHECK(dna.places(kMinorFloor, 3.0).empty());
   CHECK(dna.openPlaces("residue 6 7 and name C2 N3 O2", 1.4) > 10);
-  // What holds it over the middle of the minor groove is atoms of the walls.
-  const Vec3 out =
-      glm::normalize(Vec3(std::cos(162 * std::numbers::pi / 180), std::sin(162 * std::numbers::pi / 180), 0));
-  double rests_A = 0;
-  for (const Atom& a : dna.molecule->atoms) {
-    const double along = glm::dot(a.position.A, out), off = glm::distance(a.position.A, out * along),
-                 grown = a.radius_A + 3.0;
-    if (off < grown) rests_A = std::max(rests_A, along + std::sqrt(grown * grown - off * off));
+}
+
+TEST_CASE("the phosphates stand 73 degrees to either side of the middle of the minor groove") {
+  const ShippedScene dna("b-dna");
+  for (const std::uint32_t i : dna.select("name P"))
+    CHECK(std::abs(offMinorGroove_deg(dna.molecule->atoms[i].position.A)) == doctest::Approx(73).epsilon(0.01));
+}
+
+TEST_CASE(
+    "the crossing of the minor groove cannot be done anywhere else: wherever a water-sized probe rests on its atoms it "
+    "is between the ridges of the minor groove, on either strand's half") {
+  const Lesson lesson = shippedLesson("dna-grooves-blind");
+  const TaskSpec& task = taskOf(lesson, "the-minor-groove", "cross");
+  const std::string line = "dna-grooves-blind.md:" + std::to_string(task.values["cross"].place.line);
+  CAPTURE(line);
+  const ShippedScene dna("b-dna");
+  for (const char* side : {"cross", "to"}) {
+    CAPTURE(side);
+    const auto places = everyPlace(dna, task.values[side].selection.text(), 1.4);
+    CHECK(places.size() > 500);
+    double farthest_deg = 0;
+    for (const SurfacePlace& p : places) farthest_deg = std::max(farthest_deg, std::abs(offMinorGroove_deg(p.scp_A)));
+    CHECK(farthest_deg < 65);
   }
-  CHECK(rests_A == doctest::Approx(10.5).epsilon(0.06));
+}
+
+TEST_CASE(
+    "the wall of the minor groove that is pressed with 3 A is met in the minor groove only, 9.5 A to 12.2 A from the "
+    "axis; the atoms of a ridge do not count") {
+  const std::string line = lineSaying("dna-grooves-blind", "still more than 9.5 Å from the axis");
+  CAPTURE(line);
+  const Lesson lesson = shippedLesson("dna-grooves-blind");
+  const TaskSpec& task = taskOf(lesson, "the-wider-finger-in-the-minor-groove", "press");
+  const ShippedScene dna("b-dna");
+  const auto places = everyPlace(dna, task.values["press"].selection.text(), 3.0);
+  CHECK(places.size() > 100);
+  for (const SurfacePlace& p : places) {
+    CHECK(fromAxis(p.scp_A) > 9.5);
+    CHECK(fromAxis(p.scp_A) < 12.2);
+    CHECK(std::abs(offMinorGroove_deg(p.scp_A)) < 60);
+  }
+  const std::string ridge = lineSaying("dna-grooves-blind", "almost 13 Å (1.3 nm) from the axis");
+  CAPTURE(ridge);
+}
+
+TEST_CASE(
+    "thymine's methyl groups stand out into the major groove and are touched straight from outside, by a water-sized "
+    "probe from more places than N6 or O4, which differ by 0.03 A only") {
+  const std::string line = lineSaying("dna-grooves-blind", "This bump is what a hand can read of the bases");
+  CAPTURE(line);
+  const ShippedScene dna("b-dna");
+  for (const char* residue : {"7", "8"}) {
+    const std::string thymine = std::string("chain A and residue ") + residue + " and name ";
+    CHECK(dna.openPlaces(thymine + "C7", 1.4) > 300);
+    CHECK(dna.openPlaces(thymine + "C7", 1.4) > 2 * dna.openPlaces(thymine + "O4", 1.4));
+    CHECK(fromAxis(dna.atom(thymine + "C7").position.A) > 2.0 + fromAxis(dna.atom(thymine + "O4").position.A));
+    for (const SurfacePlace& p : dna.places(thymine + "C7", 1.4)) CHECK(std::abs(offMinorGroove_deg(p.scp_A)) > 73);
+  }
+  CHECK(dna.openPlaces("chain A and residue 6 and name N6", 1.4) * 1.7 <
+        dna.openPlaces("chain A and residue 7 and name C7", 1.4));
+  CHECK(dna.atom("chain A and residue 6 and name N6").radius_A == doctest::Approx(1.55));
+  CHECK(dna.atom("chain A and residue 7 and name O4").radius_A == doctest::Approx(1.52));
+  CHECK(dna.select("(resname DC or resname DA or resname DG) and name C7").empty());
+}
+
+TEST_CASE("what counts as found on the floor of one groove lies in that groove, not on a ridge and not in the other") {
+  const Lesson lesson = shippedLesson("dna-grooves-blind");
+  const auto at = lesson.find("find-the-narrow-one");
+  REQUIRE(at);
+  const auto& tasks = lesson.steps[*at].tasks;
+  REQUIRE(tasks.size() == 2);
+  const ShippedScene dna("b-dna");
+  const auto surface = dna.places("residue 3-10", 1.4, 300);
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto floor = dna.select(tasks[k].values["find"].selection.text());
+    const double within_A = tasks[k].values["within"].number;
+    int right = 0;
+    for (const SurfacePlace& p : surface) {
+      const bool found = std::any_of(floor.begin(), floor.end(), [&](std::uint32_t i) {
+        return glm::distance(p.scp_A, dna.balls[i].centre_A) - dna.balls[i].radius_A - 1.4 <= within_A;
+      });
+      if (!found) continue;
+      ++right;
+      CAPTURE(k);
+      CAPTURE(p.scp_A.z);
+      CHECK((std::abs(offMinorGroove_deg(p.scp_A)) < 73) == (k == 0));
+    }
+    CHECK(right > 50);
+    CHECK(right < 0.5 * double(surface.size()));
+  }
+}
+
+TEST_CASE("before the wider finger is felt a prediction is written down, which nobody marks") {
+  const Lesson lesson = shippedLesson("dna-grooves-blind");
+  const auto at = lesson.find("a-wider-finger");
+  REQUIRE(at);
+  const auto& questions = lesson.steps[*at].questions;
+  REQUIRE(questions.size() == 1);
+  REQUIRE(questions[0].answer);
+  CHECK(questions[0].answer->kind == AnswerSpec::Kind::Free);
 }

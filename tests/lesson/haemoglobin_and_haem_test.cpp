@@ -1,5 +1,6 @@
 // The shipped lesson on haemoglobin: what it says of the iron's place, and of who can touch it, is so in the entry.
 #include <algorithm>
+#include <array>
 #include <tuple>
 
 #include "tests/lesson/shipped_lesson.h"
@@ -17,14 +18,90 @@ std::size_t fromAbove(const ShippedScene& pocket, double probe_A) {
       std::count_if(places.begin(), places.end(), [&](const SurfacePlace& p) { return glm::dot(p.outward, up) > 0; }));
 }
 
+/// Whether a ball comes from outside to the iron's distal side in the frozen molecule: space is filled on a grid of
+/// 0.2 A from the rim of a box of 36 A round the iron inward.
+bool ballComesToIron(const ShippedScene& whole, const std::string& chain, double ball_A) {
+  const bool alpha = chain == "A" || chain == "C";
+  const auto at = [&](const std::string& text) { return whole.atom("chain " + chain + " and " + text).position.A; };
+  const Vec3 iron = at("element Fe");
+  const Vec3 distal =
+      glm::normalize(iron - at(std::string("resname HIS and name NE2 and residue ") + (alpha ? "87" : "92")));
+  constexpr double kCell_A = 0.2, kHalf_A = 18.0;
+  constexpr int kCells = int(2 * kHalf_A / kCell_A) + 1;
+  const Vec3 corner = iron - Vec3(kHalf_A);
+  const auto index = [](int x, int y, int z) {
+    return (std::size_t(x) * kCells + std::size_t(y)) * kCells + std::size_t(z);
+  };
+  enum : char { Free, Shut, Filled };
+  std::vector<char> cells(std::size_t(kCells) * kCells * kCells, Free);
+  const auto shut = [&](double radius_A, std::vector<char>& out) {
+    for (const Atom& a : whole.molecule->atoms) {
+      const double grown = a.radius_A + radius_A;
+      int low[3], high[3];
+      for (int k = 0; k < 3; ++k) {
+        low[k] = std::max(0, int(std::ceil((a.position.A[k] - grown - corner[k]) / kCell_A)));
+        high[k] = std::min(kCells - 1, int(std::floor((a.position.A[k] + grown - corner[k]) / kCell_A)));
+      }
+      for (int x = low[0]; x <= high[0]; ++x)
+        for (int y = low[1]; y <= high[1]; ++y)
+          for (int z = low[2]; z <= high[2]; ++z)
+            if (glm::distance(corner + Vec3(x, y, z) * kCell_A, a.position.A) < grown) out[index(x, y, z)] = Shut;
+    }
+  };
+  shut(ball_A, cells);
+  // Outside is where a ball of 2.9 A has room on the rim of the box; no hollow inside the protein is so large.
+  std::vector<char> large(cells.size(), Free);
+  shut(2.9, large);
+  std::vector<std::array<int, 3>> open;
+  const auto fill = [&](int x, int y, int z) {
+    if (x < 0 || y < 0 || z < 0 || x >= kCells || y >= kCells || z >= kCells || cells[index(x, y, z)] != Free) return;
+    cells[index(x, y, z)] = Filled;
+    open.push_back({x, y, z});
+  };
+  const auto rim = [](int c) { return c == 0 || c == kCells - 1; };
+  for (int x = 0; x < kCells; ++x)
+    for (int y = 0; y < kCells; ++y)
+      for (int z = 0; z < kCells; ++z)
+        if ((rim(x) || rim(y) || rim(z)) && large[index(x, y, z)] == Free) fill(x, y, z);
+  while (!open.empty()) {
+    const auto [x, y, z] = open.back();
+    open.pop_back();
+    const Vec3 from_iron = corner + Vec3(x, y, z) * kCell_A - iron;
+    if (glm::length(from_iron) < 2.44 + ball_A + kCell_A && glm::dot(from_iron, distal) > 0.5) return true;
+    for (const int step : {-1, 1}) {
+      fill(x + step, y, z);
+      fill(x, y + step, z);
+      fill(x, y, z + step);
+    }
+  }
+  return false;
+}
+
 }  // namespace
 
 TEST_CASE(
-    "haemoglobin-and-haem.md has 8 steps in the whole molecule and in two cut-open pockets, with a search in the "
+    "in the frozen molecule a ball of 0.8 A comes from outside to the distal side of every iron, one of 1.3 A to "
+    "none") {
+  const std::string line =
+      lineSaying("haemoglobin-and-haem", "a ball of 0.8 Å comes from outside to the distal side of every iron");
+  CAPTURE(line);
+  const ShippedScene whole("2hhb");
+  for (const char* chain : {"A", "B", "C", "D"}) {
+    CAPTURE(chain);
+    CHECK(ballComesToIron(whole, chain, 0.8));
+    CHECK_FALSE(ballComesToIron(whole, chain, 1.3));
+  }
+  // By how much the chains differ.
+  CHECK_FALSE(ballComesToIron(whole, "A", 1.0));
+  CHECK(ballComesToIron(whole, "D", 1.05));
+}
+
+TEST_CASE(
+    "haemoglobin-and-haem.md has 9 steps in the whole molecule and in two cut-open pockets, with a search in the "
     "dark") {
   const Lesson lesson = shippedLesson("haemoglobin-and-haem");
   checkCare(lesson);
-  CHECK(lesson.steps.size() == 8);
+  CHECK(lesson.steps.size() == 9);
   CHECK(lesson.molecules.size() == 3);
   CHECK(tasksOf(lesson, "find") == 1);
 }
@@ -91,34 +168,173 @@ TEST_CASE(
 }
 
 TEST_CASE(
-    "the irons of deoxyhaemoglobin lie 0.43 A to 0.56 A out of the plane of the ring, toward the proximal histidine") {
+    "the irons of deoxyhaemoglobin lie, toward the proximal histidine, 0.43 A to 0.56 A out of the plane of the ring's "
+    "24 atoms, and 0.33 A to 0.45 A out of that of its nitrogens: 0.40 A and 0.36 A in the mean of alpha and of beta") {
+  const std::string ring = lineSaying("haemoglobin-and-haem", "0.43 Å to 0.56 Å from the mean plane of the 24 atoms"),
+                    four = lineSaying("haemoglobin-and-haem", "0.33 Å to 0.45 Å from that of its four nitrogens"),
+                    means = lineSaying("haemoglobin-and-haem", "0.36 Å in the beta chains");
+  CAPTURE(ring);
+  CAPTURE(four);
+  CAPTURE(means);
   const ShippedScene whole("2hhb");
+  const std::string nitrogens = "\"N A\" \"N B\" \"N C\" \"N D\"";
+  double alpha_A = 0.0, beta_A = 0.0, least_A = 1e9, most_A = 0.0;
   for (const char* chain : {"A", "B", "C", "D"}) {
     const std::string c = std::string("chain ") + chain + " and ";
-    const auto core = whole.select(c +
-                                   "resname HEM and (name \"N A\" \"N B\" \"N C\" \"N D\" CHA CHB CHC CHD C1A C2A C3A "
-                                   "C4A C1B C2B C3B C4B C1C C2C C3C C4C C1D C2D C3D C4D)");
-    REQUIRE(core.size() == 24);
-    Vec3 middle(0.0);
-    for (const auto i : core) middle += whole.molecule->atoms[i].position.A / 24.0;
+    const bool alpha = chain[0] == 'A' || chain[0] == 'C';
     const auto at = [&](const char* name) {
       return whole.atom(c + "resname HEM and name \"" + name + "\"").position.A;
     };
-    // From the normal of the four nitrogens down to the least squares.
-    Vec3 normal = glm::normalize(glm::cross(at("N A") - at("N C"), at("N B") - at("N D")));
-    for (int k = 0; k < 500; ++k) {
-      Vec3 pull(0.0);
-      for (const auto i : core) {
-        const Vec3 q = whole.molecule->atoms[i].position.A - middle;
-        pull += q * glm::dot(q, normal);
+    const Vec3 proximal = whole.atom(c + "resname HIS and name NE2 and residue " + (alpha ? "87" : "92")).position.A;
+    const auto ironOut = [&](const std::string& names, std::size_t count) {
+      const auto core = whole.select(c + "resname HEM and (name " + names + ")");
+      REQUIRE(core.size() == count);
+      Vec3 middle(0.0);
+      for (const auto i : core) middle += whole.molecule->atoms[i].position.A / double(count);
+      // From the normal of the four nitrogens down to the least squares.
+      Vec3 normal = glm::normalize(glm::cross(at("N A") - at("N C"), at("N B") - at("N D")));
+      for (int k = 0; k < 500; ++k) {
+        Vec3 pull(0.0);
+        for (const auto i : core) {
+          const Vec3 q = whole.molecule->atoms[i].position.A - middle;
+          pull += q * glm::dot(q, normal);
+        }
+        normal = glm::normalize(normal - 0.002 * pull);
       }
-      normal = glm::normalize(normal - 0.002 * pull);
-    }
-    const std::string proximal =
-        std::string("resname HIS and name NE2 and residue ") + (chain[0] == 'A' || chain[0] == 'C' ? "87" : "92");
-    if (glm::dot(whole.atom(c + proximal).position.A - middle, normal) < 0) normal = -normal;
-    const double out = glm::dot(at("FE") - middle, normal);
+      if (glm::dot(proximal - middle, normal) < 0) normal = -normal;
+      return glm::dot(at("FE") - middle, normal);
+    };
     CAPTURE(chain);
-    CHECK((out > 0.42 && out < 0.57));
+    const double from_ring = ironOut(nitrogens +
+                                         " CHA CHB CHC CHD C1A C2A C3A C4A C1B C2B C3B C4B C1C C2C C3C C4C C1D C2D C3D "
+                                         "C4D",
+                                     24);
+    CHECK((from_ring > 0.42 && from_ring < 0.57));
+    const double from_four = ironOut(nitrogens, 4);
+    least_A = std::min(least_A, from_four);
+    most_A = std::max(most_A, from_four);
+    (alpha ? alpha_A : beta_A) += 0.5 * from_four;
   }
+  CHECK(least_A == doctest::Approx(0.33).epsilon(0.015));
+  CHECK(most_A == doctest::Approx(0.45).epsilon(0.011));
+  CHECK(alpha_A == doctest::Approx(0.40).epsilon(0.012));
+  CHECK(beta_A == doctest::Approx(0.36).epsilon(0.014));
+}
+
+TEST_CASE(
+    "the iron of the beta pocket can be touched from below with 0.6 A as well; the task that asks for it from above "
+    "begins on atoms that meet the iron above the ring only") {
+  const Lesson lesson = shippedLesson("haemoglobin-and-haem");
+  const auto at = lesson.find("a-smaller-visitor");
+  REQUIRE(at);
+  const TaskSpec& task = lesson.steps[*at].tasks.at(0);
+  REQUIRE(task.kind == "cross");
+  const std::string line = "haemoglobin-and-haem.md:" + std::to_string(task.values["cross"].place.line);
+  CAPTURE(line);
+  const ShippedScene beta("haem-beta");
+  const Vec3 up(0, std::sqrt(0.75), 0.5);
+  const auto from = beta.select(task.values["cross"].selection.text()),
+             iron = beta.select(task.values["to"].selection.text());
+  REQUIRE(iron.size() == 1);
+  const auto is = [](const std::vector<std::uint32_t>& atoms, std::int32_t a) {
+    return std::find(atoms.begin(), atoms.end(), static_cast<std::uint32_t>(a)) != atoms.end();
+  };
+  // Were it enough to touch the iron, most of the ways to it would be the wrong ones.
+  CHECK(beta.places("element Fe", 0.6).size() > 2 * fromAbove(beta, 0.6));
+  // The hand is on the iron and on nothing else only after it was on the iron and a residue at once.
+  std::vector<std::uint32_t> both = from;
+  both.push_back(iron[0]);
+  int above = 0;
+  for (const SurfacePlace& p : creasePlaces(beta.balls, both, 0.6, 0.02)) {
+    if (!is(iron, p.atoms[0]) && !is(iron, p.atoms[1])) continue;
+    CHECK(glm::dot(p.scp_A - beta.balls[iron[0]].centre_A, up) > 1.0);
+    ++above;
+  }
+  CHECK(above > 10);
+  // The faces of the iron above and below the ring are apart: nobody slides from one to the other on the iron alone.
+  for (const SurfacePlace& p : beta.places("element Fe", 0.6, 20'000)) CHECK(std::abs(glm::dot(p.outward, up)) > 0.2);
+}
+
+TEST_CASE(
+    "the iron of the alpha pocket is met with 1.4 A between the distal histidine and the valine, from above only") {
+  const ShippedScene alpha("haem-alpha");
+  CHECK(alpha.places("element Fe", 1.4, 20'000).size() > 50);
+  for (const SurfacePlace& p : alpha.places("element Fe", 1.4, 20'000))
+    CHECK(glm::dot(p.outward, Vec3(0, std::sqrt(0.75), 0.5)) > 0);
+}
+
+TEST_CASE(
+    "from nitrogen to nitrogen lysines 82 of the beta chains are 9.3 A apart, both are met straight from outside, and "
+    "the two phosphates lie 3.6 A and 4.1 A from the beginnings of the beta chains") {
+  const std::string lysines = lineSaying("haemoglobin-and-haem", "it is 9.3 Å across the gap"),
+                    phosphates = lineSaying("haemoglobin-and-haem", "3.6 Å and 4.1 Å from the nitrogens");
+  CAPTURE(lysines);
+  CAPTURE(phosphates);
+  const ShippedScene whole("2hhb");
+  CHECK(whole.between("chain B and residue 82 and name NZ", "chain D and residue 82 and name NZ") ==
+        doctest::Approx(9.3).epsilon(0.005));
+  for (const char* lysine : {"chain B and residue 82 and name NZ", "chain D and residue 82 and name NZ"})
+    CHECK(whole.openPlaces(lysine, 1.4) > 100);
+  const auto phosphorus = whole.select("element P");
+  REQUIRE(phosphorus.size() == 2);
+  std::vector<double> least_A;
+  for (const auto i : phosphorus) {
+    double d = 1e9;
+    for (const char* chain : {"B", "D"})
+      d = std::min(d,
+                   glm::distance(
+                       whole.molecule->atoms[i].position.A,
+                       whole.atom(std::string("chain ") + chain + " and protein and residue 1 and name N").position.A));
+    least_A.push_back(d);
+  }
+  std::sort(least_A.begin(), least_A.end());
+  CHECK(least_A[0] == doctest::Approx(3.6).epsilon(0.01));
+  CHECK(least_A[1] == doctest::Approx(4.1).epsilon(0.01));
+  for (const char* chain : {"B", "D"}) {
+    const std::string c = std::string("chain ") + chain + " and protein and name CA and residue ";
+    for (const auto& [number, name] :
+         {std::pair{"1", "VAL"}, std::pair{"2", "HIS"}, std::pair{"82", "LYS"}, std::pair{"143", "HIS"}})
+      CHECK(whole.select(c + number + " and resname " + name).size() == 1);
+  }
+}
+
+TEST_CASE(
+    "the haem to be found in the dark does not lie in the middle of the view, and 1 in 20 places on the side that the "
+    "student sees counts as found, or fewer") {
+  const Lesson lesson = shippedLesson("haemoglobin-and-haem");
+  const auto at = lesson.find("find-a-haem-in-the-dark");
+  REQUIRE(at);
+  const Step& step = lesson.steps[*at];
+  const TaskSpec& task = step.tasks.at(0);
+  REQUIRE(task.kind == "find");
+  CHECK_FALSE(step.scene.highlight.given());
+  const ShippedScene whole("2hhb");
+  Vec3 middle(0.0), ahead(0.0);
+  for (const Atom& a : whole.molecule->atoms) middle += a.position.A / double(whole.molecule->atoms.size());
+  const auto faced = step.scene.facing.select(*whole.molecule);
+  for (const auto i : faced) ahead += whole.molecule->atoms[i].position.A / double(faced.size());
+  const Vec3 to_eye = glm::normalize(ahead - middle);
+  const auto target = whole.select(task.values["find"].selection.text());
+  const double within_A = task.values["within"].number;
+  const double probe_A = step.scene.touch.probe_A;
+  int seen = 0, right = 0;
+  double nearest_A = 1e9;
+  for (const SurfacePlace& p : whole.places("all", probe_A, 40)) {
+    if (glm::dot(p.outward, to_eye) < 0.3 ||
+        !openFromOutside(whole.balls, {p.scp_A, to_eye, p.atoms, p.feature}, probe_A))
+      continue;
+    ++seen;
+    if (std::none_of(target.begin(), target.end(), [&](std::uint32_t i) {
+          return glm::distance(p.scp_A, whole.balls[i].centre_A) - whole.balls[i].radius_A - probe_A <= within_A;
+        }))
+      continue;
+    ++right;
+    const Vec3 off = p.scp_A - middle;
+    nearest_A = std::min(nearest_A, glm::length(off - to_eye * glm::dot(off, to_eye)));
+  }
+  CAPTURE(seen);
+  CAPTURE(right);
+  CHECK(right > 5);
+  CHECK(right * 20 < seen);
+  CHECK(nearest_A > 5.0);
 }

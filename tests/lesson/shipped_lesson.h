@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <fstream>
 #include <memory>
 #include <numbers>
 #include <string>
@@ -52,6 +53,17 @@ inline void checkCare(const Lesson& lesson) {
   }
 }
 
+/// The line of a shipped lesson that has these words, "haemoglobin-and-haem.md:57"; fails where none has, so that what a
+/// test computes is what the lesson says.
+inline std::string lineSaying(const std::string& lesson, const std::string& words) {
+  std::ifstream in(std::string(MOLTACT_SOURCE_DIR "/lessons/") + lesson + ".md");
+  std::string line;
+  for (int n = 1; std::getline(in, line); ++n)
+    if (line.find(words) != std::string::npos) return lesson + ".md:" + std::to_string(n);
+  FAIL_CHECK(lesson << ".md does not say: " << words);
+  return lesson + ".md";
+}
+
 /// The share of a lesson's steps whose touch tasks are of this kind.
 inline int tasksOf(const Lesson& lesson, std::string_view kind) {
   int n = 0;
@@ -80,10 +92,10 @@ struct ShippedScene {
     const double a = atom(one).radius_A + probe_A, b = atom(other).radius_A + probe_A, d = between(one, other);
     return std::acos((a * a + b * b - d * d) / (2 * a * b)) * 180 / std::numbers::pi;
   }
-  /// Places on these atoms where a probe can rest, of 3000 directions round each.
-  std::vector<SurfacePlace> places(const std::string& text, double probe_A) const {
+  /// Places on these atoms where a probe can rest, of so many directions round each.
+  std::vector<SurfacePlace> places(const std::string& text, double probe_A, int directions = 3000) const {
     const auto atoms = select(text);
-    return facePlaces(balls, atoms, probe_A, 3000);
+    return facePlaces(balls, atoms, probe_A, directions);
   }
   /// Those to which the probe comes straight from outside.
   std::size_t openPlaces(const std::string& text, double probe_A) const {

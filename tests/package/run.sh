@@ -93,7 +93,10 @@ as_user() {
   env -i PATH=/usr/bin:/bin LANG=C.UTF-8 HOME="$home" ${DISPLAY:+DISPLAY="$DISPLAY"} \
     "$chroot" --userspec=65534:65534 "$root" sh -c 'cd && exec "$@"' sh "$@"
 }
-files() { (cd "$root" && find etc usr opt srv home -xdev \( -path "${home#/}" -o -name '*.cache' -o -name ld.so.cache \) -prune -o -print | sort); }
+# All files, and the folders of our name; caches are made anew by their owners.
+files() {
+  (cd "$root" && find etc usr opt srv home -xdev \( -path "${home#/}" -o -name '*.cache' \) -prune -o \( ! -type d -o -iname '*moltact*' \) -print | sort)
+}
 
 if [ -n "$bare" ]; then
   as_root apt-get purge -y -qq moltact >/dev/null 2>&1 || true

@@ -1,11 +1,14 @@
-// The parts that need no graphics: names of shapes, intersections, ambient_occlusion, PNG files. Oracles: closed forms.
+// The parts that need no graphics: names of shapes, ambient occlusion, the molecular surface, PNG files. Oracles: closed forms.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 
 #include "engine/render/ambient_occlusion.h"
 #include "engine/render/picture.h"
+#include "engine/render/solvent_excluded.h"
 #include "engine/render/view_scene.h"
 
 using namespace moltact;
@@ -33,23 +36,29 @@ TEST_CASE("an unknown shape names the known ones") {
 }
 
 TEST_CASE(
-    "a ball alone has full light; in a block of 1000 the middle is darker than a corner, whose light comes from "
-    "outside") {
-  CHECK(ambientOcclusion(std::vector<Ball>{{Vec3(0), 1.7}})[0].level == 1.0f);
+    "a ball alone has full light; of a block of 1000 the top of an atom has more than the crease between two, and a "
+    "face in a pit 6 A wide and 10 A deep less than half of the outside's") {
+  const Vec3 up(0, 0, 1);
+  CHECK(occlusionField(std::vector<Ball>{{Vec3(0), 1.7}}).open(1.7 * up, up) == 1.0);
   std::vector<Ball> block;
-  for (int x = 0; x < 10; ++x)
-    for (int y = 0; y < 10; ++y)
-      for (int z = 0; z < 10; ++z) block.push_back({2.2 * Vec3(x, y, z), 1.7});
-  const auto light = ambientOcclusion(block);
-  const AmbientOcclusion corner = light.front(), middle = light[555];
-  CHECK(middle.level < 0.3f);
-  CHECK(corner.level > middle.level + 0.3f);
-  CHECK(glm::dot(corner.slope, glm::vec3(-1)) > 0.1f);
+  const auto inPit = [](int x, int y, int z) { return x >= 4 && x < 7 && y >= 4 && y < 7 && z >= 6; };
+  for (int x = 0; x < 11; ++x)
+    for (int y = 0; y < 11; ++y)
+      for (int z = 0; z < 11; ++z)
+        if (!inPit(x, y, z)) block.push_back({2.2 * Vec3(x, y, z), 1.7});
+  const OcclusionField light = occlusionField(block);
+  const auto over = [&](double x, double y, double z) { return light.open(2.2 * Vec3(x, y, z) + 1.7 * up, up); };
+  const double top = over(2, 2, 10), pit = over(5, 5, 5);
+  const double crease_z = std::sqrt(1.7 * 1.7 - 1.1 * 1.1);
+  const double crease = light.open(2.2 * Vec3(2.5, 2, 10) + crease_z * up, glm::normalize(Vec3(1.1, 0, crease_z)));
+  CHECK(crease < 0.9 * top);
+  CHECK(pit < 0.5 * top);
 }
 
 TEST_CASE("two balls 2 million A apart are lit without a field of that size") {
-  const auto light = ambientOcclusion(std::vector<Ball>{{Vec3(-1e6, 0, 0), 1.7}, {Vec3(1e6, 0, 0), 1.7}});
-  CHECK(light[0].level == 1.0f);
+  const OcclusionField light = occlusionField(std::vector<Ball>{{Vec3(-1e6, 0, 0), 1.7}, {Vec3(1e6, 0, 0), 1.7}});
+  CHECK(light.open(Vec3(1e6, 0, 1.7), Vec3(0, 0, 1)) == 1.0);
+  CHECK(light.wide.filled.size() < 200 * 200 * 200);
 }
 
 TEST_CASE("a picture of 5 x 3 pixels comes back from its PNG file byte for byte") {
@@ -73,4 +82,93 @@ TEST_CASE("a PNG in a folder that is not there, and one that is no PNG, give pro
   std::ofstream(file) << "not a picture";
   CHECK_FALSE(bool(readPng(file)));
   std::filesystem::remove(file);
+}
+
+namespace {
+
+double volume_A3(const MeshPiece& piece) {
+  double six = 0;
+  for (std::size_t k = 0; k < piece.indices.size(); k += 3) {
+    const auto at = [&](std::size_t c) { return Vec3(piece.vertices[piece.indices[k + c]].place); };
+    six += glm::dot(at(0), glm::cross(at(1), at(2)));
+  }
+  return six / 6;
+}
+
+bool closed(const MeshPiece& piece) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (std::size_t k = 0; k < piece.indices.size(); k += 3)
+    for (std::size_t c = 0; c < 3; ++c) ++edges[{piece.indices[k + c], piece.indices[k + (c + 1) % 3]}];
+  for (const auto& [edge, count] : edges) {
+    const auto back = edges.find({edge.second, edge.first});
+    if (back == edges.end() || back->second != count) return false;
+  }
+  return !edges.empty();
+}
+
+}  // namespace
+
+TEST_CASE(
+    "the molecular surface of one ball is the ball: closed, places within 0.06 A, normals outward, and a little "
+    "smaller for its flat faces") {
+  const Vec3 centre(1.23, -4.5, 0.77);
+  for (const double radius : {1.2, 1.7, 3.1}) {
+    const SolventExcluded made = solventExcluded(std::vector<Ball>{{centre, radius}}, 1.4);
+    REQUIRE(made.piece.vertices.size() > 20);
+    double worst = 0, least_facing = 1;
+    for (const MeshPiece::Vertex& v : made.piece.vertices) {
+      const Vec3 out = made.piece.origin_A + Vec3(v.place) - centre;
+      worst = std::max(worst, std::abs(glm::length(out) - radius));
+      least_facing = std::min(least_facing, glm::dot(glm::normalize(out), Vec3(v.normal)));
+    }
+    CAPTURE(radius);
+    CHECK(worst < 0.06);
+    CHECK(least_facing > 0.97);
+    CHECK(closed(made.piece));
+    const double share = volume_A3(made.piece) / (4.18879 * radius * radius * radius);
+    CHECK(share > 0.8);
+    CHECK(share < 1.0);
+  }
+}
+
+TEST_CASE(
+    "between two balls of radius r, 2 a apart, the surface has a neck of radius sqrt((r + p)^2 - a^2) - p, where the "
+    "probe cannot pass, to within 0.06 A") {
+  constexpr double kRadius_A = 1.7, kHalf_A = 2.0, kProbe_A = 1.4;
+  const std::vector<Ball> pair{{Vec3(-kHalf_A, 0, 0), kRadius_A}, {Vec3(kHalf_A, 0, 0), kRadius_A}};
+  const SolventExcluded made = solventExcluded(pair, kProbe_A);
+  const double neck_A = std::sqrt(std::pow(kRadius_A + kProbe_A, 2) - kHalf_A * kHalf_A) - kProbe_A;
+  int at_neck = 0;
+  for (std::size_t k = 0; k < made.piece.vertices.size(); ++k) {
+    const Vec3 p = made.piece.origin_A + Vec3(made.piece.vertices[k].place);
+    CHECK(made.owner[k] == (p.x < 0 ? 0u : 1u));
+    if (std::abs(p.x) > 0.3) continue;
+    // A circle of the probe's radius round the place of its middle.
+    const double across = std::hypot(p.y, p.z),
+                 expected = neck_A + kProbe_A - std::sqrt(kProbe_A * kProbe_A - p.x * p.x);
+    CHECK(std::abs(across - expected) < 0.06);
+    ++at_neck;
+  }
+  CHECK(at_neck >= 6);
+  CHECK(closed(made.piece));
+}
+
+TEST_CASE(
+    "no place of the molecular surface of 200 balls lies deeper than 0.06 A in a ball, or farther out than a probe "
+    "reaches") {
+  std::vector<Ball> balls;
+  unsigned seed = 11;
+  const auto next = [&] { return double((seed = seed * 1664525u + 1013904223u) >> 8) / double(1 << 24); };
+  for (int k = 0; k < 200; ++k) balls.push_back({14.0 * Vec3(next(), next(), next()), 1.2 + 0.6 * next()});
+  const SolventExcluded made = solventExcluded(balls, 1.4);
+  REQUIRE(made.piece.vertices.size() > 500);
+  double deepest = 0;
+  for (const MeshPiece::Vertex& v : made.piece.vertices) {
+    const Vec3 p = made.piece.origin_A + Vec3(v.place);
+    double gap = 1e9;
+    for (const Ball& b : balls) gap = std::min(gap, glm::length(p - b.centre_A) - b.radius_A);
+    deepest = std::min(deepest, gap);
+    CHECK(gap < 1.4);
+  }
+  CHECK(deepest > -0.06);
 }

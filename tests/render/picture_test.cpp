@@ -12,7 +12,7 @@ using namespace moltact::test;
 
 namespace {
 
-const RenderOptions kPlain{.outlines = false};
+const RenderOptions kPlain{.smooth_edges = false, .outlines = false};
 
 ViewScene atomsOnly(std::vector<Atom> atoms, double distance_A) {
   ViewScene scene;
@@ -114,9 +114,10 @@ TEST_CASE(
     for (const bool rims : {false, true}) {
       ViewScene scene = atomsOnly(crowd(Vec3(0), seed, 3000), 60 - 8.0 * seed);
       scene.camera.orbit(seed, 0.4);
-      const Picture with = drawn(scene, 400, 300, {.outlines = rims});
+      const Picture with = drawn(scene, 400, 300, {.smooth_edges = false, .outlines = rims});
       const std::size_t few = renderer().count().atoms_drawn;
-      const Picture without = drawn(scene, 400, 300, {.outlines = rims, .occlusion_cull = false});
+      const Picture without =
+          drawn(scene, 400, 300, {.smooth_edges = false, .outlines = rims, .occlusion_cull = false});
       const std::size_t all = renderer().count().atoms_drawn;
       const Difference difference = compare(with, without, 1);
       CAPTURE(seed);

@@ -38,7 +38,11 @@ class Hand {
     settings_.panic = chance(0.0005);
     settings_.clutch = {.buttons = 1, .at_edge = true};
     pose.buttons = chance(0.01);
-    if (chance(0.0005)) step.setDevice({.max_force_N = 5.0, .continuous_force_N = 1.0, .gives_force = true});
+    if (chance(0.0005)) {
+      DeviceSpecs stronger = phantomOmniFigures();
+      stronger.max_force_N = 5.0, stronger.continuous_force_N = 1.0, stronger.gives_force = true;
+      step.setDevice(stronger);
+    }
     return step.tick(settings_, tracker, pose, {.dt_s = chance(0.0005) ? 0.03 : 0.001, .delay_s = 1e-5});
   }
 

@@ -9,6 +9,7 @@
 #include "engine/language/quantity_text.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/use_language.h"
+#include "engine/render/molecule_model.h"
 
 namespace moltact {
 namespace {
@@ -113,6 +114,7 @@ void Application::enterScene() {
   scene.colour_by = colourBy(*spec);
   panels.applyLessonPanels(spec->panels);
   if (scene.stage()) lesson.meet(scene.stage().molecule, scene.molecule());
+  scene.look = lesson.looks();
   const Expected<MoleculeKey> molecule = lesson.molecule();
   if (!molecule) {
     messages.error(molecule.problem().text());
@@ -161,9 +163,11 @@ void Application::takeUp(Loaded loaded) {
   if (!from_step) {
     for (const std::string& warning : loaded.stage->molecule->warnings) messages.notice(warning);
     settings.remember(loaded.key.file);
+    scene.colour_by = usualColourBy(*loaded.stage->molecule);
   }
   panels.welcome = false;
   lesson.meet(loaded.stage->molecule, loaded.key);
+  scene.look = lesson.looks();
   scene.setRegion(lesson.region());
   scene.show(*std::move(loaded.stage), loaded.key, facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);

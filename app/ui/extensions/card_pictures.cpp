@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Raised when pictures of the same subject come out differently.
-constexpr std::string_view kDrawnAs = "2";
+constexpr std::string_view kDrawnAs = "3";
 constexpr std::size_t kMostKept = 400;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
 
@@ -36,8 +36,11 @@ std::uint64_t fnv1a(std::string_view bytes, std::uint64_t hash = 146959810393466
 
 std::string sceneKey(const CardSubject& subject) {
   const SceneSpec& s = subject.scene;
-  return readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' +
-         s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
+  std::string styles;
+  for (const StyleSpec& style : s.styles)
+    styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
+  return styles + s.hide.text() + '|' + readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' +
+         s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -63,6 +66,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   scene.shown = {ViewPart::Atoms, ViewPart::Target, ViewPart::Probe, ViewPart::Facets};
   scene.probe_A = spec.touch.probe_A;
   scene.colour_by = colourBy(spec);
+  scene.look = looksOf(spec, *scene.molecule);
   scene.facets = feltFacets(spec.touch.method);
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;
@@ -177,7 +181,7 @@ void CardPictures::finish(Application& app, Job job) {
     }
     job.scene->theme = look().viewTheme();
     job.scene->elements = elementColoursOf(app.settings);
-    if (renderer_->draw(*job.scene, kWidth_px, kHeight_px, {.samples = 2})) return;
+    if (renderer_->draw(*job.scene, kWidth_px, kHeight_px, {.samples = 3})) return;
     job.picture = renderer_->readPixels();
     ++drawn_;
     if (!job.kept.empty()) {

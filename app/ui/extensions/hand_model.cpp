@@ -9,7 +9,7 @@ void HandModel::beforeTicks(Application& app) {
   if (app.settings.probe_look == look_) return;
   look_ = app.settings.probe_look;
   model_ = nullptr;
-  if (look_ != ProbeLook::Stylus && look_ != ProbeLook::Finger) return;
+  if (look_ != ProbeLook::Stylus) return;
   Expected<SolidModel> read = readGltf(assetsFolder() / "models" / (std::string(probeLookName(look_)) + ".glb"));
   if (read)
     model_ = std::make_shared<const SolidModel>(*std::move(read));

@@ -16,6 +16,7 @@ void LessonLocks::afterPanels(Application& app) {
   app.scene.setTouch(touch);
   if (spec.locks("show")) {
     app.scene.shown = app.lesson.shownParts();
+    app.scene.look = app.lesson.looks();
     app.scene.colour_by = colourBy(spec);
   }
   if (spec.locks("panels")) app.panels.enforceLessonPanels(spec.panels);

@@ -8,12 +8,13 @@
 namespace moltact {
 
 SceneHistory::Choices SceneHistory::choicesOf(const Application& app) {
-  return {app.scene.touch(), app.scene.magnifiedByHand(), app.scene.shown, app.scene.colour_by};
+  return {app.scene.touch(), app.scene.magnifiedByHand(), app.scene.shown, app.scene.look, app.scene.colour_by};
 }
 
 void SceneHistory::apply(Application& app, const Choices& c, const std::optional<Camera>& camera) {
   app.scene.setTouch(c.touch);
   app.scene.shown = c.shown;
+  app.scene.look = c.look;
   app.scene.colour_by = c.colour_by;
   const Camera seen = app.scene.camera;
   app.scene.magnify(c.magnified);

@@ -35,6 +35,7 @@ class SceneHistory : public Extension {
     TouchSetup touch;
     bool magnified = false;
     ViewPartSet shown;
+    AtomsLook look;
     ColourBy colour_by = ColourBy::Element;
     friend bool operator==(const Choices&, const Choices&) = default;
   };

@@ -44,6 +44,11 @@ void StateText::stepChanged(Application& app) {
   write(trf("step {0} of {1}: {2}", session->stepIndex() + 1, session->lesson().steps.size(), session->step().title));
 }
 
+std::string StateText::line(const TouchScene& scene) const {
+  if (!tells_contact_ || dark_) return reading_.text();
+  return touchingText(reading_.text(), scene.log().shownForce_N(), scene.servo_settings.force_on);
+}
+
 void StateText::afterPanels(Application& app) {
   const LessonSession* session = app.lesson.session();
   if (const std::size_t at = session ? session->currentTask() : 0; session && at < session->step().tasks.size()) {
@@ -54,10 +59,10 @@ void StateText::afterPanels(Application& app) {
   const Contact& contact = app.scene.log().latest().contact;
   const bool force_on = app.scene.servo_settings.force_on;
   const double force_N = force_on ? app.scene.log().force_N() : 0.0;
-  const bool dark = stager_.dark();
+  const bool dark = dark_ = stager_.dark();
   const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
   const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
-  if (reading_.update(what, whole, force_N, app.now_s())) tells_contact_ = molecule && contact.touching();
+  if (reading_.update(what, what, 0, app.now_s())) tells_contact_ = molecule && contact.touching();
   if (speaking_.update(what, whole, force_N, app.now_s())) write(whole);
   owing_ = reading_.owes(what) || ((to_terminal_ || file_) && speaking_.owes(what));
 }

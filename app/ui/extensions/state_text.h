@@ -15,6 +15,7 @@
 namespace moltact {
 
 class TaskStager;
+class TouchScene;
 
 class StateText : public Extension {
  public:
@@ -28,8 +29,8 @@ class StateText : public Extension {
   void afterPanels(Application& app) override;
   bool live() const override { return owing_; }
 
-  /// The contact in words, updated at a pace that can be read.
-  const std::string& line() const { return reading_.text(); }
+  /// The contact in words, updated at a pace that can be read, with the figure of the force that the window shows.
+  std::string line(const TouchScene& scene) const;
   /// line() tells of a contact, and not that there is none or why.
   bool tellsContact() const { return tells_contact_; }
 
@@ -40,7 +41,7 @@ class StateText : public Extension {
   StateLine reading_{StateLine::reading()}, speaking_{StateLine::speaking()}, task_{StateLine::speaking()};
   std::optional<AppendFile> file_;
   bool to_terminal_ = false;
-  bool tells_contact_ = false;
+  bool tells_contact_ = false, dark_ = false;
   bool owing_ = false;  // a change has not been written yet
 };
 

@@ -24,7 +24,7 @@ void readNumber(const nlohmann::json& from, const char* key, double& to, double 
   }
 }
 
-constexpr std::array<std::string_view, 4> kProbeLooks{"water", "ball", "stylus", "finger"};
+constexpr std::array<std::string_view, 3> kProbeLooks{"water", "ball", "stylus"};
 
 constexpr std::array<std::string_view, 3> kDecimalSigns{"language", "point", "comma"};
 
@@ -78,6 +78,7 @@ LoadedSettings loadSettings(const fs::path& file) {
   readNumber(json, "lesson_width", s.lesson_width, 240.0, 700.0);
   readNumber(json, "touch_width", s.touch_width, 220.0, 600.0);
   readSwitch(json, "legend", s.legend);
+  readSwitch(json, "depth_gauge", s.depth_gauge);
   readSwitch(json, "colour_blind_safe", s.colour_blind_safe);
   readSwitch(json, "left_handed", s.left_handed);
   if (const auto code = json.find("language"); code != json.end() && code->is_string())
@@ -114,6 +115,7 @@ nlohmann::json written(const Settings& s) {
           {"lesson_width", s.lesson_width},
           {"touch_width", s.touch_width},
           {"legend", s.legend},
+          {"depth_gauge", s.depth_gauge},
           {"colour_blind_safe", s.colour_blind_safe},
           {"left_handed", s.left_handed},
           {"language", s.language},

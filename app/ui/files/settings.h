@@ -16,9 +16,9 @@ namespace moltact {
 
 /// The figure drawn where the probe and the hand are: the probe as a water molecule or as a plain ball, or a model at
 /// the HIP too.
-enum class ProbeLook { Water, Ball, Stylus, Finger };
+enum class ProbeLook { Water, Ball, Stylus };
 
-/// "water", "ball", "stylus", "finger".
+/// "water", "ball", "stylus".
 std::string_view probeLookName(ProbeLook look);
 std::optional<ProbeLook> probeLookNamed(std::string_view name);
 
@@ -28,6 +28,7 @@ struct Settings {
   double text_size = 1.0;          ///< letters, and what holds them, are so much larger than that (1 to 1.5, default 1)
   double lesson_width = 350.0;     ///< unit: pixel at 96 dpi (240 to 700)
   double touch_width = 288.0;      ///< unit: pixel at 96 dpi (220 to 600)
+  bool depth_gauge = true;         ///< while touching, the view shows from the side how deep the hand is
   bool legend = true;              ///< colours that are not the customary ones are named in the view
   bool colour_blind_safe = false;  ///< atoms in colours that every kind of colour vision tells apart
   bool left_handed = false;        ///< over the molecule the right button pushes and the left one turns

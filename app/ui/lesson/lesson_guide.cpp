@@ -8,8 +8,21 @@
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
+#include "engine/render/molecule_model.h"
 
 namespace moltact {
+
+AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
+  const auto listOf = [&](const Selection& atoms) -> AtomList {
+    return atoms.given() ? std::make_shared<const std::vector<std::uint32_t>>(atoms.select(molecule)) : nullptr;
+  };
+  AtomsLook looks;
+  for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
+  looks.hidden = listOf(scene.hide);
+  looks.spheres_near_A = scene.near_A;
+  looks.colouring = schemeColouring(molecule, scene.colour);
+  return looks;
+}
 
 ColourBy colourBy(const SceneSpec& scene) { return scene.colour == "chain" ? ColourBy::Chain : ColourBy::Element; }
 
@@ -76,11 +89,14 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
   region_.reset();
+  looks_ = {
+      .styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt, .colouring = nullptr};
   on_stage_ = false;
   if (!session_) return;
   const Expected<MoleculeKey> wanted = this->molecule();
   on_stage_ = wanted && *wanted == key;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
+  if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
 }

@@ -37,6 +37,9 @@ struct AnswerDrafts {
 /// The meaning of a scene's colours.
 ColourBy colourBy(const SceneSpec& scene);
 
+/// How a scene draws the atoms of its molecule.
+AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule);
+
 class LessonGuide {
  public:
   /// Opens a lesson file at its first step. False where it cannot be read as a lesson: the one that was open stays.
@@ -80,6 +83,8 @@ class LessonGuide {
   ViewPartSet shownParts() const;
   /// Whether the lesson keeps the student from changing a scene's key ("force").
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
+  /// How the step draws the atoms; as spheres without one.
+  const AtomsLook& looks() const { return looks_; }
   /// The part of the molecule that the step magnifies.
   const std::optional<Region>& region() const { return region_; }
   /// Turns a fitted camera the way the step asks for.
@@ -96,6 +101,7 @@ class LessonGuide {
   bool scene_changed_ = false, on_stage_ = false;
   std::vector<std::uint32_t> highlighted_;
   std::optional<Region> region_;
+  AtomsLook looks_;
 };
 
 /// Turns a camera that has been fitted to the molecule the way a scene asks for.

@@ -38,6 +38,16 @@ void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
   if (!seen) a.panels.lesson_first = lesson;
 }
 
+// The plane faces the viewer as the molecule is seen now.
+void switchCut(App& a) {
+  if (a.scene.look.cut) {
+    a.scene.look.cut.reset();
+    return;
+  }
+  const Vec3 normal = a.scene.camera.back();
+  a.scene.look.cut = CutPlane{normal, glm::dot(normal, a.scene.stage().middle.A)};
+}
+
 void saveGltf(App& app, const std::filesystem::path& file) {
   if (!app.scene.stage()) return;
   const Expected<GltfScene> scene =
@@ -164,11 +174,19 @@ constexpr std::array kActions{
            .run = [](App& a) { a.panels.showMethods(!a.panels.methods); },
            .enabled = mayMethods,
            .on = [](const App& a) { return a.panels.methods; }},
+    Action{.name = "cut",
+           .menu = Menu::View,
+           .label = N_("Cut open"),
+           .sentence = N_("Cut the molecule open through its middle; Ctrl with the wheel moves the cut"),
+           .run = [](App& a) { switchCut(a); },
+           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
+           .on = [](const App& a) { return a.scene.look.cut.has_value(); }},
     Action{.name = "chains",
            .menu = Menu::View,
            .label = N_("Colour by chain"),
            .run =
                [](App& a) {
+                 a.scene.look.colouring = nullptr;
                  a.scene.colour_by = a.scene.colour_by == ColourBy::Chain ? ColourBy::Element : ColourBy::Chain;
                },
            .enabled = [](const App& a) { return hasStage(a) && !a.lesson.locks("show"); },
@@ -179,6 +197,12 @@ constexpr std::array kActions{
            .run = [](App& a) { a.settings.legend = !a.settings.legend; },
            .enabled = [](const App& a) { return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain; },
            .on = [](const App& a) { return a.settings.legend; }},
+    Action{.name = "depth",
+           .menu = Menu::View,
+           .label = N_("Depth of the hand"),
+           .sentence = N_("While you touch, show from the side how deep your hand is"),
+           .run = [](App& a) { a.settings.depth_gauge = !a.settings.depth_gauge; },
+           .on = [](const App& a) { return a.settings.depth_gauge; }},
     Action{.name = "light",
            .menu = Menu::View,
            .parted = true,

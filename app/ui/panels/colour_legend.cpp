@@ -49,15 +49,26 @@ std::vector<LegendEntry> entriesOf(const Molecule& molecule, ColourBy by, Elemen
   return chains;
 }
 
+std::vector<LegendEntry> entriesOf(const Legend& legend) {
+  std::vector<LegendEntry> entries;
+  for (const auto* list : {&legend.parts, &legend.entries})
+    for (const Legend::Entry& e : *list)
+      entries.push_back({Colour(e.colour[0], e.colour[1], e.colour[2]) / 255.0f, e.name});
+  return entries;
+}
+
 }  // namespace
 
 void drawColourLegend(Application& app, const Rectangle& view) {
   const bool by_chain = app.scene.colour_by == ColourBy::Chain;
-  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain) || !app.scene.shown.has(ViewPart::Atoms))
+  const Colouring* const scheme = app.scene.look.colouring.get();
+  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain || scheme) ||
+      !app.scene.shown.has(ViewPart::Atoms))
     return;
   const Look& l = look();
   std::vector<LegendEntry> entries =
-      entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
+      scheme ? entriesOf(scheme->legend)
+             : entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
   if (entries.size() > kMostEntries) entries.resize(kMostEntries);
   ViewScene marks;
   app.lesson.decorate(marks);

@@ -72,6 +72,18 @@ void shapesMenu(Application& app) {
   ImGui::EndMenu();
 }
 
+void styleMenu(Application& app) {
+  if (!beginSubmenu(app, "menu/view/style", tr("Style"), !app.panels.welcome && !app.lesson.locks("show"))) return;
+  for (const DrawStyleInfo& style : drawStyles()) {
+    const std::vector<StyledAtoms> only{{.style = style.style}};
+    const bool on =
+        app.scene.look.styles == only || (app.scene.look.styles.empty() && style.style == DrawStyle::Spheres);
+    if (item("menu/view/style/" + std::string(style.name), style.shownLabel(), nullptr, on))
+      app.scene.look.styles = only;
+  }
+  ImGui::EndMenu();
+}
+
 void sizeMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/scale", tr("Interface size"))) return;
   for (const int percent : {75, 90, 100, 125, 150, 175, 200, 250, 300}) {
@@ -94,11 +106,8 @@ struct Inset {
   std::string_view after;
   void (*draw)(Application&);
 };
-constexpr Inset kInsets[] = {{"open", libraryMenu},
-                             {"open", recentMenu},
-                             {"methods", shapesMenu},
-                             {"high-contrast", sizeMenu},
-                             {"turns", lessonList}};
+constexpr Inset kInsets[] = {{"open", libraryMenu},   {"open", recentMenu},        {"methods", styleMenu},
+                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"turns", lessonList}};
 
 void drawMenu(Application& app, Menu menu) {
   const std::string label(menuLabel(menu)), prefix = "menu/" + lower(menuName(menu));

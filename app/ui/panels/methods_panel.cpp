@@ -28,7 +28,7 @@ void drawMethodsPanel(Application& app) {
                tr("The triangles that the method feels, round the probe.")))
       app.scene.shown.set(ViewPart::Facets, on);
   }
-  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
+  plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
        {.title = tr("Force"), .least_top = 1.0f, .height = 50.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   plot("plot/turn", app.scene.watch().turns(), app.scene.watch().greatestTurn_deg(),
        {.title = tr("Largest turn in a tick"),

@@ -35,10 +35,10 @@ void drawColours(Settings& s) {
 
 void drawProbe(Settings& s) {
   sectionTitle(tr("Probe and hand"));
-  static const std::vector<std::string> kLooks{N_("Water"), N_("Ball"), N_("Stylus"), N_("Finger")};
+  static const std::vector<std::string> kLooks{N_("Water"), N_("Ball"), N_("Stylus")};
   std::size_t look = std::size_t(s.probe_look);
   if (segments("preferences/probe", kLooks, look)) s.probe_look = ProbeLook(look);
-  quietText(tr("A stylus or a finger stands where your hand is, beside the water molecule."));
+  quietText(tr("A stylus stands where your hand is, beside the water molecule."));
 }
 
 void drawSize(Settings& s) {

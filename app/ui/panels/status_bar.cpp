@@ -98,7 +98,7 @@ void drawStatusBar(Application& app) {
                                                                   : tr("free"),
                       app.extensions().task_stager.dark()
                           ? std::string()
-                          : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
+                          : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
                       0, app.scene.log().touching() ? l.palette.accent : l.palette.faint});
   segments.push_back({"status/device", tr(app.scene.servo().device().name.c_str()),
                       app.scene.servo().device().gives_force

@@ -68,7 +68,7 @@ void drawTouchPanel(Application& app) {
   }
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {look().px(8), look().px(10)});
   drawTouchHead(app);
-  plot("plot/force", app.scene.log().force(), app.scene.log().force_N(),
+  plot("plot/force", app.scene.log().force(), app.scene.log().shownForce_N(),
        {.title = tr("Force"), .least_top = 1.0f, .shown_as = {Dimension::Force, {decimals(1), {}}}});
   ImGui::Spacing();
   drawTouchControls(app, true);

@@ -79,7 +79,7 @@ void forceLabel(const Application& app, const ServoSample& now, const Rectangle&
   const double arrow_A = pixel_A * double(l.px(kArrow_px_per_N) * saturateToFloat(force_N) + l.px(26));
   const Vec3 foot = app.scene.camera.project(now.contact.scp, int(size.x), int(size.y));
   Vec3 at = app.scene.camera.project({now.contact.scp.A + lift * (arrow_A / depth_A)}, int(size.x), int(size.y));
-  const std::string text = quantityText(force_N, Dimension::Force, decimals(1));
+  const std::string text = quantityText(app.scene.log().shownForce_N(), Dimension::Force, decimals(1));
   ImFont* font = l.font(Font::Small);
   const ImVec2 extent = font->CalcTextSizeA(font->FontSize, 1e9f, 0, text.c_str());
   if (std::hypot(at.x - foot.x, at.y - foot.y) < double(l.px(kBeside_px)))
@@ -151,6 +151,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     return;
   }
   drawColourLegend(app, view);
+  drawDepthGauge(app, view);
   if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
@@ -164,8 +165,9 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const StateText& state = app.extensions().state_text;
     pill("view/state",
-         state.tellsContact() ? state.line()
-                              : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().force_N()),
+         state.tellsContact()
+             ? state.line(app.scene)
+             : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
              hint > 0.0f && !app.scene.playing() && !app.scene.servo().deviceLeads()) {

@@ -17,6 +17,9 @@ ViewScene seenScene(const Application& app);
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 
+/// How deep the hand is pressed, seen from the side.
+void drawDepthGauge(Application& app, const Rectangle& view);
+
 /// The legend of the atoms' colours, where they are not the customary ones.
 void drawColourLegend(Application& app, const Rectangle& view);
 

@@ -75,6 +75,17 @@ void readKeys(Application& app, ViewInput& in) {
     switchMethod(app, io.KeyShift ? -1 : 1);
 }
 
+// The wheel and the keys Page Up and Page Down move the cut away from the eye and toward it.
+void moveCut(Application& app, double notches) {
+  constexpr double kNotch = 0.02, kKeys_per_s = 0.25;  // of the molecule's reach
+  if (keysFree())
+    notches +=
+        (ImGui::IsKeyDown(ImGuiKey_PageUp) - ImGui::IsKeyDown(ImGuiKey_PageDown)) * (kKeys_per_s / kNotch) * app.dt_s();
+  CutPlane& cut = *app.scene.look.cut;
+  const double reach_A = app.scene.stage().reach_A, middle_A = glm::dot(cut.normal, app.scene.stage().middle.A);
+  cut.offset_A = std::clamp(cut.offset_A - notches * kNotch * reach_A, middle_A - reach_A, middle_A + reach_A);
+}
+
 ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   const ImGuiIO& io = ImGui::GetIO();
   ViewInput in;
@@ -94,6 +105,10 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   // A surface that a task makes softer or harder is to be felt as that: the hand presses as deep as before.
   if (app.extensions().task_stager.changesStiffness())
     in.expected_N_per_mm = app.lesson.session()->scene().touch.stiffness_N_per_mm;
+  if (app.scene.look.cut && io.KeyCtrl && !in.press && !app.lesson.locks("show")) {
+    moveCut(app, hovered || active ? double(io.MouseWheel) : 0.0);
+    return in;
+  }
   if (hovered || active) (in.press ? in.push_notches : in.zoom_notches) += double(io.MouseWheel);
   return in;
 }
@@ -109,6 +124,8 @@ ViewScene seenScene(const Application& app) {
   scene.theme = look().viewTheme();
   scene.elements = elementColoursOf(app.settings);
   scene.colour_by = app.scene.colour_by;
+  scene.look = app.scene.look;
+  scene.strongest_N = app.scene.servo_settings.max_force_N;
   if (app.scene.stage() && now.has_interaction) {
     scene.hip = now.hip;
     scene.contact = now.contact;
@@ -128,9 +145,10 @@ ViewScene seenScene(const Application& app) {
 
 namespace {
 
-void savePicture(Application& app, std::filesystem::path file) {
+void savePicture(Application& app, glm::dvec2 size, std::filesystem::path file) {
   if (file.empty()) file = freePictureName(app.options().picture_folder);
-  const std::optional<Problem> problem = writePng(file, app.picture().read());
+  const std::optional<Problem> problem =
+      writePng(file, app.picture().take(seenScene(app), int(size.x), int(size.y), look().scale));
   if (problem)
     app.messages.error(problem->text());
   else
@@ -176,7 +194,7 @@ void drawViewPanel(Application& app) {
   if (change.oldPicture() > 0 && picture.kept())
     ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},
                                          faded(IM_COL32_WHITE, float(change.oldPicture())));
-  if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, std::move(*file));
+  if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, size, std::move(*file));
   drawViewOverlays(app, r);
   drawPushPads(app, r);
   endPanel();

@@ -56,7 +56,10 @@ std::string contactText(const Molecule* molecule, const Contact& contact, double
     return tr("You are inside the molecule: come out once to feel its surface");
   if (contact.fault == Fault::NotFinite) return tr("the device gives no sound position: no force");
   if (!contact.touching()) return tr("not touching");
-  const std::string touched = touchedText(*molecule, contact);
+  return touchingText(touchedText(*molecule, contact), force_N, force_on);
+}
+
+std::string touchingText(const std::string& touched, double force_N, bool force_on) {
   return force_on ? trf("touching: {0}, {1}", touched, quantityText(force_N, Dimension::Force, decimals(1)))
                   : trf("touching: {0}, force is off", touched);
 }

@@ -13,6 +13,9 @@ namespace moltact {
 /// no force is given in place of how much.
 std::string contactText(const Molecule* molecule, const Contact& contact, double force_N, bool force_on = true);
 
+/// The sentence of a contact from the words for what is touched.
+std::string touchingText(const std::string& touched, double force_N, bool force_on = true);
+
 /// The same without naming an atom, for a screen that is dark: "touching a crease between two atoms".
 std::string unnamedContactText(const Contact& contact);
 

@@ -8,6 +8,7 @@
 namespace moltact {
 namespace {
 constexpr double kMeasure_s = 0.5;
+constexpr double kFigure_s = 0.2, kFigure_N = 0.1, kRounded_N = 0.0501;
 constexpr std::size_t kPoints = std::size_t(TouchLog::kPlot_s / kTick_s) / TouchLog::kTicksAPoint;
 }  // namespace
 
@@ -27,6 +28,17 @@ void TouchLog::add(const ServoSample& sample) {
   late_us_.push_back(sample.late_us);
   work_sum_us_ += double(sample.work_us);
   work_max_us_ = std::max(work_max_us_, double(sample.work_us));
+}
+
+void TouchLog::figureForce(double now_s) {
+  // None, and the first, are said at once.
+  const bool ended = latest_force_N_ <= 0.0, begun = shown_N_ <= 0.0;
+  if (std::abs(latest_force_N_ - shown_N_) > kRounded_N && (ended || begun || now_s - shown_since_s_ >= kFigure_s)) {
+    shown_N_ = std::round(latest_force_N_ / kFigure_N) * kFigure_N;
+    shown_since_s_ = now_s;
+  } else if (ended) {
+    shown_N_ = 0.0;
+  }
 }
 
 void TouchLog::measure(double now_s) {
@@ -50,7 +62,7 @@ double TouchLog::greatest_N() const {
 
 void TouchLog::clear() {
   latest_ = ServoSample();
-  latest_force_N_ = 0;
+  latest_force_N_ = shown_N_ = 0;
   force_ = PlotBuffer(kPoints);
   force_peak_ = 0;
   left_behind_s_ = 0;

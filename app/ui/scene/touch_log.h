@@ -24,7 +24,9 @@ class TouchLog {
 
   TouchLog();
   void add(const ServoSample& sample);
-  /// Once a frame, after the samples: renews `health` twice a second. `now_s` is any steady clock.
+  /// Once a frame, after the samples: renews the figure of the force. `now_s` is any steady clock.
+  void figureForce(double now_s);
+  /// The same, renews `health` twice a second.
   void measure(double now_s);
 
   const ServoSample& latest() const { return latest_; }
@@ -32,6 +34,8 @@ class TouchLog {
   const PlotBuffer& force() const { return force_; }  ///< N, the largest of every kTicksAPoint ticks
   const PlotBuffer& work() const { return work_; }    ///< us, likewise
   double force_N() const { return latest_force_N_; }
+  /// The force as every figure of the window says it at once: in tenths of a newton, changed at a pace that can be read.
+  double shownForce_N() const { return shown_N_; }
   bool touching() const { return latest_.contact.touching(); }
   double greatest_N() const;  ///< over the plotted time
 
@@ -47,6 +51,7 @@ class TouchLog {
  private:
   ServoSample latest_;
   double latest_force_N_ = 0, left_behind_s_ = 0;
+  double shown_N_ = 0, shown_since_s_ = 0;
   PlotBuffer force_, work_;
   float force_peak_ = 0, work_peak_ = 0;
   std::size_t in_point_ = 0;

@@ -282,6 +282,7 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
     watchLeftBehind(dt_s);
     drawBack(dt_s);
   }
+  log_.figureForce(now_s);
   // Whatever is shown: the panic key is among the settings.
   servo_.setSettings(handed(trying()));
   return {felt_, m};

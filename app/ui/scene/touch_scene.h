@@ -44,6 +44,7 @@ class TouchScene {
   ServoSettings servo_settings;  ///< as they are handed to the servo loop each frame
   Camera camera;
   ViewPartSet shown;  ///< parts of the picture
+  AtomsLook look;     ///< how the molecule is drawn
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 

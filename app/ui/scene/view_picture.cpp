@@ -14,7 +14,7 @@ namespace moltact {
 namespace {
 
 constexpr double kMoving_ms = 18.0;   // the atoms may take so long in a frame while the view turns
-constexpr double kSmooth_ms = 120.0;  // and so long, once, when it has come to rest
+constexpr double kSmooth_ms = 400.0;  // and so long, once, when it has come to rest
 constexpr int kRest_frames = 10;
 constexpr double kCoarsest = 0.5;
 
@@ -46,6 +46,7 @@ void ViewPicture::draw(const ViewScene& scene, int width_px, int height_px, bool
   options.line_scale = line_scale * float(scale);
   const bool smooth = 4.0 * whole_ms_ < kSmooth_ms;
   if (!moving && smooth && (rested_frames_ >= kRest_frames || last_.samples == 2)) options.samples = 2;
+  if (moving && whole_ms_ > 0 && 4.0 * whole_ms_ < kMoving_ms) options.samples = 2;
   unfinished_ = !moving && smooth && options.samples == 1 && whole_ms_ > 0;
 
   using Clock = std::chrono::steady_clock;
@@ -84,7 +85,15 @@ ImTextureID ViewPicture::kept() const { return textureOf(kept_ ? kept_->colour()
 
 ImTextureID ViewPicture::texture() const { return textureOf(renderer_ ? renderer_->textureId() : 0); }
 
-Picture ViewPicture::read() const { return renderer_ ? renderer_->readPixels() : Picture(); }
+Picture ViewPicture::take(const ViewScene& scene, int width_px, int height_px, float line_scale) {
+  constexpr int kSamples = 3;
+  if (!ready()) return {};
+  RenderOptions options;
+  options.line_scale = line_scale;
+  for (options.samples = kSamples; options.samples > 0; --options.samples)  // as fine as the driver has room for
+    if (!renderer_->draw(scene, width_px, height_px, options)) return renderer_->readPixels();
+  return {};
+}
 
 std::filesystem::path freePictureName(const std::filesystem::path& folder) {
   for (int number = 1;; ++number) {

@@ -37,8 +37,8 @@ class ViewPicture {
   ImTextureID kept() const;
   /// The picture shown is coarser than it will be once the view has rested.
   bool unfinished() const { return unfinished_; }
-  /// The picture as it is shown; empty before the first.
-  Picture read() const;
+  /// A picture to be kept, drawn as finely as pictures are; empty where the scene cannot be drawn.
+  Picture take(const ViewScene& scene, int width_px, int height_px, float line_scale);
   /// Why the scene cannot be drawn; empty when it can.
   const std::string& fault() const { return fault_text_; }
 

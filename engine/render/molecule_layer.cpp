@@ -1,0 +1,105 @@
+#include "engine/render/molecule_layer.h"
+
+#include <algorithm>
+
+namespace moltact {
+namespace {
+
+// The width of the dark rims at depth 1: 1.3 pixels of the finished picture.
+float rimOf(int samples, const Projection& inside) {
+  return 1.3f * float(samples) * 2.0f * inside.tan_y / float(inside.height_px);
+}
+
+}  // namespace
+
+// Parts that fit stay; a new one is made.
+void MoleculeLayer::findParts(const ViewScene& scene, const MoleculeModel& model) {
+  std::vector<StyledAtoms> wanted = scene.look.styles;
+  if (wanted.empty()) wanted.emplace_back();
+  std::vector<std::unique_ptr<StyledPart>> parts;
+  for (const StyledAtoms& what : wanted) {
+    const auto at =
+        std::find_if(parts_.begin(), parts_.end(), [&](const auto& p) { return p && p->fits(what, scene); });
+    parts.push_back(at != parts_.end() ? std::move(*at) : std::make_unique<StyledPart>(what, scene, model));
+    parts.back()->paint(model);
+  }
+  parts_ = std::move(parts);
+}
+
+void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const MoleculeModel& model,
+                             const Projection& inside, const Lighting& lighting, const Options& options,
+                             Passes& passes) {
+  const float opacity = part.what().opacity;
+  if (part.what().style == DrawStyle::Spheres) {
+    const float rim = options.outlines && opacity >= 1.0f ? rimOf(options.samples, inside) : 0.0f;
+    // Where something is cut away, what it hid comes in sight.
+    cull_.run(model.scene, scene.camera, inside, rim, options.cull && !scene.look.cut && opacity >= 1.0f, part.shown());
+    atoms_drawn_ += cull_.atomsDrawn();
+    passes.balls.drawMolecule(model, cull_.drawn(), key_.tinted, packColour(key_.tint), rim, opacity, inside, lighting);
+    return;
+  }
+  Lighting among = lighting;
+  if (part.occlusion()) among.occlusion = part.occlusion();
+  if (part.mesh()) passes.meshes.draw(*part.mesh(), opacity, inside, among);
+  small_.clear();
+  for (const StyledPart::SmallBall& b : part.balls()) {
+    const bool marked = std::binary_search(key_.tinted.begin(), key_.tinted.end(), b.atom);
+    const std::uint32_t colour = marked ? packColour(key_.tint) : model.colour[b.atom];
+    small_.push_back({glm::vec3(scene.camera.toView({model.scene[b.atom].centre_A})), b.radius_A,
+                      (colour & 0x00FFFFFFu) | (packColour({}, opacity) & 0xFF000000u)});
+  }
+  passes.balls.drawLoose(small_, opacity < 1.0f ? SphereImpostors::Pass::Faint : SphereImpostors::Pass::Solid, inside,
+                         among);
+}
+
+bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, const Projection& inside,
+                         const Lighting& lighting, const Options& options, Passes passes) {
+  Key key{.molecule = scene.molecule,
+          .elements = scene.elements,
+          .colour_by = scene.colour_by,
+          .camera = scene.camera,
+          .width = inside.width_px,
+          .height = inside.height_px,
+          .options = options,
+          .atoms = scene.shown.has(ViewPart::Atoms),
+          .top = scene.theme.background_top,
+          .bottom = scene.theme.background_bottom,
+          .tint = scene.theme.target,
+          .tinted = {},
+          .look = scene.look,
+          .surface_probe_A = 0.0};
+  key.look.spheres_near_A = 0.0;  // drawn with the glyphs
+  for (const StyledAtoms& s : scene.look.styles)
+    if (s.style == DrawStyle::Surface) key.surface_probe_A = scene.probe_A;
+  if (scene.shown.has(ViewPart::Target)) key.tinted = scene.highlighted;
+  std::sort(key.tinted.begin(), key.tinted.end());
+  redrawn_ = !(have_ && key == key_);
+  if (!redrawn_) return true;
+  have_ = false;
+  if (!target_.resize(inside.width_px, inside.height_px)) return false;
+  key_ = std::move(key);
+  if (model && key_.atoms)
+    findParts(scene, *model);
+  else
+    parts_.clear();
+  target_.bind();
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  passes.background.background(lighting);
+  atoms_drawn_ = 0;
+  for (const auto& part : parts_)
+    if (part->what().opacity >= 1.0f) drawPart(*part, scene, *model, inside, lighting, options, passes);
+  // What shines through covers what is behind it, but hides no probe.
+  faint_ = std::any_of(parts_.begin(), parts_.end(), [](const auto& p) { return p->what().opacity < 1.0f; });
+  if (faint_) {
+    if (!opaque_.resize(inside.width_px, inside.height_px)) return false;
+    copyPart(target_, opaque_, {0, 0, inside.width_px, inside.height_px}, GL_DEPTH_BUFFER_BIT);
+    target_.bind();
+    for (const auto& part : parts_)
+      if (part->what().opacity < 1.0f) drawPart(*part, scene, *model, inside, lighting, options, passes);
+  }
+  have_ = true;
+  return true;
+}
+
+}  // namespace moltact

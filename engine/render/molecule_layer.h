@@ -1,0 +1,75 @@
+// The molecule of a picture on its background, in its styles, drawn with several samples for each pixel and kept: it is
+// drawn again only when the camera or the atoms change, so that moving the probe over a large molecule costs no more than
+// over a small one. Needs a current context.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/render/mesh_pass.h"
+#include "engine/render/resolve.h"
+#include "engine/render/sphere_impostors.h"
+#include "engine/render/styled_part.h"
+#include "engine/render/view_scene.h"
+
+namespace moltact {
+
+class MoleculeLayer {
+ public:
+  struct Options {
+    int samples = 1;  ///< along each pixel's edge
+    bool outlines = true, cull = true;
+    friend bool operator==(const Options&, const Options&) = default;
+  };
+  /// What it draws with.
+  struct Passes {
+    Resolve& background;
+    SphereImpostors& balls;
+    MeshPass& meshes;
+  };
+
+  /// `inside` is the projection of a picture with all its samples. Returns false where the driver refuses the size.
+  bool draw(const ViewScene& scene, const MoleculeModel* model, const Projection& inside, const Lighting& lighting,
+            const Options& options, Passes passes);
+
+  /// Draws again at the next call.
+  void forget() { have_ = false; }
+
+  const GlTarget& target() const { return target_; }
+  /// Holds the depth of what is opaque, as large as target().
+  const GlTarget& opaque() const { return faint_ ? opaque_ : target_; }
+  /// Whether the last call drew.
+  bool redrawn() const { return redrawn_; }
+  std::size_t atomsDrawn() const { return atoms_drawn_; }
+
+ private:
+  // All that the picture depends on.
+  struct Key {
+    std::shared_ptr<const Molecule> molecule;
+    ElementColours elements = ElementColours::Customary;
+    ColourBy colour_by = ColourBy::Element;
+    Camera camera;
+    int width = 0, height = 0;
+    Options options;
+    bool atoms = false;
+    Colour top{0.0f}, bottom{0.0f}, tint{0.0f};
+    std::vector<std::uint32_t> tinted;
+    AtomsLook look;
+    double surface_probe_A = 0.0;  // 0 where no surface is drawn
+    bool operator==(const Key&) const = default;
+  };
+
+  void findParts(const ViewScene& scene, const MoleculeModel& model);
+  void drawPart(StyledPart& part, const ViewScene& scene, const MoleculeModel& model, const Projection& inside,
+                const Lighting& lighting, const Options& options, Passes& passes);
+
+  GlTarget target_, opaque_;
+  SphereCull cull_;
+  std::vector<std::unique_ptr<StyledPart>> parts_;
+  std::vector<LooseSphere> small_;
+  Key key_;
+  bool have_ = false, redrawn_ = false, faint_ = false;
+  std::size_t atoms_drawn_ = 0;
+};
+
+}  // namespace moltact

@@ -1,0 +1,60 @@
+// A box of a picture's pixels, grown round what is drawn there. Plain data.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/render/projection.h"
+
+namespace moltact {
+
+/// Columns and rows from the lower left corner; the last ones are outside.
+struct PixelBox {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+
+  bool empty() const { return x1 <= x0 || y1 <= y0; }
+  int width() const { return x1 - x0; }
+  int height() const { return y1 - y0; }
+
+  PixelBox times(int factor) const { return {x0 * factor, y0 * factor, x1 * factor, y1 * factor}; }
+};
+
+/// Grows with balls and places in the camera's axes.
+class PixelBoxBuilder {
+ public:
+  explicit PixelBoxBuilder(const Projection& projection) : projection_(projection) {}
+
+  void add(const glm::vec3& centre, float radius) {
+    const float nearest = -centre.z - radius;
+    any_ = true;
+    if (!(nearest > float(projection_.depth.near_A))) {  // at the eye it may reach anywhere
+      low_ = glm::vec2(-1.0f);
+      high_ = glm::vec2(1.0f);
+      return;
+    }
+    // The image of the ball lies within the image of its box.
+    for (const float depth : {nearest, nearest + 2 * radius}) {
+      const glm::vec2 scale = 1.0f / (depth * glm::vec2(projection_.tan_x, projection_.tan_y));
+      low_ = glm::min(low_, (glm::vec2(centre) - radius) * scale);
+      high_ = glm::max(high_, (glm::vec2(centre) + radius) * scale);
+    }
+  }
+
+  /// In a picture of the projection's size, widened by so many pixels.
+  PixelBox box(int margin_px) const {
+    if (!any_) return {};
+    const glm::vec2 size(projection_.width_px, projection_.height_px);
+    const glm::vec2 low = (glm::clamp(low_, -1.0f, 1.0f) * 0.5f + 0.5f) * size,
+                    high = (glm::clamp(high_, -1.0f, 1.0f) * 0.5f + 0.5f) * size;
+    return {std::max(0, int(std::floor(low.x)) - margin_px), std::max(0, int(std::floor(low.y)) - margin_px),
+            std::min(projection_.width_px, int(std::ceil(high.x)) + margin_px),
+            std::min(projection_.height_px, int(std::ceil(high.y)) + margin_px)};
+  }
+
+ private:
+  Projection projection_;
+  glm::vec2 low_{1.0f}, high_{-1.0f};
+  bool any_ = false;
+};
+
+}  // namespace moltact

@@ -1,0 +1,54 @@
+// What a style needs on the graphics card to draw some atoms of a molecule: made when it is first drawn and kept while
+// atoms, colours and probe stay. Needs a current context. Units: angstrom.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "engine/render/mesh_pass.h"
+#include "engine/render/molecule_model.h"
+#include "engine/render/solvent_excluded.h"
+#include "engine/render/view_scene.h"
+
+namespace moltact {
+
+class StyledPart {
+ public:
+  StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model);
+
+  /// Whether this is what the scene wants, but perhaps in other colours.
+  bool fits(const StyledAtoms& what, const ViewScene& scene) const;
+  /// Takes up the model's colours where they have changed.
+  void paint(const MoleculeModel& model);
+
+  /// Of each atom, whether it is drawn.
+  std::span<const std::uint8_t> shown() const { return shown_; }
+  const StyledAtoms& what() const { return what_; }
+  /// Null where the style has no triangles.
+  const GpuMesh* mesh() const { return mesh_.get(); }
+  /// Balls of the style's own size at atoms; empty for Spheres, which have the atoms' radii.
+  struct SmallBall {
+    std::uint32_t atom;
+    float radius_A;
+  };
+  std::span<const SmallBall> balls() const { return balls_; }
+  /// The light among the style's own shapes; null: the molecule's.
+  OcclusionVolume* occlusion() { return occlusion_ ? &*occlusion_ : nullptr; }
+
+ private:
+  void findShapes(const MoleculeModel& model);
+
+  StyledAtoms what_;
+  AtomList hidden_;
+  std::shared_ptr<const Molecule> molecule_;
+  double probe_A_ = 0.0;
+  unsigned painted_ = 0;
+  std::vector<std::uint8_t> shown_;
+  std::vector<SmallBall> balls_;
+  SolventExcluded surface_;  // of a surface, whose owners are the atoms
+  std::unique_ptr<GpuMesh> mesh_;
+  std::optional<OcclusionVolume> occlusion_;
+};
+
+}  // namespace moltact

@@ -1,0 +1,82 @@
+// Pictures a second of 1280 x 800 pixels, off-screen, by the graphics driver that EGL gives (in software where there is no
+// graphics card): while the view turns and everything is drawn anew, and while the probe moves over a view that rests.
+// Run: build/release/picture_benchmark [--benchmark_filter=…]. The counter `frames_s` is what a window could show.
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <memory>
+
+#include "engine/bench/hip_paths.h"
+#include "engine/platform/offscreen_gl.h"
+#include "engine/render/renderer.h"
+
+namespace {
+
+using namespace moltact;
+
+constexpr int kWidth_px = 1280, kHeight_px = 800;
+
+Renderer* renderer() {
+  static auto gl = OffscreenGl::create();
+  if (!gl) return nullptr;
+  static auto made = Renderer::create();
+  return made ? made->get() : nullptr;
+}
+
+ViewScene sceneOf(std::size_t atoms) {
+  static std::map<std::size_t, std::shared_ptr<const Molecule>> made;
+  auto& one = made[atoms];
+  if (!one) {
+    Molecule molecule;
+    for (const Ball& b : bench::proteinLike(atoms, 1)) {
+      Atom a;
+      a.position.A = b.centre_A;
+      a.radius_A = b.radius_A;
+      a.atomic_number = std::uint8_t(6 + molecule.atoms.size() % 3);
+      molecule.atoms.push_back(a);
+    }
+    one = std::make_shared<const Molecule>(std::move(molecule));
+  }
+  ViewScene scene;
+  scene.molecule = one;
+  scene.camera.fit(*one, double(kWidth_px) / kHeight_px);
+  scene.hip = PointA{scene.camera.target.A + scene.camera.back() * 0.3 * scene.camera.distance_A};
+  return scene;
+}
+
+void frames(benchmark::State& state, bool turning) {
+  Renderer* const r = renderer();
+  if (!r) return state.SkipWithError("no graphics");
+  ViewScene scene = sceneOf(std::size_t(state.range(0)));
+  const RenderOptions options{.samples = int(state.range(1))};
+  if (r->draw(scene, kWidth_px, kHeight_px, options)) return state.SkipWithError("the driver refuses the picture");
+  r->finish();
+  for (auto _ : state) {
+    if (turning)
+      scene.camera.orbit(0.03, 0.0);
+    else
+      scene.hip->A.x += 0.01;
+    r->draw(scene, kWidth_px, kHeight_px, options);
+    r->finish();
+  }
+  state.counters["frames_s"] = benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["atoms_drawn"] = double(r->count().atoms_drawn);
+}
+
+void turning(benchmark::State& state) { frames(state, true); }
+void touching(benchmark::State& state) { frames(state, false); }
+
+BENCHMARK(turning)
+    ->ArgNames({"atoms", "samples"})
+    ->ArgsProduct({{4600, 14000, 677040}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+BENCHMARK(touching)
+    ->ArgNames({"atoms", "samples"})
+    ->ArgsProduct({{4600, 14000, 677040}, {1, 2}})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
+
+}  // namespace
+
+BENCHMARK_MAIN();
