@@ -73,7 +73,8 @@ TEST_CASE("a missing file, a folder and an empty file are told apart") {
 
 TEST_CASE("a file of another kind is refused with the formats that are read") {
   CHECK(problemOf("Dear reader,\n1 2 3\n", "letter.txt") ==
-        "letter.txt: it is not a molecule in a format that is read here; those are .cif .pdb .ent .mmcif .xyzr, each "
+        "letter.txt: it is not a molecule in a format that is read here; those are .cif .pdb .ent .mmcif .sdf .mol "
+        ".pqr .gro .xyzr, each "
         "also with .gz");
   CHECK(problemOf("Dear reader\n", "letter.pdb") ==
         "letter.pdb: there is no ATOM or HETATM line in it; take a coordinate file from the PDB "
