@@ -287,6 +287,7 @@ TEST_CASE(
                    "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: 1ubq\nauthor: A\nlicence: L\n---\n"
                    "## One\n```scene\nmolecule: 1ubq\nstyle: surface 50% for residue 1-40, spheres for residue 41-76\n"
                    "hide: residue 5\nlocked: show\n```\nText.\n");
+  d.reset();  // one window at a time
   auto lesson = startWith(file.string());
   const AtomsLook& look = lesson->app().scene.look;
   REQUIRE(look.styles.size() == 2);
