@@ -55,7 +55,8 @@ Expected<Rgb8> parseColour(std::string_view text) {
   }
   std::string names;
   for (const NamedColour& n : kOwnColours) names += (names.empty() ? "" : ", ") + std::string(n.name);
-  return Problem{{}, 0, 0, trf("'{0}' is no colour", text), trf("write one of {0}, or six digits as in #3366cc", names)};
+  return Problem{
+      {}, 0, 0, trf("'{0}' is no colour", text), trf("write one of {0}, or six digits as in #3366cc", names)};
 }
 
 double colourDistance(const Rgb8& a, const Rgb8& b) {
