@@ -3,7 +3,7 @@
 # used by an ordinary user without and with a window, and removed, after which nothing of it is left.
 #   tests/package/run.sh PACKAGE.deb [PICTURE.png]    the second: where a picture of its window goes
 # Where it is installed is told in the first lines, the first of these that can be:
-#   1. in a bare Debian that debootstrap made, in the folder BARE (default /var/tmp/bare-CODENAME, kept for the next time):
+#   1. in a bare Debian that debootstrap made, in the folder BARE (default /var/tmp/moltact-bare-CODENAME, kept for the next time):
 #      as root where debootstrap is installed. Nothing is there but what the package itself asks for: no compiler, no fonts.
 #   2. on this system: as root where Moltact is not installed yet. It asks for nothing that building has not brought.
 #   3. nowhere: the trial under a prefix of its own has to do.
@@ -54,7 +54,7 @@ if [ "$(id -u)" != 0 ]; then
   echo "Not installed: that needs root. The package was tried under a prefix of its own alone."
   exit 0
 elif command -v debootstrap >/dev/null; then
-  bare=${BARE:-/var/tmp/bare-$codename}
+  bare=${BARE:-/var/tmp/moltact-bare-$codename}
 elif dpkg-query -W -f '${Status}' moltact 2>/dev/null | grep -q 'ok installed'; then
   echo "Not installed: Moltact is on this system already. The package was tried under a prefix of its own alone."
   exit 0
