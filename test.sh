@@ -23,7 +23,7 @@ for preset in "${@:-release}"; do
     build_preset web moltact_page
     build_preset web moltact_trace
     [ -x build/release/moltact ] || build_preset release moltact
-    timeout 20m python3 tests/web/run.py
+    timeout 45m python3 tests/web/run.py
     continue
   fi
   build_preset "$preset"
