@@ -93,9 +93,9 @@ as_user() {
   env -i PATH=/usr/bin:/bin LANG=C.UTF-8 HOME="$home" ${DISPLAY:+DISPLAY="$DISPLAY"} \
     "$chroot" --userspec=65534:65534 "$root" sh -c 'cd && exec "$@"' sh "$@"
 }
-# All files, and the folders of our name; caches are made anew by their owners.
+# All files, and the folders of our name; caches are made anew by their owners (update-mime-database deletes none of chemical/).
 files() {
-  (cd "$root" && find etc usr opt srv home -xdev \( -path "${home#/}" -o -name '*.cache' \) -prune -o \( ! -type d -o -iname '*moltact*' \) -print | sort)
+  (cd "$root" && find etc usr opt srv home -xdev \( -path "${home#/}" -o -path usr/share/mime/chemical -o -name '*.cache' \) -prune -o \( ! -type d -o -iname '*moltact*' \) -print | sort)
 }
 
 if [ -n "$bare" ]; then
