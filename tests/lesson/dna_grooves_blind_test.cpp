@@ -163,7 +163,7 @@ TEST_CASE(
     CHECK(fromAxis(dna.atom(thymine + "C7").position.A) > 2.0 + fromAxis(dna.atom(thymine + "O4").position.A));
     for (const SurfacePlace& p : dna.places(thymine + "C7", 1.4)) CHECK(std::abs(offMinorGroove_deg(p.scp_A)) > 73);
   }
-  CHECK(dna.openPlaces("chain A and residue 6 and name N6", 1.4) * 1.7 <
+  CHECK(1.7 * double(dna.openPlaces("chain A and residue 6 and name N6", 1.4)) <
         dna.openPlaces("chain A and residue 7 and name C7", 1.4));
   CHECK(dna.atom("chain A and residue 6 and name N6").radius_A == doctest::Approx(1.55));
   CHECK(dna.atom("chain A and residue 7 and name O4").radius_A == doctest::Approx(1.52));
