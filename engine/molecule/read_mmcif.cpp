@@ -2,14 +2,16 @@
 // and nothing but the molecule grows; of the rest only what names the entry and describes its assemblies.
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <gemmi/elem.hpp>
 #include <optional>
 #include <span>
 #include <unordered_map>
 
+#include "engine/core/printable.h"
+#include "engine/core/text.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/cif_words.h"
+#include "engine/molecule/mmcif_operators.h"
 #include "engine/molecule/parsed_structure.h"
 
 namespace moltact {
@@ -94,7 +96,7 @@ constexpr TableTags kTables[] = {{"_atom_site.", kAtomTags},
                                  {"_struct_sheet_range.", kStrandTags}};
 
 constexpr const char* kRemedy = N_("correct the file, or take it again from its source");
-constexpr std::size_t kMostModels = 100'000, kMostOperators = 100'000, kMostCopies = 1'000'000;
+constexpr std::size_t kMostModels = 100'000;
 constexpr std::size_t kMostKept = std::size_t{32} << 20;  // bytes of text that describes assemblies
 
 /// One value of a row: as written, without quotes.
@@ -112,80 +114,13 @@ bool cifNumber(std::string_view word, double& value) {
   return parseNumber(word, value);
 }
 
-bool parseInteger(std::string_view word, int& value) {
-  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-  return error == std::errc{} && end == word.data() + word.size();
-}
-
 Problem noTable(const std::string& file) {
   return {file, 0, 0, tr("there is no _atom_site table with Cartn_x, Cartn_y and Cartn_z in it"),
           tr("take a coordinate file from the PDB (www.rcsb.org)")};
 }
 
-/// The names in one bracket of an operator expression: "1,3-5,P".
-std::vector<std::string> operatorNames(std::string_view list) {
-  std::vector<std::string> out;
-  while (!list.empty() && out.size() < kMostOperators) {
-    const std::size_t comma = list.find(',');
-    const std::string_view item = trimmed(list.substr(0, comma));
-    list.remove_prefix(comma == std::string_view::npos ? list.size() : comma + 1);
-    const std::size_t dash = item.find('-');
-    int first = 0, last = 0;
-    if (dash != std::string_view::npos && parseInteger(item.substr(0, dash), first) &&
-        parseInteger(item.substr(dash + 1), last)) {
-      for (long n = first; n <= last && out.size() < kMostOperators; ++n) out.push_back(std::to_string(n));
-    } else if (!item.empty()) {
-      out.emplace_back(item);
-    }
-  }
-  return out;
-}
-
-using Operators = std::unordered_map<std::string, ParsedOperator>;
-
-/// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket
-/// acts first.
-std::vector<ParsedOperator> operatorsOf(std::string_view expression, const Operators& known) {
-  std::vector<ParsedOperator> out;
-  bool first = true;
-  while (!expression.empty()) {
-    std::string_view list = expression;
-    if (expression.front() == '(') {
-      const std::size_t close = expression.find(')');
-      list = expression.substr(1, close == std::string_view::npos ? close : close - 1);
-      expression.remove_prefix(close == std::string_view::npos ? expression.size() : close + 1);
-    } else {
-      list = expression.substr(0, expression.find('('));
-      expression.remove_prefix(list.size());
-    }
-    std::vector<ParsedOperator> bracket;
-    for (const std::string& name : operatorNames(list))
-      if (const auto found = known.find(name); found != known.end()) bracket.push_back(found->second);
-    if (first) {
-      out = std::move(bracket);
-    } else {
-      std::vector<ParsedOperator> product;
-      for (const ParsedOperator& p : out) {
-        if (product.size() > kMostCopies) break;  // too many, which is told of the whole
-        for (const ParsedOperator& q : bracket) {
-          if (product.size() > kMostCopies) break;
-          product.push_back({p.rotation * q.rotation, p.rotation * q.shift_A + p.shift_A});
-        }
-      }
-      out = std::move(product);
-    }
-    first = false;
-    if (out.empty()) break;  // nothing times anything
-  }
-  return out;
-}
-
-std::string oneLine(std::string_view given) {
-  std::string text(given);
-  for (char& c : text)
-    if (static_cast<unsigned char>(c) < ' ') c = ' ';
-  return std::string(trimmed(text));
-}
+/// An entry's name or title, which may be written over several lines.
+std::string written(std::string_view given) { return std::string(trimmed(oneLine(given))); }
 
 class Reader {
  public:
@@ -298,10 +233,10 @@ class Reader {
       case Table::Operators:
         return options_.assembly.empty() ? std::nullopt : oper(row);
       case Table::Entry:
-        if (head_.id.empty()) head_.id = oneLine(row[0].said());
+        if (head_.id.empty()) head_.id = written(row[0].said());
         return std::nullopt;
       case Table::Title:
-        if (head_.title.empty()) head_.title = oneLine(row[0].said());
+        if (head_.title.empty()) head_.title = written(row[0].said());
         return std::nullopt;
       case Table::Conformations:
         return conformation(row);
@@ -486,7 +421,7 @@ class Reader {
   MoleculeBuilder builder_;
   ParsedHeader head_;
   std::array<Row, std::size(kTables)> single_;  // of this block's pairs
-  Operators operators_;
+  MmcifOperators operators_;
   std::vector<Generator> generators_;
   std::size_t kept_ = 0, rows_ = 0;
   std::unordered_map<std::string, int> place_of_;  // models by name, in the order of the file, from 1

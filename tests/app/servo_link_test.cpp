@@ -13,6 +13,7 @@
 #include "app/ui/scene/view_controls.h"
 #include "engine/haptics/methods.h"
 #include "engine/servo/plain_trackers.h"
+#include "tests/haptics/without_memory.h"
 
 namespace moltact {
 namespace {
@@ -206,12 +207,8 @@ TEST_CASE(
 TEST_CASE(
     "a body in the hand is turned by mouse and keys: 100 px to the right and 0.5 s of an arrow up turn it by 0.8 and "
     "-0.7 rad; a point and a new scene are not turned") {
-  struct Body final : Tracker {
+  struct Body final : test::WithoutMemory<Tracker> {
     Contact step(PointA hip) noexcept override { return {.scp = hip}; }
-    void reset() noexcept override {}
-    void setProbe(double) noexcept override {}
-    double probe_A() const noexcept override { return kWaterProbe_A; }
-    MemoryUsage memoryUsage() const noexcept override { return {}; }
     bool hasOrientation() const noexcept override { return true; }
   };
   ServoLink link(ServoClock::Frames);

@@ -8,11 +8,12 @@
 #include <utility>
 
 #include "engine/haptics/methods.h"
+#include "tests/haptics/without_memory.h"
 
 namespace moltact::test {
 
 /// A method that answers with what no place is.
-class BadTracker final : public Tracker {
+class BadTracker final : public WithoutMemory<Tracker> {
  public:
   explicit BadTracker(Vec3 scp) : scp_(scp) {}
   Contact step(PointA hip) noexcept override {
@@ -20,10 +21,6 @@ class BadTracker final : public Tracker {
     stretchToScp(out, hip);
     return out;
   }
-  void reset() noexcept override {}
-  void setProbe(double) noexcept override {}
-  double probe_A() const noexcept override { return kWaterProbe_A; }
-  MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
   Vec3 scp_;

@@ -6,21 +6,14 @@
 #include <utility>
 
 #include "engine/servo/servo_step.h"
+#include "tests/haptics/without_memory.h"
 
 using namespace moltact;
 
 namespace {
 
-class WithoutProbe : public Interaction {
- public:
-  void reset() noexcept override {}
-  void setProbe(double) noexcept override {}
-  double probe_A() const noexcept override { return kWaterProbe_A; }
-  MemoryUsage memoryUsage() const noexcept override { return {}; }
-};
-
 // Two points on the body's x-axis, 2 A from its middle, each pushed out of the half-space z < 0.
-class Bar final : public WithoutProbe {
+class Bar final : public test::WithoutMemory<Interaction> {
  public:
   static constexpr double kArm_A = 2.0;
   Response respond(const PoseA& pose) noexcept override {
@@ -42,7 +35,7 @@ class Bar final : public WithoutProbe {
 };
 
 // A spring that holds the body upright and not in its place; on its way back it pulls `honest` times as hard.
-class Torsion final : public WithoutProbe {
+class Torsion final : public test::WithoutMemory<Interaction> {
  public:
   explicit Torsion(double honest) : honest_(honest) {}
   Response respond(const PoseA& pose) noexcept override {

@@ -9,6 +9,7 @@
 
 #include "engine/device/simulated_device.h"
 #include "engine/haptics/tracker.h"
+#include "tests/haptics/without_memory.h"
 
 using namespace moltact;
 
@@ -67,7 +68,7 @@ class ClockedDevice final : public Device {
 };
 
 // A tracker that always pushes along x and tells which thread it is destroyed on.
-class PushingTracker final : public Tracker {
+class PushingTracker final : public test::WithoutMemory<Tracker> {
  public:
   explicit PushingTracker(std::atomic<int>& alive, std::thread::id& destroyed_on)
       : alive_(alive), destroyed_on_(destroyed_on) {
@@ -82,10 +83,6 @@ class PushingTracker final : public Tracker {
     stretchToScp(out, hip);
     return out;
   }
-  void reset() noexcept override {}
-  void setProbe(double) noexcept override {}
-  double probe_A() const noexcept override { return kWaterProbe_A; }
-  MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
   std::atomic<int>& alive_;
@@ -93,7 +90,7 @@ class PushingTracker final : public Tracker {
 };
 
 // A tracker whose SCP tells which one it is.
-class MarkedTracker final : public Tracker {
+class MarkedTracker final : public test::WithoutMemory<Tracker> {
  public:
   explicit MarkedTracker(std::uint32_t mark) : mark_(mark) {}
   Contact step(PointA hip) noexcept override {
@@ -101,10 +98,6 @@ class MarkedTracker final : public Tracker {
     stretchToScp(out, hip);
     return out;
   }
-  void reset() noexcept override {}
-  void setProbe(double) noexcept override {}
-  double probe_A() const noexcept override { return kWaterProbe_A; }
-  MemoryUsage memoryUsage() const noexcept override { return {}; }
 
  private:
   std::uint32_t mark_;

@@ -29,11 +29,6 @@ class InFirefox(PageTest):
 
     def test_a_reload_in_the_middle_goes_on_where_it_was(self):
         browser = self.firefox()
-        self.open_lesson(browser)
-        self.press(browser, until=("task/0", "done"))
-        browser.click("lesson/next")
-        browser.wait_for("lesson/step", "Two atoms")
+        self.leave_at_second_step(browser)
         browser.evaluate("new Promise((done) => setTimeout(done, 1000))")
-        browser.open(PAGE.as_uri())
-        browser.click("welcome/lesson/first-touch")
-        browser.wait_for("lesson/step", "Two atoms")
+        self.goes_on_at_second_step(browser)

@@ -60,6 +60,18 @@ class PageTest(unittest.TestCase):
         browser.click(f"welcome/lesson/{lesson}")
         browser.wait_for("task/0", "current")
 
+    def leave_at_second_step(self, browser):
+        """Does the first task of the first lesson and goes on; what is kept is written a little later."""
+        self.open_lesson(browser)
+        self.press(browser, until=("task/0", "done"))
+        browser.click("lesson/next")
+        browser.wait_for("lesson/step", "Two atoms")
+
+    def goes_on_at_second_step(self, browser):
+        browser.open(PAGE.as_uri())
+        browser.click("welcome/lesson/first-touch")
+        browser.wait_for("lesson/step", "Two atoms")
+
     def press(self, browser, notches=0, until=""):
         at = browser.place("view")
         browser.mouse("mouseMoved", *at)

@@ -133,14 +133,9 @@ class Lesson(PageTest):
 
     def test_a_reload_in_the_middle_goes_on_and_the_desktop_reports_what_is_handed_in(self):
         browser = self.browser()
-        self.open_lesson(browser)
-        self.press(browser, until=("task/0", "done"))
-        browser.click("lesson/next")
-        browser.wait_for("lesson/step", "Two atoms")
+        self.leave_at_second_step(browser)
         browser.evaluate("new Promise((done) => setTimeout(done, 1000))")
-        browser.open(PAGE.as_uri())
-        browser.click("welcome/lesson/first-touch")
-        browser.wait_for("lesson/step", "Two atoms")
+        self.goes_on_at_second_step(browser)
         browser.click("lesson/back")
         browser.wait_for("task/0", "done")
         browser.click("menu/lesson")

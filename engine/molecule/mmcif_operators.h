@@ -1,0 +1,26 @@
+// The operators of an assembly as mmCIF writes them: _pdbx_struct_assembly_gen.oper_expression. Not for the haptic thread.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "engine/molecule/parsed_structure.h"
+
+namespace moltact {
+
+inline constexpr std::size_t kMostOperators = 100'000, kMostCopies = 1'000'000;
+
+/// By their ids.
+using MmcifOperators = std::unordered_map<std::string, ParsedOperator>;
+
+/// A whole number and nothing else.
+bool parseInteger(std::string_view word, int& value);
+
+/// The operators of an expression such as "1", "1,2", "(1-60)" or "(1-60)(61-88)", where the last bracket acts first.
+/// Ids that are not known are passed over; a product of more than kMostCopies breaks off just above that.
+std::vector<ParsedOperator> operatorsOf(std::string_view expression, const MmcifOperators& known);
+
+}  // namespace moltact

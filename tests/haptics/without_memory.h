@@ -1,0 +1,17 @@
+// What a tracker or an interaction of a test answers where it has no probe, nothing to forget and no memory of its own.
+#pragma once
+
+#include "engine/haptics/tracker.h"
+
+namespace moltact::test {
+
+template <class Base>
+class WithoutMemory : public Base {
+ public:
+  void reset() noexcept override {}
+  void setProbe(double) noexcept override {}
+  double probe_A() const noexcept override { return kWaterProbe_A; }
+  MemoryUsage memoryUsage() const noexcept override { return {}; }
+};
+
+}  // namespace moltact::test
