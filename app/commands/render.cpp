@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/commands/atoms_option.h"
 #include "app/commands/command.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
@@ -12,6 +13,7 @@
 #include "app/commands/value_types.h"
 #include "engine/haptics/interactions.h"
 #include "engine/lesson/keys.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
 #include "engine/render/molecule_model.h"
@@ -25,6 +27,7 @@ constexpr double kRadian = std::numbers::pi / 180;
 struct RenderArguments {
   MoleculeArgument molecule;
   std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", colour, style = "spheres", hide;
+  LeftOutAtoms left_out;
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
@@ -55,7 +58,7 @@ std::optional<PointA> hipOf(const std::string& text) {
 // The hand comes from outside along the line of sight, as a person at this picture would push.
 Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments, const Camera& camera,
              PointA hip) {
-  const auto scene = std::make_shared<const BallScene>(molecule->balls());
+  const auto scene = std::make_shared<const BallScene>(molecule->balls(), arguments.left_out.notFelt(*molecule));
   const auto felt = makeInteraction({scene, arguments.touch});
   const Vec3 from_hip = camera.back();
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * arguments.touch.probe_A + 1;
@@ -116,7 +119,11 @@ AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, co
   AtomsLook look;
   for (const StyleSpec& s : value("--style", "style", arguments.style).styles)
     look.styles.push_back({s.style, listOf("--style", s.atoms), float(s.opacity)});
-  if (!arguments.hide.empty()) look.hidden = listOf("--hide", value("--hide", "hide", arguments.hide).selection);
+  if (auto hidden = atomsOfEither(
+          arguments.hide == "none" ? std::vector<std::uint32_t>() : selectedAtoms("--hide", arguments.hide, molecule),
+          arguments.left_out.removed(molecule));
+      !hidden.empty())
+    look.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   look.spheres_near_A = arguments.near_A;
   if (!arguments.colour.empty()) look.colouring = schemeColouring(molecule, arguments.colour);
   if (arguments.cut) look.cut = CutPlane{camera.back(), glm::dot(camera.back(), camera.target.A) + arguments.cut_A};
@@ -137,7 +144,7 @@ void render(const RenderArguments& arguments) {
                                                   : ColourBy::Element;
   scene.probe_A = arguments.touch.probe_A;
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
-  scene.camera.fit(*scene.molecule, double(width) / height);
+  scene.camera.fit(*scene.molecule, double(width) / height, 0.08, 0.0, arguments.left_out.removed(*scene.molecule));
   scene.look = looksOf(arguments, *scene.molecule, scene.camera);
   if (scene.hip) {
     scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
@@ -191,6 +198,7 @@ void addRender(CLI::App& app) {
   for (const DrawStyleInfo& s : drawStyles()) styles += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command->add_option("--style", a.style, styles)->capture_default_str();
   command->add_option("--hide", a.hide, "Atoms that are not drawn, as a selection: 'water', 'chain B'");
+  a.left_out.addTo(*command);
   command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")
       ->check(numberFrom(0.0, 20.0))
       ->capture_default_str();

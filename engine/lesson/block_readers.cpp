@@ -118,10 +118,14 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
   if (takes("show")) scene.show = values["show"].words;
   if (takes("style")) scene.styles = values["style"].styles;
-  if (takes("hide")) {
-    scene.hide = values["hide"].selection;
-    scene.places.hide = values["hide"].place;
-  }
+  const auto takeAtoms = [&](std::string_view key, Selection& atoms, Place& place) {
+    if (!takes(key)) return;
+    atoms = values[key].selection;
+    place = values[key].place;
+  };
+  takeAtoms("hide", scene.hide, scene.places.hide);
+  takeAtoms("untouchable", scene.untouchable, scene.places.untouchable);
+  takeAtoms("remove", scene.remove, scene.places.remove);
   if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   if (takes("panels")) {
@@ -133,14 +137,8 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.locked = lesson.locked;
     scene.locked.insert(scene.locked.end(), values["locked"].words.begin(), values["locked"].words.end());
   }
-  if (takes("highlight")) {
-    scene.highlight = values["highlight"].selection;
-    scene.places.highlight = values["highlight"].place;
-  }
-  if (takes("magnify")) {
-    scene.magnify = values["magnify"].selection;
-    scene.places.magnify = values["magnify"].place;
-  }
+  takeAtoms("highlight", scene.highlight, scene.places.highlight);
+  takeAtoms("magnify", scene.magnify, scene.places.magnify);
   if (takes("view")) {
     const Value& view = values["view"];
     scene.view = view.words.empty() ? std::string() : view.words[0];

@@ -7,6 +7,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact::checks {
@@ -30,12 +31,16 @@ class Check {
         selects(step.scene.facing, places.view, *molecule);
         selects(step.scene.magnify, places.magnify, *molecule);
         selects(step.scene.hide, places.hide, *molecule);
+        selects(step.scene.untouchable, places.untouchable, *molecule);
+        selects(step.scene.remove, places.remove, *molecule);
         for (const StyleSpec& style : step.scene.styles) selects(style.atoms, style.place, *molecule);
       }
+      const std::vector<std::uint32_t> untouchable = untouchableAtoms(step.scene, *molecule);
       for (const TaskSpec& task : step.tasks) {
         for (const auto& [key, value] : task.values) {
-          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule);
-          for (std::size_t i = 0; i < value.path.size(); ++i) selects(value.path[i], value.places[i], *molecule);
+          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable);
+          for (std::size_t i = 0; i < value.path.size(); ++i)
+            selects(value.path[i], value.places[i], *molecule, untouchable);
         }
         const TaskKind* kind = findTaskKind(task.kind);
         std::vector<Problem> problems;
@@ -76,12 +81,20 @@ class Check {
     return nullptr;
   }
 
-  void selects(const Selection& selection, Place place, const Molecule& molecule) {
+  /// An error where it selects nothing, or for a task nothing that can be touched.
+  void selects(const Selection& selection, Place place, const Molecule& molecule,
+               const std::vector<std::uint32_t>& untouchable = {}) {
     if (!selection.given() || findings_.enough()) return;
     const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
-    if (selection.select(molecule).empty()) {
+    const std::vector<std::uint32_t> atoms = selection.select(molecule);
+    if (atoms.empty()) {
       Problem why = selection.whyEmpty(molecule);
       findings_.error(at(why), std::move(why.message), std::move(why.remedy));
+      return;
+    }
+    if (std::includes(untouchable.begin(), untouchable.end(), atoms.begin(), atoms.end())) {
+      findings_.error(place, tr("nothing of this can be touched: the scene takes it from the hand"),
+                      tr("name other atoms, or change the scene's 'untouchable' or 'remove'"));
       return;
     }
     for (Problem& idle : selection.idleNames(molecule))

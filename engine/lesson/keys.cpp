@@ -128,6 +128,16 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Target,
        .meaning = "Atoms that are not drawn. They are felt as before. 'none' ends what an earlier scene hid.",
        .words = {"none"}},
+      {.name = "untouchable",
+       .type = ValueType::Target,
+       .meaning = "Atoms that are not felt: the probe passes through them. They are drawn as before; with 'style' they "
+                  "can be made faint. 'none' ends what an earlier scene said.",
+       .words = {"none"}},
+      {.name = "remove",
+       .type = ValueType::Target,
+       .meaning = "Atoms that are taken out of the molecule: neither drawn nor felt, and the view does not count them. "
+                  "'none' brings back what an earlier scene took out.",
+       .words = {"none"}},
       {.name = "near",
        .type = ValueType::Quantity,
        .meaning = "Where another style hides the spheres: atoms as near to the probe are drawn as spheres too.",

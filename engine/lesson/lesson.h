@@ -75,7 +75,7 @@ using Block =
 
 /// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
 struct ScenePlaces {
-  Place scene, molecule, highlight, view, magnify, hide;
+  Place scene, molecule, highlight, view, magnify, hide, untouchable, remove;
   Place reading;  ///< of what was said last about how the molecule is read; line 0 where nothing was
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
@@ -88,6 +88,8 @@ struct SceneSpec {
   std::vector<std::string> show;    ///< names of the picture's parts
   std::vector<StyleSpec> styles;    ///< how the atoms are drawn; empty: all as spheres
   Selection hide;                   ///< atoms that are not drawn; may select nothing
+  Selection untouchable;            ///< atoms that are not felt; may select nothing
+  Selection remove;                 ///< atoms that are neither drawn nor felt; may select nothing
   double near_A = 4.0;              ///< beside other styles: so near to the probe atoms are spheres
   std::string colour = "element";   ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
   std::vector<std::string> panels;  ///< "touch", "methods", or "none"; empty: as the student has them

@@ -9,6 +9,7 @@
 #include "engine/core/content_hash.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -78,7 +79,12 @@ void LessonSession::enter(std::size_t step) {
 
 void LessonSession::makeTasks() {
   tasks_.clear();
-  for (const TaskSpec& spec : step().tasks) tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
+  const std::vector<std::uint32_t> untouchable =
+      molecule_ ? untouchableAtoms(scene(), *molecule_) : std::vector<std::uint32_t>();
+  for (const TaskSpec& spec : step().tasks) {
+    tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
+    if (tasks_.back() && !untouchable.empty()) tasks_.back()->leaveOut(untouchable);
+  }
 }
 
 std::size_t LessonSession::mainStepAfter(std::size_t step) const {

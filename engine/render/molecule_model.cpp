@@ -30,9 +30,20 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
 
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(molecule->balls()) {
   paint(elements, colour_by, nullptr);
-  occlusion = occlusionField(scene.balls());
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
+}
+
+void MoleculeModel::shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms) {
+  hidden = std::move(hidden_atoms);
+  std::vector<Ball> seen;
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; hidden && i < scene.size(); ++i)
+    if (next < hidden->size() && (*hidden)[next] == i)
+      ++next;
+    else
+      seen.push_back(scene[i]);
+  occlusion = occlusionField(hidden ? std::span<const Ball>(seen) : scene.balls());
 }
 
 void MoleculeModel::paint(ElementColours wanted, ColourBy by, std::shared_ptr<const Colouring> by_scheme) {

@@ -28,14 +28,17 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
 
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
+  /// The light among the atoms without those hidden (ascending; null: none is).
+  void shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms);
   /// Colours the atoms.
   void paint(ElementColours elements, ColourBy by, std::shared_ptr<const Colouring> by_scheme);
 
   std::shared_ptr<const Molecule> molecule;
   ElementColours elements = ElementColours::Customary;
   ColourBy colour_by = ColourBy::Element;
-  std::shared_ptr<const Colouring> colouring;  ///< stands before both where it is of this molecule
-  unsigned painted = 0;                        ///< grows with every painting
+  std::shared_ptr<const std::vector<std::uint32_t>> hidden;  ///< as it is shaded
+  std::shared_ptr<const Colouring> colouring;                ///< stands before both where it is of this molecule
+  unsigned painted = 0;                                      ///< grows with every painting
   BallScene scene;
   std::vector<std::uint32_t> colour;  ///< bytes red, green, blue, 255 from the lowest
   OcclusionField occlusion;

@@ -129,6 +129,9 @@ void Application::enterScene() {
 }
 
 void Application::beginSceneAgain(std::optional<PointA> before) {
+  // What is felt is made anew where other atoms are taken from the hand.
+  if (Stage felt = withUntouchable(scene.stage(), lesson.untouchable()); felt.balls != scene.stage().balls)
+    scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
     scene.beginAgainAt(*before);
   else
@@ -169,7 +172,7 @@ void Application::takeUp(Loaded loaded) {
   lesson.meet(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
   scene.setRegion(lesson.region());
-  scene.show(*std::move(loaded.stage), loaded.key, facing());
+  scene.show(withUntouchable(*loaded.stage, lesson.untouchable()), loaded.key, facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 

@@ -13,6 +13,7 @@
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/sweep.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/background.h"
 #include "engine/platform/read_file.h"
@@ -25,7 +26,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Raised when pictures of the same subject come out differently.
-constexpr std::string_view kDrawnAs = "3";
+constexpr std::string_view kDrawnAs = "4";
 constexpr std::size_t kMostKept = 400;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
 
@@ -39,8 +40,9 @@ std::string sceneKey(const CardSubject& subject) {
   std::string styles;
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
-  return styles + s.hide.text() + '|' + readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' +
-         s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
+  return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' +
+         readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' +
+         s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -61,7 +63,9 @@ PointA restingPlace(const BallScene& balls, const Camera& camera, double probe_A
 // The scene as a lesson turns and marks it, with the probe at the surface.
 ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
-  const BallScene balls(read.balls());
+  const BallScene balls(read.balls(), untouchableAtoms(spec, read));
+  const std::vector<std::uint32_t> removed =
+      spec.remove.given() ? spec.remove.select(read) : std::vector<std::uint32_t>();
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
   scene.shown = {ViewPart::Atoms, ViewPart::Target, ViewPart::Probe, ViewPart::Facets};
   scene.probe_A = spec.touch.probe_A;
@@ -70,7 +74,7 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   scene.facets = feltFacets(spec.touch.method);
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;
-  const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.touch.probe_A); };
+  const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.touch.probe_A, removed); };
   fit();
   faceScene(scene.camera, *scene.molecule, spec);
   fit();

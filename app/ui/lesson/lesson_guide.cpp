@@ -8,6 +8,7 @@
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/render/molecule_model.h"
 
 namespace moltact {
@@ -18,7 +19,8 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   };
   AtomsLook looks;
   for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
-  looks.hidden = listOf(scene.hide);
+  if (std::vector<std::uint32_t> hidden = hiddenAtoms(scene, molecule); !hidden.empty())
+    looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;
   looks.colouring = schemeColouring(molecule, scene.colour);
   return looks;
@@ -88,6 +90,7 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
 
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
+  untouchable_.clear();
   region_.reset();
   looks_ = {
       .styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt, .colouring = nullptr};
@@ -97,6 +100,7 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   on_stage_ = wanted && *wanted == key;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
   if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
+  if (on_stage_) untouchable_ = untouchableAtoms(session_->scene(), *molecule);
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
 }

@@ -85,6 +85,8 @@ class LessonGuide {
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
   /// How the step draws the atoms; as spheres without one.
   const AtomsLook& looks() const { return looks_; }
+  /// The atoms that the step takes from the hand, ascending.
+  const std::vector<std::uint32_t>& untouchable() const { return untouchable_; }
   /// The part of the molecule that the step magnifies.
   const std::optional<Region>& region() const { return region_; }
   /// Turns a fitted camera the way the step asks for.
@@ -99,7 +101,7 @@ class LessonGuide {
   std::size_t openings_ = 0, drafts_opening_ = 0, drafts_step_ = 0;
   std::size_t scene_seen_ = 0;
   bool scene_changed_ = false, on_stage_ = false;
-  std::vector<std::uint32_t> highlighted_;
+  std::vector<std::uint32_t> highlighted_, untouchable_;
   std::optional<Region> region_;
   AtomsLook looks_;
 };

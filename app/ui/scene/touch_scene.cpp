@@ -1,6 +1,7 @@
 #include "app/ui/scene/touch_scene.h"
 
 #include <algorithm>
+#include <iterator>
 
 #include "engine/servo/plain_trackers.h"
 #include "engine/workspace/fit_workspace.h"
@@ -109,7 +110,16 @@ void TouchScene::resetView(const Facing& facing) {
   if (!stage_) return;
   camera.orientation = glm::dquat(1, 0, 0, 0);
   // Round the molecule there is room for the probe, which hovers before it and beside it.
-  const auto fit = [&] { camera.fit(*stage_.molecule, view_aspect_, 0.08, kProbeRoom * servo_settings.probe_A); };
+  // What is neither seen nor felt needs none.
+  std::vector<std::uint32_t> removed;
+  if (look.hidden) {
+    const std::vector<std::uint32_t> unfelt = stage_.balls->untouchable();
+    std::set_intersection(look.hidden->begin(), look.hidden->end(), unfelt.begin(), unfelt.end(),
+                          std::back_inserter(removed));
+  }
+  const auto fit = [&] {
+    camera.fit(*stage_.molecule, view_aspect_, 0.08, kProbeRoom * servo_settings.probe_A, removed);
+  };
   fit();
   facing(camera, *stage_.molecule);
   // Another side of the molecule may be wider.
