@@ -7,6 +7,7 @@
 #include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/lesson/lesson_region.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/use_language.h"
 #include "engine/render/molecule_model.h"
@@ -122,6 +123,7 @@ void Application::enterScene() {
   }
   if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
     scene.setRegion(lesson.region());
+    scene.setZoomed(lesson.zoomed());
     beginSceneAgain();
     return;
   }
@@ -130,12 +132,13 @@ void Application::enterScene() {
 
 void Application::beginSceneAgain(std::optional<PointA> before) {
   // What is felt is made anew where other atoms are taken from the hand.
-  if (Stage felt = withUntouchable(scene.stage(), lesson.untouchable()); felt.balls != scene.stage().balls)
+  if (Stage felt = withUntouchable(scene.restingStage(), lesson.untouchable()); felt.balls != scene.stage().balls)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
     scene.beginAgainAt(*before);
   else
     scene.beginAgain(facing());
+  if (!before) cutOpen();
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 
@@ -172,12 +175,42 @@ void Application::takeUp(Loaded loaded) {
   lesson.meet(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
   scene.setRegion(lesson.region());
+  scene.setZoomed(lesson.zoomed());
   scene.show(withUntouchable(*loaded.stage, lesson.untouchable()), loaded.key, facing());
+  cutOpen();
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 
 TouchScene::Facing Application::facing() const {
   return [this](Camera& camera, const Molecule& molecule) { lesson.face(camera, molecule); };
+}
+
+void Application::cutOpen() {
+  if (!scene.stage()) return;
+  lesson.cutFor(scene.camera, *scene.stage().molecule);
+  scene.look.cut = lesson.looks().cut;
+}
+
+void Application::showView(const ViewSpec& view) {
+  if (!scene.stage()) return;
+  const Molecule& molecule = *scene.seenMolecule();
+  const Camera seen = scene.camera;
+  scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view); },
+                                 zoomedRegion(view, molecule, scene.servo_settings.probe_A));
+  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
+}
+
+void Application::zoomTo(std::span<const std::uint32_t> atoms) {
+  const Stage& stage = scene.stage();
+  const auto part = stage ? regionAround(atoms, *scene.seenMolecule(), scene.servo_settings.probe_A) : std::nullopt;
+  if (!part) return;
+  const Camera seen = scene.camera;
+  // Seen from outside: where they lie deep, whatever is before them.
+  scene.camera.target = stage.middle;
+  scene.camera.face(part->centre);
+  const glm::vec2 view = layout_.view.size();
+  scene.camera.fit(part->centre, part->radius_A, view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
 }
 
 void Application::resetView() { scene.resetView(facing()); }

@@ -13,6 +13,7 @@
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/sweep.h"
+#include "engine/lesson/lesson_region.h"
 #include "engine/lesson/scene_atoms.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/background.h"
@@ -41,8 +42,8 @@ std::string sceneKey(const CardSubject& subject) {
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
   return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' +
-         readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' + s.highlight.text() + '|' +
-         s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
+         readingText(subject.molecule.reading) + s.view.text + '|' + (s.cut ? 'c' + s.cut_at.text() : std::string()) +
+         '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -76,8 +77,11 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;
   const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.touch.probe_A, removed); };
   fit();
-  faceScene(scene.camera, *scene.molecule, spec);
+  faceView(scene.camera, *scene.molecule, spec.view);
   fit();
+  if (const auto part = zoomedRegion(spec.view, *scene.molecule, spec.touch.probe_A))
+    scene.camera.fit(part->centre, part->radius_A, aspect);
+  scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
   scene.hip = restingPlace(balls, scene.camera, spec.touch.probe_A);
   return scene;
 }

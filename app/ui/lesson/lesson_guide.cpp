@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "engine/language/catalogue.h"
@@ -12,6 +13,21 @@
 #include "engine/render/molecule_model.h"
 
 namespace moltact {
+namespace {
+
+PointA middleOf(const std::vector<std::uint32_t>& atoms, const Molecule& molecule) {
+  PointA middle;
+  for (const std::uint32_t a : atoms) middle.A += molecule.atoms[a].position.A / double(atoms.size());
+  return middle;
+}
+
+PointA middleOf(const Molecule& molecule) {
+  PointA middle;
+  for (const Atom& a : molecule.atoms) middle.A += a.position.A / double(molecule.atoms.size());
+  return middle;
+}
+
+}  // namespace
 
 AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   const auto listOf = [&](const Selection& atoms) -> AtomList {
@@ -92,6 +108,7 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   highlighted_.clear();
   untouchable_.clear();
   region_.reset();
+  zoomed_.reset();
   looks_ = {
       .styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt, .colouring = nullptr};
   on_stage_ = false;
@@ -102,6 +119,7 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
   if (on_stage_) untouchable_ = untouchableAtoms(session_->scene(), *molecule);
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
+  if (on_stage_) zoomed_ = zoomedRegion(session_->scene().view, *molecule, session_->scene().touch.probe_A);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
 }
 
@@ -122,30 +140,63 @@ ViewPartSet LessonGuide::shownParts() const {
 }
 
 void LessonGuide::face(Camera& camera, const Molecule& molecule) const {
-  faceScene(camera, molecule, on_stage_ ? session_->scene() : SceneSpec());
+  faceView(camera, molecule, on_stage_ ? session_->scene().view : ViewSpec());
 }
 
-void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene) {
-  if (scene.facing.given()) {
-    const std::vector<std::uint32_t> atoms = scene.facing.select(molecule);
-    Vec3 middle(0.0);
-    for (const std::uint32_t a : atoms) middle += molecule.atoms[a].position.A / double(atoms.size());
-    if (!atoms.empty()) camera.face({middle});
+void LessonGuide::cutFor(const Camera& camera, const Molecule& molecule) {
+  looks_.cut = on_stage_ ? cutOf(session_->scene(), molecule, camera) : std::nullopt;
+}
+
+std::optional<CutPlane> cutOf(const SceneSpec& scene, const Molecule& molecule, const Camera& camera) {
+  if (!scene.cut) return std::nullopt;
+  std::vector<std::uint32_t> atoms;
+  if (scene.cut_at.given()) atoms = scene.cut_at.select(molecule);
+  const PointA through = atoms.empty() ? middleOf(molecule) : middleOf(atoms, molecule);
+  return CutPlane{camera.back(), glm::dot(camera.back(), through.A)};
+}
+
+void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view) {
+  if (view.facing.given()) {
+    const std::vector<std::uint32_t> atoms = view.facing.select(molecule);
+    if (!atoms.empty()) camera.face(middleOf(atoms, molecule));
+    return;
+  }
+  if (view.turned_deg) {
+    const auto [right, above, round] = *view.turned_deg;
+    constexpr double kRadian = std::numbers::pi / 180.0;
+    camera.lookFrom(right * kRadian, above * kRadian);
+    camera.roll(round * kRadian);
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;
-  if (scene.view == "side")
+  if (view.side == "side")
     camera.lookSideOn(molecule);
-  else if (scene.view == "back")
+  else if (view.side == "back")
     camera.lookFrom(2 * kQuarter, 0);
-  else if (scene.view == "left")
+  else if (view.side == "left")
     camera.lookFrom(-kQuarter, 0);
-  else if (scene.view == "right")
+  else if (view.side == "right")
     camera.lookFrom(kQuarter, 0);
-  else if (scene.view == "top")
+  else if (view.side == "top")
     camera.lookFrom(0, kQuarter);
-  else if (scene.view == "bottom")
+  else if (view.side == "bottom")
     camera.lookFrom(0, -kQuarter);
+}
+
+std::string viewText(const Camera& camera) {
+  const Vec3 back = camera.back();
+  const double right = std::atan2(back.x, back.z), above = std::asin(std::clamp(back.y, -1.0, 1.0));
+  Camera upright;
+  upright.lookFrom(right, above);
+  const glm::dquat rest = glm::conjugate(upright.orientation) * camera.orientation;
+  std::string out = "turned";
+  for (const double angle : {right, above, -2.0 * std::atan2(rest.z, rest.w)}) {
+    const double degrees = std::remainder(std::round(angle * 1800.0 / std::numbers::pi) / 10.0, 360.0);
+    char text[32];
+    std::snprintf(text, sizeof text, " %g", degrees == 0.0 ? 0.0 : degrees);
+    out += text;
+  }
+  return out;
 }
 
 void LessonGuide::decorate(ViewScene& scene) const {

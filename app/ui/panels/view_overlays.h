@@ -17,6 +17,9 @@ ViewScene seenScene(const Application& app);
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 
+/// The slider between a scene's two structures.
+void drawStateSlider(Application& app, const Rectangle& view);
+
 /// How deep the hand is pressed, seen from the side.
 void drawDepthGauge(Application& app, const Rectangle& view);
 

@@ -118,7 +118,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
 ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
-  scene.molecule = app.scene.stage().molecule;
+  scene.molecule = app.scene.seenMolecule();
   scene.camera = app.scene.camera;
   scene.shown = app.scene.shown;
   scene.theme = look().viewTheme();

@@ -40,6 +40,12 @@ Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atom
   return stage && stage.balls->untouchable() != atoms ? stageOf(stage.molecule, atoms) : stage;
 }
 
+Stage movedStage(const Stage& stage, std::vector<Ball> places) {
+  Stage out = stage;
+  out.balls = std::make_shared<const BallScene>(std::move(places), stage.balls->untouchable());
+  return out;
+}
+
 std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
                                              const PoseA& hand) {
   if (!stage) return nullptr;

@@ -30,6 +30,9 @@ Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
 /// The stage with these atoms (ascending) taken from the hand, and no others.
 Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms);
 
+/// The same stage with its balls at these places (as many), where they are felt and seen alike.
+Stage movedStage(const Stage& stage, std::vector<Ball> places);
+
 /// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
 /// method is not felt as letting go. Null without a stage, and where the setup names what there is not.
 std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,
