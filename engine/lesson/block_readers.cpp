@@ -108,7 +108,7 @@ void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state
                     tr("add a line 'then: …' with the second one"));
     else if (!share)
       reading.error(value.place, trf("'{0}' is no state of this scene", value.text),
-                    tr("write one of its 'states', or a share from 0% to 100%"));
+                    tr("write one of its 'states', or a share from 0\u00a0% to 100\u00a0%"));
     else
       then.share = *share;
   }

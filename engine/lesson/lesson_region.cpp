@@ -2,16 +2,19 @@
 
 #include <algorithm>
 
+#include "engine/lesson/scene_atoms.h"
+
 namespace moltact {
 
 std::optional<Region> magnifiedRegion(const SceneSpec& scene, const Molecule& molecule) {
   if (!scene.magnify.given()) return {};
-  return regionAround(scene.magnify.select(molecule), molecule, scene.touch.probe_A);
+  return regionAround(presentAtoms(scene.magnify, scene, molecule), molecule, scene.touch.probe_A);
 }
 
-std::optional<Region> zoomedRegion(const ViewSpec& view, const Molecule& molecule, double probe_A) {
+std::optional<Region> zoomedRegion(const ViewSpec& view, const SceneSpec& scene, const Molecule& molecule,
+                                   double probe_A) {
   if (!view.zoom.given()) return {};
-  return regionAround(view.zoom.select(molecule), molecule, probe_A);
+  return regionAround(presentAtoms(view.zoom, scene, molecule), molecule, probe_A);
 }
 
 std::optional<Region> regionAround(std::span<const std::uint32_t> atoms, const Molecule& molecule, double grown_A) {

@@ -18,7 +18,8 @@ std::optional<Region> magnifiedRegion(const SceneSpec& scene, const Molecule& mo
 /// A ball round these atoms, each as much larger as `grown_A`; nothing for none.
 std::optional<Region> regionAround(std::span<const std::uint32_t> atoms, const Molecule& molecule, double grown_A);
 
-/// What a view comes close to, with room for a probe; nothing where it shows the whole.
-std::optional<Region> zoomedRegion(const ViewSpec& view, const Molecule& molecule, double probe_A);
+/// What a view of the scene comes close to, with room for a probe; nothing where it shows the whole.
+std::optional<Region> zoomedRegion(const ViewSpec& view, const SceneSpec& scene, const Molecule& molecule,
+                                   double probe_A);
 
 }  // namespace moltact

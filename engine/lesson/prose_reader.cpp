@@ -236,8 +236,9 @@ void checkLinks(Reading& reading, const Lesson& lesson) {
           views.empty() ? tr("add a line 'view NAME: …' to the scene") : suggest(link.of, views, tr("views")));
     } else if (link.kind == SceneLink::Kind::State && (scene.then.molecule.empty() || !stateNamed(scene, link.of))) {
       reading.error(run.link_place, trf("'{0}' is no state of this scene", link.of),
-                    scene.then.molecule.empty() ? tr("add a line 'then: …' with the second one")
-                                                : tr("write one of its 'states', or a share from 0% to 100%"));
+                    scene.then.molecule.empty()
+                        ? tr("add a line 'then: …' with the second one")
+                        : tr("write one of its 'states', or a share from 0\u00a0% to 100\u00a0%"));
     } else if (link.kind == SceneLink::Kind::Zoom) {
       if (const auto atoms = parseSelection(link.of); !atoms)
         reading.error(run.link_place, atoms.problem().message, atoms.problem().remedy);

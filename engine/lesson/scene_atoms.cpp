@@ -18,6 +18,13 @@ std::vector<std::uint32_t> atomsOfEither(const std::vector<std::uint32_t>& a, co
   return out;
 }
 
+std::vector<std::uint32_t> presentAtoms(const Selection& atoms, const SceneSpec& scene, const Molecule& molecule) {
+  const std::vector<std::uint32_t> all = selected(atoms, molecule), removed = selected(scene.remove, molecule);
+  std::vector<std::uint32_t> out;
+  std::set_difference(all.begin(), all.end(), removed.begin(), removed.end(), std::back_inserter(out));
+  return out;
+}
+
 std::vector<std::uint32_t> hiddenAtoms(const SceneSpec& scene, const Molecule& molecule) {
   return atomsOfEither(selected(scene.hide, molecule), selected(scene.remove, molecule));
 }

@@ -46,22 +46,27 @@ void MoleculeModel::shade(std::shared_ptr<const std::vector<std::uint32_t>> hidd
   occlusion = occlusionField(hidden ? std::span<const Ball>(seen) : scene.balls());
 }
 
+std::vector<std::uint32_t> atomColours(const Molecule& molecule, ElementColours elements, ColourBy by,
+                                       const Colouring* scheme) {
+  std::vector<std::uint32_t> out;
+  out.reserve(molecule.atoms.size());
+  if (scheme && scheme->of_atom.size() == molecule.atoms.size()) {
+    for (const Rgb8& c : scheme->of_atom) out.push_back(packColour(glm::vec3(c[0], c[1], c[2]) / 255.0f));
+    return out;
+  }
+  for (const Atom& a : molecule.atoms) {
+    const std::optional<std::uint32_t> chain = by == ColourBy::Chain ? colouredChain(molecule, a) : std::nullopt;
+    out.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, elements)));
+  }
+  return out;
+}
+
 void MoleculeModel::paint(ElementColours wanted, ColourBy by, std::shared_ptr<const Colouring> by_scheme) {
   elements = wanted;
   colour_by = by;
   colouring = std::move(by_scheme);
   ++painted;
-  const ElementColours used = shownColours(wanted, molecule->atoms.size());
-  colour.clear();
-  colour.reserve(molecule->atoms.size());
-  if (colouring && colouring->of_atom.size() == molecule->atoms.size()) {
-    for (const Rgb8& c : colouring->of_atom) colour.push_back(packColour(glm::vec3(c[0], c[1], c[2]) / 255.0f));
-    return;
-  }
-  for (const Atom& a : molecule->atoms) {
-    const std::optional<std::uint32_t> chain = by == ColourBy::Chain ? colouredChain(*molecule, a) : std::nullopt;
-    colour.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, used)));
-  }
+  colour = atomColours(*molecule, shownColours(wanted, molecule->atoms.size()), by, colouring.get());
 }
 
 std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,

@@ -26,6 +26,10 @@ ColourBy usualColourBy(const Molecule& molecule);
 /// makes itself, and for a name that is not known.
 std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name);
 
+/// The colour of each atom (packColour): of the scheme where that is of this molecule, else of chains or elements.
+std::vector<std::uint32_t> atomColours(const Molecule& molecule, ElementColours elements, ColourBy by,
+                                       const Colouring* scheme);
+
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
   /// The light among the atoms without those hidden (ascending; null: none is).

@@ -75,8 +75,12 @@ void Application::open(const std::filesystem::path& file) {
     panels.welcome = panels.welcome || !hasWork();
     return;
   }
+  openMolecule({*found});
+}
+
+void Application::openMolecule(const MoleculeKey& key) {
   step_scene_ = false;
-  loader_.begin({*found});
+  loader_.begin(key);
   if (options_.clock == ServoClock::Frames) finishLoading();
 }
 
@@ -194,9 +198,10 @@ void Application::cutOpen() {
 void Application::showView(const ViewSpec& view) {
   if (!scene.stage()) return;
   const Molecule& molecule = *scene.seenMolecule();
+  const SceneSpec spec = lesson.session() && lesson.onStage() ? lesson.session()->scene() : SceneSpec();
   const Camera seen = scene.camera;
-  scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view); },
-                                 zoomedRegion(view, molecule, scene.servo_settings.probe_A));
+  scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view, spec); },
+                                 zoomedRegion(view, spec, molecule, scene.servo_settings.probe_A));
   for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
 }
 

@@ -58,6 +58,8 @@ class Application {
   /// Opens a file by its kind (files/file_kinds.h), or a molecule by its name in the library. A file that cannot be
   /// opened gives a message and changes nothing.
   void open(const std::filesystem::path& file);
+  /// Opens a molecule's file as it is to be read, as open() does.
+  void openMolecule(const MoleculeKey& key);
   /// Files were dropped on the window: the first is opened.
   void drop(const std::vector<std::filesystem::path>& dropped);
   /// Puts a molecule on the stage as a lesson's step does: it is not among the files opened last.

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/ui/widgets/key_focus.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
@@ -32,7 +33,8 @@ struct PanelState : KeyFocus {
   bool arrows_draw = false;             ///< in this frame the arrow keys lead a pen in the lesson and not the probe
   std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
-       turns_page = false, zoom_page = false;
+       turns_page = false, zoom_page = false, reading_page = false;
+  ReadOptions reading;     ///< as it is chosen on the page for it
   std::string zoom_atoms;  ///< what was written last on the page that comes close to atoms
   bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf
   bool welcome = false;    ///< the welcome page stands in the place of view and panels

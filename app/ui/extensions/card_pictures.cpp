@@ -77,9 +77,9 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;
   const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.touch.probe_A, removed); };
   fit();
-  faceView(scene.camera, *scene.molecule, spec.view);
+  faceView(scene.camera, *scene.molecule, spec.view, spec);
   fit();
-  if (const auto part = zoomedRegion(spec.view, *scene.molecule, spec.touch.probe_A))
+  if (const auto part = zoomedRegion(spec.view, spec, *scene.molecule, spec.touch.probe_A))
     scene.camera.fit(part->centre, part->radius_A, aspect);
   scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
   scene.hip = restingPlace(balls, scene.camera, spec.touch.probe_A);

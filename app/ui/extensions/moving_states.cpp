@@ -34,6 +34,7 @@ void MovingStates::forget() {
   reading_ = {};
   states_.reset();
   molecule_.reset();
+  begins_.reset();
   then_ = {};
   share_ = wanted_ = 0.0;
 }
@@ -49,8 +50,7 @@ void MovingStates::sceneChanged(Application& app) {
   then_ = scene.then;
   if (known) {
     // The scene has begun anew, with the atoms at rest in the first state.
-    share_ = wanted_ = then_.share;
-    if (share_ > 0.0) app.scene.placeAtoms(states_->at(share_));
+    begin(app);
     return;
   }
   forget();
@@ -76,8 +76,18 @@ void MovingStates::take(Application& app) {
   for (std::size_t i = 0; i < states_->first.size(); ++i)
     farthest_A = std::max(farthest_A, glm::distance(states_->first[i].centre_A, states_->second[i].centre_A));
   per_s_ = farthest_A > 0.0 ? std::min(1.0 / kLeast_s, kFastest_A_per_s / farthest_A) : 1.0 / kLeast_s;
+  begin(app);
+}
+
+void MovingStates::begin(Application& app) {
   share_ = wanted_ = then_.share;
-  if (share_ > 0.0) app.scene.placeAtoms(states_->at(share_));
+  if (share_ == 0.0) return;
+  const std::vector<Ball> places = states_->at(share_);
+  app.scene.placeAtoms(places);
+  // The same each time the scene begins again, so that its tasks stay.
+  if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(movedTo(*molecule_, places));
+  begins_share_ = share_;
+  app.lesson.beginFrom(begins_);
 }
 
 void MovingStates::goTo(double share) {

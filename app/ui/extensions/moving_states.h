@@ -35,11 +35,14 @@ class MovingStates : public Extension {
  private:
   void forget();
   void take(Application& app);
+  void begin(Application& app);
 
   SecondState then_;                          // what states_ was made of, with
   std::shared_ptr<const Molecule> molecule_;  // the first state's
   std::future<Expected<TwoStates>> reading_;
   std::shared_ptr<const TwoStates> states_;
+  std::shared_ptr<const Molecule> begins_;  // with its atoms where a scene began that does not begin in the first state
+  double begins_share_ = 0.0;
   std::array<std::string, 2> names_;
   double share_ = 0.0, wanted_ = 0.0, per_s_ = 0.0;
 };

@@ -119,8 +119,13 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
   if (on_stage_) untouchable_ = untouchableAtoms(session_->scene(), *molecule);
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
-  if (on_stage_) zoomed_ = zoomedRegion(session_->scene().view, *molecule, session_->scene().touch.probe_A);
+  if (on_stage_)
+    zoomed_ = zoomedRegion(session_->scene().view, session_->scene(), *molecule, session_->scene().touch.probe_A);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
+}
+
+void LessonGuide::beginFrom(std::shared_ptr<const Molecule> molecule) {
+  if (on_stage_) session_->setMolecule(std::move(molecule));
 }
 
 void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
@@ -140,7 +145,8 @@ ViewPartSet LessonGuide::shownParts() const {
 }
 
 void LessonGuide::face(Camera& camera, const Molecule& molecule) const {
-  faceView(camera, molecule, on_stage_ ? session_->scene().view : ViewSpec());
+  const SceneSpec scene = on_stage_ ? session_->scene() : SceneSpec();
+  faceView(camera, molecule, scene.view, scene);
 }
 
 void LessonGuide::cutFor(const Camera& camera, const Molecule& molecule) {
@@ -150,14 +156,14 @@ void LessonGuide::cutFor(const Camera& camera, const Molecule& molecule) {
 std::optional<CutPlane> cutOf(const SceneSpec& scene, const Molecule& molecule, const Camera& camera) {
   if (!scene.cut) return std::nullopt;
   std::vector<std::uint32_t> atoms;
-  if (scene.cut_at.given()) atoms = scene.cut_at.select(molecule);
+  if (scene.cut_at.given()) atoms = presentAtoms(scene.cut_at, scene, molecule);
   const PointA through = atoms.empty() ? middleOf(molecule) : middleOf(atoms, molecule);
   return CutPlane{camera.back(), glm::dot(camera.back(), through.A)};
 }
 
-void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view) {
+void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, const SceneSpec& scene) {
   if (view.facing.given()) {
-    const std::vector<std::uint32_t> atoms = view.facing.select(molecule);
+    const std::vector<std::uint32_t> atoms = presentAtoms(view.facing, scene, molecule);
     if (!atoms.empty()) camera.face(middleOf(atoms, molecule));
     return;
   }

@@ -76,6 +76,8 @@ class LessonGuide {
 
   /// A molecule has come on the stage. The tasks wait for the one that the step asks for.
   void meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key);
+  /// The atoms of the step's molecule begin elsewhere: its tasks are made for where they are.
+  void beginFrom(std::shared_ptr<const Molecule> molecule);
   /// A tick; `method` made its contact, `exact` is the exact tracker's for the same hand.
   void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
 
@@ -110,8 +112,8 @@ class LessonGuide {
   AtomsLook looks_;
 };
 
-/// Turns a camera that has been fitted to the molecule the way a view asks for.
-void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view);
+/// Turns a camera that has been fitted to the molecule the way a view of the scene asks for.
+void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, const SceneSpec& scene);
 /// How a scene says the camera's turn: "turned 30 10 0", to a tenth of a degree.
 std::string viewText(const Camera& camera);
 /// The plane by which a scene cuts its molecule open for this camera; nothing where it does not.

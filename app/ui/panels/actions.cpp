@@ -57,8 +57,9 @@ void copyView(App& app) {
 
 void saveGltf(App& app, const std::filesystem::path& file) {
   if (!app.scene.stage()) return;
-  const Expected<GltfScene> scene =
-      exportMolecule(*app.scene.seenMolecule(), {.colours = elementColoursOf(app.settings)});
+  const Expected<GltfScene> scene = exportMolecule(
+      *app.scene.seenMolecule(),
+      {.look = app.scene.look, .colours = elementColoursOf(app.settings), .colour_by = app.scene.colour_by});
   if (!scene) return app.messages.error(scene.problem().text());
   if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
   handOver(file);
@@ -266,6 +267,12 @@ constexpr std::array kActions{
            .shortcut = "Home",
            .run = [](App& a) { a.resetViewByHand(); },
            .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
+    Action{.name = "reading",
+           .menu = Menu::View,
+           .label = N_("Models, waters, assembly …"),
+           .sentence = N_("How the molecule's file is read: which model, with its waters, as which assembly"),
+           .run = [](App& a) { a.panels.reading_page = true; },
+           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.scene.playing(); }},
     Action{.name = "zoom",
            .menu = Menu::View,
            .label = N_("Come close to …"),

@@ -187,8 +187,8 @@ void drawViewPanel(Application& app) {
   }
   ViewPicture& picture = app.picture();
   const SceneChange& change = app.extensions().scene_change;
-  picture.draw(seenScene(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
-               look().scale);
+  picture.draw(seenScene(app), int(size.x), int(size.y),
+               app.scene.controls.cameraMoved() || change.gliding() || app.scene.atomsMove(), look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
   if (change.oldPicture() > 0 && picture.kept())

@@ -39,7 +39,8 @@ void drawZoomPage(Application& app) {
   const bool appears = panels.zoom_page && !ImGui::IsPopupOpen("zoom");
   if (!beginPage("zoom", tr("Come close to atoms"), panels.zoom_page, 520, 400)) return;
   const Stage& stage = app.scene.stage();
-  ImGui::TextWrapped("%s", tr("Name them as a lesson does: residue 35 52, chain A, ligand, within 5 Å of (ligand)."));
+  ImGui::TextWrapped("%s",
+                     tr("Name them as a lesson does: residue 35 52, chain A, ligand, within 5\u00a0Å of (ligand)."));
   ImGui::Spacing();
   ImGui::SetNextItemWidth(-1.0f);
   bool asked = ImGui::InputText("##atoms", &panels.zoom_atoms, ImGuiInputTextFlags_EnterReturnsTrue);

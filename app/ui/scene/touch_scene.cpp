@@ -53,6 +53,7 @@ void TouchScene::play(const std::optional<ServoSample>& sample) {
   const bool was = playing();
   played_ = sample;
   if (was == playing()) return;
+  motion_.reset();  // of the scene that ends here
   log_.clear();
   ++servo_settings.discontinuities;
   servo_.begin(handed(false), freshInteraction());

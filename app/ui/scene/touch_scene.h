@@ -132,7 +132,9 @@ class TouchScene {
   bool playing() const { return played_.has_value(); }
 
   /// The next frame would look different by itself.
-  bool live() const { return log_.touching() || controls.live() || hand_moved_; }
+  bool live() const { return log_.touching() || controls.live() || hand_moved_ || atomsMove(); }
+  /// Atoms are on a way that has not been drawn to its end.
+  bool atomsMove() const { return motion_ && !(seen_motion_ == motion_->serial() && seen_fraction_ == 1.0); }
 
  private:
   void handBegins(PointA before);
