@@ -179,6 +179,7 @@
     const dt_s = drawn_ms ? (now_ms - drawn_ms) / 1000 : 1 / 60;
     drawn_ms = now_ms;
     program._moltact_fingers(performance.now() / 1000);
+    hid.deal(dt_s);
     state = program._moltact_frame(width, height, ratio(), dt_s);
     ++page.frames;
     if (now_ms - words_ms > kWords_ms) { words_ms = now_ms; mirror(); }
