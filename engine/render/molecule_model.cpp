@@ -28,7 +28,8 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
   return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme)) : nullptr;
 }
 
-MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(molecule->balls()) {
+MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m)
+    : molecule(std::move(m)), scene(molecule->balls()), blocks(scene.balls()) {
   paint(elements, colour_by, nullptr);
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
@@ -44,6 +45,10 @@ void MoleculeModel::shade(std::shared_ptr<const std::vector<std::uint32_t>> hidd
     else
       seen.push_back(scene[i]);
   occlusion = occlusionField(hidden ? std::span<const Ball>(seen) : scene.balls());
+  wide.clear();
+  if (occlusion.empty()) return;
+  wide.reserve(scene.size());
+  for (const Ball& b : scene.balls()) wide.push_back(occlusion.wideRound(b.centre_A, b.radius_A));
 }
 
 std::vector<std::uint32_t> atomColours(const Molecule& molecule, ElementColours elements, ColourBy by,

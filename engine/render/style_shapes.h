@@ -18,6 +18,7 @@ namespace moltact {
 struct SmallBall {
   std::uint32_t atom;
   float radius_A;
+  glm::vec4 wide{0.0f};  ///< OcclusionField::wideRound in the style's own light, once that is known
 };
 
 struct StyleShapes {

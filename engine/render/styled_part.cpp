@@ -4,6 +4,7 @@
 #include <utility>
 
 namespace moltact {
+
 StyledPart::StyledPart(const StyledAtoms& what, const ViewScene& scene, const MoleculeModel& model)
     : what_(what),
       hidden_(scene.look.hidden),
@@ -38,7 +39,10 @@ void StyledPart::findShapes(const MoleculeModel& model) {
   StyleShapes shapes = shapesOf(what_.style, *molecule_, shown_, model.colour, surface_);
   balls_ = std::move(shapes.balls);
   mesh_ = std::make_unique<GpuMesh>(shapes.piece);
-  if (!shapes.shading.empty()) occlusion_.emplace().upload(occlusionField(shapes.shading));
+  if (shapes.shading.empty()) return;
+  const OcclusionField field = occlusionField(shapes.shading);
+  occlusion_.emplace().upload(field);
+  for (SmallBall& b : balls_) b.wide = field.wideRound(molecule_->atoms[b.atom].position.A, b.radius_A);
 }
 
 }  // namespace moltact
