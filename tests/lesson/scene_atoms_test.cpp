@@ -50,7 +50,7 @@ TEST_CASE("a task on atoms of which none can be touched is told at its place; on
   const std::string scene = "## S\n```scene\nmolecule: mix\nuntouchable: ligand\n```\n";
   CHECK(errors(scene + "```touch\nreach: name FE\nsay: Touch it.\n```\n") ==
         std::vector<std::string>{
-            "l.md:14:8: nothing of this can be touched: the scene takes it from the hand; name other "
+            "l.md:15:8: nothing of this can be touched: the scene takes it from the hand; name other "
             "atoms, or change the scene's 'untouchable' or 'remove'"});
   CHECK(errors(scene + "```touch\nreach: name FE or name CA\nsay: Touch it.\n```\n").empty());
   CHECK(errors("## S\n```scene\nmolecule: mix\nremove: residue 999\n```\nText.\n").size() == 1);
