@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "molecules/generator/internal_coordinates.h"
 #include "molecules/generator/pdb_writer.h"
 
 namespace moltact::generator {
@@ -17,22 +18,11 @@ constexpr double kN_CA_C = 109.7, kCA_C_N = 116.2, kC_N_CA = 121.7, kCA_C_O = 12
 // The torsion C-N-CA-CB less phi: from the chirality of L-alanine with the angles above.
 constexpr double kCB_C_CA = 110.5;
 
-double rad(double deg) { return deg * std::numbers::pi / 180; }
-
-/// The place d with |cd| = length, angle bcd and torsion abcd (degrees).
-Vec3 place(Vec3 a, Vec3 b, Vec3 c, double length_A, double angle, double torsion) {
-  const Vec3 bc = glm::normalize(c - b);
-  const Vec3 n = glm::normalize(glm::cross(b - a, bc));
-  const Vec3 m = glm::cross(n, bc);
-  return c + length_A * (-std::cos(rad(angle)) * bc +
-                         std::sin(rad(angle)) * (std::cos(rad(torsion)) * m + std::sin(rad(torsion)) * n));
-}
-
 /// The torsion X-N-CA-CB relative to X-N-CA-C, from the three angles at CA (spherical cosines); L: it lies
 /// before C.
 double cbTorsion(double phi) {
-  const double cosine = (std::cos(rad(kCB_C_CA)) - std::cos(rad(kN_CA_C)) * std::cos(rad(kN_CA_CB))) /
-                        (std::sin(rad(kN_CA_C)) * std::sin(rad(kN_CA_CB)));
+  const double cosine = (std::cos(radians(kCB_C_CA)) - std::cos(radians(kN_CA_C)) * std::cos(radians(kN_CA_CB))) /
+                        (std::sin(radians(kN_CA_C)) * std::sin(radians(kN_CA_CB)));
   return phi - std::acos(cosine) * 180 / std::numbers::pi;
 }
 
@@ -41,12 +31,12 @@ double cbTorsion(double phi) {
 std::string makeAlphaHelix() {
   // The chain N, CA, C, N, CA, C, … first; one residue more at each end gives the torsions there.
   std::vector<Vec3> chain = {{0, 0, 0}, {kN_CA, 0, 0}};
-  chain.push_back(chain[1] + kCA_C * Vec3(-std::cos(rad(kN_CA_C)), std::sin(rad(kN_CA_C)), 0));
+  chain.push_back(chain[1] + kCA_C * Vec3(-std::cos(radians(kN_CA_C)), std::sin(radians(kN_CA_C)), 0));
   const double torsion[3] = {kPsi, kOmega, kPhi}, length[3] = {kC_N, kN_CA, kCA_C},
                angle[3] = {kCA_C_N, kC_N_CA, kN_CA_C};
   while (chain.size() < 3 * (kResidues + 2)) {
     const std::size_t k = chain.size(), kind = k % 3;
-    chain.push_back(place(chain[k - 3], chain[k - 2], chain[k - 1], length[kind], angle[kind], torsion[kind]));
+    chain.push_back(placeAtom(chain[k - 3], chain[k - 2], chain[k - 1], length[kind], angle[kind], torsion[kind]));
   }
   // The axis: the C-alphas turn about it, so the second differences of their places point to it.
   const auto ca = [&](int i) { return chain[static_cast<std::size_t>(3 * i + 1)]; };
@@ -73,9 +63,9 @@ std::string makeAlphaHelix() {
     add("CA", "C", chain[k + 1]);
     add("C", "C", chain[k + 2]);
     // the carbonyl oxygen lies opposite to the next nitrogen, in the plane of the peptide
-    add("O", "O", place(chain[k], chain[k + 1], chain[k + 2], kC_O, kCA_C_O, kPsi + 180));
-    add("CB", "C", place(chain[k - 1], chain[k], chain[k + 1], kCA_CB, kN_CA_CB, cbTorsion(kPhi)));
-    if (i == kResidues) add("OXT", "O", place(chain[k], chain[k + 1], chain[k + 2], kC_O, 118.0, kPsi));
+    add("O", "O", placeAtom(chain[k], chain[k + 1], chain[k + 2], kC_O, kCA_C_O, kPsi + 180));
+    add("CB", "C", placeAtom(chain[k - 1], chain[k], chain[k + 1], kCA_CB, kN_CA_CB, cbTorsion(kPhi)));
+    if (i == kResidues) add("OXT", "O", placeAtom(chain[k], chain[k + 1], chain[k + 2], kC_O, 118.0, kPsi));
   }
   return writePdb("IDEAL ALPHA-HELIX, 20 ALANINES",
                   {"BOND LENGTHS AND ANGLES: R. A. ENGH, R. HUBER, ACTA CRYST. A47, 392 (1991)",

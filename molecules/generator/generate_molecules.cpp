@@ -26,6 +26,8 @@ int main(int argc, char** argv) {
       {"argon-triangle.pdb", makeArgon(3)},
       {"water.pdb", makeWater()},
       {"benzene.pdb", makeBenzene()},
+      {"alanine-pair.pdb", makeAlaninePair()},
+      {"phenylalanine-pair.pdb", makePhenylalaninePair()},
       {"alpha-helix.pdb", makeAlphaHelix()},
       {"b-dna.pdb", makeBDna()},
       {"haem-alpha.pdb", makeHaemPocket(entry.str(), 'A')},

@@ -26,6 +26,9 @@ std::string makeAlphaHelix();
 std::string makeWater();
 std::string makeBenzene();
 std::string makeArgon(int atoms);
+/// Chain A: the L form of the amino acid; chain B: its mirror image.
+std::string makeAlaninePair();
+std::string makePhenylalaninePair();
 /// From the text of PDB entry 2HHB: chain 'A' (alpha) or 'B' (beta). Throws where an atom is missing.
 std::string makeHaemPocket(const std::string& entry, char chain);
 

@@ -144,6 +144,8 @@ TEST_CASE("the committed files are what the generator makes, byte for byte") {
                                                       {"argon-triangle.pdb", makeArgon(3)},
                                                       {"water.pdb", makeWater()},
                                                       {"benzene.pdb", makeBenzene()},
+                                                      {"alanine-pair.pdb", makeAlaninePair()},
+                                                      {"phenylalanine-pair.pdb", makePhenylalaninePair()},
                                                       {"alpha-helix.pdb", makeAlphaHelix()},
                                                       {"b-dna.pdb", makeBDna()},
                                                       {"haem-alpha.pdb", makeHaemPocket(entry, 'A')},
