@@ -5,6 +5,7 @@
 //
 // The L form stands at +x with its alpha hydrogen toward +x and its carboxylate toward +y; the mirror is the plane x =
 // 0. So each is seen from its hydrogen, with the carboxylate above, by whoever turns it to the front.
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -73,7 +74,14 @@ std::vector<Named> makeLForm(bool ring) {
 }
 
 std::string makePair(const std::string& title, const char* l_name, const char* d_name, bool ring, double apart_A) {
-  const std::vector<Named> l_form = makeLForm(ring);
+  std::vector<Named> l_form = makeLForm(ring);
+  // Its middle in the line of sight, so that it is not turned askew to face the viewer.
+  const auto [low_y, high_y] = std::minmax_element(
+      l_form.begin(), l_form.end(), [](const Named& a, const Named& b) { return a.place.y < b.place.y; });
+  const auto [low_z, high_z] = std::minmax_element(
+      l_form.begin(), l_form.end(), [](const Named& a, const Named& b) { return a.place.z < b.place.z; });
+  const Vec3 middle(0.0, 0.5 * (low_y->place.y + high_y->place.y), 0.5 * (low_z->place.z + high_z->place.z));
+  for (Named& a : l_form) a.place -= middle;
   std::vector<MadeAtom> atoms;
   for (const double side : {1.0, -1.0})
     for (const Named& a : l_form)

@@ -146,7 +146,13 @@ TEST_CASE("the committed files are what the generator makes, byte for byte") {
                                                       {"benzene.pdb", makeBenzene()},
                                                       {"alanine-pair.pdb", makeAlaninePair()},
                                                       {"phenylalanine-pair.pdb", makePhenylalaninePair()},
+                                                      {"stearic-oleic.pdb", makeStearicOleic()},
+                                                      {"stearic-elaidic.pdb", makeStearicElaidic()},
+                                                      {"straight-neighbours.pdb", makeStraightNeighbours()},
+                                                      {"kinked-neighbours.pdb", makeKinkedNeighbours()},
                                                       {"alpha-helix.pdb", makeAlphaHelix()},
+                                                      {"helix-pair.pdb", makeHelixPair()},
+                                                      {"beta-strand.pdb", makeBetaStrand()},
                                                       {"b-dna.pdb", makeBDna()},
                                                       {"haem-alpha.pdb", makeHaemPocket(entry, 'A')},
                                                       {"haem-beta.pdb", makeHaemPocket(entry, 'B')}};
