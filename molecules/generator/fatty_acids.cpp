@@ -19,20 +19,20 @@ namespace moltact::generator {
 namespace {
 
 constexpr int kCarbons = 18;
+constexpr const char* kResidue = "FAT";  // one name for all three: what names the touched atom gives nothing away
 constexpr double kC_C = 1.53, kC_C_C = 112, kC_H = 1.09, kH_C_H = 107;
 constexpr double kAcidC_C = 1.52, kAcidC_O = 1.21, kAcidC_OH = 1.36, kO_H = 0.97;
 constexpr double kC_C_O = 127, kC_C_OH = 111, kC_O_H = 107;
 constexpr double kRadiusC = 1.70, kRadiusH = 1.20, kRadiusO = 1.52;
 
 struct Kind {
-  const char* residue;
   bool double_bond;
   double length_A, beside_A, angle_deg;  // of the double bond and the bonds beside it
   double before_deg, across_deg, after_deg;
 };
-constexpr Kind kStearic{"STE", false, kC_C, kC_C, kC_C_C, 180, 180, 180};
-constexpr Kind kOleic{"OLA", true, 1.35, 1.51, 125, 133, 0, -133};
-constexpr Kind kElaidic{"ELA", true, 1.35, 1.51, 124, 118, 180, -118};
+constexpr Kind kStearic{false, kC_C, kC_C, kC_C_C, 180, 180, 180};
+constexpr Kind kOleic{true, 1.35, 1.51, 125, 133, 0, -133};
+constexpr Kind kElaidic{true, 1.35, 1.51, 124, 118, 180, -118};
 
 double bond(const Kind& kind, int i) {  // from carbon i to the next
   return i == 1 ? kAcidC_C : i == 9 ? kind.length_A : i == 8 || i == 10 ? kind.beside_A : kC_C;
@@ -52,7 +52,7 @@ std::vector<MadeAtom> makeAcid(const Kind& kind) {
 
   std::vector<MadeAtom> out;
   const auto add = [&](const std::string& name, const char* element, Vec3 p) {
-    out.push_back({name, kind.residue, element, 'A', 1, p, true});
+    out.push_back({name, kResidue, element, 'A', 1, p, true});
   };
   for (int i = 1; i <= kCarbons; ++i) add("C" + std::to_string(i), "C", carbon(i));
   add("O1", "O", placeAtom(carbon(3), carbon(2), carbon(1), kAcidC_O, kC_C_O, 0));
@@ -126,9 +126,11 @@ std::vector<MadeAtom> backToBack(const Kind& front, const Kind& back) {
 }
 
 /// Side by side, tops level, as near as their van der Waals surfaces let them come: chain A left of chain B for who looks
-/// from +x.
+/// from +x. A straight neighbour is turned round, so that the two acids do not hold the chains apart.
 std::vector<MadeAtom> sideBySide(const Kind& left, const Kind& right) {
   std::vector<MadeAtom> a = makeAcid(left), b = makeAcid(right);
+  if (!right.double_bond)
+    for (MadeAtom& m : b) m.position_A *= Vec3(-1, 1, -1);
   const double up_A = a[0].position_A.y - b[0].position_A.y;  // from carbon 1 to carbon 1
   const double far_A = 20;
   for (MadeAtom& m : b) {
