@@ -21,16 +21,26 @@ inline const TaskSpec& taskOf(const Lesson& lesson, const std::string& step, std
   return lesson.steps[*at].tasks[0];
 }
 
+/// Where a probe rests on the atom most nearly on the side to which `out` points; straight above it where none can.
+inline Vec3 restingOn(const ShippedScene& s, const std::string& atom, Vec3 out, double probe_A) {
+  const Atom& a = s.atom(atom);
+  Vec3 best = a.position.A + out * (a.radius_A + probe_A);
+  double most = -2;
+  for (const SurfacePlace& p : s.places(atom, probe_A, 600))
+    if (glm::dot(p.outward, out) > most) {
+      most = glm::dot(p.outward, out);
+      best = p.scp_A;
+    }
+  return best;
+}
+
 /// Rests on one atom after the other, on the side to which `out` points; where `jabbing`, lets go between two.
 inline void touchInTurn(Task& task, const ShippedScene& s, const std::vector<std::string>& atoms, Vec3 out,
                         bool jabbing, double probe_A = 1.4) {
   Hand hand{task};
   for (const std::string& name : atoms) {
-    const std::vector<std::uint32_t> found = s.select(name);
-    REQUIRE_MESSAGE(!found.empty(), name);
-    const Atom& a = s.molecule->atoms[found[0]];
     if (jabbing) hand.away(0.5);
-    hand.touch({static_cast<std::int32_t>(found[0])}, 0.3, 0.5, a.position.A + out * (a.radius_A + probe_A));
+    hand.touch({static_cast<std::int32_t>(s.select(name).at(0))}, 0.3, 0.5, restingOn(s, name, out, probe_A));
   }
 }
 
