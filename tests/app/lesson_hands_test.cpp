@@ -42,3 +42,8 @@ TEST_CASE("haemoglobin-and-haem.md is finished with the mouse alone, and with th
 }
 
 }  // namespace moltact
+
+TEST_CASE("a-hole-in-the-membrane.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("a-hole-in-the-membrane.md", LessonHand::By::Mouse);
+  walk("a-hole-in-the-membrane.md", LessonHand::By::Keyboard);
+}
