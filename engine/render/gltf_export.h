@@ -10,8 +10,9 @@
 namespace moltact {
 
 struct ExportOptions {
-  AtomsLook look;  ///< styles, what is hidden, and a colouring, as a picture has them; spheres are grouped by chain and
-                   ///< reach into each other
+  AtomsLook look =
+      {};  ///< styles, what is hidden, and a colouring, as a picture has them; spheres are grouped by chain and
+           ///< reach into each other
   bool print = false;  ///< in the styles' place one closed surface, coloured by the atoms it lies on: for printing
   double probe_A =
       0.0;  ///< spheres, and the surface for printing, are inflated by this: 1.4 gives what a water molecule

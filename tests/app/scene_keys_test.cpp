@@ -107,7 +107,7 @@ TEST_CASE("the view that is copied for a lesson is the one that the lesson shows
   turned.orbit(0.7, -0.4);
   turned.roll(0.3);
   const LessonReading reading =
-      readLesson("l.md", kHead + "## S\n```scene\nmolecule: 1ubq\nview: " + viewText(turned) + "\n```\n");
+      readLessonText("l.md", kHead + "## S\n```scene\nmolecule: 1ubq\nview: " + viewText(turned) + "\n```\n");
   REQUIRE(reading.lesson);
   Camera read;
   const SceneSpec& spec = reading.lesson->steps[0].scene;
@@ -125,6 +125,9 @@ TEST_CASE("the page that comes close to atoms tells what is wrong with them as t
   CHECK(contains(d->text("zoom/fault"), "9999"));
   CHECK(d->click("zoom/ligand HEM"));
   d->frames(3);
+  CHECK(d->app().panels.zoom_atoms == "ligand HEM");
+  d->app().panels.zoom_atoms = "ligand HEM and chain A";
+  d->frames(2);
   CHECK(d->click("zoom/go"));
   d->frames(3);
   CHECK_FALSE(d->app().panels.zoom_page);
@@ -170,7 +173,7 @@ TEST_CASE(
   REQUIRE(d->shows("view/states"));
   CHECK(glm::distance(last(), open) == 0.0);
   d->point("view");
-  d->press();
+  d->hold("Space");
   d->frames(30);
   CHECK(d->click("lesson/0/half"));
   double fastest_A = 0.0, greatest_N = 0.0;
@@ -185,6 +188,7 @@ TEST_CASE(
   CHECK(glm::distance(last(), open + Vec3(0, 0, 3)) < 1e-3);
   CHECK(fastest_A <= 8.0 * 3 / 60.0);  // a picture is at most three frames behind
   CHECK(greatest_N <= app.scene.servo_settings.max_force_N + 1e-9);
+  d->letGo("Space");
   CHECK(d->click("view/state/1"));
   d->frames(120);
   CHECK(glm::distance(last(), open + Vec3(0, 0, 6)) < 1e-3);

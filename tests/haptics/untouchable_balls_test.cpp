@@ -52,8 +52,8 @@ TEST_CASE(
   const auto whole = findMethod("exact")->make(without(scene.balls, left_out), scene.probe_A);
   const auto part = findMethod("exact")->make(test::makeScene(others), scene.probe_A);
   int touching = 0;
-  for (const PointA& hip : scenes::jumps(scene, 3000, 8)) {
-    const Contact a = whole->step(hip), b = part->step(hip);
+  for (const Vec3& hip : scenes::jumps(scene, 3000, 8)) {
+    const Contact a = whole->step({hip}), b = part->step({hip});
     REQUIRE(a.touching() == b.touching());
     if (!a.touching()) continue;
     ++touching;

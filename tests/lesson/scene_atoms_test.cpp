@@ -29,7 +29,7 @@ std::vector<std::string> errors(const std::string& body) {
 
 TEST_CASE(
     "'hide' is for the eye, 'untouchable' for the hand, 'remove' for both, each until 'none' or another molecule") {
-  const LessonReading reading = readLesson(
+  const LessonReading reading = readLessonText(
       "l.md", kHead +
                   "## A\n```scene\nmolecule: mix\nhide: name CA\nuntouchable: ligand\nremove: element Zn\n```\n"
                   "## B\n```scene\nprobe: 1 Å\n```\n## C\n```scene\nuntouchable: none\nremove: none\n```\n"

@@ -44,7 +44,7 @@ std::vector<std::string> errors(const std::string& body) {
 }
 
 SceneSpec sceneOf(const std::string& keys) {
-  LessonReading reading = readLesson("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\n");
+  LessonReading reading = readLessonText("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\n");
   for (const Problem& p : reading.errors) INFO(p.text());
   REQUIRE(reading.lesson);
   return reading.lesson->steps[0].scene;
@@ -73,7 +73,7 @@ TEST_CASE("a view is a side, atoms to the front or angles, and comes close to at
 
 TEST_CASE(
     "views keep their names and order; one of a later scene takes the place of its namesake, a molecule begins anew") {
-  const LessonReading reading = readLesson(
+  const LessonReading reading = readLessonText(
       "l.md",
       kHead +
           "## A\n```scene\nmolecule: mix\nview the Cleft: top\nview back: back\n```\n"
@@ -124,7 +124,7 @@ TEST_CASE("'cut' is 'none', the middle or atoms, and goes on until a scene says 
   CHECK_FALSE(sceneOf("").cut);
   CHECK((sceneOf("cut: middle\n").cut && !sceneOf("cut: middle\n").cut_at.given()));
   CHECK(sceneOf("cut: residue 3\n").cut_at.text() == "residue 3");
-  const LessonReading reading = readLesson(
+  const LessonReading reading = readLessonText(
       "l.md", kHead + "## A\n```scene\nmolecule: mix\ncut: residue 3\n```\n## B\n```scene\ncut: none\n```\n");
   REQUIRE(reading.lesson);
   CHECK((!reading.lesson->steps[1].scene.cut && !reading.lesson->steps[1].scene.cut_at.given()));
@@ -151,8 +151,9 @@ TEST_CASE("mistakes in the second structure are told") {
     return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
   };
   CHECK(scene("then: shut\n").empty());
-  CHECK(scene("then: sht\n") ==
-        Texts{"l.md:12:7: 'sht' is not among the lesson's molecules; did you mean 'shut'?"});
+  const Texts misspelt = scene("then: sht\n");
+  REQUIRE_FALSE(misspelt.empty());
+  CHECK(misspelt[0] == "l.md:12:7: 'sht' is not among the lesson's molecules; did you mean 'shut'?");
   CHECK(scene("then: shut, superposed on residue 88\n").size() == 1);
   CHECK(scene("then: shut\nstates: open\n").size() == 1);
   CHECK(scene("then: shut\nstate: ajar\n").size() == 1);

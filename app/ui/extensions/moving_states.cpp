@@ -74,7 +74,8 @@ void MovingStates::take(Application& app) {
   states_ = std::make_shared<const TwoStates>(*std::move(states));
   double farthest_A = 0.0;
   for (std::size_t i = 0; i < states_->first.size(); ++i)
-    farthest_A = std::max(farthest_A, glm::distance(states_->first[i].centre_A, states_->second[i].centre_A));
+    if (app.scene.stage().balls->touchable(i))
+      farthest_A = std::max(farthest_A, glm::distance(states_->first[i].centre_A, states_->second[i].centre_A));
   per_s_ = farthest_A > 0.0 ? std::min(1.0 / kLeast_s, kFastest_A_per_s / farthest_A) : 1.0 / kLeast_s;
   begin(app);
 }

@@ -15,7 +15,7 @@ namespace moltact {
 
 class MovingStates : public Extension {
  public:
-  /// No atom moves faster, and the whole way takes at least so long.
+  /// No atom that can be felt moves faster, and the whole way takes at least so long.
   static constexpr double kFastest_A_per_s = 8.0, kLeast_s = 1.5;
 
   void sceneChanged(Application& app) override;
