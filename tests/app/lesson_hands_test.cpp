@@ -52,10 +52,9 @@ TEST_CASE("straight-and-kinked-fats.md is finished with the mouse alone, and wit
   walk("straight-and-kinked-fats.md", LessonHand::By::Mouse);
   walk("straight-and-kinked-fats.md", LessonHand::By::Keyboard);
 }
-
-}  // namespace moltact
-
 TEST_CASE("a-hole-in-the-membrane.md is finished with the mouse alone, and with the keyboard alone") {
   walk("a-hole-in-the-membrane.md", LessonHand::By::Mouse);
   walk("a-hole-in-the-membrane.md", LessonHand::By::Keyboard);
 }
+
+}  // namespace moltact
