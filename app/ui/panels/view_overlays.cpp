@@ -152,6 +152,9 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   }
   drawColourLegend(app, view);
   drawDepthGauge(app, view);
+  if (const std::string measured = measuringText(app); !measured.empty())
+    pill("view/measuring", measured, {0.5f * (view.low.x + view.high.x), view.low.y + margin}, {0.5f, 0.0f},
+         width - 2 * l.px(60), p.panel, p.text);
   if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
