@@ -46,10 +46,10 @@ Theme lightTheme() {
           .force = hex(0x0B8457),
           .strong = hex(0xC9A400),
           .strongest = hex(0xD11F2D),
-          .bond = hex(0x2456C9),
+          .bond = hex(0x1B5FB0),
           .measure = hex(0xF4F1FF),
           .touched = hex(0x8A5CE0),
-          .target = hex(0xE07A00),
+          .target = hex(0xFF5A00),
           .wire_strength = 1.25f,
           .fade = 0.42f};
 }

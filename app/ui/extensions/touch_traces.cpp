@@ -20,12 +20,19 @@ bool TouchTraces::paints(const Application& app) const {
   return app.lesson.session() && app.lesson.onStage() && app.lesson.session()->scene().paint_touched;
 }
 
-void TouchTraces::beforeTicks(Application&) {
+void TouchTraces::beforeTicks(Application& app) {
   const bool dark = stager_.dark();
   if (dark && !dark_) {
-    way_.clear();
-    points_ = 0;
-    spacing_A_ = kSpacing_A;
+    // Who has looked in between goes on where it was dark before.
+    const std::size_t task = app.lesson.session() ? app.lesson.session()->currentTask() : 0;
+    if (trail_ && task == dark_task_) {
+      way_ = trail_->trail;
+    } else {
+      way_.clear();
+      points_ = 0;
+      spacing_A_ = kSpacing_A;
+    }
+    dark_task_ = task;
     trail_ = nullptr;
   }
   if (!dark && dark_ && points_ > 1) {

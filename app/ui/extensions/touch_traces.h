@@ -20,7 +20,7 @@ class TouchTraces final : public Extension {
   /// Atoms that were touched before the probe left the surface last, and since; null: none.
   const AtomList& painted() const { return painted_; }
   const AtomList& fresh() const { return fresh_; }
-  /// Null until a task in the dark has ended.
+  /// Null until it has been dark and is light again; of the task in which it was dark last.
   const std::shared_ptr<const Annotations>& trail() const { return trail_; }
 
   void beforeTicks(Application& app) override;
@@ -40,6 +40,7 @@ class TouchTraces final : public Extension {
   std::size_t points_ = 0;
   double spacing_A_ = 0.0;
   std::shared_ptr<const Molecule> molecule_;
+  std::size_t dark_task_ = 0;  // which task of the step made it dark
   bool dark_ = false;
 };
 
