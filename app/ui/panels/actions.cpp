@@ -204,7 +204,11 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("Legend of colours"),
            .run = [](App& a) { a.settings.legend = !a.settings.legend; },
-           .enabled = [](const App& a) { return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain; },
+           .enabled =
+               [](const App& a) {
+                 return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain ||
+                        a.scene.look.colouring || a.scene.look.marks;
+               },
            .on = [](const App& a) { return a.settings.legend; }},
     Action{.name = "depth",
            .menu = Menu::View,

@@ -4,6 +4,7 @@
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/view_overlays.h"
+#include "app/ui/scene/view_picture.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
 #include "app/ui/widgets/widget_map.h"
@@ -29,7 +30,8 @@ void drawViewLabels(Application& app, const ViewScene& scene, const Rectangle& v
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRect({view.low.x, view.low.y}, {view.high.x, view.high.y}, true);
   std::size_t count = 0;
-  for (const PlacedLabel& label : layOutLabels(scene, app.scene.stage().balls.get(), room)) {
+  for (const PlacedLabel& label :
+       app.picture().labels(scene, app.scene.stage().balls.get(), room, ImGui::GetFontSize())) {
     const ImU32 line = packed(colours.line, label.strength);
     if (const ArrowShape arrow = arrowOf(label, unit); arrow.drawn) {
       draw->AddLine(at(arrow.from), at(arrow.neck), packed(colours.ground, 0.6 * label.strength), l.px(4.4f));

@@ -96,14 +96,15 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   const int push = app.settings.left_handed ? 1 : 0, turn = 1 - push;
   const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(turn) && io.KeyShift));
   const bool turning = active && !panning && ImGui::IsMouseDown(turn);
-  Measuring& measuring = app.extensions().measuring;
-  in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing() && !measuring.on();
-  if (measuring.on() && hovered && ImGui::IsMouseReleased(push) && app.scene.stage() &&
+  Measuring& tool = app.extensions().measuring;
+  const bool measuring = tool.on() && !app.extensions().task_stager.dark();
+  in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing() && !measuring;
+  if (measuring && hovered && ImGui::IsMouseReleased(push) && app.scene.stage() &&
       io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4)) {
     if (const auto atom = atomAt(app, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size))
-      measuring.take(*app.scene.stage().molecule, *atom);
+      tool.take(*app.scene.stage().molecule, *atom);
     else
-      measuring.finish();
+      tool.finish();
   }
   const glm::dvec2 drag(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
