@@ -80,7 +80,7 @@ void addLines(const Annotations& annotations, const Camera& camera, const Theme&
       }
     });
   if (!annotations.measures.empty())
-    lines.edged(theme.measure, 1.6f, 0.55f, [&] {
+    lines.edged(theme.measure, 2.2f, 0.8f, [&] {
       for (const Annotations::Measure& m : annotations.measures) {
         for (std::size_t i = 0; i + 1 < m.places.size(); ++i) lines.dashes(m.places[i].A, m.places[i + 1].A);
         if (m.places.size() == 3) lines.arc(m.places[0].A, m.places[1].A, m.places[2].A);

@@ -57,6 +57,7 @@ void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<A
   for (const auto& [group, members] : groups) {
     if (labels.size() >= kMostLabels) return;
     if (spec.word == "chain") {
+      if (molecule.chains[group].name.string().empty()) continue;
       const Middle middle = middleOf(molecule, members);
       labels.push_back({.at = middle.at,
                         .clear_A = middle.reach_A,

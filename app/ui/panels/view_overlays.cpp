@@ -152,14 +152,14 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   }
   drawColourLegend(app, view);
   drawDepthGauge(app, view);
-  if (const std::string measured = measuringText(app); !measured.empty())
-    pill("view/measuring", measured, {0.5f * (view.low.x + view.high.x), view.low.y + margin}, {0.5f, 0.0f},
-         width - 2 * l.px(60), p.panel, p.text);
   if (now.contact.touching() && app.scene.shown.has(ViewPart::Force)) forceLabel(app, now, view);
   // Words stand left of the scale bar; in a narrow view they need all of it.
   const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, view);
   const float bottom = view.high.y - margin, words = roomy ? width - l.tx(150) : width;
+  const std::string measured = measuringText(app);
+  if (!measured.empty())
+    pill("view/measuring", measured, {view.low.x + margin, bottom - l.tx(40)}, {0, 1}, words, p.panel, p.text);
   if (now.contact.fault == Fault::StartedInside) {
     pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom},
          {0, 1}, words, p.warn_soft, p.warn);
@@ -173,7 +173,7 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
              : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
-             hint > 0.0f && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
+             hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
     pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers),
          {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
