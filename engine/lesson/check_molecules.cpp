@@ -30,6 +30,11 @@ class Check {
         selects(step.scene.facing, places.view, *molecule);
         selects(step.scene.magnify, places.magnify, *molecule);
         selects(step.scene.hide, places.hide, *molecule);
+        selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
+        for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
+          for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
+        for (const PlacesSpec& m : step.scene.measures)
+          for (std::size_t i = 0; i < m.atoms.size(); ++i) selects(m.atoms[i], m.places[i], *molecule);
         for (const StyleSpec& style : step.scene.styles) selects(style.atoms, style.place, *molecule);
       }
       for (const TaskSpec& task : step.tasks) {

@@ -101,8 +101,13 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
     value->place = line.items.empty() ? line.value_place : line.items[0].place;
     for (Place& place : value->places)
       if (place.line == 0) place = {line.value_place.line, line.value_place.column + place.column - 1};
-    for (StyleSpec& style : value->styles)
-      if (style.place.column) style.place = {line.value_place.line, line.value_place.column + style.place.column - 1};
+    const auto inFile = [&](Place& place) {
+      if (place.column) place = {line.value_place.line, line.value_place.column + place.column - 1};
+    };
+    for (StyleSpec& style : value->styles) inFile(style.place);
+    for (MarkSpec& mark : value->marks) inFile(mark.place);
+    for (PlacesSpec& measure : value->measures)
+      for (Place& place : measure.places) inFile(place);
     out.set(key->name, *std::move(value));
   }
   for (const KeySpec* key : keys) {

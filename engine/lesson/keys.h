@@ -37,6 +37,8 @@ enum class ValueType : std::uint8_t {
   Path,       ///< selections in order, separated by "then"; or one of `words`
   View,       ///< one of `words`, or "facing" and a selection
   Styles,     ///< "cartoon, surface 40% for chain A": styles of `words`, each with its opacity and its atoms
+  Marks,  ///< `words` and names in double quotes, each for its atoms: 'residue for chain A, "the cleft" for residue 35'; or "none"
+  Places,  ///< `least` to `most` selections with " - " between them, several parted by commas; or "none"
 };
 
 /// One key: the whole truth about it.
@@ -67,6 +69,23 @@ struct StyleSpec {
   }
 };
 
+/// A word of a Marks value, or a name in quotes, or both, and what it is for.
+struct MarkSpec {
+  std::string word, name;  ///< one of them may be empty
+  Selection atoms;         ///< not given: all
+  Place place;             ///< of the selection
+  friend bool operator==(const MarkSpec& a, const MarkSpec& b) {
+    return a.word == b.word && a.name == b.name && a.atoms == b.atoms;
+  }
+};
+
+/// Places between which something is measured.
+struct PlacesSpec {
+  std::vector<Selection> atoms;  ///< each is the middle of what it selects
+  std::vector<Place> places;     ///< of each selection
+  friend bool operator==(const PlacesSpec& a, const PlacesSpec& b) { return a.atoms == b.atoms; }
+};
+
 /// A value as read. Which members are filled follows from the key's type.
 struct Value {
   Place place;                       ///< where the value stands; line 0 for a fallback
@@ -78,6 +97,8 @@ struct Value {
   Selection selection;               ///< Selection, Target and View where atoms were given
   std::vector<Selection> path = {};  ///< Path where atoms were given, in order
   std::vector<StyleSpec> styles = {};
+  std::vector<MarkSpec> marks = {};
+  std::vector<PlacesSpec> measures = {};
 };
 
 /// Where the selection of a value begins: behind the word "facing" of a View.

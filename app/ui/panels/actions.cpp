@@ -31,6 +31,15 @@ bool mayMagnify(const App& a) {
   return hasStage(a) && !a.scene.playing() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
 }
 
+bool mayMeasure(const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }
+
+void measureTouched(App& a) {
+  const Contact& contact = a.scene.log().latest().contact;
+  if (!contact.touching() || contact.atoms[0] < 0)
+    return a.messages.notice(tr("Touch an atom first: what you touch is measured."));
+  a.extensions().measuring.take(*a.scene.stage().molecule, std::uint32_t(contact.atoms[0]));
+}
+
 // Where only one side panel has room, showing one hides the other.
 void switchPanel(App& a, bool& wanted, const Rectangle& place, bool lesson) {
   const bool seen = !place.empty();
@@ -195,7 +204,11 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("Legend of colours"),
            .run = [](App& a) { a.settings.legend = !a.settings.legend; },
-           .enabled = [](const App& a) { return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain; },
+           .enabled =
+               [](const App& a) {
+                 return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain ||
+                        a.scene.look.colouring || a.scene.look.marks;
+               },
            .on = [](const App& a) { return a.settings.legend; }},
     Action{.name = "depth",
            .menu = Menu::View,
@@ -203,6 +216,27 @@ constexpr std::array kActions{
            .sentence = N_("While you touch, show from the side how deep your hand is"),
            .run = [](App& a) { a.settings.depth_gauge = !a.settings.depth_gauge; },
            .on = [](const App& a) { return a.settings.depth_gauge; }},
+    Action{.name = "measure",
+           .menu = Menu::View,
+           .parted = true,
+           .label = N_("Measure"),
+           .shortcut = "Ctrl+E",
+           .sentence = N_("Click two atoms for their distance, a third for the angle, a fourth for the torsion"),
+           .run = [](App& a) { a.extensions().measuring.switchOn(!a.extensions().measuring.on()); },
+           .enabled = mayMeasure,
+           .on = [](const App& a) { return a.extensions().measuring.on(); }},
+    Action{.name = "measure-touched",
+           .menu = Menu::View,
+           .label = N_("Measure from the touched atom"),
+           .shortcut = "Ctrl+Shift+E",
+           .sentence = N_("The atom that you touch is the next place that is measured"),
+           .run = [](App& a) { measureTouched(a); },
+           .enabled = mayMeasure},
+    Action{.name = "measure-clear",
+           .menu = Menu::View,
+           .label = N_("Clear measures"),
+           .run = [](App& a) { a.extensions().measuring.clear(); },
+           .enabled = [](const App& a) { return a.extensions().measuring.any(); }},
     Action{.name = "light",
            .menu = Menu::View,
            .parted = true,
