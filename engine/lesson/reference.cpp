@@ -76,6 +76,8 @@ std::string valueOf(const KeySpec& key) {
              "[selections](#selections) with `then` between them";
     case ValueType::View:
       return codeList(key.words) + ", or `facing` and a [selection](#selections)";
+    case ValueType::Remarks:
+      return "lines `- selection -> what is said`, each with a [selection](#selections)";
     case ValueType::Styles:
       return someOf(key.words) +
              ", each with its opacity (`surface 40%`) and, behind `for`, a [selection](#selections) if it is not for "

@@ -128,9 +128,11 @@ void Application::enterScene() {
   showMolecule(*molecule);
 }
 
-void Application::beginSceneAgain(std::optional<PointA> before) {
+void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned) {
   if (before)
     scene.beginAgainAt(*before);
+  else if (turned)
+    scene.beginAgain([&](Camera& camera, const Molecule&) { camera.orientation = *turned; });
   else
     scene.beginAgain(facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);

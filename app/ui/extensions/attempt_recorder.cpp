@@ -93,7 +93,7 @@ void AttemptRecorder::resume(Application& app, const std::filesystem::path& less
   }
   if (paused_) return;  // whose work it is will be asked first
   app.lesson.session()->restore(memoryOf(*attempt));
-  app.lesson.session()->setOrderSeed(orderSeed(attempt->header));
+  app.lesson.session()->setOrderSeed(orderSeed(attempt->header), sittingsOf(*attempt));
   if (!log_) return;
   student_ = attempt->header.student;
   log_.emplace(attempt_file, attempt->end_s(), Resumed{now(), MOLTACT_VERSION, deviceName(app), gaveForce(app)});

@@ -36,6 +36,30 @@ void drawFigures(const std::string& name, const Task& task) {
   recordItem(name + "/figures", line);
 }
 
+// A mark for each of several trials: right, wrong, or still to come.
+void drawTrials(const std::string& name, const TaskTrials& trials) {
+  if (trials.of == 0 || trials.right.empty()) return;
+  const Look& l = look();
+  const float room = ImGui::GetContentRegionAvail().x, each = std::min(l.px(22), room / float(trials.of)),
+              half = 0.4f * each;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  std::string told;
+  for (std::size_t k = 0; k < trials.of; ++k) {
+    const ImVec2 centre{low.x + each * (float(k) + 0.5f), low.y + 0.5f * each};
+    if (k >= trials.right.size()) {
+      draw->AddCircle(centre, half, l.palette.faint, 24, l.px(1.5f));
+      continue;
+    }
+    const bool right = trials.right[k];
+    draw->AddCircleFilled(centre, half, right ? l.palette.good : l.palette.bad, 24);
+    drawIcon(draw, right ? Icon::Check : Icon::Close, centre, 1.3f * half, l.palette.panel);
+    told += right ? "+" : "-";
+  }
+  ImGui::Dummy({room, each});
+  recordRectangle(name + "/trials", {low.x, low.y}, {low.x + each * float(trials.of), low.y + each}, told);
+}
+
 }  // namespace
 
 void drawLessonTask(Application& app, std::size_t index) {
@@ -105,6 +129,8 @@ void drawLessonTask(Application& app, std::size_t index) {
                                      : "waiting: ") +
                        status.say + (next.empty() ? "" : "\n" + next));
   if (const Task* task = session.taskAt(index); task && !away) {
+    if (status.current || status.done) drawTrials(name, task->trials());
+    if (const auto asked = task->slider(); asked && status.current) drawTaskSlider(app, index, *asked);
     if (status.current) drawTaskButtons(app, index, *task);
     if (task->curves() && (status.current || status.done)) drawTaskCurve(app, index, *task->curves(), status.current);
     if (status.done) drawFigures(name, *task);
