@@ -104,7 +104,7 @@ const MoFile::Entry* MoFile::entry(std::string_view context, std::string_view en
 
 const char* MoFile::find(std::string_view context, std::string_view english) const noexcept {
   const Entry* e = entry(context, english);
-  return e && e->translation.size ? bytes_.data() + e->translation.at : nullptr;
+  return e && bytes_[e->translation.at] != '\0' ? bytes_.data() + e->translation.at : nullptr;  // closed by a NUL
 }
 
 const char* MoFile::findPlural(std::string_view one, unsigned long n) const noexcept {

@@ -105,6 +105,19 @@ double OcclusionLevel::at(const Vec3& place) const {
   return sum;
 }
 
+glm::vec4 OcclusionField::wideRound(const Vec3& centre_A, double radius_A) const {
+  const double out = radius_A + kWideOut_A;
+  glm::vec4 round(0.0f);
+  for (int axis = 0; axis < 3; ++axis) {
+    Vec3 way(0.0);
+    way[axis] = out;
+    const double plus = wide.at(centre_A - low_A + way), minus = wide.at(centre_A - low_A - way);
+    round[axis] = float(0.5 * (plus - minus));
+    round.w += float((plus + minus) / 6.0);
+  }
+  return round;
+}
+
 double OcclusionField::open(const Vec3& place_A, const Vec3& normal) const {
   const Vec3 at = place_A - low_A;
   return (1.0 - kFineShade * shade(fine.at(at + normal * kFineOut_A), kFineLeast, kFineMost)) *

@@ -27,6 +27,11 @@ struct OcclusionField {
   Vec3 low_A{0.0};            ///< the corner of both levels
   OcclusionLevel fine, wide;  ///< smoothed over about 1 A and 4 A; one empty voxel in a scene too wide for it
 
+  /// Nothing is in the light's way: a scene of one ball, or one too wide to tell.
+  bool empty() const { return fine.filled.size() == 1 && wide.filled.size() == 1; }
+  /// What of the wide level lies round a ball: w + dot(xyz, normal) is about what wide.at() gives outside its surface
+  /// there, since that level hardly changes over an atom.
+  glm::vec4 wideRound(const Vec3& centre_A, double radius_A) const;
   /// The light from all sides that reaches a place of a surface with this normal, 0 to 1: what the shaders compute.
   double open(const Vec3& place_A, const Vec3& normal) const;
 };

@@ -10,6 +10,8 @@ namespace moltact {
 
 class EdgeFilter {
  public:
+  static constexpr int kReach_px = 4;  ///< what a pixel becomes depends on those within this
+
   static Expected<EdgeFilter> build();
 
   /// Draws `from` into the bound framebuffer, which is as large.

@@ -246,7 +246,8 @@ void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vec
   for (const std::uint32_t a : nearestAtoms(model.scene, place, scene.probe_A, scene.look.spheres_near_A, kMost)) {
     if (hidden && std::binary_search(hidden->begin(), hidden->end(), a)) continue;
     const Ball& b = model.scene[a];
-    spheres.push_back({glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[a]});
+    spheres.push_back({glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A), model.colour[a],
+                       model.wide.empty() ? glm::vec4(0.0f) : model.wide[a]});
   }
 }
 

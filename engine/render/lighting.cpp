@@ -17,18 +17,26 @@ uniform mat4 u_to_field;   // from the camera's axes to angstroms from the field
 uniform vec3 u_fine_scale, u_wide_scale;
 uniform sampler3D u_fine, u_wide;
 uniform vec4 u_cut;
-float fixed_open = -1.0;
+float fixed_open = -1.0, wide_filled = -1.0;
 bool cutAway(vec3 place) { return dot(u_cut.xyz, place) + u_cut.w > 0.0; }
 float openness(vec3 place, vec3 n) {
   vec3 at = (u_to_field * vec4(place, 1.0)).xyz, way = mat3(u_to_field) * n;
   float fine = textureLod(u_fine, (at + way * kFineOut) * u_fine_scale, 0.0).r;
+#ifdef WIDE_GIVEN
+  float wide = wide_filled;
+#else
   float wide = textureLod(u_wide, (at + way * kWideOut) * u_wide_scale, 0.0).r;
+#endif
   float creased = clamp((fine - kFineLeast) / (kFineMost - kFineLeast), 0.0, 1.0);
   float enclosed = clamp((wide - kWideLeast) / (kWideMost - kWideLeast), 0.0, 1.0);
   return (1.0 - kFineShade * creased) * (1.0 - kWideShade * enclosed);
 }
 vec3 lit(vec3 base, vec3 place, vec3 n, float facing, float y_ndc) {
+#ifdef OPEN
+  float open = fixed_open >= 0.0 ? fixed_open : 1.0;
+#else
   float open = fixed_open >= 0.0 ? fixed_open : u_occluded > 0.0 ? openness(place, n) : 1.0;
+#endif
   float key = max(dot(n, u_key) * 0.80 + 0.20, 0.0);
   float fill = max(dot(n, vec3(0.70, -0.10, 0.707)) * 0.70 + 0.30, 0.0);
   float sky = 0.66 + 0.34 * n.y;

@@ -40,7 +40,8 @@ void setLighting(const GlProgram& program, const Projection& projection, const L
 
 /// GLSL: bool cutAway(vec3 place); vec3 lit(vec3 base, vec3 place, vec3 normal, float facing, float y_ndc) and what it needs; `base` is the squared
 /// colour, `place` in the camera's axes, `facing` the cosine between the normal and the way to the eye; where `fixed_open` is
-/// set to 0 or more it stands for the light from all sides.
+/// set to 0 or more it stands for the light from all sides. Software looks nothing up only where the text says so:
+/// "#define OPEN" before it leaves the occlusion out, "#define WIDE_GIVEN" takes its wide level from `wide_filled`.
 extern const std::string kLightingText;
 
 }  // namespace moltact

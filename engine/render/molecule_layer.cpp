@@ -33,7 +33,8 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
   if (part.what().style == DrawStyle::Spheres) {
     const float rim = options.outlines && opacity >= 1.0f ? rimOf(options.samples, inside) : 0.0f;
     // Where something is cut away, what it hid comes in sight.
-    cull_.run(model.scene, scene.camera, inside, rim, options.cull && !scene.look.cut && opacity >= 1.0f, part.shown());
+    cull_.run(model.scene, model.blocks, scene.camera, inside, rim, options.cull && !scene.look.cut && opacity >= 1.0f,
+              part.shown());
     atoms_drawn_ += cull_.atomsDrawn();
     passes.balls.drawMolecule(model, cull_.drawn(), key_.tinted, packColour(key_.tint), rim, opacity, inside, lighting);
     return;
@@ -46,7 +47,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
     const bool marked = std::binary_search(key_.tinted.begin(), key_.tinted.end(), b.atom);
     const std::uint32_t colour = marked ? packColour(key_.tint) : model.colour[b.atom];
     small_.push_back({glm::vec3(scene.camera.toView({model.scene[b.atom].centre_A})), b.radius_A,
-                      (colour & 0x00FFFFFFu) | (packColour({}, opacity) & 0xFF000000u)});
+                      (colour & 0x00FFFFFFu) | (packColour({}, opacity) & 0xFF000000u), b.wide});
   }
   passes.balls.drawLoose(small_, opacity < 1.0f ? SphereImpostors::Pass::Faint : SphereImpostors::Pass::Solid, inside,
                          among);

@@ -28,9 +28,14 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
   return scheme ? std::make_shared<const Colouring>(colourMolecule(molecule, **scheme)) : nullptr;
 }
 
-MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m) : molecule(std::move(m)), scene(molecule->balls()) {
+MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m)
+    : molecule(std::move(m)), scene(molecule->balls()), blocks(scene.balls()) {
   paint(elements, colour_by, nullptr);
   occlusion = occlusionField(scene.balls());
+  if (!occlusion.empty()) {
+    wide.reserve(scene.size());
+    for (const Ball& b : scene.balls()) wide.push_back(occlusion.wideRound(b.centre_A, b.radius_A));
+  }
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
 }

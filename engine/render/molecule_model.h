@@ -12,6 +12,7 @@
 #include "engine/molecule/molecule.h"
 #include "engine/render/ambient_occlusion.h"
 #include "engine/render/atom_style.h"
+#include "engine/render/ball_blocks.h"
 #include "engine/structure/colouring.h"
 
 namespace moltact {
@@ -37,8 +38,10 @@ struct MoleculeModel {
   std::shared_ptr<const Colouring> colouring;  ///< stands before both where it is of this molecule
   unsigned painted = 0;                        ///< grows with every painting
   BallScene scene;
+  BallBlocks blocks;                  ///< of the scene's balls
   std::vector<std::uint32_t> colour;  ///< bytes red, green, blue, 255 from the lowest
   OcclusionField occlusion;
+  std::vector<glm::vec4> wide;  ///< OcclusionField::wideRound of each ball; empty where the field has none
   Vec3 middle_A{0.0};
   double reach_A = 0.0;  ///< all balls lie within this of the middle
 };

@@ -16,6 +16,17 @@ struct PixelBox {
   int width() const { return x1 - x0; }
   int height() const { return y1 - y0; }
 
+  /// The smallest box round both.
+  PixelBox joined(const PixelBox& other) const {
+    if (empty()) return other;
+    if (other.empty()) return *this;
+    return {std::min(x0, other.x0), std::min(y0, other.y0), std::max(x1, other.x1), std::max(y1, other.y1)};
+  }
+  /// Wider by so many pixels on each side, within a picture of this size; an empty one stays empty.
+  PixelBox grown(int by, int width_px, int height_px) const {
+    if (empty()) return {};
+    return {std::max(0, x0 - by), std::max(0, y0 - by), std::min(width_px, x1 + by), std::min(height_px, y1 + by)};
+  }
   PixelBox times(int factor) const { return {x0 * factor, y0 * factor, x1 * factor, y1 * factor}; }
 };
 

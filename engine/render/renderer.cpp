@@ -18,6 +18,8 @@ namespace {
 
 // Room round the molecule for the probe, the arrow and the HIP.
 constexpr double kRoom_A = 30.0;
+// A cartoon's ribbons and names of atoms may go so far beyond the balls.
+constexpr double kBeyondBalls_A = 4.0;
 
 DepthRange depthRange(const Camera& camera, const MoleculeModel* model) {
   const PointA middle{model ? model->middle_A : camera.target.A};
@@ -110,6 +112,7 @@ struct Renderer::Impl {
   GlTarget picture;  // with everything on top
   GlTarget smooth;   // the same with filtered edges, where there is one sample a pixel
   bool filtered = false;
+  PixelBox glyph_box;  // where the last picture has glyphs
   std::unique_ptr<MoleculeModel> model;
   OcclusionVolume occlusion;
   Glyphs glyphs;
@@ -123,6 +126,7 @@ struct Renderer::Impl {
     layer.forget();
     have_picture = false;
   }
+  void smoothEdges(const PixelBox& changed, bool all, const ViewScene& scene, const Projection& projection);
   const GlTarget& shown() const { return filtered ? smooth : picture; }
   bool drawScene(const ViewScene& scene, int width_px, int height_px, const RenderOptions& options);
   void drawGlyphs(const GlTarget& on, const Projection& projection, const Lighting& lighting, float line_scale);
@@ -181,12 +185,17 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   const int samples = std::clamp(options.samples, 1, 4);
   const Projection projection(scene.camera, width_px, height_px, depthRange(scene.camera, model.get()));
   const Projection inside(scene.camera, width_px * samples, height_px * samples, projection.depth);
-  const Lighting lighting = lightingOf(scene, model.get(), model ? &occlusion : nullptr, projection.depth);
+  const Lighting lighting =
+      lightingOf(scene, model.get(), model && !model->occlusion.empty() ? &occlusion : nullptr, projection.depth);
   if (!layer.draw(scene, model.get(), inside, lighting, {samples, options.outlines, options.occlusion_cull},
                   {resolve, balls, meshes}))
     return false;
   count.atoms_redrawn = layer.redrawn();
   count.atoms_drawn = layer.atomsDrawn();
+  // Where the molecule stays, only what glyphs cover or have covered changes.
+  const PixelBox whole{0, 0, width_px, height_px};
+  const bool all = layer.redrawn() || !have_picture || picture.width() != width_px || picture.height() != height_px ||
+                   last_options != options || last.blank;
   if (!picture.resize(width_px, height_px)) return false;
   if (samples > 1) {
     const bool made = flat.width() == width_px && flat.height() == height_px;
@@ -196,7 +205,8 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
       resolve.layer(layer.target(), samples);
     }
   }
-  copyPart(samples > 1 ? flat : layer.target(), picture, {0, 0, width_px, height_px}, GL_COLOR_BUFFER_BIT);
+  if (const PixelBox part = all ? whole : glyph_box; !part.empty())
+    copyPart(samples > 1 ? flat : layer.target(), picture, part, GL_COLOR_BUFFER_BIT);
 
   glyphs.clear();
   dots.clear();
@@ -210,7 +220,9 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   glyphs.addTo(around);
   for (const auto* spheres : {&dots, &near})
     for (const LooseSphere& s : *spheres) around.add(s.centre, s.radius);
-  if (const PixelBox box = around.box(4 + int(8.0f * line_scale)); !box.empty()) {
+  const PixelBox box = around.box(4 + int(8.0f * line_scale)), changed = glyph_box.joined(box);
+  glyph_box = box;
+  if (!box.empty()) {
     const GlTarget& on = samples > 1 ? large : picture;
     if (samples > 1 && !large.resize(inside.width_px, inside.height_px)) return false;
     const PixelBox fine = box.times(samples);
@@ -230,10 +242,30 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   filtered = samples == 1 && options.smooth_edges;
   if (filtered) {
     if (!smooth.resize(width_px, height_px)) return false;
-    smooth.bind();
-    filter.draw(picture);
+    smoothEdges(changed, all, scene, projection);
   }
   return true;
+}
+
+// The background has no edges, and what has not changed is smooth already.
+void Renderer::Impl::smoothEdges(const PixelBox& changed, bool all, const ViewScene& scene,
+                                 const Projection& projection) {
+  const int width_px = picture.width(), height_px = picture.height();
+  PixelBox part = changed.grown(EdgeFilter::kReach_px + 1, width_px, height_px);
+  if (all) {
+    if (model) {
+      PixelBoxBuilder around(projection);
+      around.add(glm::vec3(scene.camera.toView({model->middle_A})), float(model->reach_A + kBeyondBalls_A));
+      part = part.joined(around.box(EdgeFilter::kReach_px + 1));
+    }
+    copyPart(picture, smooth, {0, 0, width_px, height_px}, GL_COLOR_BUFFER_BIT);
+  }
+  if (part.empty()) return;
+  smooth.bind();
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(part.x0, part.y0, part.width(), part.height());
+  filter.draw(picture);
+  glDisable(GL_SCISSOR_TEST);
 }
 
 std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int height_px,

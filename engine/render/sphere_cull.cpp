@@ -37,37 +37,104 @@ bool projectSphere(const Projection& projection, const glm::vec3& centre, float 
   return true;
 }
 
-void SphereCull::run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim,
-                     bool occlusion, std::span<const std::uint8_t> shown) {
+void SphereCull::run(const BallScene& scene, const BallBlocks& blocks, const Camera& camera,
+                     const Projection& projection, float rim, bool occlusion, std::span<const std::uint8_t> shown) {
   seen_.clear();
   drawn_.clear();
-  kept_.clear();
   order_.clear();
   tan_x_ = projection.tan_x;
   tan_y_ = projection.tan_y;
-  double wide = 0;
   const glm::dmat3 turn = glm::transpose(glm::mat3_cast(camera.orientation));
-  for (std::uint32_t i = 0; i < scene.size(); ++i) {
-    if (!shown.empty() && !shown[i]) continue;
+  const auto toView = [&](const Vec3& place) {
+    return glm::vec3(turn * (place - camera.target.A) - Vec3(0, 0, camera.distance_A));
+  };
+  const auto project = [&](std::uint32_t i, DrawnSphere& sphere) {
+    if (!shown.empty() && !shown[i]) return false;
     const Ball& b = scene[i];
-    const Vec3 view = turn * (b.centre_A - camera.target.A) - Vec3(0, 0, camera.distance_A);
-    DrawnSphere sphere;
-    if (!projectSphere(projection, glm::vec3(view), float(b.radius_A), sphere, rim)) continue;
+    if (!projectSphere(projection, toView(b.centre_A), float(b.radius_A), sphere, rim)) return false;
     sphere.index = i;
-    order_.emplace_back(-sphere.centre.z - sphere.radius, std::uint32_t(seen_.size()));
-    wide += sphere.high.x - sphere.low.x;
-    seen_.push_back(sphere);
-  }
-  std::sort(order_.begin(), order_.end());
+    return true;
+  };
+  DrawnSphere sphere;
   if (!occlusion) {
+    for (std::uint32_t i = 0; i < scene.size(); ++i)
+      if (project(i, sphere)) seen_.push_back(sphere);
+    sortSeen();
     for (const auto& [depth, k] : order_) drawn_.push_back(seen_[k]);
     atoms_drawn_ = drawn_.size();
     return;
   }
 
-  // About eight cells across a ball: finer costs more than the drawing that it saves.
-  const double mean_px = seen_.empty() ? 0 : wide / double(seen_.size()) * 0.5 * projection.width_px;
-  cell_px_ = std::clamp(saturateToInteger<int>(mean_px / 8), 3, 24);
+  const std::vector<Near> near = blocksAhead(blocks, projection, rim, toView);
+  makeCells(scene, blocks, near, projection);
+  for (const Near& n : near) {
+    if (n.boxed && hidden(n.image)) continue;
+    // The nearest ball of a block first, so that it may hide the others.
+    found_.clear();
+    for (const std::uint32_t i : blocks.of(blocks.blocks()[n.image.index]))
+      if (project(i, sphere)) found_.push_back(sphere);
+    std::sort(found_.begin(), found_.end(), [](const DrawnSphere& a, const DrawnSphere& b) {
+      return -a.centre.z - a.radius < -b.centre.z - b.radius;
+    });
+    for (const DrawnSphere& s : found_) {
+      if (hidden(s)) continue;
+      seen_.push_back(s);
+      cover(s);
+    }
+  }
+  // Once more with all that covers: of the balls that stay most is still hidden.
+  sortSeen();
+  atoms_drawn_ = 0;
+  for (const auto& [depth, k] : order_) {
+    const std::size_t before = drawn_.size();
+    emitBoxes(seen_[k]);
+    atoms_drawn_ += drawn_.size() > before;
+  }
+}
+
+// From front to back. Of two as near the first in the file, so that a picture is the same however its balls were found.
+void SphereCull::sortSeen() {
+  for (std::uint32_t k = 0; k < seen_.size(); ++k) order_.emplace_back(-seen_[k].centre.z - seen_[k].radius, k);
+  std::sort(order_.begin(), order_.end(), [&](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first < b.first : seen_[a.second].index < seen_[b.second].index;
+  });
+}
+
+template <class ToView>
+std::vector<SphereCull::Near> SphereCull::blocksAhead(const BallBlocks& blocks, const Projection& projection, float rim,
+                                                      ToView&& toView) const {
+  std::vector<Near> near;
+  for (std::uint32_t k = 0; k < blocks.blocks().size(); ++k) {
+    const BallBlocks::Block& block = blocks.blocks()[k];
+    Near n;
+    n.image.centre = toView(block.centre_A);
+    // What a float has lost of a place far away must not make the block smaller than its balls.
+    n.image.radius = float(block.radius_A) * 1.0001f + 1e-6f * glm::length(n.image.centre);
+    const float depth = -n.image.centre.z, nearest = depth - n.image.radius;
+    if (depth + n.image.radius <= float(projection.depth.near_A)) continue;
+    n.boxed = nearest > float(projection.depth.near_A) && depth > n.image.radius + rim * (depth + n.image.radius);
+    // A ball's rim is as wide as it is deep in the picture; the block's is that of its deepest ball.
+    const float rims = rim * (depth + n.image.radius) / std::max(depth, 1e-6f);
+    if (n.boxed && !projectSphere(projection, n.image.centre, n.image.radius, n.image, rims)) continue;
+    n.image.index = k;
+    near.push_back(n);
+  }
+  std::sort(near.begin(), near.end(), [](const Near& a, const Near& b) {
+    return -a.image.centre.z - a.image.radius < -b.image.centre.z - b.image.radius;
+  });
+  return near;
+}
+
+// About eight cells across a ball: finer costs more than the drawing that it saves.
+void SphereCull::makeCells(const BallScene& scene, const BallBlocks& blocks, std::span<const Near> near,
+                           const Projection& projection) {
+  double wide = 0;
+  for (const Near& n : near) {
+    const Ball& one = scene[blocks.of(blocks.blocks()[n.image.index]).front()];
+    wide += one.radius_A / std::max(double(-n.image.centre.z), projection.depth.near_A);
+  }
+  const double mean_px = near.empty() ? 0 : wide / double(near.size()) / tan_x_ * projection.width_px;
+  cell_px_ = std::clamp(saturateToInteger<int>(mean_px / 8), 1, 24);
   cells_x_ = (projection.width_px + cell_px_ - 1) / cell_px_;
   cells_y_ = (projection.height_px + cell_px_ - 1) / cell_px_;
   cell_x_ = 2.0f * float(cell_px_) / float(projection.width_px);
@@ -75,18 +142,6 @@ void SphereCull::run(const BallScene& scene, const Camera& camera, const Project
   covered_.assign(std::size_t(cells_x_) * cells_y_, kNothing);
   row_.resize(std::size_t(cells_x_) + 1);
   row_before_.resize(row_.size());
-  for (const auto& [depth, k] : order_) {
-    if (hidden(seen_[k])) continue;
-    kept_.push_back(k);
-    cover(seen_[k]);
-  }
-  // Once more with all that covers: of the balls that stay most is still hidden.
-  atoms_drawn_ = 0;
-  for (const std::uint32_t k : kept_) {
-    const std::size_t before = drawn_.size();
-    emitBoxes(seen_[k]);
-    atoms_drawn_ += drawn_.size() > before;
-  }
 }
 
 SphereCull::Span SphereCull::inSight(const DrawnSphere& s, int row) const {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "engine/haptics/ball_scene.h"
+#include "engine/render/ball_blocks.h"
 #include "engine/render/projection.h"
 
 namespace moltact {
@@ -31,8 +32,9 @@ class SphereCull {
   /// covered by nearer balls, decided on a coarse grid of cells, so the picture is the same without it. `occlusion`
   /// false keeps every ball whole.
   /// `shown`, if not empty, says of each ball whether it is there at all.
-  void run(const BallScene& scene, const Camera& camera, const Projection& projection, float rim, bool occlusion,
-           std::span<const std::uint8_t> shown = {});
+  /// `blocks` are those of the scene's balls.
+  void run(const BallScene& scene, const BallBlocks& blocks, const Camera& camera, const Projection& projection,
+           float rim, bool occlusion, std::span<const std::uint8_t> shown = {});
 
   const std::vector<DrawnSphere>& drawn() const { return drawn_; }
   std::size_t atomsDrawn() const { return atoms_drawn_; }
@@ -41,16 +43,26 @@ class SphereCull {
   struct Span {
     int first, last;  // cells of a row
   };
+  // A block that is ahead of the eye.
+  struct Near {
+    DrawnSphere image;   // of the ball round the block; `index` is the block's
+    bool boxed = false;  // false: it reaches to the eye, and its image everywhere
+  };
+  template <class ToView>
+  std::vector<Near> blocksAhead(const BallBlocks& blocks, const Projection& projection, float rim,
+                                ToView&& toView) const;
+  void makeCells(const BallScene& scene, const BallBlocks& blocks, std::span<const Near> near,
+                 const Projection& projection);
+  void sortSeen();
   Span inSight(const DrawnSphere& sphere, int row) const;
   bool hidden(const DrawnSphere& sphere) const;
   void emitBoxes(const DrawnSphere& sphere);
   void cover(const DrawnSphere& sphere);
 
-  std::vector<DrawnSphere> seen_, drawn_;
-  std::vector<std::uint32_t> kept_;  // into seen_
+  std::vector<DrawnSphere> seen_, found_, drawn_;  // may be in sight; of one block; what is to be drawn of them
   std::size_t atoms_drawn_ = 0;
-  std::vector<std::pair<float, std::uint32_t>> order_;
-  std::vector<float> covered_;  // for each cell the depth behind which nothing is seen
+  std::vector<std::pair<float, std::uint32_t>> order_;  // into seen_, by depth
+  std::vector<float> covered_;                          // for each cell the depth behind which nothing is seen
   std::vector<float> row_, row_before_;
   int cells_x_ = 0, cells_y_ = 0, cell_px_ = 4;
   float tan_x_ = 1, tan_y_ = 1, cell_x_ = 1, cell_y_ = 1;  // a cell's width and height in NDC

@@ -9,11 +9,13 @@ const char* const kVertexText = R"(
 layout(location = 0) in vec2 a_corner;
 layout(location = 1) in vec4 a_sphere;
 layout(location = 2) in vec4 a_colour;
+layout(location = 3) in vec4 a_wide;
 uniform vec2 u_tan;
 out vec3 v_ray;      // z is -1; x and y are linear over the picture
-flat out vec4 v_sphere, v_colour;
+flat out vec4 v_sphere, v_colour, v_wide;
 out float v_y;
 void main() {
+  v_wide = a_wide - vec4(0.5, 0.5, 0.5, 0.0);
   v_ray = vec3(a_corner * u_tan, -1.0);
   v_sphere = a_sphere;
   v_colour = a_colour;
@@ -27,7 +29,7 @@ void main() {
 // grow into each other have none between them; its normal is square to the ray, so it is shade.
 const char* const kRayText = R"(
 in vec3 v_ray;
-flat in vec4 v_sphere, v_colour;
+flat in vec4 v_sphere, v_colour, v_wide;
 in float v_y;
 uniform vec2 u_depth;
 uniform float u_rim;
@@ -65,6 +67,7 @@ void main() {
     fixed_open = 0.75;
   }
   writeDepth(depth);
+  wide_filled = v_wide.w + dot(v_wide.xyz, n);
   vec3 base = v_colour.rgb * v_colour.rgb;
   bool marked = v_colour.a > 0.994 && v_colour.a < 0.998;
   if (marked) base *= 1.0 - 0.87 * smoothstep(0.64, 0.68, facing) * (1.0 - smoothstep(0.84, 0.87, facing));
@@ -86,32 +89,45 @@ void main() {
 }
 )";
 
+// In the camera's axes, as bytes.
+std::uint32_t packWide(const glm::vec4& round, const glm::mat3& to_camera) {
+  return packColour(to_camera * glm::vec3(round) + 0.5f, round.w);
+}
+
 }  // namespace
 
 Expected<SphereImpostors> SphereImpostors::build() {
   SphereImpostors made;
-  auto solid = GlProgram::build("solid balls", kVertexText, std::string(kRayText) + kLightingText + kSolidText);
+  // Software evaluates what is not needed, too: what lies open has a program of its own.
+  const auto solidText = [](const char* define) {
+    return std::string("#define ") + define + "\n" + kRayText + kLightingText + kSolidText;
+  };
+  auto solid = GlProgram::build("solid balls", kVertexText, solidText("WIDE_GIVEN"));
   if (!solid) return solid.problem();
+  auto open = GlProgram::build("balls in the open", kVertexText, solidText("OPEN"));
+  if (!open) return open.problem();
   auto shell = GlProgram::build("bubbles", kVertexText, std::string(kRayText) + kShellText);
   if (!shell) return shell.problem();
   made.solid_ = *std::move(solid);
+  made.open_ = *std::move(open);
   made.shell_ = *std::move(shell);
   if (made.stream_->bind()) {
     GlStream::floats(0, 2, sizeof(Vertex), offsetof(Vertex, x));
     GlStream::floats(1, 4, sizeof(Vertex), offsetof(Vertex, centre_x));
     GlStream::bytes4(2, sizeof(Vertex), offsetof(Vertex, colour));
+    GlStream::bytes4(3, sizeof(Vertex), offsetof(Vertex, wide));
   }
   return {std::move(made)};
 }
 
-void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour) {
+void SphereImpostors::push(const DrawnSphere& s, std::uint32_t colour, std::uint32_t wide) {
   for (const glm::vec2 corner : {s.low, glm::vec2(s.high.x, s.low.y), glm::vec2(s.low.x, s.high.y), s.high})
-    vertices_.push_back({corner.x, corner.y, s.centre.x, s.centre.y, s.centre.z, s.radius, colour});
+    vertices_.push_back({corner.x, corner.y, s.centre.x, s.centre.y, s.centre.z, s.radius, colour, wide});
 }
 
 void SphereImpostors::flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting) {
   if (vertices_.empty()) return;
-  const GlProgram& program = pass == Pass::Shell ? shell_ : solid_;
+  const GlProgram& program = pass == Pass::Shell ? shell_ : lighting.occlusion ? solid_ : open_;
   glUseProgram(program.id());
   setLighting(program, projection, lighting);
   glUniform1f(program.uniform("u_rim"), rim);
@@ -131,18 +147,21 @@ void SphereImpostors::drawMolecule(const MoleculeModel& model, std::span<const D
                                    const Projection& projection, const Lighting& lighting) {
   const std::uint32_t marked = (tint & 0x00FFFFFFu) | packColour({}, kMarked);
   const std::uint32_t alpha = packColour({}, opacity) & 0xFF000000u;
+  const glm::mat3 to_camera(glm::transpose(glm::mat3_cast(lighting.camera.orientation)));
   for (const DrawnSphere& s : spheres) {
     const bool is_tinted = std::binary_search(tinted.begin(), tinted.end(), s.index);
-    push(s, is_tinted ? marked : (model.colour[s.index] & 0x00FFFFFFu) | alpha);
+    push(s, is_tinted ? marked : (model.colour[s.index] & 0x00FFFFFFu) | alpha,
+         model.wide.empty() ? 0u : packWide(model.wide[s.index], to_camera));
   }
   flush(opacity < 1.0f ? Pass::Faint : Pass::Solid, rim, projection, lighting);
 }
 
 void SphereImpostors::drawLoose(std::span<const LooseSphere> spheres, Pass pass, const Projection& projection,
                                 const Lighting& lighting) {
+  const glm::mat3 to_camera(glm::transpose(glm::mat3_cast(lighting.camera.orientation)));
   for (const LooseSphere& s : spheres) {
     DrawnSphere drawn;
-    if (projectSphere(projection, s.centre, s.radius, drawn)) push(drawn, s.colour);
+    if (projectSphere(projection, s.centre, s.radius, drawn)) push(drawn, s.colour, packWide(s.wide, to_camera));
   }
   flush(pass, 0.0f, projection, lighting);
 }

@@ -18,6 +18,7 @@ struct LooseSphere {
   glm::vec3 centre{0.0f};  ///< in the camera's axes
   float radius = 0.0f;
   std::uint32_t colour = 0xFFFFFFFFu;  ///< packColour; alpha is the opacity (of a shell: at its rim)
+  glm::vec4 wide{0.0f};                ///< OcclusionField::wideRound, in the molecule's axes
 };
 
 class SphereImpostors {
@@ -45,12 +46,13 @@ class SphereImpostors {
     float x, y;
     float centre_x, centre_y, centre_z, radius;
     std::uint32_t colour;
+    std::uint32_t wide;  // what wideRound gives, turned to the camera's axes: x, y, z + 0.5, w as bytes
   };
   SphereImpostors() : stream_(std::make_unique<GlStream>()) {}
-  void push(const DrawnSphere& sphere, std::uint32_t colour);
+  void push(const DrawnSphere& sphere, std::uint32_t colour, std::uint32_t wide);
   void flush(Pass pass, float rim, const Projection& projection, const Lighting& lighting);
 
-  GlProgram solid_, shell_;
+  GlProgram solid_, open_, shell_;  // lit among others; lit alone; bubbles
   std::unique_ptr<GlStream> stream_;
   std::vector<Vertex> vertices_;
 };

@@ -116,7 +116,10 @@ void StyledPart::findShapes(const MoleculeModel& model) {
       break;
   }
   mesh_ = std::make_unique<GpuMesh>(piece);
-  if (!shading.empty()) occlusion_.emplace().upload(occlusionField(shading));
+  if (shading.empty()) return;
+  const OcclusionField field = occlusionField(shading);
+  occlusion_.emplace().upload(field);
+  for (SmallBall& b : balls_) b.wide = field.wideRound(m.atoms[b.atom].position.A, b.radius_A);
 }
 
 }  // namespace moltact

@@ -31,6 +31,7 @@ class StyledPart {
   struct SmallBall {
     std::uint32_t atom;
     float radius_A;
+    glm::vec4 wide{0.0f};  // OcclusionField::wideRound in the style's own light
   };
   std::span<const SmallBall> balls() const { return balls_; }
   /// The light among the style's own shapes; null: the molecule's.

@@ -17,7 +17,7 @@ LigandClass ligandClass(std::string_view residue_name) {
   static constexpr std::string_view kSugars[] = {"SIA", "NDG", "FUL", "XYP", "XYS", "RIB", "FRU",
                                                  "BDP", "NGA", "A2G", "GLA", "RAM", "AHR", "ARA"};
   if (std::find(std::begin(kSugars), std::end(kSugars), residue_name) != std::end(kSugars)) return LigandClass::Sugar;
-  using Kind = gemmi::ResidueInfo;
+  using Kind = decltype(gemmi::ResidueInfo::kind);  // gemmi 0.7 took the enumeration out of the class
   const gemmi::ResidueInfo info = gemmi::find_tabulated_residue(std::string(residue_name));
   if (info.kind == Kind::PYR || info.kind == Kind::KET) return LigandClass::Sugar;
   if (info.kind == Kind::BUF) return LigandClass::Buffer;

@@ -1,13 +1,16 @@
 // Pictures a second of 1280 x 800 pixels, off-screen, by the graphics driver that EGL gives (in software where there is no
-// graphics card): while the view turns and everything is drawn anew, and while the probe moves over a view that rests.
+// graphics card): while the view turns and everything is drawn anew, at full size and as the window does (window), and while
+// the probe moves over a view that rests. The time on the processors is that of all the program's threads.
 // Run: build/release/picture_benchmark [--benchmark_filter=…]. The counter `frames_s` is what a window could show.
 #include <benchmark/benchmark.h>
 
+#include <chrono>
 #include <map>
 #include <memory>
 
 #include "engine/bench/hip_paths.h"
 #include "engine/platform/offscreen_gl.h"
+#include "engine/render/fineness.h"
 #include "engine/render/renderer.h"
 
 namespace {
@@ -63,6 +66,32 @@ void frames(benchmark::State& state, bool turning) {
   state.counters["atoms_drawn"] = double(r->count().atoms_drawn);
 }
 
+// As the window draws a view of this size while it turns: as finely as the machine allows.
+void window(benchmark::State& state) {
+  Renderer* const r = renderer();
+  if (!r) return state.SkipWithError("no graphics");
+  ViewScene scene = sceneOf(std::size_t(state.range(0)));
+  Fineness fineness;
+  double scale = 0.0;
+  const auto frame = [&] {
+    scene.camera.orbit(0.03, 0.0);
+    const Fineness::Choice choice = fineness.choose(true);
+    const auto begun = std::chrono::steady_clock::now();
+    if (r->draw(scene, int(kWidth_px * choice.scale), int(kHeight_px * choice.scale), choice.options)) return false;
+    r->finish();
+    fineness.took(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count());
+    scale += choice.scale;
+    return true;
+  };
+  constexpr int kUntilKnown = 10;  // frames in which it finds out how fast the machine is
+  for (int k = 0; k < kUntilKnown; ++k)
+    if (!frame()) return state.SkipWithError("the driver refuses the picture");
+  scale = 0.0;
+  for (auto _ : state) frame();
+  state.counters["frames_s"] = benchmark::Counter(double(state.iterations()), benchmark::Counter::kIsRate);
+  state.counters["scale"] = scale / double(state.iterations());
+}
+
 void turning(benchmark::State& state) { frames(state, true); }
 void touching(benchmark::State& state) { frames(state, false); }
 
@@ -70,11 +99,19 @@ BENCHMARK(turning)
     ->ArgNames({"atoms", "samples"})
     ->ArgsProduct({{4600, 14000, 677040}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
+    ->UseRealTime();
+BENCHMARK(window)
+    ->ArgNames({"atoms"})
+    ->ArgsProduct({{4600, 14000, 677040}})
+    ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 BENCHMARK(touching)
     ->ArgNames({"atoms", "samples"})
     ->ArgsProduct({{4600, 14000, 677040}, {1, 2}})
     ->Unit(benchmark::kMillisecond)
+    ->MeasureProcessCPUTime()
     ->UseRealTime();
 
 }  // namespace

@@ -167,3 +167,16 @@ TEST_CASE("a catalogue cut off anywhere, or with any byte changed, is read or re
   }
   CHECK(refused > 1000);
 }
+
+TEST_CASE("a translation whose first form is empty counts as none, the other forms stand") {
+  std::string bytes = bytesOf(kFolder / "qq.mo");
+  const std::string forms("{0} atom w {1}\0{0} atomy w {1}", 30);
+  const std::size_t at = bytes.find(forms);
+  REQUIRE(at != std::string::npos);
+  bytes[at] = '\0';  // "{0} atom w {1}" is "" now, and the second form what was left of the first
+  const auto texts = MoFile::parse(bytes);
+  REQUIRE(texts);
+  CHECK(texts->find({}, "{0} atom in {1}") == nullptr);
+  CHECK(texts->findPlural("{0} atom in {1}", 1) == nullptr);
+  CHECK(std::string(texts->findPlural("{0} atom in {1}", 3)) == "0} atom w {1}");
+}

@@ -1,5 +1,5 @@
 // The 3-D view as a texture that the view panel shows. The renderer draws only what has changed; this decides how
-// finely: coarser while the view is turned on a slow machine, smooth once it rests. Window's thread, with the GL
+// finely. Window's thread, with the GL
 // context current.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <memory>
 #include <string>
 
+#include "engine/render/fineness.h"
 #include "engine/render/picture.h"
 #include "engine/render/renderer.h"
 #include "engine/render/view_scene.h"
@@ -36,7 +37,7 @@ class ViewPicture {
   /// The picture kept last; null where none is.
   ImTextureID kept() const;
   /// The picture shown is coarser than it will be once the view has rested.
-  bool unfinished() const { return unfinished_; }
+  bool unfinished() const { return fineness_.unfinished(); }
   /// A picture to be kept, drawn as finely as pictures are; empty where the scene cannot be drawn.
   Picture take(const ViewScene& scene, int width_px, int height_px, float line_scale);
   /// Why the scene cannot be drawn; empty when it can.
@@ -49,10 +50,8 @@ class ViewPicture {
   std::unique_ptr<GlTarget> kept_;
   int width_px_ = 0, height_px_ = 0;  // of the last picture as drawn
   std::string fault_text_;
-  bool unfinished_ = false, refused_ = false, held_ = false;
-  double whole_ms_ = 0;  // what drawing all atoms at full resolution takes here
-  int rested_frames_ = 0;
-  RenderOptions last_;
+  bool refused_ = false, held_ = false;
+  Fineness fineness_;
 };
 
 /// "moltact-001.png" or the first number after that is free in the folder.

@@ -27,7 +27,7 @@ class PenaltyTracker final : public Tracker {
   bool setMotion(const SphereMotion* motion) noexcept override;
   void advanceTo(double fraction) noexcept override;
   double probe_A() const noexcept override { return nearby_.probe_A(); }
-  double parallelSprings() const noexcept override { return parallel_; }
+  double parallelSprings() const noexcept override;  // worked out when it is asked for
   MemoryUsage memoryUsage() const noexcept override;
 
  private:
@@ -36,7 +36,7 @@ class PenaltyTracker final : public Tracker {
   bool has_been_outside_ = false;  // has the HIP been outside since the start?
   Vec3 free_from_{0.0};            // no ball is within free_gap_ of this place
   double free_gap_ = 0.0;
-  double parallel_ = 1.0;  // of the last answer
+  Vec3 squares_{0.0}, products_{0.0};  // sum of n n^T over the pushes of the last answer: its diagonal, and yz, zx, xy
 };
 
 }  // namespace moltact

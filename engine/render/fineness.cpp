@@ -1,0 +1,38 @@
+#include "engine/render/fineness.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace moltact {
+namespace {
+
+constexpr double kMoving_ms = 18.0;   // a molecule may take so long in a frame while the view turns
+constexpr double kSmooth_ms = 400.0;  // and so long, once, when it has come to rest
+constexpr int kRest_frames = 10;
+constexpr double kCoarsest = 0.5;
+
+}  // namespace
+
+Fineness::Choice Fineness::choose(bool moving) {
+  rested_frames_ = moving ? 0 : rested_frames_ + 1;
+  Choice choice;
+  // Cost goes with the number of pixels, the square of the scale; eighths keep it from flickering. What is stretched is
+  // softened by that, and its edges need no filter.
+  if (moving && whole_ms_ > kMoving_ms) {
+    choice.scale = std::clamp(std::floor(8.0 * std::sqrt(kMoving_ms / whole_ms_)) / 8.0, kCoarsest, 1.0);
+    choice.options.smooth_edges = choice.scale == 1.0;
+  }
+  const bool smooth = 4.0 * whole_ms_ < kSmooth_ms;
+  if (!moving && smooth && (rested_frames_ >= kRest_frames || last_.options.samples == 2)) choice.options.samples = 2;
+  if (moving && whole_ms_ > 0 && 4.0 * whole_ms_ < kMoving_ms) choice.options.samples = 2;
+  unfinished_ = !moving && smooth && choice.options.samples == 1 && whole_ms_ > 0;
+  last_ = choice;
+  return choice;
+}
+
+void Fineness::took(double ms) {
+  const double whole = ms / (last_.options.samples == 2 ? 4.0 : last_.scale * last_.scale);
+  whole_ms_ = whole_ms_ > 0 ? 0.7 * whole_ms_ + 0.3 * whole : whole;
+}
+
+}  // namespace moltact
