@@ -169,7 +169,13 @@ class Walk {
   void scene(const MarkdownBlock& block) {
     if (outsideStep(block)) return;
     if (step()->states_scene) {
-      reading_.error(block.place, tr("a second scene in one step"), tr("start a new step, or put both into one block"));
+      // Most often the heading above was meant to begin a step.
+      std::string heading;
+      for (const Block& b : step()->blocks)
+        if (const auto* s = std::get_if<Subheading>(&b)) heading = plainText(s->text);
+      reading_.error(block.place, tr("a second scene in one step"),
+                     heading.empty() ? tr("start a new step, or put both into one block")
+                                     : trf("write '## {0}', with two signs, if a step is to begin there", heading));
       return;
     }
     const SceneSpec before = step()->scene;

@@ -228,6 +228,10 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
       return pathValue(key, text, std::move(value));
     case ValueType::View:
       if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
+      // Atoms without the word in front of them.
+      if (std::find(key.words.begin(), key.words.end(), text) == key.words.end() &&
+          text.find(' ') != std::string_view::npos && parseSelection(text))
+        return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), trf("write 'facing {0}'", text));
       return wordsValue(key, text, std::move(value), false);
     case ValueType::Remarks:
       if (auto problem = addRemark(value, text)) return *std::move(problem);

@@ -108,7 +108,7 @@ void Application::enterScene() {
   tellSteps();
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
-  panels.hints = false;
+  panels.hints = 0;
   scene.setTouch(spec->touch);
   scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);

@@ -47,7 +47,7 @@ void AttemptRecorder::beginParts(Application& app) {
   way_.reset();
   stage_.reset();
   view_.reset();
-  hints_ = false;
+  hints_ = 0;
 }
 
 void AttemptRecorder::beginNew(Application& app) {
@@ -218,7 +218,7 @@ void AttemptRecorder::afterPanels(Application& app) {
     if (auto* done = std::get_if<TaskDone>(&e.what)) done->by = way_->by;
     add(std::move(e));
   }
-  if (app.panels.hints && !hints_) add(HintOpened{session->step().id});
+  for (; hints_ < app.panels.hints; ++hints_) add(HintOpened{session->step().id});
   hints_ = app.panels.hints;
   if (further) add(SessionWatch::progressOf(*session));
   log_->heartbeat(now_s_);

@@ -1,5 +1,5 @@
-// Bottom: the device, how the 1 kHz loop keeps its time, the molecule, and how much of it is modelled. What has no room
-// is left out, the least needed first.
+// Bottom: the device, the molecule, and for experts how the 1 kHz loop keeps its time and how much of the molecule is
+// modelled. What has no room is left out, the least needed first.
 #include <optional>
 #include <string>
 #include <vector>
@@ -108,12 +108,14 @@ void drawStatusBar(Application& app) {
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
   // How long ticks take, and of how many atoms, would tell in the dark what is touched.
   const bool dark = app.extensions().task_stager.dark();
-  if (!dark) segments.push_back(loopSegment(app));
+  // Who compares methods wants the figures too.
+  const bool expert = app.settings.expert || app.panels.methods;
+  if (!dark && expert) segments.push_back(loopSegment(app));
   if (app.scene.stage()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back(
         {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});
-    if (!app.scene.playing() && !dark)
+    if (!app.scene.playing() && !dark && expert)
       segments.push_back(
           {"status/modelled",
            trf("{0} of {1} atoms modelled", grouped(now.memory_usage.atoms_modelled), grouped(m.atoms.size())),

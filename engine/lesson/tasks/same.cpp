@@ -256,6 +256,18 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
                         tr("ask for no more than 'trials'")});
 }
 
+void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+  const Value &one = spec.values["same"], &other = spec.values["place"];
+  if (!one.selection.given() || !other.selection.given()) return;
+  const std::vector<std::uint32_t> atoms = one.selection.select(molecule);
+  if (!atoms.empty() && atoms == other.selection.select(molecule))
+    problems.push_back({{},
+                        other.place.line,
+                        other.place.column,
+                        tr("the two places are the same atoms"),
+                        tr("name other atoms")});
+}
+
 }  // namespace
 
 TaskKind sameKind() {
@@ -306,7 +318,7 @@ TaskKind sameKind() {
   keys.insert(keys.end(), std::begin(others), std::end(others));
   return {"same", "Feel two things in the dark and say whether they are the same, several times.", std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
-          &checkSame};
+          &checkSame, &checkPlaces};
 }
 
 }  // namespace moltact

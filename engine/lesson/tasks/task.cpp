@@ -113,8 +113,15 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
   const auto touched = [&](const SurfacePlace& p) {
     return std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); });
   };
+  std::vector<char> near(view.balls.size(), 0);
+  for (const std::uint32_t a : atoms.atoms())
+    view.balls.visitNear(view.balls[a].centre_A, view.balls[a].radius_A + 2.0 * view.probe_A,
+                         [&](std::uint32_t b, const Ball&) { near[b] = 1; });
+  std::vector<std::uint32_t> around;
+  for (std::uint32_t a = 0; a < near.size(); ++a)
+    if (near[a]) around.push_back(a);
   for (const Feature f : {Feature::Circle, Feature::Point})
-    for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), f, 40, touched)) places.push_back(p);
+    for (const SurfacePlace& p : openPlaces(view, around, f, 40, touched)) places.push_back(p);
   return places;
 }
 

@@ -83,7 +83,15 @@ void drawLessonTask(Application& app, std::size_t index) {
   const float next_h = next.empty() ? 0.0f : ImGui::CalcTextSize(next_lines.c_str(), nullptr, false, text_w + 1).y;
   const bool bar = status.current && !away;
   const float say_y = std::max(0.0f, mark - 0.5f * ImGui::GetFontSize() - l.px(1));
-  const float height = std::max(say_y + say_h + gap + next_h, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
+  float height = std::max(say_y + say_h + gap + next_h, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
+  if (status.current) {
+    // What stands below it does not go up and down with what is told.
+    PanelState& panels = app.panels;
+    const bool same = panels.lesson_task == index && panels.lesson_task_width == width;
+    if (same) height = std::max(height, panels.lesson_task_height);
+    panels.lesson_task_height = height;
+    panels.lesson_task_width = width;
+  }
   const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + height};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, status.done ? p.good_soft : status.current ? p.accent_soft : p.raised, l.px(8));
