@@ -42,8 +42,9 @@ void playLesson(const fs::path& file, const Lesson& lesson, LessonMolecules& mol
     if (e.kind == LearnerEvent::Kind::Fault)
       errors.push_back({file.string(), e.place.line, e.place.column, e.note, {}});
   };
-  ScriptedLearner learner(std::make_shared<const Lesson>(lesson),
-                          [&](const NamedMolecule& named) { return molecules.find(file, named); }, tell);
+  ScriptedLearner learner(
+      std::make_shared<const Lesson>(lesson), [&](const NamedMolecule& named) { return molecules.find(file, named); },
+      tell);
   learner.demonstrate();
 }
 

@@ -30,8 +30,8 @@ void run(const Arguments& arguments) {
   for (const Problem& p : files.passed_over) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
   if (files.attempts.empty()) throw CommandError{tr("there are no attempts to report on in what was named")};
   const ClassSummary summary =
-      summarise(std::move(files.attempts), {.anonymous = arguments.anonymous || !arguments.code_word.empty(),
-                                            .code_word = arguments.code_word});
+      summarise(std::move(files.attempts),
+                {.anonymous = arguments.anonymous || !arguments.code_word.empty(), .code_word = arguments.code_word});
   if (!arguments.gradebook.empty()) write(arguments.gradebook, gradebookCsv(summary));
   if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));
   if (!arguments.html.empty()) {
@@ -47,7 +47,9 @@ void addReport(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "Report on a class: who finished what, answers, time, force and path");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("results", arguments->results, "attempts (.jsonl files) or folders of them, with the folders in them")
+  command
+      ->add_option("results", arguments->results,
+                   "attempts (.jsonl files) or folders of them, with the folders in them")
       ->type_name(kFilesOrFoldersType)
       ->required();
   command->add_option("--csv", arguments->csv, "where to write the table: a row for each student and lesson")
@@ -56,8 +58,9 @@ void addReport(CLI::App& app) {
       ->add_option("--html", arguments->html, "where to write the page: charts, light, dark and print, works offline")
       ->type_name(kFileType);
   command
-      ->add_option("--gradebook", arguments->gradebook,
-                   "where to write marks for a learning platform: a row for each named student, a column for each lesson")
+      ->add_option(
+          "--gradebook", arguments->gradebook,
+          "where to write marks for a learning platform: a row for each named student, a column for each lesson")
       ->type_name(kFileType);
   command->add_flag("--anonymous", arguments->anonymous, "write S01, S02 ... in the place of names");
   command

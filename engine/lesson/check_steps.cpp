@@ -70,9 +70,10 @@ void markdownInKeys(const Step& step, Findings& findings) {
     if (!place.line) return;
     for (const std::string_view sign : {"](", "**", "`"})
       if (const std::size_t at = text.find(sign); at != std::string::npos) {
-        findings.warning({place.line, place.column + characterCount(std::string_view(text).substr(0, at))},
-                         trf("'{0}' is shown as it stands: this key holds plain text, and no link in it leads anywhere", sign),
-                         tr("write it in the step's text, or take the signs out"));
+        findings.warning(
+            {place.line, place.column + characterCount(std::string_view(text).substr(0, at))},
+            trf("'{0}' is shown as it stands: this key holds plain text, and no link in it leads anywhere", sign),
+            tr("write it in the step's text, or take the signs out"));
         return;
       }
   };

@@ -96,9 +96,8 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
     const bool takes_list = key->type == ValueType::TextList || key->type == ValueType::Remarks;
     if (!line.items.empty() && (!takes_list || !line.value.empty())) {
       problems.push_back(problemAt(line.items[0].place, trf("'{0}' takes no list here", line.key),
-                                   takes_list
-                                       ? tr("write every item on a line of its own that starts with '- '")
-                                       : tr("write one value after the colon")));
+                                   takes_list ? tr("write every item on a line of its own that starts with '- '")
+                                              : tr("write one value after the colon")));
       continue;
     }
     Expected<Value> value = line.items.empty() ? parseValue(*key, line.value) : listValue(*key, line);

@@ -9,12 +9,12 @@
 namespace moltact {
 namespace {
 
-constexpr int kFaceDirections = 100;     // round each atom
-constexpr int kWays = 64;                // from outside to a place
-constexpr double kSpacing_A = 0.2;       // of places in a crease
+constexpr int kFaceDirections = 100;  // round each atom
+constexpr int kWays = 64;             // from outside to a place
+constexpr double kSpacing_A = 0.2;    // of places in a crease
 constexpr double kLift_A = 1e-4;
-constexpr double kAway = 0.02;           // a way leads away from the atoms that hold the place: cosine at least this
-constexpr double kGrid_A = 0.1;          // of lines through a ring
+constexpr double kAway = 0.02;   // a way leads away from the atoms that hold the place: cosine at least this
+constexpr double kGrid_A = 0.1;  // of lines through a ring
 
 Vec3 spiral(int k, int of) {
   const double z = 1.0 - (2.0 * k + 1.0) / of, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
@@ -27,8 +27,7 @@ bool open(const BallScene& scene, const SurfacePlace& place, double probe_A) {
   for (int k = 0; k < kWays; ++k) {
     const Vec3 way = spiral(k, kWays);
     const bool away = std::all_of(place.atoms.begin(), place.atoms.end(), [&](std::int32_t a) {
-      return a < 0 ||
-             glm::dot(glm::normalize(place.scp_A - scene[static_cast<std::size_t>(a)].centre_A), way) >= kAway;
+      return a < 0 || glm::dot(glm::normalize(place.scp_A - scene[static_cast<std::size_t>(a)].centre_A), way) >= kAway;
     });
     if (away && sweep(scene, probe_A, place.scp_A + way * far, place.scp_A + way * kLift_A).ball < 0) return true;
   }
@@ -55,7 +54,8 @@ std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::u
   if (!out.empty()) return out;
   // At its limit a probe touches the place and its neighbours at once: in creases and pits, which have closed forms.
   for (const std::uint32_t a : atoms)
-    scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A, [&](std::uint32_t b, const Ball&) { near[b] = 1; });
+    scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A,
+                    [&](std::uint32_t b, const Ball&) { near[b] = 1; });
   std::vector<std::uint32_t> around;
   for (std::uint32_t a = 0; a < near.size(); ++a)
     if (near[a]) around.push_back(a);

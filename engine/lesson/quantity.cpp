@@ -62,7 +62,8 @@ std::string notAUnit(std::string_view symbol, Dimension dimension) {
 /// angstrom as a sign of its own behind the A.
 std::string plainUnit(std::string_view symbol) {
   std::string out(symbol);
-  for (const std::string_view blank : {std::string_view("\u00A0"), std::string_view("\u202F"), std::string_view("\u2009")})
+  for (const std::string_view blank :
+       {std::string_view("\u00A0"), std::string_view("\u202F"), std::string_view("\u2009")})
     while (out.starts_with(blank)) out = std::string(stripped(std::string_view(out).substr(blank.size())));
   for (std::size_t at; (at = out.find("A\u030A")) != std::string::npos;) out.replace(at, 3, "\u00C5");
   for (std::size_t at; (at = out.find("\u212B")) != std::string::npos;) out.replace(at, 3, "\u00C5");

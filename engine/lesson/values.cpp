@@ -174,7 +174,8 @@ std::optional<Problem> addRemark(Value& value, std::string_view line) {
   for (const std::string_view arrow : {std::string_view("→"), std::string_view("->")}) {
     const std::size_t at_arrow = line.find(arrow);
     if (at_arrow == std::string_view::npos) continue;
-    const std::string_view atoms = stripped(line.substr(0, at_arrow)), text = stripped(line.substr(at_arrow + arrow.size()));
+    const std::string_view atoms = stripped(line.substr(0, at_arrow)),
+                           text = stripped(line.substr(at_arrow + arrow.size()));
     if (text.empty()) return at(line, line, tr("nothing is said to this touch"), tr("write the sentence after '->'"));
     auto read = selectionValue(line, atoms, {});
     if (!read) return read.problem();

@@ -122,9 +122,8 @@ fs::path attemptsFolder() {
 }
 
 std::size_t sittingsOf(const Attempt& attempt) {
-  return 1 + std::size_t(std::count_if(attempt.events.begin(), attempt.events.end(), [](const AttemptEvent& e) {
-           return std::holds_alternative<Resumed>(e.what);
-         }));
+  return 1 + std::size_t(std::count_if(attempt.events.begin(), attempt.events.end(),
+                                       [](const AttemptEvent& e) { return std::holds_alternative<Resumed>(e.what); }));
 }
 
 double Attempt::end_s() const {

@@ -242,7 +242,9 @@ ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& shown_as
     const auto same_file = std::count_if(by_lesson.begin(), by_lesson.end(),
                                          [&, file = of.first](const auto& l) { return l.first.first == file; });
     LessonSummary lesson{same_file > 1 ? of.first + " (" + of.second + ")" : of.first,
-                         of_lesson.back()->header.lesson, distinctHashes(of_lesson), {}};
+                         of_lesson.back()->header.lesson,
+                         distinctHashes(of_lesson),
+                         {}};
     std::map<std::string, PersonScore> people;
     for (const Attempt* a : of_lesson) {
       PersonScore& p = people[person[a]];

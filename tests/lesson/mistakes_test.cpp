@@ -116,7 +116,8 @@ const std::vector<Mistake>& mistakes() {
       {"steps", "## First step", "##First step", "before the first step", 4},
       {"steps", "## Second step", "## First step", "twice"},
       {"steps", "## Second step", "##", "without"},
-      {"steps", "## Second step\n\nMore text.\n", "### Second step\n\n```scene\nprobe: 2 Å\n```\n", "'## Second step'", 2},
+      {"steps", "## Second step\n\nMore text.\n", "### Second step\n\n```scene\nprobe: 2 Å\n```\n", "'## Second step'",
+       2},
       {"steps", "More text.", "More text.\n\n## Aside: Nobody comes here\n\nText.", "no link", 2},
       {"steps", "```\n\n### Question: How long?", "```\n\n## Empty\n\n### Question: How long?", ""},
       {"steps", "wrong: No.\n```\n", "wrong: No.\n```\n\n## Last\n", "nothing", 3},
@@ -207,7 +208,8 @@ const std::vector<Mistake>& mistakes() {
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "same: anywhere", "differs"},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "same: anywhere\nprobe: 1.4 Å", "same", 1},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "same: atom 0\nplace: atom 0", "same atoms", 1},
-      {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "same: anywhere\nprobe: 2 Å\ntrials: 4\nright: 5", "trials", 3},
+      {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "same: anywhere\nprobe: 2 Å\ntrials: 4\nright: 5",
+       "trials", 3},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "compare: places\nof: atom 0", "two places", 1},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "compare: exact, mesh", ""},
       {"tasks", "hold: crease\nfor: 2 s\nforce: 0.2 N to 0.6 N", "trace: crease", "of"},
@@ -261,7 +263,8 @@ Expected<std::shared_ptr<const Molecule>> onlyMix(const NamedMolecule& named) {
 
 }  // namespace
 
-TEST_CASE("of 156 mistakes in a good lesson, by six kinds, each is told at its line with words that lead to what mends it") {
+TEST_CASE(
+    "of 156 mistakes in a good lesson, by six kinds, each is told at its line with words that lead to what mends it") {
   const LessonCheck good = checkLesson("l.md", kGood, onlyMix);
   for (const Problem& p : good.errors) FAIL_CHECK(p.text());
   for (const Problem& p : good.warnings) FAIL_CHECK(p.text());

@@ -175,7 +175,8 @@ void explore(Application& app, const std::filesystem::path& molecule) {
   const LessonSession* session = app.lesson.session();
   if (!session) return;
   app.panels.lesson = false;
-  app.messages.notice(trf("{0} is set aside. It waits on the welcome page, and in View, Lesson panel.", session->lesson().title));
+  app.messages.notice(
+      trf("{0} is set aside. It waits on the welcome page, and in View, Lesson panel.", session->lesson().title));
 }
 
 void drawMolecules(Application& app, Grid& grid) {

@@ -296,7 +296,9 @@ class Performer {
     const auto asked = current() ? current()->slider() : std::nullopt;
     if (!asked || act.number < asked->least || act.number > asked->most) {
       tell(act, asked ? tr("the task's slider does not go so far") : tr("no number is asked for now"),
-           asked ? trf("it goes from {0} to {1}", quantityText(asked->least, asked->dimension), quantityText(asked->most, asked->dimension)) : tr("take the line out"));
+           asked ? trf("it goes from {0} to {1}", quantityText(asked->least, asked->dimension),
+                       quantityText(asked->most, asked->dimension))
+                 : tr("take the line out"));
       return;
     }
     learner_.tell({.number = act.number});

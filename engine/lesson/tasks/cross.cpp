@@ -174,11 +174,12 @@ TaskKind crossKind() {
       {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .least = 1, .most = 100}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
-  return {
-      "cross", "Slide from one atom to another without leaving the surface.", std::move(keys),
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); },
-      nullptr,
-      checkSides};
+  return {"cross",
+          "Slide from one atom to another without leaving the surface.",
+          std::move(keys),
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); },
+          nullptr,
+          checkSides};
 }
 
 }  // namespace moltact

@@ -61,9 +61,9 @@ class Find : public Task {
     double off_A = 0.0, told_A = -1.0, first_off_A = -1.0, still_s = 0.0;
     Vec3 resting_A{0.0};
     int guesses = 0, looks = 0, rounds = 1;
-    int left = 0;              // guesses of this round
-    std::string said;          // to the last guess
-    std::string author_says;   // to what is touched
+    int left = 0;             // guesses of this round
+    std::string said;         // to the last guess
+    std::string author_says;  // to what is touched
     bool touching = false, felt = false, right = false, lit = false, told_here = false;
     Heat heat = Heat::None;
   };
@@ -153,7 +153,8 @@ class Find : public Task {
     }
     now_.said = why();
     if (--now_.left > 0) {
-      now_.said += ' ' + trnf("{0} guess is left.", "{0} guesses are left.", static_cast<std::size_t>(now_.left), now_.left);
+      now_.said +=
+          ' ' + trnf("{0} guess is left.", "{0} guesses are left.", static_cast<std::size_t>(now_.left), now_.left);
       return;
     }
     ++now_.rounds;
@@ -243,49 +244,50 @@ class Find : public Task {
 }  // namespace
 
 TaskKind findKind() {
-  std::vector<KeySpec> keys{{.name = "find",
-            .type = ValueType::Selection,
-            .meaning = "The atoms of which one is to be found.",
-            .required = true},
-           {.name = "within",
-            .type = ValueType::Quantity,
-            .meaning = "A contact point so near to the surface of a selected atom is right as well.",
-            .fallback = "1 Å",
-            .dimension = Dimension::Length,
-            .most = 100.0},
-           {.name = "by",
-            .type = ValueType::Word,
-            .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
-            .fallback = "here",
-            .words = {"here", "hold"}},
-           {.name = "hints",
-            .type = ValueType::Word,
-            .meaning = "Whether the program says 'warmer' and 'colder'.",
-            .fallback = "none",
-            .words = {"none", "warmer"}},
-           {.name = "meter",
-            .type = ValueType::Word,
-            .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device "
-                       "it is all there is to feel.",
-            .fallback = "on",
-            .words = {"on", "off"}},
-           {.name = "turn",
-            .type = ValueType::Word,
-            .meaning = "Whether the molecule lies turned in the dark, another way for each student, after each look and "
-                       "when the guesses are used up; the place stays on the side of the student.",
-            .fallback = "random",
-            .words = {"random", "none"}},
-           {.name = "guesses",
-            .type = ValueType::Count,
-            .meaning = "How often the student may say that it is here before the search begins anew.",
-            .fallback = "3",
-            .least = 1,
-            .most = 100},
-           {.name = "looks",
-            .type = ValueType::Count,
-            .meaning = "How often the student may look for a moment.",
-            .fallback = "2",
-            .most = 100}};
+  std::vector<KeySpec> keys{
+      {.name = "find",
+       .type = ValueType::Selection,
+       .meaning = "The atoms of which one is to be found.",
+       .required = true},
+      {.name = "within",
+       .type = ValueType::Quantity,
+       .meaning = "A contact point so near to the surface of a selected atom is right as well.",
+       .fallback = "1 Å",
+       .dimension = Dimension::Length,
+       .most = 100.0},
+      {.name = "by",
+       .type = ValueType::Word,
+       .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
+       .fallback = "here",
+       .words = {"here", "hold"}},
+      {.name = "hints",
+       .type = ValueType::Word,
+       .meaning = "Whether the program says 'warmer' and 'colder'.",
+       .fallback = "none",
+       .words = {"none", "warmer"}},
+      {.name = "meter",
+       .type = ValueType::Word,
+       .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device "
+                  "it is all there is to feel.",
+       .fallback = "on",
+       .words = {"on", "off"}},
+      {.name = "turn",
+       .type = ValueType::Word,
+       .meaning = "Whether the molecule lies turned in the dark, another way for each student, after each look and "
+                  "when the guesses are used up; the place stays on the side of the student.",
+       .fallback = "random",
+       .words = {"random", "none"}},
+      {.name = "guesses",
+       .type = ValueType::Count,
+       .meaning = "How often the student may say that it is here before the search begins anew.",
+       .fallback = "3",
+       .least = 1,
+       .most = 100},
+      {.name = "looks",
+       .type = ValueType::Count,
+       .meaning = "How often the student may look for a moment.",
+       .fallback = "2",
+       .most = 100}};
   for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
   keys.push_back(WrongTouches::key());
   return {"find", "Find a place by touch alone, with the screen dark.", std::move(keys),

@@ -13,9 +13,9 @@
 namespace moltact {
 namespace {
 
-constexpr double kAlike_A = 0.011;    // the probe has grown to what the slider says
-constexpr double kKeptOut_s = 1.0;    // so long a probe is tried before it may be called too large
-constexpr double kThrough_A = 0.5;    // so near to the ring's plane the probe is in it
+constexpr double kAlike_A = 0.011;  // the probe has grown to what the slider says
+constexpr double kKeptOut_s = 1.0;  // so long a probe is tried before it may be called too large
+constexpr double kThrough_A = 0.5;  // so near to the ring's plane the probe is in it
 
 const TouchProperty& probeProperty() {
   for (const TouchProperty& p : touchProperties())
@@ -146,8 +146,8 @@ class Fit : public Task {
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
     const double step_A = 0.5 * std::min(within_A_, 0.2);
-    const double wanted_A = std::clamp(largest_ ? limit_A() - step_A * (1 + view.attempt % 2) : limit_A() + step_A,
-                                       least_A_, most_A_);
+    const double wanted_A =
+        std::clamp(largest_ ? limit_A() - step_A * (1 + view.attempt % 2) : limit_A() + step_A, least_A_, most_A_);
     HandPlanInput grown{view.balls, wanted_A, view.N_per_A, view.hip, view.attempt};
     const auto set = [&](PointA before) {
       plan.push_back({.to = before, .placed = true, .answer = TaskAnswer{.number = wanted_A}});
@@ -211,7 +211,10 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
   const bool through = spec.values["way"].text == "through";
   const auto ring = through ? ringOf(scene, atoms) : std::nullopt;
   if (through && !ring) {
-    problems.push_back({{}, fit.place.line, fit.place.column, tr("three atoms at least make a ring to go through"),
+    problems.push_back({{},
+                        fit.place.line,
+                        fit.place.column,
+                        tr("three atoms at least make a ring to go through"),
                         tr("name more of its atoms, or write 'way: into'")});
     return;
   }
@@ -219,11 +222,15 @@ void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Prob
     return through ? wayThrough(scene, *ring, probe_A).has_value() : !comesTo(scene, atoms, probe_A, true).empty();
   };
   if (!fits(least_A))
-    problems.push_back({{}, fit.place.line, fit.place.column,
+    problems.push_back({{},
+                        fit.place.line,
+                        fit.place.column,
                         trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
                         tr("choose another place, or a smaller 'least'")});
   else if (fits(most_A))
-    problems.push_back({{}, fit.place.line, fit.place.column,
+    problems.push_back({{},
+                        fit.place.line,
+                        fit.place.column,
                         trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
                         tr("choose another place, or a greater 'most'")});
 }

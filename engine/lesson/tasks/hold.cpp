@@ -67,9 +67,8 @@ class Hold : public Task {
 
   State stateOf(const TouchSample& s) const {
     if (!s.contact.touching()) return State::Away;
-    const bool here = feature_.empty() || feature_ == "anywhere"
-                          ? target_.touchedBy(s.contact)
-                          : kind_->at(s.contact, target_, s.probe_A);
+    const bool here = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact)
+                                                                 : kind_->at(s.contact, target_, s.probe_A);
     if (!here) return State::Elsewhere;
     const double force = glm::length(s.force.N);
     if (force < low_N_ * (1.0 - kForceSlack)) return State::TooLight;

@@ -85,7 +85,8 @@ class Measure : public Task {
       return;
     }
     said_ = distance_A_ > high_A_
-                ? trf("You measured {0}: that is farther than from one to the other. Mark both anew, where they are nearer.",
+                ? trf("You measured {0}: that is farther than from one to the other. Mark both anew, where they are "
+                      "nearer.",
                       lengthText())
                 : trf("You measured {0}: that is nearer than from one to the other. Mark both anew, farther apart.",
                       lengthText());
@@ -108,9 +109,7 @@ class Measure : public Task {
     return first_A_ ? trf("The first place is marked. Now touch {0}.", name) : trf("Touch {0} and mark it.", name);
   }
 
-  std::string afterwards() const override {
-    return trf("You measured {0} from surface to surface.", lengthText());
-  }
+  std::string afterwards() const override { return trf("You measured {0} from surface to surface.", lengthText()); }
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
@@ -119,8 +118,7 @@ class Measure : public Task {
     std::vector<std::pair<const SurfacePlace*, const SurfacePlace*>> pairs;
     for (const SurfacePlace& a : ones)
       for (const SurfacePlace& b : others) {
-        const double apart_A =
-            glm::distance(a.scp_A - a.outward * view.probe_A, b.scp_A - b.outward * view.probe_A);
+        const double apart_A = glm::distance(a.scp_A - a.outward * view.probe_A, b.scp_A - b.outward * view.probe_A);
         if (apart_A >= low_A_ && apart_A <= high_A_) pairs.emplace_back(&a, &b);
       }
     if (pairs.empty()) return plan;
@@ -154,27 +152,28 @@ class Measure : public Task {
 }  // namespace
 
 TaskKind measureKind() {
-  return {"measure",
-          "Measure a distance by touching two places and marking them.",
-          {{.name = "measure",
-            .type = ValueType::Selection,
-            .meaning = "The atoms of which one is touched first.",
-            .required = true},
-           {.name = "to",
-            .type = ValueType::Selection,
-            .meaning = "The atoms of which one is touched then.",
-            .required = true},
-           {.name = "arrival",
-            .type = ValueType::Text,
-            .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the first."},
-           {.name = "between",
-            .type = ValueType::Range,
-            .meaning = "What may be measured, from surface to surface; otherwise both are marked anew. Without it "
-                       "any two touches of the places will do.",
-            .dimension = Dimension::Length,
-            .most = 1000.0},
-           WrongTouches::key()},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Measure>(s, m); }};
+  return {
+      "measure",
+      "Measure a distance by touching two places and marking them.",
+      {{.name = "measure",
+        .type = ValueType::Selection,
+        .meaning = "The atoms of which one is touched first.",
+        .required = true},
+       {.name = "to",
+        .type = ValueType::Selection,
+        .meaning = "The atoms of which one is touched then.",
+        .required = true},
+       {.name = "arrival",
+        .type = ValueType::Text,
+        .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the first."},
+       {.name = "between",
+        .type = ValueType::Range,
+        .meaning = "What may be measured, from surface to surface; otherwise both are marked anew. Without it "
+                   "any two touches of the places will do.",
+        .dimension = Dimension::Length,
+        .most = 1000.0},
+       WrongTouches::key()},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Measure>(s, m); }};
 }
 
 }  // namespace moltact

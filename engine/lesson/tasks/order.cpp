@@ -148,14 +148,12 @@ class Order : public Task {
 
   std::string guidance() const override {
     const std::size_t n = places_.size();
-    if (!feeling())
-      return picked_.empty() ? trf("Which place is {0}?", first_) : tr("And which one comes next?");
+    if (!feeling()) return picked_.empty() ? trf("Which place is {0}?", first_) : tr("And which one comes next?");
     if (felt_s_ >= time_s_)
       return at_ + 1 < n ? trf("That was place {0} of {1}. Go on to the next.", at_ + 1, n)
                          : tr("You have felt them all. Now put them in order.");
     if (beside_) return tr("You are beside the place. It lies in the middle of the view: let go, and push there.");
-    if (touching_)
-      return trf("Feel place {0} of {1}: {2} of {3}.", at_ + 1, n, timeText(felt_s_), timeText(time_s_));
+    if (touching_) return trf("Feel place {0} of {1}: {2} of {3}.", at_ + 1, n, timeText(felt_s_), timeText(time_s_));
     const std::string touch = trf("Touch place {0} of {1}: push in the middle of the view.", at_ + 1, n);
     return failed_ && at_ == 0
                ? trf("That was not the order. Feel the places again, they are numbered anew. {0}", touch)
@@ -196,10 +194,16 @@ void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
   const Value& order = spec.values["order"];
   const std::size_t n = order.path.size();
   if (n < 2)
-    problems.push_back({{}, order.place.line, order.place.column, tr("at least two places are needed for an order"),
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
+                        tr("at least two places are needed for an order"),
                         tr("write them parted by 'then': 'order: residue 4 then residue 9'")});
   else if (n > kMostPlaces)
-    problems.push_back({{}, order.place.line, order.place.column, trf("more than {0} places", kMostPlaces),
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
+                        trf("more than {0} places", kMostPlaces),
                         tr("take some out: nobody keeps so many in mind")});
 }
 
@@ -216,60 +220,69 @@ void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Pro
     radii_A.push_back(sum / double(atoms.back().size()));
     for (std::size_t before = 0; before < k; ++before)
       if (atoms[before] == atoms[k])
-        problems.push_back({{}, order.places[k].line, order.places[k].column,
-                            tr("two of the places are the same atoms"), tr("name another place")});
+        problems.push_back({{},
+                            order.places[k].line,
+                            order.places[k].column,
+                            tr("two of the places are the same atoms"),
+                            tr("name another place")});
   }
   const std::string& by = spec.values["by"].text;
   if (by != "size") return;
   const bool up = std::is_sorted(radii_A.begin(), radii_A.end()),
              down = std::is_sorted(radii_A.rbegin(), radii_A.rend());
   if (!up && !down)
-    problems.push_back({{}, order.place.line, order.place.column,
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
                         tr("the radii of the places' atoms neither grow nor fall in this order"),
                         tr("write them from the smallest to the largest, or the other way round")});
   else if (up && down)
-    problems.push_back({{}, order.place.line, order.place.column, tr("the atoms of all places are of one size"),
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
+                        tr("the atoms of all places are of one size"),
                         tr("choose atoms of different elements")});
 }
 
 }  // namespace
 
 TaskKind orderKind() {
-  return {"order",
-          "Feel several places one after the other and put them in order.",
-          {{.name = "order",
-            .type = ValueType::Path,
-            .meaning = "The places in the right order, two to six, parted by 'then'. The student feels them in another.",
-            .required = true},
-           {.name = "first",
-            .type = ValueType::Text,
-            .meaning = "What the first of the order is, in the middle of a sentence: 'the deepest', 'the smallest'.",
-            .required = true},
-           {.name = "by",
-            .type = ValueType::Word,
-            .meaning = "What orders them. By size, the check compares the atoms' radii.",
-            .fallback = "touch",
-            .words = {"touch", "depth", "size"}},
-           {.name = "for",
-            .type = ValueType::Quantity,
-            .meaning = "How long each place is touched at least.",
-            .fallback = "1 s",
-            .dimension = Dimension::Time,
-            .least = 0.1,
-            .most = 60.0},
-           {.name = "dark",
-            .type = ValueType::Word,
-            .meaning = "Whether the screen is dark meanwhile.",
-            .fallback = "yes",
-            .words = {"yes", "no"}},
-           {.name = "meter",
-            .type = ValueType::Word,
-            .meaning = "Whether the force is shown in the dark, how great and whereto.",
-            .fallback = "on",
-            .words = {"on", "off"}}},
-          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
-          &checkOrder,
-          &checkPlaces};
+  return {
+      "order",
+      "Feel several places one after the other and put them in order.",
+      {{.name = "order",
+        .type = ValueType::Path,
+        .meaning = "The places in the right order, two to six, parted by 'then'. The student feels them in another.",
+        .required = true},
+       {.name = "first",
+        .type = ValueType::Text,
+        .meaning = "What the first of the order is, in the middle of a sentence: 'the deepest', 'the smallest'.",
+        .required = true},
+       {.name = "by",
+        .type = ValueType::Word,
+        .meaning = "What orders them. By size, the check compares the atoms' radii.",
+        .fallback = "touch",
+        .words = {"touch", "depth", "size"}},
+       {.name = "for",
+        .type = ValueType::Quantity,
+        .meaning = "How long each place is touched at least.",
+        .fallback = "1 s",
+        .dimension = Dimension::Time,
+        .least = 0.1,
+        .most = 60.0},
+       {.name = "dark",
+        .type = ValueType::Word,
+        .meaning = "Whether the screen is dark meanwhile.",
+        .fallback = "yes",
+        .words = {"yes", "no"}},
+       {.name = "meter",
+        .type = ValueType::Word,
+        .meaning = "Whether the force is shown in the dark, how great and whereto.",
+        .fallback = "on",
+        .words = {"on", "off"}}},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
+      &checkOrder,
+      &checkPlaces};
 }
 
 }  // namespace moltact

@@ -176,8 +176,8 @@ class Same : public Task {
                      : trf("Feel the first of pair {0} of {1}: {2} of {3}.", pair, trials_, felt, wanted);
     }
     const std::string touch =
-        led()     ? (second_ ? trf("Touch the second of pair {0} of {1}: push in the middle of the view.", pair, trials_)
-                             : trf("Touch the first of pair {0} of {1}: push in the middle of the view.", pair, trials_))
+        led() ? (second_ ? trf("Touch the second of pair {0} of {1}: push in the middle of the view.", pair, trials_)
+                         : trf("Touch the first of pair {0} of {1}: push in the middle of the view.", pair, trials_))
         : second_ ? trf("Touch the second of pair {0} of {1}.", pair, trials_)
                   : trf("Touch the first of pair {0} of {1}.", pair, trials_);
     if (failed_)
@@ -261,11 +261,8 @@ void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Pro
   if (!one.selection.given() || !other.selection.given()) return;
   const std::vector<std::uint32_t> atoms = one.selection.select(molecule);
   if (!atoms.empty() && atoms == other.selection.select(molecule))
-    problems.push_back({{},
-                        other.place.line,
-                        other.place.column,
-                        tr("the two places are the same atoms"),
-                        tr("name other atoms")});
+    problems.push_back(
+        {{}, other.place.line, other.place.column, tr("the two places are the same atoms"), tr("name other atoms")});
 }
 
 }  // namespace
@@ -316,9 +313,12 @@ TaskKind sameKind() {
                   "others.",
        .most = 1e6}};
   keys.insert(keys.end(), std::begin(others), std::end(others));
-  return {"same", "Feel two things in the dark and say whether they are the same, several times.", std::move(keys),
+  return {"same",
+          "Feel two things in the dark and say whether they are the same, several times.",
+          std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
-          &checkSame, &checkPlaces};
+          &checkSame,
+          &checkPlaces};
 }
 
 }  // namespace moltact

@@ -169,7 +169,8 @@ PlaceKind::PlaceKind(std::string_view word, const AtomSet& atoms, const Molecule
 
 bool PlaceKind::at(const Contact& contact, const AtomSet& atoms, double probe_A) const {
   if (!atoms.holds(contact)) return false;
-  return isFeature(word_, contact.feature) || std::count_if(balls_.begin(), balls_.end(), [&](const Ball& b) {
+  return isFeature(word_, contact.feature) ||
+         std::count_if(balls_.begin(), balls_.end(), [&](const Ball& b) {
            return std::abs(glm::distance(contact.scp.A, b.centre_A) - b.radius_A - probe_A) <= kAlike_A;
          }) >= 3;
 }

@@ -8,8 +8,8 @@
 namespace moltact {
 
 struct TaskAnswer {
-  std::string word = {};           ///< of one of the task's buttons
-  std::vector<double> curve = {};  ///< of a task that lets draw one (unit: newton)
+  std::string word = {};              ///< of one of the task's buttons
+  std::vector<double> curve = {};     ///< of a task that lets draw one (unit: newton)
   std::optional<double> number = {};  ///< of a task with a slider (in its unit)
 };
 

@@ -17,14 +17,15 @@ std::optional<Vec3> middleOf(const Selection& selection, const Molecule& molecul
 }  // namespace
 
 TouchLimits::TouchLimits(const TaskSpec& spec, std::string_view target, const Molecule& molecule) {
-  const auto from = middleOf(spec.values[target].selection, molecule), to = middleOf(spec.values["side"].selection, molecule);
+  const auto from = middleOf(spec.values[target].selection, molecule),
+             to = middleOf(spec.values["side"].selection, molecule);
   if (from && to) side_ = Side{*from, *to};
   const Selection& round = spec.values["region"].selection;
   if (const auto centre = middleOf(round, molecule)) {
     region_ = Reach{*centre, 0.0};
     for (const std::uint32_t a : round.select(molecule))
-      region_->radius_A = std::max(region_->radius_A, glm::distance(molecule.atoms[a].position.A, *centre) +
-                                                          molecule.atoms[a].radius_A);
+      region_->radius_A = std::max(region_->radius_A,
+                                   glm::distance(molecule.atoms[a].position.A, *centre) + molecule.atoms[a].radius_A);
   }
 }
 
@@ -44,7 +45,8 @@ std::vector<KeySpec> TouchLimits::keys() {
 }
 
 WrongTouches::WrongTouches(const TaskSpec& spec, const Molecule& molecule) {
-  for (const SelectionRemark& r : spec.values["wrong"].remarks) remarks_.push_back({AtomSet(r.atoms, molecule), r.text});
+  for (const SelectionRemark& r : spec.values["wrong"].remarks)
+    remarks_.push_back({AtomSet(r.atoms, molecule), r.text});
 }
 
 std::string WrongTouches::about(const Contact& contact) const {

@@ -20,8 +20,8 @@ constexpr double kAheadShare = 0.25;  // but never over so much of the whole way
 constexpr double kWayShare = 2.0, kResume_A = 1.5;
 constexpr double kBrushed_A = 1.0;     // only what a slide of so much goes over is covered
 constexpr double kBrushedShare = 0.1;  // or of so much of the crease, where that is shorter
-constexpr double kStart_A = 1.0;      // so near to its end a way may be begun
-constexpr double kStartShare = 0.1;   // and within so much of the whole
+constexpr double kStart_A = 1.0;       // so near to its end a way may be begun
+constexpr double kStartShare = 0.1;    // and within so much of the whole
 
 // What the two forms of the way have in common: how far the hand is off it, and how often it let go.
 class Trace : public Task {
@@ -246,7 +246,8 @@ class TraceAtoms : public Trace {
       budget_A_ += kWayShare * (slide_.way_A() - std::exchange(slid_A_, slide_.way_A()));
     if (!resumed_) {
       // Whoever slides back to the front has found it again.
-      const Near at_front = nearest(scp, probe_A, std::max(0.0, here_A - kResume_A), std::min(length_A_, here_A + kResume_A));
+      const Near at_front =
+          nearest(scp, probe_A, std::max(0.0, here_A - kResume_A), std::min(length_A_, here_A + kResume_A));
       resumed_ = at_front.off_A <= within_A || restsNear(contact, kResume_A);
       budget_A_ = 0.0;
       if (!resumed_) return {off_A, false};
@@ -365,7 +366,8 @@ class TraceCrease : public Trace {
       brushed_.push_back(k);
     });
     // A hand that is only put down here and there has not followed it.
-    if (slide_.way_A() - on_since_A_ < std::min(kBrushed_A, kBrushedShare * kSpacing_A * double(places_->size()))) return {off, true};
+    if (slide_.way_A() - on_since_A_ < std::min(kBrushed_A, kBrushedShare * kSpacing_A * double(places_->size())))
+      return {off, true};
     for (const std::uint32_t k : brushed_) passed_[k] = kPassed;
     count_ += brushed_.size();
     brushed_.clear();

@@ -156,7 +156,8 @@ bool findBy(const Stage& stage, const TaskSpec& spec, std::uint64_t seed, Where 
 
 }  // namespace
 
-TEST_CASE("whoever answers 'same' by a coin, always alike, or so that half differ, passes a round as often as coins do") {
+TEST_CASE(
+    "whoever answers 'same' by a coin, always alike, or so that half differ, passes a round as often as coins do") {
   const std::vector<Found> found = tasksOfKind("same");
   REQUIRE(found.size() >= 2);
   std::mt19937 random(kSeed);
@@ -192,8 +193,7 @@ TEST_CASE("whoever answers 'same' by a coin, always alike, or so that half diffe
           if (std::string_view(way) == "so that half differ") differ = said_different < trials / 2;
           // What the card shows of the pairs before.
           const TaskTrials shown = task->trials();
-          if (std::string_view(way) == "as the last was" && !shown.right.empty())
-            differ = shown.right.back() == last;
+          if (std::string_view(way) == "as the last was" && !shown.right.empty()) differ = shown.right.back() == last;
           said_different += differ;
           last = differ;
           task->answer({.word = differ ? "different" : "same"});
@@ -205,7 +205,8 @@ TEST_CASE("whoever answers 'same' by a coin, always alike, or so that half diffe
   }
 }
 
-TEST_CASE("who looked where the place was, and who presses anywhere, find it in the dark no more often than a blind press") {
+TEST_CASE(
+    "who looked where the place was, and who presses anywhere, find it in the dark no more often than a blind press") {
   const std::vector<Found> found = tasksOfKind("find");
   REQUIRE(found.size() >= 3);
   CAPTURE(kSeed);
@@ -224,7 +225,8 @@ TEST_CASE("who looked where the place was, and who presses anywhere, find it in 
     int middled = 0;
     for (int k = 0; k < kRounds; ++k)
       middled += findBy(stage, f.spec(), mixedSeed(kSeed, std::uint64_t(2000 + k)), [&](int guess) {
-        return glm::dvec2(0.5 * Stage::kSize_px) + (guess ? glm::dvec2(beside(random), beside(random)) : glm::dvec2(0.0));
+        return glm::dvec2(0.5 * Stage::kSize_px) +
+               (guess ? glm::dvec2(beside(random), beside(random)) : glm::dvec2(0.0));
       });
     const double chance = double(std::max(jabbed, middled)) / kRounds;
     MESSAGE(f.name() << ": pressed anywhere " << 100.0 * jabbed / kRounds << " %, in the middle "
@@ -251,7 +253,8 @@ TEST_CASE("who is put down at place after place of a way, without sliding, does 
   REQUIRE(found.size() >= 4);
   for (const Found& f : found) {
     CAPTURE(f.name());
-    const auto lesson = std::find_if(lessons().begin(), lessons().end(), [&](const Lesson& l) { return l.title == f.lesson; });
+    const auto lesson =
+        std::find_if(lessons().begin(), lessons().end(), [&](const Lesson& l) { return l.title == f.lesson; });
     for (const bool jabs : {true, false}) {
       auto alone = std::make_shared<Lesson>(*lesson);
       alone->steps = {*f.step};

@@ -15,7 +15,8 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: pair, cage, ring, well\nauthor: A\nlicence: L\n---\n";
+const std::string kHead =
+    "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: pair, cage, ring, well\nauthor: A\nlicence: L\n---\n";
 
 std::shared_ptr<const Lesson> lesson(const std::string& body) {
   LessonReading read = readLessonText("l.md", kHead + body);
@@ -117,8 +118,9 @@ TEST_CASE("each kind of task is done on two balls by the student who follows its
   }
   const Played meets = demonstrate("## A\n```scene\nmolecule: pair\nmethod: mesh80\n```\n" + touch("meet: jump"));
   CHECK(meets.finished);
-  for (const char* keys : {"fit: all\nway: through\nmost: 3 Å", "fit: all\nway: through\nmost: 3 Å\nwant: smallest",
-                           "fit: atom 6\nleast: 0.5 Å\nmost: 4 Å", "fit: atom 6\nwant: smallest\nleast: 0.5 Å\nmost: 4 Å"}) {
+  for (const char* keys :
+       {"fit: all\nway: through\nmost: 3 Å", "fit: all\nway: through\nmost: 3 Å\nwant: smallest",
+        "fit: atom 6\nleast: 0.5 Å\nmost: 4 Å", "fit: atom 6\nwant: smallest\nleast: 0.5 Å\nmost: 4 Å"}) {
     CAPTURE(keys);
     const Played p = demonstrate(step(touch(keys), std::string(keys).starts_with("fit: all") ? "ring" : "well"));
     if (const LearnerEvent* gave_up = p.find(Kind::GaveUp)) MESSAGE(gave_up->note);

@@ -69,7 +69,8 @@ TEST_CASE("warmer and colder are said at a change of 1 A and only where the auth
   }
 }
 
-TEST_CASE("after 3 wrong guesses, and after each of 2 looks, the molecule lies turned another way and is met from outside") {
+TEST_CASE(
+    "after 3 wrong guesses, and after each of 2 looks, the molecule lies turned another way and is met from outside") {
   auto t = task("find", {{"find", "atom 0"}});
   t->drawBy(7);
   Hand hand{*t};
@@ -103,7 +104,9 @@ TEST_CASE("after 3 wrong guesses, and after each of 2 looks, the molecule lies t
   CHECK_FALSE(as_written->stage().turned);
 }
 
-TEST_CASE("what the author says to a touch of other atoms is said to the guess there; a side and a region limit what counts") {
+TEST_CASE(
+    "what the author says to a touch of other atoms is said to the guess there; a side and a region limit what "
+    "counts") {
   auto t = task("find", {{"find", "atom 0"}, {"wrong", "element Zn -> That is the zinc."}, {"within", "0 Å"}});
   Hand hand{*t};
   hand.touch({9}, 0.1, 0.5, {40, 3.1, 0});

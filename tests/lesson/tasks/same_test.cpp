@@ -36,7 +36,8 @@ Pair feelPair(Task& task, Hand& hand, Say say) {
 }  // namespace
 
 TEST_CASE(
-    "pairs follow from the number they are drawn by; the author's own number stands above it; answering rightly finishes with "
+    "pairs follow from the number they are drawn by; the author's own number stands above it; answering rightly "
+    "finishes with "
     "all marks right") {
   std::vector<std::string> orders;
   struct Drawn {

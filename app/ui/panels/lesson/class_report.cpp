@@ -28,7 +28,8 @@ void writeReport(Application& app, const std::filesystem::path& folder) {
     return app.messages.error(problem->text());
   if (const auto problem = writeWhole(table, classCsv(summary))) return app.messages.error(problem->text());
   handOver(page);
-  app.messages.notice(trf("{0}. The report is in {1}, the table in {2}.", summaryText(summary), page.string(), table.string()));
+  app.messages.notice(
+      trf("{0}. The report is in {1}, the table in {2}.", summaryText(summary), page.string(), table.string()));
 }
 
 }  // namespace

@@ -99,7 +99,8 @@ void drawLessonEnd(Application& app, const LessonSession& session) {
   drawGoals(session, "lesson/end/goal", Icon::Check, l.palette.good);
   ImGui::Spacing();
   if (done.tasks > 0)
-    line("lesson/end/tasks", trnf("{0} touch task done.", "{0} touch tasks done.", done.tasks, done.tasks), l.palette.text);
+    line("lesson/end/tasks", trnf("{0} touch task done.", "{0} touch tasks done.", done.tasks, done.tasks),
+         l.palette.text);
   if (done.questions > 0)
     line("lesson/end/questions", trf("{0} of {1} answers right at the first try.", done.first_right, done.questions),
          l.palette.text);
@@ -124,8 +125,8 @@ void drawLessonEnd(Application& app, const LessonSession& session) {
   ImGui::SetCursorScreenPos({low.x, end + l.px(8)});
   if (const LessonCard* next = nextOnShelf(app)) {
     const LessonCard card = *next;
-    if (button("lesson/end/next", elided(trf("Next lesson: {0}", card.title), width - l.px(28)).c_str(), ButtonLook::Primary,
-               width))
+    if (button("lesson/end/next", elided(trf("Next lesson: {0}", card.title), width - l.px(28)).c_str(),
+               ButtonLook::Primary, width))
       app.extensions().shelf.begin(app, card);
   } else if (button("lesson/end/more", tr("More lessons"), ButtonLook::Primary, width)) {
     findAction("welcome")->run(app);

@@ -78,8 +78,8 @@ void drawFoot(Application& app, const LessonSession& session) {
 }
 
 std::size_t hintsIn(const std::vector<Block>& blocks) {
-  return std::size_t(std::count_if(blocks.begin(), blocks.end(),
-                                   [](const Block& b) { return std::holds_alternative<Tip>(b); }));
+  return std::size_t(
+      std::count_if(blocks.begin(), blocks.end(), [](const Block& b) { return std::holds_alternative<Tip>(b); }));
 }
 
 /// Over the lower edge of the text while some of it lies below: what stands there; a click goes on by a page.
@@ -95,7 +95,8 @@ void drawMoreBelow(Application& app, const LessonSession& session, const Rectang
   const float high = size.y + l.px(8), wide = size.x + l.px(40), x = 0.5f * (shown.low.x + shown.high.x - wide),
               y = shown.high.y - high - l.px(4);
   ImGui::SetCursorScreenPos({x, y});
-  if (ImGui::InvisibleButton("more below", {wide, high})) app.panels.lesson_scroll = 0.7f * (shown.high.y - shown.low.y);
+  if (ImGui::InvisibleButton("more below", {wide, high}))
+    app.panels.lesson_scroll = 0.7f * (shown.high.y - shown.low.y);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({x, y}, {x + wide, y + high}, asks ? l.palette.accent_soft : l.palette.raised, 0.5f * high);
   draw->AddRect({x, y}, {x + wide, y + high}, l.palette.line, 0.5f * high);
@@ -133,7 +134,8 @@ void drawLessonPanel(Application& app) {
   }
   app.panels.lesson_step = before;
   scrollByKeys();
-  if (app.panels.lesson_scroll != 0.0f) ImGui::SetScrollY(ImGui::GetScrollY() + std::exchange(app.panels.lesson_scroll, 0.0f));
+  if (app.panels.lesson_scroll != 0.0f)
+    ImGui::SetScrollY(ImGui::GetScrollY() + std::exchange(app.panels.lesson_scroll, 0.0f));
   const std::size_t introduced = before == 0 ? hintsIn(session->lesson().introduction) : 0;
   const std::size_t hints = introduced + hintsIn(session->step().blocks);
   // One after the other; behind the last one they close again.
@@ -152,7 +154,8 @@ void drawLessonPanel(Application& app) {
   const ImVec2 text_low = ImGui::GetWindowPos(), text_size = ImGui::GetWindowSize();
   ImGui::EndChild();
   const ImVec2 foot_at = ImGui::GetCursorScreenPos();
-  drawMoreBelow(app, *session, {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}}, hidden);
+  drawMoreBelow(app, *session, {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}},
+                hidden);
   ImGui::SetCursorScreenPos(foot_at);
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();
