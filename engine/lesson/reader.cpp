@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
@@ -30,6 +31,10 @@ class Walk {
       take(block);
     }
     endQuestion();
+    std::size_t told = 0;
+    for (const BlockLine& tag : root.lines)
+      if (!tag.text.starts_with("<!--") && tag.place.line != std::exchange(told, tag.place.line))
+        reading_.warning(tag.place, tr("HTML is not shown"), tr("write it in Markdown"));
     if (lesson_.steps.empty()) {
       reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, tr("the lesson has no steps"),
                      tr("start each step with a heading '## …'"));

@@ -372,7 +372,8 @@ void runShortcuts(Application& app) {
   }
   // Escape first lets go of the molecule; only with a free hand does it lead away from it, and never out of a lesson.
   const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
-  if (!page && !io.WantTextInput && !hand_busy && !app.lesson.session() && keysPressed("Escape"))
+  if (!page && !io.WantTextInput && !hand_busy && (app.panels.welcome || !app.lesson.session()) &&
+      keysPressed("Escape"))
     findAction("welcome")->run(app);
 }
 

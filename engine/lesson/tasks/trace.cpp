@@ -235,20 +235,17 @@ class TraceAtoms : public Trace {
     }
     const double here_A = backward_ ? length_A_ - front_A_ : front_A_;
     if (put_down_) {
-      // The way goes on where it was left.
-      const double reach = std::min(kResume_A, ahead_A_);
-      const Near left = nearest(scp, probe_A, std::max(0.0, here_A - ahead_A_), std::min(length_A_, here_A + reach));
-      resumed_ = (left.inside && left.off_A <= within_A) || restsNear(contact, kResume_A);
+      resumed_ = false;
       slid_A_ = budget_A_ = 0.0;
     }
     // A press moves the contact point a little too: what is shorter than that is no slide.
     if (slide_.way_A() >= std::min(kBrushed_A, kBrushedShare * length_A_))
       budget_A_ += kWayShare * (slide_.way_A() - std::exchange(slid_A_, slide_.way_A()));
     if (!resumed_) {
-      // Whoever slides back to the front has found it again.
-      const Near at_front =
-          nearest(scp, probe_A, std::max(0.0, here_A - kResume_A), std::min(length_A_, here_A + kResume_A));
-      resumed_ = at_front.off_A <= within_A || restsNear(contact, kResume_A);
+      // The way goes on where it was left: whoever is put down there, or slides back to it, has found it again.
+      const double reach = std::min(kResume_A, ahead_A_);
+      const Near left = nearest(scp, probe_A, std::max(0.0, here_A - reach), std::min(length_A_, here_A + reach));
+      resumed_ = (left.inside && left.off_A <= within_A) || restsNear(contact, reach);
       budget_A_ = 0.0;
       if (!resumed_) return {off_A, false};
     }
