@@ -40,6 +40,7 @@ class Check {
       for (const TaskSpec& task : step.tasks) {
         for (const auto& [key, value] : task.values) {
           if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule);
+          for (const SelectionRemark& remark : value.remarks) selects(remark.atoms, remark.place, *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i) selects(value.path[i], value.places[i], *molecule);
         }
         const TaskKind* kind = findTaskKind(task.kind);

@@ -180,6 +180,22 @@ Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value val
 
 }  // namespace
 
+std::optional<Problem> addRemark(Value& value, std::string_view line) {
+  for (const std::string_view arrow : {std::string_view("→"), std::string_view("->")}) {
+    const std::size_t at_arrow = line.find(arrow);
+    if (at_arrow == std::string_view::npos) continue;
+    const std::string_view atoms = stripped(line.substr(0, at_arrow)),
+                           text = stripped(line.substr(at_arrow + arrow.size()));
+    if (text.empty()) return at(line, line, tr("nothing is said to this touch"), tr("write the sentence after '->'"));
+    auto read = selectionValue(line, atoms, {});
+    if (!read) return read.problem();
+    value.remarks.push_back({read->selection, std::string(text), {0, at(line, atoms, {}).column}});
+    return std::nullopt;
+  }
+  return at(line, line, tr("no '->' parts the atoms from what is said to their touch"),
+            tr("write it as 'residue 35 -> That is the other acid.'"));
+}
+
 Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
   Value value;
   value.text = std::string(text);
@@ -223,7 +239,14 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
       return pathValue(key, text, std::move(value));
     case ValueType::View:
       if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
+      // Atoms without the word in front of them.
+      if (std::find(key.words.begin(), key.words.end(), text) == key.words.end() &&
+          text.find(' ') != std::string_view::npos && parseSelection(text))
+        return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), trf("write 'facing {0}'", text));
       return wordsValue(key, text, std::move(value), false);
+    case ValueType::Remarks:
+      if (auto problem = addRemark(value, text)) return *std::move(problem);
+      return value;
     case ValueType::Styles:
       return stylesValue(key, text, std::move(value));
     case ValueType::Marks:

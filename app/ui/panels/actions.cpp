@@ -8,6 +8,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/lesson/class_report.h"
 #include "app/ui/panels/lesson/hand_in.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
@@ -237,6 +238,12 @@ constexpr std::array kActions{
            .label = N_("Clear measures"),
            .run = [](App& a) { a.extensions().measuring.clear(); },
            .enabled = [](const App& a) { return a.extensions().measuring.any(); }},
+    Action{.name = "expert",
+           .menu = Menu::View,
+           .label = N_("Expert figures"),
+           .sentence = N_("Say below how the touch loop keeps its time, and of how many atoms"),
+           .run = [](App& a) { a.settings.expert = !a.settings.expert; },
+           .on = [](const App& a) { return a.settings.expert; }},
     Action{.name = "light",
            .menu = Menu::View,
            .parted = true,
@@ -337,6 +344,11 @@ constexpr std::array kActions{
            .run = [](App& a) { a.panels.turns_page = true; },
            .enabled = [](const App& a) { return !a.extensions().turns.on(); },
            .on = [](const App& a) { return a.extensions().turns.on(); }},
+    Action{.name = "report",
+           .menu = Menu::Lesson,
+           .label = N_("Report on a class …"),
+           .sentence = N_("A page and a table of all results in a folder, for teachers"),
+           .run = [](App& a) { reportOnClass(a); }},
 
     Action{.name = "controls",
            .menu = Menu::Help,
@@ -392,9 +404,11 @@ void runShortcuts(Application& app) {
     if ((page || io.WantTextInput) && !action.while_writing) continue;
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
-  // Escape first lets go of the molecule; only with a free hand does it lead away from it.
+  // Escape first lets go of the molecule; only with a free hand does it lead away from it, and never out of a lesson.
   const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
-  if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
+  if (!page && !io.WantTextInput && !hand_busy && (app.panels.welcome || !app.lesson.session()) &&
+      keysPressed("Escape"))
+    findAction("welcome")->run(app);
 }
 
 }  // namespace
