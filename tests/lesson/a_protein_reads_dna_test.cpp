@@ -4,7 +4,7 @@
 #include <cmath>
 #include <tuple>
 
-#include "tests/lesson/shipped_lesson.h"
+#include "tests/lesson/shipped_hand.h"
 
 using namespace moltact;
 using namespace moltact::test;
@@ -102,4 +102,18 @@ TEST_CASE("15 letters have fewer forms than human DNA has places, 18 letters mor
   CHECK(3.2e9 / std::pow(4.0, 15) == doctest::Approx(3.0).epsilon(0.02));
   CHECK(3.2e9 > std::pow(4.0, 15));
   CHECK(6.4e9 < std::pow(4.0, 18));
+}
+
+TEST_CASE("the way down the groove is passed by a hand that slides, by none that jabs the same atoms or one of them") {
+  const Lesson lesson = shippedLesson(kLesson);
+  const ShippedScene bare("1a1f-dna");
+  const TaskSpec& spec = taskOf(lesson, "take-the-fingers-away", "trace");
+  const std::vector<std::string> way{"residue 2 and name O6", "residue 4 and name O6", "residue 6 and name O6",
+                                     "residue 8 and name O6"};
+  // From where the lesson looks, the back.
+  const Vec3 out(0, 0, -1);
+  CHECK(passes(spec, bare, way, out, false));
+  CHECK_FALSE(passes(spec, bare, way, out, true));
+  CHECK_FALSE(passes(spec, bare, {way[1]}, out, false));
+  CHECK_FALSE(passes(spec, bare, {way[3], way[2], way[1], way[0]}, out, false));
 }
