@@ -23,9 +23,21 @@ std::string writePdb(const std::string& title, const std::vector<std::string>& r
 
 std::string makeBDna();
 std::string makeAlphaHelix();
+/// Chain A: a right-handed helix of L-alanine; chain B: its mirror image, left-handed and of D-alanine.
+std::string makeHelixPair();
+std::string makeBetaStrand();
+/// Chain A before chain B, back to back.
+std::string makeStearicOleic();
+std::string makeStearicElaidic();
+/// Chain A beside chain B, in contact.
+std::string makeStraightNeighbours();
+std::string makeKinkedNeighbours();
 std::string makeWater();
 std::string makeBenzene();
 std::string makeArgon(int atoms);
+/// Chain A: the L form of the amino acid; chain B: its mirror image.
+std::string makeAlaninePair();
+std::string makePhenylalaninePair();
 /// From the text of PDB entry 2HHB: chain 'A' (alpha) or 'B' (beta). Throws where an atom is missing.
 std::string makeHaemPocket(const std::string& entry, char chain);
 

@@ -40,5 +40,22 @@ TEST_CASE("haemoglobin-and-haem.md is finished with the mouse alone, and with th
   walk("haemoglobin-and-haem.md", LessonHand::By::Mouse);
   walk("haemoglobin-and-haem.md", LessonHand::By::Keyboard);
 }
+TEST_CASE("left-or-right.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("left-or-right.md", LessonHand::By::Mouse);
+  walk("left-or-right.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("coils-and-sheets.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("coils-and-sheets.md", LessonHand::By::Mouse);
+  walk("coils-and-sheets.md", LessonHand::By::Keyboard);
+}
+TEST_CASE("straight-and-kinked-fats.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("straight-and-kinked-fats.md", LessonHand::By::Mouse);
+  walk("straight-and-kinked-fats.md", LessonHand::By::Keyboard);
+}
 
 }  // namespace moltact
+
+TEST_CASE("a-hole-in-the-membrane.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("a-hole-in-the-membrane.md", LessonHand::By::Mouse);
+  walk("a-hole-in-the-membrane.md", LessonHand::By::Keyboard);
+}

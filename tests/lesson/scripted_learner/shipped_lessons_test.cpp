@@ -28,7 +28,7 @@ Expected<std::shared_ptr<const Molecule>> shipped(const NamedMolecule& named) {
 std::vector<std::filesystem::path> lessons() {
   std::vector<std::filesystem::path> out;
   for (const auto& entry : std::filesystem::directory_iterator(MOLTACT_SOURCE_DIR "/lessons"))
-    if (entry.path().extension() == ".md") out.push_back(entry.path());
+    if (entry.path().extension() == ".md" && entry.path().stem() != "README") out.push_back(entry.path());
   std::sort(out.begin(), out.end());
   return out;
 }
