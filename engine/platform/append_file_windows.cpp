@@ -48,8 +48,7 @@ std::optional<Problem> AppendFile::append(std::string_view bytes) {
   };
   if (!writeAtEnd(handleOf(handle_), bytes)) return failed();
   // What a draft replaces is whole: it must not give way to a name before the bytes.
-  if (!empty_.empty() && empty_ != path_ &&
-      (!FlushFileBuffers(handleOf(handle_)) || !placeDraft(empty_, path_, false)))
+  if (!empty_.empty() && empty_ != path_ && (!FlushFileBuffers(handleOf(handle_)) || !placeDraft(empty_, path_, false)))
     return failed();
   empty_.clear();
   return std::nullopt;

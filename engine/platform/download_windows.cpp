@@ -19,9 +19,7 @@ struct Closed {
   explicit operator bool() const { return handle != nullptr; }
 };
 
-DownloadResult failed(DownloadFailure why) {
-  return {why, std::system_category().message(int(GetLastError()))};
-}
+DownloadResult failed(DownloadFailure why) { return {why, std::system_category().message(int(GetLastError()))}; }
 
 }  // namespace
 
@@ -37,8 +35,8 @@ DownloadResult download(const std::string& url, std::size_t most_bytes,
                              std::wstring(parts.lpszExtraInfo, parts.dwExtraInfoLength);
 
   constexpr int kConnect_ms = 10'000, kSilent_ms = 30'000;
-  const Closed session{WinHttpOpen(L"moltact", WINHTTP_ACCESS_TYPE_AUTOMATIC_PROXY, WINHTTP_NO_PROXY_NAME,
-                                   WINHTTP_NO_PROXY_BYPASS, 0)};
+  const Closed session{
+      WinHttpOpen(L"moltact", WINHTTP_ACCESS_TYPE_AUTOMATIC_PROXY, WINHTTP_NO_PROXY_NAME, WINHTTP_NO_PROXY_BYPASS, 0)};
   if (!session) return failed(DownloadFailure::Offline);
   WinHttpSetTimeouts(session.handle, kConnect_ms, kConnect_ms, kSilent_ms, kSilent_ms);
   const Closed connection{WinHttpConnect(session.handle, host.c_str(), parts.nPort, 0)};
@@ -52,8 +50,8 @@ DownloadResult download(const std::string& url, std::size_t most_bytes,
       !WinHttpReceiveResponse(request.handle, nullptr))
     return failed(DownloadFailure::Offline);
   DWORD status = 0, size = sizeof status;
-  WinHttpQueryHeaders(request.handle, WINHTTP_QUERY_STATUS_CODE | WINHTTP_QUERY_FLAG_NUMBER, WINHTTP_HEADER_NAME_BY_INDEX,
-                      &status, &size, WINHTTP_NO_HEADER_INDEX);
+  WinHttpQueryHeaders(request.handle, WINHTTP_QUERY_STATUS_CODE | WINHTTP_QUERY_FLAG_NUMBER,
+                      WINHTTP_HEADER_NAME_BY_INDEX, &status, &size, WINHTTP_NO_HEADER_INDEX);
   if (status == 404 || status == 410) return {DownloadFailure::NotFound, std::to_string(status)};
   if (status >= 400) return {DownloadFailure::Refused, std::to_string(status)};
 

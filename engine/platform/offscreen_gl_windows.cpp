@@ -56,8 +56,9 @@ Expected<std::unique_ptr<OffscreenGl>> OffscreenGl::create() {
   if (!first || !wglMakeCurrent(dc, first)) return noContext(lastError());
   const auto create = reinterpret_cast<PFNWGLCREATECONTEXTATTRIBSARBPROC>(
       reinterpret_cast<void*>(wglGetProcAddress("wglCreateContextAttribsARB")));
-  const int attributes[] = {WGL_CONTEXT_MAJOR_VERSION_ARB,    3, WGL_CONTEXT_MINOR_VERSION_ARB,       3,
-                            WGL_CONTEXT_PROFILE_MASK_ARB, WGL_CONTEXT_CORE_PROFILE_BIT_ARB, 0};
+  const int attributes[] = {
+      WGL_CONTEXT_MAJOR_VERSION_ARB,    3, WGL_CONTEXT_MINOR_VERSION_ARB, 3, WGL_CONTEXT_PROFILE_MASK_ARB,
+      WGL_CONTEXT_CORE_PROFILE_BIT_ARB, 0};
   gl->context_ = create ? create(dc, nullptr, attributes) : nullptr;
   wglMakeCurrent(nullptr, nullptr);
   wglDeleteContext(first);

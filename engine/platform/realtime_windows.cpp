@@ -23,7 +23,8 @@ LONGLONG frequency() noexcept {
 // One for each thread that sleeps; of high resolution from Windows 10 1803 on, otherwise of the system's clock.
 HANDLE timerOfThisThread() noexcept {
   struct Timer {
-    HANDLE handle = CreateWaitableTimerExW(nullptr, nullptr, 0x2 /* CREATE_WAITABLE_TIMER_HIGH_RESOLUTION */, TIMER_ALL_ACCESS);
+    HANDLE handle =
+        CreateWaitableTimerExW(nullptr, nullptr, 0x2 /* CREATE_WAITABLE_TIMER_HIGH_RESOLUTION */, TIMER_ALL_ACCESS);
     Timer() {
       if (!handle) handle = CreateWaitableTimerW(nullptr, TRUE, nullptr);
     }
@@ -40,7 +41,7 @@ HANDLE timerOfThisThread() noexcept {
 RealtimeStatus becomeRealtime() noexcept {
   (void)timerOfThisThread();
   return SetThreadPriority(GetCurrentThread(), THREAD_PRIORITY_TIME_CRITICAL) ? RealtimeStatus::Realtime
-                                                                               : RealtimeStatus::Ordinary;
+                                                                              : RealtimeStatus::Ordinary;
 }
 
 std::int64_t monotonic_ns() noexcept {

@@ -94,15 +94,16 @@ Problem writingProblem(const fs::path& path, unsigned long error) {
 }
 
 void* openToWrite(const fs::path& file, Make make) {
-  HANDLE const handle = CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE,
-                                    nullptr, make == Make::NewFile ? CREATE_NEW : OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL,
-                                    nullptr);
+  HANDLE const handle =
+      CreateFileW(file.c_str(), GENERIC_READ | GENERIC_WRITE, FILE_SHARE_READ | FILE_SHARE_DELETE, nullptr,
+                  make == Make::NewFile ? CREATE_NEW : OPEN_EXISTING, FILE_ATTRIBUTE_NORMAL, nullptr);
   return handle == INVALID_HANDLE_VALUE ? nullptr : handle;
 }
 
 void* openDraft(const fs::path& file, fs::path& draft) {
   const fs::path folder = folderOf(file);
-  if (const DWORD is = GetFileAttributesW(file.c_str()); is != INVALID_FILE_ATTRIBUTES && is & FILE_ATTRIBUTE_READONLY) {
+  if (const DWORD is = GetFileAttributesW(file.c_str());
+      is != INVALID_FILE_ATTRIBUTES && is & FILE_ATTRIBUTE_READONLY) {
     SetLastError(ERROR_ACCESS_DENIED);  // what may not be written is not replaced either
     return nullptr;
   }

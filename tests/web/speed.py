@@ -59,6 +59,7 @@ def start():
             browser.close()
     told("from the file to the welcome page with all its lessons", seconds, "s")
     told("  the processor's time for it", used, "s")
+    told("  the desktop's", [desktop("wait 5\n")[1] for _ in range(TIMES)], "s")
     print(f"the file: {PAGE.stat().st_size / 2**20:.2f} MiB")
 
 
@@ -76,20 +77,36 @@ def opening(browser, lesson):
     return time.monotonic() - pressed
 
 
+def cards_drawn(browser):
+    """Until no picture of a lesson's card has come for 3 s."""
+    browser.until("""(() => {
+        const cards = moltact.FS.readdir("/home/web_user/.cache/moltact").length, now = performance.now();
+        if (cards !== globalThis.cards) [globalThis.cards, globalThis.since] = [cards, now];
+        return now - globalThis.since > 3000; })()""", 300)
+
+
 def lessons():
-    for lesson in ("first-touch", "dna-grooves-blind", LARGE):
-        seconds, used = [], []
-        for _ in range(TIMES):
-            browser = Browser()
-            try:
-                browser.open(PAGE.as_uri())
+    browser = Browser()
+    try:
+        browser.open(PAGE.as_uri())
+        before = used_s(browser)
+        cards_drawn(browser)
+        print(f"the pictures of the cards, once: {used_s(browser) - before:.1f} s of the processor's time", flush=True)
+        for lesson in ("first-touch", "dna-grooves-blind", LARGE):
+            seconds, used = [], []
+            for _ in range(TIMES):
                 before = used_s(browser)
                 seconds.append(opening(browser, lesson))
                 used.append(used_s(browser) - before)
-            finally:
-                browser.close()
-        told(f"from the click to the picture of {lesson}", seconds, "s")
-        told("  the processor's time for it", used, "s")
+                browser.click("tool/welcome")
+                browser.wait_for(f"welcome/lesson/{lesson}")
+                browser.until("!JSON.parse(moltact.ccall('moltact_widgets','string',[],[]))['view/scale bar']")
+            told(f"from the click to the picture of {lesson}", seconds, "s")
+            told("  the processor's time for it", used, "s")
+            welcome, opened = desktop("wait 60\n"), desktop(f"wait 60\nclick welcome/lesson/{lesson}\nwait 3\n")
+            print(f"  the desktop's: {opened[1] - welcome[1]:.2f} s", flush=True)
+    finally:
+        browser.close()
 
 
 def frames():
@@ -99,6 +116,14 @@ def frames():
         browser.open(PAGE.as_uri())
         opening(browser, LARGE)
         browser.frames(30)
+        # A key that does nothing asks for a frame all the same.
+        browser.evaluate("void (globalThis.asking = setInterval(() => "
+                         "dispatchEvent(new KeyboardEvent('keyup', {code: 'F13'})), 5))")
+        before_s, first = used_s(browser), browser.evaluate("moltact.page.frames")
+        browser.frames(FRAMES // 3)
+        still = (used_s(browser) - before_s) / (browser.evaluate("moltact.page.frames") - first)
+        print(f"page, where nothing moves: {1000 * still:.1f} ms of the processor's time a frame", flush=True)
+        browser.evaluate("clearInterval(asking)")
         browser.hold("ControlLeft", True, "Control", 2)
         browser.hold("ArrowRight", True, None, 2)
         browser.frames(10)
@@ -115,17 +140,19 @@ def frames():
               f"{1000 * used:.1f} ms of the processor's time a frame", flush=True)
     finally:
         browser.close()
-    still, turning = desktop(0), desktop(FRAMES)
-    took_s, used = (b - a for a, b in zip(still, turning))
+    there = f"wait 60\nclick welcome/lesson/{LARGE}\nwait 60\nhold Ctrl\nhold Right\nwait 10\n"
+    still, turning = desktop(there), desktop(there + f"wait {FRAMES}\n")
+    took_s, used = (b - a for a, b in zip(still[:2], turning[:2]))
     print(f"desktop, off-screen: {FRAMES / took_s:.1f} frames a second, {1000 * used / FRAMES:.1f} ms of the processor's time "
           f"a frame", flush=True)
 
 
-def desktop(frames):
-    """Seconds of the clock and of the processor for the large lesson, turned for so many frames that are all drawn."""
+def desktop(steps):
+    """The desktop's program off-screen, every frame drawn: seconds of the clock, seconds of the processor, MiB of memory at
+    most of any of its runs so far."""
     with tempfile.TemporaryDirectory() as folder:
-        script = pathlib.Path(folder) / "turn.script"
-        script.write_text(f"wait 60\nclick welcome/lesson/{LARGE}\nwait 60\nhold Ctrl\nhold Right\nwait {10 + frames}\n")
+        script = pathlib.Path(folder) / "steps.script"
+        script.write_text(steps)
 
         def used_by_children():
             usage = resource.getrusage(resource.RUSAGE_CHILDREN)
@@ -134,10 +161,12 @@ def desktop(frames):
         begun, before = time.monotonic(), used_by_children()
         subprocess.run([DESKTOP, "--script", script, "--size", "1280x800", "--frame-stats", "--language", "en"],
                        check=True, capture_output=True, env={**os.environ, "MOLTACT_HOME": str(ROOT), "HOME": folder})
-        return time.monotonic() - begun, used_by_children() - before
+        return (time.monotonic() - begun, used_by_children() - before,
+                resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024)
 
 
 def memory():
+    there = f"wait 60\nclick welcome/lesson/{LARGE}\nwait 60\n"
     browser = Browser()
     try:
         browser.open(PAGE.as_uri())
@@ -150,6 +179,7 @@ def memory():
             metrics = {m["name"]: m["value"] for m in browser.call("Performance.getMetrics")["metrics"]}
             report.append(f"{where}: {wasm / 2**20:.0f} MiB of the program, {metrics['JSHeapUsedSize'] / 2**20:.0f} MiB of JavaScript")
         print("\n".join(report), flush=True)
+        print(f"desktop, {LARGE}: {desktop(there)[2]:.0f} MiB at most", flush=True)
     finally:
         browser.close()
 
