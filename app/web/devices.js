@@ -5,7 +5,7 @@ function moltactDevices(stir) {
   "use strict";
   const kOpenLayout = {usagePage: 0xFF00, usage: 1};
   const kFilters = [kOpenLayout, {vendorId: 0x046d, usagePage: 1, usage: 8}, {vendorId: 0x256f, usagePage: 1, usage: 8}];
-  const kMostWaiting = 128, kMostTicks = 100, kSameFrame_ms = 2, kPatience_ms = 1000;
+  const kMostWaiting = 128, kMostTicks = 100, kPatience_ms = 1000;
   const known = new Map();  // by path: {device, features}
   const ports = new Map();  // by number
   let last_port = 0, last_path = 0;
@@ -106,23 +106,26 @@ function moltactDevices(stir) {
       const one = known.get(path);
       if (!one) return -1;
       ports.set(++last_port, {device: one.device, features: one.features, queue: [], waiting: new Map(), sending: false,
-                              gone: false, final: null, read_ms: 0, share: 0, credit: 0, begins: true});
+                              gone: false, final: null, share: 0, credit: 0, begins: true});
       return last_port;
     },
 
     close(number) { ports.delete(number); },
 
+    // Before the ticks of a frame, which stands for so long: what has come is shared out among them.
+    deal(dt_s) {
+      const ticks = Math.max(1, Math.min(kMostTicks, Math.round(1000 * dt_s)));
+      for (const port of ports.values()) {
+        port.share = port.queue.length / ticks;
+        port.credit = 0.5;  // rounded, not cut off
+        port.begins = true;
+      }
+    },
+
     // A report; null: no more for this tick; undefined: the device is gone.
     read(number) {
       const port = ports.get(number);
       if (port.gone) return undefined;
-      const now_ms = performance.now(), since_ms = now_ms - port.read_ms;
-      port.read_ms = now_ms;
-      if (since_ms > kSameFrame_ms) {
-        port.share = port.queue.length / Math.max(1, Math.min(kMostTicks, Math.floor(since_ms)));
-        port.credit = 0.5;  // rounded, not cut off
-        port.begins = true;
-      }
       if (port.begins) port.credit += port.share;
       port.begins = port.credit < 1 || !port.queue.length;
       if (port.begins) return null;

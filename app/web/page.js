@@ -132,7 +132,7 @@
   const selecting = () => !getSelection().isCollapsed && byId("words").contains(getSelection().anchorNode);
   function mirror() {
     const now = program.ccall("moltact_words", "string", [], []);
-    if (now === words_shown || selecting()) return;
+    if (now === words_shown || selecting() || reading()) return;
     words_shown = now;
     const parts = JSON.parse(now).map(([text, x, y]) => {
       const part = document.createElement("p");
@@ -147,12 +147,13 @@
     byId("page").replaceChildren(...parts);
   }
 
-  // Ctrl+A shows the text, all of it selected; Escape or the canvas puts it away.
+  // Ctrl+A shows the text, all of it selected; Escape or the canvas puts it away. Meanwhile it stays as it is: what is
+  // selected would slip from under the pointer.
   const reading = () => byId("words").classList.contains("read");
   function read(on) {
+    if (on) mirror();
     byId("words").classList.toggle("read", on);
     if (on) {
-      mirror();
       byId("words").focus({preventScroll: true});
       getSelection().selectAllChildren(byId("page"));
     } else {
@@ -179,6 +180,7 @@
     const dt_s = drawn_ms ? (now_ms - drawn_ms) / 1000 : 1 / 60;
     drawn_ms = now_ms;
     program._moltact_fingers(performance.now() / 1000);
+    hid.deal(dt_s);
     state = program._moltact_frame(width, height, ratio(), dt_s);
     ++page.frames;
     if (now_ms - words_ms > kWords_ms) { words_ms = now_ms; mirror(); }

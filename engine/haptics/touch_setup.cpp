@@ -35,7 +35,7 @@ constexpr std::array kProperties{
                   .in_files = {0.0, kLargestProbe_A},
                   .control = {.title = N_("Probe radius"),
                               .tip = N_("The radius of the ball you touch with. {0} is a water molecule."),
-                              .range = {0.0, 4.0},
+                              .range = {0.0, 6.0},
                               .step = 0.1,
                               .decimals = 1,
                               .first = true},

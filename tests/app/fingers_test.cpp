@@ -134,6 +134,23 @@ TEST_CASE("a finger that moves sideways on a panel drags what it began on, and l
   CHECK_FALSE(screen.last().left);
 }
 
+TEST_CASE("a finger on the edge between two panels drags it straight up, from its first moment to its last") {
+  TouchScreen screen;
+  screen.fingers->down(1, {50, 400}, Fingers::On::Edge, 0.0, kLine_px);
+  Heard now = screen.last();
+  CHECK(now.left);
+  CHECK(now.place == glm::dvec2(50, 400));
+  screen.fingers->move(1, {50, 300});
+  now = screen.last();
+  CHECK(now.left);
+  CHECK(now.place == glm::dvec2(50, 300));
+  CHECK(now.wheel == 0.0);
+  screen.fingers->up(1);
+  now = screen.last();
+  CHECK_FALSE(now.left);
+  CHECK(now.place.x < -1e30);
+}
+
 TEST_CASE("a finger that rests on a panel for longer than half a second hovers there and does not click") {
   TouchScreen screen;
   screen.fingers->down(1, {50, 60}, kPanel, 10.0, kLine_px);

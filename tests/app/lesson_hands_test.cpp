@@ -56,5 +56,9 @@ TEST_CASE("a-drug-in-its-tunnel.md is finished with the mouse alone, and with th
   walk("a-drug-in-its-tunnel.md", LessonHand::By::Mouse);
   walk("a-drug-in-its-tunnel.md", LessonHand::By::Keyboard);
 }
+TEST_CASE("a-hole-in-the-membrane.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("a-hole-in-the-membrane.md", LessonHand::By::Mouse);
+  walk("a-hole-in-the-membrane.md", LessonHand::By::Keyboard);
+}
 
 }  // namespace moltact

@@ -20,7 +20,7 @@ namespace {
 std::vector<std::string> shippedLessons() {
   std::vector<std::string> out;
   for (const auto& entry : std::filesystem::directory_iterator(MOLTACT_SOURCE_DIR "/lessons"))
-    if (entry.path().extension() == ".md") {
+    if (entry.path().extension() == ".md" && entry.path().stem() != "README") {
       std::ifstream in(entry.path(), std::ios::binary);
       std::ostringstream text;
       text << in.rdbuf();

@@ -25,8 +25,10 @@ reach: all
 say: Touch a sphere.
 ```
 ## The second step
-Read.
-"""
+### Question: How many spheres are there?
+- [ ] Two → Count again.
+- [x] Three → Yes.
+"""  # with something left to do in the second step: what is finished begins anew
 SPHERES = "0 0 0 1.5\n3 0 0 1.5\n1.5 2.5 0 1.5\n"
 
 

@@ -202,8 +202,10 @@ class Senses(PageTest):
             self.assertIn(words, chosen)
         self.picture(browser, "text")
         # Three clicks select a paragraph; Ctrl+C copies it.
-        box = browser.evaluate("""(() => { const r = [...document.querySelectorAll('#page p')]
-            .find((p) => p.textContent.includes('van der Waals')).getBoundingClientRect();
+        box = browser.evaluate("""(() => { const p = [...document.querySelectorAll('#page p')]
+            .find((p) => p.textContent.includes('van der Waals'));
+            p.scrollIntoView({block: "center"});
+            const r = p.getBoundingClientRect();
             return [r.left + 30, r.top + 8]; })()""")
         for count in (1, 2, 3):
             for kind in ("mousePressed", "mouseReleased"):

@@ -1,4 +1,6 @@
 // The edges between the panels and the view, which can be dragged.
+#include "app/ui/panels/splitters.h"
+
 #include <algorithm>
 
 #include "app/ui/application/application.h"
@@ -56,11 +58,11 @@ void drawSplitters(Application& app) {
   const Layout& layout = app.layout();
   if (layout.tall) {
     const Rectangle& panel = layout.lesson.empty() ? layout.touch : layout.lesson;
-    if (!panel.empty()) levelSplitter("splitter/below", layout, panel, app.panels.below_share);
+    if (!panel.empty()) levelSplitter(kEdgeBelow, layout, panel, app.panels.below_share);
     return;
   }
-  splitter("splitter/lesson", app.layout().lesson, true, app.settings.lesson_width, 240.0, 700.0);
-  splitter("splitter/touch", app.layout().touch, false, app.settings.touch_width, 220.0, 600.0);
+  splitter(kLessonEdge, app.layout().lesson, true, app.settings.lesson_width, 240.0, 700.0);
+  splitter(kTouchEdge, app.layout().touch, false, app.settings.touch_width, 220.0, 600.0);
 }
 
 }  // namespace moltact

@@ -16,6 +16,7 @@
 #include "app/ui/extensions/extensions.h"
 #include "app/ui/files/user_folders.h"
 #include "app/ui/panels/push_pads.h"
+#include "app/ui/panels/splitters.h"
 #include "app/ui/shell/application_parts.h"
 #include "app/ui/shell/keyboard_layout.h"
 #include "app/ui/shell/page_keys.h"
@@ -76,17 +77,19 @@ bool within(glm::dvec2 at, const Rectangle& r) {
   return at.x >= double(r.low.x) && at.x < double(r.high.x) && at.y >= double(r.low.y) && at.y < double(r.high.y);
 }
 
-// On the molecule's picture or a pad in it, and no page or menu over it.
+// On the molecule's picture, a pad in it or a panel's edge, and no page or menu over it.
 Fingers::On fingerOn(glm::dvec2 at) {
   const Application& app = page->app;
-  if (app.panels.welcome || !within(at, app.layout().view) ||
-      ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
+  if (app.panels.welcome || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel))
     return Fingers::On::Panel;
   const auto& all = widgets().all();
   const auto on = [&](const char* name) {
     const auto pad = all.find(name);
     return pad != all.end() && within(at, {pad->second.low, pad->second.high});
   };
+  for (const char* edge : kPanelEdges)
+    if (on(edge)) return Fingers::On::Edge;
+  if (!within(at, app.layout().view)) return Fingers::On::Panel;
   return on(kHarderPad) ? Fingers::On::Harder : on(kLighterPad) ? Fingers::On::Lighter : Fingers::On::View;
 }
 

@@ -43,9 +43,9 @@ void Fingers::down(int id, glm::dvec2 place, On on, double now_s, double line_px
     begun_ = last_ = place;
     begun_s_ = now_s;
     line_px_ = std::max(1.0, line_px);
-    way_ = in_view ? Way::Pushing : Way::Waiting;
+    way_ = in_view ? Way::Pushing : on == On::Edge ? Way::Dragging : Way::Waiting;
     to_.pointer(place.x, place.y);
-    if (in_view) to_.button(kLeft, true);
+    if (way_ != Way::Waiting) to_.button(kLeft, true);
   } else if (fingers_.size() == 2 && way_ == Way::Pushing) {
     to_.button(kLeft, false);
     way_ = Way::Turning;

@@ -1,7 +1,8 @@
 // Fingers on a touch screen, turned into what a mouse does. In the view one finger pushes, two turn and, as they part,
-// magnify; beside the finger that pushes another one on a pad of the view's edge pushes harder or lighter. On the panels a finger that stays is a click, one that moves up or down scrolls, one that moves sideways drags,
-// and one that rests for long tells what lies under it, as a mouse does that hovers. Window's thread. Units: pixel of the
-// framebuffer, second.
+// magnify; beside the finger that pushes another one on a pad of the view's edge pushes harder or lighter. On the panels
+// a finger that stays is a click, one that moves up or down scrolls, one that moves sideways drags, and one that rests
+// for long tells what lies under it, as a mouse does that hovers; the edge between two panels follows a finger at once.
+// Window's thread. Units: pixel of the framebuffer, second.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -19,6 +20,7 @@ class Fingers {
   enum class On {
     Panel,
     View,  ///< the molecule's picture
+    Edge,  ///< between two panels: dragged whichever way the finger goes
     Harder,
     Lighter,  ///< the pads of the view's edge
   };

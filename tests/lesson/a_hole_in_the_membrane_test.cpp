@@ -1,0 +1,190 @@
+// The shipped lesson on porin: what passes its eyelet and what does not, and who stands round it, is so in the entry.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "tests/lesson/room_for_a_ball.h"
+#include "tests/lesson/shipped_lesson.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+const std::string kLesson = "a-hole-in-the-membrane";
+
+// The barrel's middle; its axis is that of the file's z, along which the entry's three barrels are turned into one
+// another.
+constexpr double kMiddleX_A = 4.5, kMiddleY_A = -23.4;
+
+bool inBarrel(const Vec3& p) { return std::hypot(p.x - kMiddleX_A, p.y - kMiddleY_A) < 13.0; }
+
+/// Whether a ball comes through the narrow part of one barrel, from the mouth's side.
+bool passesEyelet(const ShippedScene& porin, double ball_A) {
+  RoomForABall room(porin.balls, ball_A, {-8.5, -36.4, 14.0}, {17.5, -10.4, 36.0}, 0.15);
+  room.fillFromAbove(inBarrel);
+  return room.through();
+}
+
+/// The radius of a ball with the volume of one molecule in a crystal of this density (unit: A).
+double radiusOfVolume_A(double g_per_mol, double g_per_cm3) {
+  const double volume_A3 = g_per_mol / (0.602214 * g_per_cm3);
+  return std::cbrt(3.0 * volume_A3 / (4.0 * std::numbers::pi));
+}
+
+}  // namespace
+
+TEST_CASE("a-hole-in-the-membrane.md has 9 steps, a search and trials in the dark, and ways through with 1, 3, 3.6 A") {
+  const Lesson lesson = shippedLesson(kLesson);
+  checkCare(lesson);
+  CHECK(lesson.steps.size() == 9);
+  CHECK(tasksOf(lesson, "find") == 1);
+  CHECK(tasksOf(lesson, "same") == 1);
+  CHECK(tasksOf(lesson, "cross") == 3);
+  for (const double probe : {1.0, 1.4, 3.0, 3.6, 7.0}) {
+    bool met = false;
+    for (const Step& s : lesson.steps) met = met || s.scene.touch.probe_A == probe;
+    CHECK_MESSAGE(met, probe);
+  }
+}
+
+TEST_CASE("the largest ball that passes the eyelet has 4.2 A: 4.1 A passes and 4.3 A does not; sugar of 3.6 A does") {
+  CAPTURE(lineSaying(kLesson, "number: 4.2 Å"));
+  CAPTURE(lineSaying(kLesson, "takes as much room as a ball of 3.6 Å"));
+  const ShippedScene porin("2por");
+  for (const double ball_A : {1.0, 1.4, 3.0, 3.6, 4.1}) CHECK_MESSAGE(passesEyelet(porin, ball_A), ball_A);
+  for (const double ball_A : {4.3, 5.0, 7.0}) CHECK_MESSAGE(!passesEyelet(porin, ball_A), ball_A);
+}
+
+TEST_CASE(
+    "at the narrowest place a ball of 4.1 A lies within 0.3 A of Asp 93, Asp 108, Arg 26 and a calcium ion at once") {
+  CAPTURE(lineSaying(kLesson, "it lies against Asp 93, Asp 108, Arg 26 and a calcium ion at once"));
+  CAPTURE(lineSaying(kLesson, "between arginine 26 on the one side and aspartates 93 and 108 on the other"));
+  const ShippedScene porin("2por");
+  const Vec3 narrowest_A(0.54, -17.88, 24.0);
+  const auto gapTo = [&](const Ball& b) { return glm::distance(narrowest_A, b.centre_A) - b.radius_A - 4.1; };
+  for (std::size_t i = 0; i < porin.balls.size(); ++i) CHECK(gapTo(porin.balls[i]) > -0.05);
+  for (const char* by :
+       {"residue 26 and name NH1", "residue 93 and name OD2", "residue 108 and name OD1", "residue 303"}) {
+    CAPTURE(by);
+    CHECK(gapTo(porin.balls[porin.select(by).at(0)]) < 0.3);
+  }
+}
+
+TEST_CASE(
+    "a ball of 7 A gets into the barrel and rests about 9 A above the eyelet, on Glu 109, Asp 95 and Asp 96; the "
+    "mouth "
+    "is open to one of 8 A") {
+  CAPTURE(lineSaying(kLesson, "The eyelet is some 9 Å below you"));
+  CAPTURE(lineSaying(kLesson, "A ball of 7 Å is stopped by Glu 109, Asp 95 and Asp 96"));
+  CAPTURE(lineSaying(kLesson, "So wide is the mouth of the barrel"));
+  const ShippedScene porin("2por");
+  const auto lowestOf = [&](double ball_A) {
+    RoomForABall room(porin.balls, ball_A, {-12.0, -38.0, 20.0}, {22.0, -8.0, 68.0}, 0.25);
+    room.fillFromAbove([](const Vec3& p) { return std::hypot(p.x - kMiddleX_A, p.y - kMiddleY_A) < 11.0; });
+    REQUIRE(room.lowest());
+    return *room.lowest();
+  };
+  const Vec3 rest = lowestOf(7.0), eyelet = lowestOf(4.3);
+  const double ring_z_A =
+      (porin.atom("residue 26 and name NH1").position.A.z + porin.atom("residue 93 and name OD2").position.A.z +
+       porin.atom("residue 108 and name OD1").position.A.z) /
+      3.0;
+  CHECK(rest.z - ring_z_A == doctest::Approx(9.0).epsilon(0.06));
+  CHECK(eyelet.z > ring_z_A);
+  CHECK(lowestOf(8.0).z < 42.0);
+  for (const char* holds : {"residue 109 and name OE1", "residue 95", "residue 96"}) {
+    CAPTURE(holds);
+    double gap_A = 1e9;
+    for (const auto i : porin.select(holds))
+      gap_A = std::min(gap_A, glm::distance(rest, porin.balls[i].centre_A) - porin.balls[i].radius_A - 7.0);
+    CHECK(gap_A < 0.5);
+  }
+}
+
+TEST_CASE(
+    "in the middle between the three barrels, where a 1.4 A probe is stopped by Val 51, there is no way for water") {
+  CAPTURE(lineSaying(kLesson, "Along the axis between the three chains the narrowest place takes a ball of 0.7 Å"));
+  CAPTURE(lineSaying(kLesson, "called: the bottom of the hollow in the middle"));
+  auto molecule = readMolecule(MOLTACT_SOURCE_DIR "/molecules/2por.pdb", {.assembly = "1"});
+  REQUIRE(molecule);
+  const BallScene balls(molecule->balls());
+  CHECK(balls.size() == 3 * 2222);
+  double narrowest_A = 1e9;
+  for (double z = 0.0; z < 50.0; z += 0.05)
+    for (std::size_t i = 0; i < balls.size(); ++i)
+      narrowest_A = std::min(narrowest_A, glm::distance(Vec3(0, 0, z), balls[i].centre_A) - balls[i].radius_A);
+  CHECK(narrowest_A == doctest::Approx(0.7).epsilon(0.1));
+  RoomForABall room(balls, 1.4, {-9.0, -9.0, 4.0}, {9.0, 9.0, 40.0}, 0.2);
+  room.fillFromAbove([](const Vec3& p) { return std::hypot(p.x, p.y) < 8.0; });
+  CHECK_FALSE(room.through());
+  REQUIRE(room.lowest());
+  const Vec3 stopped = *room.lowest();
+  CHECK(std::hypot(stopped.x, stopped.y) < 8.0);
+}
+
+TEST_CASE("the arginines 9, 24, 26 and lysine 46 stand on one side of the eyelet, six acids on the other") {
+  CAPTURE(lineSaying(kLesson, "Round the eyelet stand Arg 9, Arg 24, Arg 26 and Lys 46 on one side"));
+  CAPTURE(lineSaying(kLesson, "and Glu 80, Asp 93, Asp 95, Asp 101, Asp 108 and Glu 109 on the other"));
+  const ShippedScene porin("2por");
+  const auto middleOf = [&](const std::string& text) {
+    Vec3 sum(0.0);
+    const auto atoms = porin.select(text);
+    for (const auto i : atoms) sum += porin.balls[i].centre_A / double(atoms.size());
+    return sum;
+  };
+  const auto endsOf = [&](const std::string& residue) {
+    return middleOf("residue " + residue + " and name NH1 NH2 NZ OD1 OD2 OE1 OE2");
+  };
+  const Vec3 positive = 0.25 * (endsOf("9") + endsOf("24") + endsOf("26") + endsOf("46"));
+  Vec3 negative(0.0);
+  for (const char* r : {"80", "93", "95", "101", "108", "109"}) negative += endsOf(r) / 6.0;
+  Vec3 across = negative - positive;
+  across.z = 0.0;
+  across = glm::normalize(across);
+  double most_positive = -1e9, least_negative = 1e9;
+  for (const char* r : {"9", "24", "26", "46"}) most_positive = std::max(most_positive, glm::dot(endsOf(r), across));
+  for (const char* r : {"80", "93", "95", "101", "108", "109"})
+    least_negative = std::min(least_negative, glm::dot(endsOf(r), across));
+  CHECK(least_negative > most_positive);
+}
+
+TEST_CASE("of the belt between 6 A and 30 A over two thirds are greasy and less than a tenth is charged; 16 strands") {
+  CAPTURE(lineSaying(kLesson, "more than two thirds belong to Ala, Val, Leu, Ile, Pro, Met, Phe and Trp"));
+  CAPTURE(lineSaying(kLesson, "Each barrel has 16 strands"));
+  const ShippedScene porin("2por");
+  const auto shareOf = [&](const std::string& text) {
+    double area = 0.0;
+    for (const auto i : porin.select(text)) {
+      const std::uint32_t one[] = {i};
+      const double grown = porin.balls[i].radius_A + 1.4;
+      for (SurfacePlace p : facePlaces(porin.balls, one, 1.4, 100)) {
+        if (p.scp_A.z < 6.0 || p.scp_A.z > 30.0) continue;
+        p.outward = glm::normalize(Vec3(p.scp_A.x - kMiddleX_A, p.scp_A.y - kMiddleY_A, 0.0));
+        if (openFromOutside(porin.balls, p, 1.4)) area += grown * grown;
+      }
+    }
+    return area;
+  };
+  const double all = shareOf("protein"), greasy = shareOf("hydrophobic"), charged = shareOf("charged");
+  CHECK(greasy > 0.667 * all);
+  CHECK(charged < 0.1 * all);
+  std::ifstream in(MOLTACT_SOURCE_DIR "/molecules/2por.pdb");
+  std::string line;
+  int strands = 0;
+  for (; std::getline(in, line);) strands += line.rfind("SHEET ", 0) == 0;
+  CHECK(strands - 1 == 16);  // the first strand stands at the end again, for the sheet is closed
+}
+
+TEST_CASE("balls of the room that a molecule takes up in its crystal: glucose 3.6 A, sucrose 4.4 A, vancomycin 7.3 A") {
+  CAPTURE(
+      lineSaying(kLesson, "glucose 180 g/mol at 1.55 g/cm³ gives 3.6 Å, sucrose 342 g/mol at 1.59 g/cm³ gives 4.4 Å"));
+  CAPTURE(lineSaying(kLesson, "at 1.4 g/cm³ to 1.5 g/cm³ that is a ball of 7.3 Å"));
+  CAPTURE(lineSaying(kLesson, "Vancomycin is eight times as heavy as glucose"));
+  CHECK(radiusOfVolume_A(180.16, 1.55) == doctest::Approx(3.6).epsilon(0.01));
+  CHECK(radiusOfVolume_A(342.30, 1.59) == doctest::Approx(4.4).epsilon(0.01));
+  CHECK(radiusOfVolume_A(1449.3, 1.5) == doctest::Approx(7.3).epsilon(0.015));
+  CHECK(radiusOfVolume_A(1449.3, 1.4) == doctest::Approx(7.3).epsilon(0.02));
+  CHECK(1449.3 / 180.16 == doctest::Approx(8.0).epsilon(0.01));
+}
