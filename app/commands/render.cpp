@@ -12,11 +12,15 @@
 #include "app/commands/number_range.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
+#include "app/ui/lesson/scene_marks.h"
+#include "engine/fonts/glyph_coverage.h"
 #include "engine/haptics/interactions.h"
+#include "engine/lesson/keys.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/quantity.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
+#include "engine/render/label_painter.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/renderer.h"
 
@@ -29,6 +33,7 @@ struct RenderArguments {
   MoleculeArgument molecule;
   std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", cut, zoom_to;
   LookOptions look;
+  std::string label, arrow, mark, distance, angle, hydrogen_bonds;
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
@@ -115,6 +120,58 @@ AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, co
   return look;
 }
 
+// What a scene of a lesson would say, from options of the same names.
+class SceneOptions {
+ public:
+  SceneOptions(const RenderArguments& arguments, const Molecule& molecule)
+      : arguments_(arguments), molecule_(molecule) {}
+
+  /// Names, arrows, marks and measures.
+  SceneSpec marks() const {
+    SceneSpec scene;
+    scene.labels = marksOf("label", arguments_.label);
+    scene.arrows = marksOf("arrow", arguments_.arrow);
+    scene.marks = marksOf("mark", arguments_.mark);
+    for (const auto& [key, text] :
+         {std::pair{"distance", &arguments_.distance}, std::pair{"angle", &arguments_.angle}}) {
+      if (text->empty()) continue;
+      for (PlacesSpec& measure : value(key, *text).measures) {
+        for (const Selection& place : measure.atoms) listOf(key, place);
+        scene.measures.push_back(std::move(measure));
+      }
+    }
+    if (!arguments_.hydrogen_bonds.empty()) {
+      scene.hydrogen_bonds = value("hydrogen-bonds", arguments_.hydrogen_bonds).selection;
+      listOf("hydrogen-bonds", scene.hydrogen_bonds);
+    }
+    return scene;
+  }
+
+ private:
+  static Value value(std::string_view key, const std::string& text) {
+    const std::vector<KeySpec>& keys = keysOf(KeyBlock::Scene);
+    const auto spec = std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
+    Expected<Value> read = parseValue(*spec, text);
+    if (!read) throw CLI::ValidationError("--" + std::string(key), read.problem().text());
+    return *std::move(read);
+  }
+  AtomList listOf(std::string_view key, const Selection& atoms) const {
+    if (!atoms.given()) return nullptr;
+    auto selected = atoms.select(molecule_);
+    if (selected.empty()) throw CLI::ValidationError("--" + std::string(key), atoms.whyEmpty(molecule_).text());
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(selected));
+  }
+  std::vector<MarkSpec> marksOf(std::string_view key, const std::string& text) const {
+    if (text.empty()) return {};
+    std::vector<MarkSpec> marks = value(key, text).marks;
+    for (const MarkSpec& mark : marks) listOf(key, mark.atoms);
+    return marks;
+  }
+
+  const RenderArguments& arguments_;
+  const Molecule& molecule_;
+};
+
 void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
   ViewScene scene;
@@ -133,7 +190,10 @@ void render(const RenderArguments& arguments) {
     if (const auto part = regionAround(selectedAtoms("--zoom-to", arguments.zoom_to, *scene.molecule), *scene.molecule,
                                        arguments.touch.probe_A))
       scene.camera.fit(part->centre, part->radius_A, double(width) / height);
+  const SceneSpec marks = SceneOptions(arguments, *scene.molecule).marks();
   scene.look = looksOf(arguments, *scene.molecule, scene.camera);
+  scene.look.marks = marksOf(marks, *scene.molecule);
+  if (auto written = annotationsOf(marks, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
     scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
     scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.displacement_A);
@@ -148,7 +208,13 @@ void render(const RenderArguments& arguments) {
   if (arguments.time > 0) printTimes(**renderer, scene, width, height, arguments);
   if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples}))
     throw CommandError{problem->text()};
-  if (const auto problem = writePng(arguments.out, (*renderer)->readPixels())) throw CommandError{problem->text()};
+  Picture picture = (*renderer)->readPixels();
+  if (!scene.annotations.empty()) {
+    const BallScene balls(scene.molecule->balls());
+    if (!paintLabels(picture, scene, &balls, std::max(1.0, height / 800.0)))
+      throw CommandError{"names cannot be written: no font in " + std::string(kInterFolder)};
+  }
+  if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
 }
 
 }  // namespace
@@ -181,6 +247,16 @@ void addRender(CLI::App& app) {
   command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
   a.look.addTo(*command);
+  command->add_option(
+      "--label", a.label,
+      "Names over the picture: 'residue for ligand', '\"the cleft\" for residue 35 52'; the words are atom, "
+      "residue and chain");
+  command->add_option("--arrow", a.arrow, "Arrows with names: '\"iron\" for element Fe'");
+  command->add_option("--mark", a.mark, "Atoms in colours of their own: 'teal for residue 35, magenta for residue 52'");
+  command->add_option("--distance", a.distance, "Lengths between the middles of selections: 'atom 3 - atom 9'");
+  command->add_option("--angle", a.angle, "Angles between three selections, torsions between four");
+  command->add_option("--hydrogen-bonds", a.hydrogen_bonds,
+                      "Hydrogen bonds with an end in the selection, as dashed lines");
   command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")
       ->check(numberFrom(0.0, 20.0))
       ->capture_default_str();

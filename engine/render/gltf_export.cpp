@@ -234,9 +234,13 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
                                 number(middle_A.z, "angstrom in the molecule's file")},
                  {"probe", number(options.probe_A, "angstrom")}};
   if (!molecule.title.empty()) scene.notes.push_back({"title", molecule.title});
-  const Colouring* scheme = options.look.colouring.get();
-  const std::vector<std::uint32_t> colours = atomColours(molecule, options.colours, options.colour_by, scheme);
-  Materials materials(scene, molecule, colours, !scheme && options.colour_by == ColourBy::Element);
+  const std::vector<std::uint32_t> colours = atomColours(molecule, {.elements = options.colours,
+                                                                    .by = options.colour_by,
+                                                                    .colouring = options.look.colouring,
+                                                                    .marks = options.look.marks,
+                                                                    .touched = nullptr});
+  Materials materials(scene, molecule, colours,
+                      !options.look.colouring && !options.look.marks && options.colour_by == ColourBy::Element);
   if (!options.print) {
     addStyles(molecule, options, seen, middle_A, materials, scene);
     return scene;

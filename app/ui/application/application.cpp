@@ -113,7 +113,7 @@ void Application::enterScene() {
   tellSteps();
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
-  panels.hints = false;
+  panels.hints = 0;
   scene.setTouch(spec->touch);
   scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
@@ -134,15 +134,17 @@ void Application::enterScene() {
   showMolecule(*molecule);
 }
 
-void Application::beginSceneAgain(std::optional<PointA> before) {
+void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned) {
   // What is felt is made anew where other atoms are taken from the hand.
   if (Stage felt = withUntouchable(scene.restingStage(), lesson.untouchable()); felt.balls != scene.stage().balls)
     scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
     scene.beginAgainAt(*before);
+  else if (turned)
+    scene.beginAgain([&](Camera& camera, const Molecule&) { camera.orientation = *turned; });
   else
     scene.beginAgain(facing());
-  if (!before) cutOpen();
+  if (!before && !turned) cutOpen();
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 

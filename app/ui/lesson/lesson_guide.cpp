@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/ui/lesson/scene_marks.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
@@ -39,6 +40,7 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
     looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;
   looks.colouring = schemeColouring(molecule, scene.colour);
+  looks.marks = marksOf(scene, molecule);
   return looks;
 }
 
@@ -109,8 +111,13 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   untouchable_.clear();
   region_.reset();
   zoomed_.reset();
-  looks_ = {
-      .styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt, .colouring = nullptr};
+  looks_ = {.styles = {},
+            .hidden = nullptr,
+            .spheres_near_A = SceneSpec().near_A,
+            .cut = std::nullopt,
+            .marks = nullptr,
+            .colouring = nullptr};
+  annotations_ = nullptr;
   on_stage_ = false;
   if (!session_) return;
   const Expected<MoleculeKey> wanted = this->molecule();
@@ -118,6 +125,8 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
   if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
   if (on_stage_) untouchable_ = untouchableAtoms(session_->scene(), *molecule);
+  if (on_stage_) annotations_ = annotationsOf(session_->scene(), *molecule);
+  annotated_ = molecule;
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
   if (on_stage_)
     zoomed_ = zoomedRegion(session_->scene().view, session_->scene(), *molecule, session_->scene().touch.probe_A);
@@ -206,7 +215,14 @@ std::string viewText(const Camera& camera) {
 }
 
 void LessonGuide::decorate(ViewScene& scene) const {
-  if (on_stage_) scene.highlighted = highlighted_;
+  if (!on_stage_) return;
+  scene.highlighted = highlighted_;
+  // They go with atoms that have moved.
+  if (annotations_ && scene.molecule && scene.molecule != annotated_) {
+    annotations_ = annotationsOf(session_->scene(), *scene.molecule);
+    annotated_ = scene.molecule;
+  }
+  if (annotations_) scene.annotations.push_back(annotations_);
 }
 
 }  // namespace moltact

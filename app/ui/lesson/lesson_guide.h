@@ -97,7 +97,7 @@ class LessonGuide {
   const std::optional<Region>& zoomed() const { return zoomed_; }
   /// Turns a fitted camera the way the step asks for.
   void face(Camera& camera, const Molecule& molecule) const;
-  /// Marks what the step highlights.
+  /// Marks what the step highlights, and writes what it names and measures.
   void decorate(ViewScene& scene) const;
 
  private:
@@ -110,6 +110,8 @@ class LessonGuide {
   std::vector<std::uint32_t> highlighted_, untouchable_;
   std::optional<Region> region_, zoomed_;
   AtomsLook looks_;
+  mutable std::shared_ptr<const Annotations> annotations_;  // of the molecule that was drawn last
+  mutable std::shared_ptr<const Molecule> annotated_;
 };
 
 /// Turns a camera that has been fitted to the molecule the way a view of the scene asks for.
