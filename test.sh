@@ -4,6 +4,7 @@
 #   ./test.sh release asan tsan the builds of CMakePresets.json that are named
 #   ./test.sh package           the Debian package: made, judged, installed on a bare system, used, removed (tests/package)
 #   ./test.sh web               the browser edition in headless Chromium (tests/web)
+#   ./test.sh windows           the trackers for Windows, under Wine (tests/windows, docs/windows.md)
 #   ./test.sh fuzz              every reader of files under libFuzzer, 20 s each (tests/fuzz)
 set -eu
 cd "$(dirname "$0")"
@@ -24,6 +25,13 @@ for preset in "${@:-release}"; do
     build_preset web moltact_trace
     [ -x build/release/moltact ] || build_preset release moltact
     timeout 45m python3 tests/web/run.py
+    continue
+  fi
+  if [ "$preset" = windows ]; then
+    install_missing .ci/packages-windows
+    build_preset windows moltact_trace
+    [ -x build/release/moltact ] || build_preset release moltact
+    timeout 20m python3 tests/windows/run.py
     continue
   fi
   build_preset "$preset"

@@ -13,20 +13,7 @@ bool holdsMolecules(const fs::path& folder) {
   return fs::is_regular_file(folder / "molecules" / "catalogue.json", error);
 }
 
-// Empty where the system does not say.
-fs::path executablesFolder() {
-  std::error_code error;
-  const fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path() : program.parent_path();
-}
-
 }  // namespace
-
-fs::path folderFromEnvironment(const char* name) {
-  const char* value = std::getenv(name);
-  const fs::path folder = value ? fs::path(value) : fs::path();
-  return folder.is_absolute() ? folder : fs::path();
-}
 
 fs::path homeFolder() {
   std::error_code ignored;

@@ -28,9 +28,12 @@ std::filesystem::path browserEdition();
 /// them; they may not exist.
 std::vector<std::filesystem::path> sharedDataFolders();
 
+/// The folder that the program itself lies in. Empty where the system does not say.
+std::filesystem::path executablesFolder();
+
 /// The folder that an environment variable names. Empty where it is not set or names none from the root: the XDG base
 /// directory specification says that a relative path is to be ignored, and a relative home would be another one in
-/// every folder.
+/// every folder. On Windows HOME and the variables of that specification are, where they are not set, those of Windows.
 std::filesystem::path folderFromEnvironment(const char* name);
 
 /// Where the program keeps what the user fetched or made: $XDG_DATA_HOME/moltact, else

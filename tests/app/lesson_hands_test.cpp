@@ -52,6 +52,10 @@ TEST_CASE("straight-and-kinked-fats.md is finished with the mouse alone, and wit
   walk("straight-and-kinked-fats.md", LessonHand::By::Mouse);
   walk("straight-and-kinked-fats.md", LessonHand::By::Keyboard);
 }
+TEST_CASE("a-drug-in-its-tunnel.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("a-drug-in-its-tunnel.md", LessonHand::By::Mouse);
+  walk("a-drug-in-its-tunnel.md", LessonHand::By::Keyboard);
+}
 TEST_CASE("a-hole-in-the-membrane.md is finished with the mouse alone, and with the keyboard alone") {
   walk("a-hole-in-the-membrane.md", LessonHand::By::Mouse);
   walk("a-hole-in-the-membrane.md", LessonHand::By::Keyboard);

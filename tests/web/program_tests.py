@@ -2,13 +2,13 @@
 import csv
 import os
 import pathlib
-import random
 import subprocess
 import tempfile
 import time
 import unittest
 
 from page import DESKTOP, MOST_BYTES, PAGE, PICTURES, ROOT, PageTest, Served
+from traces import hold_against_the_desktop
 
 
 class TheFile(PageTest):
@@ -176,35 +176,5 @@ class Lesson(PageTest):
 
 class Trackers(unittest.TestCase):
     def test_a_hand_over_ubiquitin_gives_the_desktops_trace_to_1e_9_A_in_exact_and_paper(self):
-        seed = random.randrange(1 << 30)
-        print(f"seed {seed}")
-        lot = random.Random(seed)
-        # In from outside, then wandering just under the surface.
-        path = [(30.4 + 30 * (1 - k / 1000), 29.0, 15.9) for k in range(700)]
-        place = list(path[-1])
-        for _ in range(3000):
-            place = [c + lot.gauss(0, 0.03) - 0.002 * (c - m) for c, m in zip(place, (30.4, 29.0, 15.9))]
-            path.append(tuple(place))
-        with tempfile.TemporaryDirectory() as folder:
-            hips, table, trace = (pathlib.Path(folder) / n for n in ("hip.txt", "hip.csv", "trace.csv"))
-            hips.write_text("".join(f"{x!r} {y!r} {z!r}\n" for x, y, z in path))
-            table.write_text("x,y,z\n" + "".join(f"{x!r},{y!r},{z!r}\n" for x, y, z in path))
-            molecule = ROOT / "molecules" / "1ubq.pdb"
-            for method in ("exact", "paper"):
-                subprocess.run([DESKTOP, "replay", molecule, "--path", table, "--out", trace, "--method", method],
-                               check=True, capture_output=True)
-                desktop = [row.split(",") for row in trace.read_text().splitlines()[1:]]
-                # emscripten 3.1.6 takes the fetch of Node.js for a browser's.
-                out = subprocess.run(["node", "--no-experimental-fetch", PAGE.parent / "moltact_trace.js", molecule, hips, method], check=True,
-                                     capture_output=True, text=True).stdout
-                web = [row.split() for row in out.splitlines()]
-                self.assertEqual(len(web), len(desktop))
-                touching, most = 0, 0.0
-                for ours, theirs in zip(web, desktop):
-                    self.assertEqual(ours[0], theirs[4])
-                    self.assertEqual(ours[7:10], theirs[12:15])
-                    touching += ours[0] == "1"
-                    most = max(most, *(abs(float(a) - float(b)) for a, b in zip(ours[1:7], theirs[5:11])))
-                self.assertGreater(touching, 500)
-                self.assertLessEqual(most, 1e-9)
-                print(f"{method}: {touching} ticks in contact, farthest apart {most:.2g} A")
+        # emscripten 3.1.6 takes the fetch of Node.js for a browser's.
+        hold_against_the_desktop(self, ["node", "--no-experimental-fetch", PAGE.parent / "moltact_trace.js"])

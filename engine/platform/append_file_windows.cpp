@@ -1,0 +1,67 @@
+#include <windows.h>
+
+#include "engine/platform/append_file.h"
+#include "engine/platform/writing_calls_windows.h"
+
+namespace moltact {
+
+using namespace platform;
+
+namespace {
+// A handle of the kernel has 32 bits that matter, also in a 64-bit program.
+HANDLE handleOf(int number) { return LongToHandle(number); }
+}  // namespace
+
+Expected<AppendFile> AppendFile::open(const std::filesystem::path& path, Begin begin) {
+  AppendFile file(path, -1);
+  if (begin == Begin::Replace) {
+    // Whether another program writes what is to be replaced.
+    if (void* const old = openToWrite(path, Make::Nothing))
+      CloseHandle(old);
+    else if (GetLastError() == ERROR_SHARING_VIOLATION)
+      return writingProblem(path, ERROR_SHARING_VIOLATION);
+  }
+  void* const handle = begin == Begin::Replace ? openDraft(path, file.empty_)
+                                               : openToWrite(path, begin == Begin::New ? Make::NewFile : Make::Nothing);
+  if (!handle) {
+    file.empty_.clear();
+    return writingProblem(path, GetLastError());
+  }
+  file.handle_ = int(HandleToLong(handle));
+  if (begin == Begin::New) file.empty_ = path;
+  return file;
+}
+
+AppendFile::~AppendFile() {
+  if (handle_ != -1) CloseHandle(handleOf(handle_));
+  if (!empty_.empty()) DeleteFileW(empty_.c_str());
+}
+
+std::optional<Problem> AppendFile::append(std::string_view bytes) {
+  if (bytes.empty()) return std::nullopt;
+  LARGE_INTEGER before{};
+  if (!GetFileSizeEx(handleOf(handle_), &before)) return writingProblem(path_, GetLastError());
+  const auto failed = [&] {
+    const DWORD error = GetLastError();
+    cutTo(handleOf(handle_), std::size_t(before.QuadPart));  // a piece that is half in the file is removed again
+    return writingProblem(path_, error);
+  };
+  if (!writeAtEnd(handleOf(handle_), bytes)) return failed();
+  // What a draft replaces is whole: it must not give way to a name before the bytes.
+  if (!empty_.empty() && empty_ != path_ && (!FlushFileBuffers(handleOf(handle_)) || !placeDraft(empty_, path_, false)))
+    return failed();
+  empty_.clear();
+  return std::nullopt;
+}
+
+std::optional<Problem> AppendFile::sync() {
+  if (!FlushFileBuffers(handleOf(handle_))) return writingProblem(path_, GetLastError());
+  return std::nullopt;
+}
+
+std::optional<Problem> AppendFile::cut(std::uintmax_t bytes) {
+  if (!cutTo(handleOf(handle_), std::size_t(bytes))) return writingProblem(path_, GetLastError());
+  return std::nullopt;
+}
+
+}  // namespace moltact

@@ -1,0 +1,40 @@
+#include <windows.h>
+
+#include <chrono>
+#include <string>
+#include <system_error>
+
+#include "engine/language/catalogue.h"
+#include "engine/platform/temporary_folder.h"
+
+namespace moltact {
+
+// What a folder under the user's own allows goes for those in it: nobody else looks into it.
+Expected<TemporaryFolder> TemporaryFolder::in(const std::filesystem::path& folder, std::string_view prefix) {
+  std::error_code error;
+  auto number = std::uint64_t(std::chrono::steady_clock::now().time_since_epoch().count()) ^
+                (std::uint64_t{GetCurrentProcessId()} << 32);
+  for (int tries = 0; tries < 100; ++tries, ++number) {
+    std::filesystem::path name = folder / (std::string(prefix) + std::to_string(number));
+    if (std::filesystem::create_directory(name, error)) return TemporaryFolder(std::move(name));
+    if (error) break;
+  }
+  return Problem{folder.string(), 0, 0, trf("no folder can be made in it: {0}", error.message()),
+                 tr("check that you may write there and that the disk has room")};
+}
+
+std::error_code replaceFolder(const std::filesystem::path& fresh, const std::filesystem::path& place,
+                              const std::filesystem::path& old) {
+  std::error_code error, ignored;
+  std::filesystem::rename(place, old, ignored);  // fails where there is none
+  std::filesystem::rename(fresh, place, error);
+  if (error) std::filesystem::rename(old, place, ignored);
+  return error;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+}
+
+}  // namespace moltact
