@@ -13,6 +13,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
+#include "engine/lesson/scripted_learner/scripted_learner.h"
 #include "engine/lesson/source_text.h"
 #include "engine/platform/terminal.h"
 
@@ -23,7 +24,7 @@ namespace fs = std::filesystem;
 
 struct CheckArguments {
   std::vector<std::string> paths;
-  bool json = false;
+  bool json = false, play = false;
 };
 
 struct Checked {
@@ -32,7 +33,22 @@ struct Checked {
   std::vector<Problem> errors, warnings;
 };
 
-Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
+// Has each touch task done by the scripted learner, and tells those that cannot be.
+void playLesson(const fs::path& file, const Lesson& lesson, LessonMolecules& molecules, std::vector<Problem>& errors) {
+  const auto tell = [&](const LearnerEvent& e) {
+    if (e.kind == LearnerEvent::Kind::GaveUp)
+      errors.push_back({file.string(), e.place.line, e.place.column, trf("this task cannot be done: {0}", e.note),
+                        tr("try it with 'moltact play', choose another place, or ask for less")});
+    if (e.kind == LearnerEvent::Kind::Fault)
+      errors.push_back({file.string(), e.place.line, e.place.column, e.note, {}});
+  };
+  ScriptedLearner learner(
+      std::make_shared<const Lesson>(lesson), [&](const NamedMolecule& named) { return molecules.find(file, named); },
+      tell);
+  learner.demonstrate();
+}
+
+Checked checkFile(const fs::path& file, LessonMolecules& molecules, bool play) {
   Checked out{file.string(), {}, {}, {}};
   auto bytes = readLessonFile(file);
   if (!bytes) {
@@ -42,20 +58,21 @@ Checked checkFile(const fs::path& file, LessonMolecules& molecules) {
   out.text = *bytes;
   LessonCheck check =
       checkLesson(out.file, *std::move(bytes), [&](const NamedMolecule& named) { return molecules.find(file, named); });
+  if (play && check.lesson && check.errors.empty()) playLesson(file, *check.lesson, molecules, check.errors);
   out.errors = std::move(check.errors);
   out.warnings = std::move(check.warnings);
   return out;
 }
 
 // Every lesson of a pack, told by their names in it.
-void checkPack(const std::string& path, LessonMolecules& molecules, std::vector<Checked>& all) {
+void checkPack(const std::string& path, LessonMolecules& molecules, bool play, std::vector<Checked>& all) {
   const Expected<LessonArgument> argument = LessonArgument::open(path);
   if (!argument) {
     all.push_back({path, {}, {argument.problem()}, {}});
     return;
   }
   for (const fs::path& file : lessonsIn(argument->pack()->folder()).lessons) {
-    Checked checked = checkFile(file, molecules);
+    Checked checked = checkFile(file, molecules, play);
     checked.file = argument->shown(checked.file);
     for (std::vector<Problem>* problems : {&checked.errors, &checked.warnings})
       for (Problem& p : *problems) p = argument->shown(std::move(p));
@@ -113,16 +130,16 @@ void run(const CheckArguments& arguments) {
   for (const std::string& path : arguments.paths) {
     std::error_code error;
     if (hasPackName(path)) {
-      checkPack(path, molecules, all);
+      checkPack(path, molecules, arguments.play, all);
       continue;
     }
     if (!fs::is_directory(path, error)) {
-      all.push_back(checkFile(path, molecules));
+      all.push_back(checkFile(path, molecules, arguments.play));
       continue;
     }
     LessonFolder folder = lessonsIn(path);
     if (folder.fault) all.push_back({path, {}, {*std::move(folder.fault)}, {}});
-    for (const fs::path& file : folder.lessons) all.push_back(checkFile(file, molecules));
+    for (const fs::path& file : folder.lessons) all.push_back(checkFile(file, molecules, arguments.play));
     passed_over.insert(passed_over.end(), folder.others.begin(), folder.others.end());
   }
 
@@ -162,6 +179,8 @@ void addCheck(CLI::App& app) {
                    "Lessons (.md), packs (.moltact), or folders in which lessons are looked for")
       ->type_name(kFilesOrFoldersType)
       ->required();
+  command->add_flag("--play", arguments->play,
+                    "Also have each touch task done by a scripted hand, and tell those that cannot be done");
   command->add_flag("--json", arguments->json, "Print one JSON document, for editors");
   command->callback([arguments] { run(*arguments); });
 }

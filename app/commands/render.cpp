@@ -10,10 +10,13 @@
 #include "app/commands/number_range.h"
 #include "app/commands/touch_options.h"
 #include "app/commands/value_types.h"
+#include "app/ui/lesson/scene_marks.h"
+#include "engine/fonts/glyph_coverage.h"
 #include "engine/haptics/interactions.h"
 #include "engine/lesson/keys.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
+#include "engine/render/label_painter.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/renderer.h"
 
@@ -25,6 +28,7 @@ constexpr double kRadian = std::numbers::pi / 180;
 struct RenderArguments {
   MoleculeArgument molecule;
   std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", colour, style = "spheres", hide;
+  std::string label, arrow, mark, distance, angle, hydrogen_bonds;
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
@@ -99,29 +103,68 @@ void printTimes(Renderer& renderer, const ViewScene& scene, int width, int heigh
   out() << text << '\n';
 }
 
-AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, const Camera& camera) {
-  const auto listOf = [&](const char* option, const Selection& atoms) -> AtomList {
-    if (!atoms.given()) return nullptr;
-    auto selected = atoms.select(molecule);
-    if (selected.empty()) throw CLI::ValidationError(option, atoms.whyEmpty(molecule).text());
-    return std::make_shared<const std::vector<std::uint32_t>>(std::move(selected));
-  };
-  const std::vector<KeySpec>& keys = keysOf(KeyBlock::Scene);
-  const auto value = [&](const char* option, std::string_view key, const std::string& text) {
+// What a scene of a lesson would say, from options of the same names.
+class SceneOptions {
+ public:
+  SceneOptions(const RenderArguments& arguments, const Molecule& molecule)
+      : arguments_(arguments), molecule_(molecule) {}
+
+  AtomsLook look(const Camera& camera) const {
+    AtomsLook look;
+    for (const StyleSpec& s : value("style", arguments_.style).styles)
+      look.styles.push_back({s.style, listOf("style", s.atoms), float(s.opacity)});
+    if (!arguments_.hide.empty()) look.hidden = listOf("hide", value("hide", arguments_.hide).selection);
+    look.spheres_near_A = arguments_.near_A;
+    if (!arguments_.colour.empty()) look.colouring = schemeColouring(molecule_, arguments_.colour);
+    if (arguments_.cut) look.cut = CutPlane{camera.back(), glm::dot(camera.back(), camera.target.A) + arguments_.cut_A};
+    return look;
+  }
+
+  /// Names, arrows, marks and measures.
+  SceneSpec marks() const {
+    SceneSpec scene;
+    scene.labels = marksOf("label", arguments_.label);
+    scene.arrows = marksOf("arrow", arguments_.arrow);
+    scene.marks = marksOf("mark", arguments_.mark);
+    for (const auto& [key, text] :
+         {std::pair{"distance", &arguments_.distance}, std::pair{"angle", &arguments_.angle}}) {
+      if (text->empty()) continue;
+      for (PlacesSpec& measure : value(key, *text).measures) {
+        for (const Selection& place : measure.atoms) listOf(key, place);
+        scene.measures.push_back(std::move(measure));
+      }
+    }
+    if (!arguments_.hydrogen_bonds.empty()) {
+      scene.hydrogen_bonds = value("hydrogen-bonds", arguments_.hydrogen_bonds).selection;
+      listOf("hydrogen-bonds", scene.hydrogen_bonds);
+    }
+    return scene;
+  }
+
+ private:
+  static Value value(std::string_view key, const std::string& text) {
+    const std::vector<KeySpec>& keys = keysOf(KeyBlock::Scene);
     const auto spec = std::find_if(keys.begin(), keys.end(), [&](const KeySpec& k) { return k.name == key; });
     Expected<Value> read = parseValue(*spec, text);
-    if (!read) throw CLI::ValidationError(option, read.problem().text());
+    if (!read) throw CLI::ValidationError("--" + std::string(key), read.problem().text());
     return *std::move(read);
-  };
-  AtomsLook look;
-  for (const StyleSpec& s : value("--style", "style", arguments.style).styles)
-    look.styles.push_back({s.style, listOf("--style", s.atoms), float(s.opacity)});
-  if (!arguments.hide.empty()) look.hidden = listOf("--hide", value("--hide", "hide", arguments.hide).selection);
-  look.spheres_near_A = arguments.near_A;
-  if (!arguments.colour.empty()) look.colouring = schemeColouring(molecule, arguments.colour);
-  if (arguments.cut) look.cut = CutPlane{camera.back(), glm::dot(camera.back(), camera.target.A) + arguments.cut_A};
-  return look;
-}
+  }
+  AtomList listOf(std::string_view key, const Selection& atoms) const {
+    if (!atoms.given()) return nullptr;
+    auto selected = atoms.select(molecule_);
+    if (selected.empty()) throw CLI::ValidationError("--" + std::string(key), atoms.whyEmpty(molecule_).text());
+    return std::make_shared<const std::vector<std::uint32_t>>(std::move(selected));
+  }
+  std::vector<MarkSpec> marksOf(std::string_view key, const std::string& text) const {
+    if (text.empty()) return {};
+    std::vector<MarkSpec> marks = value(key, text).marks;
+    for (const MarkSpec& mark : marks) listOf(key, mark.atoms);
+    return marks;
+  }
+
+  const RenderArguments& arguments_;
+  const Molecule& molecule_;
+};
 
 void render(const RenderArguments& arguments) {
   const auto [width, height] = sizeOf(arguments.size);
@@ -138,7 +181,11 @@ void render(const RenderArguments& arguments) {
   scene.probe_A = arguments.touch.probe_A;
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
   scene.camera.fit(*scene.molecule, double(width) / height);
-  scene.look = looksOf(arguments, *scene.molecule, scene.camera);
+  const SceneOptions options(arguments, *scene.molecule);
+  const SceneSpec marks = options.marks();
+  scene.look = options.look(scene.camera);
+  scene.look.marks = marksOf(marks, *scene.molecule);
+  if (auto written = annotationsOf(marks, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
     scene.contact = push(scene.molecule, arguments, scene.camera, *scene.hip);
     scene.force_N = arguments.stiffness_N_per_A * glm::length(scene.contact.displacement_A);
@@ -153,7 +200,13 @@ void render(const RenderArguments& arguments) {
   if (arguments.time > 0) printTimes(**renderer, scene, width, height, arguments);
   if (const auto problem = (*renderer)->draw(scene, width, height, {.samples = arguments.samples}))
     throw CommandError{problem->text()};
-  if (const auto problem = writePng(arguments.out, (*renderer)->readPixels())) throw CommandError{problem->text()};
+  Picture picture = (*renderer)->readPixels();
+  if (!scene.annotations.empty()) {
+    const BallScene balls(scene.molecule->balls());
+    if (!paintLabels(picture, scene, &balls, std::max(1.0, height / 800.0)))
+      throw CommandError{"names cannot be written: no font in " + std::string(kInterFolder)};
+  }
+  if (const auto problem = writePng(arguments.out, picture)) throw CommandError{problem->text()};
 }
 
 }  // namespace
@@ -191,6 +244,16 @@ void addRender(CLI::App& app) {
   for (const DrawStyleInfo& s : drawStyles()) styles += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
   command->add_option("--style", a.style, styles)->capture_default_str();
   command->add_option("--hide", a.hide, "Atoms that are not drawn, as a selection: 'water', 'chain B'");
+  command->add_option(
+      "--label", a.label,
+      "Names over the picture: 'residue for ligand', '\"the cleft\" for residue 35 52'; the words are atom, "
+      "residue and chain");
+  command->add_option("--arrow", a.arrow, "Arrows with names: '\"iron\" for element Fe'");
+  command->add_option("--mark", a.mark, "Atoms in colours of their own: 'teal for residue 35, magenta for residue 52'");
+  command->add_option("--distance", a.distance, "Lengths between the middles of selections: 'atom 3 - atom 9'");
+  command->add_option("--angle", a.angle, "Angles between three selections, torsions between four");
+  command->add_option("--hydrogen-bonds", a.hydrogen_bonds,
+                      "Hydrogen bonds with an end in the selection, as dashed lines");
   command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")
       ->check(numberFrom(0.0, 20.0))
       ->capture_default_str();

@@ -8,6 +8,7 @@
 #include "engine/platform/terminal.h"
 #include "engine/platform/write_file.h"
 #include "engine/results/class_csv.h"
+#include "engine/results/class_files.h"
 #include "engine/results/class_page.h"
 
 namespace moltact {
@@ -15,7 +16,7 @@ namespace {
 
 struct Arguments {
   std::vector<std::string> results;
-  std::string csv, html;
+  std::string csv, html, gradebook, code_word;
   bool anonymous = false;
 };
 
@@ -24,34 +25,18 @@ void write(const std::string& file, const std::string& bytes) {
 }
 
 void run(const Arguments& arguments) {
-  std::vector<Attempt> attempts;
-  std::vector<Problem> problems;
-  for (const std::string& named : arguments.results) {
-    const Expected<std::vector<std::filesystem::path>> files = attemptFiles(named);
-    if (!files) {
-      problems.push_back(files.problem());
-      continue;
-    }
-    if (files->empty())
-      problems.push_back(
-          {named, 0, 0, tr("there are no .jsonl files in this folder"), tr("name the folder that holds the attempts")});
-    for (const std::filesystem::path& file : *files) {
-      Expected<Attempt> attempt = readAttempt(file, ReadDepth::NoTrace);
-      if (!attempt) {
-        problems.push_back(attempt.problem());
-        continue;
-      }
-      problems.insert(problems.end(), attempt->problems.begin(), attempt->problems.end());
-      attempts.push_back(*std::move(attempt));
-    }
-  }
-  for (const Problem& p : problems) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
-  if (attempts.empty()) throw CommandError{tr("there are no attempts to report on in what was named")};
-  const ClassSummary summary = summarise(std::move(attempts), arguments.anonymous);
+  const std::vector<std::filesystem::path> named(arguments.results.begin(), arguments.results.end());
+  ClassFiles files = readClass(named);
+  for (const Problem& p : files.passed_over) err() << "moltact: " << trf("passed over: {0}", p.text()) << '\n';
+  if (files.attempts.empty()) throw CommandError{tr("there are no attempts to report on in what was named")};
+  const ClassSummary summary =
+      summarise(std::move(files.attempts),
+                {.anonymous = arguments.anonymous || !arguments.code_word.empty(), .code_word = arguments.code_word});
+  if (!arguments.gradebook.empty()) write(arguments.gradebook, gradebookCsv(summary));
   if (!arguments.csv.empty()) write(arguments.csv, classCsv(summary));
   if (!arguments.html.empty()) {
     const std::string now = utcText(std::chrono::system_clock::now());
-    write(arguments.html, classPage(summary, problems, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
+    write(arguments.html, classPage(summary, files.passed_over, now.substr(0, 10) + " " + now.substr(11, 5) + " UTC"));
   }
   out() << summaryText(summary) << '\n';
 }
@@ -62,7 +47,9 @@ void addReport(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("report", "Report on a class: who finished what, answers, time, force and path");
   auto arguments = std::make_shared<Arguments>();
-  command->add_option("results", arguments->results, "attempts (.jsonl files) or folders of them")
+  command
+      ->add_option("results", arguments->results,
+                   "attempts (.jsonl files) or folders of them, with the folders in them")
       ->type_name(kFilesOrFoldersType)
       ->required();
   command->add_option("--csv", arguments->csv, "where to write the table: a row for each student and lesson")
@@ -70,9 +57,19 @@ void addReport(CLI::App& app) {
   command
       ->add_option("--html", arguments->html, "where to write the page: charts, light, dark and print, works offline")
       ->type_name(kFileType);
+  command
+      ->add_option(
+          "--gradebook", arguments->gradebook,
+          "where to write marks for a learning platform: a row for each named student, a column for each lesson")
+      ->type_name(kFileType);
   command->add_flag("--anonymous", arguments->anonymous, "write S01, S02 ... in the place of names");
+  command
+      ->add_option("--code-word", arguments->code_word,
+                   "write codes in the place of names that follow from name and WORD: the same in every report with it")
+      ->type_name("WORD");
   command->callback([arguments] {
-    if (arguments->csv.empty() && arguments->html.empty()) throw CLI::RequiredError("--csv or --html");
+    if (arguments->csv.empty() && arguments->html.empty() && arguments->gradebook.empty())
+      throw CLI::RequiredError("--csv, --html or --gradebook");
     run(*arguments);
   });
 }

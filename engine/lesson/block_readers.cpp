@@ -35,6 +35,25 @@ std::vector<KeyLine> linesOf(Reading& reading, std::span<const BlockLine> lines)
   return out;
 }
 
+// What a scene names, points at and measures; "none" leaves nothing of what an earlier scene did.
+template <class Takes>
+void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
+  if (takes("label")) scene.labels = values["label"].marks;
+  if (takes("arrow")) scene.arrows = values["arrow"].marks;
+  if (takes("mark")) scene.marks = values["mark"].marks;
+  if (takes("hydrogen-bonds")) {
+    scene.hydrogen_bonds = values["hydrogen-bonds"].selection;
+    scene.places.hydrogen_bonds = values["hydrogen-bonds"].place;
+  }
+  for (const auto& [key, angles] : {std::pair{"distance", false}, std::pair{"angle", true}}) {
+    if (!takes(key)) continue;
+    std::erase_if(scene.measures, [&](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
+    const std::vector<PlacesSpec>& wanted = values[key].measures;
+    scene.measures.insert(scene.measures.end(), wanted.begin(), wanted.end());
+  }
+  if (takes("paint")) scene.paint_touched = values["paint"].words[0] == "touched";
+}
+
 }  // namespace
 
 std::size_t readFrontMatter(Reading& reading, Lesson& lesson) {
@@ -124,6 +143,7 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
   }
   if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
+  readMarks(values, takes, scene);
   if (takes("panels")) {
     scene.panels = values["panels"].words;
     if (scene.panels.size() > 1 && std::find(scene.panels.begin(), scene.panels.end(), "none") != scene.panels.end())

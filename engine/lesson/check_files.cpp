@@ -34,6 +34,11 @@ std::string nearestFile(const fs::path& missing, std::map<fs::path, std::vector<
                       : didYouMean(near);
 }
 
+bool leavesFolder(std::string_view written) {
+  const fs::path path = fs::path(std::string(written)).lexically_normal();
+  return !path.empty() && *path.begin() == "..";
+}
+
 class Files {
  public:
   Files(const fs::path& lesson_file, Findings& findings) : lesson_file_(lesson_file), findings_(findings) {}
@@ -64,6 +69,9 @@ class Files {
       findings_.error(place,
                       what == What::Link ? trf("the link '{0}' leads to a place of this computer only", written)
                                          : trf("the picture '{0}' leads to a place of this computer only", written),
+                      tr("put the file beside the lesson and write its name"));
+    else if (what == What::Picture && leavesFolder(written))
+      findings_.error(place, trf("'{0}' lies outside of the lesson's folder, so no pack can hold it", written),
                       tr("put the file beside the lesson and write its name"));
     else if (!fs::exists(file, error))
       findings_.error(place,

@@ -30,11 +30,17 @@ class Check {
         selects(step.scene.facing, places.view, *molecule);
         selects(step.scene.magnify, places.magnify, *molecule);
         selects(step.scene.hide, places.hide, *molecule);
+        selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
+        for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
+          for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
+        for (const PlacesSpec& m : step.scene.measures)
+          for (std::size_t i = 0; i < m.atoms.size(); ++i) selects(m.atoms[i], m.places[i], *molecule);
         for (const StyleSpec& style : step.scene.styles) selects(style.atoms, style.place, *molecule);
       }
       for (const TaskSpec& task : step.tasks) {
         for (const auto& [key, value] : task.values) {
           if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule);
+          for (const SelectionRemark& remark : value.remarks) selects(remark.atoms, remark.place, *molecule);
           for (std::size_t i = 0; i < value.path.size(); ++i) selects(value.path[i], value.places[i], *molecule);
         }
         const TaskKind* kind = findTaskKind(task.kind);

@@ -6,6 +6,7 @@
 #include "engine/lesson/checks.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/source_text.h"
+#include "engine/lesson/touch_keys.h"
 
 namespace moltact::checks {
 namespace {
@@ -63,6 +64,37 @@ void predictsWithoutTouch(const Step& step, Findings& findings) {
                        tr("add the touch that shows what is right, or write '### Question: …'"));
 }
 
+/// A key holds one line of plain text; what is written as Markdown in it is shown with its signs.
+void markdownInKeys(const Step& step, Findings& findings) {
+  const auto look = [&](const std::string& text, Place place) {
+    if (!place.line) return;
+    for (const std::string_view sign : {"](", "**", "`"})
+      if (const std::size_t at = text.find(sign); at != std::string::npos) {
+        findings.warning(
+            {place.line, place.column + characterCount(std::string_view(text).substr(0, at))},
+            trf("'{0}' is shown as it stands: this key holds plain text, and no link in it leads anywhere", sign),
+            tr("write it in the step's text, or take the signs out"));
+        return;
+      }
+  };
+  for (const TaskSpec& task : step.tasks)
+    for (const char* key : {"say", "praise", "called", "arrival", "first"})
+      if (task.values.has(key)) look(task.values[key].text, task.values[key].place);
+}
+
+/// The second thing of 'same' is to differ from the scene.
+void samesAlike(const Step& step, Findings& findings) {
+  for (const TaskSpec& task : step.tasks) {
+    if (task.kind != "same") continue;
+    for (const TouchProperty& p : touchProperties()) {
+      const Value& value = task.values[p.key];
+      if (value.place.line && touchValueOf(p, value) == touchValue(step.scene.touch, p))
+        findings.error(value.place, tr("the two things are the same: the scene has this value too"),
+                       tr("write another value, or change the scene's"));
+    }
+  }
+}
+
 }  // namespace
 
 void steps(const Lesson& lesson, Findings& findings) {
@@ -74,6 +106,8 @@ void steps(const Lesson& lesson, Findings& findings) {
                      trf("link to it from another step: [{0}](#{1})", step.title, step.id));
     comparesLocked(step, findings);
     predictsWithoutTouch(step, findings);
+    markdownInKeys(step, findings);
+    samesAlike(step, findings);
     if (!saysSomething(step))
       findings.error(step.place, tr("this step says nothing to the student"), tr("write a sentence below its heading"));
   }

@@ -23,10 +23,20 @@ const KeySpec* find(std::span<const KeySpec* const> keys, std::string_view name)
   return nullptr;
 }
 
-Value listValue(const KeySpec&, const KeyLine& line) {
+Expected<Value> listValue(const KeySpec& key, const KeyLine& line) {
   Value value;
   value.text = line.value;
   for (const ListItem& item : line.items) {
+    if (key.type == ValueType::Remarks) {
+      if (auto problem = addRemark(value, item.text)) {
+        // Where it stands is known here.
+        problem->line = item.place.line;
+        problem->column = item.place.column + (problem->column ? problem->column - 1 : 0);
+        return *std::move(problem);
+      }
+      value.remarks.back().place = {item.place.line, item.place.column + value.remarks.back().place.column - 1};
+      continue;
+    }
     value.words.push_back(item.text);
     value.places.push_back(item.place);
   }
@@ -83,26 +93,36 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
       continue;
     }
     seen.push_back(key->name);
-    if (!line.items.empty() && (key->type != ValueType::TextList || !line.value.empty())) {
+    const bool takes_list = key->type == ValueType::TextList || key->type == ValueType::Remarks;
+    if (!line.items.empty() && (!takes_list || !line.value.empty())) {
       problems.push_back(problemAt(line.items[0].place, trf("'{0}' takes no list here", line.key),
-                                   key->type == ValueType::TextList
-                                       ? tr("write every item on a line of its own that starts with '- '")
-                                       : tr("write one value after the colon")));
+                                   takes_list ? tr("write every item on a line of its own that starts with '- '")
+                                              : tr("write one value after the colon")));
       continue;
     }
-    Expected<Value> value = line.items.empty() ? parseValue(*key, line.value) : Expected<Value>(listValue(*key, line));
+    Expected<Value> value = line.items.empty() ? parseValue(*key, line.value) : listValue(*key, line);
     if (!value) {
       Problem p = value.problem();
-      p.line = line.value_place.line;
-      p.column = line.value_place.column + (p.column ? p.column - 1 : 0);
+      if (!p.line) {
+        p.line = line.value_place.line;
+        p.column = line.value_place.column + (p.column ? p.column - 1 : 0);
+      }
       problems.push_back(std::move(p));
       continue;
     }
     value->place = line.items.empty() ? line.value_place : line.items[0].place;
     for (Place& place : value->places)
       if (place.line == 0) place = {line.value_place.line, line.value_place.column + place.column - 1};
-    for (StyleSpec& style : value->styles)
-      if (style.place.column) style.place = {line.value_place.line, line.value_place.column + style.place.column - 1};
+    const auto inFile = [&](Place& place) {
+      if (place.column) place = {line.value_place.line, line.value_place.column + place.column - 1};
+    };
+    for (StyleSpec& style : value->styles) inFile(style.place);
+    for (MarkSpec& mark : value->marks) inFile(mark.place);
+    for (PlacesSpec& measure : value->measures)
+      for (Place& place : measure.places) inFile(place);
+    for (SelectionRemark& remark : value->remarks)
+      if (remark.place.line == 0)
+        remark.place = {line.value_place.line, line.value_place.column + remark.place.column - 1};
     out.set(key->name, *std::move(value));
   }
   for (const KeySpec* key : keys) {

@@ -38,6 +38,12 @@ std::vector<std::string_view> colouringNames() {
   return out;
 }
 
+std::vector<std::string_view> ownColourNames() {
+  std::vector<std::string_view> out;
+  for (const NamedColour& colour : namedColours()) out.push_back(colour.name);
+  return out;
+}
+
 std::vector<KeySpec> frontMatterKeys() {
   return {
       {.name = "title",
@@ -146,6 +152,42 @@ std::vector<KeySpec> sceneKeys() {
                   "touch), 'none' leaves "
                   "the molecule and the text alone. Left out, those stay that the student has opened.",
        .words = {"touch", "methods", "none"}},
+      {.name = "label",
+       .type = ValueType::Marks,
+       .meaning = "Names over the picture: of each atom, residue or chain selected, or one of your own in double "
+                  "quotes, as in 'residue for ligand, \"the cleft\" for residue 35 52'. 'none' ends earlier ones.",
+       .words = {"atom", "residue", "chain"}},
+      {.name = "arrow",
+       .type = ValueType::Marks,
+       .meaning = "Arrows that point at atoms, each with its name, as in '\"iron\" for element Fe'. 'none' ends "
+                  "earlier ones."},
+      {.name = "mark",
+       .type = ValueType::Marks,
+       .meaning = "Atoms in colours of their own, with names for the legend, as in 'teal \"acid\" for residue 35, "
+                  "magenta \"base\" for residue 52'. 'none' ends earlier ones.",
+       .words = ownColourNames()},
+      {.name = "distance",
+       .type = ValueType::Places,
+       .meaning = "Lengths that are shown, between the middles of two selections, as in 'atom 3 - atom 9'. 'none' "
+                  "ends earlier ones.",
+       .least = 2,
+       .most = 2},
+      {.name = "angle",
+       .type = ValueType::Places,
+       .meaning = "Angles that are shown: of three selections at the middle one, of four the torsion round the two in "
+                  "the middle. 'none' ends earlier ones.",
+       .least = 3,
+       .most = 4},
+      {.name = "hydrogen-bonds",
+       .type = ValueType::Target,
+       .meaning = "Hydrogen bonds that have an end in the selection, as dashed lines between their heavy atoms; 'all' "
+                  "shows every one, 'none' ends earlier ones.",
+       .words = {"none"}},
+      {.name = "paint",
+       .type = ValueType::Word,
+       .meaning = "Whether atoms stay lightly painted once they have been touched.",
+       .fallback = "none",
+       .words = {"touched", "none"}},
       {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
       {.name = "view",
        .type = ValueType::View,

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,7 +37,10 @@ enum class ValueType : std::uint8_t {
   Target,     ///< one of `words`, or a selection
   Path,       ///< selections in order, separated by "then"; or one of `words`
   View,       ///< one of `words`, or "facing" and a selection
+  Remarks,    ///< "- SELECTION -> text" lines, or one of them behind the colon
   Styles,     ///< "cartoon, surface 40% for chain A": styles of `words`, each with its opacity and its atoms
+  Marks,  ///< `words` and names in double quotes, each for its atoms: 'residue for chain A, "the cleft" for residue 35'; or "none"
+  Places,  ///< `least` to `most` selections with " - " between them, several parted by commas; or "none"
 };
 
 /// One key: the whole truth about it.
@@ -67,6 +71,33 @@ struct StyleSpec {
   }
 };
 
+/// A word of a Marks value, or a name in quotes, or both, and what it is for.
+struct MarkSpec {
+  std::string word, name;  ///< one of them may be empty
+  Selection atoms;         ///< not given: all
+  Place place;             ///< of the selection
+  friend bool operator==(const MarkSpec& a, const MarkSpec& b) {
+    return a.word == b.word && a.name == b.name && a.atoms == b.atoms;
+  }
+};
+
+/// Places between which something is measured.
+struct PlacesSpec {
+  std::vector<Selection> atoms;  ///< each is the middle of what it selects
+  std::vector<Place> places;     ///< of each selection
+  friend bool operator==(const PlacesSpec& a, const PlacesSpec& b) { return a.atoms == b.atoms; }
+};
+
+/// What an author says to a touch of these atoms.
+struct SelectionRemark {
+  Selection atoms;
+  std::string text;
+  Place place;  ///< of the selection
+  friend bool operator==(const SelectionRemark& a, const SelectionRemark& b) {
+    return a.atoms == b.atoms && a.text == b.text;
+  }
+};
+
 /// A value as read. Which members are filled follows from the key's type.
 struct Value {
   Place place;                       ///< where the value stands; line 0 for a fallback
@@ -78,6 +109,9 @@ struct Value {
   Selection selection;               ///< Selection, Target and View where atoms were given
   std::vector<Selection> path = {};  ///< Path where atoms were given, in order
   std::vector<StyleSpec> styles = {};
+  std::vector<MarkSpec> marks = {};
+  std::vector<PlacesSpec> measures = {};
+  std::vector<SelectionRemark> remarks = {};
 };
 
 /// Where the selection of a value begins: behind the word "facing" of a View.
@@ -111,5 +145,8 @@ class KeyValues {
 
 /// Reads one value. A problem and `places` have line 0 and the column within `text`.
 Expected<Value> parseValue(const KeySpec& key, std::string_view text);
+
+/// Adds what a line "SELECTION -> text" says to the remarks of `value`; else the problem, as above.
+std::optional<Problem> addRemark(Value& value, std::string_view line);
 
 }  // namespace moltact

@@ -143,9 +143,22 @@ class Builder {
     if (type == MD_BLOCK_DOC || stack_.size() < 2) return 0;
     MarkdownBlock done = std::move(stack_.back());
     stack_.pop_back();
-    if (done.place.line == 0) done.place = done.children.empty() ? source_.at(offset_) : done.children.front().place;
+    if (done.place.line == 0)
+      done.place = !done.children.empty()       ? done.children.front().place
+                   : done.kind == Kind::Heading ? emptyHeading()
+                                                : source_.at(offset_);
     stack_.back().children.push_back(std::move(done));
     return 0;
+  }
+
+  /// md4c does not say where a heading without words stands: it is the next line that is made of its signs alone.
+  Place emptyHeading() const {
+    const std::string_view bytes = source_.bytes();
+    for (std::size_t at = bytes.find('\n', offset_); at != std::string_view::npos; at = bytes.find('\n', at + 1)) {
+      const std::string_view line = stripped(bytes.substr(at + 1, bytes.substr(at + 1).find('\n')));
+      if (!line.empty() && line.find_first_not_of('#') == std::string_view::npos) return source_.at(at + 1);
+    }
+    return source_.at(offset_);
   }
 
   int span(MD_SPANTYPE type, void* detail, int step) {
@@ -213,7 +226,10 @@ class Builder {
           words = "\xEF\xBF\xBD";
           break;
         case MD_TEXT_HTML:
-          if (block.kind != Kind::Html) return 0;
+          if (block.kind != Kind::Html) {
+            stack_.front().lines.push_back({std::string(piece), place});
+            return 0;
+          }
           [[fallthrough]];
         default:
           words = std::string(piece);

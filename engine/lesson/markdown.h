@@ -20,7 +20,7 @@ struct MarkdownBlock {
   int start = 1;                         ///< List, where ordered
   bool is_task = false, ticked = false;  ///< Item of a task list: "- [x]"
   std::string info;                      ///< Code: the word after the fence
-  std::vector<BlockLine> lines;          ///< Code: its lines
+  std::vector<BlockLine> lines;          ///< Code: its lines; Root: tags of HTML within the text, which are not in it
   RichText text;                         ///< Heading, Paragraph, and an Item's own text; Html: as written
   std::vector<Image> images;             ///< pictures in `text`
   std::vector<MarkdownBlock> children;

@@ -31,6 +31,17 @@ void collectParagraphs(const MarkdownBlock& block, std::vector<RichText>& out) {
   for (const MarkdownBlock& child : block.children) collectParagraphs(child, out);
 }
 
+/// "teacher: …", "For the teacher …", "Teachers …": what is not quite the word that hides a note from students.
+bool nearlyForTeachers(std::string_view text) {
+  std::string begin(text.substr(0, 24));
+  for (char& c : begin)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  for (const std::string_view word : {"teacher", "note for teacher", "for teacher", "for the teacher", "to the teacher",
+                                      "instructor", "lehrer", "lehrkr"})
+    if (begin.starts_with(word)) return true;
+  return false;
+}
+
 void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>& blocks) {
   std::vector<RichText> paragraphs;
   collectParagraphs(block, paragraphs);
@@ -56,6 +67,9 @@ void readQuote(Reading& reading, const MarkdownBlock& block, std::vector<Block>&
       strip(8);
       blocks.push_back(TeacherNote{std::move(paragraphs)});
     } else {
+      if (!paragraphs.empty() && nearlyForTeachers(plainText(paragraphs[0])))
+        reading.warning(block.place, tr("students see this note, though it begins as if it were for the teacher"),
+                        tr("begin it with 'Teacher:', spelt so"));
       blocks.push_back(Quote{std::move(paragraphs)});
     }
   } else {

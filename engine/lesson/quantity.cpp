@@ -58,10 +58,23 @@ std::string notAUnit(std::string_view symbol, Dimension dimension) {
   return trf("'{0}' is no unit", symbol);
 }
 
+/// What is set before a unit and in it where a text was typed elsewhere: blanks that do not break, and the ring of the
+/// angstrom as a sign of its own behind the A.
+std::string plainUnit(std::string_view symbol) {
+  std::string out(symbol);
+  for (const std::string_view blank :
+       {std::string_view("\u00A0"), std::string_view("\u202F"), std::string_view("\u2009")})
+    while (out.starts_with(blank)) out = std::string(stripped(std::string_view(out).substr(blank.size())));
+  for (std::size_t at; (at = out.find("A\u030A")) != std::string::npos;) out.replace(at, 3, "\u00C5");
+  for (std::size_t at; (at = out.find("\u212B")) != std::string::npos;) out.replace(at, 3, "\u00C5");
+  return out;
+}
+
 /// `from` to the end must be a unit, or nothing where the dimension was given elsewhere.
 Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::size_t unit_at, Dimension dimension) {
   const std::string_view number = whole.substr(number_at, unit_at - number_at);
-  const std::string_view symbol = stripped(whole.substr(unit_at));
+  const std::string_view written = stripped(whole.substr(unit_at));
+  const std::string symbol = plainUnit(written);
   const std::string wanted = unitsFor(dimension);
   if (symbol.empty()) return problemAt(whole, number_at, trf("'{0}' needs a unit: {1}", stripped(number), wanted));
   for (const Unit& u : units()) {
@@ -71,7 +84,7 @@ Expected<double> factorOf(std::string_view whole, std::size_t number_at, std::si
                      trf("'{0}' is {1}, but {2} is needed: {3}", stripped(whole.substr(number_at)),
                          tr(dimensionName(u.dimension)), tr(dimensionName(dimension)), wanted));
   }
-  const std::size_t at = static_cast<std::size_t>(symbol.data() - whole.data());
+  const std::size_t at = static_cast<std::size_t>(written.data() - whole.data());
   return problemAt(whole, at, notAUnit(symbol, dimension), trf("write {0}", wanted));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 #include <unordered_map>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
@@ -30,6 +31,10 @@ class Walk {
       take(block);
     }
     endQuestion();
+    std::size_t told = 0;
+    for (const BlockLine& tag : root.lines)
+      if (!tag.text.starts_with("<!--") && tag.place.line != std::exchange(told, tag.place.line))
+        reading_.warning(tag.place, tr("HTML is not shown"), tr("write it in Markdown"));
     if (lesson_.steps.empty()) {
       reading_.error(root.children.empty() ? Place{1, 1} : root.children.front().place, tr("the lesson has no steps"),
                      tr("start each step with a heading '## …'"));
@@ -169,7 +174,13 @@ class Walk {
   void scene(const MarkdownBlock& block) {
     if (outsideStep(block)) return;
     if (step()->states_scene) {
-      reading_.error(block.place, tr("a second scene in one step"), tr("start a new step, or put both into one block"));
+      // Most often the heading above was meant to begin a step.
+      std::string heading;
+      for (const Block& b : step()->blocks)
+        if (const auto* s = std::get_if<Subheading>(&b)) heading = plainText(s->text);
+      reading_.error(block.place, tr("a second scene in one step"),
+                     heading.empty() ? tr("start a new step, or put both into one block")
+                                     : trf("write '## {0}', with two signs, if a step is to begin there", heading));
       return;
     }
     const SceneSpec before = step()->scene;

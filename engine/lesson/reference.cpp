@@ -76,6 +76,13 @@ std::string valueOf(const KeySpec& key) {
              "[selections](#selections) with `then` between them";
     case ValueType::View:
       return codeList(key.words) + ", or `facing` and a [selection](#selections)";
+    case ValueType::Marks:
+      return (key.words.empty() ? "" : someOf(key.words) + ", ") +
+             std::string("names in double quotes, and `for` with a [selection](#selections); or `none`");
+    case ValueType::Places:
+      return "[selections](#selections) with ` - ` between them, several parted by commas; or `none`";
+    case ValueType::Remarks:
+      return "lines `- selection -> what is said`, each with a [selection](#selections)";
     case ValueType::Styles:
       return someOf(key.words) +
              ", each with its opacity (`surface 40%`) and, behind `for`, a [selection](#selections) if it is not for "

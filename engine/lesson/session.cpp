@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "engine/core/content_hash.h"
+#include "engine/core/random.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/tasks/registry.h"
@@ -35,14 +36,6 @@ bool isRight(const AnswerSpec& answer, double number) {
   // A tolerance of 0 still forgives the last bit of a decimal fraction.
   const double slack = answer.tolerance + 1e-9 * std::max(1.0, std::abs(answer.number));
   return std::abs(number - answer.number) <= slack;
-}
-
-// The next of a row of numbers that looks random (SplitMix64; Steele, Lea & Flood 2014).
-std::uint64_t nextRandom(std::uint64_t& state) {
-  std::uint64_t z = state += 0x9E3779B97F4A7C15u;
-  z = (z ^ z >> 30) * 0xBF58476D1CE4E5B9u;
-  z = (z ^ z >> 27) * 0x94D049BB133111EBu;
-  return z ^ z >> 31;
 }
 
 bool sameShape(const Step& a, const Step& b) {
@@ -79,6 +72,21 @@ void LessonSession::enter(std::size_t step) {
 void LessonSession::makeTasks() {
   tasks_.clear();
   for (const TaskSpec& spec : step().tasks) tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
+  if (molecule_) ++state().made;
+  for (std::size_t k = 0; k < tasks_.size(); ++k)
+    if (tasks_[k]) tasks_[k]->drawBy(drawSeed(k));
+}
+
+// Whoever comes back to a step, or takes the lesson up again, does not meet the order that was met before.
+std::uint64_t LessonSession::drawSeed(std::size_t task) const {
+  return mixedSeed(mixedSeed(order_seed_, hash64(step().id) + task), (std::uint64_t(sitting_) << 32) + state().made);
+}
+
+void LessonSession::setOrderSeed(std::uint64_t seed, std::size_t sitting) {
+  order_seed_ = seed;
+  sitting_ = sitting;
+  for (std::size_t k = 0; k < tasks_.size(); ++k)
+    if (tasks_[k]) tasks_[k]->drawBy(drawSeed(k));
 }
 
 std::size_t LessonSession::mainStepAfter(std::size_t step) const {

@@ -104,7 +104,9 @@ class LessonSession {
   /// The order in which the choices of a question of the current step stand: as they are written, or another for each
   /// seed but 0, the same for the same one.
   std::vector<std::size_t> choiceOrder(std::size_t question) const;
-  void setOrderSeed(std::uint64_t seed) { order_seed_ = seed; }
+  /// Also what tasks draw by (Task::drawBy): that is another in each sitting, for which 0, 1, 2 … are counted where an
+  /// attempt is taken up again, and whenever a step is entered anew. To be called before a task is begun.
+  void setOrderSeed(std::uint64_t seed, std::size_t sitting = 0);
 
   /// Whether a question of the current step takes an answer: until one was right, a prediction until it is told.
   bool takesAnswer(std::size_t question) const;
@@ -153,6 +155,7 @@ class LessonSession {
     std::vector<std::shared_ptr<const Task>> finished;  // as they were when done; null where not done
     std::vector<QuestionStatus> questions;
     bool seen = false;
+    std::uint32_t made = 0;  // how often its tasks were made
   };
 
   StepState& state() { return states_[step_]; }
@@ -161,6 +164,7 @@ class LessonSession {
   void keepIfDone(std::size_t task);
   void enter(std::size_t step);
   void makeTasks();
+  std::uint64_t drawSeed(std::size_t task) const;
   void record(std::size_t question, bool right);
 
   std::shared_ptr<const Lesson> lesson_;
@@ -170,6 +174,7 @@ class LessonSession {
   std::size_t step_ = 0, scene_number_ = 0;
   std::size_t main_step_ = 0;  // the last one that is no aside
   std::uint64_t order_seed_ = 0;
+  std::size_t sitting_ = 0;
 };
 
 }  // namespace moltact

@@ -5,14 +5,44 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/keys.h"
 #include "engine/lesson/suggestion.h"
+#include "engine/lesson/value_parts.h"
 
 namespace moltact {
-namespace {
+namespace values {
 
-Problem at(std::string_view text, std::string_view part, std::string message, std::string remedy = {}) {
+Problem at(std::string_view text, std::string_view part, std::string message, std::string remedy) {
   const auto offset = static_cast<std::size_t>(part.data() - text.data());
   return {{}, 0, characterCount(text.substr(0, offset)) + 1, std::move(message), std::move(remedy)};
 }
+
+std::vector<std::string_view> unquotedParts(std::string_view text, std::string_view separator) {
+  std::vector<std::string_view> parts;
+  for (bool more = true; more;) {
+    bool quoted_name = false;
+    std::size_t end = 0;
+    while (end < text.size() && (quoted_name || !text.substr(end).starts_with(separator)))
+      quoted_name = quoted_name != (text[end++] == '"');
+    more = end < text.size();
+    parts.push_back(stripped(text.substr(0, end)));
+    if (more) text.remove_prefix(end + separator.size());
+  }
+  return parts;
+}
+
+Expected<Selection> selectionIn(std::string_view text, std::string_view part) {
+  auto selection = parseSelection(part);
+  if (selection) return selection;
+  Problem p = selection.problem();
+  p.column += at(text, part, {}).column - 1;
+  return p;
+}
+
+}  // namespace values
+
+namespace {
+
+using values::at;
+using values::selectionIn;
 
 std::string plain(double value, Dimension dimension) {
   std::ostringstream out;
@@ -75,14 +105,10 @@ Expected<Value> wordsValue(const KeySpec& key, std::string_view text, Value valu
 }
 
 Expected<Value> selectionValue(std::string_view text, std::string_view part, Value value) {
-  auto selection = parseSelection(part);
-  if (selection) {
-    value.selection = *selection;
-    return value;
-  }
-  Problem p = selection.problem();
-  p.column += at(text, part, {}).column - 1;
-  return p;
+  Expected<Selection> read = selectionIn(text, part);
+  if (!read) return read.problem();
+  value.selection = *std::move(read);
+  return value;
 }
 
 Expected<Value> targetValue(const KeySpec& key, std::string_view text, Value value) {
@@ -105,22 +131,13 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
     value.words = {std::string(text)};
     return value;
   }
-  constexpr std::string_view kThen = " then ";
-  std::string_view rest = text;
-  for (bool more = true; more;) {
-    bool quoted_name = false;
-    std::size_t end = 0;
-    while (end < rest.size() && (quoted_name || !rest.substr(end).starts_with(kThen)))
-      quoted_name = quoted_name != (rest[end++] == '"');
-    more = end < rest.size();
-    const std::string_view part = stripped(rest.substr(0, end));
+  for (const std::string_view part : values::unquotedParts(text, " then ")) {
     if (part.empty() || part == "then" || part.starts_with("then ") || part.ends_with(" then"))
       return at(text, part, tr("a place is missing beside 'then'"), tr("name atoms on both sides of it"));
-    auto read = selectionValue(text, part, {});
+    auto read = selectionIn(text, part);
     if (!read) return read.problem();
-    value.path.push_back(read->selection);
+    value.path.push_back(*std::move(read));
     value.places.push_back({0, at(text, part, {}).column});
-    if (more) rest.remove_prefix(end + kThen.size());
   }
   return value;
 }
@@ -129,14 +146,7 @@ Expected<Value> pathValue(const KeySpec& key, std::string_view text, Value value
 // belongs to a name.
 Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value value) {
   constexpr double kLeast_percent = 5.0, kMost_percent = 100.0;
-  std::string_view rest = text;
-  for (bool more = true; more;) {
-    bool quoted_name = false;
-    std::size_t end = 0;
-    while (end < rest.size() && (quoted_name || rest[end] != ',')) quoted_name = quoted_name != (rest[end++] == '"');
-    more = end < rest.size();
-    const std::string_view part = stripped(rest.substr(0, end));
-    if (more) rest.remove_prefix(end + 1);
+  for (const std::string_view part : values::unquotedParts(text, ",")) {
     if (part.empty()) return at(text, part, tr("a style is missing"), tr("take out the comma"));
     const std::string_view name = part.substr(0, part.find(' '));
     const DrawStyleInfo* info = findDrawStyle(name);
@@ -155,9 +165,9 @@ Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value val
     }
     if (after.starts_with("for ")) {
       const std::string_view atoms = stripped(after.substr(4));
-      auto read = selectionValue(text, atoms, {});
+      auto read = selectionIn(text, atoms);
       if (!read) return read.problem();
-      spec.atoms = read->selection;
+      spec.atoms = *std::move(read);
       spec.place = {0, at(text, atoms, {}).column};
     } else if (!after.empty()) {
       return at(text, after, trf("'{0}' is not understood after the style", after),
@@ -169,6 +179,22 @@ Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value val
 }
 
 }  // namespace
+
+std::optional<Problem> addRemark(Value& value, std::string_view line) {
+  for (const std::string_view arrow : {std::string_view("→"), std::string_view("->")}) {
+    const std::size_t at_arrow = line.find(arrow);
+    if (at_arrow == std::string_view::npos) continue;
+    const std::string_view atoms = stripped(line.substr(0, at_arrow)),
+                           text = stripped(line.substr(at_arrow + arrow.size()));
+    if (text.empty()) return at(line, line, tr("nothing is said to this touch"), tr("write the sentence after '->'"));
+    auto read = selectionValue(line, atoms, {});
+    if (!read) return read.problem();
+    value.remarks.push_back({read->selection, std::string(text), {0, at(line, atoms, {}).column}});
+    return std::nullopt;
+  }
+  return at(line, line, tr("no '->' parts the atoms from what is said to their touch"),
+            tr("write it as 'residue 35 -> That is the other acid.'"));
+}
 
 Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
   Value value;
@@ -213,9 +239,20 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
       return pathValue(key, text, std::move(value));
     case ValueType::View:
       if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
+      // Atoms without the word in front of them.
+      if (std::find(key.words.begin(), key.words.end(), text) == key.words.end() &&
+          text.find(' ') != std::string_view::npos && parseSelection(text))
+        return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), trf("write 'facing {0}'", text));
       return wordsValue(key, text, std::move(value), false);
+    case ValueType::Remarks:
+      if (auto problem = addRemark(value, text)) return *std::move(problem);
+      return value;
     case ValueType::Styles:
       return stylesValue(key, text, std::move(value));
+    case ValueType::Marks:
+      return values::marksValue(key, text, std::move(value));
+    case ValueType::Places:
+      return values::placesValue(key, text, std::move(value));
   }
   return value;
 }

@@ -3,11 +3,16 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
+#include <vector>
 
 namespace moltact {
 
 /// A colour as on the screen (sRGB), 0 to 1 each.
 using Colour = glm::vec3;
+
+/// Atoms by index, ascending; shared and never changed, so that pictures are compared by its address.
+using AtomList = std::shared_ptr<const std::vector<std::uint32_t>>;
 
 /// Which colours tell elements apart.
 enum class ElementColours : std::uint8_t {

@@ -251,6 +251,18 @@ void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vec
   }
 }
 
+void addTouchedSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres) {
+  if (!scene.touched_now || !scene.look.allSpheres() || !scene.shown.has(ViewPart::Atoms)) return;
+  for (const std::uint32_t a : *scene.touched_now) {
+    if (a >= model.scene.size()) continue;
+    const Ball& b = model.scene[a];
+    // A little before the atom that is there already.
+    spheres.push_back({glm::vec3(scene.camera.toView({b.centre_A})), float(b.radius_A * 1.004),
+                       paintedColour(model.colour[a], scene.theme.touched),
+                       model.wide.empty() ? glm::vec4(0.0f) : model.wide[a]});
+  }
+}
+
 void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs) {
   Maker make(scene, glyphs);
   if (scene.shown.has(ViewPart::Target)) {

@@ -47,6 +47,9 @@ inline constexpr double kWaterBond_A = 0.9572, kWaterAngle_deg = 104.52;
 /// Adds the atoms round the probe that the scene wants as spheres beside another style.
 void addNearSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres);
 
+/// Adds the atoms that are painted without the molecule being drawn again.
+void addTouchedSpheres(const ViewScene& scene, const MoleculeModel& model, std::vector<LooseSphere>& spheres);
+
 /// Adds everything but the haptic shapes. `model` may be null.
 void addGlyphs(const ViewScene& scene, const MoleculeModel* model, Glyphs& glyphs);
 

@@ -68,6 +68,8 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
           .tint = scene.theme.target,
           .tinted = {},
           .look = scene.look,
+          .touched = scene.touched,
+          .annotations = scene.annotations,
           .surface_probe_A = 0.0};
   key.look.spheres_near_A = 0.0;  // drawn with the glyphs
   for (const StyledAtoms& s : scene.look.styles)
@@ -99,6 +101,9 @@ bool MoleculeLayer::draw(const ViewScene& scene, const MoleculeModel* model, con
     for (const auto& part : parts_)
       if (part->what().opacity < 1.0f) drawPart(*part, scene, *model, inside, lighting, options, passes);
   }
+  strokes_.clear();
+  for (const auto& annotations : scene.annotations) addLines(*annotations, scene.camera, scene.theme, strokes_);
+  passes.wires.draw(strokes_, inside, options.line_scale * float(options.samples));
   have_ = true;
   return true;
 }

@@ -1,4 +1,4 @@
-// The molecule of a picture on its background, in its styles, drawn with several samples for each pixel and kept: it is
+// The molecule of a picture on its background, in its styles, with the lines that are drawn into it, drawn with several samples for each pixel and kept: it is
 // drawn again only when the camera or the atoms change, so that moving the probe over a large molecule costs no more than
 // over a small one. Needs a current context.
 #pragma once
@@ -17,7 +17,8 @@ namespace moltact {
 class MoleculeLayer {
  public:
   struct Options {
-    int samples = 1;  ///< along each pixel's edge
+    int samples = 1;          ///< along each pixel's edge
+    float line_scale = 1.0f;  ///< multiplies the widths of lines, in pixels of the finished picture
     bool outlines = true, cull = true;
     friend bool operator==(const Options&, const Options&) = default;
   };
@@ -26,6 +27,7 @@ class MoleculeLayer {
     Resolve& background;
     SphereImpostors& balls;
     MeshPass& meshes;
+    Wireframe& wires;
   };
 
   /// `inside` is the projection of a picture with all its samples. Returns false where the driver refuses the size.
@@ -55,6 +57,8 @@ class MoleculeLayer {
     Colour top{0.0f}, bottom{0.0f}, tint{0.0f};
     std::vector<std::uint32_t> tinted;
     AtomsLook look;
+    AtomList touched;
+    std::vector<std::shared_ptr<const Annotations>> annotations;
     double surface_probe_A = 0.0;  // 0 where no surface is drawn
     bool operator==(const Key&) const = default;
   };
@@ -67,6 +71,7 @@ class MoleculeLayer {
   SphereCull cull_;
   std::vector<std::unique_ptr<StyledPart>> parts_;
   std::vector<LooseSphere> small_;
+  Strokes strokes_;
   Key key_;
   bool have_ = false, redrawn_ = false, faint_ = false;
   std::size_t atoms_drawn_ = 0;

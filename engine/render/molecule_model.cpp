@@ -4,6 +4,13 @@
 #include <cmath>
 
 namespace moltact {
+namespace {
+
+constexpr float kPaint = 0.55f;  // the share of the paint on an atom that was touched
+
+glm::vec3 colourOf8(const Rgb8& c) { return glm::vec3(c[0], c[1], c[2]) / 255.0f; }
+
+}  // namespace
 
 std::optional<std::uint32_t> colouredChain(const Molecule& molecule, const Atom& atom) {
   if (atom.residue == kNoResidue) return std::nullopt;
@@ -30,7 +37,7 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
 
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m)
     : molecule(std::move(m)), scene(molecule->balls()), blocks(scene.balls()) {
-  paint(elements, colour_by, nullptr);
+  paint({});
   occlusion = occlusionField(scene.balls());
   if (!occlusion.empty()) {
     wide.reserve(scene.size());
@@ -40,22 +47,32 @@ MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m)
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
 }
 
-void MoleculeModel::paint(ElementColours wanted, ColourBy by, std::shared_ptr<const Colouring> by_scheme) {
-  elements = wanted;
-  colour_by = by;
-  colouring = std::move(by_scheme);
+void MoleculeModel::paint(AtomPaint with) {
+  paint_used = std::move(with);
+  const AtomPaint& use = paint_used;
   ++painted;
-  const ElementColours used = shownColours(wanted, molecule->atoms.size());
+  const ElementColours used = shownColours(use.elements, molecule->atoms.size());
+  const bool schemed = use.colouring && use.colouring->of_atom.size() == molecule->atoms.size();
+  const auto colourOf = [&](std::size_t i) {
+    if (schemed) {
+      return colourOf8(use.colouring->of_atom[i]);
+    }
+    const Atom& a = molecule->atoms[i];
+    const std::optional<std::uint32_t> chain = use.by == ColourBy::Chain ? colouredChain(*molecule, a) : std::nullopt;
+    return chain ? chainColour(*chain) : elementColour(a.atomic_number, used);
+  };
+  std::vector<glm::vec3> now(molecule->atoms.size());
+  for (std::size_t i = 0; i < now.size(); ++i) now[i] = colourOf(i);
+  if (use.marks)
+    for (const OwnColour& mark : *use.marks)
+      for (const std::uint32_t i : mark.atoms)
+        if (i < now.size()) now[i] = colourOf8(mark.colour);
+  if (use.touched)
+    for (const std::uint32_t i : *use.touched)
+      if (i < now.size()) now[i] = glm::mix(now[i], use.touched_colour, kPaint);
   colour.clear();
-  colour.reserve(molecule->atoms.size());
-  if (colouring && colouring->of_atom.size() == molecule->atoms.size()) {
-    for (const Rgb8& c : colouring->of_atom) colour.push_back(packColour(glm::vec3(c[0], c[1], c[2]) / 255.0f));
-    return;
-  }
-  for (const Atom& a : molecule->atoms) {
-    const std::optional<std::uint32_t> chain = by == ColourBy::Chain ? colouredChain(*molecule, a) : std::nullopt;
-    colour.push_back(packColour(chain ? chainColour(*chain) : elementColour(a.atomic_number, used)));
-  }
+  colour.reserve(now.size());
+  for (const glm::vec3& c : now) colour.push_back(packColour(c));
 }
 
 std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,
@@ -69,6 +86,11 @@ std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, do
   std::vector<std::uint32_t> atoms;
   for (std::size_t k = 0; k < std::min(most, found.size()); ++k) atoms.push_back(found[k].second);
   return atoms;
+}
+
+std::uint32_t paintedColour(std::uint32_t packed, const Colour& paint) {
+  const glm::vec3 own = glm::vec3(packed & 255u, packed >> 8 & 255u, packed >> 16 & 255u) / 255.0f;
+  return (packColour(glm::mix(own, paint, kPaint)) & 0x00FFFFFFu) | (packed & 0xFF000000u);
 }
 
 std::uint32_t packColour(const glm::vec3& colour, float alpha) {

@@ -27,16 +27,25 @@ ColourBy usualColourBy(const Molecule& molecule);
 /// makes itself, and for a name that is not known.
 std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::string_view name);
 
+/// What the atoms' colours come from, the later over the earlier.
+struct AtomPaint {
+  ElementColours elements = ElementColours::Customary;
+  ColourBy by = ColourBy::Element;
+  std::shared_ptr<const Colouring> colouring;           ///< of this molecule; null: as `by` says
+  std::shared_ptr<const std::vector<OwnColour>> marks;  ///< parts in colours of their own; null: none
+  AtomList touched;                                     ///< lightly painted; null: none
+  Colour touched_colour{0.0f};
+  friend bool operator==(const AtomPaint&, const AtomPaint&) = default;
+};
+
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
   /// Colours the atoms.
-  void paint(ElementColours elements, ColourBy by, std::shared_ptr<const Colouring> by_scheme);
+  void paint(AtomPaint with);
 
   std::shared_ptr<const Molecule> molecule;
-  ElementColours elements = ElementColours::Customary;
-  ColourBy colour_by = ColourBy::Element;
-  std::shared_ptr<const Colouring> colouring;  ///< stands before both where it is of this molecule
-  unsigned painted = 0;                        ///< grows with every painting
+  AtomPaint paint_used;
+  unsigned painted = 0;  ///< grows with every painting
   BallScene scene;
   BallBlocks blocks;                  ///< of the scene's balls
   std::vector<std::uint32_t> colour;  ///< bytes red, green, blue, 255 from the lowest
@@ -49,6 +58,9 @@ struct MoleculeModel {
 /// Up to `most` atoms whose inflated spheres come nearest to a place, nearest first, none farther than `gap_A` from it.
 std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,
                                         std::size_t most);
+
+/// A packed colour with the light paint of what was touched.
+std::uint32_t paintedColour(std::uint32_t packed, const Colour& paint);
 
 /// A colour as bytes red, green, blue, alpha from the lowest.
 std::uint32_t packColour(const glm::vec3& colour, float alpha = 1.0f);

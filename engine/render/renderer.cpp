@@ -187,8 +187,10 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   const Projection inside(scene.camera, width_px * samples, height_px * samples, projection.depth);
   const Lighting lighting =
       lightingOf(scene, model.get(), model && !model->occlusion.empty() ? &occlusion : nullptr, projection.depth);
-  if (!layer.draw(scene, model.get(), inside, lighting, {samples, options.outlines, options.occlusion_cull},
-                  {resolve, balls, meshes}))
+  // A large picture is looked at whole: its lines grow with it.
+  const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f);
+  if (!layer.draw(scene, model.get(), inside, lighting, {samples, line_scale, options.outlines, options.occlusion_cull},
+                  {resolve, balls, meshes, wires}))
     return false;
   count.atoms_redrawn = layer.redrawn();
   count.atoms_drawn = layer.atomsDrawn();
@@ -212,10 +214,9 @@ bool Renderer::Impl::drawScene(const ViewScene& scene, int width_px, int height_
   dots.clear();
   near.clear();
   if (model) addNearSpheres(scene, *model, near);
+  if (model) addTouchedSpheres(scene, *model, near);
   addGlyphs(scene, model.get(), glyphs);
   if (model) addHapticShapes(scene, *model, glyphs.strokes, dots);
-  // A large picture is looked at whole: its lines grow with it.
-  const float line_scale = options.line_scale * std::max(1.0f, float(height_px) / 800.0f);
   PixelBoxBuilder around(projection);
   glyphs.addTo(around);
   for (const auto* spheres : {&dots, &near})
@@ -295,9 +296,15 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
         scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
     if (p.model) p.occlusion.upload(p.model->occlusion);
   }
-  if (p.model && (p.model->elements != scene.elements || p.model->colour_by != scene.colour_by ||
-                  p.model->colouring != scene.look.colouring))
-    p.model->paint(scene.elements, scene.colour_by, scene.look.colouring);
+  if (p.model) {
+    AtomPaint paint{.elements = scene.elements,
+                    .by = scene.colour_by,
+                    .colouring = scene.look.colouring,
+                    .marks = scene.look.marks,
+                    .touched = scene.touched,
+                    .touched_colour = scene.theme.touched};
+    if (paint != p.model->paint_used) p.model->paint(std::move(paint));
+  }
   p.count.atoms = p.model ? p.model->scene.size() : 0;
   if (scene.blank) {
     if (!p.picture.resize(width_px, height_px)) return tooLarge();

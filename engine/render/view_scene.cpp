@@ -27,6 +27,9 @@ Theme darkTheme() {
           .force = hex(0x3DDC97),
           .strong = hex(0xFFE45C),
           .strongest = hex(0xFF4D4D),
+          .bond = hex(0x7FB2FF),
+          .measure = hex(0xF4F1FF),
+          .touched = hex(0xB58CFF),
           .target = hex(0xFFB000),
           .wire_strength = 1.0f,
           .fade = 0.6f};
@@ -43,7 +46,10 @@ Theme lightTheme() {
           .force = hex(0x0B8457),
           .strong = hex(0xC9A400),
           .strongest = hex(0xD11F2D),
-          .target = hex(0xE07A00),
+          .bond = hex(0x1B5FB0),
+          .measure = hex(0xF4F1FF),
+          .touched = hex(0x8A5CE0),
+          .target = hex(0xFF5A00),
           .wire_strength = 1.25f,
           .fade = 0.42f};
 }

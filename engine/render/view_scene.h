@@ -12,6 +12,7 @@
 #include "engine/molecule/draw_style.h"
 #include "engine/molecule/molecule.h"
 #include "engine/molecule/view_part.h"
+#include "engine/render/annotations.h"
 #include "engine/render/atom_style.h"
 #include "engine/render/camera.h"
 #include "engine/structure/colouring.h"
@@ -28,6 +29,9 @@ struct Theme {
   Colour in_use;   ///< the feature the SCP lies on
   Colour hip, scp, probe;
   Colour force, strong, strongest;  ///< of the force: none, half and all of it
+  Colour bond;                      ///< hydrogen bonds
+  Colour measure;                   ///< lengths and angles
+  Colour touched;                   ///< what a hand has touched, and its way
   Colour target;                    ///< task targets and highlighted atoms
   float wire_strength = 1.0f;       ///< wires need more weight on a light ground (default 1)
   float fade = 0.6f;                ///< how much of the background the farthest atom takes on, 0 to 1 (default 0.6)
@@ -45,9 +49,6 @@ struct TargetMarker {
   bool reached = false;  ///< drawn in the colour of success
   friend bool operator==(const TargetMarker&, const TargetMarker&) = default;
 };
-
-/// Atoms by index, ascending; shared and never changed, so that pictures are compared by its address.
-using AtomList = std::shared_ptr<const std::vector<std::uint32_t>>;
 
 /// How some atoms are drawn.
 struct StyledAtoms {
@@ -71,7 +72,8 @@ struct AtomsLook {
   double spheres_near_A = 0.0;      ///< beside other styles: atoms whose surface is so near to the probe's are drawn as
                                     ///< spheres too (default 0: none)
   std::optional<CutPlane> cut;
-  std::shared_ptr<const Colouring> colouring;  ///< null: as `colour_by` of the scene says
+  std::shared_ptr<const std::vector<OwnColour>> marks;  ///< parts in colours of their own, over all others; null: none
+  std::shared_ptr<const Colouring> colouring;           ///< null: as `colour_by` of the scene says
 
   /// Whether all that is felt is seen as it is felt: every atom a sphere.
   bool allSpheres() const {
@@ -106,6 +108,10 @@ struct ViewScene {
 
   std::shared_ptr<const SphereMesh>
       facets;  ///< what the method in use feels for a ball of radius 1; null: no triangles
+
+  std::vector<std::shared_ptr<const Annotations>> annotations;  ///< written into the picture; none is null
+  AtomList touched_now = nullptr;  ///< lightly painted too, without the molecule being drawn again; null: none
+  AtomList touched = nullptr;      ///< atoms that are lightly painted; null: none
 
   std::vector<std::uint32_t> highlighted;  ///< atoms marked in the target's colour; out-of-range ones are ignored
   std::vector<TargetMarker> targets;

@@ -121,6 +121,11 @@ fs::path attemptsFolder() {
   return data.empty() ? fs::path() : data / "attempts";
 }
 
+std::size_t sittingsOf(const Attempt& attempt) {
+  return 1 + std::size_t(std::count_if(attempt.events.begin(), attempt.events.end(),
+                                       [](const AttemptEvent& e) { return std::holds_alternative<Resumed>(e.what); }));
+}
+
 double Attempt::end_s() const {
   double end = 0.0;
   for (const AttemptEvent& e : events) end = std::max(end, e.t_s);
@@ -173,7 +178,7 @@ Expected<Attempt> readAttempt(const fs::path& file, ReadDepth depth) {
   return out;
 }
 
-Expected<std::vector<fs::path>> attemptFiles(const fs::path& named) {
+Expected<std::vector<fs::path>> attemptFiles(const fs::path& named, bool deep) {
   std::error_code error;
   if (!fs::is_directory(named, error)) {
     if (!fs::exists(named, error))
@@ -181,11 +186,13 @@ Expected<std::vector<fs::path>> attemptFiles(const fs::path& named) {
     return std::vector<fs::path>{named};
   }
   std::vector<fs::path> out;
-  fs::directory_iterator it(named, error);
+  // Links to folders are not followed: they may lead back.
+  fs::recursive_directory_iterator it(named, fs::directory_options::skip_permission_denied, error);
   if (error) return Problem{named.string(), 0, 0, tr("the folder cannot be read"), tr("check its permissions")};
-  for (; it != fs::directory_iterator(); it.increment(error)) {
+  for (; it != fs::recursive_directory_iterator(); it.increment(error)) {
     if (error) break;
     std::error_code ignored;
+    if (!deep || it.depth() >= kDeepestAttempts) it.disable_recursion_pending();
     if (it->path().extension() == ".jsonl" && it->is_regular_file(ignored)) out.push_back(it->path());
   }
   std::sort(out.begin(), out.end());

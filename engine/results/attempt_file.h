@@ -23,6 +23,9 @@ struct Attempt {
   double end_s() const;
 };
 
+/// How often it was worked at: 1, and once more each time that it was taken up again.
+std::size_t sittingsOf(const Attempt& attempt);
+
 enum class ReadDepth {
   All,
   NoTrace,  ///< without the hand's way and the views, which are most of the file
@@ -31,8 +34,11 @@ enum class ReadDepth {
 /// A Problem where the file cannot be read or holds no attempt; damaged lines after the first are skipped and reported.
 Expected<Attempt> readAttempt(const std::filesystem::path& file, ReadDepth depth = ReadDepth::All);
 
-/// The .jsonl files in a folder, by name; those that are named themselves. A Problem for what is not there.
-Expected<std::vector<std::filesystem::path>> attemptFiles(const std::filesystem::path& file_or_folder);
+/// The .jsonl files in a folder, by name, and with `deep` in the folders within it, kDeepestAttempts deep; those that are
+/// named themselves. A Problem for what is not there.
+Expected<std::vector<std::filesystem::path>> attemptFiles(const std::filesystem::path& file_or_folder,
+                                                          bool deep = false);
+inline constexpr int kDeepestAttempts = 8;
 
 /// Ends every attempt in the folder with a whole line again: a last line that was cut off goes, or gets its line end
 /// where it was whole but for that; a file that holds no whole line goes. Attempts that a running program writes, and

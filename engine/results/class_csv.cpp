@@ -1,8 +1,10 @@
 #include "engine/results/class_csv.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "engine/core/printable.h"
@@ -96,6 +98,19 @@ std::string answerText(const QuestionOutline& question, const AnswerScore& answe
   return out;
 }
 
+// Names and units of what anybody's task measured, in the order in which they are met first.
+std::vector<std::pair<std::string, std::string>> figuresOf(const LessonSummary& lesson, const std::string& step,
+                                                           std::size_t task) {
+  std::vector<std::pair<std::string, std::string>> out;
+  for (const PersonScore& p : lesson.people) {
+    const auto found = p.tasks.find({step, task});
+    if (found == p.tasks.end()) continue;
+    for (const LoggedFigure& f : found->second.figures)
+      if (std::find(out.begin(), out.end(), std::pair(f.name, f.unit)) == out.end()) out.emplace_back(f.name, f.unit);
+  }
+  return out;
+}
+
 const char* yesOrNo(bool yes) { return yes ? trc("cell", "yes") : trc("cell", "no"); }
 
 void head(std::string& out, const ClassSummary& summary) {
@@ -130,15 +145,20 @@ void head(std::string& out, const ClassSummary& summary) {
     row.text(trc("column", name));
   for (const LessonSummary& lesson : summary.lessons)
     for (const StepOutline& step : lesson.lesson.steps) {
-      const std::string place = lesson.lesson.file + "#" + step.id;
+      const std::string place = lesson.name + "#" + step.id;
       row.text(trcf("column", "{0} minutes", place));
       for (const QuestionOutline& q : step.questions) {
         row.text(trcf("column", "{0} first answer", place + "/" + q.id));
         row.text(trcf("column", "{0} tries", place + "/" + q.id));
+        row.text(trcf("column", "{0} solved", place + "/" + q.id));
       }
       for (std::size_t t = 0; t < step.tasks.size(); ++t) {
+        row.text(trcf("column", "{0}/task {1} solved", place, t + 1));
         row.text(trcf("column", "{0}/task {1} s", place, t + 1));
         row.text(trcf("column", "{0}/task {1} input", place, t + 1));
+        for (const auto& [name, unit] : figuresOf(lesson, step.id, t))
+          row.text(trcf("column", "{0}/task {1} {2}", place, t + 1,
+                        tr(name.c_str()) + (unit.empty() ? std::string() : " " + unit)));
       }
     }
 }
@@ -194,19 +214,75 @@ void person(std::string& out, const ClassSummary& summary, const LessonSummary& 
           row.text(answerText(q, answer->second)), row.whole(std::size_t(answer->second.tries));
         else
           row.empty(), row.empty();
+        if (given && q.kind == AnswerKind::Marked)
+          row.text(yesOrNo(answer->second.right));
+        else
+          row.empty();
       }
       for (std::size_t t = 0; t < step.tasks.size(); ++t) {
         const auto task = p.tasks.find({step.id, t});
-        const bool done = mine && task != p.tasks.end() && task->second.done;
+        const bool begun = mine && task != p.tasks.end(), done = begun && task->second.done;
+        if (begun)
+          row.text(yesOrNo(done));
+        else
+          row.empty();
         if (done)
           row.value(task->second.took_s, 1), row.text(shownName(task->second.by));
         else
           row.empty(), row.empty();
+        for (const auto& [name, unit] : figuresOf(lesson, step.id, t)) {
+          const LoggedFigure* found = nullptr;
+          if (done)
+            for (const LoggedFigure& f : task->second.figures)
+              if (f.name == name && f.unit == unit) found = &f;
+          if (found)
+            row.value(found->value, 3);
+          else
+            row.empty();
+        }
       }
     }
 }
 
 }  // namespace
+
+std::string gradebookCsv(const ClassSummary& summary) {
+  std::string out = "\xEF\xBB\xBF";
+  {
+    Row row(out);
+    row.text(trc("column", "student"));
+    for (const LessonSummary& lesson : summary.lessons) {
+      const bool alone = std::count_if(summary.lessons.begin(), summary.lessons.end(), [&](const LessonSummary& l) {
+                           return l.lesson.title == lesson.lesson.title;
+                         }) == 1;
+      const std::string title = alone ? lesson.lesson.title : lesson.lesson.title + " (" + lesson.name + ")";
+      row.text(trcf("column", "{0}: done, of 100", title));
+      row.text(trcf("column", "{0}: right at first try, of 100", title));
+    }
+  }
+  for (const std::string& name : summary.people) {
+    const auto scoreIn = [&](const LessonSummary& lesson) -> const PersonScore* {
+      for (const PersonScore& p : lesson.people)
+        if (p.person == name && p.named) return &p;
+      return nullptr;
+    };
+    if (std::none_of(summary.lessons.begin(), summary.lessons.end(), scoreIn)) continue;
+    Row row(out);
+    row.text(name);
+    for (const LessonSummary& lesson : summary.lessons) {
+      const PersonScore* p = scoreIn(lesson);
+      if (p)
+        row.value(100.0 * p->share(), 1);
+      else
+        row.empty();
+      if (p && p->answered() > 0)
+        row.value(100.0 * double(p->firstRight()) / double(p->answered()), 1);
+      else
+        row.empty();
+    }
+  }
+  return out;
+}
 
 std::string classCsv(const ClassSummary& summary) {
   std::string out = "\xEF\xBB\xBF";

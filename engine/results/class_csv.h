@@ -13,4 +13,8 @@ namespace moltact {
 /// invisible signs, also after a semicolon, a tab or a line end within. Control characters are replaced.
 std::string classCsv(const ClassSummary& summary);
 
+/// Marks for a learning platform, in the same form: a row for each named person, and of each lesson what was done and
+/// how many of the answers were right at the first try, each of 100; empty where nothing was begun.
+std::string gradebookCsv(const ClassSummary& summary);
+
 }  // namespace moltact

@@ -6,6 +6,8 @@
 #include <set>
 #include <utility>
 
+#include "engine/core/content_hash.h"
+#include "engine/core/random.h"
 #include "engine/language/catalogue.h"
 
 namespace moltact {
@@ -25,6 +27,16 @@ std::string nameless(const std::string& began) {
   std::snprintf(time, sizeof time, "%02d:%02d", hour, minute);
   // Translators: a day, a month and a time of day.
   return trf("(no name, {0} {1} {2})", day, trc("month", kMonths[std::size_t(month - 1)]), time);
+}
+
+// "S-4KQ7M"; longer where another name has the same one. Without letters and digits that are taken for each other.
+std::string codeOf(const std::string& word, const std::string& name, const std::set<std::string>& taken) {
+  constexpr std::string_view kSigns = "23456789ABCDEFGHJKLMNPQRSTUVWXYZ";
+  std::uint64_t state = hash64(word + '\n' + name);
+  std::string code = "S-";
+  do code += kSigns[nextRandom(state) % kSigns.size()];
+  while (code.size() < 7 || taken.contains(code));
+  return code;
 }
 
 // Adds one attempt's events to what its person has done.
@@ -168,7 +180,32 @@ std::optional<InputWay> PersonScore::way() const {
   return static_cast<InputWay>(most - shares.begin());
 }
 
-ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
+std::optional<double> discrimination(const LessonSummary& lesson, const std::string& step,
+                                     const std::string& question) {
+  constexpr std::size_t kFewest = 5;
+  std::vector<std::pair<double, double>> pairs;  // of each person: this answer, the share of the others
+  for (const PersonScore& p : lesson.people) {
+    const auto item = p.answers.find({step, question});
+    if (item == p.answers.end() || item->second.kind != AnswerKind::Marked) continue;
+    const std::size_t others = p.answered() - 1;
+    if (others == 0) continue;
+    pairs.emplace_back(item->second.first_right ? 1.0 : 0.0,
+                       double(p.firstRight() - item->second.first_right) / double(others));
+  }
+  if (pairs.size() < kFewest) return std::nullopt;
+  double x = 0.0, y = 0.0, xx = 0.0, yy = 0.0, xy = 0.0;
+  for (const auto& [a, b] : pairs) x += a / double(pairs.size()), y += b / double(pairs.size());
+  for (const auto& [a, b] : pairs) {
+    xx += (a - x) * (a - x);
+    yy += (b - y) * (b - y);
+    xy += (a - x) * (b - y);
+  }
+  if (!(xx > 1e-12) || !(yy > 1e-12)) return std::nullopt;
+  return xy / std::sqrt(xx * yy);
+}
+
+ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& shown_as) {
+  const bool anonymous = shown_as.anonymous || !shown_as.code_word.empty();
   std::stable_sort(attempts.begin(), attempts.end(),
                    [](const Attempt& a, const Attempt& b) { return a.header.began < b.header.began; });
   ClassSummary out;
@@ -177,13 +214,15 @@ ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
   // Codes go by who began first, not by name.
   std::map<std::string, std::string> codes;
   std::vector<std::string> names, nobodies;
+  std::set<std::string> taken;
   const auto personOf = [&](const Attempt& a, std::size_t index) {
     const bool named = !a.header.student.empty();
     const std::string key = named ? "n" + a.header.student : "f" + std::to_string(index);
     const auto known = codes.find(key);
     if (known != codes.end()) return known->second;
-    char code[16];
-    std::snprintf(code, sizeof code, "S%02zu", codes.size() + 1);
+    std::string code = "S" + std::string(codes.size() < 9 ? "0" : "") + std::to_string(codes.size() + 1);
+    if (!shown_as.code_word.empty()) code = codeOf(shown_as.code_word, key, taken);
+    taken.insert(code);
     std::string shown = anonymous ? code : named ? a.header.student : nameless(a.header.began);
     // Two without a name in the same minute are two.
     for (int more = 2; !named && !anonymous && std::find(nobodies.begin(), nobodies.end(), shown) != nobodies.end();
@@ -193,14 +232,19 @@ ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous) {
     return codes[key] = shown;
   };
 
-  std::map<std::string, std::vector<const Attempt*>> by_lesson;
+  std::map<std::pair<std::string, std::string>, std::vector<const Attempt*>> by_lesson;
   std::map<const Attempt*, std::string> person;
   for (std::size_t k = 0; k < attempts.size(); ++k) {
-    by_lesson[attempts[k].header.lesson.file].push_back(&attempts[k]);
+    by_lesson[{attempts[k].header.lesson.file, attempts[k].header.lesson.title}].push_back(&attempts[k]);
     person[&attempts[k]] = personOf(attempts[k], k);
   }
-  for (const auto& [file, of_lesson] : by_lesson) {
-    LessonSummary lesson{of_lesson.back()->header.lesson, distinctHashes(of_lesson), {}};
+  for (const auto& [of, of_lesson] : by_lesson) {
+    const auto same_file = std::count_if(by_lesson.begin(), by_lesson.end(),
+                                         [&, file = of.first](const auto& l) { return l.first.first == file; });
+    LessonSummary lesson{same_file > 1 ? of.first + " (" + of.second + ")" : of.first,
+                         of_lesson.back()->header.lesson,
+                         distinctHashes(of_lesson),
+                         {}};
     std::map<std::string, PersonScore> people;
     for (const Attempt* a : of_lesson) {
       PersonScore& p = people[person[a]];

@@ -66,6 +66,8 @@ struct PersonScore {
 };
 
 struct LessonSummary {
+  /// The lesson's file; with its title where another of the class has the same file name.
+  std::string name;
   LessonOutline lesson;             ///< of the newest attempt
   std::size_t versions = 1;         ///< how many versions of the lesson's file the attempts were made with
   std::vector<PersonScore> people;  ///< by name
@@ -77,9 +79,21 @@ struct ClassSummary {
   std::size_t attempts = 0;
 };
 
-/// Attempts in any order. With `anonymous`, names become "S01", "S02" …, in an order that tells nothing about the
-/// names.
-ClassSummary summarise(std::vector<Attempt> attempts, bool anonymous = false);
+struct NamesShown {
+  /// Names become "S01", "S02" …, in an order that tells nothing about the names.
+  bool anonymous = false;
+  /// With it they become codes that follow from it and the name, "S-4KQ7M": the same in every report with that word.
+  /// Who knows the word can try names.
+  std::string code_word = {};
+};
+
+/// Attempts in any order. Lessons are told apart by file name and title.
+ClassSummary summarise(std::vector<Attempt> attempts, const NamesShown& names = {});
+
+/// How well a question tells those who do well in the rest of the lesson from those who do not: the correlation of its
+/// first answers with the share of the person's other marked questions that were right at first (point-biserial). No
+/// value where fewer than five people answered it and others, or all did alike.
+std::optional<double> discrimination(const LessonSummary& lesson, const std::string& step, const std::string& question);
 
 /// "24 students, 2 lessons, 51 attempts".
 std::string summaryText(const ClassSummary& summary);

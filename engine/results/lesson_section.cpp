@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -145,10 +146,6 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
                                   {tr("Time")},
                                   {tr("Right at<br>first try")},
                                   {tr("Hints")},
-                                  {trf("Touch,<br>{0}", unitText(Dimension::Time))},
-                                  {trf("Peak,<br>{0}", unitText(Dimension::Force))},
-                                  {trf("Mean,<br>{0}", unitText(Dimension::Force))},
-                                  {trf("Path,<br>{0}", unitText(Dimension::Length))},
                                   {tr("Input"), true}});
   for (const PersonScore& p : lesson.people)
     out +=
@@ -161,12 +158,25 @@ void peopleTable(std::string& out, const LessonSummary& lesson) {
         (p.finished() ? std::string("<span class=\"tick\">✓</span> ") + tr("finished") : escaped(p.last_step)) +
         "</td><td>" + duration(p.time_s) + "</td><td>" +
         (p.answered() == 0 ? "–" : std::to_string(p.firstRight()) + " / " + std::to_string(p.answered())) +
-        "</td><td>" + std::to_string(p.hints) + "</td><td>" + quantityNumber(p.touch_s, Dimension::Time, decimals(0)) +
-        "</td><td>" + quantityNumber(p.peak_N, Dimension::Force, decimals(2)) + "</td><td>" +
-        quantityNumber(p.mean_N, Dimension::Force, decimals(2)) + "</td><td>" +
-        quantityNumber(p.path_A, Dimension::Length, decimals(0)) + "</td><td class=\"left\">" + escaped(waysText(p)) +
+        "</td><td>" + std::to_string(p.hints) + "</td><td class=\"left\">" + escaped(waysText(p)) +
         (p.gives_force ? "<br><span class=\"quiet small nowrap\">" + escaped(tr(p.device.c_str())) + "</span>" : "") +
         "</td></tr>";
+  out += "</tbody></table></div>";
+}
+
+// How hard and how far each touched: no mark, and for comparing ways of touching.
+void forResearch(std::string& out, const LessonSummary& lesson) {
+  out += section(tr("For research: forces and ways"), {{tr("Student")},
+                                                       {trf("Touch,<br>{0}", unitText(Dimension::Time))},
+                                                       {trf("Peak,<br>{0}", unitText(Dimension::Force))},
+                                                       {trf("Mean,<br>{0}", unitText(Dimension::Force))},
+                                                       {trf("Path,<br>{0}", unitText(Dimension::Length))}});
+  for (const PersonScore& p : lesson.people)
+    out += "<tr><td class=\"name\">" + escaped(p.person) + "</td><td>" +
+           quantityNumber(p.touch_s, Dimension::Time, decimals(0)) + "</td><td>" +
+           quantityNumber(p.peak_N, Dimension::Force, decimals(2)) + "</td><td>" +
+           quantityNumber(p.mean_N, Dimension::Force, decimals(2)) + "</td><td>" +
+           quantityNumber(p.path_A, Dimension::Length, decimals(0)) + "</td></tr>";
   out += "</tbody></table></div>";
 }
 
@@ -221,6 +231,8 @@ void question(std::string& out, const LessonSummary& lesson, const StepOutline& 
     if (ways[w].second)
       by += (by.empty() ? "" : ", ") + trf("{0} {1} of {2}", shownName(InputWay(w)), ways[w].first, ways[w].second);
   if (marked && !by.empty()) out += " " + trf("Right at first try by input: {0}.", by);
+  if (const auto r = marked ? discrimination(lesson, step.id, q.id) : std::nullopt)
+    out += " " + trf("Who was right here was right elsewhere too: r = {0}.", numberText(*r, decimals(2)));
   out += "</div><div class=\"question\">";
   const auto row = [&](bool is_right, const std::string& text, std::size_t n) {
     const double share = answered ? double(n) / double(answered) : 0.0;
@@ -421,6 +433,7 @@ std::string lessonSection(const LessonSummary& lesson, bool first) {
   forces(out, lesson);
   tasks(out, lesson);
   predictions(out, lesson);
+  forResearch(out, lesson);
   return out;
 }
 

@@ -1,5 +1,5 @@
-// Writes the molecules that are built from published geometry into a folder, and what is cut out of the 2hhb.pdb that
-// lies there: moltact_generate_molecules FOLDER
+// Writes the molecules that are built from published geometry into a folder, and what is cut out of the 2hhb.pdb
+// and 1hpv.pdb that lie there: moltact_generate_molecules FOLDER
 #include <cstdio>
 #include <fstream>
 #include <sstream>
@@ -13,13 +13,16 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "usage: moltact_generate_molecules FOLDER\n");
     return 2;
   }
-  std::ifstream in(std::string(argv[1]) + "/2hhb.pdb", std::ios::binary);
-  std::ostringstream entry;
-  entry << in.rdbuf();
-  if (entry.str().empty()) {
-    std::fprintf(stderr, "%s/2hhb.pdb cannot be read; make it first with from_packages.sh\n", argv[1]);
-    return 1;
-  }
+  const auto contentOf = [&](const char* name) {
+    std::ifstream in(std::string(argv[1]) + '/' + name, std::ios::binary);
+    std::ostringstream text;
+    text << in.rdbuf();
+    if (text.str().empty())
+      std::fprintf(stderr, "%s/%s cannot be read; make it first with from_packages.sh\n", argv[1], name);
+    return text.str();
+  };
+  const std::string haemoglobin = contentOf("2hhb.pdb"), protease = contentOf("1hpv.pdb");
+  if (haemoglobin.empty() || protease.empty()) return 1;
   const std::pair<const char*, std::string> made[] = {
       {"argon.pdb", makeArgon(1)},
       {"argon-pair.pdb", makeArgon(2)},
@@ -36,8 +39,10 @@ int main(int argc, char** argv) {
       {"helix-pair.pdb", makeHelixPair()},
       {"beta-strand.pdb", makeBetaStrand()},
       {"b-dna.pdb", makeBDna()},
-      {"haem-alpha.pdb", makeHaemPocket(entry.str(), 'A')},
-      {"haem-beta.pdb", makeHaemPocket(entry.str(), 'B')},
+      {"haem-alpha.pdb", makeHaemPocket(haemoglobin, 'A')},
+      {"haem-beta.pdb", makeHaemPocket(haemoglobin, 'B')},
+      {"1hpv-empty.pdb", makeEmptyProtease(protease)},
+      {"amprenavir.pdb", makeAmprenavir(protease)},
   };
   for (const auto& [name, text] : made) {
     const std::string path = std::string(argv[1]) + '/' + name;

@@ -40,5 +40,8 @@ std::string makeAlaninePair();
 std::string makePhenylalaninePair();
 /// From the text of PDB entry 2HHB: chain 'A' (alpha) or 'B' (beta). Throws where an atom is missing.
 std::string makeHaemPocket(const std::string& entry, char chain);
+/// From the text of PDB entry 1HPV: the protein alone, and its inhibitor alone.
+std::string makeEmptyProtease(const std::string& entry);
+std::string makeAmprenavir(const std::string& entry);
 
 }  // namespace moltact::generator

@@ -52,10 +52,28 @@ TEST_CASE("straight-and-kinked-fats.md is finished with the mouse alone, and wit
   walk("straight-and-kinked-fats.md", LessonHand::By::Mouse);
   walk("straight-and-kinked-fats.md", LessonHand::By::Keyboard);
 }
-
-}  // namespace moltact
-
+TEST_CASE("a-drug-in-its-tunnel.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("a-drug-in-its-tunnel.md", LessonHand::By::Mouse);
+  walk("a-drug-in-its-tunnel.md", LessonHand::By::Keyboard);
+}
 TEST_CASE("a-hole-in-the-membrane.md is finished with the mouse alone, and with the keyboard alone") {
   walk("a-hole-in-the-membrane.md", LessonHand::By::Mouse);
   walk("a-hole-in-the-membrane.md", LessonHand::By::Keyboard);
 }
+
+TEST_CASE("a-protein-reads-dna.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("a-protein-reads-dna.md", LessonHand::By::Mouse);
+  walk("a-protein-reads-dna.md", LessonHand::By::Keyboard);
+}
+
+TEST_CASE("an-enzymes-door.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("an-enzymes-door.md", LessonHand::By::Mouse);
+  walk("an-enzymes-door.md", LessonHand::By::Keyboard);
+}
+
+TEST_CASE("a-virus-in-the-hand.md is finished with the mouse alone, and with the keyboard alone") {
+  walk("a-virus-in-the-hand.md", LessonHand::By::Mouse);
+  walk("a-virus-in-the-hand.md", LessonHand::By::Keyboard);
+}
+
+}  // namespace moltact

@@ -153,9 +153,17 @@ TEST_CASE("a lesson with every kind of task and question is finished with the ke
   d->letGo("Space");
   d->frames(3);
   CHECK_FALSE(d->shows("view/dark"));
+  // In the light the way is shown that the probe took, before the look and after it, to where it was let go.
+  const auto& trail = d->app().extensions().touch_traces.trail();
+  REQUIRE(trail);
+  double length_A = 0.0;
+  for (const std::vector<PointA>& piece : trail->trail)
+    for (std::size_t k = 1; k < piece.size(); ++k) length_A += glm::distance(piece[k].A, piece[k - 1].A);
+  CHECK(length_A > 2.0);
 
   // A curve by the arrows, which then lead the probe again.
   goOn(*d, "predict");
+  CHECK_FALSE(d->app().extensions().touch_traces.trail());
   const PointA hand = d->app().scene.controls.lead();
   for (int k = 0; k < 10; ++k) d->tap("Up");
   d->hold("Right");

@@ -40,10 +40,37 @@ TEST_CASE("render ends with 1 for a missing molecule and 2 for wrong usage, and 
   const std::string benzene = "'" + kMolecules + "benzene.pdb' ";
   CHECK(run("no-such-file.pdb") == 1);
   CHECK_FALSE(std::filesystem::exists(kOut));
-  for (const char* wrong : {"--size 5x", "--size 99999x2", "--hip 1,2", "--hip nan,0,0", "--show conez", "--probe -1",
-                            "--method magic", "--zoom 0"}) {
+  for (const char* wrong :
+       {"--size 5x", "--size 99999x2", "--hip 1,2", "--hip nan,0,0", "--show conez", "--probe -1", "--method magic",
+        "--zoom 0", "--label residues", "--label 'chain for chain Q'", "--mark orange", "--distance 'atom 1'",
+        "--angle 'atom 1 - atom 2'", "--arrow '\"x\"'", "--hydrogen-bonds 'ligand XYZ'"}) {
     CAPTURE(wrong);
     CHECK(run(benzene + wrong) == 2);
     CHECK_FALSE(std::filesystem::exists(kOut));
   }
+}
+
+TEST_CASE(
+    "each key of a scene that names, marks or measures is an option of render and changes the picture of benzene") {
+  const std::string benzene = "'" + kMolecules + "benzene.pdb' --size 320x240 ";
+  REQUIRE(run(benzene) == 0);
+  const auto bare = readPng(kOut);
+  REQUIRE(bool(bare));
+  for (const char* option :
+       {"--label 'atom for element C'", "--label '\"ring\" for element C'", "--arrow '\"one hydrogen\" for atom 6'",
+        "--mark 'teal for atom 0'", "--distance 'atom 0 - atom 3'", "--angle 'atom 0 - atom 1 - atom 2'"}) {
+    CAPTURE(option);
+    REQUIRE(run(benzene + option) == 0);
+    const auto with = readPng(kOut);
+    REQUIRE(bool(with));
+    CHECK(with->rgb != bare->rgb);
+  }
+  REQUIRE(run("'" + kMolecules + "1ubq.pdb' --size 320x240 --style cartoon") == 0);
+  const auto alone = readPng(kOut);
+  REQUIRE(run("'" + kMolecules + "1ubq.pdb' --size 320x240 --style cartoon --hydrogen-bonds backbone") == 0);
+  const auto bonds = readPng(kOut);
+  REQUIRE(bool(alone));
+  REQUIRE(bool(bonds));
+  CHECK(alone->rgb != bonds->rgb);
+  std::filesystem::remove(kOut);
 }

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "tests/lesson/room_for_a_ball.h"
-#include "tests/lesson/shipped_lesson.h"
+#include "tests/lesson/shipped_hand.h"
 
 using namespace moltact;
 using namespace moltact::test;
@@ -187,4 +187,16 @@ TEST_CASE("balls of the room that a molecule takes up in its crystal: glucose 3.
   CHECK(radiusOfVolume_A(1449.3, 1.5) == doctest::Approx(7.3).epsilon(0.015));
   CHECK(radiusOfVolume_A(1449.3, 1.4) == doctest::Approx(7.3).epsilon(0.02));
   CHECK(1449.3 / 180.16 == doctest::Approx(8.0).epsilon(0.01));
+}
+
+TEST_CASE("the eyelet is passed by a hand that slides down from the ring, by none that jabs or stays on the ring") {
+  const Lesson lesson = shippedLesson(kLesson);
+  const ShippedScene porin("2por");
+  const TaskSpec& spec = taskOf(lesson, "the-largest-ball-that-passes", "cross");
+  const std::vector<std::string> down{"residue 26 and name NH1", "residue 46 and name NZ"};
+  const Vec3 out(0, 0, 1);
+  CHECK(passes(spec, porin, down, out, false));
+  CHECK_FALSE(passes(spec, porin, down, out, true));
+  CHECK_FALSE(passes(spec, porin, {down[0]}, out, false));
+  CHECK_FALSE(passes(spec, porin, {down[1]}, out, false));
 }

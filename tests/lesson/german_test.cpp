@@ -50,7 +50,10 @@ TEST_CASE("each kind of task begins with another sentence in German than in Engl
       {"trace", {{"trace", "crease"}, {"of", "all"}}},
       {"find", {{"find", "ligand"}}},
       {"predict", {{"predict", "anywhere"}}},
-      {"same", {{"same", "anywhere"}, {"probe", "2 Å"}}}};
+      {"same", {{"same", "anywhere"}, {"probe", "2 Å"}}},
+      {"fit", {{"fit", "atom 0"}}},
+      {"measure", {{"measure", "atom 0"}, {"to", "atom 3"}}},
+      {"order", {{"order", "atom 0 then atom 5"}, {"first", "the smaller"}}}};
   REQUIRE(kinds.size() == taskKinds().size());
   for (const auto& [kind, keys] : kinds) {
     CAPTURE(kind);

@@ -198,3 +198,25 @@ TEST_CASE("a step that has the same molecule with its waters is another scene: i
   session.next();
   CHECK(session.molecule() == with_waters.get());
 }
+
+TEST_CASE(
+    "what a task draws is another for each student, sitting and time that the step is entered, and the same else") {
+  const std::string body = "## A\n```scene\nmolecule: mix\n```\n```touch\nfind: atom 0\nsay: S\n```\n## B\nText.\n";
+  const auto turnedFor = [&](std::uint64_t seed, std::size_t sitting, int entered) {
+    LessonSession s(lesson(body));
+    s.setOrderSeed(seed, sitting);
+    s.setMolecule(std::make_shared<const Molecule>(mixedMolecule()));
+    for (int k = 0; k < entered; ++k) {
+      s.next();
+      s.back();
+    }
+    REQUIRE(s.taskStage().turned);
+    return *s.taskStage().turned;
+  };
+  const Quat first = turnedFor(1, 0, 0);
+  CHECK(turnedFor(1, 0, 0) == first);
+  CHECK(turnedFor(2, 0, 0) != first);
+  CHECK(turnedFor(1, 1, 0) != first);
+  CHECK(turnedFor(1, 0, 1) != first);
+  CHECK(turnedFor(1, 0, 2) != turnedFor(1, 0, 1));
+}

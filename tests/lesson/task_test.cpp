@@ -231,7 +231,10 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       {"trace", {{"trace", "atom 0-5"}}},
       {"find", {{"find", "atom 5"}, {"hints", "warmer"}}},
       {"predict", {{"predict", "anywhere"}}},
-      {"same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"for", "0.1 s"}}}};
+      {"same", {{"same", "anywhere"}, {"probe", "2 Å"}, {"for", "0.1 s"}}},
+      {"fit", {{"fit", "atom 5"}}},
+      {"measure", {{"measure", "atom 0"}, {"to", "atom 9"}}},
+      {"order", {{"order", "atom 0 then atom 4 then atom 9"}, {"first", "the left one"}, {"for", "0.1 s"}}}};
   CHECK(all.size() == taskKinds().size());
   for (const auto& [kind, keys] : all) {
     auto t = task(kind, keys);
@@ -254,6 +257,7 @@ TEST_CASE("100000 random samples of every kind keep progress within 0 to 1 and r
       if (const std::vector<TaskButton> buttons = t->buttons(); !buttons.empty() && random() % 20 == 0)
         t->answer({std::string(buttons[random() % buttons.size()].word), {}});
       if (t->curves() && random() % 1000 == 0) t->answer({"", std::vector<double>(t->curves()->drawn.size(), 0.1)});
+      if (t->slider() && random() % 1000 == 0) t->answer({.number = double(random() % 60) * 0.1});
       for (const TaskFigure& f : t->figures()) REQUIRE(std::isfinite(f.value));
       REQUIRE((t->progress() >= 0.0 && t->progress() <= 1.0));
       REQUIRE((t->done() || !was_done));

@@ -138,7 +138,7 @@ TEST_CASE("1hel has 1001 atoms in 129 residues; its Asp 52 is spoken of as such"
 
 TEST_CASE("the committed files are what the generator makes, byte for byte") {
   using namespace moltact::generator;
-  const std::string entry = contentOf(libraryFolder() / "2hhb.pdb");
+  const std::string entry = contentOf(libraryFolder() / "2hhb.pdb"), protease = contentOf(libraryFolder() / "1hpv.pdb");
   const std::pair<const char*, std::string> made[] = {{"argon.pdb", makeArgon(1)},
                                                       {"argon-pair.pdb", makeArgon(2)},
                                                       {"argon-triangle.pdb", makeArgon(3)},
@@ -155,7 +155,9 @@ TEST_CASE("the committed files are what the generator makes, byte for byte") {
                                                       {"beta-strand.pdb", makeBetaStrand()},
                                                       {"b-dna.pdb", makeBDna()},
                                                       {"haem-alpha.pdb", makeHaemPocket(entry, 'A')},
-                                                      {"haem-beta.pdb", makeHaemPocket(entry, 'B')}};
+                                                      {"haem-beta.pdb", makeHaemPocket(entry, 'B')},
+                                                      {"1hpv-empty.pdb", makeEmptyProtease(protease)},
+                                                      {"amprenavir.pdb", makeAmprenavir(protease)}};
   for (const auto& [file, text] : made) CHECK_MESSAGE(contentOf(libraryFolder() / file) == text, file);
 }
 

@@ -87,6 +87,82 @@ TEST_CASE("one student's attempt of 9.5 s gives its figures, cell by cell") {
   CHECK(cell(rows, 1, "first-touch.md#two/how-much first answer") == "2.5 Å");
   CHECK(cell(rows, 1, "first-touch.md#one/task 1 s") == "3.2");
   CHECK(cell(rows, 1, "first-touch.md#one/task 1 input") == "device");
+  CHECK(cell(rows, 1, "first-touch.md#one/which solved") == "yes");
+  CHECK(cell(rows, 1, "first-touch.md#one/task 1 solved") == "yes");
+}
+
+TEST_CASE("every figure of a task has its column, empty for who did not do it") {
+  Attempt a = sampleAttempt(), b = sampleAttempt();
+  b.header.student = "Bo";
+  std::erase_if(b.events, [](const AttemptEvent& e) { return std::holds_alternative<TaskDone>(e.what); });
+  const auto rows = readCsv(classCsv(summarise({a, b})));
+  REQUIRE(rows.size() == 3);
+  const TaskDone* done = nullptr;
+  for (const AttemptEvent& e : a.events)
+    if (const auto* task = std::get_if<TaskDone>(&e.what)) done = task;
+  REQUIRE(done);
+  REQUIRE_FALSE(done->figures.empty());
+  for (const LoggedFigure& f : done->figures) {
+    const std::string column = "first-touch.md#one/task 1 " + f.name + (f.unit.empty() ? "" : " " + f.unit);
+    CAPTURE(column);
+    CHECK(std::stod(cell(rows, 1, column)) == doctest::Approx(f.value).epsilon(0.001));
+    CHECK(cell(rows, 2, column).empty());
+  }
+}
+
+TEST_CASE("two lessons of one file name and different titles stay two, with columns of their own") {
+  Attempt a = sampleAttempt(), b = sampleAttempt();
+  b.header.lesson.title = "Another";
+  const ClassSummary summary = summarise({a, b});
+  REQUIRE(summary.lessons.size() == 2);
+  CHECK(summary.lessons[0].name == "first-touch.md (Another)");
+  const auto rows = readCsv(classCsv(summary));
+  REQUIRE(rows.size() == 3);
+  CHECK(std::set<std::string>(rows[0].begin(), rows[0].end()).size() == rows[0].size());
+}
+
+TEST_CASE("codes that follow from a word are the same whoever else is there, and others for another word") {
+  Attempt a = sampleAttempt(), b = sampleAttempt();
+  a.header.student = "Ada";
+  b.header.student = "Bo";
+  const auto codes = [](std::vector<Attempt> attempts, const char* word) {
+    return summarise(std::move(attempts), {.code_word = word}).people;
+  };
+  const std::string alone = codes({b}, "winter").at(0);
+  CHECK(alone.size() == 7);
+  const auto both = codes({a, b}, "winter");
+  CHECK(std::find(both.begin(), both.end(), alone) != both.end());
+  CHECK(both[0] != both[1]);
+  CHECK(codes({b}, "summer").at(0) != alone);
+  CHECK(alone.find("Bo") == std::string::npos);
+}
+
+TEST_CASE("the gradebook has a row for each named student, marks of 100, and no cell that a spreadsheet computes") {
+  Attempt a = sampleAttempt(), nobody = sampleAttempt();
+  a.header.student = "=Ada";
+  nobody.header.student.clear();
+  const auto rows = readCsv(gradebookCsv(summarise({a, nobody})));
+  REQUIRE(rows.size() == 2);
+  CHECK(rows[0].size() == 3);
+  CHECK(rows[1] == std::vector<std::string>{"'=Ada", "100.0", "50.0"});
+}
+
+TEST_CASE("a question that 4 good and 3 weak students tell apart wholly has r of 1, one that all answer rightly none") {
+  std::vector<Attempt> attempts;
+  for (int k = 0; k < 7; ++k) {
+    Attempt a = sampleAttempt();
+    a.header.student = "S" + std::to_string(k);
+    a.events.clear();
+    const bool good = k < 4;
+    a.events.push_back({1.0, Answered{"one", "which", 1, {good ? 0u : 1u}, "", good}});
+    a.events.push_back({2.0, Answered{"two", "how-much", 1, {}, "x", good}});
+    attempts.push_back(std::move(a));
+  }
+  const LessonSummary lesson = summarise(attempts).lessons.at(0);
+  REQUIRE(discrimination(lesson, "one", "which"));
+  CHECK(*discrimination(lesson, "one", "which") == doctest::Approx(1.0));
+  attempts.resize(4);
+  CHECK_FALSE(discrimination(summarise(attempts).lessons.at(0), "one", "which"));
 }
 
 TEST_CASE("the page shows the first curve that a student drew beside the one felt in the end") {
@@ -109,7 +185,7 @@ TEST_CASE(
   const ClassSummary summary = summarise({again});
   const std::string before = classPage(summary, {}, "");
   CHECK(before.find("<th>Path,<br>Å</th>") != std::string::npos);
-  CHECK(before.find("<td>1.25</td><td>0.75</td><td>6</td>") != std::string::npos);
+  CHECK(before.find("<td>1.25</td><td>0.75</td><td>6</td></tr>") != std::string::npos);
   UnitSet set;
   REQUIRE(set.choose(Dimension::Length, "nm"));
   REQUIRE(set.choose(Dimension::Force, "mN"));
@@ -226,7 +302,7 @@ TEST_CASE("with codes in the place of names no name stands in table or page, pre
   Attempt a = sampleAttempt(), b = sampleAttempt();
   a.header.student = "Visible Name";
   b.header.student = "Bo";
-  const ClassSummary summary = summarise({a, b}, true);
+  const ClassSummary summary = summarise({a, b}, {.anonymous = true});
   for (const std::string& text : {classCsv(summary), classPage(summary, {}, "today")}) {
     CHECK(text.find("Visible") == std::string::npos);
     CHECK(text.find("S02") != std::string::npos);

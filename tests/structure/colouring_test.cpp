@@ -54,7 +54,7 @@ TEST_CASE("every scheme colours every atom, and every colour of a scheme of clas
 
 TEST_CASE("no two things that a legend tells apart look alike, nor like a target") {
   // The colours of targets on a dark and on a light ground (engine/render/view_scene.cpp).
-  const Rgb8 targets[] = {{0xFF, 0xB0, 0x00}, {0xE0, 0x7A, 0x00}};
+  const Rgb8 targets[] = {{0xFF, 0xB0, 0x00}, {0xFF, 0x5A, 0x00}};
   for (const char* file : {"1ubq.pdb", "1hel.pdb", "2hhb.pdb", "b-dna.pdb", "1hpv.pdb"})
     for (const ColouringScheme& scheme : colouringSchemes()) {
       const Molecule m = libraryMolecule(file, {.waters = true});
@@ -90,7 +90,7 @@ TEST_CASE("own colours differ from one another and from targets; their names and
   for (const NamedColour& one : namedColours()) {
     CAPTURE(one.name);
     CHECK(*parseColour(one.name) == one.colour);
-    for (const Rgb8& target : {Rgb8{0xFF, 0xB0, 0x00}, Rgb8{0xE0, 0x7A, 0x00}})
+    for (const Rgb8& target : {Rgb8{0xFF, 0xB0, 0x00}, Rgb8{0xFF, 0x5A, 0x00}})
       CHECK(colourDistance(one.colour, target) > 20.0);
     for (const NamedColour& other : namedColours())
       if (&one != &other) CHECK(colourDistance(one.colour, other.colour) > 15.0);

@@ -108,7 +108,7 @@ void Application::enterScene() {
   tellSteps();
   const SceneSpec* spec = lesson.takeNewScene();
   if (!spec) return;
-  panels.hints = false;
+  panels.hints = 0;
   scene.setTouch(spec->touch);
   scene.shown = lesson.shownParts();
   scene.colour_by = colourBy(*spec);
@@ -128,9 +128,11 @@ void Application::enterScene() {
   showMolecule(*molecule);
 }
 
-void Application::beginSceneAgain(std::optional<PointA> before) {
+void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned) {
   if (before)
     scene.beginAgainAt(*before);
+  else if (turned)
+    scene.beginAgain([&](Camera& camera, const Molecule&) { camera.orientation = *turned; });
   else
     scene.beginAgain(facing());
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);

@@ -93,8 +93,8 @@ class Application {
   /// The camera as it was when the scene was opened.
   void resetView();
   /// The scene as if its molecule had just been opened; `before` a place, it is turned to the front and the hand begins
-  /// there.
-  void beginSceneAgain(std::optional<PointA> before = {});
+  /// there; `turned`, the molecule is seen turned so (the screen's axes in its own).
+  void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {});
   /// The same as resetView because a person asked for it: it can be undone.
   void resetViewByHand();
   /// The view panel is to save the next picture it draws; where the file is empty, in the folder of the options.

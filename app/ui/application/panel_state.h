@@ -26,11 +26,15 @@ struct PanelState : KeyFocus {
   bool methods = false;                 ///< in the touch panel's place, behind a tab
   bool methods_first = false;           ///< which of the two is in front
   bool set_by_lesson = false;           ///< the lesson's step set touch and methods, so that another sets them back
-  bool hints = false;                   ///< the current step's hints
+  std::size_t hints = 0;                ///< so many of the current step's hints are open, the first ones
   bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
   float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)
   bool arrows_draw = false;             ///< in this frame the arrow keys lead a pen in the lesson and not the probe
   std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
+  float lesson_task_height = 0.0f;      ///< of its card, which does not shrink while the task goes on (unit: pixel)
+  float lesson_task_width = 0.0f;       ///< with which that height was needed
+  float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
+  float lesson_scroll = 0.0f;           ///< the lesson's text is to go on by so much (unit: pixel)
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
        turns_page = false;
   bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf

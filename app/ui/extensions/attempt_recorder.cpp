@@ -47,7 +47,7 @@ void AttemptRecorder::beginParts(Application& app) {
   way_.reset();
   stage_.reset();
   view_.reset();
-  hints_ = false;
+  hints_ = 0;
 }
 
 void AttemptRecorder::beginNew(Application& app) {
@@ -93,7 +93,7 @@ void AttemptRecorder::resume(Application& app, const std::filesystem::path& less
   }
   if (paused_) return;  // whose work it is will be asked first
   app.lesson.session()->restore(memoryOf(*attempt));
-  app.lesson.session()->setOrderSeed(orderSeed(attempt->header));
+  app.lesson.session()->setOrderSeed(orderSeed(attempt->header), sittingsOf(*attempt));
   if (!log_) return;
   student_ = attempt->header.student;
   log_.emplace(attempt_file, attempt->end_s(), Resumed{now(), MOLTACT_VERSION, deviceName(app), gaveForce(app)});
@@ -218,7 +218,7 @@ void AttemptRecorder::afterPanels(Application& app) {
     if (auto* done = std::get_if<TaskDone>(&e.what)) done->by = way_->by;
     add(std::move(e));
   }
-  if (app.panels.hints && !hints_) add(HintOpened{session->step().id});
+  for (; hints_ < app.panels.hints; ++hints_) add(HintOpened{session->step().id});
   hints_ = app.panels.hints;
   if (further) add(SessionWatch::progressOf(*session));
   log_->heartbeat(now_s_);

@@ -86,7 +86,8 @@ class AttemptRecorder : public Extension {
   std::optional<InputChanged> way_;
   std::optional<StageChanged> stage_;
   std::optional<Camera> view_;
-  bool hints_ = false, paused_ = false, mending_begun_ = false;
+  std::size_t hints_ = 0;  // open in the last frame
+  bool paused_ = false, mending_begun_ = false;
   std::future<std::size_t> mended_;
 };
 

@@ -39,6 +39,7 @@ std::string sceneKey(const CardSubject& subject) {
   std::string styles;
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
+  for (const MarkSpec& mark : s.marks) styles += mark.word + ' ' + mark.atoms.text() + ',';
   return styles + s.hide.text() + '|' + readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' +
          s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
 }

@@ -12,6 +12,7 @@
 #include "app/ui/extensions/lesson_locks.h"
 #include "app/ui/extensions/lesson_shelf.h"
 #include "app/ui/extensions/lesson_watch.h"
+#include "app/ui/extensions/measuring.h"
 #include "app/ui/extensions/name_asker.h"
 #include "app/ui/extensions/playback.h"
 #include "app/ui/extensions/scene_change.h"
@@ -20,6 +21,7 @@
 #include "app/ui/extensions/state_text.h"
 #include "app/ui/extensions/task_stager.h"
 #include "app/ui/extensions/touch_sound.h"
+#include "app/ui/extensions/touch_traces.h"
 
 namespace moltact {
 
@@ -44,6 +46,8 @@ struct Extensions final : ExtensionSet {
   HandModel hand_model;
   StateText state_text{task_stager};
   TouchSound touch_sound;
+  Measuring measuring;
+  TouchTraces touch_traces{task_stager};
   DeviceLink device{task_stager};
   HandRecorder hand_recorder{recorder, device};
 
@@ -54,10 +58,10 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks come before the history, which then never sees what is locked change, and the history
   // before the scene change, whose glide it asks about; a name is asked for before the recorder begins; the device
   // comes before the hand recorder, which replaces the clutch and scale of the device by those of the recording.
-  std::array<Extension*, 17> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,   &recorder,
+  std::array<Extension*, 19> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,   &recorder,
                                   &turns,           &playback,      &history,      &scene_change, &hand_model,
                                   &shelf,           &card_pictures, &task_stager,  &state_text,   &touch_sound,
-                                  &device,          &hand_recorder};
+                                  &measuring,       &touch_traces,  &device,       &hand_recorder};
 };
 
 }  // namespace moltact

@@ -18,10 +18,12 @@ void TaskStager::beforeTicks(Application& app) {
     return;
   }
   change(app, stage_.touch, wanted.touch);
-  const bool anew = wanted.presentation != stage_.presentation;
+  // What was found in the dark is seen where it lies: the light comes on and nothing else changes.
+  const bool found = stage_.turned && wanted == TaskStage();
+  const bool anew = !found && (wanted.presentation != stage_.presentation || wanted.turned != stage_.turned);
   stage_ = wanted;
   if (!anew) return;
-  app.beginSceneAgain(wanted.facing);
+  app.beginSceneAgain(wanted.facing, wanted.turned);
   app.scene.controls.letGo();
 }
 

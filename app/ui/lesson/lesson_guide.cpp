@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/ui/lesson/scene_marks.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
@@ -21,6 +22,7 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   looks.hidden = listOf(scene.hide);
   looks.spheres_near_A = scene.near_A;
   looks.colouring = schemeColouring(molecule, scene.colour);
+  looks.marks = marksOf(scene, molecule);
   return looks;
 }
 
@@ -89,14 +91,20 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
   region_.reset();
-  looks_ = {
-      .styles = {}, .hidden = nullptr, .spheres_near_A = SceneSpec().near_A, .cut = std::nullopt, .colouring = nullptr};
+  looks_ = {.styles = {},
+            .hidden = nullptr,
+            .spheres_near_A = SceneSpec().near_A,
+            .cut = std::nullopt,
+            .marks = nullptr,
+            .colouring = nullptr};
+  annotations_ = nullptr;
   on_stage_ = false;
   if (!session_) return;
   const Expected<MoleculeKey> wanted = this->molecule();
   on_stage_ = wanted && *wanted == key;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
   if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
+  if (on_stage_) annotations_ = annotationsOf(session_->scene(), *molecule);
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
 }
@@ -145,7 +153,9 @@ void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene)
 }
 
 void LessonGuide::decorate(ViewScene& scene) const {
-  if (on_stage_) scene.highlighted = highlighted_;
+  if (!on_stage_) return;
+  scene.highlighted = highlighted_;
+  if (annotations_) scene.annotations.push_back(annotations_);
 }
 
 }  // namespace moltact

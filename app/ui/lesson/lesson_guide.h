@@ -89,7 +89,7 @@ class LessonGuide {
   const std::optional<Region>& region() const { return region_; }
   /// Turns a fitted camera the way the step asks for.
   void face(Camera& camera, const Molecule& molecule) const;
-  /// Marks what the step highlights.
+  /// Marks what the step highlights, and writes what it names and measures.
   void decorate(ViewScene& scene) const;
 
  private:
@@ -102,6 +102,7 @@ class LessonGuide {
   std::vector<std::uint32_t> highlighted_;
   std::optional<Region> region_;
   AtomsLook looks_;
+  std::shared_ptr<const Annotations> annotations_;
 };
 
 /// Turns a camera that has been fitted to the molecule the way a scene asks for.

@@ -8,6 +8,7 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/lesson/class_report.h"
 #include "app/ui/panels/lesson/hand_in.h"
 #include "app/ui/widgets/key_focus.h"
 #include "app/ui/widgets/key_names.h"
@@ -29,6 +30,15 @@ bool mayMethods(const App& a) { return atWork(a) && !a.lesson.locks("panels"); }
 
 bool mayMagnify(const App& a) {
   return hasStage(a) && !a.scene.playing() && !a.lesson.locks("magnify") && !a.extensions().task_stager.dark();
+}
+
+bool mayMeasure(const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }
+
+void measureTouched(App& a) {
+  const Contact& contact = a.scene.log().latest().contact;
+  if (!contact.touching() || contact.atoms[0] < 0)
+    return a.messages.notice(tr("Touch an atom first: what you touch is measured."));
+  a.extensions().measuring.take(*a.scene.stage().molecule, std::uint32_t(contact.atoms[0]));
 }
 
 // Where only one side panel has room, showing one hides the other.
@@ -195,7 +205,11 @@ constexpr std::array kActions{
            .menu = Menu::View,
            .label = N_("Legend of colours"),
            .run = [](App& a) { a.settings.legend = !a.settings.legend; },
-           .enabled = [](const App& a) { return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain; },
+           .enabled =
+               [](const App& a) {
+                 return a.settings.colour_blind_safe || a.scene.colour_by == ColourBy::Chain ||
+                        a.scene.look.colouring || a.scene.look.marks;
+               },
            .on = [](const App& a) { return a.settings.legend; }},
     Action{.name = "depth",
            .menu = Menu::View,
@@ -203,6 +217,33 @@ constexpr std::array kActions{
            .sentence = N_("While you touch, show from the side how deep your hand is"),
            .run = [](App& a) { a.settings.depth_gauge = !a.settings.depth_gauge; },
            .on = [](const App& a) { return a.settings.depth_gauge; }},
+    Action{.name = "measure",
+           .menu = Menu::View,
+           .parted = true,
+           .label = N_("Measure"),
+           .shortcut = "Ctrl+E",
+           .sentence = N_("Click two atoms for their distance, a third for the angle, a fourth for the torsion"),
+           .run = [](App& a) { a.extensions().measuring.switchOn(!a.extensions().measuring.on()); },
+           .enabled = mayMeasure,
+           .on = [](const App& a) { return a.extensions().measuring.on(); }},
+    Action{.name = "measure-touched",
+           .menu = Menu::View,
+           .label = N_("Measure from the touched atom"),
+           .shortcut = "Ctrl+Shift+E",
+           .sentence = N_("The atom that you touch is the next place that is measured"),
+           .run = [](App& a) { measureTouched(a); },
+           .enabled = mayMeasure},
+    Action{.name = "measure-clear",
+           .menu = Menu::View,
+           .label = N_("Clear measures"),
+           .run = [](App& a) { a.extensions().measuring.clear(); },
+           .enabled = [](const App& a) { return a.extensions().measuring.any(); }},
+    Action{.name = "expert",
+           .menu = Menu::View,
+           .label = N_("Expert figures"),
+           .sentence = N_("Say below how the touch loop keeps its time, and of how many atoms"),
+           .run = [](App& a) { a.settings.expert = !a.settings.expert; },
+           .on = [](const App& a) { return a.settings.expert; }},
     Action{.name = "light",
            .menu = Menu::View,
            .parted = true,
@@ -303,6 +344,11 @@ constexpr std::array kActions{
            .run = [](App& a) { a.panels.turns_page = true; },
            .enabled = [](const App& a) { return !a.extensions().turns.on(); },
            .on = [](const App& a) { return a.extensions().turns.on(); }},
+    Action{.name = "report",
+           .menu = Menu::Lesson,
+           .label = N_("Report on a class …"),
+           .sentence = N_("A page and a table of all results in a folder, for teachers"),
+           .run = [](App& a) { reportOnClass(a); }},
 
     Action{.name = "controls",
            .menu = Menu::Help,
@@ -358,9 +404,11 @@ void runShortcuts(Application& app) {
     if ((page || io.WantTextInput) && !action.while_writing) continue;
     if ((keysPressed(action.shortcut) || keysPressed(action.also)) && enabled(action, app)) action.run(app);
   }
-  // Escape first lets go of the molecule; only with a free hand does it lead away from it.
+  // Escape first lets go of the molecule; only with a free hand does it lead away from it, and never out of a lesson.
   const bool hand_busy = app.scene.controls.pressing() || ImGui::IsAnyMouseDown() || ImGui::IsKeyDown(ImGuiKey_Space);
-  if (!page && !io.WantTextInput && !hand_busy && keysPressed("Escape")) findAction("welcome")->run(app);
+  if (!page && !io.WantTextInput && !hand_busy && (app.panels.welcome || !app.lesson.session()) &&
+      keysPressed("Escape"))
+    findAction("welcome")->run(app);
 }
 
 }  // namespace

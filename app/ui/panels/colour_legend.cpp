@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/view_overlays.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -57,12 +58,24 @@ std::vector<LegendEntry> entriesOf(const Legend& legend) {
   return entries;
 }
 
+// What a scene marks with a name, and what was touched where that stays painted.
+std::vector<LegendEntry> namedMarks(const Application& app) {
+  std::vector<LegendEntry> entries;
+  if (const auto& marks = app.scene.look.marks)
+    for (const OwnColour& mark : *marks)
+      if (!mark.name.empty())
+        entries.push_back({Colour(mark.colour[0], mark.colour[1], mark.colour[2]) / 255.0f, mark.name});
+  if (app.extensions().touch_traces.painted()) entries.push_back({look().viewTheme().touched, tr("touched")});
+  return entries;
+}
+
 }  // namespace
 
 void drawColourLegend(Application& app, const Rectangle& view) {
   const bool by_chain = app.scene.colour_by == ColourBy::Chain;
   const Colouring* const scheme = app.scene.look.colouring.get();
-  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain || scheme) ||
+  const std::vector<LegendEntry> marked = namedMarks(app);
+  if (!app.settings.legend || !(app.settings.colour_blind_safe || by_chain || scheme || !marked.empty()) ||
       !app.scene.shown.has(ViewPart::Atoms))
     return;
   const Look& l = look();
@@ -70,6 +83,7 @@ void drawColourLegend(Application& app, const Rectangle& view) {
       scheme ? entriesOf(scheme->legend)
              : entriesOf(*app.scene.stage().molecule, app.scene.colour_by, elementColoursOf(app.settings));
   if (entries.size() > kMostEntries) entries.resize(kMostEntries);
+  entries.insert(entries.begin(), marked.begin(), marked.end());
   ViewScene marks;
   app.lesson.decorate(marks);
   if (!marks.highlighted.empty() && app.scene.shown.has(ViewPart::Target))

@@ -1,5 +1,5 @@
-// Bottom: the device, how the 1 kHz loop keeps its time, the molecule, and how much of it is modelled. What has no room
-// is left out, the least needed first.
+// Bottom: the device, the molecule, and for experts how the 1 kHz loop keeps its time and how much of the molecule is
+// modelled. What has no room is left out, the least needed first.
 #include <optional>
 #include <string>
 #include <vector>
@@ -106,12 +106,16 @@ void drawStatusBar(Application& app) {
                           : tr("No force-feedback device is connected; the mouse or keyboard stands in for it."),
                       2});
   if (std::optional<Segment> scale = scaleSegment(app)) segments.push_back(*scale);
-  segments.push_back(loopSegment(app));
+  // How long ticks take, and of how many atoms, would tell in the dark what is touched.
+  const bool dark = app.extensions().task_stager.dark();
+  // Who compares methods wants the figures too.
+  const bool expert = app.settings.expert || app.panels.methods;
+  if (!dark && expert) segments.push_back(loopSegment(app));
   if (app.scene.stage()) {
     const Molecule& m = *app.scene.stage().molecule;
     segments.push_back(
         {"status/molecule", m.id.empty() ? app.scene.molecule().file.filename().string() : m.id, m.title, 1});
-    if (!app.scene.playing())
+    if (!app.scene.playing() && !dark && expert)
       segments.push_back(
           {"status/modelled",
            trf("{0} of {1} atoms modelled", grouped(now.memory_usage.atoms_modelled), grouped(m.atoms.size())),

@@ -157,23 +157,27 @@ void drawViewOverlays(Application& app, const Rectangle& view) {
   const bool roomy = width > l.tx(320);
   if (roomy) scaleBar(app, view);
   const float bottom = view.high.y - margin, words = roomy ? width - l.tx(150) : width;
+  const std::string measured = measuringText(app);
+  float above = bottom;  // where the next pill ends
   if (now.contact.fault == Fault::StartedInside) {
-    pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0), {view.low.x + margin, bottom},
-         {0, 1}, words, p.warn_soft, p.warn);
+    above -= l.px(8) + pill("view/state", contactText(app.scene.stage().molecule.get(), now.contact, 0.0),
+                            {view.low.x + margin, bottom}, {0, 1}, words, p.warn_soft, p.warn);
   } else if (now.contact.touching()) {
     const WithFont font(app.settings.large_state_text ? Font::Heading : Font::Body);
     // The line rests a moment before it tells something new; by then it may be the first touch.
     const StateText& state = app.extensions().state_text;
-    pill("view/state",
-         state.tellsContact()
-             ? state.line(app.scene)
-             : contactText(app.scene.stage().molecule.get(), now.contact, app.scene.log().shownForce_N()),
-         {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
+    above -= l.px(8) + pill("view/state",
+                            state.tellsContact() ? state.line(app.scene)
+                                                 : contactText(app.scene.stage().molecule.get(), now.contact,
+                                                               app.scene.log().shownForce_N()),
+                            {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.text);
   } else if (const float hint = float(app.scene.controls.hintStrength());
-             hint > 0.0f && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
-    pill("view/hint", hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers),
-         {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
+             hint > 0.0f && measured.empty() && !app.scene.playing() && !app.scene.servo().deviceLeads()) {
+    above -= l.px(8) + pill("view/hint",
+                            hintText(app.scene.controls.hasPressed(), app.settings.left_handed, app.panels.fingers),
+                            {view.low.x + margin, bottom}, {0, 1}, words, p.panel, p.quiet, hint);
   }
+  if (!measured.empty()) pill("view/measuring", measured, {view.low.x + margin, above}, {0, 1}, words, p.panel, p.text);
 }
 
 }  // namespace moltact

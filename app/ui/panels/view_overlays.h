@@ -1,6 +1,8 @@
 // The overlays of the 3-D view: the state in words, the scale bar, the hint of controls. Window's thread.
 #pragma once
 
+#include <string>
+
 #include "app/ui/widgets/layout.h"
 #include "engine/render/view_scene.h"
 
@@ -14,6 +16,12 @@ inline constexpr float kArrow_px_per_N = 70.0f;
 
 /// The scene that the 3-D view shows now.
 ViewScene seenScene(const Application& app);
+
+/// Names, arrows and measures of the scene that is shown.
+void drawViewLabels(Application& app, const ViewScene& scene, const Rectangle& view);
+
+/// While a person measures: what was measured last, else how it is done; empty while nobody does.
+std::string measuringText(const Application& app);
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 

@@ -20,6 +20,7 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 #include "engine/platform/hand_over.h"
+#include "engine/render/label_painter.h"
 
 namespace moltact {
 namespace {
@@ -95,7 +96,16 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
   const int push = app.settings.left_handed ? 1 : 0, turn = 1 - push;
   const bool panning = active && (ImGui::IsMouseDown(2) || (ImGui::IsMouseDown(turn) && io.KeyShift));
   const bool turning = active && !panning && ImGui::IsMouseDown(turn);
-  in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing();
+  Measuring& tool = app.extensions().measuring;
+  const bool measuring = tool.on() && !app.extensions().task_stager.dark();
+  in.press = active && ImGui::IsMouseDown(push) && !app.scene.playing() && !measuring;
+  if (measuring && hovered && ImGui::IsMouseReleased(push) && app.scene.stage() &&
+      io.MouseDragMaxDistanceSqr[push] < look().px(4) * look().px(4)) {
+    if (const auto atom = atomAt(app, {double(io.MousePos.x - low.x), double(io.MousePos.y - low.y)}, size))
+      tool.take(*app.scene.stage().molecule, *atom);
+    else
+      tool.finish();
+  }
   const glm::dvec2 drag(io.MouseDelta.x, io.MouseDelta.y);
   if (panning) in.pan_px = drag;
   if (turning) (io.KeyCtrl && app.scene.servo().hasOrientation() ? in.hand_px : in.orbit_px) = drag;
@@ -140,6 +150,11 @@ ViewScene seenScene(const Application& app) {
   scene.left_hand = app.settings.left_handed;
   scene.facets = feltFacets(app.scene.method());
   app.lesson.decorate(scene);
+  const TouchTraces& traces = app.extensions().touch_traces;
+  scene.touched = traces.painted();
+  scene.touched_now = traces.fresh();
+  for (const auto& written : {app.extensions().measuring.drawn(), traces.trail()})
+    if (written) scene.annotations.push_back(written);
   return scene;
 }
 
@@ -147,8 +162,10 @@ namespace {
 
 void savePicture(Application& app, glm::dvec2 size, std::filesystem::path file) {
   if (file.empty()) file = freePictureName(app.options().picture_folder);
-  const std::optional<Problem> problem =
-      writePng(file, app.picture().take(seenScene(app), int(size.x), int(size.y), look().scale));
+  const ViewScene scene = seenScene(app);
+  Picture picture = app.picture().take(scene, int(size.x), int(size.y), look().scale);
+  if (!scene.annotations.empty()) paintLabels(picture, scene, app.scene.stage().balls.get(), double(look().px(1)));
+  const std::optional<Problem> problem = writePng(file, picture);
   if (problem)
     app.messages.error(problem->text());
   else
@@ -187,14 +204,15 @@ void drawViewPanel(Application& app) {
   }
   ViewPicture& picture = app.picture();
   const SceneChange& change = app.extensions().scene_change;
-  picture.draw(seenScene(app), int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(),
-               look().scale);
+  const ViewScene scene = seenScene(app);
+  picture.draw(scene, int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(), look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
   if (change.oldPicture() > 0 && picture.kept())
     ImGui::GetWindowDrawList()->AddImage(picture.kept(), low, high, {0, 1}, {1, 0},
                                          faded(IM_COL32_WHITE, float(change.oldPicture())));
   if (std::optional<std::filesystem::path> file = app.takePictureRequest()) savePicture(app, size, std::move(*file));
+  drawViewLabels(app, scene, r);
   drawViewOverlays(app, r);
   drawPushPads(app, r);
   endPanel();

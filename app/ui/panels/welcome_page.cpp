@@ -169,6 +169,16 @@ void drawLessons(Application& app, Grid& grid, bool own) {
   if (chosen) e.shelf.begin(app, *chosen);
 }
 
+// The lesson that is open is set aside until its panel is opened again, or another lesson.
+void explore(Application& app, const std::filesystem::path& molecule) {
+  app.open(molecule);
+  const LessonSession* session = app.lesson.session();
+  if (!session) return;
+  app.panels.lesson = false;
+  app.messages.notice(
+      trf("{0} is set aside. It waits on the welcome page, and in View, Lesson panel.", session->lesson().title));
+}
+
 void drawMolecules(Application& app, Grid& grid) {
   const std::vector<LibraryItem>& items = library();
   if (items.empty()) return;
@@ -178,7 +188,7 @@ void drawMolecules(Application& app, Grid& grid) {
     const ImTextureID picture = app.extensions().card_pictures.find({{m.file}, SceneSpec{}});
     if (drawCard(grid, {.name = "welcome/molecule/" + m.id, .title = m.label, .line = m.id, .tip = m.label}, picture,
                  width))
-      app.open(m.file);
+      explore(app, m.file);
   });
 }
 

@@ -60,6 +60,14 @@ void ViewPicture::keepForFade() {
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(before));
 }
 
+const std::vector<PlacedLabel>& ViewPicture::labels(const ViewScene& scene, const BallScene* balls,
+                                                    const LabelRoom& room, float line_px) {
+  LabelKey key{scene.annotations, scene.look, scene.camera, room.width_px, room.height_px, room.unit_px, line_px};
+  if (key == label_key_) return labels_;
+  label_key_ = std::move(key);
+  return labels_ = layOutLabels(scene, balls, room);
+}
+
 ImTextureID ViewPicture::kept() const { return textureOf(kept_ ? kept_->colour() : 0); }
 
 ImTextureID ViewPicture::texture() const { return textureOf(renderer_ ? renderer_->textureId() : 0); }

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "engine/render/fineness.h"
+#include "engine/render/label_layout.h"
 #include "engine/render/picture.h"
 #include "engine/render/renderer.h"
 #include "engine/render/view_scene.h"
@@ -40,6 +41,10 @@ class ViewPicture {
   bool unfinished() const { return fineness_.unfinished(); }
   /// A picture to be kept, drawn as finely as pictures are; empty where the scene cannot be drawn.
   Picture take(const ViewScene& scene, int width_px, int height_px, float line_scale);
+  /// Where the names and measures of the scene stand, worked out when something has changed. `line_px`: the height of the
+  /// letters that `room` measures with.
+  const std::vector<PlacedLabel>& labels(const ViewScene& scene, const BallScene* balls, const LabelRoom& room,
+                                         float line_px);
   /// Why the scene cannot be drawn; empty when it can.
   const std::string& fault() const { return fault_text_; }
 
@@ -52,6 +57,17 @@ class ViewPicture {
   std::string fault_text_;
   bool refused_ = false, held_ = false;
   Fineness fineness_;
+  struct LabelKey {
+    std::vector<std::shared_ptr<const Annotations>> annotations;
+    AtomsLook look;
+    Camera camera;
+    int width_px = 0, height_px = 0;
+    double unit_px = 0.0;
+    float line_px = 0.0f;
+    friend bool operator==(const LabelKey&, const LabelKey&) = default;
+  };
+  LabelKey label_key_;
+  std::vector<PlacedLabel> labels_;
 };
 
 /// "moltact-001.png" or the first number after that is free in the folder.

@@ -7,6 +7,7 @@
 
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
 #include "engine/lesson/quantity.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/task.h"
@@ -26,7 +27,7 @@ constexpr std::array kVerbs{Verb{"do", Kind::Do},         Verb{"touch", Kind::To
                             Verb{"slide", Kind::Slide},   Verb{"wait", Kind::Wait},   Verb{"lift", Kind::Lift},
                             Verb{"method", Kind::Method}, Verb{"say", Kind::Say},     Verb{"draw", Kind::Draw},
                             Verb{"answer", Kind::Answer}, Verb{"next", Kind::Next},   Verb{"back", Kind::Back},
-                            Verb{"go", Kind::Go}};
+                            Verb{"go", Kind::Go},         Verb{"set", Kind::Set}};
 
 std::vector<std::string_view> parts(std::string_view text, char by) {
   std::vector<std::string_view> out;
@@ -128,6 +129,8 @@ class LineReader {
       }
       case Kind::Wait:
         return quantity(act.number, rest, Dimension::Time);
+      case Kind::Set:
+        return quantity(act.number, rest, Dimension::Length);
       case Kind::Method:
         if (!findMethod(rest))
           return at(rest.empty() ? body : rest, trf("there is no haptic method '{0}'", rest),
@@ -256,6 +259,9 @@ class Performer {
       case Kind::Say:
         say(act);
         return;
+      case Kind::Set:
+        set(act);
+        return;
       case Kind::Draw:
         draw(act);
         return;
@@ -284,6 +290,18 @@ class Performer {
     }
     on_.reset();
     learner_.tell({.word = act.word});
+  }
+
+  void set(const LearnerAct& act) {
+    const auto asked = current() ? current()->slider() : std::nullopt;
+    if (!asked || act.number < asked->least || act.number > asked->most) {
+      tell(act, asked ? tr("the task's slider does not go so far") : tr("no number is asked for now"),
+           asked ? trf("it goes from {0} to {1}", quantityText(asked->least, asked->dimension),
+                       quantityText(asked->most, asked->dimension))
+                 : tr("take the line out"));
+      return;
+    }
+    learner_.tell({.number = act.number});
   }
 
   void draw(const LearnerAct& act) {

@@ -8,7 +8,8 @@
 //   wait 2 s                      stays as it is
 //   lift                          lets go
 //   method NAME                   chooses a haptic method
-//   say WORD                      presses a button of the task: here, next, same, different, light, dark
+//   say WORD                      presses a button of the task: here, next, same, different, mark, this
+//   set 1.8 Å                     sets the number that the task asks for
 //   draw 0 N, 0.5 N, 1 N          draws a force curve: values at even distances over the whole axis
 //   answer QUESTION: ANSWER       answers a question of the step, by the number of its place in the step or its id;
 //                                 choices by number or text, several separated by ";"; else the text itself
@@ -27,12 +28,12 @@
 namespace moltact {
 
 struct LearnerAct {
-  enum class Kind { Do, Touch, Press, Slide, Wait, Lift, Method, Say, Draw, Answer, Next, Back, Go };
+  enum class Kind { Do, Touch, Press, Slide, Wait, Lift, Method, Say, Set, Draw, Answer, Next, Back, Go };
   Kind kind = Kind::Do;
   std::string word;           ///< method, button, step, question, or a kind of place
   std::string text;           ///< the answer
   Selection place;            ///< not given where `word` or nothing names the place
-  double number = 0.0;        ///< newton or second
+  double number = 0.0;        ///< newton, second or angstrom
   std::vector<double> curve;  ///< newton
   std::size_t line = 0, column = 0;
 };

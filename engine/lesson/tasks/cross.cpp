@@ -3,6 +3,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/lesson/tasks/touch_limits.h"
 
 namespace moltact {
 namespace {
@@ -15,6 +16,8 @@ class Cross : public Task {
         to_(spec.values["to"].selection, molecule),
         from_name_(spec, "cross"),
         to_name_(spec, "to", "arrival"),
+        limits_(spec, "cross", molecule),
+        wrong_(spec, molecule),
         either_(spec.values["direction"].text == "either"),
         named_(spec.values.has("called") || spec.values.has("arrival")),
         times_(static_cast<int>(spec.values["times"].number)) {}
@@ -24,6 +27,7 @@ class Cross : public Task {
     away_s_ = 0.0;
     crossed_ = lifts_ = 0;
     on_from_ = lost_ = touching_ = false;
+    said_.clear();
   }
 
  private:
@@ -45,16 +49,18 @@ class Cross : public Task {
       std::swap(from_, to_);
       std::swap(from_name_, to_name_);
     }
-    const bool from = from_.holds(s.contact), to = to_.holds(s.contact);
+    const bool here = limits_.allow(s.contact, s.probe_A);
+    const bool from = here && from_.holds(s.contact), to = here && to_.holds(s.contact);
     if (on_from_ && to && !from) {
       ++crossed_;
       on_from_ = false;
     } else if (from) {
       on_from_ = true;
       lost_ = false;
-    } else if (!from_.touchedBy(s.contact) && !to_.touchedBy(s.contact)) {
+    } else if (!here || (!from_.touchedBy(s.contact) && !to_.touchedBy(s.contact))) {
       on_from_ = false;
     }
+    said_ = on_from_ ? std::string() : wrong_.about(s.contact);
     setProgress((crossed_ + (on_from_ ? 0.5 : 0.0)) / times_);
     if (crossed_ >= times_) finish();
   }
@@ -63,7 +69,8 @@ class Cross : public Task {
     std::vector<std::uint32_t> both = from_.atoms();
     for (const std::uint32_t a : to_.atoms()) both.push_back(a);
     const auto between = [&](const SurfacePlace& p) {
-      return (from_.has(p.atoms[0]) && to_.has(p.atoms[1])) || (from_.has(p.atoms[1]) && to_.has(p.atoms[0]));
+      return limits_.allow(p.scp_A, view.probe_A) &&
+             ((from_.has(p.atoms[0]) && to_.has(p.atoms[1])) || (from_.has(p.atoms[1]) && to_.has(p.atoms[0])));
     };
     HandPlan plan;
     const auto crease = placeFor(view, openPlaces(view, both, Feature::Circle, 40, between));
@@ -94,6 +101,7 @@ class Cross : public Task {
   }
 
   std::string guidance() const override {
+    if (!said_.empty() && touching_) return said_;
     // Atoms that look the same to either side need no names.
     const bool alike = either_ && !named_;
     // Translators: "one atom" and "the other atom" are what is to be touched.
@@ -123,6 +131,9 @@ class Cross : public Task {
 
   AtomSet from_, to_;
   TargetName from_name_, to_name_;
+  TouchLimits limits_;
+  WrongTouches wrong_;
+  std::string said_;
   double away_s_ = 0.0;
   bool either_ = false, named_ = false;
   int times_ = 1, crossed_ = 0, lifts_ = 0;
@@ -146,26 +157,29 @@ void checkSides(const TaskSpec& task, const Molecule& molecule, std::vector<Prob
 }  // namespace
 
 TaskKind crossKind() {
-  return {
-      "cross",
-      "Slide from one atom to another without leaving the surface.",
-      {{.name = "cross", .type = ValueType::Selection, .meaning = "The atoms to start on.", .required = true},
-       {.name = "to",
-        .type = ValueType::Selection,
-        .meaning = "The atoms to arrive on; resting on them alone counts.",
-        .required = true},
-       {.name = "arrival",
-        .type = ValueType::Text,
-        .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the start."},
-       {.name = "direction",
-        .type = ValueType::Word,
-        .meaning = "Whether the way back counts as well; 'either' suits atoms that look the same.",
-        .fallback = "forward",
-        .words = {"forward", "either"}},
-       {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .least = 1, .most = 100}},
-      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); },
-      nullptr,
-      checkSides};
+  std::vector<KeySpec> keys{
+      {.name = "cross", .type = ValueType::Selection, .meaning = "The atoms to start on.", .required = true},
+      {.name = "to",
+       .type = ValueType::Selection,
+       .meaning = "The atoms to arrive on; resting on them alone counts.",
+       .required = true},
+      {.name = "arrival",
+       .type = ValueType::Text,
+       .meaning = "What the atoms of 'to' are called in the middle of a sentence, as 'called' does for the start."},
+      {.name = "direction",
+       .type = ValueType::Word,
+       .meaning = "Whether the way back counts as well; 'either' suits atoms that look the same.",
+       .fallback = "forward",
+       .words = {"forward", "either"}},
+      {.name = "times", .type = ValueType::Count, .meaning = "How often.", .fallback = "1", .least = 1, .most = 100}};
+  for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
+  keys.push_back(WrongTouches::key());
+  return {"cross",
+          "Slide from one atom to another without leaving the surface.",
+          std::move(keys),
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Cross>(s, m); },
+          nullptr,
+          checkSides};
 }
 
 }  // namespace moltact

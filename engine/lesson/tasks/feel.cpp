@@ -14,7 +14,7 @@ class FeelPlaces : public Task {
       : Task(spec), where_(spec.values["of"].selection, molecule) {
     for (const std::string& word : spec.values["feel"].words)
       if (std::none_of(places_.begin(), places_.end(), [&](const Wanted& w) { return w.word == word; }))
-        places_.push_back({word, {}});
+        places_.push_back({word, PlaceKind(word, where_, molecule), {}});
   }
 
   void reset() override {
@@ -26,6 +26,7 @@ class FeelPlaces : public Task {
  private:
   struct Wanted {
     std::string word;
+    PlaceKind kind;
     Stopwatch watch;
     bool felt() const { return watch.elapsed_s() >= kTouch_s; }
   };
@@ -35,7 +36,7 @@ class FeelPlaces : public Task {
     on_wanted_ = false;
     std::size_t felt = 0;
     for (Wanted& w : places_) {
-      const bool here = isFeature(w.word, s.contact.feature) && where_.holds(s.contact);
+      const bool here = w.kind.at(s.contact, where_, s.probe_A);
       if (!w.felt()) {
         w.watch.tick(here, dt_s, 0.0);
         on_wanted_ = on_wanted_ || here;

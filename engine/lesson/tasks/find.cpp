@@ -1,10 +1,14 @@
-// find: with the screen dark, go over the surface to a place and say "here".
+// find: with the screen dark, go over the surface to a place and say "here". The molecule is turned at random, anew
+// after each look and when the guesses have been used up, so that no place of the screen says where it is.
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "engine/core/random.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/tasks/registry.h"
+#include "engine/lesson/tasks/touch_limits.h"
 
 namespace moltact {
 namespace {
@@ -12,6 +16,8 @@ namespace {
 constexpr double kStill_A = 0.4;   // a contact point that stays within this rests
 constexpr double kStill_s = 2.0;   // resting for so long says "here" where the author wants it so
 constexpr double kWarmer_A = 1.0;  // a change of distance that is worth a word
+constexpr double kClose_A = 3.0;   // a wrong guess so near to what counts is called close
+constexpr double kFront = 0.35;    // cosine of the angle within which the place looks to the person, whatever the turn
 
 class Find : public Task {
  public:
@@ -19,17 +25,33 @@ class Find : public Task {
       : Task(spec),
         target_(spec.values["find"].selection, molecule),
         name_(spec, "find"),
+        limits_(spec, "find", molecule),
+        wrong_(spec, molecule),
         within_A_(spec.values["within"].number),
         by_holding_(spec.values["by"].text == "hold"),
         warmer_(spec.values["hints"].text == "warmer"),
-        meter_(spec.values["meter"].text == "on") {
+        meter_(spec.values["meter"].text == "on"),
+        turns_(spec.values["turn"].text == "random"),
+        guesses_(static_cast<int>(spec.values["guesses"].number)),
+        looks_(static_cast<int>(spec.values["looks"].number)) {
     for (const std::uint32_t i : spec.values["find"].selection.select(molecule))
       balls_.push_back({molecule.atoms[i].position.A, molecule.atoms[i].radius_A});
+    Vec3 middle(0.0), target(0.0);
+    for (const Atom& a : molecule.atoms) middle += a.position.A / double(molecule.atoms.size());
+    for (const Ball& b : balls_) target += b.centre_A / double(balls_.size());
+    outward_ = target - middle;
+    turn();
+  }
+
+  void drawBy(std::uint64_t seed) override {
+    state_ = seed;
+    turn();
   }
 
   void reset() override {
     Task::reset();
     now_ = {};
+    again();
   }
 
  private:
@@ -38,12 +60,42 @@ class Find : public Task {
   struct Now {
     double off_A = 0.0, told_A = -1.0, first_off_A = -1.0, still_s = 0.0;
     Vec3 resting_A{0.0};
-    int guesses = 0, looks = 0;
-    bool touching = false, felt = false, right = false, wrong = false, lit = false, told_here = false;
+    int guesses = 0, looks = 0, rounds = 1;
+    int left = 0;             // guesses of this round
+    std::string said;         // to the last guess
+    std::string author_says;  // to what is touched
+    bool touching = false, felt = false, right = false, lit = false, told_here = false;
     Heat heat = Heat::None;
   };
 
+  // Any turn is as likely as any other (Shoemake 1992), of those that let the place look to the person.
+  void turn() {
+    now_.left = guesses_;
+    if (!turns_) return;
+    const double far = glm::length(outward_);
+    for (int tries = 0; tries < 64; ++tries) {
+      const double u = nextFraction(state_), a = 2.0 * std::numbers::pi * nextFraction(state_),
+                   b = 2.0 * std::numbers::pi * nextFraction(state_);
+      turned_ = Quat(std::sqrt(u) * std::cos(b), std::sqrt(1.0 - u) * std::sin(a), std::sqrt(1.0 - u) * std::cos(a),
+                     std::sqrt(u) * std::sin(b));
+      if (far < 1.0 || glm::dot(turned_ * Vec3(0, 0, 1), outward_) >= kFront * far) return;
+    }
+  }
+
+  // The hand begins anew before the molecule, which may be turned; what was felt until now says nothing any more.
+  void again() {
+    turn();
+    ++presentation_;
+    now_.touching = now_.felt = now_.right = now_.told_here = false;
+    now_.still_s = 0.0;
+    now_.told_A = -1.0;
+    now_.heat = Heat::None;
+    now_.author_says.clear();
+  }
+
   void onSample(const TouchSample& s, double dt_s) override {
+    // What was said to a guess stands until the next touch.
+    if (s.contact.touching() && !now_.touching && !by_holding_) now_.said.clear();
     now_.touching = s.contact.touching();
     if (!now_.touching || now_.lit) {
       now_.still_s = 0.0;
@@ -51,7 +103,8 @@ class Find : public Task {
     }
     now_.felt = true;
     now_.off_A = distance(s.contact.scp.A, s.probe_A);
-    now_.right = target_.touchedBy(s.contact) || now_.off_A <= within_A_;
+    now_.right = (target_.touchedBy(s.contact) || now_.off_A <= within_A_) && limits_.allow(s.contact, s.probe_A);
+    now_.author_says = now_.right ? std::string() : wrong_.about(s.contact);
     if (now_.told_A < 0.0) now_.told_A = now_.off_A;
     if (std::abs(now_.off_A - now_.told_A) >= kWarmer_A) {
       now_.heat = now_.off_A < now_.told_A ? Heat::Warmer : Heat::Colder;
@@ -60,7 +113,8 @@ class Find : public Task {
     if (glm::distance(s.contact.scp.A, now_.resting_A) > kStill_A) {
       now_.resting_A = s.contact.scp.A;
       now_.still_s = 0.0;
-      now_.told_here = now_.wrong = false;
+      now_.told_here = false;
+      now_.said.clear();
     } else {
       now_.still_s += dt_s;
     }
@@ -74,7 +128,9 @@ class Find : public Task {
 
   HandPlan demonstrate(const HandPlanInput& view) const override {
     HandPlan plan;
-    const auto place = placeFor(view, placesToTouch(view, target_));
+    std::vector<SurfacePlace> places = placesToTouch(view, target_);
+    std::erase_if(places, [&](const SurfacePlace& p) { return !limits_.allow(p.scp_A, view.probe_A); });
+    const auto place = placeFor(view, places);
     if (!place) return plan;
     comeTo(plan, *place, depthFor(view, 0.3), by_holding_ ? kStill_s + 0.3 : 0.3);
     if (!by_holding_) plan.push_back({.answer = TaskAnswer{.word = "here"}});
@@ -91,8 +147,28 @@ class Find : public Task {
   void here() {
     ++now_.guesses;
     if (now_.guesses == 1) now_.first_off_A = now_.off_A;
-    now_.wrong = !now_.right;
-    if (now_.right) finish();
+    if (now_.right) {
+      finish();
+      return;
+    }
+    now_.said = why();
+    if (--now_.left > 0) {
+      now_.said +=
+          ' ' + trnf("{0} guess is left.", "{0} guesses are left.", static_cast<std::size_t>(now_.left), now_.left);
+      return;
+    }
+    ++now_.rounds;
+    again();
+    now_.said += ' ' + std::string(turns_ ? tr("That was the last guess: the molecule has been turned. Search anew.")
+                                          : tr("That was the last guess: come from outside and search anew."));
+  }
+
+  // What the last touch was in place of the one that is asked for.
+  std::string why() const {
+    if (!now_.author_says.empty()) return now_.author_says;
+    const std::string name = name_.text();
+    return now_.off_A <= within_A_ + kClose_A ? trf("That is not {0}, but close to it.", name)
+                                              : trf("That is not {0}: it lies elsewhere.", name);
   }
 
   void onAnswer(const TaskAnswer& answer) override {
@@ -101,8 +177,14 @@ class Find : public Task {
       return;
     }
     now_.lit = answer.word == "light";
-    now_.wrong = false;
-    if (now_.lit) ++now_.looks;
+    now_.said.clear();
+    if (now_.lit) {
+      ++now_.looks;
+    } else {
+      const int left = now_.left;
+      again();
+      now_.left = left;
+    }
   }
 
   std::vector<TaskButton> currentButtons() const override {
@@ -110,19 +192,25 @@ class Find : public Task {
     std::vector<TaskButton> out;
     // A mouse lets go before it clicks: the place that was touched last is meant.
     if (!by_holding_ && now_.felt) out.push_back({"here", N_("Here it is")});
-    out.push_back({"light", N_("Look for a moment"), 'L'});
+    if (now_.looks < looks_) out.push_back({"light", N_("Look for a moment"), 'L'});
     return out;
   }
 
-  TaskStage requestedStage() const override { return {.dark = !now_.lit, .force_meter = meter_}; }
+  TaskStage requestedStage() const override {
+    TaskStage stage{.dark = !now_.lit, .force_meter = meter_, .presentation = presentation_};
+    if (turns_) stage.turned = turned_;
+    return stage;
+  }
 
   std::string guidance() const override {
     const std::string name = name_.text();
-    if (now_.lit) return trf("Look where {0} is. The search goes on when it is dark again.", name);
-    if (!now_.touching && now_.felt && !by_holding_ && !now_.wrong)
+    if (now_.lit)
+      return turns_ ? trf("Look what lies round {0}. In the dark the molecule will be turned anew.", name)
+                    : trf("Look where {0} is. The search goes on when it is dark again.", name);
+    if (!now_.said.empty()) return withHeat(now_.said);
+    if (!now_.touching && now_.felt && !by_holding_)
       return withHeat(trf("Say whether it was there, or feel on to find {0}.", name));
     if (!now_.touching) return trf("Push until you touch the surface, then feel your way to {0}.", name);
-    if (now_.wrong) return withHeat(trf("That is not {0}. Feel on.", name));
     return withHeat(by_holding_ ? trf("Slide to {0}, then rest there for {1}.", name, timeText(kStill_s))
                                 : trf("Slide to {0}, then say that it is here.", name));
   }
@@ -136,47 +224,73 @@ class Find : public Task {
     out.push_back({N_("guesses"), double(now_.guesses), ""});
     if (now_.first_off_A >= 0.0) out.push_back({N_("error of the first guess"), now_.first_off_A, "Å"});
     out.push_back({N_("looks"), double(now_.looks), ""});
+    out.push_back({N_("rounds"), double(now_.rounds), ""});
   }
 
   AtomSet target_;
   TargetName name_;
+  TouchLimits limits_;
+  WrongTouches wrong_;
   std::vector<Ball> balls_;
   double within_A_ = 3.0;
-  bool by_holding_ = false, warmer_ = false, meter_ = true;
+  bool by_holding_ = false, warmer_ = false, meter_ = true, turns_ = true;
+  int guesses_ = 3, looks_ = 2, presentation_ = 1;
+  std::uint64_t state_ = 0;  // of the random row
+  Vec3 outward_{0.0};        // from the middle of the molecule to that of the place
+  Quat turned_ = kNoRotation;
   Now now_;
 };
 
 }  // namespace
 
 TaskKind findKind() {
-  return {"find",
-          "Find a place by touch alone, with the screen dark.",
-          {{.name = "find",
-            .type = ValueType::Selection,
-            .meaning = "The atoms of which one is to be found.",
-            .required = true},
-           {.name = "within",
-            .type = ValueType::Quantity,
-            .meaning = "A contact point so near to the surface of a selected atom is right as well.",
-            .fallback = "1 Å",
-            .dimension = Dimension::Length,
-            .most = 100.0},
-           {.name = "by",
-            .type = ValueType::Word,
-            .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
-            .fallback = "here",
-            .words = {"here", "hold"}},
-           {.name = "hints",
-            .type = ValueType::Word,
-            .meaning = "Whether the program says 'warmer' and 'colder'.",
-            .fallback = "none",
-            .words = {"none", "warmer"}},
-           {.name = "meter",
-            .type = ValueType::Word,
-            .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device "
-                       "it is all there is to feel.",
-            .fallback = "on",
-            .words = {"on", "off"}}},
+  std::vector<KeySpec> keys{
+      {.name = "find",
+       .type = ValueType::Selection,
+       .meaning = "The atoms of which one is to be found.",
+       .required = true},
+      {.name = "within",
+       .type = ValueType::Quantity,
+       .meaning = "A contact point so near to the surface of a selected atom is right as well.",
+       .fallback = "1 Å",
+       .dimension = Dimension::Length,
+       .most = 100.0},
+      {.name = "by",
+       .type = ValueType::Word,
+       .meaning = "How the student tells: with a button (here), or by resting for 2 s (hold).",
+       .fallback = "here",
+       .words = {"here", "hold"}},
+      {.name = "hints",
+       .type = ValueType::Word,
+       .meaning = "Whether the program says 'warmer' and 'colder'.",
+       .fallback = "none",
+       .words = {"none", "warmer"}},
+      {.name = "meter",
+       .type = ValueType::Word,
+       .meaning = "Whether the force is shown in the dark, how great and whereto; without a force-feedback device "
+                  "it is all there is to feel.",
+       .fallback = "on",
+       .words = {"on", "off"}},
+      {.name = "turn",
+       .type = ValueType::Word,
+       .meaning = "Whether the molecule lies turned in the dark, another way for each student, after each look and "
+                  "when the guesses are used up; the place stays on the side of the student.",
+       .fallback = "random",
+       .words = {"random", "none"}},
+      {.name = "guesses",
+       .type = ValueType::Count,
+       .meaning = "How often the student may say that it is here before the search begins anew.",
+       .fallback = "3",
+       .least = 1,
+       .most = 100},
+      {.name = "looks",
+       .type = ValueType::Count,
+       .meaning = "How often the student may look for a moment.",
+       .fallback = "2",
+       .most = 100}};
+  for (KeySpec& key : TouchLimits::keys()) keys.push_back(std::move(key));
+  keys.push_back(WrongTouches::key());
+  return {"find", "Find a place by touch alone, with the screen dark.", std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Find>(s, m); }};
 }
 

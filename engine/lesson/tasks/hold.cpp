@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "engine/haptics/methods.h"
 #include "engine/language/catalogue.h"
@@ -22,6 +23,7 @@ class Hold : public Task {
     const Value& place = spec.values["hold"];
     if (!place.words.empty()) feature_ = place.words[0];
     if (spec.values["of"].selection.given()) target_ = AtomSet(spec.values["of"].selection, molecule);
+    kind_.emplace(feature_, target_, molecule);
     time_s_ = spec.values["for"].number;
     if (spec.values.has("force")) {
       low_N_ = spec.values["force"].low;
@@ -65,9 +67,8 @@ class Hold : public Task {
 
   State stateOf(const TouchSample& s) const {
     if (!s.contact.touching()) return State::Away;
-    const bool here = feature_.empty() || feature_ == "anywhere"
-                          ? target_.touchedBy(s.contact)
-                          : isFeature(feature_, s.contact.feature) && target_.holds(s.contact);
+    const bool here = feature_.empty() || feature_ == "anywhere" ? target_.touchedBy(s.contact)
+                                                                 : kind_->at(s.contact, target_, s.probe_A);
     if (!here) return State::Elsewhere;
     const double force = glm::length(s.force.N);
     if (force < low_N_ * (1.0 - kForceSlack)) return State::TooLight;
@@ -97,6 +98,7 @@ class Hold : public Task {
   AtomSet target_;
   TargetName name_;
   std::string feature_;
+  std::optional<PlaceKind> kind_;
   double time_s_ = 1.0, low_N_ = 0.0, high_N_ = std::numeric_limits<double>::infinity();
   Stopwatch watch_;
   State state_ = State::Away;

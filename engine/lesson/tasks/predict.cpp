@@ -1,5 +1,6 @@
 // predict: draw the curve of the force first, then feel it by pressing in or by sliding along; both are shown together.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr std::size_t kPoints = 25;  // of each curve
 constexpr double kFeltEnough = 0.9;  // of the points of the axis
+constexpr double kSlideShare = 0.2;  // of the way: what shorter slides feel of it does not count
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 // How much of the areas under the two curves is common to both, where both are known.
@@ -73,6 +75,8 @@ class Predict : public Task {
     curves_.agreement.reset();
     counts_.assign(kPoints, 0.0);
     sums_.assign(kPoints, 0.0);
+    waiting_ = {};
+    slide_.restart();
   }
 
   void onAnswer(const TaskAnswer& answer) override {
@@ -83,7 +87,8 @@ class Predict : public Task {
     setProgress(0.5);
   }
 
-  void onSample(const TouchSample& s, double) override {
+  void onSample(const TouchSample& s, double dt_s) override {
+    if (slide_.tick(s.contact, dt_s)) waiting_ = {};
     touching_ = s.contact.touching();
     on_place_ = touching_ && (slides_ || from_.touchedBy(s.contact));
     if (curves_.drawing || !on_place_) return;
@@ -91,9 +96,17 @@ class Predict : public Task {
     const double at = x / curves_.x_most * double(kPoints - 1);
     if (!(at > -0.5) || !(at < double(kPoints) - 0.5)) return;
     const auto k = static_cast<std::size_t>(std::lround(std::max(0.0, at)));
-    counts_[k] += 1.0;
-    sums_[k] += glm::length(s.force.N);
-    curves_.felt[k] = sums_[k] / counts_[k];
+    ++waiting_[k].count;
+    waiting_[k].sum_N += glm::length(s.force.N);
+    // Along a way the hand slides; one that is only put down here and there has not felt it.
+    if (slides_ && slide_.way_A() < kSlideShare * curves_.x_most) return;
+    for (std::size_t point = 0; point < kPoints; ++point) {
+      if (waiting_[point].count == 0.0) continue;
+      counts_[point] += waiting_[point].count;
+      sums_[point] += waiting_[point].sum_N;
+      curves_.felt[point] = sums_[point] / counts_[point];
+    }
+    waiting_ = {};
     const double felt = feltShare();
     setProgress(0.5 + 0.5 * felt / kFeltEnough);
     if (felt >= kFeltEnough) compare();
@@ -183,6 +196,11 @@ class Predict : public Task {
   Vec3 start_A_{0.0}, along_{1, 0, 0};
   TaskCurves curves_;
   std::vector<double> counts_, sums_;
+  Slide slide_;
+  struct Waiting {
+    double count = 0.0, sum_N = 0.0;
+  };
+  std::array<Waiting, kPoints> waiting_{};  // felt in a slide that is still too short
   int predictions_ = 0;
 };
 

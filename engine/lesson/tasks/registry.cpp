@@ -13,7 +13,10 @@
   X(trace)               \
   X(find)                \
   X(predict)             \
-  X(same)
+  X(same)                \
+  X(fit)                 \
+  X(measure)             \
+  X(order)
 
 namespace moltact {
 

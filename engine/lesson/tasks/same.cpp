@@ -1,8 +1,9 @@
-// same: feel two things one after the other in the dark and say whether they are the same; in seeded random order.
+// same: feel two things one after the other in the dark and say whether they are the same. Each pair is drawn for
+// itself, so that nothing follows from the pairs before.
 #include <algorithm>
 #include <iterator>
-#include <random>
 
+#include "engine/core/random.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
@@ -29,7 +30,8 @@ class Same : public Task {
         here_(spec.values["same"].selection, molecule),
         there_(spec.values["place"].selection, molecule),
         trials_(static_cast<std::size_t>(spec.values["trials"].number)),
-        seed_(static_cast<unsigned>(spec.values["seed"].number)),
+        fixed_(spec.values.has("seed")),
+        seed_(static_cast<std::uint64_t>(spec.values["seed"].number)),
         time_s_(spec.values["for"].number),
         tell_(spec.values["tell"].text == "yes"),
         meter_(spec.values["meter"].text == "on"),
@@ -40,14 +42,26 @@ class Same : public Task {
       if (spec.values.has(p.key)) other_.touch.set(p, touchValueOf(p, spec.values[p.key]));
     if (spec.values["same"].selection.given()) one_.facing = middle(spec.values["same"].selection, molecule);
     other_.facing = by_place_ ? middle(spec.values["place"].selection, molecule) : one_.facing;
-    shuffle();
+    draw();
   }
 
+  void drawBy(std::uint64_t seed) override {
+    if (fixed_) return;
+    seed_ = seed;
+    drawn_ = 0;
+    draw();
+  }
+
+  // Another order: who begins again has heard what the pairs were.
   void reset() override {
     Task::reset();
-    round_ = presentation_ = 0;
+    round_ = 0;
+    presentation_ += 2;
+    answered_ = failed_ = false;
     begin();
   }
+
+  TaskTrials trials() const override { return {trials_, tell_ ? judged_ : std::vector<bool>()}; }
 
  private:
   struct Trial {
@@ -67,17 +81,18 @@ class Same : public Task {
     hits_ = alarms_ = 0;
     second_ = false;
     felt_s_ = 0.0;
-    shuffle();
+    draw();
   }
 
-  // Half of the trials differ (of an odd number one fewer), in an order that the seed and the round fix on every
-  // machine.
-  void shuffle() {
-    std::mt19937 random(seed_ + 7919u * static_cast<unsigned>(round_));
+  // A coin for each pair, whether it differs and which of the two comes first.
+  void draw() {
+    std::uint64_t state = mixedSeed(seed_, drawn_++);
     order_.assign(trials_, {});
-    for (std::size_t k = 0; k < trials_ / 2; ++k) order_[k].differ = true;
-    for (std::size_t k = trials_; k > 1; --k) std::swap(order_[k - 1], order_[random() % k]);
-    for (Trial& t : order_) t.second_first = random() % 2 == 1;
+    for (Trial& t : order_) {
+      t.differ = nextFraction(state) < 0.5;
+      t.second_first = nextFraction(state) < 0.5;
+    }
+    judged_.clear();
   }
 
   bool showsOther() const {
@@ -121,12 +136,14 @@ class Same : public Task {
     ++presentation_;
     if (!second_) {
       second_ = true;
+      if (failed_) judged_.clear();
       return;
     }
     const bool differ = order_[trial_].differ, said = answer.word == "different";
     hits_ += differ && said;
     alarms_ += !differ && said;
     right_ += differ == said;
+    judged_.push_back(differ == said);
     last_right_ = differ == said;
     last_differed_ = differ;
     second_ = false;
@@ -142,27 +159,35 @@ class Same : public Task {
     failed_ = true;
     failed_right_ = right_;
     ++round_;
+    const std::vector<bool> last = judged_;
     begin();
+    judged_ = last;
     setProgress(0.0);
   }
 
   std::string guidance() const override {
     if (felt_s_ >= time_s_)
       return second_ ? tr("Were the two the same, or different?") : tr("Now go on to the second.");
-    if (beside_) return tr("You are beside the place. It lies in the middle of the view.");
+    if (beside_) return tr("You are beside the place. It lies in the middle of the view: let go, and push there.");
     const std::size_t pair = trial_ + 1;
     if (touching_) {
       const std::string felt = timeText(felt_s_), wanted = timeText(time_s_);
       return second_ ? trf("Feel the second of pair {0} of {1}: {2} of {3}.", pair, trials_, felt, wanted)
                      : trf("Feel the first of pair {0} of {1}: {2} of {3}.", pair, trials_, felt, wanted);
     }
-    const std::string touch = second_ ? trf("Touch the second of pair {0} of {1}.", pair, trials_)
-                                      : trf("Touch the first of pair {0} of {1}.", pair, trials_);
+    const std::string touch =
+        led() ? (second_ ? trf("Touch the second of pair {0} of {1}: push in the middle of the view.", pair, trials_)
+                         : trf("Touch the first of pair {0} of {1}: push in the middle of the view.", pair, trials_))
+        : second_ ? trf("Touch the second of pair {0} of {1}.", pair, trials_)
+                  : trf("Touch the first of pair {0} of {1}.", pair, trials_);
     if (failed_)
       return trf("{0} of {1} right; {2} are needed. Another round: {3}", failed_right_, trials_, needed_, touch);
     if (tell_ && answered_ && !second_ && felt_s_ == 0.0) return judgement() + std::string(" ") + touch;
     return touch;
   }
+
+  // The place is turned to the front and into the middle of the view.
+  bool led() const { return one_.facing.has_value(); }
 
   const char* judgement() const {
     if (last_right_) return last_differed_ ? tr("Right, they were different.") : tr("Right, they were the same.");
@@ -186,11 +211,13 @@ class Same : public Task {
 
   AtomSet here_, there_;
   std::size_t trials_ = 8, needed_ = 6, trial_ = 0, right_ = 0, failed_right_ = 0;
-  unsigned seed_ = 1;
+  bool fixed_ = false;  // the author has said by what the orders are drawn
+  std::uint64_t seed_ = 0, drawn_ = 0;
   double time_s_ = 1.0, felt_s_ = 0.0;
   bool tell_ = true, meter_ = true, by_place_ = false;
   TaskStage one_, other_;
   std::vector<Trial> order_;
+  std::vector<bool> judged_;  // of this round, until it begins those of the one before
   int round_ = 0, presentation_ = 0, hits_ = 0, alarms_ = 0;
   bool second_ = false, touching_ = false, beside_ = false, answered_ = false, failed_ = false, last_right_ = false,
        last_differed_ = false;
@@ -229,6 +256,15 @@ void checkSame(const TaskSpec& spec, std::vector<Problem>& problems) {
                         tr("ask for no more than 'trials'")});
 }
 
+void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+  const Value &one = spec.values["same"], &other = spec.values["place"];
+  if (!one.selection.given() || !other.selection.given()) return;
+  const std::vector<std::uint32_t> atoms = one.selection.select(molecule);
+  if (!atoms.empty() && atoms == other.selection.select(molecule))
+    problems.push_back(
+        {{}, other.place.line, other.place.column, tr("the two places are the same atoms"), tr("name other atoms")});
+}
+
 }  // namespace
 
 TaskKind sameKind() {
@@ -243,13 +279,14 @@ TaskKind sameKind() {
       {.name = kPlace, .type = ValueType::Selection, .meaning = "The second thing is these atoms."},
       {.name = "trials",
        .type = ValueType::Count,
-       .meaning = "How many pairs are felt; half of them differ.",
+       .meaning = "How many pairs are felt. Each is drawn for itself: it differs as often as not.",
        .fallback = "8",
        .least = 2,
        .most = 100},
       {.name = "right",
        .type = ValueType::Count,
-       .meaning = "How many answers must be right; without it three of four.",
+       .meaning = "How many answers must be right, the others are forgiven; without it three of four. With fewer "
+                  "another round begins, of other pairs.",
        .least = 1,
        .most = 100},
       {.name = "for",
@@ -272,13 +309,16 @@ TaskKind sameKind() {
        .words = {"on", "off"}},
       {.name = "seed",
        .type = ValueType::Count,
-       .meaning = "Another number gives another order of the pairs.",
-       .fallback = "1",
+       .meaning = "For studies: all students and attempts get the pairs that this number draws; without it each gets "
+                  "others.",
        .most = 1e6}};
   keys.insert(keys.end(), std::begin(others), std::end(others));
-  return {"same", "Feel two things in the dark and say whether they are the same, several times.", std::move(keys),
+  return {"same",
+          "Feel two things in the dark and say whether they are the same, several times.",
+          std::move(keys),
           [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Same>(s, m); },
-          &checkSame};
+          &checkSame,
+          &checkPlaces};
 }
 
 }  // namespace moltact

@@ -42,6 +42,11 @@ void Task::measureTouch(const TouchSample& sample, double dt_s) {
 
 void Task::answer(const TaskAnswer& given) {
   if (done_) return;
+  if (given.number) {
+    const std::optional<TaskSlider> asked = slider();
+    if (asked && *given.number >= asked->least && *given.number <= asked->most) onAnswer(given);
+    return;
+  }
   if (const TaskCurves* asked = curves();
       asked && asked->drawing && given.curve.size() == asked->drawn.size() && !given.curve.empty()) {
     if (std::all_of(given.curve.begin(), given.curve.end(), [](double v) { return std::isfinite(v) && v >= 0.0; }))
@@ -108,8 +113,15 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
   const auto touched = [&](const SurfacePlace& p) {
     return std::any_of(p.atoms.begin(), p.atoms.end(), [&](std::int32_t a) { return atoms.has(a); });
   };
+  std::vector<char> near(view.balls.size(), 0);
+  for (const std::uint32_t a : atoms.atoms())
+    view.balls.visitNear(view.balls[a].centre_A, view.balls[a].radius_A + 2.0 * view.probe_A,
+                         [&](std::uint32_t b, const Ball&) { near[b] = 1; });
+  std::vector<std::uint32_t> around;
+  for (std::uint32_t a = 0; a < near.size(); ++a)
+    if (near[a]) around.push_back(a);
   for (const Feature f : {Feature::Circle, Feature::Point})
-    for (const SurfacePlace& p : openPlaces(view, everyAtom(view.balls), f, 40, touched)) places.push_back(p);
+    for (const SurfacePlace& p : openPlaces(view, around, f, 40, touched)) places.push_back(p);
   return places;
 }
 
@@ -133,6 +145,34 @@ bool Stopwatch::tick(bool lasting, double dt_s, double slip_s) {
   if (away_s_ <= slip_s || elapsed_s_ == 0.0) return false;
   restart();
   return true;
+}
+
+bool Slide::tick(const Contact& contact, double dt_s) {
+  if (!contact.touching()) {
+    away_s_ += dt_s;
+    return false;
+  }
+  const double step_A = last_A_ ? glm::distance(*last_A_, contact.scp.A) : 0.0;
+  const bool anew = !last_A_ || (away_s_ > 0.0 && (away_s_ > kSlip_s || step_A > kHop_A));
+  way_A_ = anew ? 0.0 : way_A_ + step_A;
+  last_A_ = contact.scp.A;
+  away_s_ = 0.0;
+  return anew;
+}
+
+PlaceKind::PlaceKind(std::string_view word, const AtomSet& atoms, const Molecule& molecule) : word_(word) {
+  constexpr std::size_t kMost = 200;
+  if (word_ != "pit" || atoms.count() > kMost) return;
+  for (const std::uint32_t a : atoms.atoms())
+    balls_.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A});
+}
+
+bool PlaceKind::at(const Contact& contact, const AtomSet& atoms, double probe_A) const {
+  if (!atoms.holds(contact)) return false;
+  return isFeature(word_, contact.feature) ||
+         std::count_if(balls_.begin(), balls_.end(), [&](const Ball& b) {
+           return std::abs(glm::distance(contact.scp.A, b.centre_A) - b.radius_A - probe_A) <= kAlike_A;
+         }) >= 3;
 }
 
 std::vector<PathPlace> pathPlaces(const std::vector<Selection>& path, const Molecule& molecule) {

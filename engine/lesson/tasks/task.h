@@ -3,12 +3,14 @@
 // 30 Hz up (at 1 kHz nothing is missed). Once done, a task stays done.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "engine/language/units.h"
 #include "engine/lesson/hand_plan.h"
 #include "engine/lesson/lesson.h"
 #include "engine/lesson/tasks/task_answer.h"
@@ -47,10 +49,24 @@ struct TaskStage {
   bool force_meter = false;  ///< in the dark the force is shown
   TouchChange touch = {};    ///< felt with something else
   std::optional<PointA> facing = {};  ///< a place to be turned to the front, in the middle of the view
-  int presentation = 0;  ///< another number begins a new presentation: the hand lets go and starts outside again, so
-                         ///< that nothing but the touch shows whether something has changed
+  std::optional<Quat> turned = {};    ///< the molecule is seen turned so: the screen's axes in its own
+  int presentation = 0;  ///< another number, or another turn, begins a new presentation: the hand lets go and starts
+                         ///< outside again, so that nothing but the touch shows whether something has changed
 
   friend bool operator==(const TaskStage&, const TaskStage&) = default;
+};
+
+/// A number that the student sets.
+struct TaskSlider {
+  std::string_view name;  ///< "probe radius"
+  double value = 0.0, least = 0.0, most = 1.0, step = 0.1;
+  Dimension dimension = Dimension::Length;  ///< they are in its code's unit
+};
+
+/// How far several like trials have come: how many there are, and of those judged so far whether each was right.
+struct TaskTrials {
+  std::size_t of = 0;
+  std::vector<bool> right;
 };
 
 /// A force curve that the student draws first and feels then. Both are values at even distances from 0 to `x_most`,
@@ -72,6 +88,9 @@ class Task {
   /// finite, are passed over, as is everything after the task is done.
   void feed(const TouchSample& sample);
 
+  /// What the task draws at random follows from this; to be called before it is begun. The same number draws the same.
+  virtual void drawBy(std::uint64_t seed) { (void)seed; }
+
   bool done() const { return done_; }
   /// 0 to 1; 1 exactly when done.
   double progress() const { return done_ ? 1.0 : progress_; }
@@ -84,6 +103,10 @@ class Task {
   void answer(const TaskAnswer& answer);
   /// Null for a task without a curve to draw.
   virtual const TaskCurves* curves() const { return nullptr; }
+  /// Nothing for a task without a number to set, and once done.
+  std::optional<TaskSlider> slider() const { return done_ ? std::nullopt : currentSlider(); }
+  /// Of a task of several trials, as far as it may be told; else `of` is 0.
+  virtual TaskTrials trials() const { return {}; }
   /// The changes of the scene that it asks for; none once done.
   TaskStage stage() const { return done_ ? TaskStage() : requestedStage(); }
 
@@ -117,6 +140,7 @@ class Task {
   virtual void onAnswer(const TaskAnswer&) {}
   virtual std::vector<TaskButton> currentButtons() const { return {}; }
   virtual TaskStage requestedStage() const { return {}; }
+  virtual std::optional<TaskSlider> currentSlider() const { return std::nullopt; }
   /// The kind's own figures.
   virtual void measure(std::vector<TaskFigure>&) const {}
 
@@ -168,6 +192,21 @@ class Stopwatch {
   double elapsed_s_ = 0.0, away_s_ = 0.0;
 };
 
+/// A stretch of the surface that the contact point goes over without a break. A slip shorter than kSlip_s is none, if
+/// the surface is met again within kHop_A of where it was left: a hand that is put down elsewhere begins another.
+class Slide {
+ public:
+  static constexpr double kHop_A = 0.5;
+  /// One tick. Gives true where another stretch began with it.
+  bool tick(const Contact& contact, double dt_s);
+  double way_A() const { return way_A_; }  ///< so far in this stretch
+  void restart() { *this = Slide(); }
+
+ private:
+  std::optional<Vec3> last_A_;
+  double way_A_ = 0.0, away_s_ = 0.0;
+};
+
 /// A place on a path of atoms: one atom, or the ball round the atoms of one part. Units: angstrom.
 struct PathPlace {
   Vec3 centre_A{0.0};
@@ -202,6 +241,20 @@ std::vector<SurfacePlace> placesToTouch(const HandPlanInput& view, const AtomSet
 
 /// "sphere" -> a single atom's sphere, "crease" -> a circle, "pit" -> a point.
 bool isFeature(std::string_view word, Feature feature);
+
+/// The kind of place that a task asks for by a word, made by some atoms. In the middle of a ring of like atoms the
+/// contact point rests on two or three of them by chance; there a pit counts as soon as three are as near as kAlike_A.
+class PlaceKind {
+ public:
+  static constexpr double kAlike_A = 0.1;
+  PlaceKind(std::string_view word, const AtomSet& atoms, const Molecule& molecule);
+  /// Whether the contact is at such a place and these atoms alone hold it.
+  bool at(const Contact& contact, const AtomSet& atoms, double probe_A) const;
+
+ private:
+  std::string word_;
+  std::vector<Ball> balls_;  // of the atoms, where they are few
+};
 
 /// "0.35 N", "1.2 s" and, of a share from 0 to 1, "83 %".
 std::string forceText(double force_N);

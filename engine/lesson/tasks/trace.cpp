@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/surface_places.h"
@@ -14,8 +15,13 @@ constexpr double kSpacing_A = 0.2;    // of the places along a crease
 constexpr double kBrush_A = 0.25;     // a contact covers so much of a crease to either side
 constexpr double kAhead_A = 5.0;      // round a bend the nearest place of a way may leap so far
 constexpr double kAheadShare = 0.25;  // but never over so much of the whole way
-constexpr double kStart_A = 1.0;      // so near to its end a way may be begun
-constexpr double kStartShare = 0.1;   // and within so much of the whole
+// The front of a way moves on by no more than the hand has slid since it stood there, as seen from the surface, which
+// may be longer or shorter than the way between the centres; and the hand begins again so near to where it left it.
+constexpr double kWayShare = 2.0, kResume_A = 1.5;
+constexpr double kBrushed_A = 1.0;     // only what a slide of so much goes over is covered
+constexpr double kBrushedShare = 0.1;  // or of so much of the crease, where that is shorter
+constexpr double kStart_A = 1.0;       // so near to its end a way may be begun
+constexpr double kStartShare = 0.1;    // and within so much of the whole
 
 // What the two forms of the way have in common: how far the hand is off it, and how often it let go.
 class Trace : public Task {
@@ -31,6 +37,7 @@ class Trace : public Task {
   void reset() override {
     Task::reset();
     forget();
+    slide_.restart();
     lifts_ = 0;
     over_A_s_ = on_s_ = greatest_A_ = 0.0;
     state_ = State::Away;
@@ -45,6 +52,11 @@ class Trace : public Task {
     bool on = false;     // on the part of the way that is to be followed now
   };
 
+  /// The stretch of surface that the hand slides over now.
+  Slide slide_;
+  /// The hand has been put down again since the tick before.
+  bool put_down_ = false;
+
   /// Moves on along the way where the contact point is on it within the tolerance.
   virtual Step follow(const Contact& contact, double probe_A, double within_A) = 0;
   virtual bool begun() const = 0;
@@ -56,6 +68,7 @@ class Trace : public Task {
 
  private:
   void onSample(const TouchSample& s, double dt_s) override {
+    put_down_ = slide_.tick(s.contact, dt_s);
     if (!s.contact.touching()) {
       away_s_ += dt_s;
       if (away_s_ > kSlip_s && begun() && state_ != State::Lifted && state_ != State::Again) letGo();
@@ -201,9 +214,13 @@ class TraceAtoms : public Trace {
     const Vec3& scp = contact.scp.A;
     const double off_A = nearest(scp, probe_A, 0.0, length_A_).off_A;
     if (!begun_) {
+      resumed_ = true;
+      slid_A_ = slide_.way_A();
+      budget_A_ = std::min(kResume_A, kAheadShare * length_A_);
       if (rests(contact, stops_.front()) || (either_ && rests(contact, stops_.back()))) {
         begun_ = true;
         backward_ = !rests(contact, stops_.front());
+        budget_A_ = std::max(budget_A_, (backward_ ? stops_.back() : stops_.front()).place.reach_A);
         return {off_A, true};
       }
       const double reach = std::min(kStart_A, kStartShare * length_A_);
@@ -217,24 +234,59 @@ class TraceAtoms : public Trace {
       return {off_A, true};
     }
     const double here_A = backward_ ? length_A_ - front_A_ : front_A_;
+    if (put_down_) {
+      resumed_ = false;
+      slid_A_ = budget_A_ = 0.0;
+    }
+    // A press moves the contact point a little too: what is shorter than that is no slide.
+    if (slide_.way_A() >= std::min(kBrushed_A, kBrushedShare * length_A_))
+      budget_A_ += kWayShare * (slide_.way_A() - std::exchange(slid_A_, slide_.way_A()));
+    if (!resumed_) {
+      // The way goes on where it was left: whoever is put down there, or slides back to it, has found it again.
+      const double reach = std::min(kResume_A, ahead_A_);
+      const Near left = nearest(scp, probe_A, std::max(0.0, here_A - reach), std::min(length_A_, here_A + reach));
+      resumed_ = (left.inside && left.off_A <= within_A) || restsNear(contact, reach);
+      budget_A_ = 0.0;
+      if (!resumed_) return {off_A, false};
+    }
     const Near here = nearest(scp, probe_A, std::max(0.0, here_A - ahead_A_), std::min(length_A_, here_A + ahead_A_));
     const bool on = here.inside && here.off_A <= within_A;
-    if (on) front_A_ = std::max(front_A_, backward_ ? length_A_ - here.at_A : here.at_A);
+    if (on) advance(backward_ ? length_A_ - here.at_A : here.at_A);
     return {off_A, comesTo(contact) || on};
+  }
+
+  void advance(double to_A) {
+    const double on_A = std::min(to_A, front_A_ + budget_A_) - front_A_;
+    if (on_A <= 0.0) return;
+    front_A_ += on_A;
+    budget_A_ -= on_A;
   }
 
   // A place of several atoms is reached where one of them is touched: the line through its middle may be out of reach.
   bool comesTo(const Contact& contact) {
     bool reached = false;
     for (const Stop& stop : stops_) {
-      const double at_A = backward_ ? length_A_ - stop.at_A : stop.at_A;
+      const double at_A = alongOf(stop);
       if (at_A - front_A_ > ahead_A_ + stop.place.reach_A || front_A_ - at_A > stop.place.reach_A ||
           !rests(contact, stop))
         continue;
-      front_A_ = std::max(front_A_, at_A);
+      // Its atoms reach so far before its middle.
+      if (at_A - front_A_ <= budget_A_ + stop.place.reach_A && at_A > front_A_) {
+        budget_A_ = std::max(0.0, budget_A_ - (at_A - front_A_));
+        front_A_ = at_A;
+      }
       reached = true;
     }
     return reached;
+  }
+
+  double alongOf(const Stop& stop) const { return backward_ ? length_A_ - stop.at_A : stop.at_A; }
+
+  // On a place of several atoms that begins no farther ahead than this, or ends no farther behind.
+  bool restsNear(const Contact& contact, double within_A) const {
+    return std::any_of(stops_.begin(), stops_.end(), [&](const Stop& stop) {
+      return std::abs(alongOf(stop) - front_A_) <= stop.place.reach_A + within_A && rests(contact, stop);
+    });
   }
 
   static bool rests(const Contact& contact, const Stop& stop) {
@@ -268,13 +320,14 @@ class TraceAtoms : public Trace {
   double covered() const override { return begun_ ? front_A_ / length_A_ : 0.0; }
   void forget() override {
     begun_ = backward_ = false;
-    front_A_ = 0.0;
+    front_A_ = budget_A_ = slid_A_ = 0.0;
   }
   Begin begin() const override { return either_ ? Begin::EitherEnd : Begin::Start; }
 
   std::vector<Stop> stops_;
   double length_A_ = 0.0, ahead_A_ = 0.0, front_A_ = 0.0;
-  bool either_ = false, begun_ = false, backward_ = false;
+  double slid_A_ = 0.0, budget_A_ = 0.0;  // of the slide until the last tick; so far the front may move on
+  bool either_ = false, begun_ = false, backward_ = false, resumed_ = false;
 };
 
 /// Along the creases between atoms, in any order.
@@ -298,14 +351,29 @@ class TraceCrease : public Trace {
     const double off_A = nearest(contact.scp.A);
     // Between two of the places the crease is still there.
     const double off = off_A < kSpacing_A ? std::max(0.0, off_A - 0.5 * kSpacing_A) : off_A;
+    if (off > within_A || put_down_) {
+      dropBrushed();
+      on_since_A_ = slide_.way_A();
+    }
     if (off > within_A) return {off, false};
     begun_ = true;
     places_->visitCentresNear(contact.scp.A, off_A + kBrush_A, [&](std::uint32_t k, const Ball& p) {
       if (passed_[k] || glm::distance(p.centre_A, contact.scp.A) > off_A + kBrush_A) return;
-      passed_[k] = 1;
-      ++count_;
+      passed_[k] = kBrushed;
+      brushed_.push_back(k);
     });
+    // A hand that is only put down here and there has not followed it.
+    if (slide_.way_A() - on_since_A_ < std::min(kBrushed_A, kBrushedShare * kSpacing_A * double(places_->size())))
+      return {off, true};
+    for (const std::uint32_t k : brushed_) passed_[k] = kPassed;
+    count_ += brushed_.size();
+    brushed_.clear();
     return {off, true};
+  }
+
+  void dropBrushed() {
+    for (const std::uint32_t k : brushed_) passed_[k] = 0;
+    brushed_.clear();
   }
 
   // Along each stretch of crease; where the next place is far, the hand comes down anew.
@@ -347,6 +415,7 @@ class TraceCrease : public Trace {
   double covered() const override { return empty() ? 0.0 : double(count_) / double(places_->size()); }
   void forget() override {
     passed_.assign(empty() ? 0 : places_->size(), 0);
+    brushed_.clear();
     count_ = 0;
     begun_ = false;
   }
@@ -356,7 +425,10 @@ class TraceCrease : public Trace {
   std::shared_ptr<const BallScene> scene_;
   std::vector<std::uint32_t> atoms_;
   std::unique_ptr<const BallScene> places_;  // a grid of points
+  static constexpr char kBrushed = 1, kPassed = 2;
   std::vector<char> passed_;
+  std::vector<std::uint32_t> brushed_;  // by the slide that goes on, as long as it is too short
+  double on_since_A_ = 0.0;             // of the slide, when it came onto the crease
   std::size_t count_ = 0;
   double probe_A_ = -1.0;
   bool begun_ = false;

@@ -15,7 +15,8 @@ using namespace moltact;
 
 namespace {
 
-const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: pair, cage\nauthor: A\nlicence: L\n---\n";
+const std::string kHead =
+    "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: pair, cage, ring, well\nauthor: A\nlicence: L\n---\n";
 
 std::shared_ptr<const Lesson> lesson(const std::string& body) {
   LessonReading read = readLessonText("l.md", kHead + body);
@@ -24,7 +25,9 @@ std::shared_ptr<const Lesson> lesson(const std::string& body) {
   return std::make_shared<const Lesson>(*std::move(read.lesson));
 }
 
-/// "pair": two balls of 1.88 A side by side; "cage": a small atom wholly inside a large one.
+/// "pair": two balls of 1.88 A side by side; "cage": a small atom wholly inside a large one; "ring": six balls of 1.5 A
+/// 3 A round the z axis, through which a probe of 1.5 A passes; "well": the same with a ball of 1 A
+/// on a floor behind its middle, which a probe of 2.25 A just comes to.
 Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
   const std::string& name = named.name;
   MoleculeBuilder b;
@@ -32,7 +35,11 @@ Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) 
     b.atom("AR", 18, {-1.88, 0, 0}, 1.88).atom("AR", 18, {1.88, 0, 0}, 1.88);
   else if (name == "cage")
     b.atom("C", 6, {0, 0, 0}, 1.0).atom("U", 92, {0.1, 0, 0}, 4.0);
-  else
+  else if (name == "ring" || name == "well") {
+    for (int k = 0; k < 6; ++k)
+      b.atom("C", 6, {3.0 * std::cos(k * 1.0471975511965976), 3.0 * std::sin(k * 1.0471975511965976), 0}, 1.5);
+    if (name == "well") b.atom("O", 8, {0, 0, -1.0}, 1.0).atom("U", 92, {0, 0, -4.0}, 3.5);
+  } else
     return Problem{{}, 0, 0, "there is no molecule '" + name + "'", {}};
   return std::make_shared<const Molecule>(b.molecule);
 }
@@ -97,8 +104,10 @@ TEST_CASE("each kind of task is done on two balls by the student who follows its
       {"predict", "predict: atom 0\nalong: atom 1"},
       {"same", "same: anywhere\nprobe: 2 Å\ntrials: 2\nfor: 0.2 s"},
       {"same", "same: atom 0\nplace: atom 1\ntrials: 4\nfor: 0.2 s"},
-      {"same", "same: anywhere\nmethod: mesh80\ntrials: 4\nfor: 0.2 s"}};
-  std::set<std::string, std::less<>> kinds{"meet"};  // below, for it wants a method that jumps
+      {"same", "same: anywhere\nmethod: mesh80\ntrials: 4\nfor: 0.2 s"},
+      {"measure", "measure: atom 0\nto: atom 1\nbetween: 4 Å to 8 Å"},
+      {"order", "order: atom 0 then atom 1\nfirst: the left one\nfor: 0.2 s"}};
+  std::set<std::string, std::less<>> kinds{"meet", "fit"};  // below: they want a method that jumps, and a ring
   for (const auto& [kind, keys] : all) {
     CAPTURE(keys);
     kinds.insert(kind);
@@ -109,6 +118,15 @@ TEST_CASE("each kind of task is done on two balls by the student who follows its
   }
   const Played meets = demonstrate("## A\n```scene\nmolecule: pair\nmethod: mesh80\n```\n" + touch("meet: jump"));
   CHECK(meets.finished);
+  for (const char* keys :
+       {"fit: all\nway: through\nmost: 3 Å", "fit: all\nway: through\nmost: 3 Å\nwant: smallest",
+        "fit: atom 6\nleast: 0.5 Å\nmost: 4 Å", "fit: atom 6\nwant: smallest\nleast: 0.5 Å\nmost: 4 Å"}) {
+    CAPTURE(keys);
+    const Played p = demonstrate(step(touch(keys), std::string(keys).starts_with("fit: all") ? "ring" : "well"));
+    if (const LearnerEvent* gave_up = p.find(Kind::GaveUp)) MESSAGE(gave_up->note);
+    CHECK(p.finished);
+    CHECK(p.time_s <= 30.0);
+  }
   for (const TaskKind& kind : taskKinds()) CHECK_MESSAGE(kinds.contains(kind.name), std::string(kind.name));
 }
 

@@ -27,7 +27,7 @@ TEST_CASE(
   CHECK(t->sentence() == "Slide to atom 0, then say that it is here.");
   t->answer({"here"});
   CHECK_FALSE(t->done());
-  CHECK(t->sentence() == "That is not atom 0. Feel on.");
+  CHECK(t->sentence() == "That is not atom 0, but close to it. 2 guesses are left.");
   hand.touch({4}, 0.1, 0.5, {0, 4, 0});
   // A mouse lets go before it clicks.
   hand.away(1.0);
@@ -67,6 +67,60 @@ TEST_CASE("warmer and colder are said at a change of 1 A and only where the auth
     hand.touch({4}, 0.1, 0.5, {0, 9.0, 0});
     CHECK(t->sentence().ends_with(asked ? "here. Colder." : "here."));
   }
+}
+
+TEST_CASE(
+    "after 3 wrong guesses, and after each of 2 looks, the molecule lies turned another way and is met from outside") {
+  auto t = task("find", {{"find", "atom 0"}});
+  t->drawBy(7);
+  Hand hand{*t};
+  std::vector<TaskStage> stages{t->stage()};
+  REQUIRE(stages[0].turned);
+  for (int k = 0; k < 3; ++k) {
+    hand.touch({9}, 0.1, 0.5, {40, 3.1, 0});
+    hand.away(0.5);
+    t->answer({"here"});
+    CHECK(t->sentence().starts_with("That is not atom 0: it lies elsewhere."));
+  }
+  CHECK(t->sentence().ends_with("That was the last guess: the molecule has been turned. Search anew."));
+  CHECK_FALSE(offers(*t, "here"));
+  stages.push_back(t->stage());
+  for (int k = 0; k < 2; ++k) {
+    t->answer({"light"});
+    CHECK(t->stage().turned == stages.back().turned);
+    t->answer({"dark"});
+    stages.push_back(t->stage());
+  }
+  CHECK_FALSE(offers(*t, "light"));
+  for (std::size_t k = 1; k < stages.size(); ++k) {
+    CHECK(stages[k].turned != stages[k - 1].turned);
+    CHECK(stages[k].presentation != stages[k - 1].presentation);
+  }
+  // The place looks to the person in each: within 70 degrees of the line of sight.
+  const Vec3 outward = Vec3(0.0) - Vec3(11.9, 0, 0);
+  for (const TaskStage& s : stages)
+    CHECK(glm::dot(*s.turned * Vec3(0, 0, 1), glm::normalize(outward)) > std::cos(70.0 * 3.14159265 / 180.0));
+  auto as_written = task("find", {{"find", "atom 0"}, {"turn", "none"}});
+  CHECK_FALSE(as_written->stage().turned);
+}
+
+TEST_CASE(
+    "what the author says to a touch of other atoms is said to the guess there; a side and a region limit what "
+    "counts") {
+  auto t = task("find", {{"find", "atom 0"}, {"wrong", "element Zn -> That is the zinc."}, {"within", "0 Å"}});
+  Hand hand{*t};
+  hand.touch({9}, 0.1, 0.5, {40, 3.1, 0});
+  t->answer({"here"});
+  CHECK(t->sentence() == "That is the zinc. 2 guesses are left.");
+
+  auto side = task("find", {{"find", "atom 3"}, {"side", "atom 4"}, {"within", "0 Å"}});
+  Hand other{*side};
+  other.touch({3}, 0.1, 0.5, {2.5, 3.0, 0});
+  side->answer({"here"});
+  CHECK_FALSE(side->done());
+  other.touch({3}, 0.1, 0.5, {3.5, 3.0, 0});
+  side->answer({"here"});
+  CHECK(side->done());
 }
 
 TEST_CASE("a look makes it light, counts, and what is touched meanwhile does not") {

@@ -15,6 +15,7 @@ namespace {
 struct BlockPainter {
   Application& app;
   std::string name;
+  std::size_t& hint;  // the number of the next one
   std::string link;
 
   void text(const RichText& t, ImU32 colour, float indent = 0.0f) {
@@ -50,8 +51,12 @@ struct BlockPainter {
 
   void operator()(const Tip& tip) {
     const Look& l = look();
-    disclosure((name + "/hint").c_str(), withKey(tr("Hint"), "H").c_str(), app.panels.hints);
-    if (!app.panels.hints) return;
+    const std::size_t mine = hint++;
+    bool open = mine < app.panels.hints;
+    // The key opens the next one; a click this one and those before it.
+    const std::string label = mine == app.panels.hints ? withKey(tr("Hint"), "H") : std::string(tr("Hint"));
+    if (disclosure((name + "/hint").c_str(), label.c_str(), open)) app.panels.hints = open ? mine + 1 : mine;
+    if (!open) return;
     const ImVec2 low = ImGui::GetCursorScreenPos();
     const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12);
     ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -105,11 +110,13 @@ struct BlockPainter {
 
 }  // namespace
 
-std::string drawLessonBlocks(Application& app, const std::vector<Block>& blocks, const std::string& prefix) {
+std::string drawLessonBlocks(Application& app, const std::vector<Block>& blocks, const std::string& prefix,
+                             std::size_t hints_before) {
   std::string link;
+  std::size_t hint = hints_before;
   for (std::size_t k = 0; k < blocks.size(); ++k) {
     ImGui::PushID(int(k));
-    BlockPainter painter{app, prefix + "/" + std::to_string(k), {}};
+    BlockPainter painter{app, prefix + "/" + std::to_string(k), hint, {}};
     std::visit(painter, blocks[k]);
     ImGui::PopID();
     if (!painter.link.empty()) link = painter.link;

@@ -2,7 +2,7 @@
 // takes them while no text is being written and no page is open. The page of controls tells them. Window's thread.
 //
 //   1 to 9 choose an answer    Enter  hands in several choices, a curve, or presses a task's first button
-//   A      writes an answer    H      opens the hints         letters on a task's buttons press them
+//   A      writes an answer    H      opens the next hint     letters on a task's buttons press them
 //   G      follows the link in the feedback                   Ctrl + Page Up, Page Down  scroll the text
 #pragma once
 

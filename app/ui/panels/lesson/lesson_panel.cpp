@@ -2,10 +2,13 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "app/ui/application/application.h"
 #include "app/ui/panels/lesson/lesson_blocks.h"
+#include "app/ui/panels/lesson/lesson_ends.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/theme.h"
@@ -74,6 +77,34 @@ void drawFoot(Application& app, const LessonSession& session) {
   if (button("lesson/next", label, last ? ButtonLook::Plain : kind, width - back_w - gap, !last)) app.lesson.next();
 }
 
+std::size_t hintsIn(const std::vector<Block>& blocks) {
+  return std::size_t(
+      std::count_if(blocks.begin(), blocks.end(), [](const Block& b) { return std::holds_alternative<Tip>(b); }));
+}
+
+/// Over the lower edge of the text while some of it lies below: what stands there; a click goes on by a page.
+void drawMoreBelow(Application& app, const LessonSession& session, const Rectangle& shown, float hidden) {
+  const Look& l = look();
+  if (hidden < l.px(24)) return;
+  bool asks = false;
+  for (std::size_t q = 0; q < session.step().questions.size(); ++q)
+    asks = asks || (session.question(q).attempts == 0 && app.panels.lesson_question_y > shown.high.y);
+  const char* text = asks ? tr("A question stands below") : tr("More below");
+  const WithFont small(Font::Small);
+  const ImVec2 size = ImGui::CalcTextSize(text);
+  const float high = size.y + l.px(8), wide = size.x + l.px(40), x = 0.5f * (shown.low.x + shown.high.x - wide),
+              y = shown.high.y - high - l.px(4);
+  ImGui::SetCursorScreenPos({x, y});
+  if (ImGui::InvisibleButton("more below", {wide, high}))
+    app.panels.lesson_scroll = 0.7f * (shown.high.y - shown.low.y);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  draw->AddRectFilled({x, y}, {x + wide, y + high}, asks ? l.palette.accent_soft : l.palette.raised, 0.5f * high);
+  draw->AddRect({x, y}, {x + wide, y + high}, l.palette.line, 0.5f * high);
+  draw->AddText({x + l.px(12), y + l.px(4)}, l.palette.text, text);
+  drawIcon(draw, Icon::ChevronDown, {x + wide - l.px(14), y + 0.5f * high}, l.px(12), l.palette.text);
+  recordRectangle("lesson/more", {x, y}, {x + wide, y + high}, text);
+}
+
 /// A link that leads to no step: to another lesson, or out of the program.
 void followOut(Application& app, const std::string& link) {
   const std::optional<FileLink> file = fileLink(app.lesson.file(), link);
@@ -99,17 +130,33 @@ void drawLessonPanel(Application& app) {
   if (app.panels.lesson_step != before) {
     ImGui::SetScrollY(0.0f);
     app.panels.lesson_task = 0;
+    app.panels.lesson_task_height = 0.0f;
   }
   app.panels.lesson_step = before;
   scrollByKeys();
-  if (lessonKeyPressed('H')) app.panels.hints = !app.panels.hints;
+  if (app.panels.lesson_scroll != 0.0f)
+    ImGui::SetScrollY(ImGui::GetScrollY() + std::exchange(app.panels.lesson_scroll, 0.0f));
+  const std::size_t introduced = before == 0 ? hintsIn(session->lesson().introduction) : 0;
+  const std::size_t hints = introduced + hintsIn(session->step().blocks);
+  // One after the other; behind the last one they close again.
+  if (lessonKeyPressed('H')) app.panels.hints = app.panels.hints < hints ? app.panels.hints + 1 : 0;
   drawHead(app, *session);
   ImGui::Spacing();
   std::string link;
-  if (before == 0) link = drawLessonBlocks(app, session->lesson().introduction, "lesson/intro");
-  if (const std::string other = drawLessonBlocks(app, session->step().blocks, "lesson"); !other.empty()) link = other;
+  app.panels.lesson_question_y = 0.0f;
+  if (before == 0) drawLessonGoals(*session);
+  if (before == 0) link = drawLessonBlocks(app, session->lesson().introduction, "lesson/intro", 0);
+  if (const std::string other = drawLessonBlocks(app, session->step().blocks, "lesson", introduced); !other.empty())
+    link = other;
+  drawLessonEnd(app, *session);
   ImGui::Dummy({0, l.px(10)});
+  const float hidden = ImGui::GetScrollMaxY() - ImGui::GetScrollY();
+  const ImVec2 text_low = ImGui::GetWindowPos(), text_size = ImGui::GetWindowSize();
   ImGui::EndChild();
+  const ImVec2 foot_at = ImGui::GetCursorScreenPos();
+  drawMoreBelow(app, *session, {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}},
+                hidden);
+  ImGui::SetCursorScreenPos(foot_at);
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRectFullScreen();

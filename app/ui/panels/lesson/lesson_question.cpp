@@ -220,6 +220,7 @@ std::string drawLessonQuestion(Application& app, std::size_t index) {
     if (!clicked.empty()) link = std::move(clicked);
   };
   const Question& question = session.step().questions[index];
+  if (session.question(index).attempts == 0) app.panels.lesson_question_y = ImGui::GetCursorScreenPos().y;
   ImGui::PushID(int(index));
   ImGui::Dummy({0, l.px(2)});
   if (question.prediction)

@@ -36,6 +36,30 @@ void drawFigures(const std::string& name, const Task& task) {
   recordItem(name + "/figures", line);
 }
 
+// A mark for each of several trials: right, wrong, or still to come.
+void drawTrials(const std::string& name, const TaskTrials& trials) {
+  if (trials.of == 0 || trials.right.empty()) return;
+  const Look& l = look();
+  const float room = ImGui::GetContentRegionAvail().x, each = std::min(l.px(22), room / float(trials.of)),
+              half = 0.4f * each;
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  std::string told;
+  for (std::size_t k = 0; k < trials.of; ++k) {
+    const ImVec2 centre{low.x + each * (float(k) + 0.5f), low.y + 0.5f * each};
+    if (k >= trials.right.size()) {
+      draw->AddCircle(centre, half, l.palette.faint, 24, l.px(1.5f));
+      continue;
+    }
+    const bool right = trials.right[k];
+    draw->AddCircleFilled(centre, half, right ? l.palette.good : l.palette.bad, 24);
+    drawIcon(draw, right ? Icon::Check : Icon::Close, centre, 1.3f * half, l.palette.panel);
+    told += right ? "+" : "-";
+  }
+  ImGui::Dummy({room, each});
+  recordRectangle(name + "/trials", {low.x, low.y}, {low.x + each * float(trials.of), low.y + each}, told);
+}
+
 }  // namespace
 
 void drawLessonTask(Application& app, std::size_t index) {
@@ -59,7 +83,15 @@ void drawLessonTask(Application& app, std::size_t index) {
   const float next_h = next.empty() ? 0.0f : ImGui::CalcTextSize(next_lines.c_str(), nullptr, false, text_w + 1).y;
   const bool bar = status.current && !away;
   const float say_y = std::max(0.0f, mark - 0.5f * ImGui::GetFontSize() - l.px(1));
-  const float height = std::max(say_y + say_h + gap + next_h, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
+  float height = std::max(say_y + say_h + gap + next_h, 2 * mark) + 2 * pad + (bar ? l.px(13) : 0.0f);
+  if (status.current) {
+    // What stands below it does not go up and down with what is told.
+    PanelState& panels = app.panels;
+    const bool same = panels.lesson_task == index && panels.lesson_task_width == width;
+    if (same) height = std::max(height, panels.lesson_task_height);
+    panels.lesson_task_height = height;
+    panels.lesson_task_width = width;
+  }
   const ImVec2 low = ImGui::GetCursorScreenPos(), high{low.x + width, low.y + height};
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled(low, high, status.done ? p.good_soft : status.current ? p.accent_soft : p.raised, l.px(8));
@@ -105,6 +137,8 @@ void drawLessonTask(Application& app, std::size_t index) {
                                      : "waiting: ") +
                        status.say + (next.empty() ? "" : "\n" + next));
   if (const Task* task = session.taskAt(index); task && !away) {
+    if (status.current || status.done) drawTrials(name, task->trials());
+    if (const auto asked = task->slider(); asked && status.current) drawTaskSlider(app, index, *asked);
     if (status.current) drawTaskButtons(app, index, *task);
     if (task->curves() && (status.current || status.done)) drawTaskCurve(app, index, *task->curves(), status.current);
     if (status.done) drawFigures(name, *task);

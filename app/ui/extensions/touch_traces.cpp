@@ -1,0 +1,108 @@
+#include "app/ui/extensions/touch_traces.h"
+
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/task_stager.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kSpacing_A = 0.15;
+constexpr std::size_t kMostPoints = 20'000;  // beyond it every second one is left out
+constexpr std::size_t kMostFresh = 40;       // drawn one by one; beyond it the molecule is drawn again
+
+AtomList listOf(const std::set<std::uint32_t>& atoms) {
+  return atoms.empty() ? nullptr : std::make_shared<const std::vector<std::uint32_t>>(atoms.begin(), atoms.end());
+}
+
+}  // namespace
+
+bool TouchTraces::paints(const Application& app) const {
+  return app.lesson.session() && app.lesson.onStage() && app.lesson.session()->scene().paint_touched;
+}
+
+void TouchTraces::beforeTicks(Application& app) {
+  const bool dark = stager_.dark();
+  if (dark && !dark_) {
+    // Who has looked in between goes on where it was dark before.
+    const std::size_t task = app.lesson.session() ? app.lesson.session()->currentTask() : 0;
+    if (trail_ && task == dark_task_) {
+      way_ = trail_->trail;
+    } else {
+      way_.clear();
+      points_ = 0;
+      spacing_A_ = kSpacing_A;
+    }
+    dark_task_ = task;
+    trail_ = nullptr;
+  }
+  if (!dark && dark_ && points_ > 1) {
+    auto trail = std::make_shared<Annotations>();
+    trail->trail = std::move(way_);
+    trail_ = std::move(trail);
+    way_.clear();
+  }
+  dark_ = dark;
+}
+
+void TouchTraces::ticks(Application& app, const FeltTicks& felt) {
+  const bool paints_now = paints(app);
+  const std::size_t before = since_.size();
+  bool touching = false;
+  for (const FeltTick& tick : felt.ticks) {
+    const ServoSample& s = tick.sample;
+    if (!s.has_interaction) continue;
+    touching = s.contact.touching();
+    if (dark_) goOn(touching ? s.contact.scp : s.hip, s.placed);
+    if (!paints_now || !touching) continue;
+    for (const std::int32_t a : s.contact.atoms)
+      if (a >= 0 && !touched_.contains(std::uint32_t(a))) since_.insert(std::uint32_t(a));
+  }
+  // The molecule is drawn again for them once the probe has left it.
+  if (!since_.empty() && (!touching || since_.size() > kMostFresh)) {
+    touched_.insert(since_.begin(), since_.end());
+    since_.clear();
+    painted_ = listOf(touched_);
+    fresh_ = nullptr;
+  } else if (since_.size() != before) {
+    fresh_ = listOf(since_);
+  }
+}
+
+void TouchTraces::goOn(const PointA& place, bool anew) {
+  if (anew || way_.empty()) {
+    way_.emplace_back();
+  } else if (const std::vector<PointA>& piece = way_.back();
+             !piece.empty() && glm::distance(piece.back().A, place.A) < spacing_A_) {
+    return;
+  }
+  way_.back().push_back(place);
+  if (++points_ < kMostPoints) return;
+  points_ = 0;
+  for (std::vector<PointA>& piece : way_) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < piece.size(); i += 2) piece[kept++] = piece[i];
+    piece.resize(kept);
+    points_ += kept;
+  }
+  spacing_A_ *= 2.0;
+}
+
+void TouchTraces::stepChanged(Application& app) {
+  trail_ = nullptr;
+  dark_ = false;
+  if (paints(app)) return;
+  touched_.clear();
+  since_.clear();
+  painted_ = fresh_ = nullptr;
+}
+
+void TouchTraces::sceneChanged(Application& app) {
+  if (app.scene.stage().molecule == molecule_) return;
+  molecule_ = app.scene.stage().molecule;
+  trail_ = nullptr;
+  touched_.clear();
+  since_.clear();
+  painted_ = fresh_ = nullptr;
+}
+
+}  // namespace moltact

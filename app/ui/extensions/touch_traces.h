@@ -1,0 +1,47 @@
+// What a touch leaves in the picture: atoms lightly painted, where the scene asks for it, and after a task in the dark the
+// way that the probe took there. Window's thread.
+#pragma once
+
+#include <memory>
+#include <set>
+
+#include "app/ui/application/extension.h"
+#include "engine/render/annotations.h"
+#include "engine/render/view_scene.h"
+
+namespace moltact {
+
+class TaskStager;
+
+class TouchTraces final : public Extension {
+ public:
+  explicit TouchTraces(const TaskStager& stager) : stager_(stager) {}
+
+  /// Atoms that were touched before the probe left the surface last, and since; null: none.
+  const AtomList& painted() const { return painted_; }
+  const AtomList& fresh() const { return fresh_; }
+  /// Null until it has been dark and is light again; of the task in which it was dark last.
+  const std::shared_ptr<const Annotations>& trail() const { return trail_; }
+
+  void beforeTicks(Application& app) override;
+  void ticks(Application& app, const FeltTicks& felt) override;
+  void stepChanged(Application& app) override;
+  void sceneChanged(Application& app) override;
+
+ private:
+  void goOn(const PointA& place, bool anew);
+  bool paints(const Application& app) const;
+
+  const TaskStager& stager_;
+  std::set<std::uint32_t> touched_, since_;
+  AtomList painted_, fresh_;
+  std::shared_ptr<const Annotations> trail_;
+  std::vector<std::vector<PointA>> way_;  // in the dark, in pieces where the hand was placed elsewhere
+  std::size_t points_ = 0;
+  double spacing_A_ = 0.0;
+  std::shared_ptr<const Molecule> molecule_;
+  std::size_t dark_task_ = 0;  // which task of the step made it dark
+  bool dark_ = false;
+};
+
+}  // namespace moltact

@@ -1,0 +1,144 @@
+#include "app/ui/lesson/scene_marks.h"
+
+#include <algorithm>
+#include <map>
+
+#include "engine/language/catalogue.h"
+#include "engine/structure/bonds.h"
+#include "engine/structure/hydrogen_bonds.h"
+#include "engine/structure/measure.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::size_t kMostLabels = 5000;  // of all that a scene asks for
+// In this order where an author names no colour.
+constexpr const char* kMarkColours[] = {"teal", "magenta", "olive", "sky", "rose", "mint", "violet", "brown"};
+
+std::vector<std::uint32_t> atomsOf(const Selection& selection, const Molecule& molecule) {
+  if (selection.given()) return selection.select(molecule);
+  std::vector<std::uint32_t> all(molecule.atoms.size());
+  for (std::uint32_t i = 0; i < all.size(); ++i) all[i] = i;
+  return all;
+}
+
+struct Middle {
+  PointA at;
+  double reach_A = 0.0;  // to the outside of the atoms
+};
+
+Middle middleOf(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+  Middle middle;
+  for (const std::uint32_t i : atoms) middle.at.A += molecule.atoms[i].position.A / double(atoms.size());
+  for (const std::uint32_t i : atoms)
+    middle.reach_A =
+        std::max(middle.reach_A, glm::distance(molecule.atoms[i].position.A, middle.at.A) + molecule.atoms[i].radius_A);
+  return middle;
+}
+
+// Where a residue is named: at its alpha carbon or the sugar's C1', else in its middle.
+std::uint32_t residueAnchor(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+  for (const std::uint32_t i : atoms)
+    if (const std::string_view name = molecule.atoms[i].nameText(); name == "CA" || name == "C1'") return i;
+  return atoms[atoms.size() / 2];
+}
+
+void addWordLabels(const MarkSpec& spec, const Molecule& molecule, std::vector<Annotations::Label>& labels) {
+  const std::vector<std::uint32_t> atoms = atomsOf(spec.atoms, molecule);
+  std::map<std::uint32_t, std::vector<std::uint32_t>> groups;  // atoms by residue or chain
+  for (const std::uint32_t i : atoms) {
+    if (labels.size() >= kMostLabels) return;
+    const Atom& a = molecule.atoms[i];
+    if (spec.word == "atom" || a.residue == kNoResidue)
+      labels.push_back({.at = a.position, .clear_A = a.radius_A, .text = atomLabel(molecule, i)});
+    else
+      groups[spec.word == "chain" ? molecule.residues[a.residue].chain : a.residue].push_back(i);
+  }
+  for (const auto& [group, members] : groups) {
+    if (labels.size() >= kMostLabels) return;
+    if (spec.word == "chain") {
+      if (molecule.chains[group].name.string().empty()) continue;
+      const Middle middle = middleOf(molecule, members);
+      labels.push_back({.at = middle.at,
+                        .clear_A = middle.reach_A,
+                        .text = trf("chain {0}", molecule.chains[group].name.string()),
+                        .always = true});
+      continue;
+    }
+    const std::uint32_t anchor = residueAnchor(molecule, members);
+    const AtomWords words = molecule.words(anchor);
+    labels.push_back({.at = molecule.atoms[anchor].position,
+                      .clear_A = middleOf(molecule, members).reach_A,
+                      .text = words.residue.empty() ? words.atom : words.residue});
+  }
+}
+
+void addOwnLabel(const MarkSpec& spec, const Molecule& molecule, bool arrow, std::vector<Annotations::Label>& labels) {
+  const std::vector<std::uint32_t> atoms = atomsOf(spec.atoms, molecule);
+  if (atoms.empty()) return;
+  const Middle middle = middleOf(molecule, atoms);
+  labels.push_back({.at = middle.at, .clear_A = middle.reach_A, .text = spec.name, .arrow = arrow, .always = true});
+}
+
+}  // namespace
+
+std::string atomLabel(const Molecule& molecule, std::uint32_t atom) {
+  const Atom& a = molecule.atoms[atom];
+  if (a.residue != kNoResidue) return molecule.words(atom).atom;
+  return a.nameText().empty() ? std::to_string(atom) : std::string(a.nameText());
+}
+
+Annotations::Measure measureBetween(const Molecule& molecule, std::span<const std::uint32_t> atoms) {
+  Annotations::Measure measure;
+  for (const std::uint32_t i : atoms) measure.places.push_back(molecule.atoms[i].position);
+  measure.text = measureText(measure.places);
+  return measure;
+}
+
+std::shared_ptr<const Annotations> annotationsOf(const SceneSpec& scene, const Molecule& molecule) {
+  auto out = std::make_shared<Annotations>();
+  for (const MarkSpec& spec : scene.labels)
+    spec.name.empty() ? addWordLabels(spec, molecule, out->labels) : addOwnLabel(spec, molecule, false, out->labels);
+  for (const MarkSpec& spec : scene.arrows) addOwnLabel(spec, molecule, true, out->labels);
+  for (const PlacesSpec& spec : scene.measures) {
+    Annotations::Measure measure;
+    for (const Selection& place : spec.atoms) {
+      const std::vector<std::uint32_t> atoms = place.select(molecule);
+      if (!atoms.empty()) measure.places.push_back(middleOf(molecule, atoms).at);
+    }
+    if (measure.places.size() != spec.atoms.size()) continue;
+    measure.text = measureText(measure.places);
+    out->measures.push_back(std::move(measure));
+  }
+  if (scene.hydrogen_bonds.given()) {
+    const std::vector<std::uint32_t> of = scene.hydrogen_bonds.select(molecule);
+    const auto among = [&](std::uint32_t i) { return std::binary_search(of.begin(), of.end(), i); };
+    const BondTable bonds(molecule.atoms.size(), findBonds(molecule));
+    for (const HydrogenBond& b : findHydrogenBonds(molecule, bonds))
+      if (among(b.donor) || among(b.acceptor))
+        out->bonds.emplace_back(molecule.atoms[b.donor].position, molecule.atoms[b.acceptor].position);
+  }
+  if (out->labels.empty() && out->measures.empty() && out->bonds.empty()) return nullptr;
+  return out;
+}
+
+std::shared_ptr<const std::vector<OwnColour>> marksOf(const SceneSpec& scene, const Molecule& molecule) {
+  if (scene.marks.empty()) return nullptr;
+  auto out = std::make_shared<std::vector<OwnColour>>();
+  std::size_t next = 0;
+  const auto taken = [&](std::string_view colour) {
+    return std::any_of(scene.marks.begin(), scene.marks.end(), [&](const MarkSpec& m) { return m.word == colour; });
+  };
+  for (const MarkSpec& spec : scene.marks) {
+    std::string_view colour = spec.word;
+    if (colour.empty()) {
+      while (next + 1 < std::size(kMarkColours) && taken(kMarkColours[next])) ++next;
+      colour = kMarkColours[next++ % std::size(kMarkColours)];
+    }
+    if (const Expected<Rgb8> rgb = parseColour(colour))
+      out->push_back({.atoms = atomsOf(spec.atoms, molecule), .colour = *rgb, .name = spec.name});
+  }
+  return out;
+}
+
+}  // namespace moltact

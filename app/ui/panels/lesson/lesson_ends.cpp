@@ -1,0 +1,136 @@
+#include "app/ui/panels/lesson/lesson_ends.h"
+
+#include <cmath>
+#include <string>
+
+#include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
+#include "app/ui/panels/actions.h"
+#include "app/ui/widgets/controls.h"
+#include "app/ui/widgets/rich_text.h"
+#include "app/ui/widgets/theme.h"
+#include "app/ui/widgets/widget_map.h"
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+
+namespace moltact {
+namespace {
+
+void line(const char* name, const std::string& text, ImU32 colour, bool bold = false) {
+  drawRichText(name, {TextRun{.text = text, .bold = bold}}, colour);
+}
+
+// Each with a mark before it.
+void drawGoals(const LessonSession& session, const char* name, Icon mark, ImU32 colour) {
+  const Look& l = look();
+  for (std::size_t k = 0; k < session.lesson().goals.size(); ++k) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    const float size = ImGui::GetFontSize();
+    if (mark == Icon::None)
+      ImGui::GetWindowDrawList()->AddCircleFilled({at.x + l.px(8), at.y + 0.52f * size}, l.px(2.5f), colour, 16);
+    else
+      drawIcon(ImGui::GetWindowDrawList(), mark, {at.x + l.px(8), at.y + 0.55f * size}, 0.8f * size, colour);
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + l.px(22));
+    line((std::string(name) + "/" + std::to_string(k)).c_str(), session.lesson().goals[k], l.palette.text);
+  }
+}
+
+struct Done {
+  std::size_t tasks = 0, questions = 0, first_right = 0, steps = 0, asides = 0, steps_seen = 0;
+  double touched_s = 0.0, way_A = 0.0;
+};
+
+Done doneIn(const LessonSession& session) {
+  Done out;
+  const std::vector<Step>& steps = session.lesson().steps;
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    out.steps += !steps[s].aside;
+    (steps[s].aside ? out.asides : out.steps_seen) += session.stepSeen(s);
+    for (std::size_t t = 0; t < steps[s].tasks.size(); ++t) {
+      out.tasks += session.taskDone(s, t);
+      for (const TaskFigure& f : session.figuresOf(s, t)) {
+        if (f.name == "contact time") out.touched_s += f.value;
+        if (f.name == "way") out.way_A += f.value;
+      }
+    }
+    for (std::size_t q = 0; q < steps[s].questions.size(); ++q) {
+      if (steps[s].questions[q].free() || steps[s].questions[q].prediction) continue;
+      const QuestionStatus& status = session.question(s, q);
+      out.questions += status.attempts > 0;
+      out.first_right += status.answered_right && status.attempts == 1;
+    }
+  }
+  return out;
+}
+
+// The lesson that stands after this one on the shelf; null where none does.
+const LessonCard* nextOnShelf(Application& app) {
+  const std::vector<LessonCard>& cards = app.extensions().shelf.cards();
+  for (std::size_t k = 0; k + 1 < cards.size(); ++k)
+    if (cards[k].file == app.lesson.file() && cards[k + 1].fault.empty()) return &cards[k + 1];
+  return nullptr;
+}
+
+}  // namespace
+
+void drawLessonGoals(const LessonSession& session) {
+  if (session.lesson().goals.empty()) return;
+  line("lesson/goals", tr("Afterwards you can:"), look().palette.quiet);
+  drawGoals(session, "lesson/goal", Icon::None, look().palette.accent);
+  ImGui::Spacing();
+}
+
+void drawLessonEnd(Application& app, const LessonSession& session) {
+  if (session.hasNext() || session.step().aside || !session.finished()) return;
+  const Look& l = look();
+  const Done done = doneIn(session);
+  ImGui::Dummy({0, l.px(8)});
+  const ImVec2 low = ImGui::GetCursorScreenPos();
+  const float width = ImGui::GetContentRegionAvail().x, pad = l.px(12);
+  ImDrawList* draw = ImGui::GetWindowDrawList();
+  // The ground goes under text whose height is known only afterwards.
+  draw->ChannelsSplit(2);
+  draw->ChannelsSetCurrent(1);
+  ImGui::SetCursorScreenPos({low.x + pad, low.y + pad});
+  ImGui::BeginGroup();
+  ImGui::PushItemWidth(width - 2 * pad);
+  line("lesson/end", trf("You have finished {0}.", session.lesson().title), l.palette.text, true);
+  ImGui::Spacing();
+  drawGoals(session, "lesson/end/goal", Icon::Check, l.palette.good);
+  ImGui::Spacing();
+  if (done.tasks > 0)
+    line("lesson/end/tasks", trnf("{0} touch task done.", "{0} touch tasks done.", done.tasks, done.tasks),
+         l.palette.text);
+  if (done.questions > 0)
+    line("lesson/end/questions", trf("{0} of {1} answers right at the first try.", done.first_right, done.questions),
+         l.palette.text);
+  // Only of what was done since the lesson was taken up: earlier figures are in the attempt's file.
+  if (done.touched_s >= 1.0)
+    line("lesson/end/felt",
+         trf("In the tasks of today you touched for {0}, over {1} of surface.",
+             quantityText(done.touched_s, Dimension::Time, decimals(0)),
+             quantityText(done.way_A, Dimension::Length, decimals(0))),
+         l.palette.text);
+  line("lesson/end/way",
+       done.asides ? trf("{0} of {1} steps seen, and {2}.", done.steps_seen, done.steps,
+                         trnf("{0} side path", "{0} side paths", done.asides, done.asides))
+                   : trf("{0} of {1} steps seen.", done.steps_seen, done.steps),
+       l.palette.quiet);
+  ImGui::PopItemWidth();
+  ImGui::EndGroup();
+  const float end = ImGui::GetItemRectMax().y + pad;
+  draw->ChannelsSetCurrent(0);
+  draw->AddRectFilled(low, {low.x + width, end}, l.palette.good_soft, l.px(8));
+  draw->ChannelsMerge();
+  ImGui::SetCursorScreenPos({low.x, end + l.px(8)});
+  if (const LessonCard* next = nextOnShelf(app)) {
+    const LessonCard card = *next;
+    if (button("lesson/end/next", elided(trf("Next lesson: {0}", card.title), width - l.px(28)).c_str(),
+               ButtonLook::Primary, width))
+      app.extensions().shelf.begin(app, card);
+  } else if (button("lesson/end/more", tr("More lessons"), ButtonLook::Primary, width)) {
+    findAction("welcome")->run(app);
+  }
+}
+
+}  // namespace moltact

@@ -1,0 +1,281 @@
+// fit: find the largest probe that gets to a place or through a ring, or the smallest that is kept out, by a slider.
+// The tracker judges: it says whether the probe that is felt with comes there, and a search over the same surface for
+// how large it may be.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/language/catalogue.h"
+#include "engine/language/quantity_text.h"
+#include "engine/lesson/passable.h"
+#include "engine/lesson/tasks/registry.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kAlike_A = 0.011;  // the probe has grown to what the slider says
+constexpr double kKeptOut_s = 1.0;  // so long a probe is tried before it may be called too large
+constexpr double kThrough_A = 0.5;  // so near to the ring's plane the probe is in it
+
+const TouchProperty& probeProperty() {
+  for (const TouchProperty& p : touchProperties())
+    if (p.key == "probe") return p;
+  return touchProperties().front();
+}
+
+class Fit : public Task {
+ public:
+  Fit(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec),
+        target_(spec.values["fit"].selection, molecule),
+        name_(spec, "fit"),
+        scene_(std::make_shared<const BallScene>(molecule.balls())),
+        through_(spec.values["way"].text == "through"),
+        largest_(spec.values["want"].text == "largest"),
+        least_A_(spec.values["least"].number),
+        most_A_(spec.values["most"].number),
+        within_A_(spec.values["within"].number) {
+    if (through_) ring_ = ringOf(*scene_, target_.atoms());
+    begin();
+  }
+
+  void reset() override {
+    Task::reset();
+    guesses_ = 0;
+    begin();
+  }
+
+ private:
+  void begin() {
+    value_A_ = largest_ ? least_A_ : most_A_;
+    proven_A_ = -1.0;
+    tried_s_ = 0.0;
+    there_ = touching_ = false;
+    said_.clear();
+  }
+
+  std::optional<TaskSlider> currentSlider() const override {
+    return TaskSlider{N_("Probe radius"), value_A_, least_A_, most_A_, 0.1, Dimension::Length};
+  }
+
+  TaskStage requestedStage() const override {
+    TaskStage stage;
+    stage.touch.set(probeProperty(), value_A_);
+    return stage;
+  }
+
+  bool grown(const TouchSample& s) const { return std::abs(s.probe_A - value_A_) <= kAlike_A; }
+
+  bool reached(const TouchSample& s) const {
+    if (!through_) return target_.touchedBy(s.contact);
+    if (!ring_ || s.contact.fault != Fault::None) return false;
+    const Vec3 from = s.contact.scp.A - ring_->centre_A;
+    const double height_A = glm::dot(from, ring_->axis);
+    return std::abs(height_A) <= kThrough_A && glm::length(from - ring_->axis * height_A) < ring_->radius_A;
+  }
+
+  void onSample(const TouchSample& s, double dt_s) override {
+    touching_ = s.contact.touching();
+    there_ = grown(s) && reached(s);
+    if (there_) proven_A_ = std::max(proven_A_, value_A_);
+    if (touching_ && grown(s)) {
+      tried_s_ += dt_s;
+      if (tried_s_ > 0.3) said_.clear();
+    }
+  }
+
+  // This probe has been there; a larger one that has been there proves it of a smaller one too.
+  bool proven() const { return proven_A_ >= value_A_ - 1e-9; }
+
+  std::vector<TaskButton> currentButtons() const override {
+    const bool tried = largest_ ? proven() : tried_s_ >= kKeptOut_s && !proven();
+    if (!tried) return {};
+    return {{"this", largest_ ? N_("This is the largest") : N_("This is the smallest")}};
+  }
+
+  double limit_A() const {
+    if (!limit_A_) {
+      const std::vector<std::uint32_t> atoms = target_.atoms();
+      limit_A_ = largestProbe(least_A_, most_A_, [&](double probe_A) {
+                   if (!through_) return !comesTo(*scene_, atoms, probe_A, true).empty();
+                   return ring_ && wayThrough(*scene_, *ring_, probe_A);
+                 }).value_or(least_A_);
+    }
+    return std::max(*limit_A_, proven_A_);
+  }
+
+  void onAnswer(const TaskAnswer& answer) override {
+    if (answer.number) {
+      if (std::abs(*answer.number - value_A_) < 1e-9) return;
+      value_A_ = *answer.number;
+      tried_s_ = 0.0;
+      said_.clear();
+      return;
+    }
+    ++guesses_;
+    const double over_A = largest_ ? limit_A() - value_A_ : value_A_ - limit_A();
+    if (over_A >= -kAlike_A && over_A <= within_A_ + 1e-9) {
+      finish();
+      return;
+    }
+    const std::string size = sizeText(value_A_);
+    if (largest_)
+      said_ = trf("A probe of {0} gets there, but a larger one does too. Make it larger.", size);
+    else if (over_A < 0.0)
+      said_ = trf("A probe of {0} still gets there. Try it from another side, then make it larger.", size);
+    else
+      said_ = trf("A probe of {0} is kept out, but a smaller one is too. Make it smaller.", size);
+  }
+
+  static std::string sizeText(double probe_A) { return quantityText(probe_A, Dimension::Length, decimals(1)); }
+
+  std::string guidance() const override {
+    if (!said_.empty()) return said_;
+    const std::string name = name_.text(), size = sizeText(value_A_);
+    if (there_) return trf("A probe of {0} gets there.", size);
+    if (proven() && largest_) return trf("A probe of {0} gets there. Is it the largest?", size);
+    if (touching_)
+      return through_ ? trf("Try whether a probe of {0} gets through {1}.", size, name)
+                      : trf("Try whether a probe of {0} gets to {1}.", size, name);
+    return through_ ? trf("Set the probe's radius, then push it through {0}.", name)
+                    : trf("Set the probe's radius, then push it to {0}.", name);
+  }
+
+  std::string afterwards() const override { return trf("The tracker finds {0} as the limit.", sizeText(limit_A())); }
+
+  HandPlan demonstrate(const HandPlanInput& view) const override {
+    HandPlan plan;
+    const double step_A = 0.5 * std::min(within_A_, 0.2);
+    const double wanted_A =
+        std::clamp(largest_ ? limit_A() - step_A * (1 + view.attempt % 2) : limit_A() + step_A, least_A_, most_A_);
+    HandPlanInput grown{view.balls, wanted_A, view.N_per_A, view.hip, view.attempt};
+    const auto set = [&](PointA before) {
+      plan.push_back({.to = before, .placed = true, .answer = TaskAnswer{.number = wanted_A}});
+      plan.push_back({.wait_s = 0.3 + std::abs(wanted_A - view.probe_A) / 4.0});
+    };
+    const double far = glm::distance(view.balls.low_A(), view.balls.high_A()) + 2.0 * wanted_A + 1.0;
+    if (through_) {
+      if (!ring_) return plan;
+      const auto at = wayThrough(*scene_, *ring_, largest_ ? wanted_A : limit_A() - step_A);
+      const Vec3 way = at.value_or(ring_->centre_A);
+      set({way + ring_->axis * far});
+      const double before_A = ring_->radius_A + wanted_A + 1.5;
+      plan.push_back({.to = PointA{way + ring_->axis * before_A}, .placed = true, .wait_s = 0.5});
+      plan.push_back({.to = PointA{way - ring_->axis * (largest_ ? before_A : 0.0)}, .wait_s = 1.5});
+    } else {
+      std::vector<SurfacePlace> places = comesTo(*scene_, target_.atoms(), largest_ ? wanted_A : limit_A() - step_A);
+      const auto place = placeFor(grown, places);
+      if (!place) return plan;
+      set({place->scp_A + place->outward * far});
+      comeTo(plan, *place, depthFor(view, 0.3), largest_ ? 0.6 : 1.6);
+    }
+    plan.push_back({.answer = TaskAnswer{.word = "this"}});
+    return plan;
+  }
+
+  void measure(std::vector<TaskFigure>& out) const override {
+    out.push_back({N_("probe radius"), value_A_, "Å"});
+    out.push_back({N_("guesses"), double(guesses_), ""});
+  }
+
+  AtomSet target_;
+  TargetName name_;
+  std::shared_ptr<const BallScene> scene_;
+  std::optional<AtomRing> ring_;
+  bool through_ = false, largest_ = true;
+  double least_A_ = 0.0, most_A_ = 5.0, within_A_ = 0.2;
+  mutable std::optional<double> limit_A_;  // found when it is asked for
+  double value_A_ = 0.0, proven_A_ = -1.0, tried_s_ = 0.0;
+  bool there_ = false, touching_ = false;
+  int guesses_ = 0;
+  std::string said_;
+};
+
+void checkFit(const TaskSpec& spec, std::vector<Problem>& problems) {
+  const Value &least = spec.values["least"], &most = spec.values["most"];
+  if (least.number >= most.number)
+    problems.push_back({{},
+                        (most.place.line ? most : least).place.line,
+                        (most.place.line ? most : least).place.column,
+                        tr("the slider's ends leave no probe to choose"),
+                        tr("make 'most' greater than 'least'")});
+}
+
+void checkLimit(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+  const Value& fit = spec.values["fit"];
+  if (!fit.selection.given()) return;
+  const BallScene scene(molecule.balls());
+  const std::vector<std::uint32_t> atoms = fit.selection.select(molecule);
+  if (atoms.empty()) return;
+  const double least_A = spec.values["least"].number, most_A = spec.values["most"].number;
+  const bool through = spec.values["way"].text == "through";
+  const auto ring = through ? ringOf(scene, atoms) : std::nullopt;
+  if (through && !ring) {
+    problems.push_back({{},
+                        fit.place.line,
+                        fit.place.column,
+                        tr("three atoms at least make a ring to go through"),
+                        tr("name more of its atoms, or write 'way: into'")});
+    return;
+  }
+  const auto fits = [&](double probe_A) {
+    return through ? wayThrough(scene, *ring, probe_A).has_value() : !comesTo(scene, atoms, probe_A, true).empty();
+  };
+  if (!fits(least_A))
+    problems.push_back({{},
+                        fit.place.line,
+                        fit.place.column,
+                        trf("not even a probe of {0} gets there", quantityText(least_A, Dimension::Length)),
+                        tr("choose another place, or a smaller 'least'")});
+  else if (fits(most_A))
+    problems.push_back({{},
+                        fit.place.line,
+                        fit.place.column,
+                        trf("every probe up to {0} gets there", quantityText(most_A, Dimension::Length)),
+                        tr("choose another place, or a greater 'most'")});
+}
+
+}  // namespace
+
+TaskKind fitKind() {
+  return {"fit",
+          "Find the largest probe that gets to a place or through a ring, or the smallest that is kept out.",
+          {{.name = "fit",
+            .type = ValueType::Selection,
+            .meaning = "The place: atoms of which one is to be touched, or those of the ring.",
+            .required = true},
+           {.name = "way",
+            .type = ValueType::Word,
+            .meaning = "Whether the probe is to touch the atoms or to get into the ring that they make.",
+            .fallback = "into",
+            .words = {"into", "through"}},
+           {.name = "want",
+            .type = ValueType::Word,
+            .meaning = "The largest probe that gets there, or the smallest that does not.",
+            .fallback = "largest",
+            .words = {"largest", "smallest"}},
+           {.name = "least",
+            .type = ValueType::Quantity,
+            .meaning = "The lower end of the slider, the probe's radius.",
+            .fallback = "0.2 Å",
+            .dimension = Dimension::Length,
+            .most = kLargestProbe_A},
+           {.name = "most",
+            .type = ValueType::Quantity,
+            .meaning = "The upper end of the slider.",
+            .fallback = "5 Å",
+            .dimension = Dimension::Length,
+            .most = kLargestProbe_A},
+           {.name = "within",
+            .type = ValueType::Quantity,
+            .meaning = "How far from the limit that the tracker finds still counts as right.",
+            .fallback = "0.2 Å",
+            .dimension = Dimension::Length,
+            .least = 0.05,
+            .most = 5.0}},
+          [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Fit>(s, m); },
+          &checkFit,
+          &checkLimit};
+}
+
+}  // namespace moltact

@@ -1,0 +1,288 @@
+// order: feel several places one after the other, in the dark if the author does not say otherwise, and put them in an
+// order by what was felt. The places come in another order for each student and each round.
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+#include "engine/core/random.h"
+#include "engine/language/catalogue.h"
+#include "engine/lesson/tasks/registry.h"
+
+namespace moltact {
+namespace {
+
+constexpr std::size_t kMostPlaces = 6;
+
+struct PlaceWords {
+  std::string_view word, label;
+  char key;
+};
+constexpr std::array<PlaceWords, kMostPlaces> kPlaces{{{"place-1", N_("Place 1"), '1'},
+                                                       {"place-2", N_("Place 2"), '2'},
+                                                       {"place-3", N_("Place 3"), '3'},
+                                                       {"place-4", N_("Place 4"), '4'},
+                                                       {"place-5", N_("Place 5"), '5'},
+                                                       {"place-6", N_("Place 6"), '6'}}};
+
+class Order : public Task {
+ public:
+  Order(const TaskSpec& spec, const Molecule& molecule)
+      : Task(spec),
+        first_(spec.values["first"].text),
+        time_s_(spec.values["for"].number),
+        dark_(spec.values["dark"].text == "yes"),
+        meter_(spec.values["meter"].text == "on") {
+    for (const Selection& part : spec.values["order"].path) {
+      if (places_.size() == kMostPlaces) break;
+      PointA middle;
+      const std::vector<std::uint32_t> atoms = part.select(molecule);
+      for (const std::uint32_t a : atoms) middle.A += molecule.atoms[a].position.A / double(atoms.size());
+      places_.push_back({AtomSet(part, molecule), middle});
+    }
+    shuffle();
+  }
+
+  void drawBy(std::uint64_t seed) override {
+    state_ = seed;
+    shuffle();
+  }
+
+  void reset() override {
+    Task::reset();
+    rounds_ = 1;
+    failed_ = false;
+    again();
+  }
+
+ private:
+  struct Place {
+    AtomSet atoms;
+    PointA middle;
+  };
+
+  void shuffle() {
+    shown_.resize(places_.size());
+    std::iota(shown_.begin(), shown_.end(), std::size_t{0});
+    // Fisher & Yates.
+    for (std::size_t k = shown_.size(); k > 1; --k) std::swap(shown_[k - 1], shown_[nextRandom(state_) % k]);
+  }
+
+  void again() {
+    shuffle();
+    feelFromTheFirst();
+  }
+
+  void feelFromTheFirst() {
+    at_ = 0;
+    picked_.clear();
+    present();
+    setProgress(0.0);
+  }
+
+  void present() {
+    ++presentation_;
+    felt_s_ = 0.0;
+    touching_ = beside_ = false;
+  }
+
+  bool feeling() const { return at_ < places_.size(); }
+  const Place& shownPlace(std::size_t k) const { return places_[shown_[std::min(k, places_.size() - 1)]]; }
+
+  void onSample(const TouchSample& s, double dt_s) override {
+    touching_ = s.contact.touching();
+    if (!feeling()) return;
+    beside_ = touching_ && !shownPlace(at_).atoms.touchedBy(s.contact);
+    if (touching_ && !beside_) felt_s_ = std::min(time_s_, felt_s_ + dt_s);
+  }
+
+  std::vector<TaskButton> currentButtons() const override {
+    if (feeling()) {
+      if (felt_s_ < time_s_) return {};
+      return {{"next", at_ + 1 < places_.size() ? N_("Feel the next place") : N_("Put them in order")}};
+    }
+    std::vector<TaskButton> out;
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (std::find(picked_.begin(), picked_.end(), k) == picked_.end())
+        out.push_back({kPlaces[k].word, kPlaces[k].label, kPlaces[k].key});
+    out.push_back({"again", N_("Feel them once more"), 'L'});
+    return out;
+  }
+
+  TaskStage requestedStage() const override {
+    if (places_.empty()) return {};
+    TaskStage stage{.dark = dark_, .force_meter = meter_, .presentation = presentation_};
+    stage.facing = shownPlace(at_).middle;
+    return stage;
+  }
+
+  void onAnswer(const TaskAnswer& answer) override {
+    if (answer.word == "again") {
+      feelFromTheFirst();
+      return;
+    }
+    if (answer.word == "next") {
+      ++at_;
+      // The last place stays where it is while the order is told.
+      if (feeling()) present();
+      setProgress(0.5 * double(at_) / double(places_.size()));
+      return;
+    }
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (kPlaces[k].word == answer.word) picked_.push_back(k);
+    setProgress(0.5 + 0.5 * double(picked_.size()) / double(places_.size()));
+    if (picked_.size() + 1 < places_.size()) return;
+    // What is left is the last.
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (std::find(picked_.begin(), picked_.end(), k) == picked_.end()) picked_.push_back(k);
+    std::size_t right = 0;
+    for (std::size_t k = 0; k < picked_.size(); ++k) right += shown_[picked_[k]] == k;
+    if (first_right_ < 0) first_right_ = static_cast<int>(right);
+    if (right == places_.size()) {
+      finish();
+      return;
+    }
+    failed_ = true;
+    ++rounds_;
+    again();
+  }
+
+  std::string guidance() const override {
+    const std::size_t n = places_.size();
+    if (!feeling()) return picked_.empty() ? trf("Which place is {0}?", first_) : tr("And which one comes next?");
+    if (felt_s_ >= time_s_)
+      return at_ + 1 < n ? trf("That was place {0} of {1}. Go on to the next.", at_ + 1, n)
+                         : tr("You have felt them all. Now put them in order.");
+    if (beside_) return tr("You are beside the place. It lies in the middle of the view: let go, and push there.");
+    if (touching_) return trf("Feel place {0} of {1}: {2} of {3}.", at_ + 1, n, timeText(felt_s_), timeText(time_s_));
+    const std::string touch = trf("Touch place {0} of {1}: push in the middle of the view.", at_ + 1, n);
+    return failed_ && at_ == 0
+               ? trf("That was not the order. Feel the places again, they are numbered anew. {0}", touch)
+               : touch;
+  }
+
+  HandPlan demonstrate(const HandPlanInput& view) const override {
+    HandPlan plan;
+    if (feeling()) {
+      const auto place = placeFor(view, placesToTouch(view, shownPlace(at_).atoms));
+      if (!place) return plan;
+      comeTo(plan, *place, depthFor(view, 0.4), time_s_ + 0.1);
+      plan.push_back({.answer = TaskAnswer{.word = "next"}});
+      return plan;
+    }
+    for (std::size_t k = 0; k < places_.size(); ++k)
+      if (shown_[k] == picked_.size()) plan.push_back({.answer = TaskAnswer{.word = std::string(kPlaces[k].word)}});
+    return plan;
+  }
+
+  void measure(std::vector<TaskFigure>& out) const override {
+    if (first_right_ >= 0) out.push_back({N_("places in order at first"), double(first_right_), ""});
+    out.push_back({N_("rounds"), double(rounds_), ""});
+  }
+
+  std::vector<Place> places_;        // in the right order
+  std::vector<std::size_t> shown_;   // which of them is place 1, 2 …
+  std::vector<std::size_t> picked_;  // numbers of the places in the student's order
+  std::string first_;
+  double time_s_ = 1.0, felt_s_ = 0.0;
+  bool dark_ = true, meter_ = true, touching_ = false, beside_ = false, failed_ = false;
+  std::uint64_t state_ = 0;  // of the random row
+  std::size_t at_ = 0;       // the place that is felt; their number while the order is told
+  int presentation_ = 1, rounds_ = 1, first_right_ = -1;
+};
+
+void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
+  const Value& order = spec.values["order"];
+  const std::size_t n = order.path.size();
+  if (n < 2)
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
+                        tr("at least two places are needed for an order"),
+                        tr("write them parted by 'then': 'order: residue 4 then residue 9'")});
+  else if (n > kMostPlaces)
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
+                        trf("more than {0} places", kMostPlaces),
+                        tr("take some out: nobody keeps so many in mind")});
+}
+
+// What the atoms themselves tell: places that are the same, and sizes in the order that is written.
+void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+  const Value& order = spec.values["order"];
+  std::vector<std::vector<std::uint32_t>> atoms;
+  std::vector<double> radii_A;
+  for (std::size_t k = 0; k < order.path.size(); ++k) {
+    atoms.push_back(order.path[k].select(molecule));
+    if (atoms.back().empty()) return;  // told elsewhere
+    double sum = 0.0;
+    for (const std::uint32_t a : atoms.back()) sum += molecule.atoms[a].radius_A;
+    radii_A.push_back(sum / double(atoms.back().size()));
+    for (std::size_t before = 0; before < k; ++before)
+      if (atoms[before] == atoms[k])
+        problems.push_back({{},
+                            order.places[k].line,
+                            order.places[k].column,
+                            tr("two of the places are the same atoms"),
+                            tr("name another place")});
+  }
+  const std::string& by = spec.values["by"].text;
+  if (by != "size") return;
+  const bool up = std::is_sorted(radii_A.begin(), radii_A.end()),
+             down = std::is_sorted(radii_A.rbegin(), radii_A.rend());
+  if (!up && !down)
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
+                        tr("the radii of the places' atoms neither grow nor fall in this order"),
+                        tr("write them from the smallest to the largest, or the other way round")});
+  else if (up && down)
+    problems.push_back({{},
+                        order.place.line,
+                        order.place.column,
+                        tr("the atoms of all places are of one size"),
+                        tr("choose atoms of different elements")});
+}
+
+}  // namespace
+
+TaskKind orderKind() {
+  return {
+      "order",
+      "Feel several places one after the other and put them in order.",
+      {{.name = "order",
+        .type = ValueType::Path,
+        .meaning = "The places in the right order, two to six, parted by 'then'. The student feels them in another.",
+        .required = true},
+       {.name = "first",
+        .type = ValueType::Text,
+        .meaning = "What the first of the order is, in the middle of a sentence: 'the deepest', 'the smallest'.",
+        .required = true},
+       {.name = "by",
+        .type = ValueType::Word,
+        .meaning = "What orders them. By size, the check compares the atoms' radii.",
+        .fallback = "touch",
+        .words = {"touch", "depth", "size"}},
+       {.name = "for",
+        .type = ValueType::Quantity,
+        .meaning = "How long each place is touched at least.",
+        .fallback = "1 s",
+        .dimension = Dimension::Time,
+        .least = 0.1,
+        .most = 60.0},
+       {.name = "dark",
+        .type = ValueType::Word,
+        .meaning = "Whether the screen is dark meanwhile.",
+        .fallback = "yes",
+        .words = {"yes", "no"}},
+       {.name = "meter",
+        .type = ValueType::Word,
+        .meaning = "Whether the force is shown in the dark, how great and whereto.",
+        .fallback = "on",
+        .words = {"on", "off"}}},
+      [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
+      &checkOrder,
+      &checkPlaces};
+}
+
+}  // namespace moltact

@@ -1,0 +1,140 @@
+#include "engine/render/label_layout.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/haptics/sweep.h"
+
+namespace moltact {
+namespace {
+
+constexpr double kFaint = 0.45;                     // where atoms hide the place
+constexpr double kAcross = 9.0, kDown = 4.0;        // padding
+constexpr double kReaches[] = {58.0, 86.0, 120.0};  // from an arrow's tip to its name
+constexpr double kBeside = 6.0;                     // between two boxes at least, half of it
+constexpr std::size_t kMost = 400;                  // looked at
+
+struct Wanted {
+  const std::string* text;
+  PointA at;
+  double clear_A;
+  bool arrow, always, measure;
+  Vec3 px{0.0};
+  bool hidden = false;
+};
+
+bool overlaps(const PlacedLabel& a, const PlacedLabel& b, double gap) {
+  return a.low.x < b.high.x + gap && b.low.x < a.high.x + gap && a.low.y < b.high.y + gap && b.low.y < a.high.y + gap;
+}
+
+// The way from the eye meets a ball before the place, none of those that belong to it.
+bool hidden(const BallScene& balls, const Camera& camera, const Wanted& w) {
+  const Vec3 eye = camera.eye().A, way = w.at.A - eye;
+  const double length = glm::length(way), free = length - w.clear_A - 0.3;
+  if (!(free > 0.0)) return false;
+  return sweep(balls, 0.0, eye, eye + way * (free / length)).ball >= 0;
+}
+
+// Whether the atoms are as solid in the picture as they are to the hand.
+bool hidesPlaces(const AtomsLook& look) {
+  if (look.cut || look.hidden) return false;
+  return look.styles.empty() || std::any_of(look.styles.begin(), look.styles.end(), [](const StyledAtoms& s) {
+           return (s.style == DrawStyle::Spheres || s.style == DrawStyle::Surface) && !s.atoms && s.opacity >= 1.0f;
+         });
+}
+
+}  // namespace
+
+glm::dvec2 labelPadding_px(double unit_px) { return glm::dvec2(kAcross, kDown) * unit_px; }
+
+std::vector<PlacedLabel> layOutLabels(const ViewScene& scene, const BallScene* balls, const LabelRoom& room) {
+  std::vector<Wanted> wanted;
+  if (!hidesPlaces(scene.look)) balls = nullptr;
+  for (const auto& a : scene.annotations) {
+    for (const Annotations::Label& l : a->labels)
+      wanted.push_back({&l.text, l.at, l.clear_A, l.arrow, l.always, false});
+    for (const Annotations::Measure& m : a->measures) {
+      Vec3 middle(0.0);
+      // A torsion is written at the bond that it turns about, an angle at its corner.
+      const std::size_t first = m.places.size() > 2 ? 1 : 0, last = m.places.size() > 3   ? 2
+                                                                    : m.places.size() > 2 ? 1
+                                                                                          : 1;
+      for (std::size_t i = first; i <= last && i < m.places.size(); ++i)
+        middle += m.places[i].A / double(last - first + 1);
+      wanted.push_back({&m.text, {middle}, 2.5, false, true, true});
+    }
+  }
+  std::erase_if(wanted, [&](Wanted& w) {
+    w.px = scene.camera.project(w.at, room.width_px, room.height_px);
+    return !(w.px.z > 0.0) || !(w.px.x >= 0 && w.px.x < room.width_px && w.px.y >= 0 && w.px.y < room.height_px);
+  });
+  // The author's own and measures first, then from the nearest on.
+  std::stable_sort(wanted.begin(), wanted.end(),
+                   [](const Wanted& a, const Wanted& b) { return a.always != b.always ? a.always : a.px.z < b.px.z; });
+  if (wanted.size() > kMost) wanted.resize(kMost);
+
+  const Vec3 centre = scene.camera.project(scene.camera.target, room.width_px, room.height_px);
+  const double u = room.unit_px;
+  const glm::dvec2 pad = labelPadding_px(u);
+  std::vector<PlacedLabel> placed;
+  for (Wanted& w : wanted) {
+    w.hidden = balls && hidden(*balls, scene.camera, w);
+    if (w.hidden && !w.always) continue;
+    PlacedLabel label{.text = *w.text,
+                      .low = {},
+                      .high = {},
+                      .tip = {w.px.x, w.px.y},
+                      .arrow = w.arrow,
+                      .measure = w.measure,
+                      .strength = w.hidden ? kFaint : 1.0};
+    const glm::dvec2 half = 0.5 * room.textSize(*w.text) + pad;
+    const auto fits = [&](const glm::dvec2& middle) {
+      label.low = glm::round(middle - half);
+      label.high = label.low + 2.0 * half;
+      if (label.low.x < 2 * u || label.low.y < 2 * u || label.high.x > room.width_px - 2 * u ||
+          label.high.y > room.height_px - 2 * u)
+        return false;
+      return std::none_of(placed.begin(), placed.end(),
+                          [&](const PlacedLabel& other) { return overlaps(label, other, kBeside * u); });
+    };
+    bool found = false;
+    if (w.arrow) {
+      // Outward from the middle of the picture, or turned from there by eighths to either side.
+      const glm::dvec2 away = label.tip - glm::dvec2(centre);
+      const double begin = glm::length(away) > 4.0 * u ? std::atan2(away.y, away.x) : -0.9;
+      for (const double reach : kReaches)
+        for (const int eighth : {0, 1, -1, 2, -2, 3, -3, 4}) {
+          const double angle = begin + eighth * 0.7853981633974483;
+          const glm::dvec2 way(std::cos(angle), std::sin(angle));
+          // The box begins where the arrow ends, whatever its width.
+          found = found || fits(label.tip + way * (reach * u) + way * half);
+          if (found) break;
+        }
+    } else {
+      const double off = (w.measure ? 4.0 : 0.0) * u + half.y;
+      for (const glm::dvec2& by : {glm::dvec2(0, 0), glm::dvec2(0, -2 * off), glm::dvec2(0, 2 * off),
+                                   glm::dvec2(2 * half.x, 0), glm::dvec2(-2 * half.x, 0)}) {
+        found = found || fits(label.tip + by);
+        if (found) break;
+      }
+    }
+    if (found) placed.push_back(std::move(label));
+  }
+  return placed;
+}
+
+ArrowShape arrowOf(const PlacedLabel& label, double unit_px) {
+  ArrowShape shape;
+  const glm::dvec2 near = glm::clamp(label.tip, label.low, label.high), way = label.tip - near;
+  const double length = glm::length(way), head = 11.0 * unit_px;
+  if (!label.arrow || !(length > head)) return shape;
+  const glm::dvec2 along = way / length, aside(-along.y, along.x);
+  shape.drawn = true;
+  shape.from = near;
+  shape.neck = label.tip - along * head;
+  shape.left = shape.neck + aside * (0.45 * head);
+  shape.right = shape.neck - aside * (0.45 * head);
+  return shape;
+}
+
+}  // namespace moltact

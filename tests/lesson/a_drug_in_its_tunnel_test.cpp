@@ -1,0 +1,120 @@
+// The shipped lesson on HIV protease: what can be touched with the drug in the tunnel, and without.
+#include <algorithm>
+
+#include "tests/lesson/shipped_hand.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+constexpr const char* kDrug = "a-drug-in-its-tunnel";
+
+/// The atoms on which a probe of 1.4 A can rest, wherever in the rigid structure.
+std::vector<std::string> touchable(const ShippedScene& s, const std::string& text) {
+  std::vector<std::string> out;
+  for (const std::uint32_t atom : s.select(text)) {
+    const std::uint32_t one[] = {atom};
+    if (!facePlaces(s.balls, one, 1.4, 4000).empty()) out.push_back(s.molecule->describe(atom));
+  }
+  return out;
+}
+
+double nearest_A(const ShippedScene& s, const std::string& one, const std::string& other) {
+  double least = 1e9;
+  for (const std::uint32_t a : s.select(one))
+    for (const std::uint32_t b : s.select(other))
+      least = std::min(least, glm::distance(s.molecule->atoms[a].position.A, s.molecule->atoms[b].position.A));
+  return least;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a-drug-in-its-tunnel.md has 7 steps, a place to find in the dark, one to hold in the tunnel and a key to trace") {
+  const Lesson lesson = shippedLesson(kDrug);
+  checkCare(lesson);
+  CHECK(lesson.steps.size() == 7);
+  CHECK(taskOf(lesson, "in-the-dark", "find").values["by"].text == "hold");
+  CHECK(tasksOf(lesson, "hold") == 1);
+  CHECK(tasksOf(lesson, "trace") == 1);
+}
+
+TEST_CASE(
+    "with amprenavir no atom of either Asp 25 can be touched by a ball of 1.4 A, without it four of 16: the oxygens at "
+    "their ends") {
+  const std::string none = lineSaying(kDrug, "- [x] No, not a single atom"),
+                    four = lineSaying(kDrug, "- [x] Four: the oxygens at their ends"),
+                    all = lineSaying(kDrug, "Of the 16 atoms of both Asp 25");
+  CAPTURE(none);
+  CAPTURE(four);
+  CAPTURE(all);
+  const ShippedScene with("1hpv"), without("1hpv-empty");
+  CHECK(with.select("residue 25").size() == 16);
+  CHECK(touchable(with, "residue 25").empty());
+  CHECK(touchable(without, "residue 25").size() == 4);
+  CHECK(touchable(without, "residue 25 and name OD1 OD2").size() == 4);
+}
+
+TEST_CASE("nine of the drug's 35 atoms can be touched in the tunnel") {
+  const std::string line = lineSaying(kDrug, "Nine of its 35 atoms can be touched at all");
+  CAPTURE(line);
+  const ShippedScene with("1hpv");
+  CHECK(with.select("ligand").size() == 35);
+  CHECK(touchable(with, "ligand").size() == 9);
+}
+
+TEST_CASE("the empty tunnel and the drug are atoms of 1hpv in their places, and together all of it") {
+  const ShippedScene whole("1hpv"), empty("1hpv-empty"), drug("amprenavir");
+  REQUIRE(whole.molecule->atoms.size() == empty.molecule->atoms.size() + drug.molecule->atoms.size());
+  for (std::size_t i = 0; i < whole.molecule->atoms.size(); ++i) {
+    const std::size_t protein = empty.molecule->atoms.size();
+    const Atom& part = i < protein ? empty.molecule->atoms[i] : drug.molecule->atoms[i - protein];
+    CHECK(whole.molecule->atoms[i].position.A == part.position.A);
+  }
+}
+
+TEST_CASE(
+    "the drug's O3 lies 2.6 A and 3.1 A from the oxygens of Asp 25 in chain A, 2.7 A and 2.8 A in chain B; Ile 50, Val "
+    "82 and Ile 84 lie within 4 A of the drug") {
+  const std::string
+      key = lineSaying(kDrug, "within 2.6 Å to 3.1 Å of all four oxygens"),
+      note = lineSaying(
+          kDrug, "lies 2.6 Å and 3.1 Å from the carboxylate oxygens of Asp 25 in chain A, 2.7 Å and 2.8 Å in chain B"),
+      walls = lineSaying(kDrug, "Ile 50 3.4 Å, Val 82 3.9 Å, Ile 84 3.6 Å");
+  CAPTURE(key);
+  CAPTURE(note);
+  CAPTURE(walls);
+  const ShippedScene s("1hpv");
+  const auto away = [&](const char* oxygen) {
+    return s.between("ligand and name O3", std::string("residue 25 and ") + oxygen);
+  };
+  CHECK(away("chain A and name OD1") == doctest::Approx(2.6).epsilon(0.015));
+  CHECK(away("chain A and name OD2") == doctest::Approx(3.1).epsilon(0.015));
+  CHECK(away("chain B and name OD1") == doctest::Approx(2.7).epsilon(0.02));
+  CHECK(away("chain B and name OD2") == doctest::Approx(2.8).epsilon(0.015));
+  CHECK(nearest_A(s, "residue 50", "ligand") == doctest::Approx(3.4).epsilon(0.015));
+  CHECK(nearest_A(s, "residue 82", "ligand") == doctest::Approx(3.9).epsilon(0.015));
+  CHECK(nearest_A(s, "residue 84", "ligand") == doctest::Approx(3.6).epsilon(0.015));
+}
+
+TEST_CASE(
+    "in the dark a hand that rests on the rim of the tunnel does not find Asp 25; one that rests on its oxygen does; "
+    "the key is not passed by jabs") {
+  const Lesson lesson = shippedLesson(kDrug);
+  const ShippedScene empty("1hpv-empty"), drug("amprenavir");
+  const TaskSpec& dark = taskOf(lesson, "in-the-dark", "find");
+  const auto rests = [&](const std::string& atom) {
+    const std::unique_ptr<Task> task = makeTask(dark, *empty.molecule);
+    Hand hand{*task};
+    hand.touch({static_cast<std::int32_t>(empty.select(atom).at(0))}, 3.0, 0.5, restingOn(empty, atom, {0, 0, 1}, 1.4));
+    return task->done();
+  };
+  CHECK(rests("chain A and residue 25 and name OD2"));
+  CHECK_FALSE(rests("chain B and residue 29 and name OD2"));
+  CHECK_FALSE(rests("chain B and residue 81 and name CB"));
+  const TaskSpec& key = taskOf(lesson, "the-key", "trace");
+  const std::vector<std::string> along{"name C1", "name O1", "name O3", "name O4", "name C19"};
+  CHECK(passes(key, drug, along, {0, 1, 0}, false));
+  CHECK_FALSE(passes(key, drug, along, {0, 1, 0}, true));
+}

@@ -1,0 +1,119 @@
+// The shipped lesson on zinc fingers: what lies bare without them and covered with them, and who holds which letter, is
+// so in the entry.
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "tests/lesson/shipped_hand.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+const std::string kLesson = "a-protein-reads-dna";
+const char* const kTwelve = "(residue 2 4 6 7 8 and name N7 O6) or (residue 9 and name N7 N6)";
+
+/// How many of these atoms a water molecule touches that comes straight from outside.
+std::size_t touchable(const ShippedScene& scene, const std::string& text) {
+  std::size_t n = 0;
+  for (const std::uint32_t atom : scene.select(text)) {
+    const std::uint32_t one[] = {atom};
+    const auto places = facePlaces(scene.balls, one, 1.4, 3000);
+    n += std::any_of(places.begin(), places.end(),
+                     [&](const SurfacePlace& p) { return openFromOutside(scene.balls, p, 1.4); });
+  }
+  return n;
+}
+
+}  // namespace
+
+TEST_CASE("a-protein-reads-dna.md has 7 steps, a way down the groove, a search and trials in the dark") {
+  const Lesson lesson = shippedLesson(kLesson);
+  checkCare(lesson);
+  CHECK(lesson.steps.size() == 7);
+  CHECK(tasksOf(lesson, "trace") == 1);
+  CHECK(tasksOf(lesson, "find") == 1);
+  CHECK(tasksOf(lesson, "same") == 1);
+}
+
+TEST_CASE("the twelve atoms of six letters in the wide groove are all bare without the protein, and none with it") {
+  CAPTURE(lineSaying(kLesson, "12 of 12 on the bare DNA, 0 of 12 in the complex"));
+  CAPTURE(lineSaying(kLesson, "- [x] None →"));
+  const ShippedScene bare("1a1f-dna"), complex("1a1f");
+  CHECK(bare.select(kTwelve).size() == 12);
+  CHECK(touchable(bare, kTwelve) == 12);
+  CHECK(touchable(complex, kTwelve) == 0);
+}
+
+TEST_CASE("the DNA without protein is that of the complex, atom by atom") {
+  const ShippedScene bare("1a1f-dna"), complex("1a1f");
+  const auto same = complex.select("chain B C");
+  REQUIRE(same.size() == bare.balls.size());
+  for (std::size_t i = 0; i < same.size(); ++i)
+    CHECK(glm::distance(bare.balls[i].centre_A, complex.balls[same[i]].centre_A) < 1e-9);
+}
+
+TEST_CASE(
+    "four arginines hold four guanines by two bonds of 2.8 A to 3.1 A each; His 149, Asn 121 and Asp 118 as told") {
+  CAPTURE(lineSaying(kLesson, "Arg 180 to guanine 2 2.8 Å and 2.8 Å"));
+  CAPTURE(lineSaying(kLesson, "His 149 holds guanine 6 (2.9 Å)"));
+  CAPTURE(lineSaying(kLesson, "Arginines 174, 146 and 124 hold guanines 4, 7 and 8"));
+  const ShippedScene complex("1a1f");
+  for (const auto& [one, other, told_A] : {std::tuple{"residue 180 and name NH1", "residue 2 and name O6", 2.8},
+                                           std::tuple{"residue 180 and name NH2", "residue 2 and name N7", 2.8},
+                                           std::tuple{"residue 174 and name NH1", "residue 4 and name N7", 2.9},
+                                           std::tuple{"residue 174 and name NH2", "residue 4 and name O6", 2.9},
+                                           std::tuple{"residue 146 and name NH2", "residue 7 and name O6", 3.0},
+                                           std::tuple{"residue 146 and name NH1", "residue 7 and name N7", 3.1},
+                                           std::tuple{"residue 124 and name NH1", "residue 8 and name O6", 3.0},
+                                           std::tuple{"residue 124 and name NH2", "residue 8 and name N7", 2.9},
+                                           std::tuple{"residue 149 and name NE2", "residue 6 and name N7", 2.9},
+                                           std::tuple{"residue 121 and name OD1", "residue 9 and name N6", 3.0},
+                                           std::tuple{"residue 121 and name ND2", "residue 9 and name N7", 3.0},
+                                           std::tuple{"residue 118 and name OD2", "residue 10 and name N4", 2.9}}) {
+    CAPTURE(one);
+    CAPTURE(other);
+    CHECK(std::abs(complex.between(one, other) - told_A) < 0.061);
+  }
+  for (const char* arginine : {"180", "174", "146", "124"})
+    CHECK(complex.select(std::string("resname ARG and name CA and residue ") + arginine).size() == 1);
+  for (const char* guanine : {"2", "4", "6", "7", "8"})
+    CHECK(complex.select(std::string("resname DG and chain B and name O6 and residue ") + guanine).size() == 1);
+}
+
+TEST_CASE(
+    "the fingers are residues 103 to 133, 134 to 161 and 162 on, each with a zinc ion held by two Cys and two His") {
+  CAPTURE(lineSaying(kLesson, "of: (residue 103-133) then (residue 134-161) then (residue 162-187)"));
+  const ShippedScene complex("1a1f");
+  for (const char* finger : {"103-133", "134-161", "162-187"}) {
+    CAPTURE(finger);
+    const std::string in = std::string("residue ") + finger + " and ";
+    CHECK(complex.select(in + "resname CYS and name SG and within 3.6 Å of (element Zn)").size() == 2);
+    CHECK(complex.select(in + "resname HIS and name NE2 and within 2.6 Å of (element Zn)").size() == 2);
+  }
+}
+
+TEST_CASE("15 letters have fewer forms than human DNA has places, 18 letters more: six fingers") {
+  CAPTURE(lineSaying(kLesson, "A text of 15 letters has 1 073 741 824 forms, one of 18 letters 68 719 476 736"));
+  CAPTURE(lineSaying(kLesson, "With five, a text would be found by chance at about three places"));
+  CHECK(std::pow(4.0, 15) == 1073741824.0);
+  CHECK(std::pow(4.0, 18) == 68719476736.0);
+  CHECK(3.2e9 / std::pow(4.0, 15) == doctest::Approx(3.0).epsilon(0.02));
+  CHECK(3.2e9 > std::pow(4.0, 15));
+  CHECK(6.4e9 < std::pow(4.0, 18));
+}
+
+TEST_CASE("the way down the groove is passed by a hand that slides, by none that jabs the same atoms or one of them") {
+  const Lesson lesson = shippedLesson(kLesson);
+  const ShippedScene bare("1a1f-dna");
+  const TaskSpec& spec = taskOf(lesson, "take-the-fingers-away", "trace");
+  const std::vector<std::string> way{"residue 2 and name O6", "residue 4 and name O6", "residue 6 and name O6",
+                                     "residue 8 and name O6"};
+  // From where the lesson looks, the back.
+  const Vec3 out(0, 0, -1);
+  CHECK(passes(spec, bare, way, out, false));
+  CHECK_FALSE(passes(spec, bare, way, out, true));
+  CHECK_FALSE(passes(spec, bare, {way[1]}, out, false));
+  CHECK_FALSE(passes(spec, bare, {way[3], way[2], way[1], way[0]}, out, false));
+}

@@ -1,0 +1,141 @@
+// The shipped lesson on a virus: its axes, its sixty pieces and the places that are felt are so in the entry.
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tests/lesson/shipped_lesson.h"
+
+using namespace moltact;
+using namespace moltact::test;
+
+namespace {
+
+const std::string kLesson = "a-virus-in-the-hand";
+
+const Molecule& shell() {
+  static const Molecule molecule = [] {
+    auto read = readMolecule(MOLTACT_SOURCE_DIR "/molecules/1rb8.pdb", {.assembly = "1"});
+    REQUIRE(read);
+    return *std::move(read);
+  }();
+  return molecule;
+}
+
+std::vector<Vec3> placesOf(const std::string& text) {
+  std::vector<Vec3> out;
+  for (const auto i : parseSelection(text)->select(shell())) out.push_back(shell().atoms[i].position.A);
+  return out;
+}
+
+/// From the middle of the shell through the middle of these.
+Vec3 axisOf(const std::vector<Vec3>& places) {
+  return glm::normalize(std::accumulate(places.begin(), places.end(), Vec3(0.0)));
+}
+
+double offAxis_A(const Vec3& place, const Vec3& axis) { return glm::length(place - axis * glm::dot(place, axis)); }
+
+/// How high over the middle a ball on this axis is stopped that comes from outside.
+double stop_A(const Vec3& axis, double ball_A) {
+  double highest = 0.0;
+  for (const Atom& a : shell().atoms) {
+    const double off = offAxis_A(a.position.A, axis), grown = a.radius_A + ball_A, up = glm::dot(a.position.A, axis);
+    if (off < grown) highest = std::max(highest, up + std::sqrt(grown * grown - off * off));
+  }
+  return highest;
+}
+
+}  // namespace
+
+TEST_CASE("a-virus-in-the-hand.md has 7 steps, a ring to trace, a search and trials in the dark") {
+  const Lesson lesson = shippedLesson(kLesson);
+  checkCare(lesson);
+  CHECK(lesson.steps.size() == 7);
+  CHECK(tasksOf(lesson, "trace") == 1);
+  CHECK(tasksOf(lesson, "find") == 1);
+  CHECK(tasksOf(lesson, "same") == 1);
+}
+
+TEST_CASE(
+    "the shell has 60 pieces of 635 amino acids and nearly 300 000 atoms, 34 nm from tip to tip, which no single gene "
+    "could write") {
+  CAPTURE(lineSaying(kLesson, "300 000 atoms, 34 nm from tip to tip"));
+  CAPTURE(lineSaying(kLesson, "number: 114300"));
+  CAPTURE(lineSaying(kLesson, "together 635 amino acids"));
+  const auto alpha = placesOf("protein and name CA");
+  CHECK(alpha.size() == 60 * 635);
+  CHECK(60 * 635 * 3 == 114300);
+  CHECK(635 * 3 == 1905);
+  CHECK(114300.0 / 5386.0 > 20.0);
+  CHECK(double(shell().atoms.size()) == doctest::Approx(300000.0).epsilon(0.01));
+  double farthest = 0.0;
+  for (const Vec3& p : alpha) farthest = std::max(farthest, glm::length(p));
+  CHECK(2.0 * farthest == doctest::Approx(340.0).epsilon(0.01));
+}
+
+TEST_CASE(
+    "five knobs 72 degrees apart stand round the tip of a spike, three round a place of three, two across a border") {
+  CAPTURE(lineSaying(kLesson,
+                     "stand 10 Å from the five-fold axis, of Ser 188 (F) 4.3 Å from the three-fold, of Asp 80 (F) 7.4 "
+                     "Å from the two-fold"));
+  CAPTURE(lineSaying(kLesson, "threonine 92, in the colour of targets"));
+  struct Place {
+    const char* text;
+    std::size_t count;
+    double off_A;
+  };
+  for (const Place& place : {Place{"chain G G-2 G-3 G-4 G-5 and residue 92 and resname THR and name CA", 5, 9.8},
+                             Place{"chain F-5 F-6 F-33 and residue 188 and resname SER and name CA", 3, 4.3},
+                             Place{"chain F F-6 and residue 80 and resname ASP and name CA", 2, 7.4}}) {
+    CAPTURE(place.text);
+    const auto knobs = placesOf(place.text);
+    REQUIRE(knobs.size() == place.count);
+    const Vec3 axis = axisOf(knobs);
+    for (const Vec3& k : knobs) CHECK(std::abs(offAxis_A(k, axis) - place.off_A) < 0.06);
+    // A turn about the axis by the whole angle's share carries every alpha carbon of these onto one of them.
+    const double turn = 2.0 * 3.14159265358979 / double(place.count);
+    for (const Vec3& k : knobs) {
+      const Vec3 turned = k * std::cos(turn) + glm::cross(axis, k) * std::sin(turn) +
+                          axis * (glm::dot(axis, k) * (1.0 - std::cos(turn)));
+      CHECK(std::any_of(knobs.begin(), knobs.end(), [&](const Vec3& o) { return glm::distance(o, turned) < 0.01; }));
+    }
+  }
+}
+
+TEST_CASE("there are 12 spikes, 20 places of three and 30 of two") {
+  CAPTURE(lineSaying(kLesson, "12 spikes, 20 places of three, 30 of two"));
+  CAPTURE(lineSaying(kLesson, "number: 12"));
+  const auto different = [](const std::vector<Vec3>& places, double nearer_A) {
+    std::vector<std::vector<Vec3>> groups;
+    for (const Vec3& p : places) {
+      const auto own = std::find_if(groups.begin(), groups.end(),
+                                    [&](const auto& g) { return glm::distance(g.front(), p) < nearer_A; });
+      if (own == groups.end())
+        groups.push_back({p});
+      else
+        own->push_back(p);
+    }
+    return groups;
+  };
+  const auto spikes = different(placesOf("residue 92 and resname THR and name CA"), 25.0);
+  CHECK(spikes.size() == 12);
+  for (const auto& s : spikes) CHECK(s.size() == 5);
+  const auto threes = different(placesOf("residue 188 and resname SER and name CA"), 10.0);
+  CHECK(threes.size() == 20);
+  for (const auto& t : threes) CHECK(t.size() == 3);
+  const auto twos = different(placesOf("residue 80 and resname ASP and name CA"), 16.0);
+  CHECK(twos.size() == 30);
+  for (const auto& t : twos) CHECK(t.size() == 2);
+}
+
+TEST_CASE("the middle is hollow at the tip of a spike and nearly closed where three meet; between two lies a valley") {
+  CAPTURE(lineSaying(kLesson, "Here the middle is nearly closed, there a channel leads down"));
+  CAPTURE(lineSaying(kLesson, "They look at each other across a valley"));
+  const auto belowKnobs_A = [](const std::string& knobs) {
+    const auto places = placesOf(knobs);
+    const Vec3 axis = axisOf(places);
+    return glm::dot(places.front(), axis) + 1.7 + 1.4 - stop_A(axis, 1.4);
+  };
+  CHECK(belowKnobs_A("chain G G-2 G-3 G-4 G-5 and residue 92 and name CA") > 40.0);
+  CHECK(belowKnobs_A("chain F-5 F-6 F-33 and residue 188 and name CA") < 10.0);
+  CHECK(belowKnobs_A("chain F F-6 and residue 80 and name CA") > 3.0);
+}
