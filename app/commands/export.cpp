@@ -1,5 +1,6 @@
 // moltact export: a molecule as a glTF file for slides, web pages and printing.
 #include "app/commands/command.h"
+#include "app/commands/look_options.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/value_types.h"
@@ -12,7 +13,8 @@ namespace {
 
 struct ExportArguments {
   MoleculeArgument molecule;
-  std::string out, style = "balls";
+  std::string out;
+  LookOptions look;
   ExportOptions options;
 };
 
@@ -20,8 +22,11 @@ void exportGltf(ExportArguments& a) {
   if (std::filesystem::path(a.out).extension() != ".glb")
     throw CLI::ValidationError(
         "OUT", "'" + a.out + "' does not end in .glb; the scene is written as binary glTF, as in 1ubq.glb");
-  a.options.style = a.style == "surface" ? ExportStyle::Surface : ExportStyle::Balls;
-  const Expected<GltfScene> scene = exportMolecule(a.molecule.load(), a.options);
+  const Molecule molecule = a.molecule.load();
+  a.options.look = a.look.look(molecule);
+  // One molecule on a slide has the colours that chemists know.
+  a.options.colour_by = a.look.colour.empty() ? ColourBy::Element : a.look.colourBy(molecule);
+  const Expected<GltfScene> scene = exportMolecule(molecule, a.options);
   if (!scene) throw CommandError{scene.problem().text()};
   if (const auto problem = writeGlb(a.out, *scene)) throw CommandError{problem->text()};
   std::size_t triangles = 0;
@@ -41,17 +46,19 @@ void addExport(CLI::App& app) {
   ExportArguments& a = *arguments;
   a.molecule.addTo(*command);
   command->add_option("OUT", a.out, "The .glb file to write")->type_name(kFileType)->required();
+  a.look.addTo(*command);
+  command->add_flag("--print", a.options.print,
+                    "In the place of the styles one closed surface, which a printer of models needs");
   command
-      ->add_option("--style", a.style,
-                   "balls: one ball an atom, grouped by chain, for slides; surface: one closed surface, for printing")
-      ->check(CLI::IsMember({"balls", "surface"}))
-      ->capture_default_str();
-  command
-      ->add_option("--probe", a.options.probe_A,
-                   "Inflate every atom by this radius in angstroms; 1.4 gives what a water molecule feels")
+      ->add_option(
+          "--probe", a.options.probe_A,
+          "Inflate spheres, and the surface for printing, by this radius in angstroms; 1.4 gives what a water molecule "
+          "feels. The style 'surface' is the one that such a probe can reach")
       ->check(numberFrom(0.0, kLargestProbe_A))
       ->capture_default_str();
-  command->add_option("--step", a.options.step_A, "Fineness of the surface in angstroms; 0 goes by the molecule's size")
+  command
+      ->add_option("--step", a.options.step_A,
+                   "Fineness of the surface for printing in angstroms; 0 goes by the molecule's size")
       ->check(numberFrom(0.0, 10.0))
       ->capture_default_str();
   command

@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/commands/atoms_option.h"
 #include "app/commands/command.h"
+#include "app/commands/look_options.h"
 #include "app/commands/molecule_argument.h"
 #include "app/commands/number_range.h"
 #include "app/commands/touch_options.h"
@@ -14,6 +16,8 @@
 #include "engine/fonts/glyph_coverage.h"
 #include "engine/haptics/interactions.h"
 #include "engine/lesson/keys.h"
+#include "engine/lesson/lesson_region.h"
+#include "engine/lesson/quantity.h"
 #include "engine/platform/offscreen_gl.h"
 #include "engine/platform/terminal.h"
 #include "engine/render/label_painter.h"
@@ -27,13 +31,14 @@ constexpr double kRadian = std::numbers::pi / 180;
 
 struct RenderArguments {
   MoleculeArgument molecule;
-  std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", colour, style = "spheres", hide;
+  std::string out, size = "1280x800", hip, show = "atoms,probe,force", theme = "dark", cut, zoom_to;
+  LookOptions look;
   std::string label, arrow, mark, distance, angle, hydrogen_bonds;
   TouchSetup touch;
   double azimuth_deg = 0, elevation_deg = 0, zoom = 1, stiffness_N_per_A = 1;
   int samples = 3, time = 0;
-  double near_A = 4.0, cut_A = 0;
-  bool look_at_hip = false, cut = false;
+  double near_A = 4.0;
+  bool look_at_hip = false;
 };
 
 std::pair<int, int> sizeOf(const std::string& text) {
@@ -59,7 +64,7 @@ std::optional<PointA> hipOf(const std::string& text) {
 // The hand comes from outside along the line of sight, as a person at this picture would push.
 Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArguments& arguments, const Camera& camera,
              PointA hip) {
-  const auto scene = std::make_shared<const BallScene>(molecule->balls());
+  const auto scene = std::make_shared<const BallScene>(molecule->balls(), arguments.look.left_out.notFelt(*molecule));
   const auto felt = makeInteraction({scene, arguments.touch});
   const Vec3 from_hip = camera.back();
   const double reach = glm::length(scene->high_A() - scene->low_A()) + 2 * arguments.touch.probe_A + 1;
@@ -68,12 +73,6 @@ Contact push(const std::shared_ptr<const Molecule>& molecule, const RenderArgume
   Contact contact;
   for (long i = ticks; i >= 0; --i) contact = felt->respond({{hip.A + from_hip * (step * double(i))}}).contact;
   return contact;
-}
-
-std::vector<std::string> schemeNames() {
-  std::vector<std::string> names;
-  for (const ColouringScheme& scheme : colouringSchemes()) names.emplace_back(scheme.name);
-  return names;
 }
 
 void printTimes(Renderer& renderer, const ViewScene& scene, int width, int height, const RenderArguments& arguments) {
@@ -103,22 +102,29 @@ void printTimes(Renderer& renderer, const ViewScene& scene, int width, int heigh
   out() << text << '\n';
 }
 
+AtomsLook looksOf(const RenderArguments& arguments, const Molecule& molecule, const Camera& camera) {
+  AtomsLook look = arguments.look.look(molecule);
+  look.spheres_near_A = arguments.near_A;
+  if (arguments.cut.empty()) return look;
+  Vec3 through = camera.target.A;
+  double before_A = 0.0;
+  if (arguments.cut == "middle") {
+  } else if (const auto distance = parseNumber(arguments.cut)) {
+    before_A = *distance;
+  } else {
+    through = Vec3(0.0);
+    const std::vector<std::uint32_t> atoms = selectedAtoms("--cut", arguments.cut, molecule);
+    for (const std::uint32_t a : atoms) through += molecule.atoms[a].position.A / double(atoms.size());
+  }
+  look.cut = CutPlane{camera.back(), glm::dot(camera.back(), through) + before_A};
+  return look;
+}
+
 // What a scene of a lesson would say, from options of the same names.
 class SceneOptions {
  public:
   SceneOptions(const RenderArguments& arguments, const Molecule& molecule)
       : arguments_(arguments), molecule_(molecule) {}
-
-  AtomsLook look(const Camera& camera) const {
-    AtomsLook look;
-    for (const StyleSpec& s : value("style", arguments_.style).styles)
-      look.styles.push_back({s.style, listOf("style", s.atoms), float(s.opacity)});
-    if (!arguments_.hide.empty()) look.hidden = listOf("hide", value("hide", arguments_.hide).selection);
-    look.spheres_near_A = arguments_.near_A;
-    if (!arguments_.colour.empty()) look.colouring = schemeColouring(molecule_, arguments_.colour);
-    if (arguments_.cut) look.cut = CutPlane{camera.back(), glm::dot(camera.back(), camera.target.A) + arguments_.cut_A};
-    return look;
-  }
 
   /// Names, arrows, marks and measures.
   SceneSpec marks() const {
@@ -175,15 +181,17 @@ void render(const RenderArguments& arguments) {
   scene.shown = *shown;
   scene.molecule = std::make_shared<const Molecule>(arguments.molecule.load());
   scene.theme = arguments.theme == "light" ? lightTheme() : darkTheme();
-  scene.colour_by = arguments.colour.empty()      ? usualColourBy(*scene.molecule)
-                    : arguments.colour == "chain" ? ColourBy::Chain
-                                                  : ColourBy::Element;
+  scene.colour_by = arguments.look.colourBy(*scene.molecule);
   scene.probe_A = arguments.touch.probe_A;
   scene.camera.lookFrom(arguments.azimuth_deg * kRadian, arguments.elevation_deg * kRadian);
-  scene.camera.fit(*scene.molecule, double(width) / height);
-  const SceneOptions options(arguments, *scene.molecule);
-  const SceneSpec marks = options.marks();
-  scene.look = options.look(scene.camera);
+  scene.camera.fit(*scene.molecule, double(width) / height, 0.08, 0.0,
+                   arguments.look.left_out.removed(*scene.molecule));
+  if (!arguments.zoom_to.empty())
+    if (const auto part = regionAround(selectedAtoms("--zoom-to", arguments.zoom_to, *scene.molecule), *scene.molecule,
+                                       arguments.touch.probe_A))
+      scene.camera.fit(part->centre, part->radius_A, double(width) / height);
+  const SceneSpec marks = SceneOptions(arguments, *scene.molecule).marks();
+  scene.look = looksOf(arguments, *scene.molecule, scene.camera);
   scene.look.marks = marksOf(marks, *scene.molecule);
   if (auto written = annotationsOf(marks, *scene.molecule)) scene.annotations.push_back(std::move(written));
   if (scene.hip) {
@@ -238,12 +246,7 @@ void addRender(CLI::App& app) {
       ->capture_default_str();
   command->add_flag("--look-at-hip", a.look_at_hip, "Put the contact in the middle of the picture");
   command->add_option("--theme", a.theme, "Colours")->check(CLI::IsMember({"light", "dark"}))->capture_default_str();
-  std::string styles =
-      "How the atoms are drawn, as the key 'style' of a scene says it: 'surface 40% for chain A, spheres for ligand'; "
-      "the styles are:";
-  for (const DrawStyleInfo& s : drawStyles()) styles += "\n" + std::string(s.name) + ": " + std::string(s.sentence);
-  command->add_option("--style", a.style, styles)->capture_default_str();
-  command->add_option("--hide", a.hide, "Atoms that are not drawn, as a selection: 'water', 'chain B'");
+  a.look.addTo(*command);
   command->add_option(
       "--label", a.label,
       "Names over the picture: 'residue for ligand', '\"the cleft\" for residue 35 52'; the words are atom, "
@@ -257,15 +260,10 @@ void addRender(CLI::App& app) {
   command->add_option("--near", a.near_A, "Beside other styles, atoms so near to the probe are drawn as spheres (A)")
       ->check(numberFrom(0.0, 20.0))
       ->capture_default_str();
-  command
-      ->add_option("--cut", a.cut_A,
-                   "Cut the molecule open by a plane that faces the viewer, so many angstroms before its middle")
-      ->check(numberFrom(-1e6, 1e6))
-      ->each([arguments](const std::string&) { arguments->cut = true; });
-  command
-      ->add_option("--colour", a.colour,
-                   "What the atoms' colours tell; left out, the chain where the molecule has several, else the element")
-      ->check(CLI::IsMember(schemeNames()));
+  command->add_option("--cut", a.cut,
+                      "Cut the molecule open by a plane that faces the viewer: 'middle' through its middle, so many "
+                      "angstroms before it (3), or through the middle of atoms, as a selection");
+  command->add_option("--zoom-to", a.zoom_to, "Come close to atoms, as a selection");
   command->add_option("--samples", a.samples, "Samples along each pixel's edge")
       ->check(CLI::Range(1, 4))
       ->capture_default_str();

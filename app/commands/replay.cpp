@@ -4,6 +4,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "app/commands/atoms_option.h"
 #include "app/commands/command.h"
 #include "app/commands/hip_path_file.h"
 #include "app/commands/molecule_argument.h"
@@ -22,6 +23,7 @@ namespace {
 struct ReplayOptions {
   MoleculeArgument molecule;
   std::string path, out;
+  LeftOutAtoms left_out;
   TouchSetup touch;
   double stiffness_N_per_A = 1.0;
   bool time = false;
@@ -122,7 +124,8 @@ void run(const ReplayOptions& options) {
   const Molecule molecule = options.molecule.load();
   const auto path = readHipPath(options.path);
   if (!path) throw CommandError{path.problem().text()};
-  const InteractionInput input{std::make_shared<const BallScene>(molecule.balls()), options.touch};
+  const InteractionInput input{std::make_shared<const BallScene>(molecule.balls(), options.left_out.notFelt(molecule)),
+                               options.touch};
   const auto felt = makeInteraction(input);
   std::vector<Contact> contacts;
   contacts.reserve(path->size());
@@ -152,6 +155,7 @@ void addReplay(CLI::App& app) {
       ->required();
   command->add_option("--out", options->out, "where to write the trace (CSV); may be left out with --time")
       ->type_name(kFileType);
+  options->left_out.addTo(*command);
   addTouchOptions(*command, options->touch);
   addProbeOption(*command, options->touch);
   command

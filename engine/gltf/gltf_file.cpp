@@ -192,7 +192,9 @@ class Writer {
   void addMaterial(const GltfMaterial& m) {
     tinygltf::Material out;
     out.name = m.name;
-    out.pbrMetallicRoughness.baseColorFactor = {toLinear(m.colour.x), toLinear(m.colour.y), toLinear(m.colour.z), 1.0};
+    out.pbrMetallicRoughness.baseColorFactor = {toLinear(m.colour.x), toLinear(m.colour.y), toLinear(m.colour.z),
+                                                double(m.opacity)};
+    if (m.opacity < 1.0f) out.alphaMode = "BLEND";
     out.pbrMetallicRoughness.metallicFactor = 0.0;
     out.pbrMetallicRoughness.roughnessFactor = 0.6;
     model_.materials.push_back(std::move(out));

@@ -35,6 +35,7 @@ Expected<SolidModel> readGltf(const std::filesystem::path& file);
 struct GltfMaterial {
   std::string name;
   glm::vec3 colour{1.0f};
+  float opacity = 1.0f;
 };
 /// Triangles of one material: three indices each into the mesh's places.
 struct GltfPart {

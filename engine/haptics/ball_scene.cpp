@@ -10,8 +10,19 @@
 
 namespace moltact {
 
-BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates) : balls_(std::move(balls)) {
-  if (balls_.empty()) {
+BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates)
+    : BallScene(std::move(balls), std::span<const std::uint32_t>{}, duplicates) {}
+
+BallScene::BallScene(std::vector<Ball> balls, std::span<const std::uint32_t> untouchable, Duplicates duplicates)
+    : balls_(std::move(balls)) {
+  std::size_t felt = balls_.size();
+  for (const std::uint32_t i : untouchable) {
+    if (i >= balls_.size()) continue;
+    if (untouchable_.empty()) untouchable_.resize(balls_.size());
+    felt -= untouchable_[i] ? 0 : 1;
+    untouchable_[i] = 1;
+  }
+  if (felt == 0) {
     cells_.resize(16);
     mask_ = 15;
     shift_ = 62;
@@ -20,20 +31,24 @@ BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates) : balls_(st
   assert(balls_.size() < std::numeric_limits<std::uint32_t>::max());
 
   // A ball more than twice as large as 99 of 100 others would make every look-up wide: those few are kept apart.
-  std::vector<double> radii(balls_.size());
-  std::transform(balls_.begin(), balls_.end(), radii.begin(), [](const Ball& b) { return b.radius_A; });
+  std::vector<double> radii;
+  radii.reserve(felt);
+  for (std::size_t i = 0; i < balls_.size(); ++i)
+    if (touchable(i)) radii.push_back(balls_[i].radius_A);
   const auto at99 = radii.begin() + std::ptrdiff_t(0.99 * double(radii.size() - 1));
   std::nth_element(radii.begin(), at99, radii.end());
   const double large_from = 2.0 * *at99;
 
-  low_ = high_ = balls_[0].centre_A;
-  bool first = true;
+  bool first = true, first_felt = true;
   std::size_t small_count = 0;
-  for (const Ball& b : balls_) {
+  for (std::size_t i = 0; i < balls_.size(); ++i) {
+    const Ball& b = balls_[i];
     assert(std::isfinite(b.radius_A) && b.radius_A >= 0);
     assert(std::isfinite(b.centre_A.x) && std::isfinite(b.centre_A.y) && std::isfinite(b.centre_A.z));
-    low_ = glm::min(low_, b.centre_A);
-    high_ = glm::max(high_, b.centre_A);
+    if (!touchable(i)) continue;
+    low_ = first_felt ? b.centre_A : glm::min(low_, b.centre_A);
+    high_ = first_felt ? b.centre_A : glm::max(high_, b.centre_A);
+    first_felt = false;
     largest_radius_ = std::max(largest_radius_, b.radius_A);
     if (b.radius_A > large_from) continue;
     ++small_count;
@@ -60,7 +75,7 @@ BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates) : balls_(st
   };
   resetTable();
   for (std::size_t i = 0; i < balls_.size(); ++i) {
-    if (balls_[i].radius_A > large_from) continue;
+    if (!touchable(i) || balls_[i].radius_A > large_from) continue;
     if (2 * (used + 1) > cells_.size()) {  // too full: a table of four times the size, counted again
       cells_.assign(cells_.size() * 4, Cell{});
       resetTable();
@@ -91,6 +106,7 @@ BallScene::BallScene(std::vector<Ball> balls, Duplicates duplicates) : balls_(st
   sorted_.resize(small_count);
   std::vector<Sorted> large;
   for (std::size_t i = 0; i < balls_.size(); ++i) {
+    if (!touchable(i)) continue;
     const Sorted entry{balls_[i], static_cast<std::uint32_t>(i)};
     if (balls_[i].radius_A > large_from)
       large.push_back(entry);
@@ -174,8 +190,15 @@ void BallScene::makeTree(std::uint32_t begin, std::uint32_t end) {
   grow(grow, begin, end);
 }
 
+std::vector<std::uint32_t> BallScene::untouchable() const {
+  std::vector<std::uint32_t> out;
+  for (std::uint32_t i = 0; i < untouchable_.size(); ++i)
+    if (untouchable_[i]) out.push_back(i);
+  return out;
+}
+
 std::size_t BallScene::bytes() const {
-  return sorted_.capacity() * sizeof(Sorted) + tree_nodes_.capacity() * sizeof(TreeNode) +
+  return untouchable_.capacity() + sorted_.capacity() * sizeof(Sorted) + tree_nodes_.capacity() * sizeof(TreeNode) +
          cell_trees_.capacity() * sizeof(CellTree) + cells_.capacity() * sizeof(Cell);
 }
 

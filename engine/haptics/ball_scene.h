@@ -25,12 +25,22 @@ class BallScene {
   /// Centres must be finite and within 1e9 A of the origin, radii finite and not negative (asserted; readers check
   /// files).
   explicit BallScene(std::vector<Ball> balls, Duplicates duplicates = Duplicates::KeepFirst);
+  /// The same without the balls of these indices (in any order; beyond the last they are ignored): they keep their
+  /// indices and places, but no visit finds them and the box does not count them, so that nothing feels them.
+  BallScene(std::vector<Ball> balls, std::span<const std::uint32_t> untouchable,
+            Duplicates duplicates = Duplicates::KeepFirst);
 
   std::span<const Ball> balls() const { return balls_; }
   const Ball& operator[](std::size_t i) const { return balls_[i]; }
   std::size_t size() const { return balls_.size(); }
+  /// Whether a ball is there to be felt. `i` in range.
+  bool touchable(std::size_t i) const { return untouchable_.empty() || !untouchable_[i]; }
+  /// Whether some ball is there only to be seen.
+  bool hasUntouchable() const { return !untouchable_.empty(); }
+  /// The indices of those balls, ascending.
+  std::vector<std::uint32_t> untouchable() const;
 
-  /// The box round all centres, widened by the largest radius. Both corners are zero when there are no balls.
+  /// The box round all centres, widened by the largest radius. Both corners are zero when there are no balls to feel.
   Vec3 low_A() const { return low_; }
   Vec3 high_A() const { return high_; }
   double largestRadius_A() const { return largest_radius_; }
@@ -186,7 +196,8 @@ class BallScene {
   void makeTree(std::uint32_t begin, std::uint32_t end);
 
   std::vector<Ball> balls_;
-  std::vector<Sorted> sorted_;        // by cell, the cells along x, then y, then z: neighbours lie near in memory;
+  std::vector<std::uint8_t> untouchable_;  // of each ball; empty: none is
+  std::vector<Sorted> sorted_;             // by cell, the cells along x, then y, then z: neighbours lie near in memory;
   std::uint32_t large_from_ = 0;      // from here on the few balls much larger than the rest, tested at every visit
   std::vector<TreeNode> tree_nodes_;  // trees, each node before those below it
   std::vector<CellTree> cell_trees_;  // by begin

@@ -24,23 +24,25 @@ std::uint64_t nextSerial() {
 
 }  // namespace
 
-SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Ball> bounds, int ticks, double most_moved_A)
+SphereMotion::SphereMotion(std::vector<Moving> spheres, std::vector<Ball> bounds,
+                           std::span<const std::uint32_t> untouchable, int ticks, double most_moved_A)
     : spheres_(std::move(spheres)),
-      bounds_(std::move(bounds), BallScene::Duplicates::VisitEach),
+      bounds_(std::move(bounds), untouchable, BallScene::Duplicates::VisitEach),
       ticks_(ticks),
       most_moved_(most_moved_A),
       serial_(nextSerial()) {}
 
 Expected<std::unique_ptr<const SphereMotion>> SphereMotion::after(const SphereMotion& before, std::span<const Ball> to,
                                                                   int ticks) {
-  auto made = make(before.at(1.0), to, ticks);
+  auto made = make(before.at(1.0), to, ticks, before.bounds_.untouchable());
   // Not yet shared with anybody, so it may still be changed.
   if (made) const_cast<SphereMotion&>(**made).continues_ = before.serial_;
   return made;
 }
 
 Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const Ball> from, std::span<const Ball> to,
-                                                                 int ticks) {
+                                                                 int ticks,
+                                                                 std::span<const std::uint32_t> untouchable) {
   const auto problem = [](std::string what, std::string remedy) {
     return Problem{"", 0, 0, std::move(what), std::move(remedy)};
   };
@@ -67,7 +69,8 @@ Expected<std::unique_ptr<const SphereMotion>> SphereMotion::make(std::span<const
                  std::max(from[i].radius_A, to[i].radius_A) + 0.5 * glm::length(way) + spare};
     if (way == Vec3(0.0) && growth == 0.0) bounds[i] = from[i];
   }
-  return std::unique_ptr<const SphereMotion>(new SphereMotion(std::move(spheres), std::move(bounds), ticks, most_A));
+  return std::unique_ptr<const SphereMotion>(
+      new SphereMotion(std::move(spheres), std::move(bounds), untouchable, ticks, most_A));
 }
 
 std::vector<Ball> SphereMotion::at(double fraction) const {

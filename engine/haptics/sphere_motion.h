@@ -21,8 +21,9 @@ class SphereMotion {
  public:
   /// The motion takes `ticks` ticks (1 to kMostTicks). A Problem where the two lists are not as long as each other, or
   /// hold what is no place or radius (not finite, farther than kFarthest_A, negative).
+  /// The balls of `untouchable` move, but nothing feels them (as in BallScene).
   static Expected<std::unique_ptr<const SphereMotion>> make(std::span<const Ball> from, std::span<const Ball> to,
-                                                            int ticks);
+                                                            int ticks, std::span<const std::uint32_t> untouchable = {});
   static constexpr int kMostTicks = 10'000;
   /// The motion that goes on from where another ends.
   static Expected<std::unique_ptr<const SphereMotion>> after(const SphereMotion& before, std::span<const Ball> to,
@@ -54,7 +55,8 @@ class SphereMotion {
   std::size_t bytes() const { return spheres_.capacity() * sizeof(Moving) + bounds_.bytes(); }
 
  private:
-  SphereMotion(std::vector<Moving> spheres, std::vector<Ball> bounds, int ticks, double most_moved_A);
+  SphereMotion(std::vector<Moving> spheres, std::vector<Ball> bounds, std::span<const std::uint32_t> untouchable,
+               int ticks, double most_moved_A);
 
   std::vector<Moving> spheres_;
   BallScene bounds_;

@@ -1,9 +1,12 @@
 // Front matter and the fenced blocks scene, touch and answer.
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "engine/language/catalogue.h"
 #include "engine/language/language_code.h"
 #include "engine/lesson/reading.h"
+#include "engine/lesson/scene_link.h"
 #include "engine/lesson/suggestion.h"
 #include "engine/lesson/tasks/registry.h"
 #include "engine/lesson/touch_keys.h"
@@ -33,6 +36,82 @@ std::vector<KeyLine> linesOf(Reading& reading, std::span<const BlockLine> lines)
   std::vector<KeyLine> out = splitKeyLines(lines, problems);
   reading.add(std::move(problems));
   return out;
+}
+
+// A view of a name that an earlier scene gave takes its place.
+void takeViews(Reading& reading, const KeyValues& values, SceneSpec& scene) {
+  constexpr std::string_view kStart = "view ";
+  std::vector<std::pair<std::string_view, const Value*>> given;
+  for (const auto& [key, value] : values)
+    if (key.starts_with(kStart)) given.emplace_back(stripped(std::string_view(key).substr(kStart.size())), &value);
+  std::sort(given.begin(), given.end(),
+            [](const auto& a, const auto& b) { return a.second->place.line < b.second->place.line; });
+  std::vector<std::string> here;
+  for (const auto& [name, value] : given) {
+    const std::string link = slug(name);
+    if (link.empty() || std::find(here.begin(), here.end(), link) != here.end())
+      reading.error(value->place, trf("the view '{0}' has no name of its own that a link could give", name),
+                    tr("name it by words that no other view of the scene has"));
+    here.push_back(link);
+    const auto at =
+        std::find_if(scene.views.begin(), scene.views.end(), [&](const NamedView& v) { return slug(v.name) == link; });
+    if (at != scene.views.end())
+      *at = {std::string(name), value->view};
+    else
+      scene.views.push_back({std::string(name), value->view});
+  }
+}
+
+// "1ake", "1ake, superposed on chain A"; the names of the two states, and which of them the scene begins with.
+void takeSecondState(Reading& reading, const KeyValues& values, bool takes_state, const Lesson& lesson,
+                     SceneSpec& scene) {
+  constexpr std::string_view kSuperposed = ", superposed on ";
+  SecondState& then = scene.then;
+  if (values.has("then")) {
+    const Value& value = values["then"];
+    const std::string_view text = value.text;
+    const std::size_t comma = text.find(kSuperposed);
+    then = {};
+    then.molecule = std::string(stripped(text.substr(0, comma)));
+    scene.places.then = value.place;
+    if (then.molecule == "none") then.molecule.clear();
+    if (comma != std::string_view::npos) {
+      const Expected<Selection> atoms = parseSelection(stripped(text.substr(comma + kSuperposed.size())));
+      if (atoms)
+        then.superposed_on = *atoms;
+      else
+        reading.error(
+            {value.place.line, value.place.column + characterCount(text.substr(0, comma + kSuperposed.size())) +
+                                   atoms.problem().column - 1},
+            atoms.problem().message, atoms.problem().remedy);
+    }
+    const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
+    if (!then.molecule.empty() && !known.empty() && !reading.enough() &&
+        std::find(known.begin(), known.end(), then.molecule) == known.end())
+      reading.error(value.place, trf("'{0}' is not among the lesson's molecules", then.molecule),
+                    suggest(then.molecule, known, tr("add it to the front matter or take one of")));
+  }
+  if (values.has("states")) {
+    const Value& value = values["states"];
+    then.states = value.words;
+    if (then.molecule.empty())
+      reading.error(value.place, tr("'states' names two structures, but the scene has one"),
+                    tr("add a line 'then: …' with the second one"));
+    else if (then.states.size() != 2)
+      reading.error(value.place, tr("there are two states to name"), tr("write two names, as in 'open, closed'"));
+  }
+  if (takes_state && values["state"].place.line) {
+    const Value& value = values["state"];
+    const std::optional<double> share = stateNamed(scene, value.text);
+    if (then.molecule.empty())
+      reading.error(value.place, tr("'state' is a place between two structures, but the scene has one"),
+                    tr("add a line 'then: …' with the second one"));
+    else if (!share)
+      reading.error(value.place, trf("'{0}' is no state of this scene", value.text),
+                    tr("write one of its 'states', or a share from 0\u00a0% to 100\u00a0%"));
+    else
+      then.share = *share;
+  }
 }
 
 // What a scene names, points at and measures; "none" leaves nothing of what an earlier scene did.
@@ -137,10 +216,14 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     if (takes(property.key)) setTouchValue(scene.touch, property, touchValueOf(property, values[property.key]));
   if (takes("show")) scene.show = values["show"].words;
   if (takes("style")) scene.styles = values["style"].styles;
-  if (takes("hide")) {
-    scene.hide = values["hide"].selection;
-    scene.places.hide = values["hide"].place;
-  }
+  const auto takeAtoms = [&](std::string_view key, Selection& atoms, Place& place) {
+    if (!takes(key)) return;
+    atoms = values[key].selection;
+    place = values[key].place;
+  };
+  takeAtoms("hide", scene.hide, scene.places.hide);
+  takeAtoms("untouchable", scene.untouchable, scene.places.untouchable);
+  takeAtoms("remove", scene.remove, scene.places.remove);
   if (takes("near")) scene.near_A = values["near"].number;
   if (takes("colour")) scene.colour = values["colour"].words[0];
   readMarks(values, takes, scene);
@@ -153,20 +236,13 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.locked = lesson.locked;
     scene.locked.insert(scene.locked.end(), values["locked"].words.begin(), values["locked"].words.end());
   }
-  if (takes("highlight")) {
-    scene.highlight = values["highlight"].selection;
-    scene.places.highlight = values["highlight"].place;
-  }
-  if (takes("magnify")) {
-    scene.magnify = values["magnify"].selection;
-    scene.places.magnify = values["magnify"].place;
-  }
-  if (takes("view")) {
-    const Value& view = values["view"];
-    scene.view = view.words.empty() ? std::string() : view.words[0];
-    scene.facing = view.selection;
-    scene.places.view = view.selection.given() ? selectionPlace(view) : view.place;
-  }
+  takeAtoms("highlight", scene.highlight, scene.places.highlight);
+  takeAtoms("magnify", scene.magnify, scene.places.magnify);
+  if (takes("view")) scene.view = values["view"].view;
+  takeViews(reading, values, scene);
+  if (takes("cut")) scene.cut = values["cut"].words.empty() || values["cut"].words[0] != "none";
+  takeAtoms("cut", scene.cut_at, scene.places.cut);
+  takeSecondState(reading, values, takes("state"), lesson, scene);
   return scene;
 }
 

@@ -7,6 +7,10 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/lesson/checks.h"
+#include "engine/lesson/lesson_texts.h"
+#include "engine/lesson/scene_atoms.h"
+#include "engine/lesson/scene_link.h"
+#include "engine/lesson/second_state.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact::checks {
@@ -27,9 +31,18 @@ class Check {
       if (!molecule) continue;
       if (step.states_scene) {
         selects(step.scene.highlight, places.highlight, *molecule);
-        selects(step.scene.facing, places.view, *molecule);
+        const auto sees = [&](const ViewSpec& view) {
+          selects(view.facing, view.facing_place, *molecule);
+          selects(view.zoom, view.zoom_place, *molecule);
+        };
+        sees(step.scene.view);
+        for (const NamedView& v : step.scene.views) sees(v.view);
+        selects(step.scene.cut_at, places.cut, *molecule);
+        second(step.scene, *molecule);
         selects(step.scene.magnify, places.magnify, *molecule);
         selects(step.scene.hide, places.hide, *molecule);
+        selects(step.scene.untouchable, places.untouchable, *molecule);
+        selects(step.scene.remove, places.remove, *molecule);
         selects(step.scene.hydrogen_bonds, places.hydrogen_bonds, *molecule);
         for (const auto* list : {&step.scene.labels, &step.scene.arrows, &step.scene.marks})
           for (const MarkSpec& mark : *list) selects(mark.atoms, mark.place, *molecule);
@@ -37,11 +50,18 @@ class Check {
           for (std::size_t i = 0; i < m.atoms.size(); ++i) selects(m.atoms[i], m.places[i], *molecule);
         for (const StyleSpec& style : step.scene.styles) selects(style.atoms, style.place, *molecule);
       }
+      forEachText(step, [&](const RichText& text) {
+        for (const TextRun& run : text)
+          if (const auto link = sceneLink(run.link); link && link->kind == SceneLink::Kind::Zoom)
+            if (const auto atoms = parseSelection(link->of)) selects(*atoms, run.link_place, *molecule);
+      });
+      const std::vector<std::uint32_t> untouchable = untouchableAtoms(step.scene, *molecule);
       for (const TaskSpec& task : step.tasks) {
         for (const auto& [key, value] : task.values) {
-          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule);
+          if (value.selection.given()) selects(value.selection, selectionPlace(value), *molecule, untouchable);
           for (const SelectionRemark& remark : value.remarks) selects(remark.atoms, remark.place, *molecule);
-          for (std::size_t i = 0; i < value.path.size(); ++i) selects(value.path[i], value.places[i], *molecule);
+          for (std::size_t i = 0; i < value.path.size(); ++i)
+            selects(value.path[i], value.places[i], *molecule, untouchable);
         }
         const TaskKind* kind = findTaskKind(task.kind);
         std::vector<Problem> problems;
@@ -52,11 +72,24 @@ class Check {
   }
 
  private:
+  /// The second structure of a scene: it is there, and lies on the first.
+  void second(const SceneSpec& scene, const Molecule& molecule) {
+    if (scene.then.molecule.empty()) return;
+    const Place place = scene.places.then;
+    const Molecule* other = find(secondMolecule(scene), place, {});
+    if (!other) return;
+    if (scene.then.superposed_on.given()) selects(scene.then.superposed_on, place, molecule);
+    if (const auto states = statesOf(scene, molecule, *other); !states)
+      findings_.error(place, states.problem().message, states.problem().remedy);
+  }
+
   /// A molecule of the front matter's list, read as the first scene with it does: no reading is made for the list
   /// alone.
   NamedMolecule asFirstScene(const std::string& name) const {
-    for (const Step& step : lesson_.steps)
+    for (const Step& step : lesson_.steps) {
       if (step.scene.molecule.name == name) return step.scene.molecule;
+      if (step.scene.then.molecule == name) return secondMolecule(step.scene);
+    }
     return name;
   }
 
@@ -82,12 +115,20 @@ class Check {
     return nullptr;
   }
 
-  void selects(const Selection& selection, Place place, const Molecule& molecule) {
+  /// An error where it selects nothing, or for a task nothing that can be touched.
+  void selects(const Selection& selection, Place place, const Molecule& molecule,
+               const std::vector<std::uint32_t>& untouchable = {}) {
     if (!selection.given() || findings_.enough()) return;
     const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
-    if (selection.select(molecule).empty()) {
+    const std::vector<std::uint32_t> atoms = selection.select(molecule);
+    if (atoms.empty()) {
       Problem why = selection.whyEmpty(molecule);
       findings_.error(at(why), std::move(why.message), std::move(why.remedy));
+      return;
+    }
+    if (std::includes(untouchable.begin(), untouchable.end(), atoms.begin(), atoms.end())) {
+      findings_.error(place, tr("nothing of this can be touched: the scene takes it from the hand"),
+                      tr("name other atoms, or change the scene's 'untouchable' or 'remove'"));
       return;
     }
     for (Problem& idle : selection.idleNames(molecule))
@@ -109,7 +150,7 @@ void molecules(const Lesson& lesson, const MoleculeByName& molecule, Findings& f
 
 void moleculeList(const Lesson& lesson, Findings& findings) {
   std::unordered_set<std::string_view> used, listed;
-  for (const Step& s : lesson.steps) used.insert(s.scene.molecule.name);
+  for (const Step& s : lesson.steps) used.insert({s.scene.molecule.name, s.scene.then.molecule});
   for (std::size_t i = 0; i < lesson.molecules.size(); ++i) {
     const std::string& name = lesson.molecules[i];
     if (!listed.insert(name).second)

@@ -18,8 +18,11 @@ Problem problemAt(Place place, std::string message, std::string remedy) {
 }
 
 const KeySpec* find(std::span<const KeySpec* const> keys, std::string_view name) {
-  for (const KeySpec* k : keys)
-    if (k->name == name) return k;
+  for (const KeySpec* k : keys) {
+    if (k->name == name && !k->named) return k;
+    const std::string_view start = k->name.substr(0, k->name.rfind(' ') + 1);
+    if (k->named && name.starts_with(start) && !stripped(name.substr(start.size())).empty()) return k;
+  }
   return nullptr;
 }
 
@@ -87,12 +90,13 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
                                    remedy.empty() ? suggest(line.key, names, tr("keys")) : remedy));
       continue;
     }
-    if (std::find(seen.begin(), seen.end(), key->name) != seen.end()) {
+    const std::string_view name = key->named ? std::string_view(line.key) : key->name;
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
       problems.push_back(
           problemAt(line.key_place, trf("'{0}' is given twice", line.key), tr("take one of the two out")));
       continue;
     }
-    seen.push_back(key->name);
+    seen.push_back(name);
     const bool takes_list = key->type == ValueType::TextList || key->type == ValueType::Remarks;
     if (!line.items.empty() && (!takes_list || !line.value.empty())) {
       problems.push_back(problemAt(line.items[0].place, trf("'{0}' takes no list here", line.key),
@@ -116,6 +120,7 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
     const auto inFile = [&](Place& place) {
       if (place.column) place = {line.value_place.line, line.value_place.column + place.column - 1};
     };
+    for (Place* place : {&value->view.facing_place, &value->view.zoom_place}) inFile(*place);
     for (StyleSpec& style : value->styles) inFile(style.place);
     for (MarkSpec& mark : value->marks) inFile(mark.place);
     for (PlacesSpec& measure : value->measures)
@@ -123,7 +128,7 @@ KeyValues readKeyValues(std::span<const KeyLine> lines, std::span<const KeySpec*
     for (SelectionRemark& remark : value->remarks)
       if (remark.place.line == 0)
         remark.place = {line.value_place.line, line.value_place.column + remark.place.column - 1};
-    out.set(key->name, *std::move(value));
+    out.set(name, *std::move(value));
   }
   for (const KeySpec* key : keys) {
     if (std::find(seen.begin(), seen.end(), key->name) != seen.end()) continue;

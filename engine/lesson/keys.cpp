@@ -32,6 +32,8 @@ std::vector<std::string_view> styleNames() {
   return out;
 }
 
+std::vector<std::string_view> viewWords() { return {"side", "front", "back", "left", "right", "top", "bottom"}; }
+
 std::vector<std::string_view> colouringNames() {
   std::vector<std::string_view> out;
   for (const ColouringScheme& scheme : colouringSchemes()) out.push_back(scheme.name);
@@ -134,6 +136,16 @@ std::vector<KeySpec> sceneKeys() {
        .type = ValueType::Target,
        .meaning = "Atoms that are not drawn. They are felt as before. 'none' ends what an earlier scene hid.",
        .words = {"none"}},
+      {.name = "untouchable",
+       .type = ValueType::Target,
+       .meaning = "Atoms that are not felt: the probe passes through them. They are drawn as before; with 'style' they "
+                  "can be made faint. 'none' ends what an earlier scene said.",
+       .words = {"none"}},
+      {.name = "remove",
+       .type = ValueType::Target,
+       .meaning = "Atoms that are taken out of the molecule: neither drawn nor felt, and the view does not count them. "
+                  "'none' brings back what an earlier scene took out.",
+       .words = {"none"}},
       {.name = "near",
        .type = ValueType::Quantity,
        .meaning = "Where another style hides the spheres: atoms as near to the probe are drawn as spheres too.",
@@ -191,11 +203,41 @@ std::vector<KeySpec> sceneKeys() {
       {.name = "highlight", .type = ValueType::Selection, .meaning = "Atoms that are drawn in the colour of targets."},
       {.name = "view",
        .type = ValueType::View,
-       .meaning = "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would "
-                  "look at the student lies "
-                  "across; 'facing' turns these atoms to the front.",
+       .meaning =
+           "From where the molecule is seen at first; 'side' is the front, but a long molecule whose end would "
+           "look at the student lies "
+           "across; 'facing' turns these atoms to the front; 'turned' turns the molecule by angles to the right, "
+           "above and round the line of sight; 'zoom' comes close to atoms.",
        .fallback = "side",
-       .words = {"side", "front", "back", "left", "right", "top", "bottom"}},
+       .words = viewWords()},
+      {.name = "view NAME",
+       .type = ValueType::View,
+       .meaning =
+           "A view to come back to, with a name of yours: 'view the cleft: facing residue 35, zoom residue 35 52'. "
+           "It stands in the menu, and a link goes to it: [look](#view:the-cleft).",
+       .words = viewWords(),
+       .named = true},
+      {.name = "cut",
+       .type = ValueType::Target,
+       .meaning = "Cuts the molecule open by a plane that faces the student in the scene's view: 'middle' through the "
+                  "molecule's middle, or through the middle of these atoms. What is cut away is felt as before. 'none' "
+                  "closes what an earlier scene opened.",
+       .words = {"none", "middle"}},
+      {.name = "then",
+       .type = ValueType::Text,
+       .meaning =
+           "A second structure of the same molecule, by its name: the student moves between the two with a slider, "
+           "and the atoms move while they are touched. Atoms are the same by chain, residue and name. '1ake, "
+           "superposed on chain A' lays it on the first by these atoms only. 'none' ends it."},
+      {.name = "states",
+       .type = ValueType::TextList,
+       .meaning = "What the two structures are called on the slider: 'open, closed'. Left out, by their names."},
+      {.name = "state",
+       .type = ValueType::Text,
+       .meaning =
+           "Where between the two structures the scene begins: one of 'states', or a share as '40%'. Links go there "
+           "too: [closed](#state:closed).",
+       .fallback = "0%"},
       {.name = "magnify",
        .type = ValueType::Target,
        .meaning = "Atoms that are to fill the room of the hand: they are felt larger, and the view comes close to "

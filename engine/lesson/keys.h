@@ -3,6 +3,7 @@
 // Plain data; any thread but the haptic one.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <map>
@@ -36,7 +37,7 @@ enum class ValueType : std::uint8_t {
   Selection,  ///< atoms (selection.h)
   Target,     ///< one of `words`, or a selection
   Path,       ///< selections in order, separated by "then"; or one of `words`
-  View,       ///< one of `words`, or "facing" and a selection
+  View,       ///< "front", "facing residue 35", "turned 30 10", each with ", zoom ligand" behind it
   Remarks,    ///< "- SELECTION -> text" lines, or one of them behind the colon
   Styles,     ///< "cartoon, surface 40% for chain A": styles of `words`, each with its opacity and its atoms
   Marks,  ///< `words` and names in double quotes, each for its atoms: 'residue for chain A, "the cleft" for residue 35'; or "none"
@@ -55,6 +56,7 @@ struct KeySpec {
   double least = 0.0;                     ///< smallest value (in the code's unit), for Count, Quantity and Range
   double most = std::numeric_limits<double>::max();
   std::vector<std::string_view> words = {};
+  bool named = false;  ///< the last word of `name` stands for a name that the author chooses: "view NAME"
 };
 
 /// The keys of a block; for Touch those that every task kind has.
@@ -69,6 +71,18 @@ struct StyleSpec {
   friend bool operator==(const StyleSpec& a, const StyleSpec& b) {
     return a.style == b.style && a.opacity == b.opacity && a.atoms == b.atoms;
   }
+};
+
+/// From where a molecule is seen, as an author wrote it.
+struct ViewSpec {
+  std::string text = "side";  ///< as written
+  std::string side = "side";  ///< one of the key's words; empty where another way is given
+  Selection facing;           ///< atoms to be turned to the front
+  /// To the right, above, and round the line of sight (unit: degree), as the camera is turned from the front.
+  std::optional<std::array<double, 3>> turned_deg = {};
+  Selection zoom;                  ///< atoms that are to fill the view
+  Place facing_place, zoom_place;  ///< of the selections
+  friend bool operator==(const ViewSpec& a, const ViewSpec& b) { return a.text == b.text; }
 };
 
 /// A word of a Marks value, or a name in quotes, or both, and what it is for.
@@ -104,17 +118,18 @@ struct Value {
   std::string text;                  ///< as written
   double number = 0.0;               ///< Count, Number, Quantity (in the code's unit)
   double low = 0.0, high = 0.0;      ///< Range (in the code's unit)
-  std::vector<std::string> words;    ///< Word (one), WordList, TextList, Target, Path and View where a word was given
+  std::vector<std::string> words;    ///< Word (one), WordList, TextList, Target and Path where a word was given
   std::vector<Place> places;         ///< of each of `words`, for WordList and TextList; of each of `path`
-  Selection selection;               ///< Selection, Target and View where atoms were given
+  Selection selection;               ///< Selection and Target where atoms were given
   std::vector<Selection> path = {};  ///< Path where atoms were given, in order
   std::vector<StyleSpec> styles = {};
+  ViewSpec view = {};
   std::vector<MarkSpec> marks = {};
   std::vector<PlacesSpec> measures = {};
   std::vector<SelectionRemark> remarks = {};
 };
 
-/// Where the selection of a value begins: behind the word "facing" of a View.
+/// Where the selection of a value begins.
 Place selectionPlace(const Value& value);
 
 /// A text for students: as the author wrote it, or the key's fallback in the language in use.
@@ -129,7 +144,8 @@ class AuthorsText {
   bool own_ = false;
 };
 
-/// Values by key. A key that was neither given nor has a fallback is not in it.
+/// Values by key, that of a named one as the author wrote it ("view the cleft"). A key that was neither given nor has a
+/// fallback is not in it.
 class KeyValues {
  public:
   void set(std::string_view key, Value value) { values_.insert_or_assign(std::string(key), std::move(value)); }

@@ -75,10 +75,26 @@ using Block =
 
 /// Where the parts of a scene are written. Two scenes that say the same are the same, wherever they say it.
 struct ScenePlaces {
-  Place scene, molecule, highlight, view, magnify, hide, hydrogen_bonds;
+  Place scene, molecule, highlight, magnify, hide, untouchable, remove, cut, then, hydrogen_bonds;
   Place reading;  ///< of what was said last about how the molecule is read; line 0 where nothing was
 
   friend bool operator==(const ScenePlaces&, const ScenePlaces&) { return true; }
+};
+
+/// A view to come back to.
+struct NamedView {
+  std::string name;
+  ViewSpec view;
+  friend bool operator==(const NamedView&, const NamedView&) = default;
+};
+
+/// A second structure of the scene's molecule, to which the student moves its atoms.
+struct SecondState {
+  std::string molecule;             ///< its name, as the scene's own; empty: there is none
+  Selection superposed_on;          ///< by which atoms it is laid on the first; not given: all that lead
+  std::vector<std::string> states;  ///< what the two are called; empty: by the molecules' names
+  double share = 0.0;               ///< where the scene begins: 0 the first, 1 the second
+  friend bool operator==(const SecondState&, const SecondState&) = default;
 };
 
 /// The scene on the stage. It is complete: values that a scene block left out have been filled in.
@@ -88,6 +104,8 @@ struct SceneSpec {
   std::vector<std::string> show;     ///< names of the picture's parts
   std::vector<StyleSpec> styles;     ///< how the atoms are drawn; empty: all as spheres
   Selection hide;                    ///< atoms that are not drawn; may select nothing
+  Selection untouchable;             ///< atoms that are not felt; may select nothing
+  Selection remove;                  ///< atoms that are neither drawn nor felt; may select nothing
   double near_A = 4.0;               ///< beside other styles: so near to the probe atoms are spheres
   std::string colour = "element";    ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
   std::vector<MarkSpec> labels;      ///< names over the picture; word "atom", "residue", "chain", or a name of its own
@@ -99,8 +117,11 @@ struct SceneSpec {
   std::vector<std::string> panels;   ///< "touch", "methods", or "none"; empty: as the student has them
   std::vector<std::string> locked;   ///< keys that the student cannot change, those of the front matter too
   Selection highlight;               ///< may select nothing
-  std::string view = "side";         ///< side, front, back, left, right, top or bottom; empty where `facing` is given
-  Selection facing;                  ///< atoms to be turned to the front
+  ViewSpec view;                     ///< from where it is seen at first
+  std::vector<NamedView> views;      ///< those to come back to, in the author's order
+  bool cut = false;                  ///< the molecule is cut open
+  Selection cut_at;                  ///< the plane goes through the middle of these atoms; not given: of all
+  SecondState then;
   Selection magnify;  ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
   ScenePlaces places;
 

@@ -7,6 +7,7 @@
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_texts.h"
 #include "engine/lesson/reading.h"
+#include "engine/lesson/scene_link.h"
 #include "engine/lesson/suggestion.h"
 
 namespace moltact::reading {
@@ -197,7 +198,7 @@ std::vector<Choice> readChoices(Reading& reading, const MarkdownBlock& list) {
       choice.text.back().text.resize(arrow->at);
       trimEnd(choice.text);
       for (const TextRun& run : choice.feedback)
-        if (choice.link.empty() && run.link.starts_with('#')) choice.link = run.link;
+        if (choice.link.empty() && run.link.starts_with('#') && !sceneLink(run.link)) choice.link = run.link;
     }
     if (plainText(choice.text).empty())
       reading.error(item.place, tr("an empty choice"), tr("write what can be chosen, then → and the feedback"));
@@ -239,14 +240,40 @@ void checkLinks(Reading& reading, const Lesson& lesson) {
   std::vector<std::string_view> ids;
   for (const Step& s : lesson.steps) ids.push_back(s.id);
   const std::unordered_set<std::string_view> known(ids.begin(), ids.end());
-  forEachText(lesson, [&](const RichText& text) {
+  const auto ofScene = [&](const TextRun& run, const SceneLink& link, const SceneSpec& scene) {
+    if (link.kind == SceneLink::Kind::View && !findView(scene, link.of)) {
+      std::vector<std::string> names;
+      for (const NamedView& v : scene.views) names.push_back(slug(v.name));
+      const std::vector<std::string_view> views(names.begin(), names.end());
+      reading.error(
+          run.link_place, trf("the scene has no view '{0}'", link.of),
+          views.empty() ? tr("add a line 'view NAME: …' to the scene") : suggest(link.of, views, tr("views")));
+    } else if (link.kind == SceneLink::Kind::State && (scene.then.molecule.empty() || !stateNamed(scene, link.of))) {
+      reading.error(run.link_place, trf("'{0}' is no state of this scene", link.of),
+                    scene.then.molecule.empty()
+                        ? tr("add a line 'then: …' with the second one")
+                        : tr("write one of its 'states', or a share from 0\u00a0% to 100\u00a0%"));
+    } else if (link.kind == SceneLink::Kind::Zoom) {
+      if (const auto atoms = parseSelection(link.of); !atoms)
+        reading.error(run.link_place, atoms.problem().message, atoms.problem().remedy);
+    }
+  };
+  const auto check = [&](const RichText& text, const SceneSpec& scene) {
     for (const TextRun& run : text) {
       if (!run.link.starts_with('#') || reading.enough()) continue;
+      if (const auto link = sceneLink(run.link)) {
+        ofScene(run, *link, scene);
+        continue;
+      }
       const std::string_view id = std::string_view(run.link).substr(1);
       if (!known.contains(id))
         reading.error(run.link_place, trf("the link '{0}' leads to no step", run.link), suggest(id, ids, tr("steps")));
     }
-  });
+  };
+  const SceneSpec none;
+  forEachText(lesson.introduction,
+              [&](const RichText& text) { check(text, lesson.steps.empty() ? none : lesson.steps[0].scene); });
+  for (const Step& step : lesson.steps) forEachText(step, [&](const RichText& text) { check(text, step.scene); });
 }
 
 }  // namespace moltact::reading

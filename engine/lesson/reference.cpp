@@ -75,7 +75,10 @@ std::string valueOf(const KeySpec& key) {
       return codeList(key.words) + (key.words.empty() ? "" : ", or ") +
              "[selections](#selections) with `then` between them";
     case ValueType::View:
-      return codeList(key.words) + ", or `facing` and a [selection](#selections)";
+      return codeList(key.words) +
+             ", or `facing` and a [selection](#selections), or `turned` and two or three angles in degrees; behind a "
+             "comma "
+             "`zoom` and a selection, which fills the view";
     case ValueType::Marks:
       return (key.words.empty() ? "" : someOf(key.words) + ", ") +
              std::string("names in double quotes, and `for` with a [selection](#selections); or `none`");

@@ -10,6 +10,7 @@
 #include "engine/core/random.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/quantity.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/lesson/tasks/registry.h"
 
 namespace moltact {
@@ -71,7 +72,12 @@ void LessonSession::enter(std::size_t step) {
 
 void LessonSession::makeTasks() {
   tasks_.clear();
-  for (const TaskSpec& spec : step().tasks) tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
+  const std::vector<std::uint32_t> untouchable =
+      molecule_ ? untouchableAtoms(scene(), *molecule_) : std::vector<std::uint32_t>();
+  for (const TaskSpec& spec : step().tasks) {
+    tasks_.push_back(molecule_ ? makeTask(spec, *molecule_) : nullptr);
+    if (tasks_.back() && !untouchable.empty()) tasks_.back()->leaveOut(untouchable);
+  }
   if (molecule_) ++state().made;
   for (std::size_t k = 0; k < tasks_.size(); ++k)
     if (tasks_[k]) tasks_[k]->drawBy(drawSeed(k));

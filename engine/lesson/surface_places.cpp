@@ -34,12 +34,14 @@ Vec3 across(const Vec3& u) {
 template <class Visit>
 void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A, Visit&& visit) {
   std::vector<char> in(scene.size(), 0);
-  for (const std::uint32_t a : atoms) in[a] = 1;
-  for (const std::uint32_t a : atoms)
+  for (const std::uint32_t a : atoms) in[a] = scene.touchable(a);
+  for (const std::uint32_t a : atoms) {
+    if (!scene.touchable(a)) continue;
     scene.visitNear(scene[a].centre_A, scene[a].radius_A + 2.0 * probe_A, [&](std::uint32_t b, const Ball&) {
       if (b <= a || !in[b]) return;
       if (const auto crease = circleOf(inflated(scene[a], probe_A), inflated(scene[b], probe_A))) visit(a, b, *crease);
     });
+  }
 }
 
 }  // namespace
@@ -47,7 +49,8 @@ void visitPairs(const BallScene& scene, std::span<const std::uint32_t> atoms, do
 std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std::uint32_t> atoms, double probe_A,
                                      int directions) {
   std::vector<SurfacePlace> out;
-  for (const std::uint32_t a : atoms)
+  for (const std::uint32_t a : atoms) {
+    if (!scene.touchable(a)) continue;
     for (int k = 0; k < directions; ++k) {
       // A spiral of even steps from pole to pole, turned by the golden angle at each.
       const double z = 1.0 - (2.0 * k + 1.0) / directions, r = std::sqrt(1.0 - z * z), turn = 2.399963229728653 * k;
@@ -58,6 +61,7 @@ std::vector<SurfacePlace> facePlaces(const BallScene& scene, std::span<const std
                          Feature::Sphere};
       if (!covered(scene, place.scp_A, probe_A, place.atoms)) out.push_back(place);
     }
+  }
   return out;
 }
 

@@ -178,6 +178,67 @@ Expected<Value> stylesValue(const KeySpec& key, std::string_view text, Value val
   return value;
 }
 
+// "front", "facing SELECTION", "turned 30 10 0", each perhaps with ", zoom SELECTION" behind it, or "zoom SELECTION" alone.
+// A comma within quotes belongs to a name.
+Expected<Value> viewValue(const KeySpec& key, std::string_view text, Value value) {
+  constexpr std::string_view kZoom = "zoom ", kFacing = "facing ", kTurned = "turned ";
+  ViewSpec view;
+  view.text = std::string(text);
+  bool quoted_name = false;
+  std::size_t comma = 0;
+  while (comma < text.size() && (quoted_name || text[comma] != ','))
+    quoted_name = quoted_name != (text[comma++] == '"');
+  std::string_view way = stripped(text.substr(0, comma)), zoom;
+  if (comma < text.size()) zoom = stripped(text.substr(comma + 1));
+  if (way.starts_with(kZoom) && zoom.empty()) std::swap(way, zoom);
+  if (comma < text.size() && !zoom.starts_with(kZoom))
+    return at(text, zoom, trf("'{0}' is not understood after the comma", zoom),
+              tr("write 'zoom' and the atoms, as in 'front, zoom ligand'"));
+  if (!zoom.empty()) {
+    const std::string_view atoms = stripped(zoom.substr(kZoom.size()));
+    auto read = selectionValue(text, atoms, {});
+    if (!read) return read.problem();
+    view.zoom = read->selection;
+    view.zoom_place = {0, at(text, atoms, {}).column};
+  }
+  if (way.starts_with(kFacing)) {
+    const std::string_view atoms = stripped(way.substr(kFacing.size()));
+    auto read = selectionValue(text, atoms, {});
+    if (!read) return read.problem();
+    view.side.clear();
+    view.facing = read->selection;
+    view.facing_place = {0, at(text, atoms, {}).column};
+  } else if (way.starts_with(kTurned)) {
+    view.side.clear();
+    view.turned_deg = std::array{0.0, 0.0, 0.0};
+    std::string_view rest = stripped(way.substr(kTurned.size()));
+    std::size_t count = 0;
+    while (!rest.empty()) {
+      const std::string_view word = rest.substr(0, rest.find(' '));
+      rest = stripped(rest.substr(word.size()));
+      const auto degrees = parseNumber(word.ends_with("°") ? word.substr(0, word.size() - 2) : word);
+      if (!degrees || std::abs(*degrees) > 360.0 || count == 3)
+        return at(
+            text, word, trf("'{0}' is no angle of a view", word),
+            tr("write two or three angles: to the right, above, and round the line of sight, as in 'turned 30 10 0'"));
+      (*view.turned_deg)[count++] = *degrees;
+    }
+    if (count < 2)
+      return at(text, way, tr("a view is turned by two or three angles"),
+                tr("write them as in 'turned 30 10': to the right, and above"));
+  } else if (!way.empty()) {
+    const auto word = wordsValue(key, way, {}, false);
+    if (!word) {
+      Problem p = word.problem();
+      p.column += at(text, way, {}).column - 1;
+      return p;
+    }
+    view.side = word->words[0];
+  }
+  value.view = std::move(view);
+  return value;
+}
+
 }  // namespace
 
 std::optional<Problem> addRemark(Value& value, std::string_view line) {
@@ -238,12 +299,11 @@ Expected<Value> parseValue(const KeySpec& key, std::string_view text) {
     case ValueType::Path:
       return pathValue(key, text, std::move(value));
     case ValueType::View:
-      if (text.starts_with("facing ")) return selectionValue(text, stripped(text.substr(7)), std::move(value));
       // Atoms without the word in front of them.
       if (std::find(key.words.begin(), key.words.end(), text) == key.words.end() &&
           text.find(' ') != std::string_view::npos && parseSelection(text))
         return at(text, text, trf("'{0}' cannot be '{1}'", key.name, text), trf("write 'facing {0}'", text));
-      return wordsValue(key, text, std::move(value), false);
+      return viewValue(key, text, std::move(value));
     case ValueType::Remarks:
       if (auto problem = addRemark(value, text)) return *std::move(problem);
       return value;

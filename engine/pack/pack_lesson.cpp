@@ -12,6 +12,7 @@
 #include "engine/lesson/lesson_files.h"
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_texts.h"
+#include "engine/lesson/second_state.h"
 #include "engine/pack/pack_file.h"
 #include "engine/pack/pack_name.h"
 #include "engine/pack/write_pack.h"
@@ -105,7 +106,8 @@ class Gathering {
       if (!image.path.empty()) beside(image.path, image.place);
     });
     for (const Step& step : check.lesson->steps)
-      if (!step.scene.molecule.name.empty()) molecule(file, folder, step.scene);
+      for (const NamedMolecule& named : {step.scene.molecule, secondMolecule(step.scene)})
+        if (!named.name.empty()) molecule(file, folder, named, step.scene.places.molecule);
   }
 
   void translations(const fs::path& relative) {
@@ -119,12 +121,12 @@ class Gathering {
     for (const fs::path& name : same) take(relative.parent_path() / name, {(top_ / relative).string()});
   }
 
-  void molecule(const fs::path& lesson_file, const fs::path& folder, const SceneSpec& scene) {
-    const Expected<MoleculeKey> key = lessonMolecule(lesson_file, scene.molecule);
+  void molecule(const fs::path& lesson_file, const fs::path& folder, const NamedMolecule& named, Place place) {
+    const Expected<MoleculeKey> key = lessonMolecule(lesson_file, named);
     if (!key) return;  // the check has told
-    const At at{lesson_file.string(), scene.places.molecule};
+    const At at{lesson_file.string(), place};
     if (isWithin(key->file, moleculesFolder())) {
-      library_.insert(scene.molecule.name);
+      library_.insert(named.name);
     } else if (isWithin(key->file, userMoleculesFolder())) {
       fetched(key->file, folder, at);
     } else {

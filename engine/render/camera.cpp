@@ -93,8 +93,10 @@ void Camera::face(PointA place) {
   if (glm::length(way) > kNearest_A) lookFrom(std::atan2(way.x, way.z), std::atan2(way.y, std::hypot(way.x, way.z)));
 }
 
-void Camera::fit(const Molecule& molecule, double aspect, double margin, double grown_A) {
+void Camera::fit(const Molecule& molecule, double aspect, double margin, double grown_A,
+                 std::span<const std::uint32_t> without) {
   if (molecule.atoms.empty()) return;
+  if (without.size() >= molecule.atoms.size()) without = {};
   // In the camera's axes, relative to the first atom. A ball of radius r at (x, z) stays below the plane through the
   // eye at slope t as long as distance >= z + (x - m + r sqrt(1 + t^2)) / t, where m is the target's x. The two sides'
   // largest bounds meet at the best m, so the picture is filled from edge to edge in perspective too.
@@ -102,7 +104,12 @@ void Camera::fit(const Molecule& molecule, double aspect, double margin, double 
   const Vec3 origin = molecule.atoms[0].position.A;
   const double slope[2] = {tanHalfY() * aspect * (1 - margin), tanHalfY() * (1 - margin)};
   double ahead[2] = {-1e300, -1e300}, behind[2] = {-1e300, -1e300}, low = 1e300, high = -1e300;
-  for (const Atom& a : molecule.atoms) {
+  for (std::size_t i = 0, left_out = 0; i < molecule.atoms.size(); ++i) {
+    if (left_out < without.size() && without[left_out] == i) {
+      ++left_out;
+      continue;
+    }
+    const Atom& a = molecule.atoms[i];
     const Vec3 p = to_axes * (a.position.A - origin);
     const double radius = a.radius_A + grown_A;
     low = std::min(low, p.z - radius);

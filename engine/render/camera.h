@@ -4,8 +4,10 @@
 // to the target, so a molecule a million angstroms from the origin looks as it does at the origin.
 #pragma once
 
+#include <cstdint>
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <span>
 
 #include "engine/core/units.h"
 
@@ -74,7 +76,9 @@ struct Camera {
   /// Moves the target to the middle of the atoms and back until all of them, whole, fit into a picture of this shape;
   /// `margin` is the free share of the picture's half height (default 0.08), and every atom counts as `grown_A` larger
   /// than it is (default 0). The orientation stays.
-  void fit(const Molecule& molecule, double aspect, double margin = 0.08, double grown_A = 0.0);
+  /// The atoms of `without` (ascending) do not count, unless these are all.
+  void fit(const Molecule& molecule, double aspect, double margin = 0.08, double grown_A = 0.0,
+           std::span<const std::uint32_t> without = {});
   /// The same for one ball.
   void fit(PointA centre, double radius_A, double aspect, double margin = 0.08);
 

@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <tuple>
 
 #include "engine/gltf/closed_surface.h"
 #include "engine/language/catalogue.h"
 #include "engine/molecule/elements.h"
+#include "engine/render/molecule_model.h"
+#include "engine/render/style_shapes.h"
 
 namespace moltact {
 namespace {
@@ -21,64 +24,149 @@ std::string number(double value, const char* unit) {
   return text;
 }
 
-// Materials by element, in the order in which elements come up.
-class Elements {
+std::uint32_t opaque(std::uint32_t colour) { return colour | 0xFF000000u; }
+
+// Materials by colour and opacity, in the order in which they come up; by their element's name where that is what they
+// tell.
+class Materials {
  public:
-  Elements(GltfScene& scene, ElementColours colours) : scene_(scene), colours_(colours) {}
-  std::size_t operator[](std::uint8_t atomic_number) {
-    const auto [it, made] = known_.try_emplace(atomic_number, scene_.materials.size());
-    if (made)
-      scene_.materials.push_back({std::string(element(atomic_number).name), elementColour(atomic_number, colours_)});
+  Materials(GltfScene& scene, const Molecule& molecule, const std::vector<std::uint32_t>& colours, bool by_element)
+      : scene_(scene), molecule_(molecule), colours_(colours), by_element_(by_element) {}
+
+  std::uint32_t colourOf(std::uint32_t atom) const { return colours_[atom]; }
+  std::size_t ofAtom(std::uint32_t atom, float opacity) {
+    return of(colours_[atom], opacity,
+              by_element_ ? std::string(element(molecule_.atoms[atom].atomic_number).name) : std::string());
+  }
+  std::size_t of(std::uint32_t colour, float opacity, std::string name = {}) {
+    colour = opaque(colour);
+    const auto [it, made] = known_.try_emplace({colour, opacity, name}, scene_.materials.size());
+    if (made) {
+      const auto part = [&](unsigned shift) { return float(colour >> shift & 255u) / 255.0f; };
+      if (name.empty()) {
+        char text[16];
+        std::snprintf(text, sizeof text, "#%02x%02x%02x", colour & 255u, colour >> 8 & 255u, colour >> 16 & 255u);
+        name = text;
+      }
+      scene_.materials.push_back({std::move(name), {part(0), part(8), part(16)}, opacity});
+    }
     return it->second;
   }
 
  private:
   GltfScene& scene_;
-  ElementColours colours_;
-  std::map<std::uint8_t, std::size_t> known_;
+  const Molecule& molecule_;
+  const std::vector<std::uint32_t>& colours_;
+  const bool by_element_;
+  std::map<std::tuple<std::uint32_t, float, std::string>, std::size_t> known_;
 };
 
-void addBalls(const Molecule& molecule, const ExportOptions& options, const Vec3& middle_A, GltfScene& scene) {
-  const double unit = kNm_per_A * options.units_per_nm;
-  Elements elements(scene, options.colours);
-  std::map<std::size_t, std::size_t> mesh_of;  // by material
-  const GltfMesh ball = ballMesh();
-  std::map<std::uint32_t, std::size_t> group_of;  // a chain's node
-  scene.nodes.push_back({.name = scene.title});
-  for (std::size_t i = 0; i < molecule.atoms.size(); ++i) {
-    const Atom& atom = molecule.atoms[i];
-    const std::size_t material = elements[atom.atomic_number];
-    const auto [mesh, new_mesh] = mesh_of.try_emplace(material, scene.meshes.size());
+// Each material's ball is there once, and each chain's balls hang on a node of their own.
+class Balls {
+ public:
+  Balls(GltfScene& scene, Materials& materials, const Molecule& molecule, const Vec3& middle_A, double unit)
+      : scene_(scene), materials_(materials), molecule_(molecule), middle_(middle_A), unit_(unit) {}
+
+  void add(std::uint32_t atom, double radius_A, float opacity) {
+    const std::size_t material = materials_.ofAtom(atom, opacity);
+    const auto [mesh, new_mesh] = mesh_of_.try_emplace(material, scene_.meshes.size());
     if (new_mesh) {
-      GltfMesh made = ball;
-      made.name = scene.materials[material].name;
+      GltfMesh made = ball_;
+      made.name = scene_.materials[material].name;
       made.parts[0].material = material;
-      scene.meshes.push_back(std::move(made));
+      scene_.meshes.push_back(std::move(made));
     }
-    std::size_t parent = 0;
-    if (atom.residue != kNoResidue) {
-      const std::uint32_t chain = molecule.residues[atom.residue].chain;
-      const auto [group, new_group] = group_of.try_emplace(chain, scene.nodes.size());
-      if (new_group) scene.nodes.push_back({.name = "chain " + molecule.chains[chain].name.string(), .parent = 0});
-      parent = group->second;
+    scene_.nodes.push_back({.name = molecule_.describe(atom),
+                            .mesh = mesh->second,
+                            .parent = groupOf(atom),
+                            .place = glm::vec3((molecule_.atoms[atom].position.A - middle_) * unit_),
+                            .scale = float(radius_A * unit_)});
+  }
+
+ private:
+  std::size_t groupOf(std::uint32_t atom) {
+    const std::uint32_t residue = molecule_.atoms[atom].residue;
+    if (residue == kNoResidue) return 0;
+    const std::uint32_t chain = molecule_.residues[residue].chain;
+    const auto [group, new_group] = group_of_.try_emplace(chain, scene_.nodes.size());
+    if (new_group) scene_.nodes.push_back({.name = "chain " + molecule_.chains[chain].name.string(), .parent = 0});
+    return group->second;
+  }
+
+  GltfScene& scene_;
+  Materials& materials_;
+  const Molecule& molecule_;
+  const Vec3 middle_;
+  const double unit_;
+  const GltfMesh ball_ = ballMesh();
+  std::map<std::size_t, std::size_t> mesh_of_;     // by material
+  std::map<std::uint32_t, std::size_t> group_of_;  // a chain's node
+};
+
+// Triangles of one material a colour: that of their first corner.
+void addPiece(const MeshPiece& piece, std::string name, float opacity, const Vec3& middle_A, double unit,
+              Materials& materials, GltfScene& scene) {
+  if (piece.indices.empty()) return;
+  GltfMesh mesh{.name = std::move(name), .places = {}, .normals = {}, .parts = {}};
+  for (const MeshPiece::Vertex& v : piece.vertices) {
+    mesh.places.push_back(glm::vec3((piece.origin_A + Vec3(v.place) - middle_A) * unit));
+    mesh.normals.push_back(v.normal);
+  }
+  std::map<std::size_t, std::size_t> part_of;
+  for (std::size_t k = 0; k + 2 < piece.indices.size(); k += 3) {
+    const std::size_t material = materials.of(piece.vertices[piece.indices[k]].colour, opacity);
+    const auto [part, made] = part_of.try_emplace(material, mesh.parts.size());
+    if (made) mesh.parts.push_back({.indices = {}, .material = material});
+    auto& indices = mesh.parts[part->second].indices;
+    indices.insert(indices.end(), piece.indices.begin() + std::ptrdiff_t(k),
+                   piece.indices.begin() + std::ptrdiff_t(k + 3));
+  }
+  scene.nodes.push_back({.name = mesh.name, .mesh = scene.meshes.size(), .parent = 0});
+  scene.meshes.push_back(std::move(mesh));
+}
+
+void addStyles(const Molecule& molecule, const ExportOptions& options, const std::vector<std::uint8_t>& seen,
+               const Vec3& middle_A, Materials& materials, GltfScene& scene) {
+  const double unit = kNm_per_A * options.units_per_nm;
+  Balls balls(scene, materials, molecule, middle_A, unit);
+  scene.nodes.push_back({.name = scene.title});
+  std::vector<StyledAtoms> styles = options.look.styles;
+  if (styles.empty()) styles.emplace_back();
+  std::vector<std::uint32_t> colours(molecule.atoms.size());
+  for (std::uint32_t a = 0; a < colours.size(); ++a) colours[a] = materials.colourOf(a);
+  for (const StyledAtoms& what : styles) {
+    std::vector<std::uint8_t> shown = seen;
+    if (what.atoms) {
+      std::vector<std::uint8_t> named(seen.size(), 0);
+      for (const std::uint32_t a : *what.atoms)
+        if (a < named.size()) named[a] = seen[a];
+      shown = std::move(named);
     }
-    scene.nodes.push_back({.name = molecule.describe(i),
-                           .mesh = mesh->second,
-                           .parent = parent,
-                           .place = glm::vec3((atom.position.A - middle_A) * unit),
-                           .scale = float((atom.radius_A + options.probe_A) * unit)});
+    if (std::find(shown.begin(), shown.end(), 1) == shown.end()) continue;
+    if (what.style == DrawStyle::Spheres) {
+      for (std::uint32_t a = 0; a < shown.size(); ++a)
+        if (shown[a]) balls.add(a, molecule.atoms[a].radius_A + options.probe_A, what.opacity);
+      continue;
+    }
+    SolventExcluded surface;
+    if (what.style == DrawStyle::Surface) {
+      surface = surfaceOf(molecule, shown, options.probe_A > 0.0 ? options.probe_A : kWaterProbe_A);
+      for (std::size_t v = 0; v < surface.share.size(); ++v) surface.share[v] = 0.0f;  // one colour an atom
+    }
+    const StyleShapes shapes = shapesOf(what.style, molecule, shown, colours, surface);
+    addPiece(shapes.piece, std::string(nameOf(what.style)), what.opacity, middle_A, unit, materials, scene);
+    for (const SmallBall& b : shapes.balls) balls.add(b.atom, double(b.radius_A), what.opacity);
   }
 }
 
-void addSurface(const Molecule& molecule, const ExportOptions& options, const std::vector<Ball>& balls, double step_A,
-                GltfScene& scene) {
+void addPrintedSurface(const ExportOptions& options, const std::vector<Ball>& balls,
+                       const std::vector<std::uint32_t>& atoms, double step_A, Materials& materials, GltfScene& scene) {
   const ClosedSurface surface = closedSurface(balls, step_A);
   const auto unit = float(kNm_per_A * options.units_per_nm);
   GltfMesh mesh{.name = "surface", .places = surface.places, .normals = surface.normals, .parts = {}};
   for (glm::vec3& p : mesh.places) p *= unit;
-  Elements elements(scene, options.colours);
   for (std::size_t t = 0; t < surface.owners.size(); ++t) {
-    const std::size_t material = elements[molecule.atoms[surface.owners[t]].atomic_number];
+    const std::size_t material = materials.ofAtom(atoms[surface.owners[t]], 1.0f);
     while (mesh.parts.size() <= material) mesh.parts.push_back({.indices = {}, .material = mesh.parts.size()});
     auto& indices = mesh.parts[material].indices;
     indices.insert(indices.end(), surface.triangles.begin() + std::ptrdiff_t(3 * t),
@@ -120,8 +208,19 @@ GltfMesh ballMesh() {
 Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions& options) {
   if (molecule.atoms.empty())
     return Problem{.file = {}, .message = tr("there are no atoms to save"), .remedy = tr("open a molecule first")};
-  std::vector<Ball> balls = molecule.balls();
-  for (Ball& b : balls) b.radius_A += options.probe_A;
+  std::vector<std::uint8_t> seen(molecule.atoms.size(), 1);
+  if (options.look.hidden)
+    for (const std::uint32_t a : *options.look.hidden)
+      if (a < seen.size()) seen[a] = 0;
+  std::vector<Ball> balls;
+  std::vector<std::uint32_t> atoms;
+  for (std::uint32_t a = 0; a < seen.size(); ++a) {
+    if (!seen[a]) continue;
+    balls.push_back({molecule.atoms[a].position.A, molecule.atoms[a].radius_A + options.probe_A});
+    atoms.push_back(a);
+  }
+  if (balls.empty())
+    return Problem{.file = {}, .message = tr("all atoms are hidden"), .remedy = tr("show some of them")};
   Vec3 low = balls[0].centre_A, high = low;
   for (const Ball& b : balls) {
     low = glm::min(low, b.centre_A - b.radius_A);
@@ -135,8 +234,15 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
                                 number(middle_A.z, "angstrom in the molecule's file")},
                  {"probe", number(options.probe_A, "angstrom")}};
   if (!molecule.title.empty()) scene.notes.push_back({"title", molecule.title});
-  if (options.style == ExportStyle::Balls) {
-    addBalls(molecule, options, middle_A, scene);
+  const std::vector<std::uint32_t> colours = atomColours(molecule, {.elements = options.colours,
+                                                                    .by = options.colour_by,
+                                                                    .colouring = options.look.colouring,
+                                                                    .marks = options.look.marks,
+                                                                    .touched = nullptr});
+  Materials materials(scene, molecule, colours,
+                      !options.look.colouring && !options.look.marks && options.colour_by == ColourBy::Element);
+  if (!options.print) {
+    addStyles(molecule, options, seen, middle_A, materials, scene);
     return scene;
   }
   const double step_A = options.step_A > 0 ? options.step_A : usualStep_A(balls);
@@ -146,7 +252,7 @@ Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions
         .message = trf("a surface with steps of {0} is too fine for a molecule of this size", number(step_A, "A")),
         .remedy = trf("take coarser steps, {0} for example", number(usualStep_A(balls), "A"))};
   scene.notes.push_back({"step", number(step_A, "angstrom")});
-  addSurface(molecule, options, balls, step_A, scene);
+  addPrintedSurface(options, balls, atoms, step_A, materials, scene);
   return scene;
 }
 

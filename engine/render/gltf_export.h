@@ -5,23 +5,25 @@
 #include "engine/gltf/gltf_file.h"
 #include "engine/molecule/molecule.h"
 #include "engine/render/atom_style.h"
+#include "engine/render/view_scene.h"
 
 namespace moltact {
 
-enum class ExportStyle {
-  Balls,    ///< one ball an atom in its element's colour, grouped by chain; balls reach into each other
-  Surface,  ///< one closed surface, coloured by the atoms it lies on: for printing
-};
-
 struct ExportOptions {
-  ExportStyle style = ExportStyle::Balls;
-  double probe_A = 0.0;  ///< every atom is inflated by this: 1.4 gives the surface that a water molecule feels
-  double step_A = 0.0;   ///< fineness of the surface; 0: by the molecule's size
+  AtomsLook look =
+      {};  ///< styles, what is hidden, and a colouring, as a picture has them; spheres are grouped by chain and
+           ///< reach into each other
+  bool print = false;  ///< in the styles' place one closed surface, coloured by the atoms it lies on: for printing
+  double probe_A =
+      0.0;  ///< spheres, and the surface for printing, are inflated by this: 1.4 gives what a water molecule
+            ///< feels; the style Surface is the one that such a probe can reach (0: that of water)
+  double step_A = 0.0;  ///< fineness of the surface for printing; 0: by the molecule's size
   double units_per_nm = 1.0;
   ElementColours colours = ElementColours::Customary;
+  ColourBy colour_by = ColourBy::Element;
 };
 
-/// A molecule without atoms, or a surface so fine that it would not fit in memory, gives a problem.
+/// A molecule of which no atom is shown, or a surface so fine that it would not fit in memory, gives a problem.
 Expected<GltfScene> exportMolecule(const Molecule& molecule, const ExportOptions& options);
 
 /// A ball of radius 1 as 1280 triangles whose corners lie on it.

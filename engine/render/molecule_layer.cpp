@@ -43,7 +43,7 @@ void MoleculeLayer::drawPart(StyledPart& part, const ViewScene& scene, const Mol
   if (part.occlusion()) among.occlusion = part.occlusion();
   if (part.mesh()) passes.meshes.draw(*part.mesh(), opacity, inside, among);
   small_.clear();
-  for (const StyledPart::SmallBall& b : part.balls()) {
+  for (const SmallBall& b : part.balls()) {
     const bool marked = std::binary_search(key_.tinted.begin(), key_.tinted.end(), b.atom);
     const std::uint32_t colour = marked ? packColour(key_.tint) : model.colour[b.atom];
     small_.push_back({glm::vec3(scene.camera.toView({model.scene[b.atom].centre_A})), b.radius_A,

@@ -38,30 +38,35 @@ std::shared_ptr<const Colouring> schemeColouring(const Molecule& molecule, std::
 MoleculeModel::MoleculeModel(std::shared_ptr<const Molecule> m)
     : molecule(std::move(m)), scene(molecule->balls()), blocks(scene.balls()) {
   paint({});
-  occlusion = occlusionField(scene.balls());
-  if (!occlusion.empty()) {
-    wide.reserve(scene.size());
-    for (const Ball& b : scene.balls()) wide.push_back(occlusion.wideRound(b.centre_A, b.radius_A));
-  }
   middle_A = 0.5 * (scene.low_A() + scene.high_A());
   for (const Ball& b : scene.balls()) reach_A = std::max(reach_A, glm::length(b.centre_A - middle_A) + b.radius_A);
 }
 
-void MoleculeModel::paint(AtomPaint with) {
-  paint_used = std::move(with);
-  const AtomPaint& use = paint_used;
-  ++painted;
-  const ElementColours used = shownColours(use.elements, molecule->atoms.size());
-  const bool schemed = use.colouring && use.colouring->of_atom.size() == molecule->atoms.size();
+void MoleculeModel::shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms) {
+  hidden = std::move(hidden_atoms);
+  std::vector<Ball> seen;
+  std::size_t next = 0;
+  for (std::uint32_t i = 0; hidden && i < scene.size(); ++i)
+    if (next < hidden->size() && (*hidden)[next] == i)
+      ++next;
+    else
+      seen.push_back(scene[i]);
+  occlusion = occlusionField(hidden ? std::span<const Ball>(seen) : scene.balls());
+  wide.clear();
+  if (occlusion.empty()) return;
+  wide.reserve(scene.size());
+  for (const Ball& b : scene.balls()) wide.push_back(occlusion.wideRound(b.centre_A, b.radius_A));
+}
+
+std::vector<std::uint32_t> atomColours(const Molecule& molecule, const AtomPaint& use) {
+  const bool schemed = use.colouring && use.colouring->of_atom.size() == molecule.atoms.size();
   const auto colourOf = [&](std::size_t i) {
-    if (schemed) {
-      return colourOf8(use.colouring->of_atom[i]);
-    }
-    const Atom& a = molecule->atoms[i];
-    const std::optional<std::uint32_t> chain = use.by == ColourBy::Chain ? colouredChain(*molecule, a) : std::nullopt;
-    return chain ? chainColour(*chain) : elementColour(a.atomic_number, used);
+    if (schemed) return colourOf8(use.colouring->of_atom[i]);
+    const Atom& a = molecule.atoms[i];
+    const std::optional<std::uint32_t> chain = use.by == ColourBy::Chain ? colouredChain(molecule, a) : std::nullopt;
+    return chain ? chainColour(*chain) : elementColour(a.atomic_number, use.elements);
   };
-  std::vector<glm::vec3> now(molecule->atoms.size());
+  std::vector<glm::vec3> now(molecule.atoms.size());
   for (std::size_t i = 0; i < now.size(); ++i) now[i] = colourOf(i);
   if (use.marks)
     for (const OwnColour& mark : *use.marks)
@@ -70,9 +75,18 @@ void MoleculeModel::paint(AtomPaint with) {
   if (use.touched)
     for (const std::uint32_t i : *use.touched)
       if (i < now.size()) now[i] = glm::mix(now[i], use.touched_colour, kPaint);
-  colour.clear();
-  colour.reserve(now.size());
-  for (const glm::vec3& c : now) colour.push_back(packColour(c));
+  std::vector<std::uint32_t> out;
+  out.reserve(now.size());
+  for (const glm::vec3& c : now) out.push_back(packColour(c));
+  return out;
+}
+
+void MoleculeModel::paint(AtomPaint with) {
+  paint_used = std::move(with);
+  ++painted;
+  AtomPaint shown = paint_used;
+  shown.elements = shownColours(shown.elements, molecule->atoms.size());
+  colour = atomColours(*molecule, shown);
 }
 
 std::vector<std::uint32_t> nearestAtoms(const BallScene& scene, PointA place, double probe_A, double gap_A,

@@ -38,12 +38,18 @@ struct AtomPaint {
   friend bool operator==(const AtomPaint&, const AtomPaint&) = default;
 };
 
+/// The colour of each atom (packColour).
+std::vector<std::uint32_t> atomColours(const Molecule& molecule, const AtomPaint& paint);
+
 struct MoleculeModel {
   explicit MoleculeModel(std::shared_ptr<const Molecule> molecule);
+  /// The light among the atoms without those hidden (ascending; null: none is).
+  void shade(std::shared_ptr<const std::vector<std::uint32_t>> hidden_atoms);
   /// Colours the atoms.
   void paint(AtomPaint with);
 
   std::shared_ptr<const Molecule> molecule;
+  std::shared_ptr<const std::vector<std::uint32_t>> hidden;  ///< as it is shaded
   AtomPaint paint_used;
   unsigned painted = 0;  ///< grows with every painting
   BallScene scene;

@@ -291,10 +291,13 @@ std::optional<Problem> Renderer::draw(const ViewScene& scene, int width_px, int 
       return Problem{
           .file = {}, .message = tr("the graphics context is lost"), .remedy = tr("start the program again")};
   const CallersState state;
-  if (!p.model || p.model->molecule != scene.molecule) {
+  const bool other = !p.model || p.model->molecule != scene.molecule;
+  if (other)
     p.model =
         scene.molecule && !scene.molecule->atoms.empty() ? std::make_unique<MoleculeModel>(scene.molecule) : nullptr;
-    if (p.model) p.occlusion.upload(p.model->occlusion);
+  if (p.model && (other || p.model->hidden != scene.look.hidden)) {
+    p.model->shade(scene.look.hidden);
+    p.occlusion.upload(p.model->occlusion);
   }
   if (p.model) {
     AtomPaint paint{.elements = scene.elements,

@@ -9,6 +9,7 @@
 #include "engine/render/mesh_pass.h"
 #include "engine/render/molecule_model.h"
 #include "engine/render/solvent_excluded.h"
+#include "engine/render/style_shapes.h"
 #include "engine/render/view_scene.h"
 
 namespace moltact {
@@ -28,11 +29,6 @@ class StyledPart {
   /// Null where the style has no triangles.
   const GpuMesh* mesh() const { return mesh_.get(); }
   /// Balls of the style's own size at atoms; empty for Spheres, which have the atoms' radii.
-  struct SmallBall {
-    std::uint32_t atom;
-    float radius_A;
-    glm::vec4 wide{0.0f};  // OcclusionField::wideRound in the style's own light
-  };
   std::span<const SmallBall> balls() const { return balls_; }
   /// The light among the style's own shapes; null: the molecule's.
   OcclusionVolume* occlusion() { return occlusion_ ? &*occlusion_ : nullptr; }

@@ -321,6 +321,9 @@ std::string fingerprint(const BallScene& scene) {
     for (const double value : {ball.centre_A.x, ball.centre_A.y, ball.centre_A.z, ball.radius_A})
       for (std::uint64_t bits = std::bit_cast<std::uint64_t>(value), k = 0; k < 8; ++k, bits >>= 8)
         hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
+  // What is not felt makes another scene of the same balls.
+  for (const std::uint32_t i : scene.untouchable())
+    for (std::uint64_t bits = i, k = 0; k < 4; ++k, bits >>= 8) hash = (hash ^ (bits & 0xFF)) * 1099511628211u;
   char text[40];
   std::snprintf(text, sizeof text, "%zu %016llx", scene.size(), static_cast<unsigned long long>(hash));
   return text;

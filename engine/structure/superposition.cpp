@@ -141,9 +141,12 @@ std::vector<Ball> TwoStates::at(double share) const {
   return out;
 }
 
-Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other) {
+Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::span<const std::uint32_t> on) {
   const AtomPairs pairs = matchAtoms(one, other);
-  auto fit = superpose(one, other, pairs);
+  AtomPairs laid = pairs;
+  if (!on.empty())
+    std::erase_if(laid, [&](const auto& pair) { return !std::binary_search(on.begin(), on.end(), pair.first); });
+  auto fit = superpose(one, other, laid);
   if (!fit) return fit.problem();
   TwoStates out;
   out.fit = *fit;

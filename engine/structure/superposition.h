@@ -48,7 +48,8 @@ struct TwoStates {
 };
 
 /// The atoms of `one` in both states. An atom that `other` does not have goes the way of its residue, as far as that is
-/// there: it keeps its place to the residue's matched atoms; a residue that is not there at all stays where it is.
-Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other);
+/// there: it keeps its place to the residue's matched atoms; a residue that is not there at all stays where it is. With
+/// `on` (indices in `one`, ascending) only these atoms are laid on one another.
+Expected<TwoStates> twoStates(const Molecule& one, const Molecule& other, std::span<const std::uint32_t> on = {});
 
 }  // namespace moltact

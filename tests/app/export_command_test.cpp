@@ -29,10 +29,12 @@ TEST_CASE(
   const auto balls = readGltf(kOut);
   REQUIRE(bool(balls));
   CHECK(balls->corners.size() == 12 * 3 * 1280);
-  REQUIRE(run("benzene" + out + " --style surface --probe 1.4 --step 0.3") == 0);
+  REQUIRE(run("benzene" + out + " --print --probe 1.4 --step 0.3") == 0);
   const auto surface = readGltf(kOut);
   REQUIRE(bool(surface));
   CHECK(surface->corners.size() > 3000);
+  REQUIRE(run("alpha-helix" + out + " --style 'cartoon, spheres for residue 1' --colour chain") == 0);
+  CHECK(bool(readGltf(kOut)));
   for (const std::string wrong : {"--style wax", "--probe -1", "--step x", "--units-per-nm 0"}) {
     CAPTURE(wrong);
     CHECK(run("benzene" + out + " " + wrong) == 2);
@@ -40,6 +42,6 @@ TEST_CASE(
   }
   CHECK(run("benzene benzene.obj") == 2);
   CHECK(run("no-such-molecule" + out) == 1);
-  CHECK(run("1ubq --style surface --step 0.01" + out) == 1);
+  CHECK(run("1ubq --print --step 0.01" + out) == 1);
   CHECK_FALSE(std::filesystem::exists(kOut));
 }

@@ -96,6 +96,7 @@ TEST_CASE(
       {"engine/lesson/reference.cpp", 99},                         // a page of docs
       {"engine/lesson/selection_parser.cpp", 9},                   // words of the selection language, told in that page
       {"engine/lesson/selection_slips.cpp", 2},                    // words of it
+      {"engine/lesson/block_readers.cpp", 1},                      // words of a scene's key
       {"engine/lesson/scripted_learner/scripted_learner.cpp", 1},  // an answer
       {"engine/device/hid/space_mouse.cpp", 1},                    // a maker's name
       {"engine/servo/device_check.cpp", 99},                       // `moltact device check`, in a terminal

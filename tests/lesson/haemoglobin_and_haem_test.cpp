@@ -311,7 +311,7 @@ TEST_CASE(
   const ShippedScene whole("2hhb");
   Vec3 middle(0.0), ahead(0.0);
   for (const Atom& a : whole.molecule->atoms) middle += a.position.A / double(whole.molecule->atoms.size());
-  const auto faced = step.scene.facing.select(*whole.molecule);
+  const auto faced = step.scene.view.facing.select(*whole.molecule);
   for (const auto i : faced) ahead += whole.molecule->atoms[i].position.A / double(faced.size());
   const Vec3 to_eye = glm::normalize(ahead - middle);
   const auto target = whole.select(task.values["find"].selection.text());

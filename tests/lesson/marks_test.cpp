@@ -74,7 +74,8 @@ TEST_CASE("a distance has two places and an angle three or four, whose residues 
   CHECK(good("angle", "atom 1 - atom 2 - atom 3 - atom 4").measures[0].atoms.size() == 4);
   CHECK(bad("distance", "atom 1").message == "'distance' is between two places");
   CHECK(bad("angle", "atom 1 - atom 2").remedy.find("three") != std::string::npos);
-  CHECK(bad("angle", "atom 1 - atom 2 - atom 3 - atom 4 - atom 5").message == "'angle' is between three places or four");
+  CHECK(bad("angle", "atom 1 - atom 2 - atom 3 - atom 4 - atom 5").message ==
+        "'angle' is between three places or four");
   CHECK(bad("distance", "atom 1 - ").message == "a place is missing beside '-'");
   CHECK(bad("distance", "atom 1 - atom x").column == 15);
 }

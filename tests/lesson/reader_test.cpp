@@ -163,10 +163,10 @@ TEST_CASE("a scene without a molecule changes only what it says; one with a mole
   CHECK((l.steps[1].scene.touch.probe_A == 2.0 && !l.steps[1].states_scene));
   CHECK((l.steps[2].scene.touch.probe_A == 1.0 && !l.steps[2].scene.touch.force_on &&
          l.steps[2].scene.molecule == "mix"));
-  CHECK((l.steps[2].scene.view.empty() && l.steps[2].scene.facing.text() == "ligand"));
+  CHECK((l.steps[2].scene.view.side.empty() && l.steps[2].scene.view.facing.text() == "ligand"));
   const SceneSpec& d = l.steps[3].scene;
   CHECK((d.touch.probe_A == 1.4 && d.touch.force_on && d.touch.stiffness_N_per_mm == doctest::Approx(0.5)));
-  CHECK((d.view == "side" && !d.facing.given()));
+  CHECK((d.view.side == "side" && !d.view.facing.given()));
   CHECK(d.show == Texts{"atoms", "probe", "force", "target"});
 }
 

@@ -105,7 +105,15 @@ void compareScenes(const SceneSpec& a, const SceneSpec& b) {
   CHECK(b.locked == a.locked);
   CHECK(b.highlight.text() == a.highlight.text());
   CHECK(b.view == a.view);
-  CHECK(b.facing.text() == a.facing.text());
+  CHECK(b.views.size() == a.views.size());  // their names are prose
+  for (std::size_t k = 0; k < std::min(a.views.size(), b.views.size()); ++k) CHECK(b.views[k].view == a.views[k].view);
+  CHECK(b.hide == a.hide);
+  CHECK(b.untouchable == a.untouchable);
+  CHECK(b.remove == a.remove);
+  CHECK(b.cut == a.cut);
+  CHECK(b.cut_at == a.cut_at);
+  CHECK(b.then.molecule == a.then.molecule);
+  CHECK(b.then.superposed_on == a.then.superposed_on);
   CHECK(b.magnify.text() == a.magnify.text());
 }
 

@@ -201,6 +201,48 @@ TEST_CASE("frames handed over as fast as they are taken begin one after the othe
 }
 
 TEST_CASE(
+    "two walls of balls that close on a hand between them in 2 s, as a molecule's lid does, and go through it, never "
+    "give "
+    "more than the device's force nor change it by more than 1000 N/s") {
+  std::vector<Ball> open, shut;
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y)
+      for (const double side : {-1.0, 1.0}) {
+        open.push_back({{2.0 * x, 2.0 * y, 8.0 * side}, 1.6});
+        shut.push_back({{2.0 * x, 2.0 * y, 0.8 * side}, 1.6});
+      }
+  for (const std::string_view method : {"exact", "penalty", "mesh960"}) {
+    CAPTURE(method);
+    StillHand hand(open, method);
+    const double most_N = StillHand::deviceInfo().max_force_N;
+    for (int k = 0; k < 1500; ++k) hand.tick(1.0);  // soft start, in the open between them
+    Frame last;
+    Vec3 before(0.0);
+    double greatest_N = 0.0;
+    for (int k = 1; k <= 60; ++k) {
+      std::vector<Ball> to = open;
+      for (std::size_t i = 0; i < to.size(); ++i)
+        to[i].centre_A += (shut[i].centre_A - open[i].centre_A) * (double(k) / 60.0);
+      Frame next = last ? after(*last, to) : frame(open, to);
+      for (int tick = 1; tick <= 33; ++tick) {
+        const ServoSample s = hand.tick(1.0, {next.get(), tick / 33.0});
+        REQUIRE(finite(s.force.N));
+        const double force_N = glm::length(s.force.N);
+        greatest_N = std::max(greatest_N, force_N);
+        REQUIRE(force_N <= most_N + 1e-9);
+        REQUIRE(glm::distance(s.force.N, before) <= 1.0 + 1e-9);
+        before = s.force.N;
+      }
+      last = std::move(next);
+    }
+    CHECK(greatest_N > 0.3);  // it was felt
+    ServoSample rest;
+    for (int k = 0; k < 1000; ++k) rest = hand.tick(1.0, {last.get(), 1.0});
+    CHECK(glm::length(rest.force.N) <= most_N + 1e-9);
+  }
+}
+
+TEST_CASE(
     "a frame waits for its scene, another method of the scene takes it over, and another scene does not know it") {
   struct Pressing final : Device {
     DeviceInfo is{shownForceFigures()};

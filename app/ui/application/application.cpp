@@ -7,6 +7,7 @@
 #include "app/ui/widgets/theme.h"
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/lesson/lesson_region.h"
 #include "engine/molecule/catalogue.h"
 #include "engine/platform/use_language.h"
 #include "engine/render/molecule_model.h"
@@ -74,8 +75,12 @@ void Application::open(const std::filesystem::path& file) {
     panels.welcome = panels.welcome || !hasWork();
     return;
   }
+  openMolecule({*found});
+}
+
+void Application::openMolecule(const MoleculeKey& key) {
   step_scene_ = false;
-  loader_.begin({*found});
+  loader_.begin(key);
   if (options_.clock == ServoClock::Frames) finishLoading();
 }
 
@@ -122,6 +127,7 @@ void Application::enterScene() {
   }
   if (*molecule == scene.molecule() && scene.stage() && !loader_.busy()) {
     scene.setRegion(lesson.region());
+    scene.setZoomed(lesson.zoomed());
     beginSceneAgain();
     return;
   }
@@ -129,12 +135,16 @@ void Application::enterScene() {
 }
 
 void Application::beginSceneAgain(std::optional<PointA> before, const std::optional<Quat>& turned) {
+  // What is felt is made anew where other atoms are taken from the hand.
+  if (Stage felt = withUntouchable(scene.restingStage(), lesson.untouchable()); felt.balls != scene.stage().balls)
+    scene.show(std::move(felt), scene.molecule(), facing());
   if (before)
     scene.beginAgainAt(*before);
   else if (turned)
     scene.beginAgain([&](Camera& camera, const Molecule&) { camera.orientation = *turned; });
   else
     scene.beginAgain(facing());
+  if (!before && !turned) cutOpen();
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 
@@ -171,12 +181,43 @@ void Application::takeUp(Loaded loaded) {
   lesson.meet(loaded.stage->molecule, loaded.key);
   scene.look = lesson.looks();
   scene.setRegion(lesson.region());
-  scene.show(*std::move(loaded.stage), loaded.key, facing());
+  scene.setZoomed(lesson.zoomed());
+  scene.show(withUntouchable(*loaded.stage, lesson.untouchable()), loaded.key, facing());
+  cutOpen();
   for (Extension* e : extensions_->all()) e->sceneChanged(*this);
 }
 
 TouchScene::Facing Application::facing() const {
   return [this](Camera& camera, const Molecule& molecule) { lesson.face(camera, molecule); };
+}
+
+void Application::cutOpen() {
+  if (!scene.stage()) return;
+  lesson.cutFor(scene.camera, *scene.stage().molecule);
+  scene.look.cut = lesson.looks().cut;
+}
+
+void Application::showView(const ViewSpec& view) {
+  if (!scene.stage()) return;
+  const Molecule& molecule = *scene.seenMolecule();
+  const SceneSpec spec = lesson.session() && lesson.onStage() ? lesson.session()->scene() : SceneSpec();
+  const Camera seen = scene.camera;
+  scene.camera = scene.cameraFor([&](Camera& camera, const Molecule& m) { faceView(camera, m, view, spec); },
+                                 zoomedRegion(view, spec, molecule, scene.servo_settings.probe_A));
+  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
+}
+
+void Application::zoomTo(std::span<const std::uint32_t> atoms) {
+  const Stage& stage = scene.stage();
+  const auto part = stage ? regionAround(atoms, *scene.seenMolecule(), scene.servo_settings.probe_A) : std::nullopt;
+  if (!part) return;
+  const Camera seen = scene.camera;
+  // Seen from outside: where they lie deep, whatever is before them.
+  scene.camera.target = stage.middle;
+  scene.camera.face(part->centre);
+  const glm::vec2 view = layout_.view.size();
+  scene.camera.fit(part->centre, part->radius_A, view.y > 0 ? double(view.x) / double(view.y) : 1.0);
+  for (Extension* e : extensions_->all()) e->viewReset(*this, seen);
 }
 
 void Application::resetView() { scene.resetView(facing()); }

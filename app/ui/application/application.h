@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -57,6 +58,8 @@ class Application {
   /// Opens a file by its kind (files/file_kinds.h), or a molecule by its name in the library. A file that cannot be
   /// opened gives a message and changes nothing.
   void open(const std::filesystem::path& file);
+  /// Opens a molecule's file as it is to be read, as open() does.
+  void openMolecule(const MoleculeKey& key);
   /// Files were dropped on the window: the first is opened.
   void drop(const std::vector<std::filesystem::path>& dropped);
   /// Puts a molecule on the stage as a lesson's step does: it is not among the files opened last.
@@ -97,6 +100,10 @@ class Application {
   void beginSceneAgain(std::optional<PointA> before = {}, const std::optional<Quat>& turned = {});
   /// The same as resetView because a person asked for it: it can be undone.
   void resetViewByHand();
+  /// Goes to a view that a person asked for; it can be undone.
+  void showView(const ViewSpec& view);
+  /// Turns these atoms to the front and comes close to them, for a person who asked for it; it can be undone.
+  void zoomTo(std::span<const std::uint32_t> atoms);
   /// The view panel is to save the next picture it draws; where the file is empty, in the folder of the options.
   void askForPicture(std::filesystem::path file = {}) { picture_asked_ = std::move(file); }
   std::optional<std::filesystem::path> takePictureRequest() { return std::exchange(picture_asked_, std::nullopt); }
@@ -113,6 +120,7 @@ class Application {
   TouchScene::Facing facing() const;
   void takeUp(Loaded loaded);
   void openLesson(const std::filesystem::path& file);
+  void cutOpen();     // as the lesson's step asks for
   void enterScene();  // of the lesson's step, where that has changed
   void tellSteps();
   void useLanguageAndUnits();  // those of the settings, and their decimal sign

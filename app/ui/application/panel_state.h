@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/ui/widgets/key_focus.h"
+#include "engine/molecule/molecule_key.h"
 
 namespace moltact {
 
@@ -36,7 +37,9 @@ struct PanelState : KeyFocus {
   float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
   float lesson_scroll = 0.0f;           ///< the lesson's text is to go on by so much (unit: pixel)
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
-       turns_page = false;
+       turns_page = false, zoom_page = false, reading_page = false;
+  ReadOptions reading;     ///< as it is chosen on the page for it
+  std::string zoom_atoms;  ///< what was written last on the page that comes close to atoms
   bool open_adds = false;  ///< what is chosen on the page that opens files is put on the shelf
   bool welcome = false;    ///< the welcome page stands in the place of view and panels
   CardFocus card;

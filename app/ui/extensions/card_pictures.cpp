@@ -13,6 +13,8 @@
 #include "engine/haptics/ball_scene.h"
 #include "engine/haptics/methods.h"
 #include "engine/haptics/sweep.h"
+#include "engine/lesson/lesson_region.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/molecule/reader.h"
 #include "engine/platform/background.h"
 #include "engine/platform/read_file.h"
@@ -25,7 +27,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Raised when pictures of the same subject come out differently.
-constexpr std::string_view kDrawnAs = "3";
+constexpr std::string_view kDrawnAs = "4";
 constexpr std::size_t kMostKept = 400;
 constexpr std::size_t kLargestFile = std::size_t{1} << 30;  // unit: byte
 
@@ -40,8 +42,9 @@ std::string sceneKey(const CardSubject& subject) {
   for (const StyleSpec& style : s.styles)
     styles += std::string(nameOf(style.style)) + ' ' + std::to_string(style.opacity) + ' ' + style.atoms.text() + ',';
   for (const MarkSpec& mark : s.marks) styles += mark.word + ' ' + mark.atoms.text() + ',';
-  return styles + s.hide.text() + '|' + readingText(subject.molecule.reading) + s.view + '|' + s.facing.text() + '|' +
-         s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
+  return styles + s.hide.text() + '|' + s.untouchable.text() + '|' + s.remove.text() + '|' +
+         readingText(subject.molecule.reading) + s.view.text + '|' + (s.cut ? 'c' + s.cut_at.text() : std::string()) +
+         '|' + s.highlight.text() + '|' + s.touch.method + '|' + std::to_string(s.touch.probe_A) + '|' + s.colour;
 }
 
 // Where a probe that comes in along a ray from the viewer's upper right meets the surface.
@@ -62,7 +65,9 @@ PointA restingPlace(const BallScene& balls, const Camera& camera, double probe_A
 // The scene as a lesson turns and marks it, with the probe at the surface.
 ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   ViewScene scene;
-  const BallScene balls(read.balls());
+  const BallScene balls(read.balls(), untouchableAtoms(spec, read));
+  const std::vector<std::uint32_t> removed =
+      spec.remove.given() ? spec.remove.select(read) : std::vector<std::uint32_t>();
   scene.molecule = std::make_shared<const Molecule>(std::move(read));
   scene.shown = {ViewPart::Atoms, ViewPart::Target, ViewPart::Probe, ViewPart::Facets};
   scene.probe_A = spec.touch.probe_A;
@@ -71,10 +76,13 @@ ViewScene sceneOf(Molecule read, const SceneSpec& spec) {
   scene.facets = feltFacets(spec.touch.method);
   if (spec.highlight.given()) scene.highlighted = spec.highlight.select(*scene.molecule);
   const double aspect = double(CardPictures::kWidth_px) / CardPictures::kHeight_px;
-  const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.touch.probe_A); };
+  const auto fit = [&] { scene.camera.fit(*scene.molecule, aspect, 0.08, 2.2 * spec.touch.probe_A, removed); };
   fit();
-  faceScene(scene.camera, *scene.molecule, spec);
+  faceView(scene.camera, *scene.molecule, spec.view, spec);
   fit();
+  if (const auto part = zoomedRegion(spec.view, spec, *scene.molecule, spec.touch.probe_A))
+    scene.camera.fit(part->centre, part->radius_A, aspect);
+  scene.look.cut = cutOf(spec, *scene.molecule, scene.camera);
   scene.hip = restingPlace(balls, scene.camera, spec.touch.probe_A);
   return scene;
 }

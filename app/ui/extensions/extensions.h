@@ -13,6 +13,7 @@
 #include "app/ui/extensions/lesson_shelf.h"
 #include "app/ui/extensions/lesson_watch.h"
 #include "app/ui/extensions/measuring.h"
+#include "app/ui/extensions/moving_states.h"
 #include "app/ui/extensions/name_asker.h"
 #include "app/ui/extensions/playback.h"
 #include "app/ui/extensions/scene_change.h"
@@ -43,6 +44,7 @@ struct Extensions final : ExtensionSet {
   LessonShelf shelf{recorder};
   CardPictures card_pictures;
   TaskStager task_stager;
+  MovingStates moving_states;
   HandModel hand_model;
   StateText state_text{task_stager};
   TouchSound touch_sound;
@@ -58,10 +60,10 @@ struct Extensions final : ExtensionSet {
   // The order of the calls. Locks come before the history, which then never sees what is locked change, and the history
   // before the scene change, whose glide it asks about; a name is asked for before the recorder begins; the device
   // comes before the hand recorder, which replaces the clutch and scale of the device by those of the recording.
-  std::array<Extension*, 19> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,   &recorder,
-                                  &turns,           &playback,      &history,      &scene_change, &hand_model,
-                                  &shelf,           &card_pictures, &task_stager,  &state_text,   &touch_sound,
-                                  &measuring,       &touch_traces,  &device,       &hand_recorder};
+  std::array<Extension*, 20> all_{&settings_keeper, &lesson_watch,  &lesson_locks, &name_asker,    &recorder,
+                                  &turns,           &playback,      &history,      &scene_change,  &hand_model,
+                                  &shelf,           &card_pictures, &task_stager,  &moving_states, &state_text,
+                                  &touch_sound,     &measuring,     &touch_traces, &device,        &hand_recorder};
 };
 
 }  // namespace moltact

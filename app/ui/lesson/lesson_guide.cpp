@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "app/ui/lesson/scene_marks.h"
@@ -9,9 +10,25 @@
 #include "engine/lesson/lesson_molecules.h"
 #include "engine/lesson/lesson_region.h"
 #include "engine/lesson/reader.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/render/molecule_model.h"
 
 namespace moltact {
+namespace {
+
+PointA middleOf(const std::vector<std::uint32_t>& atoms, const Molecule& molecule) {
+  PointA middle;
+  for (const std::uint32_t a : atoms) middle.A += molecule.atoms[a].position.A / double(atoms.size());
+  return middle;
+}
+
+PointA middleOf(const Molecule& molecule) {
+  PointA middle;
+  for (const Atom& a : molecule.atoms) middle.A += a.position.A / double(molecule.atoms.size());
+  return middle;
+}
+
+}  // namespace
 
 AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   const auto listOf = [&](const Selection& atoms) -> AtomList {
@@ -19,7 +36,8 @@ AtomsLook looksOf(const SceneSpec& scene, const Molecule& molecule) {
   };
   AtomsLook looks;
   for (const StyleSpec& s : scene.styles) looks.styles.push_back({s.style, listOf(s.atoms), float(s.opacity)});
-  looks.hidden = listOf(scene.hide);
+  if (std::vector<std::uint32_t> hidden = hiddenAtoms(scene, molecule); !hidden.empty())
+    looks.hidden = std::make_shared<const std::vector<std::uint32_t>>(std::move(hidden));
   looks.spheres_near_A = scene.near_A;
   looks.colouring = schemeColouring(molecule, scene.colour);
   looks.marks = marksOf(scene, molecule);
@@ -90,7 +108,9 @@ Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::
 
 void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key) {
   highlighted_.clear();
+  untouchable_.clear();
   region_.reset();
+  zoomed_.reset();
   looks_ = {.styles = {},
             .hidden = nullptr,
             .spheres_near_A = SceneSpec().near_A,
@@ -104,9 +124,17 @@ void LessonGuide::meet(std::shared_ptr<const Molecule> molecule, const MoleculeK
   on_stage_ = wanted && *wanted == key;
   if (on_stage_ && session_->scene().highlight.given()) highlighted_ = session_->scene().highlight.select(*molecule);
   if (on_stage_) looks_ = looksOf(session_->scene(), *molecule);
+  if (on_stage_) untouchable_ = untouchableAtoms(session_->scene(), *molecule);
   if (on_stage_) annotations_ = annotationsOf(session_->scene(), *molecule);
+  annotated_ = molecule;
   if (on_stage_) region_ = magnifiedRegion(session_->scene(), *molecule);
+  if (on_stage_)
+    zoomed_ = zoomedRegion(session_->scene().view, session_->scene(), *molecule, session_->scene().touch.probe_A);
   session_->setMolecule(on_stage_ ? std::move(molecule) : nullptr);
+}
+
+void LessonGuide::beginFrom(std::shared_ptr<const Molecule> molecule) {
+  if (on_stage_) session_->setMolecule(std::move(molecule));
 }
 
 void LessonGuide::feed(const ServoSample& s, std::string_view method, const Contact& exact) {
@@ -126,35 +154,74 @@ ViewPartSet LessonGuide::shownParts() const {
 }
 
 void LessonGuide::face(Camera& camera, const Molecule& molecule) const {
-  faceScene(camera, molecule, on_stage_ ? session_->scene() : SceneSpec());
+  const SceneSpec scene = on_stage_ ? session_->scene() : SceneSpec();
+  faceView(camera, molecule, scene.view, scene);
 }
 
-void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene) {
-  if (scene.facing.given()) {
-    const std::vector<std::uint32_t> atoms = scene.facing.select(molecule);
-    Vec3 middle(0.0);
-    for (const std::uint32_t a : atoms) middle += molecule.atoms[a].position.A / double(atoms.size());
-    if (!atoms.empty()) camera.face({middle});
+void LessonGuide::cutFor(const Camera& camera, const Molecule& molecule) {
+  looks_.cut = on_stage_ ? cutOf(session_->scene(), molecule, camera) : std::nullopt;
+}
+
+std::optional<CutPlane> cutOf(const SceneSpec& scene, const Molecule& molecule, const Camera& camera) {
+  if (!scene.cut) return std::nullopt;
+  std::vector<std::uint32_t> atoms;
+  if (scene.cut_at.given()) atoms = presentAtoms(scene.cut_at, scene, molecule);
+  const PointA through = atoms.empty() ? middleOf(molecule) : middleOf(atoms, molecule);
+  return CutPlane{camera.back(), glm::dot(camera.back(), through.A)};
+}
+
+void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, const SceneSpec& scene) {
+  if (view.facing.given()) {
+    const std::vector<std::uint32_t> atoms = presentAtoms(view.facing, scene, molecule);
+    if (!atoms.empty()) camera.face(middleOf(atoms, molecule));
+    return;
+  }
+  if (view.turned_deg) {
+    const auto [right, above, round] = *view.turned_deg;
+    constexpr double kRadian = std::numbers::pi / 180.0;
+    camera.lookFrom(right * kRadian, above * kRadian);
+    camera.roll(round * kRadian);
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;
-  if (scene.view == "side")
+  if (view.side == "side")
     camera.lookSideOn(molecule);
-  else if (scene.view == "back")
+  else if (view.side == "back")
     camera.lookFrom(2 * kQuarter, 0);
-  else if (scene.view == "left")
+  else if (view.side == "left")
     camera.lookFrom(-kQuarter, 0);
-  else if (scene.view == "right")
+  else if (view.side == "right")
     camera.lookFrom(kQuarter, 0);
-  else if (scene.view == "top")
+  else if (view.side == "top")
     camera.lookFrom(0, kQuarter);
-  else if (scene.view == "bottom")
+  else if (view.side == "bottom")
     camera.lookFrom(0, -kQuarter);
+}
+
+std::string viewText(const Camera& camera) {
+  const Vec3 back = camera.back();
+  const double right = std::atan2(back.x, back.z), above = std::asin(std::clamp(back.y, -1.0, 1.0));
+  Camera upright;
+  upright.lookFrom(right, above);
+  const glm::dquat rest = glm::conjugate(upright.orientation) * camera.orientation;
+  std::string out = "turned";
+  for (const double angle : {right, above, -2.0 * std::atan2(rest.z, rest.w)}) {
+    const double degrees = std::remainder(std::round(angle * 1800.0 / std::numbers::pi) / 10.0, 360.0);
+    char text[32];
+    std::snprintf(text, sizeof text, " %g", degrees == 0.0 ? 0.0 : degrees);
+    out += text;
+  }
+  return out;
 }
 
 void LessonGuide::decorate(ViewScene& scene) const {
   if (!on_stage_) return;
   scene.highlighted = highlighted_;
+  // They go with atoms that have moved.
+  if (annotations_ && scene.molecule && scene.molecule != annotated_) {
+    annotations_ = annotationsOf(session_->scene(), *scene.molecule);
+    annotated_ = scene.molecule;
+  }
   if (annotations_) scene.annotations.push_back(annotations_);
 }
 

@@ -76,6 +76,8 @@ class LessonGuide {
 
   /// A molecule has come on the stage. The tasks wait for the one that the step asks for.
   void meet(std::shared_ptr<const Molecule> molecule, const MoleculeKey& key);
+  /// The atoms of the step's molecule begin elsewhere: its tasks are made for where they are.
+  void beginFrom(std::shared_ptr<const Molecule> molecule);
   /// A tick; `method` made its contact, `exact` is the exact tracker's for the same hand.
   void feed(const ServoSample& sample, std::string_view method, const Contact& exact);
 
@@ -85,8 +87,14 @@ class LessonGuide {
   bool locks(std::string_view key) const { return session_ && session_->scene().locks(key); }
   /// How the step draws the atoms; as spheres without one.
   const AtomsLook& looks() const { return looks_; }
+  /// Cuts them open as the step asks for, once the camera looks at them as it does.
+  void cutFor(const Camera& camera, const Molecule& molecule);
+  /// The atoms that the step takes from the hand, ascending.
+  const std::vector<std::uint32_t>& untouchable() const { return untouchable_; }
   /// The part of the molecule that the step magnifies.
   const std::optional<Region>& region() const { return region_; }
+  /// What the step's view comes close to; nothing where it shows the whole.
+  const std::optional<Region>& zoomed() const { return zoomed_; }
   /// Turns a fitted camera the way the step asks for.
   void face(Camera& camera, const Molecule& molecule) const;
   /// Marks what the step highlights, and writes what it names and measures.
@@ -99,14 +107,19 @@ class LessonGuide {
   std::size_t openings_ = 0, drafts_opening_ = 0, drafts_step_ = 0;
   std::size_t scene_seen_ = 0;
   bool scene_changed_ = false, on_stage_ = false;
-  std::vector<std::uint32_t> highlighted_;
-  std::optional<Region> region_;
+  std::vector<std::uint32_t> highlighted_, untouchable_;
+  std::optional<Region> region_, zoomed_;
   AtomsLook looks_;
-  std::shared_ptr<const Annotations> annotations_;
+  mutable std::shared_ptr<const Annotations> annotations_;  // of the molecule that was drawn last
+  mutable std::shared_ptr<const Molecule> annotated_;
 };
 
-/// Turns a camera that has been fitted to the molecule the way a scene asks for.
-void faceScene(Camera& camera, const Molecule& molecule, const SceneSpec& scene);
+/// Turns a camera that has been fitted to the molecule the way a view of the scene asks for.
+void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, const SceneSpec& scene);
+/// How a scene says the camera's turn: "turned 30 10 0", to a tenth of a degree.
+std::string viewText(const Camera& camera);
+/// The plane by which a scene cuts its molecule open for this camera; nothing where it does not.
+std::optional<CutPlane> cutOf(const SceneSpec& scene, const Molecule& molecule, const Camera& camera);
 /// A scene's molecule, its file beside the lesson or in the library. A problem where it is in neither.
 Expected<MoleculeKey> moleculeOf(const SceneSpec& scene, const std::filesystem::path& lesson);
 

@@ -58,10 +58,18 @@ void switchCut(App& a) {
   a.scene.look.cut = CutPlane{normal, glm::dot(normal, a.scene.stage().middle.A)};
 }
 
+// As the key of a scene: "view: turned 30 10 0".
+void copyView(App& app) {
+  const std::string line = "view: " + viewText(app.scene.camera);
+  ImGui::SetClipboardText(line.c_str());
+  app.messages.notice(trf("Copied: {0}", line));
+}
+
 void saveGltf(App& app, const std::filesystem::path& file) {
   if (!app.scene.stage()) return;
-  const Expected<GltfScene> scene =
-      exportMolecule(*app.scene.stage().molecule, {.colours = elementColoursOf(app.settings)});
+  const Expected<GltfScene> scene = exportMolecule(
+      *app.scene.seenMolecule(),
+      {.look = app.scene.look, .colours = elementColoursOf(app.settings), .colour_by = app.scene.colour_by});
   if (!scene) return app.messages.error(scene.problem().text());
   if (const auto problem = writeGlb(file, *scene)) return app.messages.error(problem->text());
   handOver(file);
@@ -300,6 +308,25 @@ constexpr std::array kActions{
            .shortcut = "Home",
            .run = [](App& a) { a.resetViewByHand(); },
            .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
+    Action{.name = "reading",
+           .menu = Menu::View,
+           .label = N_("Models, waters, assembly …"),
+           .sentence = N_("How the molecule's file is read: which model, with its waters, as which assembly"),
+           .run = [](App& a) { a.panels.reading_page = true; },
+           .enabled = [](const App& a) { return hasStage(a) && !a.lesson.onStage() && !a.scene.playing(); }},
+    Action{.name = "zoom",
+           .menu = Menu::View,
+           .label = N_("Come close to …"),
+           .shortcut = "Ctrl+F",
+           .sentence = N_("Turn atoms that you name to the front and come close to them"),
+           .run = [](App& a) { a.panels.zoom_page = true; },
+           .enabled = [](const App& a) { return hasStage(a) && !a.extensions().task_stager.dark(); }},
+    Action{.name = "copy-view",
+           .menu = Menu::View,
+           .label = N_("Copy this view for a lesson"),
+           .sentence = N_("The line of a scene by which the molecule is turned as it is now"),
+           .run = [](App& a) { copyView(a); },
+           .enabled = hasStage},
     Action{.name = "magnify",
            .menu = Menu::View,
            .label = N_("Magnify round the probe"),

@@ -84,6 +84,16 @@ void styleMenu(Application& app) {
   ImGui::EndMenu();
 }
 
+// Those that the lesson's scene names.
+void viewsMenu(Application& app) {
+  if (app.panels.welcome || !app.lesson.session() || app.lesson.session()->scene().views.empty()) return;
+  if (!beginSubmenu(app, "menu/view/views", tr("Views"), app.scene.stage() && !app.extensions().task_stager.dark()))
+    return;
+  for (const NamedView& v : app.lesson.session()->scene().views)
+    if (item("menu/view/views/" + v.name, v.name.c_str())) app.showView(v.view);
+  ImGui::EndMenu();
+}
+
 void sizeMenu(Application& app) {
   if (!beginSubmenu(app, "menu/view/scale", tr("Interface size"))) return;
   for (const int percent : {75, 90, 100, 125, 150, 175, 200, 250, 300}) {
@@ -107,7 +117,8 @@ struct Inset {
   void (*draw)(Application&);
 };
 constexpr Inset kInsets[] = {{"open", libraryMenu},   {"open", recentMenu},        {"methods", styleMenu},
-                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"turns", lessonList}};
+                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"turns", lessonList},
+                             {"reset", viewsMenu}};
 
 void drawMenu(Application& app, Menu menu) {
   const std::string label(menuLabel(menu)), prefix = "menu/" + lower(menuName(menu));

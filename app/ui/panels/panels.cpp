@@ -27,6 +27,8 @@
   PANEL(FilePage)                         \
   PAGE(PreferencesPage, preferences_page) \
   PAGE(DevicePage, device_page)           \
+  PAGE(ZoomPage, zoom_page)               \
+  PAGE(ReadingPage, reading_page)         \
   PAGE(ControlsPage, controls_page)       \
   PAGE(AboutPage, about_page)
 

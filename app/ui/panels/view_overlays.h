@@ -25,6 +25,9 @@ std::string measuringText(const Application& app);
 
 void drawViewOverlays(Application& app, const Rectangle& view);
 
+/// The slider between a scene's two structures.
+void drawStateSlider(Application& app, const Rectangle& view);
+
 /// How deep the hand is pressed, seen from the side.
 void drawDepthGauge(Application& app, const Rectangle& view);
 

@@ -128,7 +128,7 @@ ViewInput readInput(Application& app, ImVec2 low, glm::dvec2 size) {
 ViewScene seenScene(const Application& app) {
   ViewScene scene;
   const ServoSample& now = app.scene.log().latest();
-  scene.molecule = app.scene.stage().molecule;
+  scene.molecule = app.scene.seenMolecule();
   scene.camera = app.scene.camera;
   scene.shown = app.scene.shown;
   scene.theme = look().viewTheme();
@@ -205,7 +205,8 @@ void drawViewPanel(Application& app) {
   ViewPicture& picture = app.picture();
   const SceneChange& change = app.extensions().scene_change;
   const ViewScene scene = seenScene(app);
-  picture.draw(scene, int(size.x), int(size.y), app.scene.controls.cameraMoved() || change.gliding(), look().scale);
+  picture.draw(scene, int(size.x), int(size.y),
+               app.scene.controls.cameraMoved() || change.gliding() || app.scene.atomsMove(), look().scale);
   // GL's rows begin at the bottom.
   if (picture.texture()) ImGui::GetWindowDrawList()->AddImage(picture.texture(), low, high, {0, 1}, {1, 0});
   if (change.oldPicture() > 0 && picture.kept())

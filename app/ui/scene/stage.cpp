@@ -1,5 +1,8 @@
 #include "app/ui/scene/stage.h"
 
+#include <span>
+#include <utility>
+
 #include "engine/language/catalogue.h"
 #include "engine/workspace/fit_workspace.h"
 
@@ -10,19 +13,37 @@ namespace {
 // mesh lies inside the spheres, a coarse grid may lie outside (unit: angstrom).
 constexpr double kOutside_A = 1e-3, kFarthestOutside_A = 2.0;
 
+Stage stageOf(std::shared_ptr<const Molecule> molecule, std::span<const std::uint32_t> untouchable) {
+  Stage stage;
+  stage.balls = std::make_shared<const BallScene>(molecule->balls(), untouchable);
+  const BallScene& balls = *stage.balls;
+  std::size_t felt = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) felt += balls.touchable(i);
+  for (std::size_t i = 0; i < balls.size(); ++i)
+    if (felt == 0 || balls.touchable(i)) stage.middle.A += balls[i].centre_A / double(felt == 0 ? balls.size() : felt);
+  stage.molecule = std::move(molecule);
+  stage.workspace = fitWorkspace(balls);
+  stage.reach_A = 0.5 * glm::distance(balls.low_A(), balls.high_A()) + kLargestProbe_A;
+  return stage;
+}
+
 }  // namespace
 
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file) {
   if (molecule.atoms.empty())
     return Problem{file.string(), 0, 0, tr("there are no atoms to touch"),
                    tr("open a structure file with coordinates")};
-  Stage stage;
-  for (const Atom& a : molecule.atoms) stage.middle.A += a.position.A / double(molecule.atoms.size());
-  stage.balls = std::make_shared<const BallScene>(molecule.balls());
-  stage.molecule = std::make_shared<const Molecule>(std::move(molecule));
-  stage.workspace = fitWorkspace(*stage.balls);
-  stage.reach_A = 0.5 * glm::distance(stage.balls->low_A(), stage.balls->high_A()) + kLargestProbe_A;
-  return stage;
+  return stageOf(std::make_shared<const Molecule>(std::move(molecule)), {});
+}
+
+Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms) {
+  return stage && stage.balls->untouchable() != atoms ? stageOf(stage.molecule, atoms) : stage;
+}
+
+Stage movedStage(const Stage& stage, std::vector<Ball> places) {
+  Stage out = stage;
+  out.balls = std::make_shared<const BallScene>(std::move(places), stage.balls->untouchable());
+  return out;
 }
 
 std::unique_ptr<Interaction> makeInteraction(const Stage& stage, const TouchSetup& touch, const Contact& contact,

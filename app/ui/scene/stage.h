@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "engine/core/problem.h"
 #include "engine/core/units.h"
@@ -17,7 +18,7 @@ struct Stage {
   std::shared_ptr<const Molecule> molecule;
   std::shared_ptr<const BallScene> balls;
   Workspace workspace;
-  PointA middle;         ///< of the atoms' centres, before which the probe waits
+  PointA middle;         ///< of the centres of the atoms that can be felt, before which the probe waits
   double reach_A = 0.0;  ///< from the middle, farther than any surface for any probe offered
 
   explicit operator bool() const { return balls != nullptr; }
@@ -25,6 +26,12 @@ struct Stage {
 
 /// Puts a molecule on the stage. One without atoms gives a problem that names `file`.
 Expected<Stage> makeStage(Molecule molecule, const std::filesystem::path& file);
+
+/// The stage with these atoms (ascending) taken from the hand, and no others.
+Stage withUntouchable(const Stage& stage, const std::vector<std::uint32_t>& atoms);
+
+/// The same stage with its balls at these places (as many), where they are felt and seen alike.
+Stage movedStage(const Stage& stage, std::vector<Ball> places);
 
 /// The interaction for the stage, continuing with `contact` where the hand is if there is one, so that a change of
 /// method is not felt as letting go. Null without a stage, and where the setup names what there is not.

@@ -1,7 +1,9 @@
 #include "app/ui/scene/touch_scene.h"
 
 #include <algorithm>
+#include <iterator>
 
+#include "engine/lesson/second_state.h"
 #include "engine/servo/plain_trackers.h"
 #include "engine/workspace/fit_workspace.h"
 
@@ -31,7 +33,10 @@ bool sameView(const Camera& a, const Camera& b) {
 TouchScene::TouchScene(ServoClock clock) : servo_(clock) {}
 
 void TouchScene::show(Stage next, const MoleculeKey& molecule, const Facing& facing) {
-  stage_ = std::move(next);
+  stage_ = resting_stage_ = std::move(next);
+  seen_.reset();
+  motion_.reset();
+  seen_motion_ = 0;
   molecule_ = molecule;
   servo_settings.workspace = stage_.workspace;
   log_.clear();
@@ -48,6 +53,7 @@ void TouchScene::play(const std::optional<ServoSample>& sample) {
   const bool was = playing();
   played_ = sample;
   if (was == playing()) return;
+  motion_.reset();  // of the scene that ends here
   log_.clear();
   ++servo_settings.discontinuities;
   servo_.begin(handed(false), freshInteraction());
@@ -105,19 +111,33 @@ void TouchScene::beginAgainAt(PointA place) {
   handBegins(place);
 }
 
-void TouchScene::resetView(const Facing& facing) {
-  if (!stage_) return;
-  camera.orientation = glm::dquat(1, 0, 0, 0);
+Camera TouchScene::cameraFor(const Facing& facing, const std::optional<Region>& part) const {
+  Camera out = camera;
+  out.orientation = glm::dquat(1, 0, 0, 0);
   // Round the molecule there is room for the probe, which hovers before it and beside it.
-  const auto fit = [&] { camera.fit(*stage_.molecule, view_aspect_, 0.08, kProbeRoom * servo_settings.probe_A); };
+  // What is neither seen nor felt needs none.
+  std::vector<std::uint32_t> removed;
+  if (look.hidden) {
+    const std::vector<std::uint32_t> unfelt = stage_.balls->untouchable();
+    std::set_intersection(look.hidden->begin(), look.hidden->end(), unfelt.begin(), unfelt.end(),
+                          std::back_inserter(removed));
+  }
+  const auto fit = [&] { out.fit(*stage_.molecule, view_aspect_, 0.08, kProbeRoom * servo_settings.probe_A, removed); };
   fit();
-  facing(camera, *stage_.molecule);
+  facing(out, *stage_.molecule);
   // Another side of the molecule may be wider.
   fit();
-  if (region_) camera.fit(region_->centre, region_->radius_A, view_aspect_);
+  if (part) out.fit(part->centre, part->radius_A, view_aspect_);
+  return out;
+}
+
+void TouchScene::resetView(const Facing& facing) {
+  if (!stage_) return;
+  const std::optional<Region>& part = zoomed_ ? zoomed_ : region_;
+  camera = cameraFor(facing, part);
   by_hand_ = false;
   layBeforeHand(camera.target);
-  handBegins(region_ ? region_->centre : stage_.middle);
+  handBegins(part ? part->centre : stage_.middle);
 }
 
 Workspace TouchScene::sceneWorkspace() const {
@@ -259,6 +279,47 @@ bool TouchScene::beginRecording() {
   return true;
 }
 
+bool TouchScene::moveAtoms(const std::vector<Ball>& to, int ticks) {
+  if (!stage_ || played_ || trying()) return false;
+  auto next = motion_ ? SphereMotion::after(*motion_, to, ticks)
+                      : SphereMotion::make(stage_.balls->balls(), to, ticks, stage_.balls->untouchable());
+  if (!next) return false;
+  std::shared_ptr<const SphereMotion> motion = *std::move(next);
+  if (!servo_.setMotion(motion)) return false;
+  motion_ = std::move(motion);
+  return true;
+}
+
+void TouchScene::placeAtoms(std::vector<Ball> at) {
+  if (!stage_) return;
+  seen_ = std::make_shared<const Molecule>(movedTo(*stage_.molecule, at));
+  stage_ = movedStage(resting_stage_, std::move(at));
+  motion_.reset();
+  seen_motion_ = 0;
+  log_.clear();
+  watch_.begin(stage_, servo_settings.probe_A);
+  layBeforeHand(camera.target);
+  handBegins(camera.target);
+  servo_.begin(handed(false), freshInteraction());
+}
+
+// The picture goes with the newest tick, and costs at most half of the window's time: shapes that take long to make
+// follow less often.
+void TouchScene::followMotion(double dt_s) {
+  if (since_seen_s_ == 0.0) frame_after_s_ = dt_s;
+  since_seen_s_ += dt_s;
+  const ServoSample& now = servo_.newest();
+  const std::shared_ptr<const SphereMotion> motion = servo_.motionOf(now);
+  if (!motion || (now.motion == seen_motion_ && now.fraction == seen_fraction_) || since_seen_s_ < 2.0 * frame_after_s_)
+    return;
+  seen_motion_ = now.motion;
+  seen_fraction_ = now.fraction;
+  since_seen_s_ = 0.0;
+  std::vector<Ball> balls = motion->at(now.fraction);
+  seen_ = std::make_shared<const Molecule>(movedTo(*stage_.molecule, balls));
+  stage_ = movedStage(stage_, std::move(balls));
+}
+
 FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
   const Method& m = *findMethod(made_with_.method);
   const PointA hand_before = log_.latest().hip;
@@ -276,6 +337,7 @@ FeltTicks TouchScene::advance(double dt_s, double now_s, bool timed) {
       felt_.push_back(
           {sample, servo_.hasOrientation() ? sample.contact : watch_.add(sample, m, servo_.motionOf(sample))});
     }
+    followMotion(dt_s);
     log_.measure(now_s);
     servo_.timeTicks(timed);
     hand_moved_ = glm::distance(hand_before.A, log_.latest().hip.A) > kStill_A;

@@ -48,7 +48,12 @@ class TouchScene {
   ColourBy colour_by = ColourBy::Element;
   ViewControls controls;
 
+  /// Its balls are where the atoms are now; its molecule is as it was read.
   const Stage& stage() const { return stage_; }
+  /// As it was shown, before its atoms moved.
+  const Stage& restingStage() const { return resting_stage_; }
+  /// The molecule with its atoms where they are now, as it is drawn; null without one.
+  const std::shared_ptr<const Molecule>& seenMolecule() const { return seen_ ? seen_ : stage_.molecule; }
   const MoleculeKey& molecule() const { return molecule_; }  ///< which molecule is on the stage
   ServoLink& servo() { return servo_; }
   const ServoLink& servo() const { return servo_; }
@@ -68,6 +73,10 @@ class TouchScene {
   void beginAgainAt(PointA place);
   /// The part of the molecule that the scenes shown from now on magnify; nothing: none.
   void setRegion(const std::optional<Region>& region) { region_ = region; }
+  /// What the view comes close to when a scene is opened or the view is reset; nothing: what is magnified, or the whole.
+  void setZoomed(const std::optional<Region>& part) { zoomed_ = part; }
+  /// The camera turned by `facing` and as near as the whole molecule, or this part of it, needs.
+  Camera cameraFor(const Facing& facing, const std::optional<Region>& part) const;
   /// By hand, until the view is reset or another scene begins: what lies round the probe fills the room of the hand,
   /// and is seen that much larger. Hand and probe stay, the force begins softly.
   void magnify(bool on);
@@ -88,6 +97,12 @@ class TouchScene {
   void useMethod(std::string_view name);
   /// The view's width over its height: what the camera is fitted to.
   void setViewAspect(double aspect) { view_aspect_ = aspect; }
+
+  /// The atoms go evenly to these places (a ball for each) in so many ticks, while they are touched; the picture follows.
+  /// False while an earlier motion waits to begin, or where the places are none: ask again a frame later.
+  bool moveAtoms(const std::vector<Ball>& to, int ticks);
+  /// The atoms are there at once, and what is felt begins anew.
+  void placeAtoms(std::vector<Ball> at);
 
   /// While nobody looks at the scene the hand feels nothing.
   void rest(bool on) { resting_ = on; }
@@ -117,7 +132,9 @@ class TouchScene {
   bool playing() const { return played_.has_value(); }
 
   /// The next frame would look different by itself.
-  bool live() const { return log_.touching() || controls.live() || hand_moved_; }
+  bool live() const { return log_.touching() || controls.live() || hand_moved_ || atomsMove(); }
+  /// Atoms are on a way that has not been drawn to its end.
+  bool atomsMove() const { return motion_ && !(seen_motion_ == motion_->serial() && seen_fraction_ == 1.0); }
 
  private:
   void handBegins(PointA before);
@@ -126,11 +143,16 @@ class TouchScene {
   Workspace sceneWorkspace() const;
   double byHand_A_per_mm() const;
   void watchLeftBehind(double dt_s);
+  void followMotion(double dt_s);
   std::unique_ptr<Interaction> freshInteraction() const;
   void feelAnew();
   ServoSettings handed(bool trying) const;
 
-  Stage stage_;
+  Stage stage_, resting_stage_;
+  std::shared_ptr<const Molecule> seen_;        // with its atoms where they are now; null: as it was read
+  std::shared_ptr<const SphereMotion> motion_;  // the one handed over last
+  std::uint64_t seen_motion_ = 0;               // where seen_ was taken from, and when
+  double seen_fraction_ = 0.0, since_seen_s_ = 0.0, frame_after_s_ = 0.0;
   MoleculeKey molecule_;
   ServoLink servo_;
   TouchSetup made_with_;  // what the servo loop does itself of it is in servo_settings only
@@ -144,7 +166,7 @@ class TouchScene {
   Camera fitted_;              // to this view
   double fit_left_s_ = 0.0;    // so long a hand that turns out to be inside is taken out
   double view_aspect_ = 1.0;
-  std::optional<Region> region_;
+  std::optional<Region> region_, zoomed_;
   bool hand_moved_ = false, resting_ = false, by_hand_ = false;
 };
 

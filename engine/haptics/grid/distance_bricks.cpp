@@ -41,7 +41,9 @@ void DistanceBricks::setCap(double cap_A) noexcept {
 void DistanceBricks::prepare(double level_A) {
   const double size = kCells * spacing_, half = 0.5 * size * std::sqrt(3.0), near = half + spacing_;
   std::vector<Key> keys;
-  for (const Ball& ball : scene_->balls()) {
+  for (std::size_t i = 0; i < scene_->size(); ++i) {
+    if (!scene_->touchable(i)) continue;
+    const Ball& ball = (*scene_)[i];
     const Vec3 c = ball.centre_A - origin_;
     const double r = ball.radius_A + level_A;
     const Vec3 low = glm::floor((c - Vec3(r)) / size - 0.5), high = glm::floor((c + Vec3(r)) / size + 0.5);

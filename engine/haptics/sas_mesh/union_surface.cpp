@@ -137,7 +137,9 @@ class Maker {
   std::vector<std::uint64_t> crossedBlocks() const {
     std::vector<std::uint64_t> out;
     const double size = h_ * kBlock;
-    for (const Ball& ball : scene_.balls()) {
+    for (std::size_t i = 0; i < scene_.size(); ++i) {
+      if (!scene_.touchable(i)) continue;
+      const Ball& ball = scene_[i];
       const double r = ball.radius_A + probe_;
       if (r <= 0.0) continue;
       const Vec3 c = (ball.centre_A - origin_ - zero_) / size;

@@ -7,6 +7,7 @@
 
 #include "engine/language/catalogue.h"
 #include "engine/language/quantity_text.h"
+#include "engine/lesson/second_state.h"
 
 namespace moltact {
 
@@ -41,8 +42,13 @@ bool ScriptedLearner::enterStep() {
     watch_(fault);
     return false;
   }
-  session_.setMolecule(*molecule);
-  touch_.begin(*molecule, scene);
+  std::shared_ptr<const Molecule> begins = *molecule;
+  if (scene.then.share > 0.0)
+    if (const auto other = by_name_(secondMolecule(scene)))
+      if (const auto states = statesOf(scene, *begins, **other))
+        begins = std::make_shared<const Molecule>(movedTo(*begins, states->at(scene.then.share)));
+  session_.setMolecule(begins);
+  touch_.begin(begins, scene);
   touch_.setStage(session_.taskStage());
   task_begun_s_ = touch_.time_s();
   return true;

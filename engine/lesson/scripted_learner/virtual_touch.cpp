@@ -1,15 +1,17 @@
 #include "engine/lesson/scripted_learner/virtual_touch.h"
 
 #include "engine/lesson/lesson_region.h"
+#include "engine/lesson/scene_atoms.h"
 #include "engine/workspace/fit_workspace.h"
 #include "engine/workspace/scale.h"
 
 namespace moltact {
 
 void VirtualTouch::begin(std::shared_ptr<const Molecule> molecule, const SceneSpec& scene) {
-  if (molecule != molecule_) {
+  const std::vector<std::uint32_t> untouchable = untouchableAtoms(scene, *molecule);
+  if (molecule != molecule_ || balls_->untouchable() != untouchable) {
     molecule_ = std::move(molecule);
-    balls_ = std::make_shared<const BallScene>(molecule_->balls());
+    balls_ = std::make_shared<const BallScene>(molecule_->balls(), untouchable);
   }
   settings_.workspace = fitWorkspace(*balls_);
   if (const auto region = magnifiedRegion(scene, *molecule_))

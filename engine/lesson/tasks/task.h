@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -126,6 +127,9 @@ class Task {
 
   /// Forgets everything, as at the start.
   virtual void reset();
+
+  /// Atoms of the molecule that the scene takes from the hand (scene_atoms.h), told once, before the first tick.
+  virtual void leaveOut(std::span<const std::uint32_t> /*untouchable*/) {}
 
  protected:
   explicit Task(const TaskSpec& spec) : praise_(spec.values["praise"]) {}

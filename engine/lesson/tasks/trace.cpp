@@ -338,6 +338,11 @@ class TraceCrease : public Trace {
     atoms_ = spec.values["of"].selection.select(molecule);
   }
 
+  void leaveOut(std::span<const std::uint32_t> untouchable) override {
+    const std::span<const Ball> balls = scene_->balls();
+    scene_ = std::make_shared<const BallScene>(std::vector<Ball>(balls.begin(), balls.end()), untouchable);
+  }
+
  private:
   Step follow(const Contact& contact, double probe_A, double within_A) override {
     if (probe_A != probe_A_) {

@@ -102,13 +102,13 @@ struct Stage {
     Camera c;
     if (turned)
       c.orientation = *turned;
-    else if (scene.facing.given()) {
+    else if (scene.view.facing.given()) {
       c.fit(*molecule, 1.0);
       Vec3 middle(0.0);
-      const auto atoms = scene.facing.select(*molecule);
+      const auto atoms = scene.view.facing.select(*molecule);
       for (const std::uint32_t a : atoms) middle += molecule->atoms[a].position.A / double(atoms.size());
       c.face({middle});
-    } else if (scene.view == "side") {
+    } else if (scene.view.side == "side") {
       c.lookSideOn(*molecule);
     }
     c.fit(*molecule, 1.0, 0.08, 1.5 * scene.touch.probe_A);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/ui/application/application.h"
+#include "app/ui/extensions/extensions.h"
 #include "app/ui/panels/lesson/lesson_blocks.h"
 #include "app/ui/panels/lesson/lesson_ends.h"
 #include "app/ui/panels/lesson/lesson_keys.h"
@@ -15,6 +16,7 @@
 #include "app/ui/widgets/widget_map.h"
 #include "engine/language/catalogue.h"
 #include "engine/lesson/lesson_files.h"
+#include "engine/lesson/scene_link.h"
 
 namespace moltact {
 namespace {
@@ -75,6 +77,23 @@ void drawFoot(Application& app, const LessonSession& session) {
   const char* label = last ? (session.finished() ? tr("Lesson done") : tr("Last step")) : tr("Next");
   const ButtonLook kind = session.stepDone() ? ButtonLook::Primary : ButtonLook::Plain;
   if (button("lesson/next", label, last ? ButtonLook::Plain : kind, width - back_w - gap, !last)) app.lesson.next();
+}
+
+/// A link that changes what the scene shows. In the dark there is nothing to show.
+void followInScene(Application& app, const SceneLink& link) {
+  const SceneSpec& scene = app.lesson.session()->scene();
+  if (!app.lesson.onStage() || app.extensions().task_stager.dark()) return;
+  switch (link.kind) {
+    case SceneLink::Kind::View:
+      if (const NamedView* view = findView(scene, link.of)) app.showView(view->view);
+      break;
+    case SceneLink::Kind::Zoom:
+      if (const auto atoms = parseSelection(link.of)) app.zoomTo(atoms->select(*app.scene.stage().molecule));
+      break;
+    case SceneLink::Kind::State:
+      if (const auto share = stateNamed(scene, link.of)) app.extensions().moving_states.goTo(*share);
+      break;
+  }
 }
 
 std::size_t hintsIn(const std::vector<Block>& blocks) {
@@ -171,7 +190,11 @@ void drawLessonPanel(Application& app) {
   drawFoot(app, *session);
   endPanel();
   // Another lesson may take this one's place, so it comes last.
-  if (!link.empty() && !app.lesson.follow(link)) followOut(app, link);
+  if (link.empty()) return;
+  if (const auto in_scene = sceneLink(link))
+    followInScene(app, *in_scene);
+  else if (!app.lesson.follow(link))
+    followOut(app, link);
 }
 
 }  // namespace moltact

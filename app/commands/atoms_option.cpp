@@ -1,0 +1,27 @@
+#include "app/commands/atoms_option.h"
+
+#include "engine/lesson/scene_atoms.h"
+#include "engine/lesson/selection.h"
+
+namespace moltact {
+
+std::vector<std::uint32_t> selectedAtoms(const char* option, const std::string& text, const Molecule& molecule) {
+  if (text.empty()) return {};
+  const Expected<Selection> atoms = parseSelection(text);
+  if (!atoms) throw CLI::ValidationError(option, atoms.problem().text());
+  std::vector<std::uint32_t> selected = atoms->select(molecule);
+  if (selected.empty()) throw CLI::ValidationError(option, atoms->whyEmpty(molecule).text());
+  return selected;
+}
+
+void LeftOutAtoms::addTo(CLI::App& command) {
+  command.add_option("--untouchable", untouchable,
+                     "Atoms that are not felt, as a selection: 'ligand'; the probe passes through them");
+  command.add_option("--remove", remove, "Atoms that are taken out, as a selection: neither felt nor drawn");
+}
+
+std::vector<std::uint32_t> LeftOutAtoms::notFelt(const Molecule& molecule) const {
+  return atomsOfEither(selectedAtoms("--untouchable", untouchable, molecule), removed(molecule));
+}
+
+}  // namespace moltact

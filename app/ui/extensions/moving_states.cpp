@@ -1,0 +1,106 @@
+#include "app/ui/extensions/moving_states.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "app/ui/application/application.h"
+#include "engine/language/catalogue.h"
+#include "engine/lesson/lesson_molecules.h"
+#include "engine/molecule/reader.h"
+#include "engine/platform/background.h"
+
+namespace moltact {
+namespace {
+
+constexpr int kMotion_ticks = 33;  // some thirty motions a second
+
+Expected<TwoStates> readStates(const SceneSpec& scene, const std::shared_ptr<const Molecule>& molecule,
+                               const MoleculeKey& key) {
+  try {
+    const Expected<Molecule> other = readMolecule(key);
+    if (!other) return other.problem();
+    return statesOf(scene, *molecule, *other);
+  } catch (const std::exception& e) {
+    return Problem{key.file.string(), 0, 0, trf("it cannot be opened: {0}", e.what()), tr("check the file")};
+  }
+}
+
+}  // namespace
+
+void MovingStates::forget() {
+  reading_ = {};
+  states_.reset();
+  molecule_.reset();
+  begins_.reset();
+  then_ = {};
+  share_ = wanted_ = 0.0;
+}
+
+void MovingStates::sceneChanged(Application& app) {
+  const LessonSession* session = app.lesson.session();
+  if (!session || !app.lesson.onStage() || session->scene().then.molecule.empty()) return forget();
+  const SceneSpec& scene = session->scene();
+  const std::shared_ptr<const Molecule>& molecule = app.scene.stage().molecule;
+  names_ = {stateName(scene, 0), stateName(scene, 1)};
+  const bool known = states_ && molecule == molecule_ && then_.molecule == scene.then.molecule &&
+                     then_.superposed_on == scene.then.superposed_on;
+  then_ = scene.then;
+  if (known) {
+    // The scene has begun anew, with the atoms at rest in the first state.
+    begin(app);
+    return;
+  }
+  forget();
+  then_ = scene.then;
+  molecule_ = molecule;
+  const Expected<MoleculeKey> key = lessonMolecule(app.lesson.file(), secondMolecule(scene));
+  if (!key) {
+    app.messages.error(key.problem().text());
+    return;
+  }
+  reading_ = inBackground(readStates, scene, molecule, *key);
+  if (app.options().clock == ServoClock::Frames) take(app);
+}
+
+void MovingStates::take(Application& app) {
+  Expected<TwoStates> states = reading_.get();
+  if (!states) {
+    app.messages.error(states.problem().text());
+    return;
+  }
+  states_ = std::make_shared<const TwoStates>(*std::move(states));
+  double farthest_A = 0.0;
+  for (std::size_t i = 0; i < states_->first.size(); ++i)
+    if (app.scene.stage().balls->touchable(i))
+      farthest_A = std::max(farthest_A, glm::distance(states_->first[i].centre_A, states_->second[i].centre_A));
+  per_s_ = farthest_A > 0.0 ? std::min(1.0 / kLeast_s, kFastest_A_per_s / farthest_A) : 1.0 / kLeast_s;
+  begin(app);
+}
+
+void MovingStates::begin(Application& app) {
+  share_ = wanted_ = then_.share;
+  if (share_ == 0.0) return;
+  const std::vector<Ball> places = states_->at(share_);
+  app.scene.placeAtoms(places);
+  // The same each time the scene begins again, so that its tasks stay.
+  if (!begins_ || begins_share_ != share_) begins_ = std::make_shared<const Molecule>(movedTo(*molecule_, places));
+  begins_share_ = share_;
+  app.lesson.beginFrom(begins_);
+}
+
+void MovingStates::goTo(double share) {
+  if (std::isfinite(share)) wanted_ = std::clamp(share, 0.0, 1.0);
+}
+
+void MovingStates::beforeTicks(Application& app) {
+  if (reading_.valid() && reading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) take(app);
+  if (!states_ || share_ == wanted_ || app.scene.stage().molecule != molecule_) return;
+  const double most = per_s_ * kMotion_ticks * kTick_s, next = share_ + std::clamp(wanted_ - share_, -most, most);
+  // Until the motion before has begun there is no room for another.
+  if (app.scene.moveAtoms(states_->at(next), kMotion_ticks)) share_ = next;
+}
+
+}  // namespace moltact

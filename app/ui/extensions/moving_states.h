@@ -1,0 +1,50 @@
+// The two structures of a lesson's scene (its key `then`): reads the second one, and leads the atoms between the two where
+// the student's slider wants them, while they are touched. Window's thread. Units: angstrom, second.
+#pragma once
+
+#include <array>
+#include <future>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/ui/application/extension.h"
+#include "engine/lesson/second_state.h"
+
+namespace moltact {
+
+class MovingStates : public Extension {
+ public:
+  /// No atom that can be felt moves faster, and the whole way takes at least so long.
+  static constexpr double kFastest_A_per_s = 8.0, kLeast_s = 1.5;
+
+  void sceneChanged(Application& app) override;
+  void lessonChanged(Application& app) override { sceneChanged(app); }
+  void beforeTicks(Application& app) override;
+  bool live() const override { return reading_.valid() || (states_ && share_ != wanted_); }
+
+  /// Whether the scene has two states, and both have been read.
+  bool there() const { return states_ != nullptr; }
+  /// Where the atoms are on their way (0 the first state, 1 the second), and where they are to go.
+  double share() const { return share_; }
+  double wanted() const { return wanted_; }
+  void goTo(double share);
+  /// What the two are called.
+  const std::string& name(int state) const { return names_[std::size_t(state)]; }
+
+ private:
+  void forget();
+  void take(Application& app);
+  void begin(Application& app);
+
+  SecondState then_;                          // what states_ was made of, with
+  std::shared_ptr<const Molecule> molecule_;  // the first state's
+  std::future<Expected<TwoStates>> reading_;
+  std::shared_ptr<const TwoStates> states_;
+  std::shared_ptr<const Molecule> begins_;  // with its atoms where a scene began that does not begin in the first state
+  double begins_share_ = 0.0;
+  std::array<std::string, 2> names_;
+  double share_ = 0.0, wanted_ = 0.0, per_s_ = 0.0;
+};
+
+}  // namespace moltact

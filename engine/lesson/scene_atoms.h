@@ -1,0 +1,24 @@
+// Which atoms of its molecule a scene hides from the eye and from the hand. Any thread but the haptic one.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/lesson/lesson.h"
+#include "engine/molecule/molecule.h"
+
+namespace moltact {
+
+/// Atoms that are not drawn: those of `hide` and `remove`, ascending.
+std::vector<std::uint32_t> hiddenAtoms(const SceneSpec& scene, const Molecule& molecule);
+
+/// Atoms that nothing feels: those of `untouchable` and `remove`, ascending.
+std::vector<std::uint32_t> untouchableAtoms(const SceneSpec& scene, const Molecule& molecule);
+
+/// Those of a selection that the scene has not taken out by `remove`, ascending.
+std::vector<std::uint32_t> presentAtoms(const Selection& atoms, const SceneSpec& scene, const Molecule& molecule);
+
+/// The atoms of either list, ascending; both must be so.
+std::vector<std::uint32_t> atomsOfEither(const std::vector<std::uint32_t>& a, const std::vector<std::uint32_t>& b);
+
+}  // namespace moltact

@@ -1,0 +1,39 @@
+// The shapes of a style: what stands for some atoms of a molecule in a picture or an exported model. Pure functions; any
+// thread but the haptic one. Units: angstrom.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "engine/core/ball.h"
+#include "engine/molecule/draw_style.h"
+#include "engine/molecule/molecule.h"
+#include "engine/render/mesh_piece.h"
+#include "engine/render/solvent_excluded.h"
+
+namespace moltact {
+
+/// A ball of the style's own size at an atom.
+struct SmallBall {
+  std::uint32_t atom;
+  float radius_A;
+  glm::vec4 wide{0.0f};  ///< OcclusionField::wideRound in the style's own light, once that is known
+};
+
+struct StyleShapes {
+  MeshPiece piece;
+  std::vector<SmallBall> balls;  ///< empty for Spheres, which have the atoms' radii
+  std::vector<Ball> shading;     ///< what stands in the light's way
+};
+
+/// The surface that a probe of this radius (at least 0.2) can reach of the atoms for which `shown` says so; its owners are
+/// atoms of the molecule.
+SolventExcluded surfaceOf(const Molecule& molecule, std::span<const std::uint8_t> shown, double probe_A);
+
+/// The shapes of those atoms in their colours (packColour). `surface` is surfaceOf() of the same atoms, for that style
+/// alone.
+StyleShapes shapesOf(DrawStyle style, const Molecule& molecule, std::span<const std::uint8_t> shown,
+                     std::span<const std::uint32_t> colours, const SolventExcluded& surface);
+
+}  // namespace moltact

@@ -1,0 +1,57 @@
+// What a scene takes from the eye and from the hand: the keys, what they select, what the check says of tasks on it, and
+// that tasks and scripted hands go by it.
+#include "engine/lesson/scene_atoms.h"
+
+#include <doctest/doctest.h>
+
+#include "engine/lesson/check.h"
+#include "engine/lesson/reader.h"
+#include "tests/lesson/small_molecules.h"
+
+using namespace moltact;
+
+namespace {
+
+const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix\nauthor: A\nlicence: L\n---\n";
+
+using Atoms = std::vector<std::uint32_t>;
+
+std::vector<std::string> errors(const std::string& body) {
+  const auto mix = [](const NamedMolecule&) -> Expected<std::shared_ptr<const Molecule>> {
+    return std::make_shared<const Molecule>(mixedMolecule());
+  };
+  std::vector<std::string> out;
+  for (const Problem& p : checkLesson("l.md", kHead + body, mix).errors) out.push_back(p.text());
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "'hide' is for the eye, 'untouchable' for the hand, 'remove' for both, each until 'none' or another molecule") {
+  const LessonReading reading = readLessonText(
+      "l.md", kHead +
+                  "## A\n```scene\nmolecule: mix\nhide: name CA\nuntouchable: ligand\nremove: element Zn\n```\n"
+                  "## B\n```scene\nprobe: 1 Å\n```\n## C\n```scene\nuntouchable: none\nremove: none\n```\n"
+                  "## D\n```scene\nmolecule: mix\n```\n");
+  REQUIRE(reading.lesson);
+  const Molecule mix = mixedMolecule();
+  const auto& steps = reading.lesson->steps;
+  for (const std::size_t k : {0u, 1u}) {
+    CHECK(hiddenAtoms(steps[k].scene, mix) == Atoms{1, 4, 9});
+    CHECK(untouchableAtoms(steps[k].scene, mix) == Atoms{6, 7, 9});
+  }
+  CHECK(hiddenAtoms(steps[2].scene, mix) == Atoms{1, 4});
+  CHECK(untouchableAtoms(steps[2].scene, mix).empty());
+  CHECK(hiddenAtoms(steps[3].scene, mix).empty());
+}
+
+TEST_CASE("a task on atoms of which none can be touched is told at its place; one on atoms of which some can is not") {
+  const std::string scene = "## S\n```scene\nmolecule: mix\nuntouchable: ligand\n```\n";
+  CHECK(errors(scene + "```touch\nreach: name FE\nsay: Touch it.\n```\n") ==
+        std::vector<std::string>{
+            "l.md:15:8: nothing of this can be touched: the scene takes it from the hand; name other "
+            "atoms, or change the scene's 'untouchable' or 'remove'"});
+  CHECK(errors(scene + "```touch\nreach: name FE or name CA\nsay: Touch it.\n```\n").empty());
+  CHECK(errors("## S\n```scene\nmolecule: mix\nremove: residue 999\n```\nText.\n").size() == 1);
+}

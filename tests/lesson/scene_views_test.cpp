@@ -1,0 +1,169 @@
+// Views with names, the cut, the second structure of a scene, and links that change what it shows: as they are read, and
+// what the check says of mistakes in them.
+#include <doctest/doctest.h>
+
+#include "engine/lesson/check.h"
+#include "engine/lesson/lesson_region.h"
+#include "engine/lesson/reader.h"
+#include "engine/lesson/scene_link.h"
+#include "engine/lesson/second_state.h"
+#include "tests/lesson/small_molecules.h"
+
+using namespace moltact;
+
+namespace {
+
+const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, shut\nauthor: A\nlicence: L\n---\n";
+
+// A bend of five residues; shut, the last has moved by 4 A.
+Molecule bend(double last_y) {
+  MoleculeBuilder b;
+  for (int k = 0; k < 5; ++k)
+    b.residue("A", "GLY", k + 1, ResidueKind::AminoAcid)
+        .atom("CA", 6,
+              {3.8 * k,
+               k == 4  ? last_y
+               : k % 2 ? 1.0
+                       : 0.0,
+               k == 2 ? 1.5 : 0.0});
+  return b.molecule;
+}
+
+Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
+  if (named.name == "mix") return std::make_shared<const Molecule>(bend(0.0));
+  if (named.name == "shut") return std::make_shared<const Molecule>(bend(4.0));
+  if (named.name == "other") return std::make_shared<const Molecule>(mixedMolecule());
+  return Problem{{}, 0, 0, "there is no molecule '" + named.name + "'", {}};
+}
+
+std::vector<std::string> errors(const std::string& body) {
+  std::vector<std::string> out;
+  for (const Problem& p : checkLesson("l.md", kHead + body, molecules).errors)
+    if (p.message.find("no scene uses") == std::string::npos) out.push_back(p.text());
+  return out;
+}
+
+SceneSpec sceneOf(const std::string& keys) {
+  LessonReading reading = readLessonText("l.md", kHead + "## S\n```scene\nmolecule: mix\n" + keys + "```\n");
+  for (const Problem& p : reading.errors) INFO(p.text());
+  REQUIRE(reading.lesson);
+  return reading.lesson->steps[0].scene;
+}
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+TEST_CASE("a view is a side, atoms to the front or angles, and comes close to atoms behind 'zoom'") {
+  CHECK(sceneOf("view: top, zoom residue 2\n").view.side == "top");
+  CHECK(sceneOf("view: top, zoom residue 2\n").view.zoom.text() == "residue 2");
+  const ViewSpec facing = sceneOf("view: facing residue 1, zoom residue 1 or name \"A,B\"\n").view;
+  CHECK((facing.side.empty() && facing.facing.text() == "residue 1" &&
+         facing.zoom.text() == "residue 1 or name \"A,B\""));
+  const ViewSpec turned = sceneOf("view: turned 30° -10.5\n").view;
+  REQUIRE(turned.turned_deg);
+  CHECK(*turned.turned_deg == std::array{30.0, -10.5, 0.0});
+  const ViewSpec close = sceneOf("view: zoom residue 2\n").view;
+  CHECK((close.side == "side" && close.zoom.text() == "residue 2"));
+  const auto part = zoomedRegion(close, SceneSpec(), bend(0.0), 1.4);
+  REQUIRE(part);
+  CHECK(glm::distance(part->centre.A, Vec3(3.8, 1, 0)) < 1e-12);
+  CHECK(part->radius_A == doctest::Approx(1.7 + 1.4));
+}
+
+TEST_CASE(
+    "views keep their names and order; one of a later scene takes the place of its namesake, a molecule begins anew") {
+  const LessonReading reading = readLessonText(
+      "l.md",
+      kHead +
+          "## A\n```scene\nmolecule: mix\nview the Cleft: top\nview back: back\n```\n"
+          "## B\n```scene\nview the cleft: bottom\nview third: left\n```\n## C\n```scene\nmolecule: shut\n```\n");
+  REQUIRE(reading.lesson);
+  const auto& steps = reading.lesson->steps;
+  REQUIRE(steps[0].scene.views.size() == 2);
+  CHECK(steps[0].scene.views[0].name == "the Cleft");
+  REQUIRE(steps[1].scene.views.size() == 3);
+  REQUIRE(findView(steps[1].scene, "the-cleft"));
+  CHECK(findView(steps[1].scene, "the-cleft")->view.side == "bottom");
+  CHECK(steps[2].scene.views.empty());
+}
+
+TEST_CASE("mistakes in views are told at their places") {
+  const auto scene = [](const std::string& keys) {
+    return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
+  };
+  CHECK(scene("view: tpo\n") == Texts{"l.md:12:7: 'view' cannot be 'tpo'; did you mean 'top'?"});
+  CHECK(
+      scene("view a: top, zooom residue 1\n") ==
+      Texts{
+          "l.md:12:14: 'zooom residue 1' is not understood after the comma; write 'zoom' and the atoms, as in 'front, "
+          "zoom ligand'"});
+  CHECK(scene("view: turned 30\n").size() == 1);
+  CHECK(scene("view: turned 30 10 0 5\n").size() == 1);
+  CHECK(scene("view a: top, zoom residue 99\n").size() == 1);
+  CHECK(scene("view a: top\nview a: left\n") == Texts{"l.md:13:1: 'view a' is given twice; take one of the two out"});
+  CHECK(scene("view a b: top\nview a-b: left\n").size() == 1);
+  CHECK(scene("viw a: top\n").size() == 1);
+}
+
+TEST_CASE("links to views, atoms and states are checked against the scene of their step") {
+  const std::string scene =
+      "## S\n```scene\nmolecule: mix\nview the cleft: top\nthen: shut\nstates: open, all shut\n```\n";
+  CHECK(errors(scene + "[a](#view:the-cleft) [b](<#zoom:residue 1 2>) [c](#state:all-shut) [d](#state:40%) "
+                       "[e](<#state:open>)\n")
+            .empty());
+  CHECK(errors(scene + "[a](#view:the-clift)\n") ==
+        Texts{"l.md:16:5: the scene has no view 'the-clift'; did you mean 'the-cleft'?"});
+  CHECK(errors(scene + "[a](<#zoom:residue 77>)\n").size() == 1);
+  CHECK(errors(scene + "[a](<#zoom:residoo 1>)\n").size() == 1);
+  CHECK(errors(scene + "[a](#state:ajar)\n").size() == 1);
+  CHECK(errors("## S\n```scene\nmolecule: mix\n```\n[a](#state:50%)\n").size() == 1);
+}
+
+TEST_CASE("'cut' is 'none', the middle or atoms, and goes on until a scene says otherwise") {
+  CHECK_FALSE(sceneOf("").cut);
+  CHECK((sceneOf("cut: middle\n").cut && !sceneOf("cut: middle\n").cut_at.given()));
+  CHECK(sceneOf("cut: residue 3\n").cut_at.text() == "residue 3");
+  const LessonReading reading = readLessonText(
+      "l.md", kHead + "## A\n```scene\nmolecule: mix\ncut: residue 3\n```\n## B\n```scene\ncut: none\n```\n");
+  REQUIRE(reading.lesson);
+  CHECK((!reading.lesson->steps[1].scene.cut && !reading.lesson->steps[1].scene.cut_at.given()));
+}
+
+TEST_CASE("a second structure has names for both states and a place to begin; it is read as the first is") {
+  const SceneSpec scene =
+      sceneOf("waters: yes\nthen: shut, superposed on residue 1-4\nstates: open, shut\nstate: shut\n");
+  CHECK((secondMolecule(scene).name == "shut" && secondMolecule(scene).reading.waters));
+  CHECK(scene.then.superposed_on.text() == "residue 1-4");
+  CHECK(scene.then.share == 1.0);
+  CHECK((stateName(scene, 0) == "open" && stateName(scene, 1) == "shut"));
+  CHECK(sceneOf("then: shut\nstate: 25%\n").then.share == 0.25);
+  CHECK(stateName(sceneOf("then: shut\n"), 1) == "shut");
+  const auto states = statesOf(scene, bend(0.0), bend(4.0));
+  REQUIRE(states);
+  CHECK(states->fit.fitted == 4);
+  CHECK(glm::distance(states->second[4].centre_A, Vec3(15.2, 4, 0)) < 1e-9);
+  CHECK(glm::distance(movedTo(bend(0.0), states->at(0.5)).atoms[4].position.A, Vec3(15.2, 2, 0)) < 1e-9);
+}
+
+TEST_CASE("mistakes in the second structure are told") {
+  const auto scene = [](const std::string& keys) {
+    return errors("## S\n```scene\nmolecule: mix\n" + keys + "```\nText.\n");
+  };
+  CHECK(scene("then: shut\n").empty());
+  const Texts misspelt = scene("then: sht\n");
+  REQUIRE_FALSE(misspelt.empty());
+  CHECK(misspelt[0] == "l.md:12:7: 'sht' is not among the lesson's molecules; did you mean 'shut'?");
+  CHECK(scene("then: shut, superposed on residue 88\n").size() == 1);
+  CHECK(scene("then: shut\nstates: open\n").size() == 1);
+  CHECK(scene("then: shut\nstate: ajar\n").size() == 1);
+  CHECK(scene("then: shut\nstate: 140%\n").size() == 1);
+  CHECK(scene("state: 40%\n").size() == 1);
+  const std::string other = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, other\nauthor: A\nlicence: L\n---\n";
+  const LessonCheck apart =
+      checkLesson("l.md", other + "## S\n```scene\nmolecule: mix\nthen: other\n```\nText.\n", molecules);
+  REQUIRE(apart.errors.size() == 1);
+  CHECK(apart.errors[0].text() ==
+        "l.md:12:7: only 0 atoms are in both structures; take two structures of one molecule, with the same chains and "
+        "residue numbers");
+}
