@@ -72,9 +72,10 @@ fs::path fileNamed(const fs::path& folder, const std::string& name) {
 Problem unknown(const std::string& name, const std::vector<CatalogueEntry>& entries) {
   const std::string wanted = lower(name);
   std::string nearest;
-  std::size_t distance = 4;  // farther than three letters is no likeness
+  std::size_t distance = 4;  // farther than three letters, or than half of them, is no likeness
   for (const CatalogueEntry& e : entries)
-    if (const std::size_t d = editDistance(wanted, e.id); d < distance && d < std::max(wanted.size(), e.id.size())) {
+    if (const std::size_t d = editDistance(wanted, e.id);
+        d < distance && 2 * d <= std::max(wanted.size(), e.id.size())) {
       distance = d;
       nearest = e.id;
     }

@@ -1,8 +1,7 @@
 // A window that is never shown gives the context; Windows has none without one.
-#include <windows.h>
-// after windows.h
 #include <epoxy/gl.h>
 #include <epoxy/wgl.h>
+#include <windows.h>
 
 #include <system_error>
 
@@ -26,7 +25,7 @@ HWND hiddenWindow() {
     wanted.style = CS_OWNDC;
     wanted.lpfnWndProc = DefWindowProcW;
     wanted.hInstance = GetModuleHandleW(nullptr);
-    wanted.lpszClassName = L"moltact off-screen";
+    wanted.lpszClassName = L"moltact_offscreen";
     return RegisterClassW(&wanted);
   }();
   return CreateWindowW(MAKEINTATOM(kind), L"", WS_OVERLAPPED, 0, 0, 16, 16, nullptr, nullptr, GetModuleHandleW(nullptr),

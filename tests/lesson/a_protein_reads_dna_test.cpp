@@ -2,6 +2,8 @@
 // so in the entry.
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <optional>
 #include <tuple>
 
 #include "tests/lesson/shipped_hand.h"
@@ -108,12 +110,32 @@ TEST_CASE("the way down the groove is passed by a hand that slides, by none that
   const Lesson lesson = shippedLesson(kLesson);
   const ShippedScene bare("1a1f-dna");
   const TaskSpec& spec = taskOf(lesson, "take-the-fingers-away", "trace");
-  const std::vector<std::string> way{"residue 2 and name O6", "residue 4 and name O6", "residue 6 and name O6",
-                                     "residue 8 and name O6"};
-  // From where the lesson looks, the back.
-  const Vec3 out(0, 0, -1);
-  CHECK(passes(spec, bare, way, out, false));
-  CHECK_FALSE(passes(spec, bare, way, out, true));
-  CHECK_FALSE(passes(spec, bare, {way[1]}, out, false));
-  CHECK_FALSE(passes(spec, bare, {way[3], way[2], way[1], way[0]}, out, false));
+  std::vector<std::string> way;
+  for (const char* edge : {"2 and name O6", "3 and name N4", "4 and name O6", "5 and name O4", "6 and name O6",
+                           "7 and name O6", "8 and name O6"})
+    way.push_back(std::string("residue ") + edge);
+  // Each is touched from the side on which it lies most open, for the groove winds.
+  const auto done = [&](const std::vector<std::string>& atoms, bool jabbing) {
+    const std::unique_ptr<Task> task = makeTask(spec, *bare.molecule);
+    Hand hand{*task};
+    std::optional<Vec3> last_A;
+    for (const std::string& name : atoms) {
+      Vec3 open(0.0);
+      for (const SurfacePlace& p : bare.places(name, 1.4, 600))
+        if (openFromOutside(bare.balls, p, 1.4)) open += p.outward;
+      const std::vector<std::int32_t> atom{static_cast<std::int32_t>(bare.select(name).at(0))};
+      const Vec3 place_A = restingOn(bare, name, glm::normalize(open), 1.4);
+      if (jabbing)
+        hand.away(0.5);
+      else if (last_A)
+        hand.slide(atom, *last_A, place_A);
+      hand.touch(atom, 0.3, 0.5, place_A);
+      last_A = place_A;
+    }
+    return task->done();
+  };
+  CHECK(done(way, false));
+  CHECK_FALSE(done(way, true));
+  CHECK_FALSE(done({way[2]}, false));
+  CHECK_FALSE(done({way.rbegin(), way.rend()}, false));
 }

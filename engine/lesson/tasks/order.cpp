@@ -208,7 +208,7 @@ void checkOrder(const TaskSpec& spec, std::vector<Problem>& problems) {
 }
 
 // What the atoms themselves tell: places that are the same, and sizes in the order that is written.
-void checkPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
+void checkOrderedPlaces(const TaskSpec& spec, const Molecule& molecule, std::vector<Problem>& problems) {
   const Value& order = spec.values["order"];
   std::vector<std::vector<std::uint32_t>> atoms;
   std::vector<double> radii_A;
@@ -282,7 +282,7 @@ TaskKind orderKind() {
         .words = {"on", "off"}}},
       [](const TaskSpec& s, const Molecule& m) -> std::unique_ptr<Task> { return std::make_unique<Order>(s, m); },
       &checkOrder,
-      &checkPlaces};
+      &checkOrderedPlaces};
 }
 
 }  // namespace moltact

@@ -113,7 +113,10 @@ void drawMoreBelow(Application& app, const LessonSession& session, const Rectang
   const ImVec2 size = ImGui::CalcTextSize(text);
   const float high = size.y + l.px(8), wide = size.x + l.px(40), x = 0.5f * (shown.low.x + shown.high.x - wide),
               y = shown.high.y - high - l.px(4);
+  // A window of its own lies over that of the text.
   ImGui::SetCursorScreenPos({x, y});
+  ImGui::BeginChild("more", {wide, high}, false,
+                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
   if (ImGui::InvisibleButton("more below", {wide, high}))
     app.panels.lesson_scroll = 0.7f * (shown.high.y - shown.low.y);
   ImDrawList* draw = ImGui::GetWindowDrawList();
@@ -122,6 +125,7 @@ void drawMoreBelow(Application& app, const LessonSession& session, const Rectang
   draw->AddText({x + l.px(12), y + l.px(4)}, l.palette.text, text);
   drawIcon(draw, Icon::ChevronDown, {x + wide - l.px(14), y + 0.5f * high}, l.px(12), l.palette.text);
   recordRectangle("lesson/more", {x, y}, {x + wide, y + high}, text);
+  ImGui::EndChild();
 }
 
 /// A link that leads to no step: to another lesson, or out of the program.
