@@ -83,6 +83,8 @@ class Check {
 
   void selects(const Selection& selection, Place place, const Molecule& molecule) {
     if (!selection.given() || findings_.enough()) return;
+    // A scene that goes on from the one before selects nothing anew.
+    if (!told_.insert({selection.text(), place.line, place.column}).second) return;
     const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
     if (selection.select(molecule).empty()) {
       Problem why = selection.whyEmpty(molecule);
@@ -97,7 +99,7 @@ class Check {
   const MoleculeByName& by_name_;
   Findings& findings_;
   std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name, reading
-  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // what was looked up at which place
 };
 
 }  // namespace
