@@ -119,6 +119,8 @@ class Check {
   void selects(const Selection& selection, Place place, const Molecule& molecule,
                const std::vector<std::uint32_t>& untouchable = {}) {
     if (!selection.given() || findings_.enough()) return;
+    // A scene that goes on from the one before selects nothing anew.
+    if (!told_.insert({selection.text(), place.line, place.column}).second) return;
     const auto at = [&](const Problem& p) { return Place{place.line, place.column + p.column - 1}; };
     const std::vector<std::uint32_t> atoms = selection.select(molecule);
     if (atoms.empty()) {
@@ -139,7 +141,7 @@ class Check {
   const MoleculeByName& by_name_;
   Findings& findings_;
   std::map<std::pair<std::string, std::string>, Expected<std::shared_ptr<const Molecule>>> found_;  // by name, reading
-  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // the places where a missing molecule was named
+  std::set<std::tuple<std::string, std::size_t, std::size_t>> told_;  // what was looked up at which place
 };
 
 }  // namespace
