@@ -17,7 +17,7 @@ const std::string kHead = "---\ntitle: T\nminutes: 5\ngoals: G\nmolecules: mix, 
 
 // A bend of five residues; shut, the last has moved by 4 A.
 Molecule bend(double last_y) {
-  MoleculeBuilder b;
+  MoleculeByHand b;
   for (int k = 0; k < 5; ++k)
     b.residue("A", "GLY", k + 1, ResidueKind::AminoAcid)
         .atom("CA", 6,

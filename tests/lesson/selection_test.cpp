@@ -65,7 +65,7 @@ TEST_CASE("within agrees with a loop over all pairs of 400 random atoms") {
   CAPTURE(seed);
   std::mt19937_64 random(seed);
   std::uniform_real_distribution<double> coordinate(-15, 15);
-  MoleculeBuilder b;
+  MoleculeByHand b;
   for (int i = 0; i < 400; ++i)
     b.atom("C", i % 10 == 0 ? 8 : 6, {coordinate(random), coordinate(random), coordinate(random)});
   const auto& all = b.molecule.atoms;

@@ -9,10 +9,10 @@
 namespace moltact {
 
 /// Builds up residues and atoms one after the other; a new chain or residue starts where its name or number changes.
-struct MoleculeBuilder {
+struct MoleculeByHand {
   Molecule molecule;
 
-  MoleculeBuilder& residue(std::string chain, std::string name, int number, ResidueKind kind, char insertion = ' ') {
+  MoleculeByHand& residue(std::string chain, std::string name, int number, ResidueKind kind, char insertion = ' ') {
     if (molecule.chains.empty() || molecule.chains.back().name != chain)
       molecule.chains.push_back({std::move(chain), static_cast<std::uint32_t>(molecule.residues.size()), 0});
     ++molecule.chains.back().residue_count;
@@ -21,7 +21,7 @@ struct MoleculeBuilder {
                                  static_cast<std::uint32_t>(molecule.atoms.size()), 0, kind});
     return *this;
   }
-  MoleculeBuilder& atom(std::string_view name, int atomic_number, Vec3 place, double radius_A = 1.7) {
+  MoleculeByHand& atom(std::string_view name, int atomic_number, Vec3 place, double radius_A = 1.7) {
     Atom a;
     a.position = {place};
     a.radius_A = radius_A;
@@ -39,7 +39,7 @@ struct MoleculeBuilder {
 /// Chain A: ASP 52 (N CA C O at x = 0 1 2 3) and ASP 52A (CA at x = 10); chain B: DA -1 (P at x = 20); HEM 1 (FE at x =
 /// 6, NA at x = 7), water (O at x = 30), ZN (at x = 40).
 inline Molecule mixedMolecule() {
-  MoleculeBuilder b;
+  MoleculeByHand b;
   b.molecule.id = "mix";
   b.residue("A", "ASP", 52, ResidueKind::AminoAcid)
       .atom("N", 7, {0, 0, 0})

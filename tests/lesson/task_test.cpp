@@ -163,7 +163,7 @@ TEST_CASE("cross in either direction keeps the names that its author gives, on w
 }
 
 TEST_CASE("the one crease between start and end is found among more than 400 roomier ones") {
-  MoleculeBuilder b;
+  MoleculeByHand b;
   for (int k = 0; k < 60; ++k) b.atom("C", 6, {4.0 * k, 0, 0});
   b.atom("O", 8, {122, 3.5, 0});
   auto t = task("cross", {{"cross", "element C"}, {"to", "element O"}}, b.molecule);

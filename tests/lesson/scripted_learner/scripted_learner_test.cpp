@@ -30,7 +30,7 @@ std::shared_ptr<const Lesson> lesson(const std::string& body) {
 /// on a floor behind its middle, which a probe of 2.25 A just comes to.
 Expected<std::shared_ptr<const Molecule>> molecules(const NamedMolecule& named) {
   const std::string& name = named.name;
-  MoleculeBuilder b;
+  MoleculeByHand b;
   if (name == "pair")
     b.atom("AR", 18, {-1.88, 0, 0}, 1.88).atom("AR", 18, {1.88, 0, 0}, 1.88);
   else if (name == "cage")

@@ -10,7 +10,7 @@ namespace {
 
 /// Two balls of 1.88 A, 3.76 A apart on the x axis.
 Molecule pair() {
-  MoleculeBuilder b;
+  MoleculeByHand b;
   b.atom("AR", 18, {-1.88, 0, 0}, 1.88).atom("AR", 18, {1.88, 0, 0}, 1.88);
   return b.molecule;
 }
@@ -124,7 +124,7 @@ TEST_CASE(
     "a place of several atoms is reached at the first of its atoms that is touched, though its middle is 2 A farther "
     "on") {
   // Three rows of three atoms, 2 A apart, round x = 0, 10 and 20 A.
-  MoleculeBuilder b;
+  MoleculeByHand b;
   for (const double x : {0.0, 10.0, 20.0})
     for (const double by : {-2.0, 0.0, 2.0}) b.atom("C", 6, {x + by, 0, 0});
   auto t =
@@ -141,7 +141,7 @@ TEST_CASE(
 }
 
 TEST_CASE("touching the last of the places does not finish a way whose middle was left out") {
-  MoleculeBuilder b;
+  MoleculeByHand b;
   for (const double x : {0.0, 20.0, 40.0})
     for (const double by : {-1.0, 1.0}) b.atom("C", 6, {x + by, 0, 0});
   auto t = task("trace", {{"trace", "atom 0-1 then atom 2-3 then atom 4-5"}}, b.molecule);
