@@ -9,9 +9,9 @@
 namespace moltact {
 namespace {
 
-constexpr int kFaceDirections = 100;  // round each atom
-constexpr int kWays = 64;             // from outside to a place
-constexpr double kSpacing_A = 0.2;    // of places in a crease
+constexpr int kFaceDirections = 100;        // round each atom
+constexpr int kWays = 64;                   // from outside to a place
+constexpr double kPassableSpacing_A = 0.2;  // of places in a crease
 constexpr double kLift_A = 1e-4;
 constexpr double kAway = 0.02;   // a way leads away from the atoms that hold the place: cosine at least this
 constexpr double kGrid_A = 0.1;  // of lines through a ring
@@ -59,7 +59,7 @@ std::vector<SurfacePlace> comesTo(const BallScene& scene, std::span<const std::u
   std::vector<std::uint32_t> around;
   for (std::uint32_t a = 0; a < near.size(); ++a)
     if (near[a]) around.push_back(a);
-  take(creasePlaces(scene, around, probe_A, kSpacing_A));
+  take(creasePlaces(scene, around, probe_A, kPassableSpacing_A));
   if (out.empty() || !first_only) take(pitPlaces(scene, around, probe_A));
   return out;
 }

@@ -17,12 +17,12 @@ struct PlaceWords {
   std::string_view word, label;
   char key;
 };
-constexpr std::array<PlaceWords, kMostPlaces> kPlaces{{{"place-1", N_("Place 1"), '1'},
-                                                       {"place-2", N_("Place 2"), '2'},
-                                                       {"place-3", N_("Place 3"), '3'},
-                                                       {"place-4", N_("Place 4"), '4'},
-                                                       {"place-5", N_("Place 5"), '5'},
-                                                       {"place-6", N_("Place 6"), '6'}}};
+constexpr std::array<PlaceWords, kMostPlaces> kPlaceWords{{{"place-1", N_("Place 1"), '1'},
+                                                           {"place-2", N_("Place 2"), '2'},
+                                                           {"place-3", N_("Place 3"), '3'},
+                                                           {"place-4", N_("Place 4"), '4'},
+                                                           {"place-5", N_("Place 5"), '5'},
+                                                           {"place-6", N_("Place 6"), '6'}}};
 
 class Order : public Task {
  public:
@@ -103,7 +103,7 @@ class Order : public Task {
     std::vector<TaskButton> out;
     for (std::size_t k = 0; k < places_.size(); ++k)
       if (std::find(picked_.begin(), picked_.end(), k) == picked_.end())
-        out.push_back({kPlaces[k].word, kPlaces[k].label, kPlaces[k].key});
+        out.push_back({kPlaceWords[k].word, kPlaceWords[k].label, kPlaceWords[k].key});
     out.push_back({"again", N_("Feel them once more"), 'L'});
     return out;
   }
@@ -128,7 +128,7 @@ class Order : public Task {
       return;
     }
     for (std::size_t k = 0; k < places_.size(); ++k)
-      if (kPlaces[k].word == answer.word) picked_.push_back(k);
+      if (kPlaceWords[k].word == answer.word) picked_.push_back(k);
     setProgress(0.5 + 0.5 * double(picked_.size()) / double(places_.size()));
     if (picked_.size() + 1 < places_.size()) return;
     // What is left is the last.
@@ -170,7 +170,7 @@ class Order : public Task {
       return plan;
     }
     for (std::size_t k = 0; k < places_.size(); ++k)
-      if (shown_[k] == picked_.size()) plan.push_back({.answer = TaskAnswer{.word = std::string(kPlaces[k].word)}});
+      if (shown_[k] == picked_.size()) plan.push_back({.answer = TaskAnswer{.word = std::string(kPlaceWords[k].word)}});
     return plan;
   }
 

@@ -5,7 +5,6 @@
 
 #include "app/ui/application/application.h"
 #include "app/ui/extensions/extensions.h"
-#include "app/ui/panels/actions.h"
 #include "app/ui/widgets/controls.h"
 #include "app/ui/widgets/rich_text.h"
 #include "app/ui/widgets/theme.h"
@@ -129,7 +128,7 @@ void drawLessonEnd(Application& app, const LessonSession& session) {
                ButtonLook::Primary, width))
       app.extensions().shelf.begin(app, card);
   } else if (button("lesson/end/more", tr("More lessons"), ButtonLook::Primary, width)) {
-    findAction("welcome")->run(app);
+    app.panels.welcome = true;
   }
 }
 

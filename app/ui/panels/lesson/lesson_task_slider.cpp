@@ -14,7 +14,7 @@ void drawTaskSlider(Application& app, std::size_t index, const TaskSlider& asked
   const std::string name = "task/" + std::to_string(index) + "/slider";
   double value = asked.value;
   if (!slider(name.c_str(), tr(std::string(asked.name).c_str()), value, asked.least, asked.most, asked.step,
-              {asked.dimension, {decimals(1)}}))
+              {asked.dimension, {decimals(1), {}}}))
     return;
   // The steps are counted from zero, so that the number that is shown is the one that is set.
   value = std::clamp(std::round(value / asked.step) * asked.step, asked.least, asked.most);
