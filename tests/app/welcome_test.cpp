@@ -50,7 +50,9 @@ TEST_CASE(
   std::filesystem::remove_all(top);
 }
 
-TEST_CASE("a click on a card opens its lesson; Escape leads back to the page and once more to the lesson") {
+TEST_CASE(
+    "a click on a card opens its lesson, which Escape does not leave; Ctrl+H leads to the page, and Escape back to the "
+    "lesson") {
   auto d = startAtWelcome();
   CHECK(d->click("welcome/lesson/first-touch"));
   d->frames(5);
@@ -58,6 +60,8 @@ TEST_CASE("a click on a card opens its lesson; Escape leads back to the page and
   CHECK(contains(d->text("lesson/place"), "Step 1 of"));
   CHECK(d->click("lesson/next"));
   d->tap("Escape");
+  CHECK_FALSE(d->shows("welcome/title"));
+  d->tap("Ctrl+H");
   CHECK(d->shows("welcome/title"));
   CHECK(contains(d->text("welcome/next"), "Back to First touch"));
   d->tap("Escape");
@@ -70,7 +74,7 @@ TEST_CASE("arrow keys and Enter alone open the first lesson, and a molecule far 
   d->tap("Enter");
   d->frames(5);
   CHECK(contains(d->text("lesson/title"), "First touch"));
-  d->tap("Escape");
+  d->tap("Ctrl+H");
   for (int k = 0; k < 60; ++k) d->tap("Right");  // to the last card
   d->tap("Enter");
   d->frames(5);

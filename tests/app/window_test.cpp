@@ -201,8 +201,8 @@ TEST_CASE("a molecule of the library opens from the File menu") {
 TEST_CASE("the probe's slider sets the radius, and the shape switches change the picture") {
   auto d = startWith();
   d->drag("probe", 400, 0);
-  CHECK(d->app().scene.servo_settings.probe_A == doctest::Approx(4.0));
-  CHECK(d->text("probe") == "4.0\u00a0Å");
+  CHECK(d->app().scene.servo_settings.probe_A == doctest::Approx(6.0));
+  CHECK(d->text("probe") == "6.0\u00a0Å");
   const Picture before = d->picture();
   const bool spheres = d->app().scene.shown.has(ViewPart::Spheres);
   CHECK(d->click("show/spheres"));

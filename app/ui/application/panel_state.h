@@ -35,6 +35,7 @@ struct PanelState : KeyFocus {
   float lesson_task_height = 0.0f;      ///< of its card, which does not shrink while the task goes on (unit: pixel)
   float lesson_task_width = 0.0f;       ///< with which that height was needed
   float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
+  bool lesson_more_below = false;       ///< some of the lesson's text lies below what is shown of it
   float lesson_scroll = 0.0f;           ///< the lesson's text is to go on by so much (unit: pixel)
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,
        turns_page = false, zoom_page = false, reading_page = false;

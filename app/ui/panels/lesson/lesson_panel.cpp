@@ -101,31 +101,28 @@ std::size_t hintsIn(const std::vector<Block>& blocks) {
       std::count_if(blocks.begin(), blocks.end(), [](const Block& b) { return std::holds_alternative<Tip>(b); }));
 }
 
-/// Over the lower edge of the text while some of it lies below: what stands there; a click goes on by a page.
-void drawMoreBelow(Application& app, const LessonSession& session, const Rectangle& shown, float hidden) {
+float moreBelowHeight() { return look().tx(17) + look().px(12); }
+
+/// In a strip of its own under the text while some of it lies below: what stands there; a click goes on by a page.
+void drawMoreBelow(Application& app, const LessonSession& session, const Rectangle& text_shown) {
   const Look& l = look();
-  if (hidden < l.px(24)) return;
   bool asks = false;
   for (std::size_t q = 0; q < session.step().questions.size(); ++q)
-    asks = asks || (session.question(q).attempts == 0 && app.panels.lesson_question_y > shown.high.y);
+    asks = asks || (session.question(q).attempts == 0 && app.panels.lesson_question_y > text_shown.high.y);
   const char* text = asks ? tr("A question stands below") : tr("More below");
   const WithFont small(Font::Small);
   const ImVec2 size = ImGui::CalcTextSize(text);
-  const float high = size.y + l.px(8), wide = size.x + l.px(40), x = 0.5f * (shown.low.x + shown.high.x - wide),
-              y = shown.high.y - high - l.px(4);
-  // A window of its own lies over that of the text.
+  const float high = size.y + l.px(8), wide = size.x + l.px(40),
+              x = 0.5f * (text_shown.low.x + text_shown.high.x - wide), y = text_shown.high.y + l.px(2);
   ImGui::SetCursorScreenPos({x, y});
-  ImGui::BeginChild("more", {wide, high}, false,
-                    ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoBackground);
   if (ImGui::InvisibleButton("more below", {wide, high}))
-    app.panels.lesson_scroll = 0.7f * (shown.high.y - shown.low.y);
+    app.panels.lesson_scroll = 0.7f * (text_shown.high.y - text_shown.low.y);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->AddRectFilled({x, y}, {x + wide, y + high}, asks ? l.palette.accent_soft : l.palette.raised, 0.5f * high);
   draw->AddRect({x, y}, {x + wide, y + high}, l.palette.line, 0.5f * high);
   draw->AddText({x + l.px(12), y + l.px(4)}, l.palette.text, text);
   drawIcon(draw, Icon::ChevronDown, {x + wide - l.px(14), y + 0.5f * high}, l.px(12), l.palette.text);
   recordRectangle("lesson/more", {x, y}, {x + wide, y + high}, text);
-  ImGui::EndChild();
 }
 
 /// A link that leads to no step: to another lesson, or out of the program.
@@ -149,7 +146,8 @@ void drawLessonPanel(Application& app) {
   const Look& l = look();
   const float foot = l.tx(34) + l.px(12);
   const std::size_t before = session->stepIndex();
-  ImGui::BeginChild("text", {0, -foot});
+  const bool more_below = app.panels.lesson_more_below;
+  ImGui::BeginChild("text", {0, -foot - (more_below ? moreBelowHeight() : 0.0f)});
   if (app.panels.lesson_step != before) {
     ImGui::SetScrollY(0.0f);
     app.panels.lesson_task = 0;
@@ -177,9 +175,11 @@ void drawLessonPanel(Application& app) {
   const ImVec2 text_low = ImGui::GetWindowPos(), text_size = ImGui::GetWindowSize();
   ImGui::EndChild();
   const ImVec2 foot_at = ImGui::GetCursorScreenPos();
-  drawMoreBelow(app, *session, {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}},
-                hidden);
-  ImGui::SetCursorScreenPos(foot_at);
+  if (more_below) {
+    drawMoreBelow(app, *session, {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}});
+    ImGui::SetCursorScreenPos({foot_at.x, foot_at.y + moreBelowHeight()});
+  }
+  app.panels.lesson_more_below = hidden >= l.px(24);
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRectFullScreen();
