@@ -174,6 +174,7 @@ TEST_CASE("a new molecule begins without what was felt of the old one, on the fr
     ScriptedUser::Options options;
     options.application.clock = clock;
     auto d = startWith("1ubq", options);
+    d->frames(3);
     d->point("view");
     d->press();
     REQUIRE(untilTouching(*d, clock));
