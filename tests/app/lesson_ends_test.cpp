@@ -60,7 +60,11 @@ struct Opened {
 
 TEST_CASE("two goals stand at the start, and at the end with what was done: 1 task, 1 of 1 answers, 1 of 1 steps") {
   Opened o;
+  CHECK_FALSE(o.driver->shows("lesson/goal/1"));
+  CHECK(o.driver->click("lesson/goals"));
+  o.driver->frames(3);
   CHECK(o.driver->text("lesson/goal/1") == "Tell an end");
+  CHECK(o.driver->click("lesson/goals"));
   CHECK_FALSE(o.driver->shows("lesson/end"));
   o.driver->point("view");
   o.driver->press();

@@ -28,6 +28,7 @@ struct PanelState : KeyFocus {
   bool methods_first = false;           ///< which of the two is in front
   bool set_by_lesson = false;           ///< the lesson's step set touch and methods, so that another sets them back
   std::size_t hints = 0;                ///< so many of the current step's hints are open, the first ones
+  bool lesson_goals = false;            ///< the goals at the lesson's start are open
   bool lesson_problems = false;         ///< the list of what is wrong with the lesson's file
   float lesson_problems_height = 0.0f;  ///< of that list, as it was last drawn (unit: pixel)
   bool arrows_draw = false;             ///< in this frame the arrow keys lead a pen in the lesson and not the probe

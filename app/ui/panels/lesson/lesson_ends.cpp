@@ -72,10 +72,11 @@ const LessonCard* nextOnShelf(Application& app) {
 
 }  // namespace
 
-void drawLessonGoals(const LessonSession& session) {
+void drawLessonGoals(Application& app, const LessonSession& session) {
   if (session.lesson().goals.empty()) return;
-  line("lesson/goals", tr("Afterwards you can:"), look().palette.quiet);
-  drawGoals(session, "lesson/goal", Icon::None, look().palette.accent);
+  // Closed at first: the first task is to be in view.
+  disclosure("lesson/goals", tr("What you can do afterwards"), app.panels.lesson_goals);
+  if (app.panels.lesson_goals) drawGoals(session, "lesson/goal", Icon::None, look().palette.accent);
   ImGui::Spacing();
 }
 

@@ -8,7 +8,7 @@ class Application;
 class LessonSession;
 
 /// What a student can do afterwards, as the author wrote it.
-void drawLessonGoals(const LessonSession& session);
+void drawLessonGoals(Application& app, const LessonSession& session);
 
 /// Below the last step, once all is done: the goals, what was done and felt, the way taken, and what comes next.
 void drawLessonEnd(Application& app, const LessonSession& session);

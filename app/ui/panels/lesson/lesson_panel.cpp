@@ -165,7 +165,7 @@ void drawLessonPanel(Application& app) {
   ImGui::Spacing();
   std::string link;
   app.panels.lesson_question_y = 0.0f;
-  if (before == 0) drawLessonGoals(*session);
+  if (before == 0) drawLessonGoals(app, *session);
   if (before == 0) link = drawLessonBlocks(app, session->lesson().introduction, "lesson/intro", 0);
   if (const std::string other = drawLessonBlocks(app, session->step().blocks, "lesson", introduced); !other.empty())
     link = other;
