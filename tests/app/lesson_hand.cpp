@@ -112,9 +112,11 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
         push(depth_A * N_per_A());
       } else {
         if (glm::dot(front, d_.app().scene.camera.back()) < kSeen) {
+          // Put down again where it let go, with what comes next in sight.
+          const Vec3 left = plan[k - 1].to ? plan[k - 1].to->A : act.to->A;
           lift();
-          face(front);
-          pointAt(act.to->A);
+          face(front + outward(left));
+          pointAt(left);
           press();
         }
         lead(act.to->A, task);
