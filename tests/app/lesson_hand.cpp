@@ -112,12 +112,14 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
         push(depth_A * N_per_A());
       } else {
         if (glm::dot(front, d_.app().scene.camera.back()) < kSeen) {
-          // Put down again where it let go, with what comes next in sight.
-          const Vec3 left = plan[k - 1].to ? plan[k - 1].to->A : act.to->A;
-          lift();
-          face(front + outward(left));
-          pointAt(left);
-          press();
+          // A ridge may stand before the place: it is looked at from where it is to be seen.
+          const std::optional<Vec3> from = openFrom(act.to->A, front);
+          if (from) {
+            lift();
+            face(*from);
+            pointAt(act.to->A);
+            press();
+          }
         }
         lead(act.to->A, task);
       }
@@ -228,6 +230,24 @@ Vec3 LessonHand::outward(const Vec3& place_A) const {
     if (glm::length(way) < b.radius_A + probe_A + 0.3) sum += glm::normalize(way);
   });
   return glm::length(sum) > 1e-6 ? glm::normalize(sum) : d_.app().scene.camera.back();
+}
+
+std::optional<Vec3> LessonHand::openFrom(const Vec3& place_A, const Vec3& front) const {
+  constexpr double kFar_A = 40.0, kStep_A = 0.5, kOther = 0.95;
+  const double probe_A = d_.app().scene.servo_settings.probe_A;
+  const Vec3 now = d_.app().scene.camera.back();
+  for (const double share : {1.0, 0.75, 0.5, 0.25}) {
+    const Vec3 to = glm::normalize(share * front + (1.0 - share) * now);
+    bool open = glm::dot(to, now) < kOther;
+    for (double at_A = 1.0; at_A < kFar_A && open; at_A += kStep_A) {
+      const Vec3 here = place_A + at_A * to;
+      d_.app().scene.stage().balls->visitNear(here, probe_A, [&](std::uint32_t, const Ball& b) {
+        open = open && glm::distance(here, b.centre_A) >= b.radius_A + probe_A;
+      });
+    }
+    if (open) return to;
+  }
+  return std::nullopt;
 }
 
 void LessonHand::face(Vec3 direction) {
