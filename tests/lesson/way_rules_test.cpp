@@ -26,7 +26,7 @@ std::string answer(const std::string& lines) { return "```answer\n" + lines + "`
 
 // Three steps and an aside; a question with these lines in the second.
 std::string withRules(const std::string& lines) {
-  return "## A\n" + kScene + "## B\n" + kChoices + answer(lines) +
+  return "## A\nText.\n" + kScene + "## B\n" + kChoices + answer(lines) +
          "## C\nText.\n### Question: C?\n- [x] x\n- [ ] y\n## D\nText.\n## Aside: Why\nText.\n";
 }
 
@@ -270,8 +270,8 @@ TEST_CASE("each mistake in a condition is told at its line") {
     const LessonCheck found = checked(body);
     const std::vector<Problem>& told = m.warning ? found.warnings : found.errors;
     CHECK(std::any_of(told.begin(), told.end(), [&](const Problem& p) {
-      return p.line == lineOf(body, "\n" + m.at) + 1 && (p.message + p.remedy).find(m.says) != std::string::npos &&
-             !p.remedy.empty();
+      return p.line == lineOf(body, m.lines) + (m.lines.starts_with(m.at) ? 0 : 1) &&
+             (p.message + p.remedy).find(m.says) != std::string::npos && !p.remedy.empty();
     }));
     CHECK(found.errors.size() == (m.warning ? 0 : 1));
   }
