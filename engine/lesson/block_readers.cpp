@@ -201,9 +201,14 @@ SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpe
     scene.places.molecule = values["molecule"].place;
     const std::vector<std::string_view> known(lesson.molecules.begin(), lesson.molecules.end());
     if (!known.empty() && std::find(known.begin(), known.end(), scene.molecule.name) == known.end() &&
-        !reading.enough())
+        !reading.enough()) {
+      // '1hel.pdb' of an author who means the library's.
+      const std::string_view stem = std::string_view(scene.molecule.name).substr(0, scene.molecule.name.find('.'));
+      const bool meant = std::find(known.begin(), known.end(), stem) != known.end();
       reading.error(scene.places.molecule, trf("'{0}' is not among the lesson's molecules", scene.molecule.name),
-                    suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
+                    meant ? trf("write '{0}'", stem)
+                          : suggest(scene.molecule.name, known, tr("add it to the front matter or take one of")));
+    }
   } else if (!before &&
              std::none_of(lines.begin(), lines.end(), [](const KeyLine& l) { return l.key == "molecule"; })) {
     reading.error(block.place, tr("the lesson's first scene needs the key 'molecule'"), tr("add a line 'molecule: …'"));

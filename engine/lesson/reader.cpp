@@ -292,6 +292,7 @@ LessonReading readLessonText(const std::string& name, std::string bytes) {
   if (tree) {
     const bool whole = Walk(reading, lesson).run(*tree);
     if (whole && open_fences.empty()) reading::finishWays(reading, lesson);
+    if (open_fences.empty()) reading::findLineSlips(reading, body);
     if (whole && open_fences.empty()) reading::checkLinks(reading, lesson);
   } else {
     reading.errors.push_back(tree.problem());

@@ -40,6 +40,9 @@ std::size_t readFrontMatter(Reading& reading, Lesson& lesson);
 /// lesson.
 std::vector<Place> findOpenFences(const SourceText& source, std::size_t from);
 
+/// Problems with lines that are no heading or choice for want of a blank.
+void findLineSlips(Reading& reading, std::size_t from);
+
 /// Reads a scene block upon the scene of the step before (nullptr for the first).
 SceneSpec readScene(Reading& reading, const MarkdownBlock& block, const SceneSpec* before, const Lesson& lesson);
 

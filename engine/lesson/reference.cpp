@@ -190,7 +190,10 @@ std::string lessonReference() {
          "score "
          "it.\n\n";
   table(out, keysOf(KeyBlock::Answer));
-  out << R"(Below choices a block `answer` may hold `attempts`, `goal` and the conditions alone; what is right stands in the choices then.
+  out << R"(Behind a second arrow of a wrong choice (`- [ ] Two → Feel again. → pit taken for crease`) stands the tag of the misconception that it
+shows, which students do not see and the report counts.
+
+Below choices a block `answer` may hold `attempts`, `goal` and the conditions alone; what is right stands in the choices then.
 
 A condition leads back, or into an aside, once: it shows *Go on* under what is said to the answer, and *Next* leads there too; the
 question takes no answer before that. Leading forward, it lets *Next* pass over what stands between, and `skip` over the steps that it

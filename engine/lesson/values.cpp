@@ -71,7 +71,11 @@ Expected<Value> bounded(const KeySpec& key, std::string_view text, Value value, 
 
 Expected<Value> countValue(const KeySpec& key, std::string_view text, Value value) {
   const auto number = parseNumber(text);
-  if (!number) return number.problem();
+  if (!number) {
+    Problem p = number.problem();
+    if (p.remedy.empty()) p.remedy = tr("write a whole number and nothing else, as in '10'");
+    return p;
+  }
   if (*number != std::floor(*number)) return at(text, text, trf("'{0}' is not a whole number", text));
   value.number = *number;
   return bounded(key, text, std::move(value), *number, *number);
