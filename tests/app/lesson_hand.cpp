@@ -13,8 +13,9 @@ namespace {
 
 constexpr int kAttempts = 24;  // in a row that bring a task no further
 constexpr double kOrbit_rad_per_px = 0.008, kOrbit_rad_per_s = 1.4;
-constexpr double kSeen = 0.5;    // a slide goes on while the surface looks at the student so much (cosine)
-constexpr double kSame_A = 0.1;  // sideways: nearer than this a plan only pushes deeper
+constexpr double kSeen = 0.5;     // a slide goes on while the surface looks at the student so much (cosine)
+constexpr double kAsItIs = 0.95;  // it need not be turned to look from so near to where one looks from (cosine)
+constexpr double kSame_A = 0.1;   // sideways: nearer than this a plan only pushes deeper
 
 // With MOLTACT_LESSON_PICTURES a picture of each task as it was done, for people to look at.
 void takePicture(ScriptedUser& d, const std::string& name) {
@@ -112,10 +113,14 @@ void LessonHand::follow(const HandPlan& plan, std::size_t task) {
         push(depth_A * N_per_A());
       } else {
         if (glm::dot(front, d_.app().scene.camera.back()) < kSeen) {
-          lift();
-          face(front);
-          pointAt(act.to->A);
-          press();
+          // A ridge may stand before the place: it is looked at from where it is to be seen.
+          const Vec3 from = openFrom(act.to->A, front);
+          if (glm::dot(from, d_.app().scene.camera.back()) < kAsItIs) {
+            lift();
+            face(from);
+            pointAt(act.to->A);
+            press();
+          }
         }
         lead(act.to->A, task);
       }
@@ -226,6 +231,24 @@ Vec3 LessonHand::outward(const Vec3& place_A) const {
     if (glm::length(way) < b.radius_A + probe_A + 0.3) sum += glm::normalize(way);
   });
   return glm::length(sum) > 1e-6 ? glm::normalize(sum) : d_.app().scene.camera.back();
+}
+
+Vec3 LessonHand::openFrom(const Vec3& place_A, const Vec3& front) const {
+  constexpr double kFar_A = 40.0, kStep_A = 0.5;
+  const double probe_A = d_.app().scene.servo_settings.probe_A;
+  const Vec3 now = d_.app().scene.camera.back();
+  for (const double share : {1.0, 0.75, 0.5, 0.25}) {
+    const Vec3 to = glm::normalize(share * front + (1.0 - share) * now);
+    bool open = true;
+    for (double at_A = 1.0; at_A < kFar_A && open; at_A += kStep_A) {
+      const Vec3 here = place_A + at_A * to;
+      d_.app().scene.stage().balls->visitNear(here, probe_A, [&](std::uint32_t, const Ball& b) {
+        open = open && glm::distance(here, b.centre_A) >= b.radius_A + probe_A;
+      });
+    }
+    if (open) return to;
+  }
+  return front;
 }
 
 void LessonHand::face(Vec3 direction) {
