@@ -110,28 +110,29 @@ struct SecondState {
 
 /// The scene on the stage. It is complete: values that a scene block left out have been filled in.
 struct SceneSpec {
-  NamedMolecule molecule;            ///< its name in the library or beside the lesson, and how its file is read
-  TouchSetup touch;                  ///< what it is felt with
-  std::vector<std::string> show;     ///< names of the picture's parts
-  std::vector<StyleSpec> styles;     ///< how the atoms are drawn; empty: all as spheres
-  Selection hide;                    ///< atoms that are not drawn; may select nothing
-  Selection untouchable;             ///< atoms that are not felt; may select nothing
-  Selection remove;                  ///< atoms that are neither drawn nor felt; may select nothing
-  double near_A = 4.0;               ///< beside other styles: so near to the probe atoms are spheres
-  std::string colour = "element";    ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
-  std::vector<MarkSpec> labels;      ///< names over the picture; word "atom", "residue", "chain", or a name of its own
-  std::vector<MarkSpec> arrows;      ///< with their names
-  std::vector<MarkSpec> marks;       ///< atoms in own colours; the word is the colour, the name for the legend
-  Selection hydrogen_bonds;          ///< of which the hydrogen bonds are drawn; may select nothing
-  std::vector<PlacesSpec> measures;  ///< two places: a length; three: an angle; four: a torsion
-  bool paint_touched = false;        ///< atoms stay lightly painted once they have been touched
-  std::vector<std::string> panels;   ///< "touch", "methods", or "none"; empty: as the student has them
-  std::vector<std::string> locked;   ///< keys that the student cannot change, those of the front matter too
-  Selection highlight;               ///< may select nothing
-  ViewSpec view;                     ///< from where it is seen at first
-  std::vector<NamedView> views;      ///< those to come back to, in the author's order
-  bool cut = false;                  ///< the molecule is cut open
-  Selection cut_at;                  ///< the plane goes through the middle of these atoms; not given: of all
+  NamedMolecule molecule;             ///< its name in the library or beside the lesson, and how its file is read
+  TouchSetup touch;                   ///< what it is felt with
+  std::vector<std::string> show;      ///< names of the picture's parts
+  std::vector<StyleSpec> styles;      ///< how the atoms are drawn; empty: all as spheres
+  Selection hide;                     ///< atoms that are not drawn; may select nothing
+  Selection untouchable;              ///< atoms that are not felt; may select nothing
+  Selection remove;                   ///< atoms that are neither drawn nor felt; may select nothing
+  double near_A = 4.0;                ///< beside other styles: so near to the probe atoms are spheres
+  std::vector<std::string> captions;  ///< below a molecule and the one beside it; empty: their names
+  std::string colour = "element";     ///< what the atoms' colours tell: a scheme of engine/structure/colouring.h
+  std::vector<MarkSpec> labels;       ///< names over the picture; word "atom", "residue", "chain", or a name of its own
+  std::vector<MarkSpec> arrows;       ///< with their names
+  std::vector<MarkSpec> marks;        ///< atoms in own colours; the word is the colour, the name for the legend
+  Selection hydrogen_bonds;           ///< of which the hydrogen bonds are drawn; may select nothing
+  std::vector<PlacesSpec> measures;   ///< two places: a length; three: an angle; four: a torsion
+  bool paint_touched = false;         ///< atoms stay lightly painted once they have been touched
+  std::vector<std::string> panels;    ///< "touch", "methods", or "none"; empty: as the student has them
+  std::vector<std::string> locked;    ///< keys that the student cannot change, those of the front matter too
+  Selection highlight;                ///< may select nothing
+  ViewSpec view;                      ///< from where it is seen at first
+  std::vector<NamedView> views;       ///< those to come back to, in the author's order
+  bool cut = false;                   ///< the molecule is cut open
+  Selection cut_at;                   ///< the plane goes through the middle of these atoms; not given: of all
   SecondState then;
   Selection magnify;  ///< atoms that fill the room of the hand; may select nothing: the whole molecule lies in it
   ScenePlaces places;

@@ -107,7 +107,7 @@ class Gathering {
       if (!image.path.empty()) beside(image.path, image.place);
     });
     for (const Step& step : check.lesson->steps)
-      for (const NamedMolecule& named : {step.scene.molecule, secondMolecule(step.scene)})
+      for (const NamedMolecule& named : {step.scene.molecule, secondMolecule(step.scene), besideMolecule(step.scene)})
         if (!named.name.empty()) molecule(file, folder, named, step.scene.places.molecule);
   }
 

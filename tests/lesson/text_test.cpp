@@ -11,6 +11,7 @@
 #include "engine/lesson/lesson_picture.h"
 #include "engine/lesson/reader.h"
 #include "tests/lesson/small_molecules.h"
+#include "tests/lesson/small_picture.h"
 
 using namespace moltact;
 
@@ -74,13 +75,6 @@ struct Folder {
   }
   std::string operator/(const std::string& name) const { return (path / name).string(); }
 };
-
-// A PNG of one red pixel.
-const std::string kRedPng(
-    "\211\120\116\107\015\012\032\012\000\000\000\015\111\110\104\122\000\000\000\001\000\000\000\001\010"
-    "\002\000\000\000\220\167\123\336\000\000\000\014\111\104\101\124\170\234\143\370\317\300\000\000\003"
-    "\001\001\000\311\376\222\357\000\000\000\000\111\105\116\104\256\102\140\202",
-    69);
 
 std::vector<std::string> linksOf(const Lesson& lesson, std::size_t step) {
   std::vector<std::string> out;

@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double kLookAgain_s = 2.0;  // a picture that was missing may have been put there
 constexpr int kLongest_px = 2048;  // every WebGL 2 has textures of this size
 
 GLuint textureFor(const LessonPicture& p) {
@@ -39,6 +40,7 @@ GLuint textureFor(const LessonPicture& p) {
 struct LessonPictures::Kept {
   Shown shown;
   GLuint texture = 0;
+  double failed_s = 0.0;  // when it could not be read
   Kept() = default;
   Kept(const Kept&) = delete;
   Kept& operator=(const Kept&) = delete;
@@ -71,12 +73,20 @@ void LessonPictures::afterPanels(Application& app) {
     if (const auto at = kept_.find(done.file); at != kept_.end()) {
       Kept& kept = *at->second;
       kept.shown = {{}, done.width_px, done.height_px, std::move(done.fault)};
+      kept.failed_s = app.now_s();
       if (done.picture) {
         kept.texture = textureFor(*done.picture);
         kept.shown.texture = textureOf(kept.texture);
       }
     }
   }
+  if (!job_.valid() && queue_.empty())
+    for (auto& [file, kept] : kept_) {
+      if (kept->shown.fault.empty() || app.now_s() - kept->failed_s < kLookAgain_s) continue;
+      kept->failed_s = app.now_s();
+      std::error_code error;
+      if (fs::exists(file, error)) queue_.push_back(file);
+    }
   if (job_.valid() || queue_.empty()) return;
   fs::path file = std::move(queue_.front());
   queue_.pop_front();

@@ -187,7 +187,10 @@ void faceView(Camera& camera, const Molecule& molecule, const ViewSpec& view, co
     return;
   }
   constexpr double kQuarter = 0.5 * std::numbers::pi;
-  if (view.side == "side")
+  // Two that stand beside each other are seen so.
+  if (view.side == "side" && molecule.beside_from > 0)
+    camera.lookFrom(0, 0);
+  else if (view.side == "side")
     camera.lookSideOn(molecule);
   else if (view.side == "back")
     camera.lookFrom(2 * kQuarter, 0);
