@@ -12,6 +12,7 @@ LessonCheck checkLesson(const std::string& name, std::string bytes, const Molecu
     checks::moleculeList(*lesson, found);
     checks::steps(*lesson, found);
     checks::files(*lesson, name, found);
+    checks::words(*lesson, name, found);
     checks::language(*lesson, name, found);
     checks::signs(bytes, found);
   }

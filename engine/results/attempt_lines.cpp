@@ -185,12 +185,17 @@ struct FactWriter {
     out["by"] = nameOf(e.by);
   }
   void operator()(const Heartbeat&) {}
+  void operator()(const StatesMoved& e) {
+    out["file"] = e.file;
+    if (!e.superposed_on.empty()) out["superposed_on"] = e.superposed_on;
+    out["share"] = rounded(e.share);
+  }
 };
 
 std::string_view kindOf(const AttemptFact& fact) {
   constexpr std::array<std::string_view, std::variant_size_v<AttemptFact>> kKinds{
       "step", "answer", "hint",   "task",    "done",     "curve",      "touch", "released", "input", "stage",
-      "view", "trace",  "lesson", "resumed", "progress", "prediction", "left",  "touching", "still"};
+      "view", "trace",  "lesson", "resumed", "progress", "prediction", "left",  "touching", "still", "state"};
   return kKinds[fact.index()];
 }
 
@@ -382,6 +387,7 @@ std::optional<AttemptFact> factOf(const std::string& kind, const Json& j) {
     return TouchSoFar{numberAt(j, "from"),   countAt(j, "crossings"), numberAt(j, "peak_N"),
                       numberAt(j, "mean_N"), numberAt(j, "path_A"),   way(j)};
   if (kind == "still") return Heartbeat{};
+  if (kind == "state") return StatesMoved{text(j, "file", true), text(j, "superposed_on", false), numberAt(j, "share")};
   if (kind == "left") return SessionClosed{text(j, "at", true)};
   return std::nullopt;
 }

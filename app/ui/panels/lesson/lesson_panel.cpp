@@ -189,6 +189,7 @@ void drawLessonPanel(Application& app) {
     ImGui::SetScrollY(0.0f);
     app.panels.lesson_task = 0;
     app.panels.lesson_task_height = 0.0f;
+    app.panels.word = {};
   }
   app.panels.lesson_step = before;
   scrollByKeys();
