@@ -390,6 +390,15 @@ constexpr std::array kActions{
            .menu = Menu::Help,
            .label = N_("About Moltact"),
            .run = [](App& a) { a.panels.about_page = true; }},
+
+    Action{.name = "sound-yes",
+           .menu = Menu::None,
+           .label = N_("Yes, let me hear it"),
+           .run = [](App& a) { a.extensions().touch_sound.answer(a, true); }},
+    Action{.name = "sound-no",
+           .menu = Menu::None,
+           .label = N_("No sound"),
+           .run = [](App& a) { a.extensions().touch_sound.answer(a, false); }},
 };
 
 }  // namespace
