@@ -191,6 +191,7 @@ TEST_CASE("a link in the lesson's text is followed by keys") {
                    "---\ntitle: Mine\nminutes: 5\ngoals: G\nmolecules: argon\nauthor: A\nlicence: L\n---\n"
                    "## One\n```scene\nmolecule: argon\n```\nSee [the second](#two) step.\n## Two\nText.\n");
   auto d = startWith(file.string());
+  d->tap("Tab");  // the goals
   d->tap("Tab");
   d->frames(2);
   CHECK(controlOfKeys().ends_with("/the second"));

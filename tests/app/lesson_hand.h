@@ -34,6 +34,8 @@ class LessonHand {
   /// Where a place appears, as a share of the view's width and height.
   glm::dvec2 seen(const Vec3& place_A) const;
   Vec3 outward(const Vec3& place_A) const;
+  /// The direction from which the plan's places are to be seen from the k-th on, as many in a row as can be.
+  Vec3 openFrom(const HandPlan& plan, std::size_t k) const;
   /// Turns the molecule until this direction looks at the student.
   void face(Vec3 direction);
   void pointAt(const Vec3& place_A);

@@ -35,7 +35,9 @@ struct PanelState : KeyFocus {
   std::size_t lesson_task = 0;          ///< the step's current task when it was last drawn
   float lesson_task_height = 0.0f;      ///< of its card, which does not shrink while the task goes on (unit: pixel)
   float lesson_task_width = 0.0f;       ///< with which that height was needed
+  float lesson_task_y = 0.0f;           ///< where the current task's own words end (unit: pixel); 0: none
   float lesson_question_y = 0.0f;       ///< where the step's last unanswered question begins (unit: pixel); 0: none
+  float lesson_text_end = 0.0f;         ///< of what is shown of the lesson's text (unit: pixel)
   bool lesson_more_below = false;       ///< some of the lesson's text lies below what is shown of it
   float lesson_scroll = 0.0f;           ///< the lesson's text is to go on by so much (unit: pixel)
   bool open_page = false, controls_page = false, about_page = false, preferences_page = false, device_page = false,

@@ -21,7 +21,7 @@ struct WidgetRecord {
   /// Its middle is seen.
   bool visible() const {
     const glm::vec2 c = centre();
-    return c.x >= clip_low.x && c.x <= clip_high.x && c.y >= clip_low.y && c.y <= clip_high.y;
+    return c.x >= clip_low.x && c.x < clip_high.x && c.y >= clip_low.y && c.y < clip_high.y;
   }
 };
 

@@ -101,28 +101,60 @@ std::size_t hintsIn(const std::vector<Block>& blocks) {
       std::count_if(blocks.begin(), blocks.end(), [](const Block& b) { return std::holds_alternative<Tip>(b); }));
 }
 
-float moreBelowHeight() { return look().tx(17) + look().px(12); }
+/// What the strip under the text says while some of it lies below; the task at hand goes before all else.
+struct Below {
+  std::string text;
+  bool task = false, asks = false;
+};
+
+Below standsBelow(const Application& app, const LessonSession& session, float shown_to) {
+  const PanelState& panels = app.panels;
+  for (std::size_t k = 0; k < session.step().tasks.size(); ++k) {
+    const TaskStatus status = session.task(k);
+    if (status.current && panels.lesson_task == k && panels.lesson_task_y > shown_to) return {status.say, true, true};
+  }
+  for (std::size_t q = 0; q < session.step().questions.size(); ++q)
+    if (session.question(q).attempts == 0 && panels.lesson_question_y > shown_to)
+      return {tr("A question stands below"), false, true};
+  return {tr("More below"), false, false};
+}
+
+/// Its text in at most three lines, as far as this width allows.
+std::string linesBelow(const Below& below, float wide) {
+  const Look& l = look();
+  const WithFont small(Font::Small);
+  std::string lines = wrapped(below.text, wide - l.px(56));
+  std::size_t end = lines.find('\n');
+  for (int k = 0; k < 2 && end != std::string::npos; ++k) end = lines.find('\n', end + 1);
+  return end == std::string::npos ? lines : lines.substr(0, end) + " …";
+}
+
+float heightBelow(const std::string& lines) {
+  const WithFont small(Font::Small);
+  return ImGui::CalcTextSize(lines.c_str()).y + look().px(12);
+}
 
 /// In a strip of its own under the text while some of it lies below: what stands there; a click goes on by a page.
-void drawMoreBelow(Application& app, const LessonSession& session, const Rectangle& text_shown) {
+void drawMoreBelow(Application& app, const Below& below, const std::string& lines, const Rectangle& text_shown) {
   const Look& l = look();
-  bool asks = false;
-  for (std::size_t q = 0; q < session.step().questions.size(); ++q)
-    asks = asks || (session.question(q).attempts == 0 && app.panels.lesson_question_y > text_shown.high.y);
-  const char* text = asks ? tr("A question stands below") : tr("More below");
   const WithFont small(Font::Small);
-  const ImVec2 size = ImGui::CalcTextSize(text);
-  const float high = size.y + l.px(8), wide = size.x + l.px(40),
+  const ImVec2 size = ImGui::CalcTextSize(lines.c_str());
+  const float room = text_shown.high.x - text_shown.low.x, left = l.px(below.task ? 32 : 12);
+  const float high = size.y + l.px(8), wide = below.task ? room : size.x + left + l.px(28),
               x = 0.5f * (text_shown.low.x + text_shown.high.x - wide), y = text_shown.high.y + l.px(2);
   ImGui::SetCursorScreenPos({x, y});
   if (ImGui::InvisibleButton("more below", {wide, high}))
     app.panels.lesson_scroll = 0.7f * (text_shown.high.y - text_shown.low.y);
   ImDrawList* draw = ImGui::GetWindowDrawList();
-  draw->AddRectFilled({x, y}, {x + wide, y + high}, asks ? l.palette.accent_soft : l.palette.raised, 0.5f * high);
-  draw->AddRect({x, y}, {x + wide, y + high}, l.palette.line, 0.5f * high);
-  draw->AddText({x + l.px(12), y + l.px(4)}, l.palette.text, text);
+  const float round = below.task ? l.px(8) : 0.5f * high;
+  draw->AddRectFilled({x, y}, {x + wide, y + high}, below.asks ? l.palette.accent_soft : l.palette.raised, round);
+  if (below.task)
+    draw->AddCircle({x + l.px(17), y + 0.5f * high}, l.px(7), l.palette.accent, 24, l.px(2));
+  else
+    draw->AddRect({x, y}, {x + wide, y + high}, l.palette.line, round);
+  draw->AddText({x + left, y + l.px(4)}, l.palette.text, lines.c_str());
   drawIcon(draw, Icon::ChevronDown, {x + wide - l.px(14), y + 0.5f * high}, l.px(12), l.palette.text);
-  recordRectangle("lesson/more", {x, y}, {x + wide, y + high}, text);
+  recordRectangle("lesson/more", {x, y}, {x + wide, y + high}, below.text);
 }
 
 /// A link that leads to no step: to another lesson, or out of the program.
@@ -147,7 +179,11 @@ void drawLessonPanel(Application& app) {
   const float foot = l.tx(34) + l.px(12);
   const std::size_t before = session->stepIndex();
   const bool more_below = app.panels.lesson_more_below;
-  ImGui::BeginChild("text", {0, -foot - (more_below ? moreBelowHeight() : 0.0f)});
+  // By where things stood in the last frame.
+  const Below below = standsBelow(app, *session, app.panels.lesson_text_end);
+  const std::string below_lines = linesBelow(below, ImGui::GetContentRegionAvail().x);
+  const float below_height = more_below ? heightBelow(below_lines) : 0.0f;
+  ImGui::BeginChild("text", {0, -foot - below_height});
   if (app.panels.lesson_step != before) {
     ImGui::SetScrollY(0.0f);
     app.panels.lesson_task = 0;
@@ -164,7 +200,7 @@ void drawLessonPanel(Application& app) {
   drawHead(app, *session);
   ImGui::Spacing();
   std::string link;
-  app.panels.lesson_question_y = 0.0f;
+  app.panels.lesson_question_y = app.panels.lesson_task_y = 0.0f;
   if (before == 0) drawLessonGoals(app, *session);
   if (before == 0) link = drawLessonBlocks(app, session->lesson().introduction, "lesson/intro", 0);
   if (const std::string other = drawLessonBlocks(app, session->step().blocks, "lesson", introduced); !other.empty())
@@ -176,10 +212,12 @@ void drawLessonPanel(Application& app) {
   ImGui::EndChild();
   const ImVec2 foot_at = ImGui::GetCursorScreenPos();
   if (more_below) {
-    drawMoreBelow(app, *session, {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}});
-    ImGui::SetCursorScreenPos({foot_at.x, foot_at.y + moreBelowHeight()});
+    drawMoreBelow(app, below, below_lines,
+                  {{text_low.x, text_low.y}, {text_low.x + text_size.x, text_low.y + text_size.y}});
+    ImGui::SetCursorScreenPos({foot_at.x, foot_at.y + below_height});
   }
   app.panels.lesson_more_below = hidden >= l.px(24);
+  app.panels.lesson_text_end = text_low.y + text_size.y;
   const float edge = ImGui::GetCursorScreenPos().y - l.px(3);
   ImDrawList* draw = ImGui::GetWindowDrawList();
   draw->PushClipRectFullScreen();

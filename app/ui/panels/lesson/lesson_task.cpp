@@ -125,6 +125,7 @@ void drawLessonTask(Application& app, std::size_t index) {
     ImGui::PopItemWidth();
     ImGui::EndGroup();
   }
+  if (status.current) app.panels.lesson_task_y = at.y + say_h;
   ImGui::SetCursorScreenPos(low);
   ImGui::Dummy({width, height});
   // The task whose turn has come is brought into sight, but a step begins at its top.
