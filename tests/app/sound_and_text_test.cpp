@@ -55,7 +55,8 @@ TEST_CASE(
     options.application.settings_file = scratch.folder / (answer + ".json");
     const auto question = [](ScriptedUser& d) {
       for (std::size_t k = 0; k < d.app().messages.all().size(); ++k)
-        if (contains(d.text("message/" + std::to_string(k)), "hear what you touch")) return "message/" + std::to_string(k);
+        if (contains(d.text("message/" + std::to_string(k)), "hear what you touch"))
+          return "message/" + std::to_string(k);
       return std::string();
     };
     const auto touches = [](ScriptedUser& d) {

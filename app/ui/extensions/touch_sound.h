@@ -43,7 +43,7 @@ class TouchSound : public Extension {
   MessageId question_ = 0;
   double felt_s_ = 0.0;         // of touch, before the question
   std::optional<Vec3> last_A_;  // where the contact point was in the last tick
-  TouchSynth synth_;  // of the frames' clock
+  TouchSynth synth_;            // of the frames' clock
   std::vector<float> heard_;
 };
 
