@@ -208,14 +208,18 @@ TEST_CASE("a task that wants more force than the hand gives tells how to push ha
   auto d = startWith("");
   d->app().open(scratch.file("harder.md", R"(---
 title: Harder
-molecule: argon-pair
 ---
 
-# Push
+## Push
 
 Push.
 
-```task
+```scene
+molecule: argon-pair
+probe: 1.4 Å
+```
+
+```touch
 press: anywhere
 until: 1.2 N
 ```

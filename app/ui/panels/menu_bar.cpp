@@ -124,7 +124,7 @@ struct Inset {
   void (*draw)(Application&);
 };
 constexpr Inset kInsets[] = {{"open", libraryMenu},   {"open", recentMenu},        {"methods", styleMenu},
-                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"turns", lessonList},
+                             {"methods", shapesMenu}, {"high-contrast", sizeMenu}, {"report", lessonList},
                              {"reset", viewsMenu}};
 
 void drawMenu(Application& app, Menu menu) {
