@@ -84,8 +84,8 @@ TEST_CASE(
   CAPTURE(lineSaying(kLesson, "shell and spikes (F and G) of the phage α3 with the small protein J of φX174"));
   std::ifstream in(MOLTACT_SOURCE_DIR "/molecules/1rb8.pdb");
   std::string title, line;
-  std::map<char, std::string> molecule_of_chain,
-      organism_of_molecule;  // "1" for F, "ENTEROBACTERIA PHAGE ALPHA3" for "1"
+  std::map<char, std::string> molecule_of_chain;            // "1" for F
+  std::map<std::string, std::string> organism_of_molecule;  // "ENTEROBACTERIA PHAGE ALPHA3" for "1"
   for (std::string number; std::getline(in, line);) {
     if (line.rfind("TITLE ", 0) == 0) title = line;
     const auto after = [&](const std::string& key) {
