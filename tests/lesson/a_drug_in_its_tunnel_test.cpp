@@ -119,3 +119,24 @@ TEST_CASE(
   CHECK(passes(key, drug, along, {0, 1, 0}, false));
   CHECK_FALSE(passes(key, drug, along, {0, 1, 0}, true));
 }
+
+TEST_CASE(
+    "the three places of the wall are touched from the tunnel's side: most places where a probe rests on them look to "
+    "the "
+    "middle of the drug") {
+  const std::string line = lineSaying(kDrug, "(residue 82 and name CG1 CG2) then (residue 84 and name CG2 CD1)");
+  CAPTURE(line);
+  const ShippedScene with("1hpv"), empty("1hpv-empty");
+  for (const char* place :
+       {"residue 82 and name CG1 CG2", "residue 84 and name CG2 CD1", "residue 50 and name CB CG2 CD1"}) {
+    CAPTURE(place);
+    const auto rests = empty.places(place, 1.4);
+    REQUIRE_FALSE(rests.empty());
+    Vec3 middle(0.0);
+    const auto drug = with.select("ligand");
+    for (const auto i : drug) middle += with.balls[i].centre_A / double(drug.size());
+    std::size_t inside = 0;
+    for (const SurfacePlace& p : rests) inside += glm::dot(p.outward, middle - p.scp_A) > 0.0;
+    CHECK(double(inside) > 0.5 * double(rests.size()));
+  }
+}
