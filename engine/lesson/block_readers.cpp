@@ -126,7 +126,7 @@ void readMarks(const KeyValues& values, const Takes& takes, SceneSpec& scene) {
   }
   for (const auto& [key, angles] : {std::pair{"distance", false}, std::pair{"angle", true}}) {
     if (!takes(key)) continue;
-    std::erase_if(scene.measures, [&](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
+    std::erase_if(scene.measures, [angles = angles](const PlacesSpec& m) { return (m.atoms.size() > 2) == angles; });
     const std::vector<PlacesSpec>& wanted = values[key].measures;
     scene.measures.insert(scene.measures.end(), wanted.begin(), wanted.end());
   }

@@ -59,7 +59,7 @@ void StateText::afterPanels(Application& app) {
   const Contact& contact = app.scene.log().latest().contact;
   const bool force_on = app.scene.servo_settings.force_on;
   const double force_N = force_on ? app.scene.log().force_N() : 0.0;
-  const bool dark = dark_ = stager_.dark();
+  const bool dark = dark_ = stager_.dark() || app.scene.touchesUnseen();
   const std::string what = dark ? unnamedContactText(contact) : whatOf(molecule, contact);
   const std::string whole = dark ? what : contactText(molecule, contact, force_N, force_on);
   if (reading_.update(what, what, 0, app.now_s())) tells_contact_ = molecule && contact.touching();
